@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "app/cli/command_line.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <functional>
+#include <ostream>
+
+#include "app/cli/commands.hpp"
+#include "app/config/describe.hpp"
+#include "app/config/suggest.hpp"
+#include "app/output/manifest.hpp"
+
+namespace leastcost::app {
+namespace {
+
+/// What the options of all commands write into; a command reads what it has declared.
+struct Values {
+  std::string config, output, seed, kind, type, name, mesh, format = "text";
+  std::vector<std::string> configs, set;
+  bool force = false, dry_run = false, quiet = false, verbose = false, weld = false;
+
+  bool json() const { return format == "json"; }
+  std::vector<Override> overrides() const {
+    std::vector<Override> all;
+    for (const std::string& assignment : set) all.push_back(set_option(assignment));
+    if (!seed.empty()) all.push_back(seed_option(seed));
+    return all;
+  }
+};
+
+using Command = std::function<Exit()>;
+
+void add_format(CLI::App& command, Values& v) {
+  command.add_option("--format", v.format, "text or json")->check(CLI::IsMember({"text", "json"}))->type_name("FORMAT");
+}
+
+void add_set(CLI::App& command, Values& v) {
+  command.add_option("--set", v.set, "Replace one option of the configuration, e.g. --set solver.max_iterations=50")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command.add_option("--seed", v.seed, "Same as --set seed=N")->type_name("N");
+}
+
+void add_run(CLI::App& app, Values& v, const std::vector<std::string>& arguments, const Streams& streams,
+             Command& chosen) {
+  CLI::App& c = *app.add_subcommand("run", "Find a least-cost path and write its results");
+  c.add_option("config", v.config, "Configuration (YAML)")->required()->type_name("CONFIG");
+  add_set(c, v);
+  add_format(c, v);
+  c.add_option("-o,--output", v.output, "Output folder; default: results/<name>")->type_name("DIR");
+  c.add_flag("--force", v.force, "Replace an output folder of an earlier run");
+  c.add_flag("-n,--dry-run", v.dry_run, "Check everything, input files included, and say what would be done");
+  auto* quiet = c.add_flag("-q,--quiet", v.quiet, "No progress");
+  c.add_flag("-v,--verbose", v.verbose, "More about the result")->excludes(quiet);
+  c.callback([&] {
+    chosen = [&] {
+      RunArguments run{{v.config, v.overrides(), v.output, v.force, arguments}, v.dry_run, v.json(), Verbosity::normal};
+      if (v.quiet) run.verbosity = Verbosity::quiet;
+      if (v.verbose) run.verbosity = Verbosity::verbose;
+      return run_command(run, streams);
+    };
+  });
+}
+
+void add_validate(CLI::App& app, Values& v, const Streams& streams, Command& chosen) {
+  CLI::App& c = *app.add_subcommand("validate", "Every error of configurations with its position; computes nothing");
+  c.add_option("configs", v.configs, "Configurations (YAML)")->required()->type_name("CONFIG...");
+  add_set(c, v);
+  add_format(c, v);
+  c.callback([&] { chosen = [&] { return validate_command(v.configs, v.overrides(), v.json(), streams); }; });
+}
+
+void add_reference(CLI::App& app, Values& v, const Streams& streams, Command& chosen) {
+  CLI::App& list = *app.add_subcommand("list", "What a configuration can name");
+  list.add_option("kind", v.kind, "manifolds, costs, kernels, initializers, solvers, post_processors, formats")
+      ->type_name("KIND");
+  add_format(list, v);
+  list.callback([&] { chosen = [&] { return list_command(v.kind, v.json(), streams); }; });
+
+  CLI::App& describe =
+      *app.add_subcommand("describe", "Every option of a plug-in, or of a configuration (describe run)");
+  describe.add_option("kind", v.kind, "run, manifold, cost, kernel, initializer, solver, post_processor")
+      ->required()
+      ->type_name("KIND");
+  describe.add_option("type", v.type, "Its type, e.g. euclidean")->type_name("TYPE");
+  describe.callback([&] { chosen = [&] { return describe_command(v.kind, v.type, streams); }; });
+
+  CLI::App& schema = *app.add_subcommand("schema", "JSON Schema (draft 7) of a configuration, for editors");
+  schema.callback([&] { chosen = [&] { return streams.out << json_schema(), Exit::certified; }; });
+}
+
+void add_helpers(CLI::App& app, Values& v, const Streams& streams, Command& chosen) {
+  CLI::App& init = *app.add_subcommand("init", "Print a commented starter configuration; without a name: the list");
+  init.add_option("template", v.name, "Name of the template")->type_name("TEMPLATE");
+  init.add_option("-o,--output", v.output, "Write to this file instead")->type_name("FILE");
+  init.add_flag("--force", v.force, "Overwrite the file");
+  init.callback([&] { chosen = [&] { return init_command(v.name, v.output, v.force, streams); }; });
+
+  CLI::App& doctor =
+      *app.add_subcommand("doctor", "What is wrong with a mesh, if anything, and what a solve would need");
+  doctor.add_option("mesh", v.mesh, "OBJ, OFF, PLY or STL file")->required()->type_name("MESH");
+  doctor.add_flag("--weld", v.weld, "After merging vertices with equal positions");
+  add_format(doctor, v);
+  doctor.callback([&] { chosen = [&] { return doctor_command(v.mesh, v.weld, v.json(), streams); }; });
+}
+
+std::vector<std::string> names_of(const std::vector<CLI::App*>& commands) {
+  std::vector<std::string> names;
+  names.reserve(commands.size());
+  for (const CLI::App* command : commands) names.push_back(command->get_name());
+  return names;
+}
+
+/// CLI11 suggests nothing; for the first option that the command does not have, we do.
+std::string option_hint(const CLI::App& app, const std::vector<std::string>& arguments) {
+  const CLI::App* command = &app;
+  for (const CLI::App* c : app.get_subcommands({}))
+    if (arguments.size() > 1 && c->get_name() == arguments[1]) command = c;
+  std::vector<std::string> known;
+  for (const CLI::Option* option : command->get_options())
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  for (const std::string& argument : arguments) {
+    const std::string word = argument.substr(0, argument.find('='));
+    if (word.rfind("--", 0) == 0 && std::count(known.begin(), known.end(), word) == 0) return did_you_mean(word, known);
+  }
+  return "";
+}
+
+/// Help and version are no errors; everything else is one of usage.
+Exit parse_outcome(const CLI::App& app, const CLI::ParseError& e, const std::vector<std::string>& arguments,
+                   const Streams& streams) {
+  if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+    app.exit(e, streams.out, streams.err);
+    return Exit::certified;
+  }
+  std::string message = e.what();
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  streams.err << "error: " << message << option_hint(app, arguments)
+              << "\nTry: leastcost --help, leastcost COMMAND --help\n";
+  return Exit::usage;
+}
+
+Exit parse_and_run(const std::vector<std::string>& arguments, const Streams& streams, Values& values) {
+  CLI::App app("Least-cost paths on manifolds whose points are equally spaced in cost", "leastcost");
+  app.set_version_flag("--version", "leastcost " + std::string(program_version()));
+  app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 certified, 1 internal error, 2 usage, 3 configuration, 4 input, 5 uncertified or collapsed,\n"
+      "6 no path, 130 interrupted");
+  Command chosen;
+  add_run(app, values, arguments, streams, chosen);
+  add_validate(app, values, streams, chosen);
+  add_reference(app, values, streams, chosen);
+  add_helpers(app, values, streams, chosen);
+
+  const std::vector<std::string> names = names_of(app.get_subcommands({}));
+  if (arguments.size() > 1 && arguments[1].rfind('-', 0) != 0 &&
+      std::count(names.begin(), names.end(), arguments[1]) == 0) {
+    streams.err << "error: unknown command '" << arguments[1] << "'" << did_you_mean(arguments[1], names)
+                << "; commands: " << joined(names) << '\n';
+    return Exit::usage;
+  }
+  try {
+    // CLI11 takes the arguments in reverse, without the program.
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend() - 1));
+  } catch (const CLI::ParseError& e) {
+    return parse_outcome(app, e, arguments, streams);
+  }
+  return chosen();
+}
+
+}  // namespace
+
+int run_program(const std::vector<std::string>& arguments, const Streams& streams) {
+  Values values;
+  try {
+    const Exit exit = parse_and_run(arguments, streams, values);
+    if (streams.out.flush()) return static_cast<int>(exit);
+    streams.err << "error: the result could not be written to standard output\n";
+    return static_cast<int>(Exit::internal);
+  } catch (...) {
+    return static_cast<int>(exit_of_exception(streams, values.json()));
+  }
+}
+
+}  // namespace leastcost::app

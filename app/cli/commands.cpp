@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "app/cli/commands.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "app/cli/templates.hpp"
+#include "app/config/describe.hpp"
+#include "app/config/suggest.hpp"
+#include "app/output/json_numbers.hpp"
+#include "app/registry.hpp"
+
+namespace leastcost::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json diagnostics_json(const Diagnostics& diagnostics) {
+  Json out = Json::array();
+  for (const Diagnostic& e : diagnostics.sorted()) {
+    Json error = {{"line", nullptr}, {"column", nullptr}, {"origin", nullptr}, {"message", e.message}};
+    if (!e.place.origin.empty())
+      error["origin"] = e.place.origin;
+    else if (e.place.line > 0)
+      error["line"] = e.place.line, error["column"] = e.place.column;
+    out.push_back(error);
+  }
+  return out;
+}
+
+/// Readers of meshes, for `list formats`. They are told apart by the extension of the file.
+std::string formats_text() {
+  return "formats: files of the mesh manifold\n"
+         "  obj  Wavefront OBJ: v and f records\n"
+         "  off  Object File Format\n"
+         "  ply  Stanford PLY, ascii and binary\n"
+         "  stl  STL, ascii and binary; equal vertices are merged\n";
+}
+
+std::vector<std::string> kind_names() {
+  std::vector<std::string> names;
+  for (const PluginKind& k : plugin_kinds()) names.push_back(k.plural);
+  return names;
+}
+
+Exit unknown(const Streams& streams, const std::string& what, const std::string& word,
+             const std::vector<std::string>& valid) {
+  streams.err << fmt::format("error: unknown {} '{}'{}; valid: {}\n", what, word, did_you_mean(word, valid),
+                             joined(valid));
+  return Exit::usage;
+}
+
+Json kind_json(const PluginKind& kind) {
+  Json out = Json::array();
+  for (const PluginEntry* plugin : kind.entries)
+    out.push_back({{"type", plugin->type},
+                   {"summary", plugin->summary},
+                   {"needs", plugin->needs},
+                   {"provides", plugin->provides}});
+  return out;
+}
+
+/// An unreadable file is one more error, so that the other files get their turn.
+LoadedConfig checked_config(const std::string& file, const std::vector<Override>& overrides, bool& readable) {
+  try {
+    LoadedConfig loaded = load_config(file, overrides);
+    if (loaded.errors.empty()) check_constructors(loaded);
+    return loaded;
+  } catch (const InputError& e) {
+    readable = false;
+    LoadedConfig none{{}, {}, {}, {}, {}, {file, ""}};
+    none.errors.error({}, e.what());
+    return none;
+  }
+}
+
+}  // namespace
+
+Exit validate_command(const std::vector<std::string>& files, const std::vector<Override>& overrides, bool json,
+                      const Streams& streams) {
+  Json report = Json::array();
+  bool all_valid = true, all_readable = true;
+  for (const std::string& file : files) {
+    const LoadedConfig loaded = checked_config(file, overrides, all_readable);
+    const bool valid = loaded.errors.empty();
+    all_valid = all_valid && valid;
+    report.push_back({{"file", file}, {"valid", valid}, {"errors", diagnostics_json(loaded.errors)}});
+    if (!valid) streams.err << loaded.errors.render(streams.color) << loaded.errors.count() << '\n';
+    if (valid && !json) streams.out << file << ": valid\n";
+  }
+  if (json) streams.out << to_text({{"valid", all_valid}, {"files", report}});
+  if (!all_readable) return Exit::input;
+  return all_valid ? Exit::certified : Exit::configuration;
+}
+
+Exit list_command(const std::string& kind, bool json, const Streams& streams) {
+  std::vector<std::string> valid = kind_names();
+  valid.emplace_back("formats");
+  const PluginKind* wanted = find_kind(kind);
+  if (!kind.empty() && kind != "formats" && wanted == nullptr) return unknown(streams, "kind", kind, valid);
+  Json out = Json::object();
+  std::string text;
+  for (const PluginKind& k : plugin_kinds()) {
+    if (!kind.empty() && &k != wanted) continue;
+    out[k.plural] = kind_json(k);
+    if (!text.empty()) text += '\n';
+    text += describe_kind(k);
+  }
+  if (kind.empty() || kind == "formats") {
+    out["formats"] = {"obj", "off", "ply", "stl"};
+    if (!text.empty()) text += '\n';
+    text += formats_text();
+  }
+  streams.out << (json ? to_text(out) : text);
+  return Exit::certified;
+}
+
+Exit describe_command(const std::string& kind, const std::string& type, const Streams& streams) {
+  if (kind == "run" && type.empty()) {
+    streams.out << describe_run();
+    return Exit::certified;
+  }
+  const PluginKind* found = find_kind(kind);
+  if (found == nullptr) {
+    std::vector<std::string> valid = {"run"};
+    for (const PluginKind& k : plugin_kinds()) valid.push_back(k.name);
+    return unknown(streams, "kind", kind, valid);
+  }
+  if (type.empty()) {
+    streams.out << describe_kind(*found);
+    return Exit::certified;
+  }
+  const PluginEntry* plugin = find_plugin(*found, type);
+  if (plugin == nullptr) return unknown(streams, found->name, type, types_of(*found));
+  streams.out << describe_plugin(*found, *plugin);
+  return Exit::certified;
+}
+
+Exit init_command(const std::string& name, const std::string& file, bool force, const Streams& streams) {
+  if (name.empty()) {
+    for (const Template& t : templates()) streams.out << fmt::format("{:<16} {}\n", t.name, t.summary);
+    return Exit::certified;
+  }
+  const Template* found = nullptr;
+  std::vector<std::string> names;
+  for (const Template& t : templates()) {
+    names.emplace_back(t.name);
+    if (t.name == name) found = &t;
+  }
+  if (found == nullptr) return unknown(streams, "template", name, names);
+  if (file.empty()) {
+    streams.out << found->text;
+    return Exit::certified;
+  }
+  if (std::filesystem::exists(file) && !force) {
+    streams.err << fmt::format("error: {} exists; --force overwrites it\n", file);
+    return Exit::usage;
+  }
+  std::ofstream out(file, std::ios::binary);
+  out << found->text << std::flush;
+  if (out) return Exit::certified;
+  streams.err << fmt::format("error: {} cannot be written\n", file);
+  return Exit::internal;
+}
+
+}  // namespace leastcost::app

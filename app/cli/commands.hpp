@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli/streams.hpp"
+#include "app/run.hpp"
+
+namespace leastcost::app {
+
+enum class Verbosity { quiet, normal, verbose };
+
+struct RunArguments {
+  RunRequest request;
+  bool dry_run = false;
+  bool json = false;
+  Verbosity verbosity = Verbosity::normal;
+};
+
+/// Each command returns the exit code of the program. They throw what they do not handle; see exit_of_exception().
+Exit run_command(const RunArguments& arguments, const Streams& streams);
+Exit validate_command(const std::vector<std::string>& files, const std::vector<Override>& overrides, bool json,
+                      const Streams& streams);
+/// `kind`: empty for all kinds.
+Exit list_command(const std::string& kind, bool json, const Streams& streams);
+/// `type`: empty for the overview of a kind; the kind `run` stands for the keys of a configuration.
+Exit describe_command(const std::string& kind, const std::string& type, const Streams& streams);
+/// `name`: empty for the list of templates; `file`: empty for stdout.
+Exit init_command(const std::string& name, const std::string& file, bool force, const Streams& streams);
+Exit doctor_command(const std::string& file, bool weld, bool json, const Streams& streams);
+
+/// Prints what the exception in flight says and returns its exit code. Call it in a catch block only.
+Exit exit_of_exception(const Streams& streams, bool json);
+
+}  // namespace leastcost::app

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "app/cli/streams.hpp"
+#include "framework/monitor.hpp"
+
+namespace leastcost::app {
+
+/// Shows how far a run is: a bar on a terminal, elsewhere a plain line per 10 % or 30 s, nothing for runs shorter than a second.
+/// Percent of a solve is the way of the predicted cost error from its first value to the tolerance, in digits.
+class ProgressPrinter {
+ public:
+  ProgressPrinter(const Streams& streams, bool quiet) : streams_(streams), quiet_(quiet) {}
+  ~ProgressPrinter() { clear(); }
+  ProgressPrinter(const ProgressPrinter&) = delete;
+  ProgressPrinter& operator=(const ProgressPrinter&) = delete;
+
+  void show(const Progress& progress);
+  /// Takes the bar away, so that other lines can follow.
+  void clear();
+
+ private:
+  using Clock = Monitor::Clock;
+  int percent(const Iteration& iteration);
+  void show_bar(const std::string& line, int percent);
+  void show_line(const std::string& line, int percent, bool new_stage);
+
+  Streams streams_;
+  bool quiet_;
+  Clock::time_point start_ = Clock::now(), last_shown_ = start_;
+  Stage stage_ = Stage::initialize;
+  double first_error_ = 0;
+  int last_percent_ = 0;
+  bool bar_shown_ = false;
+};
+
+}  // namespace leastcost::app

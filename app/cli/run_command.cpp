@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <new>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "app/cli/commands.hpp"
+#include "app/cli/interrupt.hpp"
+#include "app/cli/progress.hpp"
+#include "app/cli/summary.hpp"
+#include "app/output/json_numbers.hpp"
+#include "app/output/output_folder.hpp"
+
+namespace leastcost::app {
+namespace {
+
+Exit dry_run(const RunArguments& arguments, const Streams& streams) {
+  const Prepared prepared = prepare(arguments.request);
+  streams.out << (arguments.json ? dry_run_json(arguments.request, prepared)
+                                 : dry_run_text(arguments.request, prepared));
+  return Exit::certified;
+}
+
+std::string error_label(const Streams& streams) { return streams.color ? "\033[1;31merror:\033[0m" : "error:"; }
+
+/// A run without a result still gives a program one object to read.
+void print_without_result(const Streams& streams, bool json, const char* status, const std::string& message) {
+  if (!json) return;
+  const nlohmann::ordered_json out = {
+      {"schema_version", kSchemaVersion}, {"status", status}, {"certified", false}, {"message", message}};
+  streams.out << to_text(out);
+}
+
+/// What an exception means for the program: exit code, status for programs, message for people.
+struct Verdict {
+  Exit exit;
+  const char* status;
+  std::string reason, message;
+};
+
+Verdict verdict_on_exception(const Streams& streams) {
+  const auto verdict = [&](Exit exit, const char* status, const std::string& reason, const char* before = "",
+                           const char* after = "") {
+    return Verdict{exit, status, reason, fmt::format("{} {}{}{}\n", error_label(streams), before, reason, after)};
+  };
+  try {
+    throw;
+  } catch (const ConfigError& e) {
+    const Diagnostics& d = e.diagnostics();
+    return {Exit::configuration, "configuration_error", e.what(), d.render(streams.color) + d.count() + "\n"};
+  } catch (const OptionError& e) {
+    return verdict(Exit::configuration, "configuration_error", in_quotes(e.key()) + ": " + e.what());
+  } catch (const InputError& e) {
+    return verdict(Exit::input, "input_error", e.what());
+  } catch (const InitializationError& e) {
+    return verdict(Exit::no_path, "no_path", e.what(), "no path: ");
+  } catch (const OutputRefused& e) {
+    return verdict(Exit::usage, "output_refused", e.what());
+  } catch (const OutputError& e) {
+    return verdict(Exit::internal, "output_error", e.what());
+  } catch (const std::bad_alloc&) {
+    return verdict(Exit::internal, "internal_error", "out of memory");
+  } catch (const std::exception& e) {
+    return verdict(Exit::internal, "internal_error", e.what(), "internal: ", " (please report this)");
+  } catch (...) {
+    return verdict(Exit::internal, "internal_error", "an unknown exception", "internal: ", " (please report this)");
+  }
+}
+
+}  // namespace
+
+Exit run_command(const RunArguments& arguments, const Streams& streams) {
+  if (arguments.dry_run) return dry_run(arguments, streams);
+  catch_interrupts();
+  ProgressPrinter progress(streams, arguments.verbosity == Verbosity::quiet);
+  Monitor monitor;
+  monitor.observe = [&](const Progress& p) { progress.show(p); };
+  monitor.stop_requested = interrupted;
+  try {
+    const RunOutcome outcome = run(arguments.request, monitor);
+    progress.clear();
+    streams.out << (arguments.json ? summary_json(outcome)
+                                   : summary_text(outcome, arguments.verbosity == Verbosity::verbose))
+                << std::flush;
+    if (outcome.output_error.empty()) return exit_of(outcome.result.status);
+    streams.err << error_label(streams) << " the results are not on disk: " << outcome.output_error << '\n';
+    return Exit::internal;
+  } catch (const StoppedEarly& e) {
+    progress.clear();
+    streams.err << "interrupted before there was a first path; nothing was written (" << e.what() << ")\n";
+    print_without_result(streams, arguments.json, "interrupted", e.what());
+    return Exit::interrupted;
+  }
+}
+
+Exit exit_of_exception(const Streams& streams, bool json) {
+  const Verdict verdict = verdict_on_exception(streams);
+  streams.err << verdict.message;
+  print_without_result(streams, json, verdict.status, verdict.reason);
+  return verdict.exit;
+}
+
+}  // namespace leastcost::app

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "app/cli/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/output/json_numbers.hpp"
+#include "app/output/output_folder.hpp"
+#include "app/output/results.hpp"
+#include "problems/geometry/has_mesh.hpp"
+
+namespace leastcost::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string row(std::string_view label, const std::string& text) { return fmt::format("{:<11} {}\n", label, text); }
+
+std::string status_line(const RunOutcome& run) {
+  const Certificate& c = run.result.certificate;
+  std::string line(name(run.result.status));
+  if (run.result.status == Status::certified) return line + fmt::format(" ({})", c.scope);
+  if (!c.measured)
+    line += run.config.certificate.enabled ? ": the certificate was not measured" : ": the certificate is switched off";
+  return line;
+}
+
+std::string cost_line(const RunOutcome& run) {
+  const Result& result = run.result;
+  const std::string& unit = run.parts.problem.cost->traits().unit;
+  const CostEstimate& estimate = result.certificate.estimate;
+  if (!result.certificate.measured) return fmt::format("{:.15g} {} (error not measured)", result.curve.cost, unit);
+  if (!std::isfinite(estimate.error)) return fmt::format("{:.15g} {} (error unknown)", estimate.value, unit);
+  return fmt::format("{:.15g} +- {:.2g} {} ({})", estimate.value, estimate.error, unit, estimate.method);
+}
+
+std::string solver_line(const RunOutcome& run) {
+  const SolveReport& report = run.result.solve;
+  std::string line =
+      fmt::format("{}: {} after {} iterations", run.parts.solver->name(), name(report.termination), report.iterations);
+  if (report.termination != Termination::converged && !report.message.empty()) line += " (" + report.message + ")";
+  return line;
+}
+
+std::string time_line(const RunOutcome& run) {
+  const StageSeconds& s = run.result.seconds;
+  return fmt::format("read {:.3g} s, first path {:.3g} s, solve {:.3g} s, post-process {:.3g} s, certify {:.3g} s",
+                     run.parts.read_seconds, s.initialize, s.solve, s.post_process, s.certify);
+}
+
+std::string end_line(const PlacedEnd& end) {
+  const std::string line = fmt::format("({:.6g})", fmt::join(end.end.u, ", "));
+  return line + fmt::format(", moved by {:.3g} onto the manifold", end.moved);
+}
+
+const TriangleMesh* mesh_of(const Composition& parts) {
+  const auto* domain = dynamic_cast<const HasMesh*>(parts.problem.manifold.get());
+  return domain == nullptr ? nullptr : &domain->mesh();
+}
+
+std::string steps(const Prepared& prepared) {
+  const Composition& parts = prepared.parts;
+  std::string line = fmt::format("{}, {}", prepared.loaded.config.initializer.plugin->type, parts.solver->name());
+  for (const auto& processor : parts.post_processors) line += fmt::format(", {}", processor->name());
+  return line + (parts.options.certificate.enabled ? ", certificate" : "");
+}
+
+std::string points_text(const RunConfig& config) {
+  return config.points.automatic ? "as many as the first edge path" : std::to_string(config.points.count);
+}
+
+}  // namespace
+
+std::string summary_text(const RunOutcome& run, bool verbose) {
+  const Result& result = run.result;
+  std::string out = row("status", status_line(run));
+  for (const CertificateFailure& f : result.certificate.failures)
+    out += row("", fmt::format("{}: {}", f.name, f.message));
+  out += row("cost", cost_line(run));
+  if (result.certificate.measured)
+    out += row("spacing", fmt::format("{:.3g} (largest / smallest segment cost - 1)", result.certificate.spacing));
+  out += row("points", fmt::format("{}{}", result.path.free_count(), result.path.ring ? " (ring)" : " and two ends"));
+  out += row("solver", solver_line(run));
+  if (!run.config.ring) {
+    if (verbose || run.config.source.point.size() > 0) out += row("source", end_line(run.parts.source));
+    if (verbose || run.config.target.point.size() > 0) out += row("target", end_line(run.parts.target));
+  }
+  for (const std::string& note : run.parts.notes) out += row("note", note);
+  for (const std::string& note : result.notes) out += row("note", note);
+  out += row("time", time_line(run));
+  if (run.output_error.empty()) out += row("output", run.output.string());
+  return out;
+}
+
+std::string summary_json(const RunOutcome& run) {
+  Json out = Json::parse(result_json(run));
+  out["output"] = run.output_error.empty() ? Json(run.output.string()) : Json(nullptr);
+  return to_text(out);
+}
+
+std::string dry_run_text(const RunRequest& request, const Prepared& prepared) {
+  const RunConfig& config = prepared.loaded.config;
+  const Dimensions dims = prepared.parts.problem.manifold->dimensions();
+  std::string domain =
+      fmt::format("{}, dimension {} in R^{}", config.manifold.plugin->type, dims.tangent, dims.ambient);
+  if (const TriangleMesh* mesh = mesh_of(prepared.parts))
+    domain += fmt::format(": {} vertices, {} faces, {} component{}", mesh->vertex_count(), mesh->face_count(),
+                          mesh->component_sizes().size(), mesh->component_sizes().size() == 1 ? "" : "s");
+  std::string out = row("valid", request.config_file.string());
+  out += row("manifold", domain);
+  out += row("cost", fmt::format("{} [{}]", config.cost.plugin->type, prepared.parts.problem.cost->traits().unit));
+  out += row("kernel", config.kernel.plugin->type);
+  if (!config.ring)
+    out += row("source", end_line(prepared.parts.source)) + row("target", end_line(prepared.parts.target));
+  for (const std::string& note : prepared.parts.notes) out += row("note", note);
+  out += row("points", points_text(config));
+  out += row("would run", steps(prepared));
+  out += row("would write", output_of(request, config).string());
+  const std::string refusal = output_refusal(output_of(request, config), request.force);
+  if (!refusal.empty()) out += row("but", refusal);
+  return out;
+}
+
+std::string dry_run_json(const RunRequest& request, const Prepared& prepared) {
+  const RunConfig& config = prepared.loaded.config;
+  const Dimensions dims = prepared.parts.problem.manifold->dimensions();
+  Json out = {{"schema_version", kSchemaVersion}, {"status", "dry_run"}, {"name", config.name}};
+  out["dimensions"] = {{"coordinate", dims.coordinate}, {"ambient", dims.ambient}, {"tangent", dims.tangent}};
+  if (const TriangleMesh* mesh = mesh_of(prepared.parts))
+    out["mesh"] = {{"vertices", mesh->vertex_count()},
+                   {"faces", mesh->face_count()},
+                   {"components", mesh->component_sizes().size()}};
+  out["points"] = config.points.automatic ? Json("auto") : Json(config.points.count);
+  if (!config.ring)
+    out["moved"] = {{"source", number(prepared.parts.source.moved)}, {"target", number(prepared.parts.target.moved)}};
+  out["read_seconds"] = prepared.parts.read_seconds;
+  out["output"] = output_of(request, config).string();
+  const std::string refusal = output_refusal(output_of(request, config), request.force);
+  out["output_refused"] = refusal.empty() ? Json(nullptr) : Json(refusal);
+  return to_text(out);
+}
+
+}  // namespace leastcost::app

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/config/run_config.hpp"
+#include "framework/find_path.hpp"
+
+namespace leastcost::app {
+
+/// What became of an end of the configuration.
+struct PlacedEnd {
+  Eigen::VectorXd given;  ///< the point that was asked for
+  PathEnd end;
+  double moved = 0;  ///< distance between the two, length units
+};
+
+/// The objects that a configuration describes, ready for find_path(). Owns what FindOptions points to.
+struct Composition {
+  Problem problem;
+  std::shared_ptr<const Initializer> initializer;
+  std::shared_ptr<const Solver> solver, certifier;
+  std::vector<std::shared_ptr<const PostProcessor>> post_processors;
+  FindOptions options;
+  PlacedEnd source, target;  ///< empty in a ring
+  double read_seconds = 0;   ///< files and their domains
+  std::vector<std::string> notes;
+};
+
+/// Reads the files, places the ends, makes every object. Throws OptionError whose key is the full path of the option
+/// ("ends.source.point"), or InputError.
+Composition compose(const RunConfig& config, const std::filesystem::path& folder);
+
+/// The same as far as it goes without reading files: finds the errors of options that only constructors check. Adds them
+/// to `loaded.errors`.
+void check_constructors(LoadedConfig& loaded);
+
+}  // namespace leastcost::app

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/config/config_node.hpp"
+#include "app/config/run_visitor.hpp"
+
+namespace leastcost::app {
+
+/// Reads the fields of one options object from a block of the configuration, with every check that the field list allows:
+///
+///     OptionsReader reader(block, "solver", place, errors);
+///     options.fields(reader);
+///     reader.finish();         // unknown keys
+///
+/// A field that is absent or wrong keeps its default; what is wrong goes to `errors`.
+class OptionsReader final : public RunVisitor {
+ public:
+  /// `block`: a block, or a node of another kind, which is one error. `name`: its key, empty for the whole
+  /// configuration. `place`: where missing keys are reported.
+  OptionsReader(const ConfigNode& block, std::string name, const Place& place, Diagnostics& errors);
+
+  void field(std::string_view key, bool& value, const FieldDoc& doc) override;
+  void field(std::string_view key, int& value, const FieldDoc& doc) override;
+  void field(std::string_view key, double& value, const FieldDoc& doc) override;
+  void field(std::string_view key, std::string& value, const FieldDoc& doc) override;
+  void field(std::string_view key, Eigen::VectorXd& value, const FieldDoc& doc) override;
+  void field(std::string_view key, Eigen::MatrixXd& value, const FieldDoc& doc) override;
+  void choice(std::string_view key, std::string& value, const std::vector<std::string>& choices,
+              const FieldDoc& doc) override;
+  void file(std::string_view key, std::string& value, const FieldDoc& doc) override;
+  void group(std::string_view key, const FieldDoc& doc, const std::function<void(FieldVisitor&)>& body) override;
+
+  void points(std::string_view key, PointCount& value, const FieldDoc& doc) override;
+  void end(std::string_view key, EndOptions& value, const FieldDoc& doc) override;
+  void plugin(std::string_view key, PluginChoice& value, const PluginKind& kind, const FieldDoc& doc) override;
+  void plugins(std::string_view key, PluginList& value, const PluginKind& kind, const FieldDoc& doc) override;
+  void block(std::string_view key, const FieldDoc& doc, const std::function<void(RunVisitor&)>& body) override;
+
+  /// Reports the keys that no field asked for.
+  void finish();
+
+ private:
+  const ConfigEntry* entry(std::string_view key, const FieldDoc& doc);
+  void fault(std::string_view key, const Place& place, const std::string& message);
+  void check_range(std::string_view key, const ConfigNode& node, double value, const FieldDoc& doc);
+  bool read_numbers(std::string_view key, const ConfigNode& list, bool infinite, std::vector<double>& out);
+  PluginChoice read_plugin(const ConfigNode& node, const Place& place, const std::string& path, const PluginKind& kind);
+  const PluginEntry* find_type(const ConfigNode& node, const Place& place, const std::string& path,
+                               const PluginKind& kind);
+  std::string inside() const { return name_.empty() ? "" : " in " + name_; }
+  std::string path(std::string_view key) const {
+    return name_.empty() ? std::string(key) : name_ + "." + std::string(key);
+  }
+
+  const ConfigNode& block_;
+  std::string name_;
+  Place place_;
+  Diagnostics& errors_;
+  std::vector<std::string> known_;
+};
+
+}  // namespace leastcost::app

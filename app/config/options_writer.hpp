@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/config/config_node.hpp"
+#include "app/config/run_visitor.hpp"
+
+namespace leastcost::app {
+
+/// What a file of the configuration is called in the written one.
+using RenameFile = std::function<std::string(const std::string&)>;
+
+/// Writes the fields of an options object as a block, defaults included, so that it reads back as the same object. Fields
+/// whose value stands for "not given" are left out.
+class OptionsWriter final : public RunVisitor {
+ public:
+  explicit OptionsWriter(RenameFile rename = {}) : rename_(std::move(rename)) { block_.kind = ConfigNode::Kind::block; }
+  ConfigNode take() { return std::move(block_); }
+
+  void field(std::string_view key, bool& value, const FieldDoc& doc) override;
+  void field(std::string_view key, int& value, const FieldDoc& doc) override;
+  void field(std::string_view key, double& value, const FieldDoc& doc) override;
+  void field(std::string_view key, std::string& value, const FieldDoc& doc) override;
+  void field(std::string_view key, Eigen::VectorXd& value, const FieldDoc& doc) override;
+  void field(std::string_view key, Eigen::MatrixXd& value, const FieldDoc& doc) override;
+  void choice(std::string_view key, std::string& value, const std::vector<std::string>& choices,
+              const FieldDoc& doc) override;
+  void file(std::string_view key, std::string& value, const FieldDoc& doc) override;
+  void group(std::string_view key, const FieldDoc& doc, const std::function<void(FieldVisitor&)>& body) override;
+
+  void points(std::string_view key, PointCount& value, const FieldDoc& doc) override;
+  void end(std::string_view key, EndOptions& value, const FieldDoc& doc) override;
+  void plugin(std::string_view key, PluginChoice& value, const PluginKind& kind, const FieldDoc& doc) override;
+  void plugins(std::string_view key, PluginList& value, const PluginKind& kind, const FieldDoc& doc) override;
+  void block(std::string_view key, const FieldDoc& doc, const std::function<void(RunVisitor&)>& body) override;
+
+ private:
+  void add(std::string_view key, ConfigNode value);
+  ConfigNode written(const PluginChoice& choice) const;
+
+  RenameFile rename_;
+  ConfigNode block_;
+};
+
+}  // namespace leastcost::app

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "app/config/run_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/config/scalars.hpp"
+#include "app/registry.hpp"
+
+namespace leastcost::app {
+namespace {
+
+PluginChoice default_plugin(const char* kind_name, const char* type, const std::string& path) {
+  return choose(*find_plugin(kind(kind_name), type), path);
+}
+
+void complete(RunConfig& config) {
+  const bool mesh = config.manifold.provides(std::string(kMesh));
+  if (!config.kernel) config.kernel = default_plugin("kernel", "expm1_square", "kernel");
+  if (!config.initializer && !config.ring)
+    config.initializer = default_plugin("initializer", mesh ? "dijkstra" : "straight", "initializer");
+  if (!config.solver) config.solver = default_plugin("solver", mesh ? "lbfgs" : "newton", "solver");
+  if (config.post_process.given) return;
+  config.post_process.given = true;
+  if (mesh) config.post_process.choices.push_back(default_plugin("post_processor", "trace", "post_process.0"));
+  if (mesh && !config.ring && config.cost.provides(std::string(kConstantMetric)))
+    config.post_process.choices.push_back(default_plugin("post_processor", "straighten", "post_process.1"));
+}
+
+void check_needs(LoadedConfig& loaded, const PluginChoice& choice) {
+  if (!choice || !loaded.config.manifold || !loaded.config.cost) return;
+  for (const std::string& need : choice.plugin->needs) {
+    if (need == kEnds) continue;  // see check_ring()
+    const bool of_cost = need == kConstantMetric;
+    const PluginChoice& giver = of_cost ? loaded.config.cost : loaded.config.manifold;
+    if (giver.provides(need)) continue;
+    loaded.errors.error(place_of(loaded.tree, choice.path),
+                        fmt::format("'{}' needs a {} with a {}, which '{}' does not have", choice.plugin->type,
+                                    of_cost ? "cost" : "manifold", need, giver.plugin->type));
+  }
+}
+
+void check_ends(LoadedConfig& loaded) {
+  const RunConfig& config = loaded.config;
+  const ConfigEntry* ends = loaded.tree.find("ends");
+  if (config.ring && ends != nullptr) {
+    loaded.errors.error(ends->place, "a ring (path.ring: true) has no ends: remove one of the two");
+  } else if (!config.ring && ends == nullptr && loaded.tree.is_block()) {
+    loaded.errors.error({1, 1, 1, ""}, "missing key 'ends': the source and target of the path, or path.ring: true");
+  }
+  if (!config.manifold || config.manifold.provides(std::string(kMesh))) return;
+  for (const char* path : {"ends.source", "ends.target"}) {
+    const EndOptions& end = std::string_view(path) == "ends.source" ? config.source : config.target;
+    const std::string key = std::string(path) + (end.vertex >= 0 ? ".vertex" : ".face");
+    if (end.vertex < 0 && end.face < 0) continue;
+    loaded.errors.error(place_of(loaded.tree, key),
+                        fmt::format("an end is given as a vertex or face on a mesh only; '{}' takes {{point: [..]}}",
+                                    config.manifold.plugin->type));
+  }
+}
+
+void check_ring(LoadedConfig& loaded) {
+  const RunConfig& config = loaded.config;
+  if (!config.ring) return;
+  if (!config.initializer) {
+    if (loaded.tree.find("initializer") == nullptr)
+      loaded.errors.error(place_of(loaded.tree, "path.ring"),
+                          "a ring has no ends to start from: it needs an initializer, waypoints or file");
+  } else if (!config.initializer.provides(std::string(kRing))) {
+    loaded.errors.error(
+        place_of(loaded.tree, "initializer"),
+        fmt::format("'{}' joins two ends and a ring has none: use waypoints or file", config.initializer.plugin->type));
+  }
+  for (const PluginChoice& choice : config.post_process.choices) {
+    if (choice && std::count(choice.plugin->needs.begin(), choice.plugin->needs.end(), kEnds) > 0)
+      loaded.errors.error(place_of(loaded.tree, choice.path),
+                          fmt::format("'{}' needs a path with ends; this one is a ring", choice.plugin->type));
+  }
+}
+
+void check_points(LoadedConfig& loaded) {
+  const RunConfig& config = loaded.config;
+  const Place place = place_of(loaded.tree, "path.points");
+  constexpr int kFewestInRing = 3;
+  if (config.ring && !config.points.automatic && config.points.count < kFewestInRing)
+    loaded.errors.error(place, fmt::format("a ring needs at least {} points", kFewestInRing));
+  if (!config.points.automatic || !config.manifold || config.manifold.provides(std::string(kMesh))) return;
+  loaded.errors.error(
+      place, fmt::format("'auto' takes the number of points from the first path along edges, and '{}' has none: "
+                         "give a number",
+                         config.manifold.plugin->type));
+}
+
+void check_name(LoadedConfig& loaded) {
+  const std::string& name = loaded.config.name;
+  const bool harmless = std::none_of(name.begin(), name.end(), [](char c) {
+    return c == '/' || c == '\\' || static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+  });
+  constexpr std::size_t kLongestName = 200;  // file systems stop at 255 bytes
+  if (harmless && !name.empty() && name[0] != '.' && name.size() <= kLongestName) return;
+  loaded.errors.error(place_of(loaded.tree, "name"),
+                      "'name' becomes a folder: it must not be empty, begin with a dot, contain a slash "
+                      "or a control character, or be longer than 200 bytes");
+}
+
+/// `leastcost run` does not act on it; the tests and a study do.
+void check_expected_exit(LoadedConfig& loaded) {
+  const ConfigEntry* note = loaded.tree.find("x-expect-exit");
+  if (note == nullptr) return;
+  constexpr std::array<int, 7> kCodes = {0, 1, 3, 4, 5, 6, 130};
+  const Parsed<int> code = parse_int(note->value);
+  if (code.value && std::count(kCodes.begin(), kCodes.end(), *code.value) > 0) return;
+  loaded.errors.error(note->value.place, "'x-expect-exit' must be an exit code of a run: 0, 1, 3, 4, 5, 6 or 130 (" +
+                                             found(note->value) + ")");
+}
+
+}  // namespace
+
+void check_and_complete(LoadedConfig& loaded) {
+  complete(loaded.config);
+  check_name(loaded);
+  check_expected_exit(loaded);
+  check_ends(loaded);
+  check_ring(loaded);
+  check_points(loaded);
+  check_needs(loaded, loaded.config.initializer);
+  check_needs(loaded, loaded.config.solver);
+  for (const PluginChoice& choice : loaded.config.post_process.choices) check_needs(loaded, choice);
+}
+
+}  // namespace leastcost::app

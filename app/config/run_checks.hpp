@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "app/config/run_config.hpp"
+
+namespace leastcost::app {
+
+/// Fills in the plug-ins that the configuration leaves out and checks what no single option can: that the parts fit
+/// each other.
+void check_and_complete(LoadedConfig& loaded);
+
+}  // namespace leastcost::app

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/config/config_node.hpp"
+#include "app/config/options_writer.hpp"
+#include "app/config/overrides.hpp"
+#include "app/config/run_visitor.hpp"
+#include "framework/certificate.hpp"
+
+namespace leastcost::app {
+
+/// One run as its configuration describes it. Everything typed, checked and with its default in place; nothing read
+/// from the disk and nothing computed yet.
+struct RunConfig {
+  std::string name;  ///< default: the name of the configuration file
+  int seed = 0;
+  double max_seconds = 0;  ///< time budget of the search; 0: none
+  PluginChoice manifold, cost, kernel;
+  EndOptions source, target;  ///< not given in a ring
+  PointCount points;
+  bool ring = false;
+  bool cascade = false;
+  double reference_cost = 0;  ///< s0; 0: the mean segment cost of the first path
+  PluginChoice initializer, solver;
+  CertificateOptions certificate;
+  PluginList post_process;
+  std::string output_folder;  ///< relative to the current folder; empty: results/<name>
+
+  void fields(RunVisitor& visit);
+};
+
+/// A configuration file after reading.
+struct LoadedConfig {
+  std::filesystem::path file;    ///< empty for a text without a file
+  std::filesystem::path folder;  ///< files of the configuration are relative to it
+  std::string text;
+  ConfigNode tree;  ///< overrides included: where each option stands
+  RunConfig config;
+  Diagnostics errors;  ///< what was found so far; config is usable only while it is empty
+
+  /// An error of an object made from the configuration (key: its path, "cost.matrix") at its place.
+  void add_error(const std::string& key, const std::string& message);
+};
+
+/// Reads and checks. All errors are in `errors`; throws InputError only when the file cannot be read.
+LoadedConfig load_config(const std::filesystem::path& file, const std::vector<Override>& overrides);
+LoadedConfig parse_config(std::string text, const std::string& file_name, const std::filesystem::path& folder,
+                          const std::vector<Override>& overrides = {});
+
+/// The configuration with every default, as YAML that reads back as the same one.
+std::string resolved_yaml(const RunConfig& config, const RenameFile& rename = {});
+
+/// Files that the configuration names, as they are written there.
+std::vector<std::string> files_of(const RunConfig& config);
+
+}  // namespace leastcost::app

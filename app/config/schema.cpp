@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/config/describe.hpp"
+#include "app/config/field_list.hpp"
+#include "app/registry.hpp"
+
+namespace leastcost::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json object_schema(const std::vector<FieldInfo>& fields);
+
+std::string definition(const PluginKind& kind) { return "#/definitions/" + kind.name; }
+
+void add_range(const FieldInfo& field, Json& out) {
+  if (std::isfinite(field.minimum)) out[field.exclusive_minimum ? "exclusiveMinimum" : "minimum"] = field.minimum;
+  if (std::isfinite(field.maximum)) out["maximum"] = field.maximum;
+}
+
+Json ranged(const char* type, const FieldInfo& field) {
+  Json out = {{"type", type}};
+  add_range(field, out);
+  return out;
+}
+
+Json list_of(Json items) { return {{"type", "array"}, {"minItems", 1}, {"items", std::move(items)}}; }
+
+/// Exactly one way to say where an end is.
+Json end_schema(const FieldInfo& field) {
+  Json out = object_schema(field.children);
+  out["oneOf"] = {{{"required", {"vertex"}}}, {{"required", {"face", "barycentric"}}}, {{"required", {"point"}}}};
+  return out;
+}
+
+Json value_schema(const FieldInfo& field) {
+  switch (field.type) {
+    case FieldType::boolean: return {{"type", "boolean"}};
+    case FieldType::integer: return ranged("integer", field);
+    case FieldType::number: return ranged("number", field);
+    case FieldType::text: return {{"type", {"string", "number", "boolean"}}};  // any scalar is taken as it is written
+    case FieldType::file: return {{"type", "string"}, {"minLength", 1}};
+    case FieldType::numbers: return list_of(ranged("number", field));
+    case FieldType::matrix: return list_of(list_of(ranged("number", field)));
+    case FieldType::choice: return {{"enum", field.choices}};
+    case FieldType::block: return object_schema(field.children);
+    case FieldType::points: return {{"anyOf", {ranged("integer", field), {{"const", "auto"}}}}};
+    case FieldType::end: return end_schema(field);
+    case FieldType::plugin: return {{"$ref", definition(*field.kind)}};
+    case FieldType::plugins: return {{"type", "array"}, {"items", {{"$ref", definition(*field.kind)}}}};
+  }
+  return Json::object();
+}
+
+Json field_schema(const FieldInfo& field) {
+  Json out = value_schema(field);
+  if (out.contains("$ref")) return {{"allOf", {out}}, {"description", field.help}};  // nothing may stand beside $ref
+  out["description"] = field.unit.empty() ? field.help : field.help + " [" + field.unit + "]";
+  if (!field.default_value.empty()) {
+    const Json value = Json::parse(field.default_value, nullptr, false);
+    out["default"] = value.is_discarded() ? Json(field.default_value) : value;
+  }
+  return out;
+}
+
+Json object_schema(const std::vector<FieldInfo>& fields) {
+  Json properties = Json::object(), required = Json::array();
+  for (const FieldInfo& field : fields) {
+    properties[field.key] = field_schema(field);
+    if (field.required) required.push_back(field.key);
+  }
+  Json out = {{"type", "object"},
+              {"properties", properties},
+              {"patternProperties", {{"^x-", Json::object()}}},
+              {"additionalProperties", false}};
+  if (!required.empty()) out["required"] = required;
+  return out;
+}
+
+/// A block whose `type` decides which options it has, or the word alone where no option is required.
+Json plugin_schema(const PluginKind& kind) {
+  Json words = Json::array(), cases = Json::array();
+  for (const PluginEntry* plugin : kind.entries) {
+    Json then = object_schema(fields_of(*plugin->defaults()));
+    then["properties"]["type"] = {{"const", plugin->type}, {"description", plugin->summary}};
+    if (!then.contains("required")) words.push_back(plugin->type);
+    cases.push_back(
+        {{"if", {{"properties", {{"type", {{"const", plugin->type}}}}}, {"required", {"type"}}}}, {"then", then}});
+  }
+  const Json block = {{"type", "object"},
+                      {"properties", {{"type", {{"enum", types_of(kind)}}}}},
+                      {"required", {"type"}},
+                      {"allOf", cases}};
+  Json out = {{"description", kind.summary}};
+  out["anyOf"] = words.empty() ? Json::array({block}) : Json::array({{{"enum", words}}, block});
+  return out;
+}
+
+}  // namespace
+
+std::string json_schema() {
+  Json out = {{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "leastcost run"}};
+  out.update(object_schema(fields_of_run()));
+  // A ring has no ends, an open path needs them.
+  const Json ring = {
+      {"properties", {{"path", {{"properties", {{"ring", {{"const", true}}}}}, {"required", {"ring"}}}}}},
+      {"required", {"path"}}};
+  out["if"] = ring;
+  out["then"] = {{"not", {{"required", {"ends"}}}}, {"required", {"initializer"}}};
+  out["else"] = {{"required", {"ends"}}};
+  for (const PluginKind& kind : plugin_kinds()) out["definitions"][kind.name] = plugin_schema(kind);
+  return out.dump(2) + "\n";
+}
+
+}  // namespace leastcost::app

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "app/ends.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "framework/errors.hpp"
+#include "problems/geometry/has_mesh.hpp"
+#include "problems/geometry/path_tools.hpp"
+
+namespace leastcost::app {
+namespace {
+
+PlacedEnd on_mesh(const TriangleMesh& mesh, const SurfacePoint& p) {
+  const Eigen::VectorXd position = mesh.point(p);
+  return {position, {position, p.face}, 0};
+}
+
+PlacedEnd at_vertex(const TriangleMesh& mesh, int vertex, const std::string& path) {
+  if (vertex >= mesh.file_vertex_count())
+    throw OptionError(path + ".vertex",
+                      fmt::format("the mesh has vertices 0 to {}, not {}", mesh.file_vertex_count() - 1, vertex));
+  const std::int32_t here = mesh.vertex_of_file(vertex);
+  if (here < 0) throw OptionError(path + ".vertex", fmt::format("no face of the mesh uses vertex {}", vertex));
+  return on_mesh(mesh, vertex_point(mesh, here));
+}
+
+PlacedEnd on_face(const TriangleMesh& mesh, const EndOptions& options, const std::string& path) {
+  if (options.face >= mesh.file_face_count())
+    throw OptionError(path + ".face",
+                      fmt::format("the mesh has faces 0 to {}, not {}", mesh.file_face_count() - 1, options.face));
+  const double sum = options.barycentric.sum();
+  constexpr double kRounding = 1e-6;  // what locate() forgives
+  if (!(std::abs(sum - 1) <= kRounding))
+    throw OptionError(path + ".barycentric", fmt::format("the three weights must have the sum 1, not {}", sum));
+  try {
+    return on_mesh(mesh, mesh.locate(options.face, options.barycentric));
+  } catch (const InputError& e) {
+    throw OptionError(path + ".face", e.what());
+  }
+}
+
+/// A mesh forgives coordinates that were copied with few digits; elsewhere there is nothing to snap to.
+double default_tolerance(const HasMesh* mesh, const Eigen::VectorXd& point) {
+  constexpr double kOfDiameter = 0.01, kRounding = 1e-9;
+  return mesh != nullptr ? kOfDiameter * mesh->mesh().diameter() : kRounding * (1 + point.norm());
+}
+
+PlacedEnd at_point(const ConstraintManifold& manifold, const HasMesh* mesh, const EndOptions& options,
+                   const std::string& path) {
+  const int wanted = manifold.dimensions().coordinate;
+  if (options.point.size() != wanted)
+    throw OptionError(path + ".point",
+                      fmt::format("{} coordinates, points of the manifold have {}", options.point.size(), wanted));
+  if (!options.point.allFinite()) throw OptionError(path + ".point", "coordinates must be finite");
+  PlacedEnd placed{options.point, {}, 0};
+  placed.end = project_end(manifold, options.point, &placed.moved);
+  const double tolerance = options.tolerance >= 0 ? options.tolerance : default_tolerance(mesh, options.point);
+  if (placed.moved > tolerance) {
+    throw OptionError(path + ".point",
+                      fmt::format("the nearest point of the manifold is {:.6g} away, the tolerance is {:.6g} "
+                                  "(option 'tolerance' of the end)",
+                                  placed.moved, tolerance));
+  }
+  return placed;
+}
+
+}  // namespace
+
+PlacedEnd place_end(const ConstraintManifold& manifold, const EndOptions& options, const std::string& path) {
+  const auto* mesh = dynamic_cast<const HasMesh*>(&manifold);
+  const bool needs_mesh = options.vertex >= 0 || options.face >= 0;
+  if (needs_mesh && mesh == nullptr)
+    throw OptionError(path, "vertices and faces are ends on a mesh only: give {point: [..]}");
+  if (options.vertex >= 0) return at_vertex(mesh->mesh(), options.vertex, path);
+  if (options.face >= 0) return on_face(mesh->mesh(), options, path);
+  return at_point(manifold, mesh, options, path);
+}
+
+}  // namespace leastcost::app

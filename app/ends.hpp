@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "app/compose.hpp"
+#include "app/config/run_visitor.hpp"
+
+namespace leastcost::app {
+
+/// Puts an end of the configuration onto the manifold. `path` ("ends.source") is for messages. Throws OptionError where
+/// the mesh has no such vertex or face, or the point is farther away than its tolerance.
+PlacedEnd place_end(const ConstraintManifold& manifold, const EndOptions& options, const std::string& path);
+
+}  // namespace leastcost::app

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "framework/find_path.hpp"
+#include "problems/geometry/triangle_mesh.hpp"
+
+namespace leastcost::app {
+
+/// A polyline of a result with its costs, ready to be written in any format.
+struct PathTable {
+  Points x;           ///< ambient, d x m
+  bool ring = false;  ///< a move leads from the last column to the first
+  Eigen::VectorXd
+      segment_costs;  ///< from each point to the next, along the curve on the domain; 0 at the end of an open path
+  Eigen::VectorXd cumulative_costs;              ///< from the first point
+  std::vector<TriangleMesh::FilePoint> on_mesh;  ///< where each point is, in terms of the file; empty off meshes
+};
+
+/// The delivered points.
+PathTable delivered_points(const Problem& problem, const Result& result);
+/// The delivered curve; `on_mesh` names the face that carries the segment which starts at a point.
+PathTable delivered_curve(const Problem& problem, const Result& result);
+
+/// "x", "y", "z" up to three dimensions, "x0", "x1", ... above.
+std::vector<std::string> coordinate_names(Index dimension);
+
+/// index, coordinates, segment_cost, cumulative_cost; on a mesh also face, fan, the corners v0 v1 v2 of the triangle and
+/// the barycentric coordinates b0 b1 b2, all numbered as in the file. All digits.
+std::string csv_text(const PathTable& table);
+
+/// VTK XML PolyData (ASCII): the points and, where it differs, the curve on the domain, as one polyline each, told
+/// apart by the cell array `line` (0: points, 1: curve). Above three dimensions the array `coordinates` has all of them.
+std::string vtp_text(const std::vector<PathTable>& lines);
+
+/// Wavefront OBJ with one polyline.
+std::string obj_text(const PathTable& table);
+
+/// iteration, energy, cost_error, step, evaluations, seconds.
+std::string history_csv(const std::vector<Iteration>& history);
+
+}  // namespace leastcost::app

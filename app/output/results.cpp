@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "app/output/results.hpp"
+
+#include "app/output/path_table.hpp"
+
+namespace leastcost::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The configuration with every default. Relative files are renamed so that they work from the output folder.
+std::string resolved_config(const RunConfig& config, const fs::path& folder_of_config, const fs::path& output) {
+  const RenameFile rename = [&](const std::string& file) {
+    if (fs::path(file).is_absolute()) return file;
+    const fs::path absolute = fs::weakly_canonical(fs::absolute(folder_of_config / file));
+    return absolute.lexically_relative(output).string();
+  };
+  return "# Every option of this run, defaults included. `leastcost run` on this file repeats it.\n" +
+         resolved_yaml(config, rename);
+}
+
+}  // namespace
+
+void write_results(const RunOutcome& outcome, const fs::path& folder_of_config, const ManifestFacts& facts,
+                   OutputFolder& folder) {
+  const PathTable points = delivered_points(outcome.parts.problem, outcome.result);
+  const PathTable curve = delivered_curve(outcome.parts.problem, outcome.result);
+  const bool curve_differs = curve.x.cols() != points.x.cols() || curve.x != points.x;
+  folder.write("config.resolved.yaml", resolved_config(outcome.config, folder_of_config, folder.target()));
+  folder.write("manifest.json", manifest_json(facts));
+  folder.write("result.json", result_json(outcome));
+  folder.write("path.csv", csv_text(points));
+  folder.write("curve.csv", csv_text(curve));
+  folder.write("path.vtp",
+               vtp_text(curve_differs ? std::vector<PathTable>{points, curve} : std::vector<PathTable>{points}));
+  folder.write("path.obj", obj_text(curve));
+  folder.write("history.csv", history_csv(outcome.result.solve.history));
+}
+
+}  // namespace leastcost::app

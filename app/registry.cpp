@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "app/registry.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "problems/costs/euclidean.hpp"
+#include "problems/costs/metric_tensor.hpp"
+#include "problems/costs/travel_time.hpp"
+#include "problems/initializers/dijkstra.hpp"
+#include "problems/initializers/straight.hpp"
+#include "problems/initializers/waypoints.hpp"
+#include "problems/kernels/kernels.hpp"
+#include "problems/manifolds/euclidean.hpp"
+#include "problems/manifolds/mesh.hpp"
+#include "problems/post_processors/straighten.hpp"
+#include "problems/post_processors/trace.hpp"
+#include "problems/readers/waypoint_reader.hpp"
+#include "solvers/lbfgs.hpp"
+#include "solvers/newton.hpp"
+
+namespace leastcost::app {
+namespace {
+
+/// Registers `build(options, context)`, whose options are of type Options.
+template <class P, class Options, class Build>
+P plugin(const char* type, const char* summary, Build build) {
+  P entry;
+  entry.type = type;
+  entry.summary = summary;
+  entry.defaults = [] { return std::make_unique<OptionsOf<Options>>(); };
+  entry.make = [build](const AnyOptions& options, const BuildContext& context) {
+    return build(static_cast<const OptionsOf<Options>&>(options).value, context);
+  };
+  return entry;
+}
+
+template <class Function>
+KernelPlugin kernel(const char* type, const char* summary) {
+  return plugin<KernelPlugin, NoOptions>(type, summary,
+                                         [](const NoOptions&, const BuildContext&) { return make_kernel(Function{}); });
+}
+
+/// A class made from its options alone, or from nothing.
+template <class P, class Class, class Options = NoOptions>
+P made_of(const char* type, const char* summary) {
+  return plugin<P, Options>(type, summary, [](const Options& options, const BuildContext&) {
+    if constexpr (std::is_same_v<Options, NoOptions>)
+      return std::make_shared<const Class>();
+    else
+      return std::make_shared<const Class>(options);
+  });
+}
+
+const auto& kernels() {
+  static const std::vector<KernelPlugin> all = {
+      kernel<Linear>("linear", "H(s) = s: the plain cost. Points may slide along the path, so it certifies nothing."),
+      kernel<Square>("square", "H(s) = s^2: the smoothest start."),
+      kernel<Expm1Square>("expm1_square", "H(s) = exp(s^2) - 1: the choice of VFCS, equal spacing held most stiffly."),
+      kernel<Exp>("exp", "H(s) = exp(s)."),
+      kernel<Expm1>("expm1", "H(s) = exp(s) - 1."),
+      kernel<ExpSquare>("exp_square", "H(s) = exp(s^2)."),
+  };
+  return all;
+}
+
+const auto& costs() {
+  using O = const BuildContext&;
+  static const std::vector<CostPlugin> all = {
+      plugin<CostPlugin, NoOptions>("euclidean", "Length: c(a, b) = |b - a|.",
+                                    [](const NoOptions&, O c) { return make_euclidean_cost(c.dimension); })
+          .providing(std::string(kConstantMetric)),
+      plugin<CostPlugin, MetricTensorOptions>(
+          "metric_tensor", "Length under a constant metric tensor M: c(a, b) = sqrt((b - a)' M (b - a)).",
+          [](const MetricTensorOptions& o, O c) { return make_metric_tensor_cost(o, c.dimension); })
+          .providing(std::string(kConstantMetric)),
+      plugin<CostPlugin, TravelTimeOptions>(
+          "travel_time", "Time of a bead that slides without friction under gravity; the last coordinate is height.",
+          [](const TravelTimeOptions& o, O c) { return make_travel_time_cost(o, c.dimension, c.source); }),
+  };
+  return all;
+}
+
+const auto& manifolds() {
+  static const std::vector<ManifoldPlugin> all = {
+      made_of<ManifoldPlugin, EuclideanManifold, EuclideanManifoldOptions>("euclidean", "R^d, or a box in it."),
+      plugin<ManifoldPlugin, MeshManifoldOptions>(
+          "mesh", "A triangle mesh in R^3, read from an OBJ, OFF, PLY or STL file.",
+          [](const MeshManifoldOptions& o, const BuildContext& c) { return make_mesh_manifold(o, c.folder); })
+          .providing(std::string(kMesh)),
+  };
+  return all;
+}
+
+const auto& initializers() {
+  static const std::vector<InitializerPlugin> all = {
+      made_of<InitializerPlugin, StraightInitializer>(
+          "straight", "The straight line between the ends, bowed out of the way where its cost is infinite."),
+      made_of<InitializerPlugin, DijkstraInitializer, DijkstraOptions>(
+          "dijkstra", "The least-cost path along the edges of the mesh.")
+          .needing(std::string(kMesh)),
+      plugin<InitializerPlugin, WaypointsOptions>("waypoints", "A path through the given points, in order.",
+                                                  [](const WaypointsOptions& o, const BuildContext&) {
+                                                    return std::make_shared<const WaypointsInitializer>(
+                                                        o.points.transpose());
+                                                  })
+          .providing(std::string(kRing)),
+      plugin<InitializerPlugin, FileInitializerOptions>(
+          "file", "A path through the points of a text file, such as the path.csv of an earlier run.",
+          [](const FileInitializerOptions& o, const BuildContext& c) {
+            return std::make_shared<const WaypointsInitializer>(read_waypoints(c.folder / o.file, c.dimension));
+          })
+          .providing(std::string(kRing)),
+  };
+  return all;
+}
+
+const auto& solvers() {
+  static const std::vector<SolverPlugin> all = {
+      made_of<SolverPlugin, Newton, NewtonOptions>("newton", "Block-tridiagonal Newton on the chain."),
+      made_of<SolverPlugin, Lbfgs, LbfgsOptions>("lbfgs", "Riemannian L-BFGS, preconditioned by the chain Hessian."),
+  };
+  return all;
+}
+
+const auto& post_processors() {
+  static const std::vector<PostProcessorPlugin> all = {
+      made_of<PostProcessorPlugin, TracePostProcessor>("trace", "The solved path as a polyline on the mesh.")
+          .needing(std::string(kMesh)),
+      made_of<PostProcessorPlugin, StraightenPostProcessor>(
+          "straighten", "The exact locally shortest path on the mesh, of the same class as the solved one.")
+          .needing(std::string(kMesh))
+          .needing(std::string(kConstantMetric))
+          .needing(std::string(kEnds)),
+  };
+  return all;
+}
+
+template <class P>
+PluginKind kind_of(std::string name, std::string plural, std::string summary, const std::vector<P>& plugins) {
+  PluginKind out{std::move(name), std::move(plural), std::move(summary), {}};
+  for (const P& p : plugins) out.entries.push_back(&p);
+  return out;
+}
+
+}  // namespace
+
+const std::vector<PluginKind>& plugin_kinds() {
+  static const std::vector<PluginKind> all = {
+      kind_of("manifold", "manifolds", "where points may be", manifolds()),
+      kind_of("cost", "costs", "what a move from a to b costs", costs()),
+      kind_of("kernel", "kernels", "the convex H of the energy sum H(c / s0)", kernels()),
+      kind_of("initializer", "initializers", "how the first path is found", initializers()),
+      kind_of("solver", "solvers", "how the path is improved", solvers()),
+      kind_of("post_processor", "post_processors", "what happens after the solve", post_processors()),
+  };
+  return all;
+}
+
+const PluginKind* find_kind(std::string_view name) {
+  const auto& all = plugin_kinds();
+  const auto it =
+      std::find_if(all.begin(), all.end(), [&](const PluginKind& k) { return k.name == name || k.plural == name; });
+  return it == all.end() ? nullptr : &*it;
+}
+
+const PluginKind& kind(std::string_view name) {
+  const PluginKind* found = find_kind(name);
+  if (found == nullptr) std::abort();  // a name in our own sources
+  return *found;
+}
+
+const PluginEntry* find_plugin(const PluginKind& kind, std::string_view type) {
+  const auto it =
+      std::find_if(kind.entries.begin(), kind.entries.end(), [&](const PluginEntry* e) { return e->type == type; });
+  return it == kind.entries.end() ? nullptr : *it;
+}
+
+std::vector<std::string> types_of(const PluginKind& kind) {
+  std::vector<std::string> types;
+  for (const PluginEntry* e : kind.entries) types.push_back(e->type);
+  return types;
+}
+
+}  // namespace leastcost::app

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "app/run.hpp"
+
+#include <chrono>
+
+#include "app/output/output_folder.hpp"
+#include "app/output/results.hpp"
+
+namespace leastcost::app {
+namespace {
+
+/// The monitor of the caller with the time budget of the configuration, which starts now.
+Monitor with_budget(const Monitor& monitor, double max_seconds) {
+  Monitor limited = monitor;
+  if (max_seconds > 0)
+    limited.deadline = Monitor::Clock::now() +
+                       std::chrono::duration_cast<Monitor::Clock::duration>(std::chrono::duration<double>(max_seconds));
+  return limited;
+}
+
+/// The data as it is when it is used: a file may change while a long run goes on.
+std::vector<ManifestInput> inputs_of(const LoadedConfig& loaded) {
+  const auto absolute = [](const std::filesystem::path& p) { return std::filesystem::absolute(p).lexically_normal(); };
+  std::vector<ManifestInput> inputs = {{"configuration", absolute(loaded.file), sha256_of_text(loaded.text)}};
+  for (const std::string& name : files_of(loaded.config))
+    inputs.push_back({"data", absolute(loaded.folder / name), sha256_of_file(loaded.folder / name)});
+  return inputs;
+}
+
+}  // namespace
+
+Exit exit_of(Status status) {
+  switch (status) {
+    case Status::certified: return Exit::certified;
+    case Status::uncertified:
+    case Status::collapsed: return Exit::uncertified;
+    case Status::interrupted: return Exit::interrupted;
+  }
+  return Exit::internal;
+}
+
+Prepared prepare(const RunRequest& request) {
+  Prepared prepared{load_config(request.config_file, request.overrides), {}};
+  LoadedConfig& loaded = prepared.loaded;
+  if (loaded.errors.empty()) check_constructors(loaded);
+  if (!loaded.errors.empty()) throw ConfigError(loaded.errors);
+  try {
+    prepared.parts = compose(loaded.config, loaded.folder);
+  } catch (const OptionError& e) {
+    loaded.add_error(e.key(), e.what());
+    throw ConfigError(loaded.errors);
+  }
+  return prepared;
+}
+
+std::filesystem::path output_of(const RunRequest& request, const RunConfig& config) {
+  if (!request.output.empty()) return request.output;
+  if (!config.output_folder.empty()) return config.output_folder;
+  return std::filesystem::path("results") / config.name;
+}
+
+RunOutcome run(const RunRequest& request, const Monitor& monitor) {
+  ManifestFacts facts;
+  facts.arguments = request.arguments;
+  facts.started = std::chrono::system_clock::now();
+  Prepared prepared = prepare(request);
+  facts.inputs = inputs_of(prepared.loaded);
+  facts.seed = prepared.loaded.config.seed;
+  OutputFolder folder(output_of(request, prepared.loaded.config), request.force);
+
+  RunOutcome outcome{std::move(prepared.loaded.config), std::move(prepared.parts), {}, folder.target(), ""};
+  const Composition& parts = outcome.parts;
+  const Monitor limited = with_budget(monitor, outcome.config.max_seconds);
+  try {
+    outcome.result = find_path(parts.problem, *parts.initializer, *parts.solver, parts.options, limited);
+  } catch (const InitializationError& e) {
+    if (limited.interrupted()) throw StoppedEarly(e.what());
+    throw;
+  }
+  facts.finished = std::chrono::system_clock::now();
+  try {
+    write_results(outcome, prepared.loaded.folder, facts, folder);
+    folder.commit();
+  } catch (const OutputError& e) {
+    outcome.output_error = e.what();
+  }
+  return outcome;
+}
+
+}  // namespace leastcost::app

@@ -1,0 +1,61 @@
+# One rule for the libraries: every .cpp of the folder is part of it, so that a plug-in is its source file alone.
+#
+#   leastcost_library(problems NEEDS framework)
+#   leastcost_library(ceres NEEDS solvers FINDS "Ceres 2.1")
+#
+# NEEDS: components whose targets appear in our headers (they are linked and exported with the target).
+# FINDS: packages that a consumer has to find as well, the private ones of a static build included.
+include(GNUInstallDirs)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+
+function(leastcost_warnings target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized)  # false alarms inside Eigen (GCC 12)
+  endif()
+  if(LEASTCOST_WARNINGS_AS_ERRORS)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+endfunction()
+
+function(leastcost_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "NEEDS;FINDS")
+  set(target leastcost_${name})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/*.hpp)
+  add_library(${target} ${sources})
+  add_library(leastcost::${name} ALIAS ${target})
+
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/leastcost>)
+  target_link_libraries(${target} PUBLIC Eigen3::Eigen)
+  foreach(need IN LISTS arg_NEEDS)
+    target_link_libraries(${target} PUBLIC leastcost::${need})
+  endforeach()
+  # Eigen aligns to the widest vector the compiler may use. A consumer built with -mavx would then disagree with our
+  # library about where a heap block begins: fix the alignment for both. It is what x86-64 and ARM64 have by default.
+  target_compile_definitions(${target} PUBLIC EIGEN_MAX_ALIGN_BYTES=16)
+  if(BUILD_SHARED_LIBS AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
+    target_link_options(${target} PRIVATE LINKER:--no-undefined)  # a layer that calls upwards must not link
+  endif()
+
+  set_target_properties(${target} PROPERTIES
+    EXPORT_NAME ${name}
+    LINKER_LANGUAGE CXX
+    DEFINE_SYMBOL ""
+    POSITION_INDEPENDENT_CODE ON
+    VERSION ${PROJECT_VERSION}
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+    INSTALL_RPATH "$ORIGIN"
+    LEASTCOST_NEEDS "${arg_NEEDS}"
+    LEASTCOST_FINDS "${arg_FINDS}")
+  leastcost_warnings(${target})
+  # One precompiled header for all: parsing Eigen is a third of the compile time. CI also compiles without it.
+  if(name STREQUAL "framework")
+    target_precompile_headers(${target} PRIVATE
+      <Eigen/Core> <algorithm> <array> <cmath> <functional> <limits> <memory> <optional> <span> <string> <vector>)
+  else()
+    target_precompile_headers(${target} REUSE_FROM leastcost_framework)
+  endif()
+  set_property(GLOBAL APPEND PROPERTY LEASTCOST_COMPONENTS ${name})
+endfunction()

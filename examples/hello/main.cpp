@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+
+// The fastest slide from (0, 0) to (pi, -2) under gravity 1: a cycloid, which takes pi seconds.
+#include <cstdio>
+#include <numbers>
+
+#include "framework/find_path.hpp"
+#include "problems/costs/travel_time.hpp"
+#include "problems/initializers/straight.hpp"
+#include "problems/kernels/kernels.hpp"
+#include "problems/manifolds/euclidean.hpp"
+#include "solvers/lbfgs.hpp"
+#include "solvers/newton.hpp"
+
+int main() {
+  using namespace leastcost;
+  Problem problem;
+  problem.manifold = std::make_shared<EuclideanManifold>(EuclideanManifoldOptions{.dimension = 2});
+  problem.source.u = Eigen::Vector2d(0, 0);
+  problem.target.u = Eigen::Vector2d(std::numbers::pi, -2);
+  problem.cost = make_travel_time_cost({.gravity = 1}, 2, problem.source.u);
+  problem.kernel = make_kernel<Expm1Square>();
+
+  const Newton certifier;
+  const Result result = find_path(problem, StraightInitializer(), Lbfgs(), {.points = 40, .certifier = &certifier});
+  std::printf("%s: %.4f s through %d points\n", result.certificate.certified() ? "certified" : "uncertified",
+              result.certificate.estimate.value, static_cast<int>(result.path.u.cols()));
+  return result.certificate.certified() ? 0 : 1;
+}

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "framework/cascade.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "framework/path_energy.hpp"
+#include "framework/spacing.hpp"
+
+namespace leastcost {
+namespace {
+
+constexpr Index kCoarsest = 16;  ///< segments of the first level, about
+
+/// Segments per level, coarse to fine: halved, rounding up, until about kCoarsest.
+std::vector<Index> level_sizes(Index finest) {
+  std::vector<Index> sizes{finest};
+  while (sizes.back() >= 2 * kCoarsest) sizes.push_back((sizes.back() + 1) / 2);
+  return {sizes.rbegin(), sizes.rend()};
+}
+
+Counters operator+(const Counters& a, const Counters& b) {
+  return {a.energies + b.energies, a.gradients + b.gradients, a.hessians + b.hessians, a.projections + b.projections,
+          a.linear_solves + b.linear_solves};
+}
+
+void prepend(const SolveReport& earlier, SolveReport& report) {
+  report.counters = earlier.counters + report.counters;
+  report.iterations += earlier.iterations;
+  report.initial_energy = earlier.initial_energy;
+  for (Iteration& line : report.history) {
+    line.iteration += earlier.iterations;
+    line.evaluations += earlier.counters.energies + earlier.counters.gradients;
+    line.seconds += earlier.seconds;
+  }
+  report.seconds += earlier.seconds;
+  report.history.insert(report.history.begin(), earlier.history.begin(), earlier.history.end());
+}
+
+}  // namespace
+
+SolveReport solve_by_cascade(const Problem& problem, const Solver& solver, double reference_cost, CoordinatePath& path,
+                             const Monitor& monitor) {
+  const Index finest = path.segment_count();
+  const auto points = [&path](Index segments) { return static_cast<int>(path.ring ? segments : segments - 1); };
+  SolveReport report;
+  CoordinatePath level;
+  for (const Index segments : level_sizes(finest)) {
+    if (level.u.size() == 0) {
+      level = segments == finest ? path : sample_equally(problem, path, points(segments));
+    } else {
+      level = refine(problem, level);
+      if (level.segment_count() != segments) level = sample_equally(problem, level, points(segments), 1e-3);
+    }
+    const double s0 = reference_cost * static_cast<double>(finest) / static_cast<double>(segments);
+    PathEnergy energy(problem, s0);
+    SolveReport next = solver.solve(energy, level, monitor);
+    if (!report.history.empty()) prepend(report, next);
+    report = std::move(next);
+    if (monitor.interrupted()) break;
+  }
+  if (level.segment_count() == finest) path = std::move(level);
+  return report;
+}
+
+}  // namespace leastcost

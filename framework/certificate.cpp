@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "framework/certificate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "framework/bundle.hpp"
+#include "framework/chain_model.hpp"
+#include "framework/path_energy.hpp"
+#include "framework/path_index.hpp"
+#include "framework/refinement.hpp"
+#include "framework/spacing.hpp"
+
+namespace leastcost {
+namespace {
+
+constexpr double kStraight = 1e-9;                ///< radians below pi that a side angle may fall
+constexpr double kPolyhedronStationarity = 1e-6;  ///< relative cost error of an unstraightened path on a polyhedron
+constexpr double kPolyhedronSpacing = 0.05;
+constexpr double kPolyhedronError = 0.01;  ///< relative error bar above which it is a failure
+constexpr double kSpacingFall = 3;         ///< second order halves the step and quarters the spread; 3 leaves room
+constexpr int kBundleSteps = 20;
+
+std::string text(double x) {
+  std::ostringstream out;
+  out.precision(3);
+  out << x;
+  return out.str();
+}
+
+class Certifier {
+ public:
+  Certifier(const Problem& problem, double s0, const PostProcessed& path, const ToCurve& to_curve,
+            const Solver& certifier, const CertificateOptions& options, const Monitor& monitor)
+      : problem_(problem),
+        energy_(problem, s0),
+        path_(path),
+        to_curve_(to_curve),
+        certifier_(certifier),
+        options_(options),
+        monitor_(monitor) {}
+
+  Certificate run() {
+    c_.measured = true;
+    c_.estimate.value = path_.curve.cost;
+    measure_residual();
+    measure_segments();
+    measure_asymmetry();
+    if (path_.curve.straightness) {
+      certify_straightened();
+    } else if (problem_.manifold->shape() == Shape::polyhedral) {
+      certify_polyhedral_chain();
+    } else {
+      certify_chain();
+    }
+    if (monitor_.interrupted()) fail("interrupted", "the certificate was interrupted");
+    return std::move(c_);
+  }
+
+ private:
+  void fail(const char* name, std::string message) { c_.failures.push_back({name, std::move(message)}); }
+
+  double extent() const {
+    const Points& u = path_.chain.u;
+    return (u.rowwise().maxCoeff() - u.rowwise().minCoeff()).norm();
+  }
+
+  /// Worst distance off the domain of a point of the chain, and on a polyhedron of the middle of a piece of the curve.
+  void measure_residual() {
+    double worst = problem_.manifold->residual(path_.chain);
+    if (problem_.manifold->shape() == Shape::polyhedral) {
+      const Points& x = path_.curve.x;
+      const Index m = x.cols() - 1;
+      CoordinatePath middles{(x.leftCols(m) + x.rightCols(m)) / 2, path_.curve.segment_sites, true};
+      worst = std::max(worst, problem_.manifold->residual(middles));
+    }
+    c_.residual = worst / extent();
+    if (!(*c_.residual <= options_.residual))
+      fail("residual",
+           "the path leaves the domain by " + text(*c_.residual) + " diameters; allowed " + text(options_.residual));
+  }
+
+  void measure_segments() {
+    c_.spacing = spread(path_.curve.straightness ? path_.curve_costs : energy_.costs(path_.chain));
+    c_.longest_segment = path_.curve_costs.maxCoeff() / path_.curve_costs.mean();
+    if (!(c_.longest_segment <= options_.longest_segment))
+      fail("longest_segment",
+           "the longest segment costs " + text(c_.longest_segment) +
+               " times the mean: the path jumps over a part of the domain (a sinkhole, VFCS Fig. 2)");
+  }
+
+  void measure_asymmetry() {
+    if (problem_.cost->traits().symmetric) return;
+    CoordinatePath back = path_.chain;
+    back.u = path_.chain.u.rowwise().reverse();
+    std::reverse(back.sites.begin(), back.sites.end());
+    c_.asymmetry = energy_.cost(back) / energy_.cost(path_.chain) - 1;
+  }
+
+  /// It certifies itself: no angle beside it is below pi, so no path nearby is shorter. Nothing is said about the shortest path, nor about
+  /// the smooth surface behind the mesh.
+  void certify_straightened() {
+    c_.scope = "local_on_polyhedron";
+    c_.straightness = path_.curve.straightness;
+    if (!(*c_.straightness >= -kStraight))
+      fail("straightness",
+           "an angle beside the path is " + text(-*c_.straightness) + " below pi: it can be shortened there");
+    if (!(c_.spacing <= options_.spacing)) fail_spacing(options_.spacing);
+    c_.estimate.method = "straightened";
+    c_.estimate.error = std::numeric_limits<double>::epsilon() * path_.curve.cost *
+                        std::sqrt(static_cast<double>(path_.curve.x.cols())) * 4;
+  }
+
+  void fail_spacing(double allowed) {
+    fail("spacing", "max / min cost of a segment exceeds 1 by " + text(c_.spacing) + "; allowed " + text(allowed));
+  }
+
+  void certify_polyhedral_chain() {
+    c_.scope = "chain_on_polyhedron";
+    measure_kinked_stationarity();
+    std::vector<double> values;
+    const Refinement refinement = refine_levels(problem_, path_.chain, certifier_, monitor_);
+    c_.levels = refinement.levels;
+    for (const CoordinatePath& level : refinement.paths) {
+      if (monitor_.interrupted()) return;
+      values.push_back(to_curve_(level).curve.cost);
+    }
+    values.push_back(path_.curve.cost);
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    c_.estimate.method = "traced";
+    c_.estimate.error = 2 * (*most - *least);
+    if (refinement.levels.size() < 3)
+      fail(refinement.collapsed ? "collapsed" : "refinement", refinement.trouble);
+    else if (!(c_.estimate.error <= kPolyhedronError * path_.curve.cost))
+      fail("error_bar", "the traced cost varies by " + text(c_.estimate.error / path_.curve.cost / 2) +
+                            " (relative) between " + std::to_string(refinement.levels[0].segments) + " and " +
+                            std::to_string(refinement.levels[2].segments) + " segments; use more points");
+    const auto& levels = c_.levels;
+    const bool falling =
+        levels.size() == 3 && levels[2].spacing < levels[1].spacing && levels[1].spacing < levels[0].spacing;
+    if (!(c_.spacing <= kPolyhedronSpacing) && !falling) fail_spacing(kPolyhedronSpacing);
+  }
+
+  /// On a polyhedron no single gradient need be small at a minimiser: what counts is how far a bundle of them can still
+  /// lower the energy.
+  void measure_kinked_stationarity() {
+    CoordinatePath path = path_.chain;
+    const double scale = energy_.scale(path);
+    double gained = 0;
+    BundleStep step{true, 0, 0};
+    for (int i = 0; i < kBundleSteps && step.lowered && !monitor_.interrupted(); ++i) {
+      step = bundle_step(energy_, path, kPolyhedronStationarity / 10);
+      gained += step.decrease;
+    }
+    c_.stationarity = gained / scale + step.cost_error;
+    check_stationarity(kPolyhedronStationarity);
+  }
+
+  void check_stationarity(double allowed) {
+    if (!(*c_.stationarity <= allowed))
+      fail("stationarity", "the relative cost error is " + text(*c_.stationarity) + "; allowed " + text(allowed) +
+                               ": the solver has not converged");
+  }
+
+  void certify_chain() {
+    c_.scope = "local";
+    measure_stationarity();
+    measure_index();
+    const Refinement refinement = refine_levels(problem_, path_.chain, certifier_, monitor_);
+    c_.levels = refinement.levels;
+    if (monitor_.interrupted()) return;  // run() says so; half a refinement says nothing
+    if (!refinement.trouble.empty()) fail(refinement.collapsed ? "collapsed" : "refinement", refinement.trouble);
+    check_spacing();
+    measure_doubling();
+    c_.estimate = estimate_cost(problem_, energy_, path_.chain, refinement, c_.index, hugs_bound_, c_.failures);
+  }
+
+  void measure_stationarity() {
+    ChainModel model;
+    if (!model.evaluate(energy_, path_.chain)) {
+      c_.stationarity = std::numeric_limits<double>::infinity();
+    } else {
+      model.solve(energy_, path_.chain, HessianKind::exact);
+      c_.stationarity = model.cost_error;
+      hugs_bound_ =
+          !path_.chain.ring && *std::max_element(model.frames.blocked.begin(), model.frames.blocked.end()) > 0;
+    }
+    check_stationarity(options_.stationarity);
+  }
+
+  void measure_index() {
+    c_.index = path_index(energy_, path_.chain, options_.index_shift);
+    switch (c_.index.verdict) {
+      case IndexVerdict::minimum: return;
+      case IndexVerdict::saddle:
+        return fail("saddle", "the path is a saddle of order " + std::to_string(c_.index.saddle_order) +
+                                  ": a neighbouring path costs less");
+      case IndexVerdict::degenerate:
+        return fail("degenerate", "the path is degenerate with nullity " + std::to_string(c_.index.nullity) +
+                                      ": neighbouring paths cost the same to second order");
+      case IndexVerdict::not_applicable:
+        if (problem_.kernel->strictly_convex())
+          return fail("index_not_applicable", "the energy of the path is not finite: no index");
+        return fail("index_not_applicable",
+                    "the kernel is not strictly convex (H = s): points may slide along the path, no index, no spacing");
+    }
+  }
+
+  /// Exactly equal where the cost is additive along the path; elsewhere as unequal as the discretisation makes it, which falls at second
+  /// order.
+  void check_spacing() {
+    if (c_.spacing <= options_.spacing) return;
+    const bool additive = problem_.cost->traits().additive && problem_.manifold->shape() == Shape::flat && !hugs_bound_;
+    if (additive || c_.levels.size() < 3) return fail_spacing(options_.spacing);
+    const double s1 = c_.levels[0].spacing, s2 = c_.levels[1].spacing, s4 = c_.levels[2].spacing;
+    const bool falls = s2 <= options_.spacing || (s1 / s2 >= kSpacingFall && s2 / s4 >= kSpacingFall);
+    const double ratio = c_.levels[1].segments / static_cast<double>(path_.chain.segment_count());
+    const double expected = std::max(options_.spacing, 2 * s2 * ratio * ratio);
+    if (!falls)
+      return fail("spacing", "unequal segments (" + text(c_.spacing) + ") that do not even out at second order");
+    if (c_.spacing > expected) fail_spacing(expected);
+  }
+
+  void measure_doubling() {
+    if (c_.levels.size() < 3 || problem_.kernel->kind() != KernelKind::quadratic_at_zero) return;
+    const RefinementLevel &a = c_.levels[1], &b = c_.levels[2];
+    const double s0 = a.cost / a.segments;
+    c_.doubling = a.energy / b.energy;
+    c_.doubling_expected = kernel_value(*problem_.kernel, a.cost / (a.segments * s0)) /
+                           (2 * kernel_value(*problem_.kernel, b.cost / (b.segments * s0)));
+    if (!(std::abs(*c_.doubling / *c_.doubling_expected - 1) <= options_.doubling))
+      fail("doubling", "E(2M) / E(4M) is " + text(*c_.doubling) + " where an evenly spaced path has " +
+                           text(*c_.doubling_expected) + ": the path jumps over a part of the domain (VFCS Eq. 8)");
+  }
+
+  const Problem& problem_;
+  PathEnergy energy_;
+  const PostProcessed& path_;
+  const ToCurve& to_curve_;
+  const Solver& certifier_;
+  const CertificateOptions& options_;
+  const Monitor& monitor_;
+  bool hugs_bound_ = false;  ///< a point rests on a bound: the segment that leaves it cannot follow the path
+  Certificate c_;
+};
+
+}  // namespace
+
+void CertificateOptions::fields(FieldVisitor& visit) {
+  visit.field("enabled", enabled, {.help = "Whether the path is certified; without it the status is uncertified."});
+  visit.field("stationarity", stationarity, {.help = "Largest relative cost error.", .minimum = 0});
+  visit.field("residual", residual, {.help = "Largest distance off the domain.", .unit = "diameters", .minimum = 0});
+  visit.field("spacing", spacing, {.help = "Largest max c / min c - 1 where the cost is additive.", .minimum = 0});
+  visit.field("doubling", doubling,
+              {.help = "Largest relative deviation of E(2M) / E(4M), VFCS Eq. (8).", .minimum = 0});
+  visit.field("longest_segment", longest_segment, {.help = "Largest max c / mean c.", .minimum = 1});
+  visit.field("index_shift", index_shift,
+              {.help = "Shift tau of the two counts of the index.", .minimum = 0, .exclusive_minimum = true});
+}
+
+Certificate certify(const Problem& problem, double reference_cost, const PostProcessed& path, const ToCurve& to_curve,
+                    const Solver& certifier, const CertificateOptions& options, const Monitor& monitor) {
+  return Certifier(problem, reference_cost, path, to_curve, certifier, options, monitor).run();
+}
+
+}  // namespace leastcost

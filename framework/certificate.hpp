@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "framework/monitor.hpp"
+#include "framework/options.hpp"
+#include "framework/post_processor.hpp"
+#include "framework/problem.hpp"
+#include "framework/solver.hpp"
+
+namespace leastcost {
+
+/// Thresholds of the certificate; the defaults are those of the table in docs/numerics.md.
+struct CertificateOptions {
+  bool enabled = true;
+  double stationarity = 1e-10;
+  double residual = 1e-10;
+  double spacing = 1e-6;
+  double doubling = 0.05;
+  double longest_segment = 3;
+  double index_shift = 1e-3;
+  void fields(FieldVisitor& visit);
+};
+
+/// One reason not to trust a path. `name` is for programs, `message` for people.
+struct CertificateFailure {
+  std::string name;
+  std::string message;
+};
+
+enum class IndexVerdict { not_applicable, minimum, saddle, degenerate };
+std::string_view name(IndexVerdict verdict);
+
+/// Morse index of the path by counting negative pivots of the exact chain Hessian H (Sylvester's law of inertia), and of
+/// H + tau P, H - tau P with P the Gauss-Newton Hessian.
+struct PathIndex {
+  IndexVerdict verdict = IndexVerdict::not_applicable;
+  int negatives = 0;     ///< of H
+  int saddle_order = 0;  ///< negatives of H + tau P
+  int nullity = 0;       ///< negatives of H - tau P, minus the above
+};
+
+/// One solved level of the refinement M, 2M, 4M.
+struct RefinementLevel {
+  int segments = 0;
+  double cost = 0;
+  double energy = 0;  ///< at the reference cost of the middle level
+  double spacing = 0;
+  int iterations = 0;
+};
+
+/// The reported value with its error. Units of the cost.
+struct CostEstimate {
+  double value = 0;
+  double error = 0;
+  std::string method;           ///< "exact", "bracket", "spline", "richardson", "traced", "straightened", "differences"
+  std::optional<double> lower;  ///< where a bound exists
+  std::optional<double> upper;
+  std::optional<double> order;  ///< observed; never enters the value
+};
+
+/// What was measured about a path, independently of the solver that made it. An empty list of failures means
+/// certified. It never says "global": a local method cannot know.
+struct Certificate {
+  bool measured = false;
+  std::string scope;  ///< "local", "local_on_polyhedron", "chain_on_polyhedron"
+  std::vector<CertificateFailure> failures;
+  CostEstimate estimate;
+  std::optional<double> stationarity;       ///< relative cost error
+  std::optional<double> residual;           ///< diameters
+  double spacing = 0;                       ///< max c / min c - 1; of a straightened path by arc length
+  std::optional<double> doubling;           ///< E_2M / E_4M
+  std::optional<double> doubling_expected;  ///< H(s_2M) / (2 H(s_4M))
+  double longest_segment = 0;               ///< max / mean cost of the curve between two points
+  PathIndex index;
+  std::optional<double> straightness;    ///< smallest side angle minus pi, radians
+  std::optional<double> asymmetry;       ///< backward cost / forward cost - 1
+  std::optional<double> geometry_error;  ///< what the representation of the domain costs; null: exact or unknown
+  std::vector<RefinementLevel> levels;
+
+  bool certified() const { return measured && failures.empty(); }
+};
+
+/// Turns a chain into the curve that is delivered for it: the post-processors of the run.
+using ToCurve = std::function<PostProcessed(const CoordinatePath&)>;
+
+/// Measures the delivered path: `path.chain` is what the caller gets, `path.curve` lies on the domain. `certifier`
+/// solves the refinement levels; it should be a chain solver (newton in smooth domains). Cancelling leaves a certificate
+/// that is not certified.
+Certificate certify(const Problem& problem, double reference_cost, const PostProcessed& path, const ToCurve& to_curve,
+                    const Solver& certifier, const CertificateOptions& options, const Monitor& monitor);
+
+}  // namespace leastcost

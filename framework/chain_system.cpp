@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "framework/chain_system.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <cmath>
+
+namespace leastcost {
+namespace {
+
+template <int K>
+using Block = Eigen::Matrix<double, K, K>;
+
+/// In-place Cholesky of a small block: lower triangle of `m`. False when a pivot is not clearly positive.
+template <class Derived>
+bool cholesky(Eigen::MatrixBase<Derived>& m) {
+  const Index k = m.rows();
+  for (Index j = 0; j < k; ++j) {
+    const double original = m(j, j);
+    double pivot = original;
+    for (Index p = 0; p < j; ++p) pivot -= m(j, p) * m(j, p);
+    // A pivot lost to cancellation is as bad as a negative one; NaN fails as well.
+    if (!(pivot > 1e-15 * std::abs(original)) || !std::isfinite(pivot)) return false;
+    m(j, j) = std::sqrt(pivot);
+    for (Index i = j + 1; i < k; ++i) {
+      double sum = m(i, j);
+      for (Index p = 0; p < j; ++p) sum -= m(i, p) * m(j, p);
+      m(i, j) = sum / m(j, j);
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+void ChainSystem::resize(int block, Index count, bool ring) {
+  k_ = block;
+  n_ = count;
+  ring_ = ring;
+  for (Points* m : {&a_, &b_, &l_, &w_}) m->resize(k_, k_ * n_);
+  border_.resize(k_, ring ? k_ * n_ : 0);
+}
+
+void ChainSystem::set_zero() {
+  a_.setZero();
+  b_.setZero();
+}
+
+void ChainSystem::add(double factor, const ChainSystem& other) {
+  a_ += factor * other.a_;
+  b_ += factor * other.b_;
+}
+
+template <int K>
+bool ChainSystem::factor_blocks() {
+  const Index first = ring_ ? 1 : 0;
+  const int k = k_;
+  Block<K> pivot(k, k), border(k, k), schur(k, k);
+  if (ring_) schur = diagonal(0);
+  if (ring_ && n_ == 1) schur += coupling(0) + coupling(0).transpose();  // its only segment joins x_0 with itself
+  for (Index i = first; i < n_; ++i) {
+    pivot = diagonal(i);
+    if (i > first) {
+      const Eigen::Map<const Block<K>> w(w_.data() + k * k * (i - 1), k, k);
+      pivot.noalias() -= w.transpose() * w;
+    }
+    if (!cholesky(pivot)) return false;
+    Eigen::Map<Block<K>> l(l_.data() + k * k * i, k, k);
+    l = pivot;
+    if (i + 1 < n_) {
+      Eigen::Map<Block<K>> w(w_.data() + k * k * i, k, k);
+      w = coupling(i);
+      l.template triangularView<Eigen::Lower>().solveInPlace(w);
+    }
+    if (!ring_) continue;
+    border.setZero();
+    if (i == 1) border += coupling(0).transpose();
+    if (i == n_ - 1) border += coupling(n_ - 1);
+    if (i > 1) {
+      const Eigen::Map<const Block<K>> w(w_.data() + k * k * (i - 1), k, k);
+      const Eigen::Map<const Block<K>> before(border_.data() + k * k * (i - 1), k, k);
+      border.noalias() -= w.transpose() * before;
+    }
+    l.template triangularView<Eigen::Lower>().solveInPlace(border);
+    Eigen::Map<Block<K>>(border_.data() + k * k * i, k, k) = border;
+    schur.noalias() -= border.transpose() * border;
+  }
+  if (ring_) {
+    if (!cholesky(schur)) return false;
+    Eigen::Map<Block<K>>(l_.data(), k, k) = schur;
+  }
+  return true;
+}
+
+bool ChainSystem::factor() {
+  switch (k_) {
+    case 1: return factor_blocks<1>();
+    case 2: return factor_blocks<2>();
+    case 3: return factor_blocks<3>();
+    default: return factor_blocks<Eigen::Dynamic>();
+  }
+}
+
+template <int K>
+void ChainSystem::solve_blocks(Eigen::VectorXd& x) const {
+  using Vector = Eigen::Matrix<double, K, 1>;
+  const Index first = ring_ ? 1 : 0;
+  const int k = k_;
+  const auto at = [k](const Points& m, Index i) { return Eigen::Map<const Block<K>>(m.data() + k * k * i, k, k); };
+  const auto part = [k, &x](Index i) { return Eigen::Map<Vector>(x.data() + k * i, k); };
+  for (Index i = first; i < n_; ++i) {
+    Eigen::Map<Vector> y = part(i);
+    if (i > first) y.noalias() -= at(w_, i - 1).transpose() * part(i - 1);
+    at(l_, i).template triangularView<Eigen::Lower>().solveInPlace(y);
+    if (ring_) part(0).noalias() -= at(border_, i).transpose() * y;
+  }
+  if (ring_) {
+    Eigen::Map<Vector> y = part(0);
+    at(l_, 0).template triangularView<Eigen::Lower>().solveInPlace(y);
+    at(l_, 0).transpose().template triangularView<Eigen::Upper>().solveInPlace(y);
+  }
+  for (Index i = n_ - 1; i >= first; --i) {
+    Eigen::Map<Vector> y = part(i);
+    if (i + 1 < n_) y.noalias() -= at(w_, i) * part(i + 1);
+    if (ring_) y.noalias() -= at(border_, i) * part(0);
+    at(l_, i).transpose().template triangularView<Eigen::Upper>().solveInPlace(y);
+  }
+}
+
+void ChainSystem::solve(Eigen::VectorXd& x) const {
+  switch (k_) {
+    case 1: return solve_blocks<1>(x);
+    case 2: return solve_blocks<2>(x);
+    case 3: return solve_blocks<3>(x);
+    default: return solve_blocks<Eigen::Dynamic>(x);
+  }
+}
+
+void ChainSystem::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
+  y.setZero(size());
+  for (Index i = 0; i < n_; ++i) {
+    y.segment(k_ * i, k_).noalias() += diagonal(i) * x.segment(k_ * i, k_);
+    const Index j = i + 1 < n_ ? i + 1 : 0;
+    if (j == 0 && !ring_) continue;
+    y.segment(k_ * i, k_).noalias() += coupling(i) * x.segment(k_ * j, k_);
+    y.segment(k_ * j, k_).noalias() += coupling(i).transpose() * x.segment(k_ * i, k_);
+  }
+}
+
+int ChainSystem::negative_eigenvalues() const {
+  int negatives = 0;
+  // Counts the negative eigenvalues of a pivot and returns its inverse; an eigenvalue lost to rounding counts as positive.
+  const auto invert = [&negatives](const Points& pivot) -> Points {
+    const Eigen::SelfAdjointEigenSolver<Points> eigen(pivot);
+    Eigen::VectorXd values = eigen.eigenvalues();
+    const double tiny = 1e-300 + 1e-15 * values.cwiseAbs().maxCoeff();
+    for (double& value : values) {
+      if (value < 0) ++negatives;
+      if (std::abs(value) < tiny) value = value < 0 ? -tiny : tiny;
+    }
+    return eigen.eigenvectors() * values.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
+  };
+  const Index first = ring_ ? 1 : 0;
+  Points inverse, border, schur;
+  if (ring_) schur = diagonal(0);
+  if (ring_ && n_ == 1) schur += coupling(0) + coupling(0).transpose();
+  for (Index i = first; i < n_; ++i) {
+    Points pivot = diagonal(i);
+    Points new_border = Points::Zero(k_, k_);
+    if (i > first) {
+      pivot -= coupling(i - 1).transpose() * inverse * coupling(i - 1);
+      if (ring_) new_border -= coupling(i - 1).transpose() * inverse * border;
+    }
+    inverse = invert(pivot);
+    if (!ring_) continue;
+    if (i == 1) new_border += coupling(0).transpose();
+    if (i == n_ - 1) new_border += coupling(n_ - 1);
+    border = new_border;
+    schur -= border.transpose() * inverse * border;
+  }
+  if (ring_) invert(schur);
+  return negatives;
+}
+
+}  // namespace leastcost

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include "framework/path.hpp"
+
+namespace leastcost {
+
+/// A symmetric block-tridiagonal matrix with k x k blocks, the shape of every chain Hessian; with corner blocks for a
+/// ring. Block Cholesky in O(n k^3), reusable without allocation.
+///
+///     A_0  B_0            B_{n-1}'     ring only: B_{n-1} couples x_{n-1} (rows) with x_0 (columns)
+///     B_0' A_1  B_1
+///          B_1' A_2  ...
+///     B_{n-1}             A_{n-1}
+///
+/// A ring is factored as the chain x_1 .. x_{n-1}, then the Schur complement of x_0 (NUMERICS Sec. 3).
+class ChainSystem {
+ public:
+  void resize(int block, Index count, bool ring);
+  void set_zero();
+  int block() const { return k_; }
+  Index count() const { return n_; }
+  Index size() const { return k_ * n_; }
+  bool ring() const { return ring_; }
+
+  Eigen::Block<Points> diagonal(Index i) { return a_.block(0, k_ * i, k_, k_); }
+  Eigen::Block<const Points> diagonal(Index i) const { return a_.block(0, k_ * i, k_, k_); }
+  /// Block (i, i + 1); in a ring (n - 1, 0) for i = n - 1.
+  Eigen::Block<Points> coupling(Index i) { return b_.block(0, k_ * i, k_, k_); }
+  Eigen::Block<const Points> coupling(Index i) const { return b_.block(0, k_ * i, k_, k_); }
+
+  /// this += factor * other, of the same shape.
+  void add(double factor, const ChainSystem& other);
+
+  /// Block Cholesky. False when the matrix is not (numerically) positive definite; solve() then means nothing.
+  bool factor();
+  /// x := A^-1 x, after factor() returned true.
+  void solve(Eigen::VectorXd& x) const;
+  /// y := A x.
+  void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
+  /// Number of negative eigenvalues, from the signs of all block pivots (Sylvester). Independent of factor().
+  int negative_eigenvalues() const;
+
+ private:
+  template <int K>
+  bool factor_blocks();
+  template <int K>
+  void solve_blocks(Eigen::VectorXd& x) const;
+
+  int k_ = 0;
+  Index n_ = 0;
+  bool ring_ = false;
+  Points a_, b_;           ///< diagonal and coupling blocks side by side, k x kn
+  Points l_, w_, border_;  ///< Cholesky factors L_i; W_i = L_i^-1 B_i; ring: L_i^-1 (coupling to x_0)
+};
+
+}  // namespace leastcost

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "framework/curve_value.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace leastcost {
+namespace {
+
+/// Gauss-Legendre nodes and weights on [0, 1], Abramowitz and Stegun 25.4.30.
+constexpr std::array<double, 5> kNodes = {0.04691007703066800, 0.23076534494715845, 0.5, 0.76923465505284155,
+                                          0.95308992296933200};
+constexpr std::array<double, 5> kWeights = {0.11846344252809454, 0.23931433524968324, 0.28444444444444444,
+                                            0.23931433524968324, 0.11846344252809454};
+
+/// Cubic Lagrange weights at parameter t for nodes 0, 1, 2, 3, and their derivatives.
+void cubic(double t, Eigen::Vector4d& w, Eigen::Vector4d& dw) {
+  const double a = t, b = t - 1, c = t - 2, d = t - 3;
+  w << -b * c * d / 6, a * c * d / 2, -a * b * d / 2, a * b * c / 6;
+  dw << -(c * d + b * d + b * c) / 6, (c * d + a * d + a * c) / 2, -(b * d + a * d + a * b) / 2,
+      (b * c + a * c + a * b) / 6;
+}
+
+}  // namespace
+
+std::optional<double> smooth_curve_cost(const Problem& problem, const CoordinatePath& path) {
+  const Index columns = path.u.cols();
+  if (problem.manifold->shape() != Shape::flat || columns < 4) return std::nullopt;
+  const SegmentCost& cost = *problem.cost;
+  if (!path.ring) {
+    const Eigen::VectorXd start = path.u.col(0), first = path.u.col(1) - path.u.col(0);
+    const Eigen::VectorXd end = path.u.col(columns - 1), last = end - path.u.col(columns - 2);
+    if (!std::isfinite(cost.line_element(start, first)) || !std::isfinite(cost.line_element(end, last)))
+      return std::nullopt;
+  }
+  double sum = 0;
+  Eigen::Vector4d w, dw;
+  Points four(path.u.rows(), 4);
+  CoordinatePath point{Points(path.u.rows(), 1), {}, true};
+  for (Index i = 0; i < path.segment_count(); ++i) {
+    const Index begin = path.ring ? i - 1 : std::clamp<Index>(i - 1, 0, columns - 4);
+    for (Index j = 0; j < 4; ++j) four.col(j) = path.u.col((begin + j + columns) % columns);
+    for (std::size_t g = 0; g < kNodes.size(); ++g) {
+      cubic(static_cast<double>(i - begin) + kNodes[g], w, dw);
+      point.u = four * w;
+      if (problem.manifold->residual(point) > 0) return std::nullopt;
+      sum += kWeights[g] * cost.line_element(point.u.col(0), four * dw);
+    }
+  }
+  return std::isfinite(sum) ? std::optional(sum) : std::nullopt;
+}
+
+}  // namespace leastcost

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+
+namespace leastcost {
+
+/// Forward-mode dual number with N derivatives: value + sum_k d[k] e_k, e_j e_k = 0. Nested, Dual<Dual<double, N>, N>,
+/// it carries Hessians. Comparison looks at the value only, so branches of a cost work as they stand.
+template <class S, int N>
+struct Dual {
+  S value{};
+  std::array<S, N> d{};
+
+  Dual() = default;
+  Dual(double constant) : value(constant) {}  // NOLINT: numbers convert, as everywhere
+  Dual(const S& v, const std::array<S, N>& derivatives) : value(v), d(derivatives) {}
+
+  Dual& operator+=(const Dual& o) {
+    value += o.value;
+    for (int k = 0; k < N; ++k) d[k] += o.d[k];
+    return *this;
+  }
+  Dual& operator-=(const Dual& o) {
+    value -= o.value;
+    for (int k = 0; k < N; ++k) d[k] -= o.d[k];
+    return *this;
+  }
+  Dual& operator*=(const Dual& o) {
+    for (int k = 0; k < N; ++k) d[k] = d[k] * o.value + value * o.d[k];
+    value *= o.value;
+    return *this;
+  }
+  Dual& operator/=(const Dual& o) {
+    value /= o.value;
+    for (int k = 0; k < N; ++k) d[k] = (d[k] - value * o.d[k]) / o.value;
+    return *this;
+  }
+  Dual operator-() const {
+    Dual r;
+    r.value = -value;
+    for (int k = 0; k < N; ++k) r.d[k] = -d[k];
+    return r;
+  }
+
+  friend Dual operator+(Dual a, const Dual& b) { return a += b; }
+  friend Dual operator-(Dual a, const Dual& b) { return a -= b; }
+  friend Dual operator*(Dual a, const Dual& b) { return a *= b; }
+  friend Dual operator/(Dual a, const Dual& b) { return a /= b; }
+  friend bool operator<(const Dual& a, const Dual& b) { return a.value < b.value; }
+  friend bool operator>(const Dual& a, const Dual& b) { return b < a; }
+  friend bool operator<=(const Dual& a, const Dual& b) { return !(b < a); }
+  friend bool operator>=(const Dual& a, const Dual& b) { return !(a < b); }
+  friend bool operator==(const Dual& a, const Dual& b) { return a.value == b.value; }
+  friend bool operator!=(const Dual& a, const Dual& b) { return !(a == b); }
+};
+
+inline double innermost(double x) { return x; }
+template <class S, int N>
+double innermost(const Dual<S, N>& x) {
+  return innermost(x.value);
+}
+
+inline bool is_constant(double) { return true; }
+template <class S, int N>
+bool is_constant(const Dual<S, N>& x) {
+  for (const S& dk : x.d)
+    if (innermost(dk) != 0 || !is_constant(dk)) return false;
+  return is_constant(x.value);
+}
+
+/// f(x) from f and f' at x.value.
+template <class S, int N>
+Dual<S, N> compose(const Dual<S, N>& x, const S& f, const S& df) {
+  Dual<S, N> r;
+  r.value = f;
+  for (int k = 0; k < N; ++k) r.d[k] = df * x.d[k];
+  return r;
+}
+
+template <class S, int N>
+Dual<S, N> sqrt(const Dual<S, N>& x) {
+  using std::sqrt;
+  // The root of a constant 0 is the constant 0; 0 * infinity would make it NaN (a bead at rest at a fixed end).
+  if (innermost(x) == 0 && is_constant(x)) return Dual<S, N>(0.0);
+  const S root = sqrt(x.value);
+  return compose(x, root, S(0.5) / root);
+}
+template <class S, int N>
+Dual<S, N> exp(const Dual<S, N>& x) {
+  using std::exp;
+  const S e = exp(x.value);
+  return compose(x, e, e);
+}
+template <class S, int N>
+Dual<S, N> expm1(const Dual<S, N>& x) {
+  using std::exp, std::expm1;
+  return compose(x, S(expm1(x.value)), S(exp(x.value)));
+}
+template <class S, int N>
+Dual<S, N> log(const Dual<S, N>& x) {
+  using std::log;
+  return compose(x, S(log(x.value)), S(1.0) / x.value);
+}
+template <class S, int N>
+Dual<S, N> sin(const Dual<S, N>& x) {
+  using std::cos, std::sin;
+  return compose(x, S(sin(x.value)), S(cos(x.value)));
+}
+template <class S, int N>
+Dual<S, N> cos(const Dual<S, N>& x) {
+  using std::cos, std::sin;
+  return compose(x, S(cos(x.value)), S(-sin(x.value)));
+}
+template <class S, int N>
+Dual<S, N> sinh(const Dual<S, N>& x) {
+  using std::cosh, std::sinh;
+  return compose(x, S(sinh(x.value)), S(cosh(x.value)));
+}
+template <class S, int N>
+Dual<S, N> cosh(const Dual<S, N>& x) {
+  using std::cosh, std::sinh;
+  return compose(x, S(cosh(x.value)), S(sinh(x.value)));
+}
+template <class S, int N>
+Dual<S, N> tanh(const Dual<S, N>& x) {
+  using std::tanh;
+  const S t = tanh(x.value);
+  return compose(x, t, S(1.0) - t * t);
+}
+template <class S, int N>
+Dual<S, N> atan(const Dual<S, N>& x) {
+  using std::atan;
+  return compose(x, S(atan(x.value)), S(1.0) / (S(1.0) + x.value * x.value));
+}
+template <class S, int N>
+Dual<S, N> pow(const Dual<S, N>& x, double p) {
+  using std::pow;
+  return compose(x, S(pow(x.value, p)), S(p) * S(pow(x.value, p - 1)));
+}
+template <class S, int N>
+Dual<S, N> abs(const Dual<S, N>& x) {
+  return innermost(x) < 0 ? -x : x;
+}
+template <class S, int N>
+bool isfinite(const Dual<S, N>& x) {
+  return std::isfinite(innermost(x));
+}
+
+}  // namespace leastcost
+
+namespace Eigen {
+
+template <class S, int N>
+struct NumTraits<leastcost::Dual<S, N>> : NumTraits<double> {
+  using Real = leastcost::Dual<S, N>;
+  using NonInteger = Real;
+  using Nested = Real;
+  using Literal = double;
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = N,
+    AddCost = N,
+    MulCost = 2 * N
+  };
+};
+
+template <class S, int N, class Op>
+struct ScalarBinaryOpTraits<leastcost::Dual<S, N>, double, Op> {
+  using ReturnType = leastcost::Dual<S, N>;
+};
+template <class S, int N, class Op>
+struct ScalarBinaryOpTraits<double, leastcost::Dual<S, N>, Op> {
+  using ReturnType = leastcost::Dual<S, N>;
+};
+
+}  // namespace Eigen

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "framework/find_path.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+
+#include "framework/cascade.hpp"
+#include "framework/errors.hpp"
+#include "framework/path_energy.hpp"
+#include "framework/spacing.hpp"
+
+namespace leastcost {
+namespace {
+
+/// Runs one stage: tells the monitor, measures its time.
+template <class Work>
+void stage(Stage stage, const Monitor& monitor, double& seconds, Work work) {
+  monitor.report({stage, nullptr});
+  const auto start = Monitor::Clock::now();
+  work();
+  seconds = std::chrono::duration<double>(Monitor::Clock::now() - start).count();
+}
+
+int point_count(const FindOptions& options, const FirstPath& first) {
+  if (options.points > 0) return options.points;
+  if (!first.graph_vertices)
+    throw InputError("points: auto counts the vertices of an edge path, and this domain has no graph; give a number");
+  return std::max(8, *first.graph_vertices);
+}
+
+/// The chain as a curve, before any post-processing.
+PostProcessed chain_as_curve(PathEnergy& energy, const CoordinatePath& path) {
+  return {{energy.ambient(path).x, {}, energy.cost(path), {}}, path, energy.costs(path), {}};
+}
+
+Status status_of(const Result& result, const Monitor& monitor) {
+  const Termination end = result.solve.termination;
+  if (end == Termination::cancelled || end == Termination::time_limit || monitor.interrupted())
+    return Status::interrupted;
+  if (end == Termination::collapsed) return Status::collapsed;
+  return result.certificate.certified() ? Status::certified : Status::uncertified;
+}
+
+}  // namespace
+
+std::string_view name(Status status) {
+  switch (status) {
+    case Status::certified: return "certified";
+    case Status::uncertified: return "uncertified";
+    case Status::collapsed: return "collapsed";
+    case Status::interrupted: return "interrupted";
+  }
+  return "unknown";
+}
+
+Result find_path(const Problem& problem, const Initializer& initializer, const Solver& solver,
+                 const FindOptions& options, const Monitor& monitor) {
+  check(problem);
+  Result result;
+  stage(Stage::initialize, monitor, result.seconds.initialize, [&] {
+    result.first = initializer.first_path(problem, monitor);
+    pin_ends(problem, result.first.path);
+    result.initial = sample_equally(problem, result.first.path, point_count(options, result.first));
+  });
+  const Index segments = result.initial.segment_count();
+  result.initial_cost = PathEnergy(problem, 1).cost(result.initial);
+  result.reference_cost =
+      options.reference_cost > 0 ? options.reference_cost : result.initial_cost / static_cast<double>(segments);
+  if (!(result.reference_cost > 0))
+    throw InitializationError("the first path costs nothing: there is nothing to minimise");
+
+  PathEnergy energy(problem, result.reference_cost);
+  result.path = result.initial;
+  stage(Stage::solve, monitor, result.seconds.solve, [&] {
+    result.solve = options.cascade ? solve_by_cascade(problem, solver, result.reference_cost, result.path, monitor)
+                                   : solver.solve(energy, result.path, monitor);
+  });
+
+  const ToCurve to_curve = [&](const CoordinatePath& chain) {
+    PostProcessed processed = chain_as_curve(energy, chain);
+    for (const PostProcessor* step : options.post_processors)
+      processed = step->apply(problem, result.first, std::move(processed), monitor);
+    return processed;
+  };
+  PostProcessed processed;
+  stage(Stage::post_process, monitor, result.seconds.post_process, [&] { processed = to_curve(result.path); });
+  if (options.certificate.enabled && result.solve.termination != Termination::collapsed) {
+    assert(options.certifier != nullptr);
+    stage(Stage::certify, monitor, result.seconds.certify, [&] {
+      result.certificate = certify(problem, result.reference_cost, processed, to_curve, *options.certifier,
+                                   options.certificate, monitor);
+    });
+  }
+  result.status = status_of(result, monitor);
+  result.costs = energy.costs(processed.chain);
+  result.path = std::move(processed.chain);
+  result.curve = std::move(processed.curve);
+  result.curve_costs = std::move(processed.curve_costs);
+  result.notes = result.first.notes;
+  result.notes.insert(result.notes.end(), processed.notes.begin(), processed.notes.end());
+  return result;
+}
+
+}  // namespace leastcost

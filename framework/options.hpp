@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace leastcost {
+
+/// What a reader of the reference page needs to know about one option.
+struct FieldDoc {
+  std::string_view help;       ///< one sentence
+  std::string_view unit = "";  ///< "length", "m/s^2", "relative cost error", ... ; empty: a plain number
+  double minimum = -std::numeric_limits<double>::infinity();
+  double maximum = std::numeric_limits<double>::infinity();
+  bool exclusive_minimum = false;  ///< the minimum itself is not allowed
+  bool required = false;
+};
+
+/// Walks the options of one object. An options struct states its fields once,
+///
+///     struct LbfgsOptions {
+///       int memory = 10;
+///       void fields(FieldVisitor& visit) { visit.field("memory", memory, {.help = "Stored pairs.", .minimum = 1}); }
+///     };
+///
+/// and that one list serves reading (with range and unknown-key checks), writing, `describe`, the JSON schema and
+/// the reference page. The default is the value the struct holds before the visit.
+class FieldVisitor {
+ public:
+  virtual ~FieldVisitor() = default;
+  virtual void field(std::string_view key, bool& value, const FieldDoc& doc) = 0;
+  virtual void field(std::string_view key, int& value, const FieldDoc& doc) = 0;
+  virtual void field(std::string_view key, double& value, const FieldDoc& doc) = 0;
+  virtual void field(std::string_view key, std::string& value, const FieldDoc& doc) = 0;
+  /// A vector: a list of numbers. An empty one counts as absent.
+  virtual void field(std::string_view key, Eigen::VectorXd& value, const FieldDoc& doc) = 0;
+  /// A matrix: a list of rows of equal length. An empty one counts as absent.
+  virtual void field(std::string_view key, Eigen::MatrixXd& value, const FieldDoc& doc) = 0;
+  /// One word out of `choices`.
+  virtual void choice(std::string_view key, std::string& value, const std::vector<std::string>& choices,
+                      const FieldDoc& doc) = 0;
+  /// A path to a file, relative to the folder of the configuration.
+  virtual void file(std::string_view key, std::string& value, const FieldDoc& doc) = 0;
+  /// A nested block with fields of its own.
+  virtual void group(std::string_view key, const FieldDoc& doc, const std::function<void(FieldVisitor&)>& body) = 0;
+};
+
+/// Options of a plug-in that has none.
+struct NoOptions {
+  void fields(FieldVisitor&) {}
+};
+
+}  // namespace leastcost

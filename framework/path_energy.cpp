@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "framework/path_energy.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace leastcost {
+namespace {
+
+/// T' M S for the frames of two points (or M itself where frames are the identity), added to `out`.
+template <class Derived>
+void add_in_frames(const Frames& frames, int k, Index i, Index j, const Eigen::MatrixBase<Derived>& m,
+                   Eigen::Block<Points> out) {
+  if (frames.identity) {
+    out += m;
+    return;
+  }
+  out.noalias() += frames.bases.middleCols(k * i, k).transpose() * m.lazyProduct(frames.bases.middleCols(k * j, k));
+}
+
+}  // namespace
+
+PathEnergy::PathEnergy(const Problem& problem, double reference_cost)
+    : problem_(&problem), s0_(reference_cost), dims_(problem.manifold->dimensions()) {
+  assert(reference_cost > 0);
+}
+
+AmbientPath PathEnergy::ambient(const CoordinatePath& path) {
+  if (!path.ring) return {{path.u.data(), path.u.rows(), path.u.cols()}, path.sites, false};
+  ring_.resize(path.u.rows(), path.u.cols() + 1);
+  ring_ << path.u, path.u.col(0);
+  ring_sites_ = path.sites;
+  if (!ring_sites_.empty()) ring_sites_.push_back(path.sites.front());
+  return {{ring_.data(), ring_.rows(), ring_.cols()}, ring_sites_, true};
+}
+
+double PathEnergy::value(const CoordinatePath& path) {
+  ++counters_.energies;
+  const auto n = static_cast<std::size_t>(path.segment_count());
+  q_.resize(n);
+  phi_.resize(n);
+  problem_->cost->squared_costs(ambient(path), q_);
+  for (double& q : q_) q /= s0_ * s0_;
+  problem_->kernel->apply(q_, phi_);
+  double energy = 0;
+  for (const Jet2& phi : phi_) energy += phi.value;
+  return std::isnan(energy) ? std::numeric_limits<double>::infinity() : energy;
+}
+
+double PathEnergy::value_and_gradient(const CoordinatePath& path, Points& gradient) {
+  ++counters_.gradients;
+  const AmbientPath x = ambient(path);
+  ambient_gradient_.resize(dims_.ambient, x.x.cols());
+  const double energy = problem_->cost->energy_and_gradient(x, *problem_->kernel, s0_, ambient_gradient_);
+  // The closing column of a ring is its first point again.
+  if (path.ring) ambient_gradient_.col(0) += ambient_gradient_.col(x.x.cols() - 1);
+  gradient = ambient_gradient_.middleCols(path.free_begin(), path.free_count());
+  return gradient.allFinite() ? energy : std::numeric_limits<double>::infinity();
+}
+
+void PathEnergy::to_tangent(const Frames& frames, const Points& vectors, Eigen::VectorXd& tangent) const {
+  const int k = dims_.tangent;
+  tangent.resize(k * vectors.cols());
+  if (frames.identity) {
+    tangent = vectors.reshaped();
+    return;
+  }
+  for (Index i = 0; i < vectors.cols(); ++i) {
+    tangent.segment(k * i, k).noalias() = frames.bases.middleCols(k * i, k).transpose().lazyProduct(vectors.col(i));
+    const int blocked = frames.blocked[static_cast<std::size_t>(i)];
+    tangent.segment(k * i + k - blocked, blocked).setZero();
+  }
+}
+
+void PathEnergy::from_tangent(const Frames& frames, const Eigen::VectorXd& tangent, Points& vectors) const {
+  const int k = dims_.tangent;
+  const Index n = tangent.size() / k;
+  vectors.resize(dims_.coordinate, n);
+  if (frames.identity) {
+    vectors.reshaped() = tangent;
+    return;
+  }
+  for (Index i = 0; i < n; ++i)
+    vectors.col(i).noalias() = frames.bases.middleCols(k * i, k).lazyProduct(tangent.segment(k * i, k));
+}
+
+bool PathEnergy::has_exact_hessian() const {
+  return problem_->kernel->strictly_convex() && problem_->manifold->shape() != Shape::polyhedral;
+}
+
+void PathEnergy::chain_hessian(const CoordinatePath& path, const Points& gradient, const Frames& frames,
+                               HessianKind kind, ChainSystem& system) {
+  ++counters_.hessians;
+  if (kind == HessianKind::exact && !has_exact_hessian()) kind = HessianKind::gauss_newton;
+  problem_->cost->chain_blocks(ambient(path), *problem_->kernel, s0_, kind, blocks_);
+  const int d = dims_.ambient, k = dims_.tangent;
+  const Index n = path.free_count(), segments = path.segment_count();
+  system.resize(k, n, path.ring);
+  system.set_zero();
+  for (Index s = 0; s < segments; ++s) {
+    const Index a = s - path.free_begin();                       // free point at the segment's start
+    const Index b = path.ring && s + 1 == segments ? 0 : a + 1;  // and at its end
+    const Points& h = blocks_.blocks;
+    const Index c = 2 * d * s;
+    if (a >= 0) add_in_frames(frames, k, a, a, h.block(0, c, d, d), system.diagonal(a));
+    if (b < n) add_in_frames(frames, k, b, b, h.block(d, c + d, d, d), system.diagonal(b));
+    if (a >= 0 && b < n) add_in_frames(frames, k, a, b, h.block(0, c + d, d, d), system.coupling(a));
+  }
+  if (kind == HessianKind::exact && problem_->manifold->shape() == Shape::smooth)
+    add_curvature(path, gradient, frames, system);
+  block_directions(frames, system);
+}
+
+/// The curvature of the domain in the Hessian of E along the retraction R: g' d2R(t, t), which for the nearest-point
+/// retraction is -P (sum_j lambda_j Hess F_j) P (NUMERICS Sec. 3). From second differences of g'R with g held fixed, two
+/// retractions of the whole path per pair of directions, so it works for every domain.
+void PathEnergy::add_curvature(const CoordinatePath& path, const Points& gradient, const Frames& frames,
+                               ChainSystem& system) {
+  const int k = dims_.tangent;
+  const Index n = path.free_count(), first = path.free_begin();
+  const double extent = (path.u.rowwise().maxCoeff() - path.u.rowwise().minCoeff()).norm();
+  const double h = 3e-4 * extent;  // eps^(1/4): rounding and truncation of a second difference balance
+  if (!(h > 0)) return;
+  const auto differences = [&](int p, int q) {
+    step_.resize(dims_.coordinate, n);
+    for (Index i = 0; i < n; ++i) {
+      step_.col(i) = h * frames.bases.col(k * i + p);
+      if (q != p) step_.col(i) += h * frames.bases.col(k * i + q);
+    }
+    retract(path, step_, plus_);
+    step_ = -step_;
+    retract(path, step_, minus_);
+    const auto bend = (plus_.u + minus_.u - 2 * path.u).middleCols(first, n);
+    return Eigen::VectorXd((gradient.cwiseProduct(bend)).colwise().sum().transpose() / (h * h));
+  };
+  Points pure(n, k);
+  for (int p = 0; p < k; ++p) pure.col(p) = differences(p, p);
+  for (int p = 0; p < k; ++p) {
+    for (Index i = 0; i < n; ++i) system.diagonal(i)(p, p) += pure(i, p);
+    for (int q = 0; q < p; ++q) {
+      const Eigen::VectorXd mixed = (differences(p, q) - pure.col(p) - pure.col(q)) / 2;
+      for (Index i = 0; i < n; ++i) {
+        system.diagonal(i)(p, q) += mixed[i];
+        system.diagonal(i)(q, p) += mixed[i];
+      }
+    }
+  }
+}
+
+void PathEnergy::block_directions(const Frames& frames, ChainSystem& system) const {
+  if (frames.identity) return;
+  const int k = dims_.tangent;
+  const Index n = system.count();
+  for (Index i = 0; i < n; ++i) {
+    for (int p = k - frames.blocked[static_cast<std::size_t>(i)]; p < k; ++p) {
+      Eigen::Block<Points> a = system.diagonal(i);
+      a.row(p).setZero();
+      a.col(p).setZero();
+      a(p, p) = 1;
+      system.coupling(i).row(p).setZero();
+      system.coupling(i == 0 ? n - 1 : i - 1).col(p).setZero();
+    }
+  }
+}
+
+bool PathEnergy::factor(ChainSystem& system) {
+  ++counters_.linear_solves;
+  return system.factor();
+}
+
+void PathEnergy::solve(const ChainSystem& system, Eigen::VectorXd& x) {
+  ++counters_.linear_solves;
+  system.solve(x);
+}
+
+void PathEnergy::retract(const CoordinatePath& from, const Points& step, CoordinatePath& to) {
+  ++counters_.projections;
+  problem_->manifold->retract(from, step, to);
+}
+
+Eigen::VectorXd PathEnergy::costs(const CoordinatePath& path) { return segment_costs(*problem_->cost, ambient(path)); }
+
+double PathEnergy::cost(const CoordinatePath& path) {
+  q_.resize(static_cast<std::size_t>(path.segment_count()));
+  problem_->cost->squared_costs(ambient(path), q_);
+  double sum = 0;
+  for (const double q : q_) sum += std::sqrt(q);
+  return sum;
+}
+
+double PathEnergy::scale(const CoordinatePath& path) {
+  const auto n = static_cast<std::size_t>(path.segment_count());
+  q_.resize(n);
+  phi_.resize(n);
+  problem_->cost->squared_costs(ambient(path), q_);
+  for (double& q : q_) q /= s0_ * s0_;
+  problem_->kernel->apply(q_, phi_);
+  double sum = 0;
+  for (std::size_t i = 0; i < n; ++i) sum += 2 * phi_[i].d1 * q_[i];
+  return sum;
+}
+
+}  // namespace leastcost

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "framework/chain_system.hpp"
+#include "framework/problem.hpp"
+#include "framework/solver.hpp"
+
+namespace leastcost {
+
+/// Orthonormal tangent frames at the free points, with the directions that are not free to move turned to the end of
+/// each frame: outward at an active bound, along the path at the pinned point of a ring. All frames keep the same width, so
+/// the chain system keeps its block size; a blocked coordinate has gradient 0 and a decoupled row in the Hessian.
+struct Frames {
+  bool identity = false;     ///< flat domain, nothing blocked: every basis is the identity
+  Points bases;              ///< coordinate x (tangent * n)
+  std::vector<int> blocked;  ///< per free point, how many trailing directions are blocked
+};
+
+/// The energy E = sum_i H(c_i / s0) of a path, VFCS Eq. (9), with what a chain solver needs: gradient, tangent frames,
+/// block-tridiagonal chain Hessian, retraction. Everything a solver may do to a path goes through here, so the counters are the same for
+/// all solvers. Holds workspaces: one object per solve, one thread at a time; no allocation after the first call.
+class PathEnergy {
+ public:
+  /// `problem` must outlive it. reference_cost: s0 > 0, units of the cost.
+  PathEnergy(const Problem& problem, double reference_cost);
+
+  const Problem& problem() const { return *problem_; }
+  double reference_cost() const { return s0_; }
+  const Counters& counters() const { return counters_; }
+
+  /// E, or +infinity where the path leaves the domain of the cost.
+  double value(const CoordinatePath& path);
+  /// E and its gradient at the free points in coordinates, coordinate x n (not projected).
+  double value_and_gradient(const CoordinatePath& path, Points& gradient);
+
+  /// Frames at a path. With bounds, the gradient decides which of them hold (a bound is kept while its
+  /// multiplier pushes against it).
+  void frames(const CoordinatePath& path, const Points& gradient, Frames& frames) const;
+  /// T'v per free point; blocked coordinates are 0. Length tangent * n.
+  void to_tangent(const Frames& frames, const Points& vectors, Eigen::VectorXd& tangent) const;
+  /// T t per free point, coordinate x n.
+  void from_tangent(const Frames& frames, const Eigen::VectorXd& tangent, Points& vectors) const;
+
+  /// Chain Hessian in the frames. `exact` includes the curvature of the domain; on a polyhedron, which has none that
+  /// could be used, both kinds are the Gauss-Newton one. The gradient is that of value_and_gradient() at `path`.
+  void chain_hessian(const CoordinatePath& path, const Points& gradient, const Frames& frames, HessianKind kind,
+                     ChainSystem& system);
+  /// Whether `exact` exists: the kernel is strictly convex and the domain is not a polyhedron.
+  bool has_exact_hessian() const;
+
+  bool factor(ChainSystem& system);
+  void solve(const ChainSystem& system, Eigen::VectorXd& x);
+  /// R(from, step), see ConstraintManifold::retract. `to` may not alias `from`.
+  void retract(const CoordinatePath& from, const Points& step, CoordinatePath& to);
+
+  /// sum_i c_i.
+  double cost(const CoordinatePath& path);
+  Eigen::VectorXd costs(const CoordinatePath& path);
+  /// sum_i H'(s_i) s_i: an energy excess divided by it is a relative cost excess (NUMERICS Sec. 3).
+  double scale(const CoordinatePath& path);
+
+  /// The path as the cost sees it. Valid until the next call or until `path` changes.
+  AmbientPath ambient(const CoordinatePath& path);
+
+ private:
+  void add_curvature(const CoordinatePath& path, const Points& gradient, const Frames& frames, ChainSystem& system);
+  void block_directions(const Frames& frames, ChainSystem& system) const;
+
+  const Problem* problem_;
+  double s0_;
+  Dimensions dims_;
+  Counters counters_;
+  Points ring_, ambient_gradient_, step_;
+  std::vector<Site> ring_sites_;
+  std::vector<double> q_;
+  std::vector<Jet2> phi_;
+  ChainBlocks blocks_;
+  CoordinatePath plus_, minus_;
+};
+
+}  // namespace leastcost

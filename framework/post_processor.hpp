@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "framework/initializer.hpp"
+#include "framework/monitor.hpp"
+#include "framework/problem.hpp"
+
+namespace leastcost {
+
+/// The delivered curve: a polyline that lies on the domain.
+struct Curve {
+  Points x;                         ///< ambient, d x (m + 1)
+  std::vector<Site> segment_sites;  ///< the piece (face) that carries each of the m segments; empty without sites
+  double cost = 0;                  ///< its true cost: the sum of the segment costs
+  /// Smallest angle beside an interior point minus pi, measured on the curve by a checker that shares nothing with the method that made
+  /// it; set when the curve claims to be a locally shortest path of a polyhedron.
+  std::optional<double> straightness;
+};
+
+struct PostProcessed {
+  Curve curve;
+  CoordinatePath chain;         ///< the path's points on that curve, equally spaced in cost
+  Eigen::VectorXd curve_costs;  ///< cost of the curve between consecutive points of the chain
+  std::vector<std::string> notes;
+};
+
+/// Turns a solved chain into a curve on the domain (VFCS 4.4.3). Applied in the order given; each sees what the one before it
+/// made.
+class PostProcessor {
+ public:
+  virtual ~PostProcessor() = default;
+  virtual std::string_view name() const = 0;
+  virtual PostProcessed apply(const Problem& problem, const FirstPath& first, PostProcessed current,
+                              const Monitor& monitor) const = 0;
+};
+
+}  // namespace leastcost

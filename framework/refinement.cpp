@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "framework/refinement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "framework/curve_value.hpp"
+#include "framework/errors.hpp"
+#include "framework/path_energy.hpp"
+#include "framework/spacing.hpp"
+
+namespace leastcost {
+namespace {
+
+bool solved(Termination termination) {
+  return termination == Termination::converged || termination == Termination::round_off;
+}
+
+/// Level differences below this part of the cost are rounding: the chain is exact at every N (lines, great circles).
+constexpr double kExact = 1e-12;
+/// The observed order may be off by this much before Richardson extrapolation is refused.
+constexpr double kOrderTolerance = 0.2;
+
+void use_bracket(CostEstimate& e, double lower, double upper) {
+  e.lower = lower;
+  e.upper = upper;
+  e.value = upper;
+  e.error = std::max(upper - lower, kExact * upper);
+  e.method = "bracket";
+}
+
+}  // namespace
+
+Refinement refine_levels(const Problem& problem, const CoordinatePath& chain, const Solver& certifier,
+                         const Monitor& monitor) {
+  Refinement result;
+  const int n = static_cast<int>(chain.segment_count());
+  const int coarse = std::max(4, (n + 1) / 2);
+  CoordinatePath path;
+  try {
+    path = sample_equally(problem, chain, chain.ring ? coarse : coarse - 1);
+  } catch (const InitializationError& error) {
+    result.trouble = error.what();
+    result.collapsed = chain.ring && chain.u == chain.u.col(0).replicate(1, chain.u.cols());
+    return result;
+  }
+  for (int k = 0; k < 3; ++k) {
+    if (k > 0) path = refine(problem, path);
+    const auto segments = static_cast<double>(path.segment_count());
+    PathEnergy energy(problem, PathEnergy(problem, 1).cost(path) / segments);
+    const SolveReport report = certifier.solve(energy, path, monitor);
+    const Eigen::VectorXd costs = energy.costs(path);
+    result.levels.push_back({static_cast<int>(segments), costs.sum(), 0, spread(costs), report.iterations});
+    result.paths.push_back(path);
+    if (!solved(report.termination))
+      result.trouble = "the chain with " + std::to_string(path.segment_count()) + " segments ended with " +
+                       std::string(name(report.termination));
+    result.collapsed = report.termination == Termination::collapsed;
+    if (result.collapsed || monitor.interrupted()) return result;
+  }
+  // Energies of all levels at one s0, that of the middle level, so that they can be compared.
+  PathEnergy energy(problem, result.levels[1].cost / result.levels[1].segments);
+  for (std::size_t k = 0; k < 3; ++k) result.levels[k].energy = energy.value(result.paths[k]);
+  return result;
+}
+
+CostEstimate estimate_cost(const Problem& problem, PathEnergy& energy, const CoordinatePath& chain,
+                           const Refinement& refinement, const PathIndex& index, bool hugs_bound,
+                           std::vector<CertificateFailure>& failures) {
+  CostEstimate e;
+  const CostTraits& traits = problem.cost->traits();
+  const bool flat = problem.manifold->shape() == Shape::flat;
+  const double cost = energy.cost(chain), segments = static_cast<double>(chain.segment_count());
+  e.value = cost;
+  if (flat) e.upper = traits.additive ? std::optional(cost) : smooth_curve_cost(problem, chain);
+  if (traits.below_curves && index.verdict == IndexVerdict::minimum)
+    e.lower = segments * energy.reference_cost() * kernel_inverse(*problem.kernel, energy.value(chain) / segments);
+  if (refinement.levels.size() < 3) {
+    e.error = std::numeric_limits<double>::infinity();
+    e.method = "none";
+    return e;
+  }
+  const double c1 = refinement.levels[0].cost, c2 = refinement.levels[1].cost, c4 = refinement.levels[2].cost;
+  const double d12 = c1 - c2, d24 = c2 - c4, largest = std::max(std::abs(d12), std::abs(d24));
+  if (largest <= kExact * c4) {
+    e.value = c4;
+    e.error = kExact * c4;
+    e.method = "exact";
+    return e;
+  }
+  if (d12 / d24 > 0) e.order = std::log2(d12 / d24);
+  if (e.lower && e.upper) {
+    use_bracket(e, *e.lower, *e.upper);
+    return e;
+  }
+  if (hugs_bound) {
+    e.value = c4;
+    e.error = 2 * largest;
+    e.method = "differences";
+    return e;
+  }
+  if (!e.order || std::abs(*e.order - 2) > kOrderTolerance) {
+    e.error = 2 * largest;
+    e.method = "differences";
+    failures.push_back({"not_asymptotic", "the cost does not fall at second order between " +
+                                              std::to_string(refinement.levels[0].segments) + ", " +
+                                              std::to_string(refinement.levels[1].segments) + " and " +
+                                              std::to_string(refinement.levels[2].segments) +
+                                              " segments: no extrapolated value; use more points"});
+    return e;
+  }
+  // Always with the factor 4: an observed order in its place would make both values equal and the bar 0.
+  const double fine = (4 * c4 - c2) / 3, coarse = (4 * c2 - c1) / 3;
+  e.value = fine;
+  e.error = std::max(3 * std::abs(fine - coarse) / 15, kExact * fine);
+  e.method = "richardson";
+  if (e.upper && !traits.additive) {  // the curve has order 4 as well, and it exists: quote it, with room for both
+    e.error = std::max(e.error, std::abs(*e.upper - fine));
+    e.value = *e.upper;
+    e.method = "curve";
+  }
+  return e;
+}
+
+}  // namespace leastcost

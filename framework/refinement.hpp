@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "framework/certificate.hpp"
+
+namespace leastcost {
+
+/// The path solved again with M, 2M and 4M segments, M = max(4, ceil(N / 2)): for even N >= 8 these are N/2, N, 2N.
+struct Refinement {
+  std::vector<RefinementLevel> levels;
+  std::vector<CoordinatePath> paths;
+  bool collapsed = false;  ///< a ring that shrinks to a point, or is one
+  std::string trouble;     ///< why it is incomplete, or which level did not converge; empty: all is well
+};
+Refinement refine_levels(const Problem& problem, const CoordinatePath& chain, const Solver& certifier,
+                         const Monitor& monitor);
+
+/// Value and error bar of NUMERICS Sec. 6 from the levels, and from bounds where they exist. `energy` is that of the delivered
+/// chain, `index` its verdict: bounds from below hold at a minimum only. Where a point rests on a bound (`hugs_bound`) the place of contact
+/// moves between the levels and no extrapolation is regular: the bar is then that of the differences. Adds the failure not_asymptotic where the observed order is not 2.
+CostEstimate estimate_cost(const Problem& problem, PathEnergy& energy, const CoordinatePath& chain,
+                           const Refinement& refinement, const PathIndex& index, bool hugs_bound,
+                           std::vector<CertificateFailure>& failures);
+
+}  // namespace leastcost

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "framework/segment_cost.hpp"
+
+#include <cmath>
+
+namespace leastcost {
+
+Eigen::VectorXd segment_costs(const SegmentCost& cost, const AmbientPath& path) {
+  Eigen::VectorXd c(path.segment_count());
+  cost.squared_costs(path, {c.data(), static_cast<std::size_t>(c.size())});
+  return c.cwiseSqrt();
+}
+
+double total_cost(const SegmentCost& cost, const AmbientPath& path) { return segment_costs(cost, path).sum(); }
+
+double move_cost(const SegmentCost& cost, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  Points ends(a.size(), 2);
+  ends << a, b;
+  double q = 0;
+  cost.squared_costs({{ends.data(), ends.rows(), 2}, {}, false}, {&q, 1});
+  return std::sqrt(q);
+}
+
+}  // namespace leastcost

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <string>
+
+#include "framework/kernel.hpp"
+#include "framework/path.hpp"
+
+namespace leastcost {
+
+/// What the certificate may rely on. The defaults claim nothing.
+struct CostTraits {
+  std::string unit = "cost";  ///< in words: "length", "s"
+  bool symmetric = true;      ///< c(a, b) = c(b, a)
+  bool additive = false;      ///< c(a, b) = c(a, m) + c(m, b) for m on the segment: c is exact for a straight move
+  bool below_curves = false;  ///< c(a, b) <= cost of every curve from a to b (chords)
+};
+
+enum class HessianKind { exact, gauss_newton };
+
+/// Second derivatives of phi(q(a, b) / s0^2), one 2d x 2d block per segment over (a, b), side by side: 2d x 2dN.
+struct ChainBlocks {
+  Points blocks;
+};
+
+/// The cost of straight moves along a path, through q = c^2 (NUMERICS: smooth where c is not). One virtual call per path;
+/// cost authors write a SegmentCostFunction (framework/segment_cost_function.hpp) and lift it. Values are >= 0 or
+/// +infinity outside the domain of the cost, never NaN. Immutable, hence shareable between threads.
+///
+/// Derivatives treat the ends of an open path as constants: their columns and blocks are zero.
+class SegmentCost {
+ public:
+  virtual ~SegmentCost() = default;
+  virtual int dim() const = 0;  ///< ambient dimension d
+  virtual const CostTraits& traits() const = 0;
+
+  /// q of each segment; q.size() == path.segment_count().
+  virtual void squared_costs(const AmbientPath& path, std::span<double> q) const = 0;
+
+  /// sum_i phi(q_i / s0^2), and its gradient into `gradient` (d x (N + 1), overwritten). VFCS Eqs. (9), (10).
+  virtual double energy_and_gradient(const AmbientPath& path, const Kernel& kernel, double s0,
+                                     Eigen::Ref<Points> gradient) const = 0;
+
+  /// Second derivatives per segment. gauss_newton is positive semidefinite for every convex increasing H.
+  virtual void chain_blocks(const AmbientPath& path, const Kernel& kernel, double s0, HessianKind kind,
+                            ChainBlocks& out) const = 0;
+
+  /// lim c(x, x + e v) / e for e -> 0+: the cost per unit of parameter of a curve through x with velocity v.
+  virtual double line_element(const Eigen::VectorXd& x, const Eigen::VectorXd& v) const = 0;
+};
+
+/// Costs c_i of the segments, and their sum.
+Eigen::VectorXd segment_costs(const SegmentCost& cost, const AmbientPath& path);
+double total_cost(const SegmentCost& cost, const AmbientPath& path);
+
+/// c(a, b) of one move.
+double move_cost(const SegmentCost& cost, const Eigen::VectorXd& a, const Eigen::VectorXd& b);
+
+}  // namespace leastcost

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "framework/segment_cost.hpp"
+#include "framework/segment_derivatives.hpp"
+
+namespace leastcost {
+
+/// Lifts a SegmentCostFunction to the run-level interface: one virtual call per path into a typed loop over blocks of
+/// segments, one kernel call per block. No heap for a compile-time dimension.
+template <SegmentCostFunction C>
+class SegmentCostOf : public SegmentCost {
+ public:
+  static constexpr int kDim = C::dim;
+
+  explicit SegmentCostOf(C function, int dim = kDim)
+      : function_(std::move(function)), traits_(function_.traits()), dim_(dim) {}
+
+  int dim() const override { return dim_; }
+  const CostTraits& traits() const override { return traits_; }
+  const C& function() const { return function_; }
+
+  void squared_costs(const AmbientPath& path, std::span<double> q) const override {
+    for (Index i = 0; i < path.segment_count(); ++i)
+      q[static_cast<std::size_t>(i)] = squared_cost<C>(function_, path.x.col(i), path.x.col(i + 1));
+  }
+
+  double energy_and_gradient(const AmbientPath& path, const Kernel& kernel, double s0,
+                             Eigen::Ref<Points> gradient) const override {
+    constexpr Index kBlock = kDim == Eigen::Dynamic ? 16 : 64;
+    std::array<double, kBlock> q;
+    std::array<Jet2, kBlock> phi;
+    std::array<SegmentGradient<kDim>, kBlock> g;
+    gradient.setZero();
+    double energy = 0;
+    const double scale = 1 / (s0 * s0);
+    for (Index begin = 0; begin < path.segment_count(); begin += kBlock) {
+      const Index count = std::min(kBlock, path.segment_count() - begin);
+      for (Index j = 0; j < count; ++j) {
+        q[j] = scale * squared_cost_gradient(function_, ends(path, begin + j), g[j]);
+      }
+      kernel.apply({q.data(), static_cast<std::size_t>(count)}, {phi.data(), static_cast<std::size_t>(count)});
+      for (Index j = 0; j < count; ++j) {
+        energy += phi[j].value;
+        gradient.col(begin + j) += scale * phi[j].d1 * g[j].a;
+        gradient.col(begin + j + 1) += scale * phi[j].d1 * g[j].b;
+      }
+    }
+    return std::isnan(energy) ? std::numeric_limits<double>::infinity() : energy;
+  }
+
+  void chain_blocks(const AmbientPath& path, const Kernel& kernel, double s0, HessianKind kind,
+                    ChainBlocks& out) const override {
+    const Index width = 2 * dim_;
+    out.blocks.resize(width, width * path.segment_count());
+    for (Index i = 0; i < path.segment_count(); ++i) {
+      Eigen::Ref<Points> block = out.blocks.middleCols(width * i, width);
+      if (kind == HessianKind::exact)
+        exact_block(function_, ends(path, i), kernel, s0, block);
+      else
+        gauss_newton_block(function_, ends(path, i), kernel, s0, block);
+    }
+  }
+
+  double line_element(const Eigen::VectorXd& x, const Eigen::VectorXd& v) const override {
+    if constexpr (requires { function_.line_element(x, v); })
+      return function_.line_element(x, v);
+    else
+      return line_element_from_hessian(function_, x, v);
+  }
+
+ private:
+  /// The ends of an open path are constants; a ring has none.
+  SegmentEnds<kDim> ends(const AmbientPath& path, Index i) const {
+    return {path.x.col(i), path.x.col(i + 1), !path.ring && i == 0, !path.ring && i + 1 == path.segment_count()};
+  }
+
+  C function_;
+  CostTraits traits_;
+  int dim_;
+};
+
+template <SegmentCostFunction C>
+std::shared_ptr<const SegmentCost> make_segment_cost(C function, int dim = C::dim) {
+  return std::make_shared<SegmentCostOf<C>>(std::move(function), dim);
+}
+
+}  // namespace leastcost

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "framework/solver.hpp"
+
+#include <chrono>
+#include <cmath>
+
+#include "framework/path_energy.hpp"
+
+namespace leastcost {
+
+std::string_view name(Termination termination) {
+  switch (termination) {
+    case Termination::converged: return "converged";
+    case Termination::fixed_point: return "fixed_point";
+    case Termination::round_off: return "round_off";
+    case Termination::iteration_limit: return "iteration_limit";
+    case Termination::evaluation_limit: return "evaluation_limit";
+    case Termination::time_limit: return "time_limit";
+    case Termination::line_search_failed: return "line_search_failed";
+    case Termination::non_finite: return "non_finite";
+    case Termination::collapsed: return "collapsed";
+    case Termination::cancelled: return "cancelled";
+  }
+  return "unknown";
+}
+
+std::optional<std::string> Solver::cannot_solve(const PathEnergy&) const { return std::nullopt; }
+
+SolveReport Solver::solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const {
+  const auto start = Monitor::Clock::now();
+  SolveReport report;
+  const Counters before = energy.counters();
+  const double initial = energy.value(path);
+  if (const std::optional<std::string> reason = cannot_solve(energy)) {
+    report.message = *reason;
+  } else if (!std::isfinite(initial)) {
+    report.message = "the energy of the first path is not finite";
+  } else {
+    report = do_solve(energy, path, monitor);
+  }
+  report.initial_energy = initial;
+  const Counters& now = energy.counters();
+  report.counters = {now.energies - before.energies, now.gradients - before.gradients, now.hessians - before.hessians,
+                     now.projections - before.projections, now.linear_solves - before.linear_solves};
+  report.seconds = std::chrono::duration<double>(Monitor::Clock::now() - start).count();
+  return report;
+}
+
+}  // namespace leastcost

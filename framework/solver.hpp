@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "framework/monitor.hpp"
+#include "framework/path.hpp"
+
+namespace leastcost {
+
+class PathEnergy;
+
+/// Why a solve ended. Never a bool: a limit is not convergence.
+enum class Termination {
+  converged,    ///< the stopping test of NUMERICS Sec. 3 holds
+  fixed_point,  ///< a method with a functional of its own has come to rest
+  round_off,    ///< no further decrease can be told from rounding
+  iteration_limit,
+  evaluation_limit,
+  time_limit,
+  line_search_failed,
+  non_finite,  ///< the energy of the path handed in is not finite
+  collapsed,   ///< the ring has shrunk to a point
+  cancelled
+};
+std::string_view name(Termination termination);
+
+/// What a solve cost, counted by PathEnergy for every solver alike. One energy or gradient is a whole path.
+struct Counters {
+  long energies = 0;
+  long gradients = 0;
+  long hessians = 0;
+  long projections = 0;
+  long linear_solves = 0;
+};
+
+/// An unfilled report cannot be mistaken for a result.
+struct SolveReport {
+  Termination termination = Termination::non_finite;
+  std::string message = "solve() was not called";
+  double initial_energy = std::numeric_limits<double>::quiet_NaN();
+  double final_energy = std::numeric_limits<double>::quiet_NaN();
+  double cost_error = std::numeric_limits<double>::quiet_NaN();  ///< predicted relative cost error at the end
+  int iterations = 0;
+  Counters counters;
+  double seconds = 0;
+  std::vector<Iteration> history;
+};
+
+/// Improves a path in place. Keeps the best iterate, never returns a higher energy than it was given, and never throws for a
+/// numerical outcome.
+class Solver {
+ public:
+  virtual ~Solver() = default;
+  virtual std::string_view name() const = 0;
+  /// In words, why this solver cannot work on this energy; checked before work starts.
+  virtual std::optional<std::string> cannot_solve(const PathEnergy& energy) const;
+  /// Checks, counts and times do_solve().
+  SolveReport solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const;
+
+ private:
+  virtual SolveReport do_solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const = 0;
+};
+
+}  // namespace leastcost

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include "framework/problem.hpp"
+
+namespace leastcost {
+
+/// max c / min c - 1; 0 when all are equal, +infinity when one vanishes.
+double spread(const Eigen::VectorXd& costs);
+
+/// Samples a polyline at n free points, equally spaced in cost: up to `passes` passes of O(n) until the spread is below
+/// `tolerance`. An exponential kernel overflows, and Newton needs 20 times as many iterations, from a path that is not (NUMERICS
+/// Sec. 1). The points are projected onto the manifold. Throws InitializationError when the cost stays infinite or the polyline has no length.
+CoordinatePath sample_equally(const Problem& problem, const CoordinatePath& polyline, int points,
+                              double tolerance = 0.05, int passes = 8);
+
+/// Twice as many segments: a midpoint in each, by 4-point cubic interpolation (quadratic at the ends), projected onto the manifold.
+/// Where that lands outside the domain of the cost, linear midpoints.
+CoordinatePath refine(const Problem& problem, const CoordinatePath& path);
+
+}  // namespace leastcost

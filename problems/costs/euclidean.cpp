@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/costs/euclidean.hpp"
+
+#include "framework/segment_cost_function.hpp"
+#include "problems/geometry/has_constant_metric.hpp"
+
+namespace leastcost {
+namespace {
+
+template <int D>
+struct Euclidean {
+  static constexpr int dim = D;
+  CostTraits traits() const { return {.unit = "length", .symmetric = true, .additive = true, .below_curves = true}; }
+
+  template <class S>
+  S value(const Point<S, D>& a, const Point<S, D>& b) const {
+    return (b - a).squaredNorm();
+  }
+  template <class S>
+  Point<S, D> residual(const Point<S, D>& a, const Point<S, D>& b) const {
+    return b - a;
+  }
+  double gradient(const Point<double, D>& a, const Point<double, D>& b, Point<double, D>& ga,
+                  Point<double, D>& gb) const {
+    gb = 2 * (b - a);
+    ga = -gb;
+    return (b - a).squaredNorm();
+  }
+  void hessian(const Point<double, D>& a, const Point<double, D>&, Eigen::Ref<Points> h) const {
+    const Index d = a.size();
+    h.diagonal().setConstant(2);
+    h.topRightCorner(d, d).diagonal().setConstant(-2);
+    h.bottomLeftCorner(d, d).diagonal().setConstant(-2);
+  }
+  double line_element(const Eigen::VectorXd&, const Eigen::VectorXd& v) const { return v.norm(); }
+};
+
+template <int D>
+class EuclideanCost final : public SegmentCostOf<Euclidean<D>>, public HasConstantMetric {
+ public:
+  explicit EuclideanCost(int dim) : SegmentCostOf<Euclidean<D>>({}, dim) {}
+  Eigen::MatrixXd metric() const override { return Eigen::MatrixXd::Identity(this->dim(), this->dim()); }
+};
+
+}  // namespace
+
+std::shared_ptr<const SegmentCost> make_euclidean_cost(int dim) {
+  if (dim == 2) return std::make_shared<EuclideanCost<2>>(dim);
+  if (dim == 3) return std::make_shared<EuclideanCost<3>>(dim);
+  return std::make_shared<EuclideanCost<Eigen::Dynamic>>(dim);
+}
+
+}  // namespace leastcost

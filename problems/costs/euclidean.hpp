@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+
+#include "framework/segment_cost.hpp"
+
+namespace leastcost {
+
+/// c(a, b) = |b - a|, VFCS Eq. (9), in an ambient space of any dimension up to kMaxDimension.
+std::shared_ptr<const SegmentCost> make_euclidean_cost(int dim);
+
+}  // namespace leastcost

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/costs/travel_time.hpp"
+
+#include <cmath>
+
+#include "framework/errors.hpp"
+#include "framework/segment_cost_function.hpp"
+
+namespace leastcost {
+namespace {
+
+/// Speed at a height, v^2 = 2 g (level - height): energy is conserved along the whole path.
+struct EnergyLevel {
+  double gravity, level;
+  template <class S>
+  S squared_speed(const S& height) const {
+    return 2 * gravity * (level - height);
+  }
+};
+
+template <int D>
+struct TravelTimeBase {
+  static constexpr int dim = D;
+  EnergyLevel energy;
+  double line_element(const Eigen::VectorXd& x, const Eigen::VectorXd& v) const {
+    const double v2 = energy.squared_speed(x[x.size() - 1]);
+    return v2 > 0 ? v.norm() / std::sqrt(v2) : std::numeric_limits<double>::infinity();
+  }
+};
+
+/// Exact time of a straight chute: the acceleration is constant, so the mean speed is that of its ends.
+template <int D>
+struct Chute : TravelTimeBase<D> {
+  CostTraits traits() const { return {.unit = "s", .symmetric = true, .additive = true}; }
+
+  template <class S>
+  S speed_sum(const Point<S, D>& a, const Point<S, D>& b) const {
+    using std::sqrt;
+    const S va2 = this->energy.squared_speed(a[a.size() - 1]), vb2 = this->energy.squared_speed(b[b.size() - 1]);
+    if (va2 < S(0.0) || vb2 < S(0.0)) return S(0.0);
+    return sqrt(va2) + sqrt(vb2);
+  }
+  template <class S>
+  S value(const Point<S, D>& a, const Point<S, D>& b) const {
+    const S length2 = (b - a).squaredNorm(), speed = speed_sum<S>(a, b);
+    if (innermost(speed) > 0) return 4 * length2 / (speed * speed);
+    return S(a == b ? 0.0 : std::numeric_limits<double>::infinity());
+  }
+  template <class S>
+  Point<S, D> residual(const Point<S, D>& a, const Point<S, D>& b) const {
+    return (b - a) * (S(2.0) / speed_sum<S>(a, b));
+  }
+};
+
+/// Speed at mid-height, VFCS Eqs. (21), (22). From rest it is not the time of the chute: see NUMERICS Sec. 2.
+template <int D>
+struct Midpoint : TravelTimeBase<D> {
+  CostTraits traits() const { return {.unit = "s", .symmetric = true}; }
+
+  /// Negative also where one end alone lies above the level, although the mid-height does not.
+  template <class S>
+  S squared_speed(const Point<S, D>& a, const Point<S, D>& b) const {
+    const S &ya = a[a.size() - 1], &yb = b[b.size() - 1];
+    if (innermost(ya) > this->energy.level || innermost(yb) > this->energy.level) return S(-1.0);
+    return this->energy.squared_speed(S((ya + yb) * 0.5));
+  }
+  template <class S>
+  S value(const Point<S, D>& a, const Point<S, D>& b) const {
+    const S v2 = squared_speed<S>(a, b);
+    if (innermost(v2) > 0) return (b - a).squaredNorm() / v2;
+    return S(a == b ? 0.0 : std::numeric_limits<double>::infinity());
+  }
+  template <class S>
+  Point<S, D> residual(const Point<S, D>& a, const Point<S, D>& b) const {
+    using std::sqrt;
+    return (b - a) * (S(1.0) / sqrt(squared_speed<S>(a, b)));
+  }
+};
+
+template <template <int> class Rule>
+std::shared_ptr<const SegmentCost> make_rule(const EnergyLevel& energy, int dim) {
+  if (dim == 2) return make_segment_cost(Rule<2>{{energy}});
+  if (dim == 3) return make_segment_cost(Rule<3>{{energy}});
+  return make_segment_cost(Rule<Eigen::Dynamic>{{energy}}, dim);
+}
+
+}  // namespace
+
+void TravelTimeOptions::fields(FieldVisitor& visit) {
+  visit.choice("rule", rule, {"chute", "midpoint"},
+               {.help = "chute: exact time of a straight chute; midpoint: speed at mid-height, VFCS Eq. (21)."});
+  visit.field("gravity", gravity,
+              {.help = "Gravitational acceleration; the last coordinate is height, up is positive.",
+               .unit = "length/s^2",
+               .minimum = 0,
+               .exclusive_minimum = true});
+  visit.field("start_speed", start_speed, {.help = "Speed at the source.", .unit = "length/s", .minimum = 0});
+  visit.field("level", level,
+              {.help = "Height at which the bead is at rest; default: source height + start_speed^2 / (2 gravity). A "
+                       "ring has no source and must state it.",
+               .unit = "length"});
+}
+
+std::shared_ptr<const SegmentCost> make_travel_time_cost(const TravelTimeOptions& options, int dim,
+                                                         const std::optional<Eigen::VectorXd>& source) {
+  double level = options.level;
+  if (!std::isnan(level) && options.start_speed > 0)
+    throw OptionError("start_speed",
+                      "the energy level follows from the start speed: give one of start_speed and level");
+  if (std::isnan(level)) {
+    if (!source) throw OptionError("level", "a ring has no source: state the energy level (a height)");
+    level = (*source)[dim - 1] + options.start_speed * options.start_speed / (2 * options.gravity);
+  }
+  const EnergyLevel energy{options.gravity, level};
+  return options.rule == "midpoint" ? make_rule<Midpoint>(energy, dim) : make_rule<Chute>(energy, dim);
+}
+
+}  // namespace leastcost

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/geometry/edge_route.hpp"
+
+#include <cmath>
+
+#include "framework/errors.hpp"
+#include "framework/segment_cost.hpp"
+
+namespace leastcost {
+
+EdgePath edge_route(const Problem& problem, const TriangleMesh& mesh, EdgeGraphSearch& search,
+                    const SurfacePoint& source, const SurfacePoint& target, const Monitor& monitor) {
+  const SegmentCost& cost = *problem.cost;
+  // The ends as they were given: barycentric rounding may lift them above the level of a bead at rest.
+  const auto exact = [&problem, near = 1e-13 * mesh.diameter()](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+    for (const PathEnd* end : {&problem.source, &problem.target})
+      if (end->u.size() == 3 && (p - end->u).norm() <= near) return end->u;
+    return p;
+  };
+  const auto move = [&cost, &exact](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    Eigen::Matrix<double, 3, 2> ends;
+    ends << exact(a), exact(b);
+    double q = 0;
+    cost.squared_costs({{ends.data(), 3, 2}, {}, false}, {&q, 1});
+    return std::sqrt(q);
+  };
+  EdgePathOptions options;
+  options.stop = [&monitor] { return monitor.interrupted(); };
+  // A chord that is below every curve is admissible, and consistent by the triangle inequality.
+  if (cost.traits().below_curves)
+    options.lower_bound = [&move, goal = mesh.point(target)](const Eigen::Vector3d& p) { return move(p, goal); };
+  EdgePath route = search.shortest(source, target, move, options);
+  if (!route.found()) throw InitializationError(route.failure());
+  return route;
+}
+
+}  // namespace leastcost

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "framework/initializer.hpp"
+#include "framework/options.hpp"
+
+namespace leastcost {
+
+struct DijkstraOptions {
+  int routes = 1;
+  void fields(FieldVisitor& visit);
+};
+
+/// The least-cost path along mesh edges, weighed by the run's own segment cost (VFCS 4.4.1), through Boost.Graph. With
+/// `routes: 2` the better of two straightened graph paths (GeodesicSearch): a better guess at the class of the shortest path, for costs
+/// with a constant metric. Throws InputError where the domain is no mesh or the cost has no such metric.
+class DijkstraInitializer final : public Initializer {
+ public:
+  explicit DijkstraInitializer(DijkstraOptions options = {}) : options_(options) {}
+  std::string_view name() const override { return "dijkstra"; }
+  FirstPath first_path(const Problem& problem, const Monitor& monitor) const override;
+
+ private:
+  DijkstraOptions options_;
+};
+
+}  // namespace leastcost

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/initializers/straight.hpp"
+
+#include <cmath>
+
+#include "framework/errors.hpp"
+#include "framework/path_energy.hpp"
+
+namespace leastcost {
+namespace {
+
+constexpr int kBowSegments = 32;
+
+/// A parabolic arc from a to b, its middle off the straight line by `sag` along coordinate `axis`.
+CoordinatePath bow(const PathEnd& a, const PathEnd& b, Index axis, double sag) {
+  CoordinatePath path{Points(a.u.size(), kBowSegments + 1), {}, false};
+  for (Index i = 0; i <= kBowSegments; ++i) {
+    const double t = static_cast<double>(i) / kBowSegments;
+    path.u.col(i) = (1 - t) * a.u + t * b.u;
+    path.u(axis, i) += 4 * t * (1 - t) * sag;
+  }
+  return path;
+}
+
+bool finite(const Problem& problem, const CoordinatePath& path) {
+  return PathEnergy(problem, 1).costs(path).allFinite();
+}
+
+/// The line itself, or the first bow with a finite cost: last coordinate downwards first, which is where a bead can go.
+CoordinatePath find_finite(const Problem& problem) {
+  const CoordinatePath line = bow(problem.source, problem.target, 0, 0);
+  if (finite(problem, line)) return line;
+  const double length = (problem.target.u - problem.source.u).norm();
+  for (Index axis = problem.source.u.size() - 1; axis >= 0; --axis)
+    for (const double sign : {-1.0, 1.0})
+      for (const double part : {0.125, 0.25, 0.5, 1.0}) {
+        CoordinatePath path = bow(problem.source, problem.target, axis, sign * part * length);
+        problem.manifold->project(path);
+        if (finite(problem, path)) return path;
+      }
+  if (!std::isfinite(problem.cost->line_element(problem.target.u, problem.target.u - problem.source.u)))
+    throw InitializationError(
+        "the target lies outside the domain of the cost: every move to it costs infinitely much (for a travel time: it "
+        "is "
+        "not below the energy level, the greatest height that the bead can reach)");
+  throw InitializationError(
+      "the cost is infinite on the straight line between the ends and on every bow around it (in all coordinate "
+      "directions, up to the distance of the ends): an end may lie outside the domain of the cost; otherwise give "
+      "waypoints");
+}
+
+}  // namespace
+
+FirstPath StraightInitializer::first_path(const Problem& problem, const Monitor&) const {
+  if (problem.ring) throw InitializationError("a ring has no ends to join: give waypoints");
+  FirstPath first;
+  if (problem.manifold->shape() == Shape::flat) {
+    first.path = find_finite(problem);
+  } else {  // sampled and projected by find_path()
+    first.path.u.resize(problem.source.u.size(), 2);
+    first.path.u << problem.source.u, problem.target.u;
+  }
+  if (problem.source.site != kNoSite) {
+    first.path.sites.assign(static_cast<std::size_t>(first.path.u.cols()), problem.source.site);
+    first.path.sites.back() = problem.target.site;
+  }
+  return first;
+}
+
+}  // namespace leastcost

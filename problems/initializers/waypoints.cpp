@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/initializers/waypoints.hpp"
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "framework/errors.hpp"
+#include "problems/geometry/edge_graph.hpp"
+#include "problems/geometry/edge_route.hpp"
+#include "problems/geometry/has_mesh.hpp"
+#include "problems/geometry/mesh_curve.hpp"
+
+namespace leastcost {
+namespace {
+
+/// Appends `more` to `path`; its first column is the last one of `path` and takes its place.
+void append(CoordinatePath& path, const CoordinatePath& more) {
+  const Index old = path.u.cols() > 0 ? path.u.cols() - 1 : 0;
+  path.u.conservativeResize(more.u.rows(), old + more.u.cols());
+  path.u.rightCols(more.u.cols()) = more.u;
+  path.sites.resize(static_cast<std::size_t>(old));
+  path.sites.insert(path.sites.end(), more.sites.begin(), more.sites.end());
+}
+
+/// Stops of the tour: source, waypoints, target; in a ring the waypoints and the first one again.
+CoordinatePath stops(const Problem& problem, const Points& waypoints) {
+  CoordinatePath path{waypoints, {}, true};
+  const Projection projection = problem.manifold->project(path);
+  if (!projection.failed.empty())
+    throw InitializationError("waypoint " + std::to_string(projection.failed.front()) +
+                              " (counted from 0) has no nearest point on the domain");
+  CoordinatePath all{Points(waypoints.rows(), waypoints.cols() + (problem.ring ? 1 : 2)), {}, false};
+  if (problem.ring)
+    all.u << path.u, path.u.col(0);
+  else
+    all.u << problem.source.u, path.u, problem.target.u;
+  if (path.sites.empty()) return all;
+  all.sites = path.sites;
+  if (problem.ring) {
+    all.sites.push_back(path.sites.front());
+  } else {
+    all.sites.insert(all.sites.begin(), problem.source.site);
+    all.sites.push_back(problem.target.site);
+  }
+  return all;
+}
+
+CoordinatePath join_on_mesh(const Problem& problem, const TriangleMesh& mesh, const CoordinatePath& stops,
+                            const Monitor& monitor) {
+  EdgeGraphSearch search(mesh);
+  const std::vector<SurfacePoint> points = surface_points(mesh, stops);
+  CoordinatePath path;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    if (stops.u.col(static_cast<Index>(i)) == stops.u.col(static_cast<Index>(i) + 1)) continue;
+    append(path, as_coordinates(edge_route(problem, mesh, search, points[i], points[i + 1], monitor).path));
+  }
+  return path;
+}
+
+}  // namespace
+
+void WaypointsOptions::fields(FieldVisitor& visit) {
+  visit.field("points", points,
+              {.help = "Points to pass through, one row each, in order.", .unit = "length", .required = true});
+}
+
+void FileInitializerOptions::fields(FieldVisitor& visit) {
+  visit.file("file", file,
+             {.help = "Text file with one point per row (the path.csv of an earlier run works).", .required = true});
+}
+
+WaypointsInitializer::WaypointsInitializer(Points waypoints) : waypoints_(std::move(waypoints)) {
+  if (waypoints_.cols() == 0) throw OptionError("points", "at least one waypoint is needed");
+  if (!waypoints_.allFinite()) throw OptionError("points", "coordinates must be finite");
+}
+
+FirstPath WaypointsInitializer::first_path(const Problem& problem, const Monitor& monitor) const {
+  if (waypoints_.rows() != problem.manifold->dimensions().coordinate)
+    throw OptionError("points", "waypoints have " + std::to_string(waypoints_.rows()) +
+                                    " coordinates, the domain has " +
+                                    std::to_string(problem.manifold->dimensions().coordinate));
+  if (problem.ring && waypoints_.cols() < 3) throw OptionError("points", "a ring needs at least 3 waypoints");
+  FirstPath first;
+  first.path = stops(problem, waypoints_);
+  if (const auto* domain = dynamic_cast<const HasMesh*>(problem.manifold.get())) {
+    first.path = join_on_mesh(problem, domain->mesh(), first.path, monitor);
+    first.graph_vertices = static_cast<int>(first.path.u.cols()) - 2;
+  }
+  if (!problem.ring) pin_ends(problem, first.path);
+  if (problem.ring) {  // the closing point is the first one again
+    first.path.ring = true;
+    first.path.u.conservativeResize(Eigen::NoChange, first.path.u.cols() - 1);
+    if (!first.path.sites.empty()) first.path.sites.pop_back();
+  }
+  return first;
+}
+
+}  // namespace leastcost

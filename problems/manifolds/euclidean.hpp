@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+
+#include "framework/manifold.hpp"
+#include "framework/options.hpp"
+
+namespace leastcost {
+
+struct EuclideanManifoldOptions {
+  int dimension = 2;
+  Eigen::VectorXd lower;  ///< empty: unbounded; entries may be -infinity
+  Eigen::VectorXd upper;
+  void fields(FieldVisitor& visit);
+};
+
+/// R^d, or a box in it.
+class EuclideanManifold final : public ConstraintManifold, public HasBounds {
+ public:
+  /// Throws OptionError when the box does not fit the dimension or is empty.
+  explicit EuclideanManifold(const EuclideanManifoldOptions& options);
+
+  Dimensions dimensions() const override { return {dimension_, dimension_, dimension_}; }
+  Shape shape() const override { return Shape::flat; }
+  Projection project(CoordinatePath& path) const override;
+  void tangent_bases(const CoordinatePath& path, Points& bases) const override;
+  void retract(const CoordinatePath& from, const Points& step, CoordinatePath& to) const override;
+  double residual(const CoordinatePath& path) const override;
+  int active_bounds(const CoordinatePath& path, Index column, Eigen::Ref<Points> normals) const override;
+
+ private:
+  int dimension_;
+  bool bounded_ = false;
+  Eigen::VectorXd lower_, upper_;
+};
+
+}  // namespace leastcost

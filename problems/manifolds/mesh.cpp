@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/manifolds/mesh.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <utility>
+
+#include "problems/geometry/path_tools.hpp"
+#include "problems/readers/mesh_reader.hpp"
+
+namespace leastcost {
+namespace {
+
+/// Barycentric coordinate below which a point counts as lying on an edge.
+constexpr double kOnEdge = 1e-9;
+
+void orthonormal_to(const Eigen::Vector3d& normal, Eigen::Ref<Points> basis) {
+  basis.col(0) = normal.unitOrthogonal();
+  basis.col(1) = normal.cross(Eigen::Vector3d(basis.col(0)));
+}
+
+/// Outward unit normal, in the plane of its face, of the border edge h.
+Eigen::Vector3d outward(const TriangleMesh& mesh, std::int32_t h) {
+  const Eigen::Vector3d a = mesh.position(mesh.tail(h)), b = mesh.position(mesh.head(h));
+  const Eigen::Vector3d opposite = mesh.position(mesh.head(TriangleMesh::next(h)));
+  const Eigen::Vector3d along = (b - a).normalized();
+  const Eigen::Vector3d inward = (opposite - a) - along.dot(opposite - a) * along;
+  return -inward.normalized();
+}
+
+}  // namespace
+
+void MeshManifoldOptions::fields(FieldVisitor& visit) {
+  visit.file("file", file, {.help = "Mesh file: OBJ, OFF, PLY or STL.", .required = true});
+  visit.field("weld", weld, {.help = "Merges vertices with exactly equal positions (STL always is)."});
+  visit.field("subdivide", subdivide,
+              {.help = "Midpoint subdivisions: the same geometry with 4^k as many faces.", .minimum = 0, .maximum = 8});
+}
+
+MeshManifold::MeshManifold(TriangleMesh mesh) : mesh_(std::move(mesh)), tree_(mesh_) {}
+
+Projection MeshManifold::project(CoordinatePath& path) const {
+  Projection result;
+  path.sites.resize(static_cast<std::size_t>(path.u.cols()), kNoSite);
+  for (Index i = 0; i < path.u.cols(); ++i) {
+    Site& site = path.sites[static_cast<std::size_t>(i)];
+    if (!path.u.col(i).allFinite()) {
+      result.failed.push_back(i);
+      continue;
+    }
+    const ClosestPoint nearest = tree_.nearest(path.u.col(i), site);
+    path.u.col(i) = nearest.position;
+    site = nearest.where.face;
+    result.moved = std::max(result.moved, nearest.distance);
+  }
+  return result;
+}
+
+void MeshManifold::tangent_bases(const CoordinatePath& path, Points& bases) const {
+  bases.resize(3, 2 * path.u.cols());
+  for (Index i = 0; i < path.u.cols(); ++i)
+    orthonormal_to(mesh_.smooth_normal(point_on_face(mesh_, path.site(i), path.u.col(i))), bases.middleCols(2 * i, 2));
+}
+
+void MeshManifold::retract(const CoordinatePath& from, const Points& step, CoordinatePath& to) const {
+  prepare_like(from, to);
+  const Index first = from.free_begin();
+  for (Index i = 0; i < step.cols(); ++i) {
+    const ClosestPoint nearest = tree_.nearest(from.u.col(first + i) + step.col(i), from.site(first + i));
+    to.u.col(first + i) = nearest.position;
+    to.sites[static_cast<std::size_t>(first + i)] = nearest.where.face;
+  }
+}
+
+double MeshManifold::residual(const CoordinatePath& path) const {
+  double worst = 0;
+  for (Index i = 0; i < path.u.cols(); ++i)
+    worst = std::max(worst, tree_.nearest(path.u.col(i), path.site(i)).distance);
+  return worst;
+}
+
+int MeshManifold::active_bounds(const CoordinatePath& path, Index column, Eigen::Ref<Points> normals) const {
+  const std::int32_t f = path.site(column);
+  int count = 0;
+  Eigen::Vector3d barycentric = Eigen::Vector3d::Zero();
+  for (std::int32_t k = 0; k < 3; ++k) {
+    const std::int32_t h = 3 * f + k;
+    if (mesh_.across(h) != TriangleMesh::kBorder) continue;
+    if (barycentric.isZero(0)) barycentric = point_on_face(mesh_, f, path.u.col(column)).barycentric;
+    if (barycentric[(k + 2) % 3] <= kOnEdge) normals.col(count++) = outward(mesh_, h);
+  }
+  return count;
+}
+
+void MeshManifold::into_pieces(const CoordinatePath& path, Points& vectors) const {
+  for (Index i = 0; i < vectors.cols(); ++i) {
+    const Eigen::Vector3d normal = mesh_.face_normal(path.site(path.free_begin() + i));
+    vectors.col(i) -= normal.dot(vectors.col(i)) * normal;
+  }
+}
+
+std::shared_ptr<const MeshManifold> make_mesh_manifold(const MeshManifoldOptions& options,
+                                                       const std::filesystem::path& folder) {
+  return std::make_shared<MeshManifold>(
+      TriangleMesh(read_mesh(folder / options.file), {options.weld, options.subdivide}));
+}
+
+}  // namespace leastcost

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/post_processors/trace.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "framework/errors.hpp"
+#include "problems/geometry/mesh_curve.hpp"
+#include "problems/geometry/trace.hpp"
+
+namespace leastcost {
+namespace {
+
+/// Cost of the curve between consecutive points of the chain.
+Eigen::VectorXd costs_between(const Problem& problem, const Curve& curve,
+                              const std::vector<std::size_t>& chain_points) {
+  const Eigen::VectorXd pieces = segment_costs(*problem.cost, {{curve.x.data(), 3, curve.x.cols()}, {}, false});
+  Eigen::VectorXd costs(static_cast<Index>(chain_points.size()) - 1);
+  for (Index i = 0; i < costs.size(); ++i) {
+    const auto begin = static_cast<Index>(chain_points[static_cast<std::size_t>(i)]);
+    const auto end = static_cast<Index>(chain_points[static_cast<std::size_t>(i) + 1]);
+    costs[i] = pieces.segment(begin, end - begin).sum();
+  }
+  return costs;
+}
+
+/// A chain that slid onto another component of the mesh cannot be traced: the first path takes its place.
+bool leaves_component(const TriangleMesh& mesh, const std::vector<SurfacePoint>& points) {
+  const auto component = [&mesh](const SurfacePoint& p) { return mesh.component(mesh.face(p.face)[0]); };
+  return std::any_of(points.begin(), points.end(),
+                     [&](const SurfacePoint& p) { return component(p) != component(points.front()); });
+}
+
+}  // namespace
+
+PostProcessed TracePostProcessor::apply(const Problem& problem, const FirstPath& first, PostProcessed current,
+                                        const Monitor&) const {
+  const TriangleMesh& mesh = mesh_of(problem, "post-processor trace").mesh();
+  std::vector<SurfacePoint> points = surface_points(mesh, current.chain);
+  if (current.curve.straightness) return current;  // it lies on the mesh already
+  if (!current.chain.ring && leaves_component(mesh, points)) {
+    const TracedPath start = trace_chain(mesh, surface_points(mesh, first.path));
+    points = resample(mesh, start.path, static_cast<int>(points.size()));
+    current.chain = coordinate_path(mesh, points);
+    pin_ends(problem, current.chain);
+    current.notes.emplace_back(
+        "trace: the solved path slid onto another component of the mesh; the first path is taken");
+  }
+  if (current.chain.ring) points.push_back(points.front());
+  const TracedPath traced = trace_chain(mesh, points);
+  current.curve = as_curve(problem, traced.path);
+  current.curve_costs = costs_between(problem, current.curve, traced.chain_points);
+  if (traced.report.cut + traced.report.connected > 0)
+    current.notes.push_back("trace: " + std::to_string(traced.report.cut) + " segments by cutting plane, " +
+                            std::to_string(traced.report.connected) + " by edge path");
+  return current;
+}
+
+}  // namespace leastcost

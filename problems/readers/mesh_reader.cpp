@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/readers/mesh_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <string>
+#include <system_error>
+
+#include "framework/errors.hpp"
+#include "problems/readers/format_readers.hpp"
+#include "problems/readers/text_scanner.hpp"
+
+namespace leastcost {
+namespace {
+
+struct Format {
+  const char* extension;
+  PolygonSoup (*read)(std::string_view content, const std::string& file);
+};
+
+constexpr std::array<Format, 4> kFormats = {
+    {{".obj", read_obj}, {".off", read_off}, {".ply", read_ply}, {".stl", read_stl}}};
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+std::string read_content(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) throw InputError(file.string() + ": no such file");
+  if (!std::filesystem::is_regular_file(status)) throw InputError(file.string() + ": not a regular file");
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  std::ifstream stream(file, std::ios::binary);
+  if (error || !stream) throw InputError(file.string() + ": cannot be opened for reading");
+  std::string content(static_cast<std::size_t>(size), '\0');
+  stream.read(content.data(), static_cast<std::streamsize>(size));
+  if (static_cast<std::uintmax_t>(stream.gcount()) != size)
+    throw InputError(file.string() + ": cannot be read to its end");
+  return content;
+}
+
+/// The extension that the first token stands for, empty when it says nothing.
+std::string format_by_content(std::string_view content, const std::string& file) {
+  TextScanner scanner(content.substr(0, 200), file, {});
+  if (!scanner.next_line()) return "";
+  const std::string first = lower_case(std::string(scanner.token()));
+  if (first == "ply") return ".ply";
+  if (first == "solid") return ".stl";
+  if (first.size() <= 8 && first.ends_with("off")) return ".off";
+  if (first == "v" || first == "mtllib") return ".obj";
+  return "";
+}
+
+}  // namespace
+
+PolygonSoup read_mesh(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  const std::string extension = lower_case(file.extension().string());
+  const auto format =
+      std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& f) { return extension == f.extension; });
+  if (format == kFormats.end()) {
+    throw InputError(name + ": unknown mesh format " + printable(extension) +
+                     "; meshes are read from .obj, .off, .ply and .stl files");
+  }
+  const std::string content = read_content(file);
+  if (content.empty()) throw InputError(name + ": the file is empty");
+  if (!(extension == ".stl" && is_binary_stl(content))) {
+    const std::string looks_like = format_by_content(content, name);
+    if (!looks_like.empty() && looks_like != extension) {
+      throw InputError(name + ":1: the content is that of a " + looks_like +
+                       " file; rename it so that the extension says so");
+    }
+  }
+  PolygonSoup soup = format->read(content, name);
+  if (soup.polygon_begin.size() < 2) {
+    throw InputError(name + ": no faces (" + std::to_string(soup.positions.size()) +
+                     " vertices); a mesh needs at least one");
+  }
+  soup.source = name;
+  return soup;
+}
+
+}  // namespace leastcost

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "framework/options.hpp"
+#include "framework/solver.hpp"
+
+namespace leastcost {
+
+struct LbfgsOptions {
+  double tolerance = 1e-14;  ///< relative cost error
+  int max_iterations = 1000;
+  int max_evaluations = 100000;
+  int memory = 10;
+  std::string precondition = "chain";
+  void fields(FieldVisitor& visit);
+};
+
+/// Riemannian limited-memory BFGS: retraction, vector transport by projection, weak-Wolfe search by bisection that
+/// survives kinks (Lewis, Overton), H0 = inverse Gauss-Newton chain Hessian refactored every iteration
+/// (`precondition: chain`) or a multiple of the identity (`none`). VFCS 4.3.3 with NUMERICS Sec. 3.
+class Lbfgs final : public Solver {
+ public:
+  explicit Lbfgs(LbfgsOptions options = {});
+  std::string_view name() const override { return "lbfgs"; }
+
+ private:
+  SolveReport do_solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const override;
+  LbfgsOptions options_;
+};
+
+}  // namespace leastcost

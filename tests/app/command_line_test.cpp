@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+
+// The commands inside the process: what goes to which stream, and the exit codes.
+#include "app/cli/command_line.hpp"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/cli/templates.hpp"
+#include "tests/app/config_text.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/data.hpp"
+
+namespace leastcost::test {
+
+namespace fs = std::filesystem;
+using Catch::Contains;
+using Json = nlohmann::json;
+
+namespace {
+
+struct Called {
+  int exit;
+  std::string out, err;
+};
+
+Called call(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "leastcost");
+  std::ostringstream out, err;
+  const int exit = app::run_program(arguments, {out, err});
+  return {exit, out.str(), err.str()};
+}
+
+std::string write(const fs::path& file, const std::string& text) {
+  std::ofstream(file) << text;
+  return file.string();
+}
+
+}  // namespace
+
+TEST_CASE("command line: wrong usage is exit 2, with a suggestion") {
+  CHECK(call({}).exit == 2);
+  const Called wrong = call({"rnu", "x.yaml"});
+  CHECK(wrong.exit == 2);
+  CHECK(wrong.out == "");
+  CHECK_THAT(wrong.err, Contains("unknown command 'rnu' (did you mean 'run'?)"));
+  CHECK_THAT(call({"validate", "--sett", "a=1", "x"}).err, Contains("(did you mean '--set'?)"));
+  CHECK(call({"run"}).exit == 2);
+  CHECK(call({"run", "x.yaml", "--format", "xml"}).exit == 2);
+  CHECK(call({"run", "x.yaml", "-q", "-v"}).exit == 2);
+  CHECK(call({"describe"}).exit == 2);
+}
+
+TEST_CASE("command line: help and version are results") {
+  CHECK(call({"--version"}).exit == 0);
+  CHECK_THAT(call({"--version"}).out, Contains("leastcost "));
+  const Called help = call({"--help"});
+  CHECK(help.exit == 0);
+  CHECK_THAT(help.out, Contains("validate") && Contains("doctor") && Contains("Exit codes"));
+  CHECK_THAT(call({"run", "--help"}).out, Contains("--dry-run") && Contains("--set"));
+}
+
+TEST_CASE("command line: run prints the result and nothing else on stdout") {
+  const ScratchDir dir;
+  const std::string config = write(dir / "plane.yaml", kPlane);
+  const Called text = call({"run", config, "-o", (dir / "out").string()});
+  CHECK(text.exit == 0);
+  CHECK(text.err == "");
+  CHECK_THAT(text.out, Contains("status      certified (local)") && Contains("cost        5 +- ") &&
+                           Contains("length") && Contains("spacing") && Contains("time        read ") &&
+                           Contains((dir / "out").string()));
+  const Called json = call({"run", config, "-o", (dir / "out").string(), "--force", "--format", "json"});
+  CHECK(json.exit == 0);
+  const Json result = Json::parse(json.out);
+  CHECK(result["status"] == "certified");
+  CHECK(result["output"] == (dir / "out").string());
+}
+
+TEST_CASE("command line: exit codes of run") {
+  const ScratchDir dir;
+  const std::string out = (dir / "out").string();
+  const Called invalid = call({"run", write(dir / "a.yaml", "manifold: 3\n"), "-o", out, "--format", "json"});
+  CHECK(invalid.exit == 3);
+  CHECK(Json::parse(invalid.out)["status"] == "configuration_error");
+  CHECK(call({"run", (dir / "none.yaml").string(), "-o", out}).exit == 4);
+  const std::string mesh =
+      "manifold: {type: mesh, file: none.obj}\ncost: euclidean\nends: {source: {vertex: 0}, target: {vertex: 1}}\n";
+  CHECK(call({"run", write(dir / "b.yaml", mesh), "-o", out}).exit == 4);
+  CHECK_FALSE(fs::exists(out));
+  const Called no_path =
+      call({"run", (project_dir() / "configs/no_path.yaml").string(), "-o", out, "--format", "json"});
+  CHECK(no_path.exit == 6);
+  CHECK_THAT(no_path.err, Contains("no path: "));
+  CHECK(Json::parse(no_path.out)["status"] == "no_path");
+  CHECK_FALSE(fs::exists(out));
+  const std::string plane = write(dir / "plane.yaml", kPlane);
+  CHECK(call({"run", plane, "-o", out, "--set", "certificate.enabled=false"}).exit == 5);
+  CHECK(call({"run", plane, "-o", out}).exit == 2);
+  CHECK(call({"run", plane, "-o", "/proc/leastcost/x"}).exit == 1);
+}
+
+TEST_CASE("command line: --set and --seed") {
+  const ScratchDir dir;
+  const std::string plane = write(dir / "plane.yaml", kPlane);
+  const Called run = call({"run", plane, "--set", "path.points=5", "--set", "kernel=square", "--seed", "7", "--format",
+                           "json", "-o", (dir / "out").string()});
+  CHECK(run.exit == 0);
+  CHECK(Json::parse(run.out)["points"] == 5);
+  const Called wrong = call({"run", plane, "--seed", "x"});
+  CHECK(wrong.exit == 3);
+  CHECK(wrong.err == "--seed x: error: 'seed' must be a whole number (found 'x')\n1 error in " + plane + "\n");
+}
+
+TEST_CASE("command line: dry run solves and writes nothing") {
+  const ScratchDir dir;
+  const std::string plane = write(dir / "plane.yaml", kPlane);
+  const Called text = call({"run", plane, "-n", "-o", (dir / "out").string()});
+  CHECK(text.exit == 0);
+  CHECK_THAT(text.out, Contains("would run   straight, newton, certificate") && Contains("dimension 2 in R^2"));
+  CHECK_FALSE(fs::exists(dir / "out"));
+  const Called json = call({"run", plane, "--dry-run", "--format", "json"});
+  CHECK(Json::parse(json.out)["status"] == "dry_run");
+  CHECK(call({"run", write(dir / "bad.yaml", "x: 1\n"), "-n"}).exit == 3);
+}
+
+TEST_CASE("command line: validate") {
+  const ScratchDir dir;
+  const std::string good = write(dir / "good.yaml", kPlane), bad = write(dir / "bad.yaml", kPlane + "nmae: x\n");
+  CHECK(call({"validate", good}).out == good + ": valid\n");
+  const Called both = call({"validate", good, bad});
+  CHECK(both.exit == 3);
+  CHECK(both.err ==
+        bad + ":6:1: error: unknown key 'nmae' (did you mean 'name'?)\n    6 | nmae: x\n      | ^~~~\n1 error in " +
+            bad + "\n");
+  const Json report = Json::parse(call({"validate", good, bad, "--format", "json"}).out);
+  CHECK(report["valid"] == false);
+  CHECK(report["files"][1]["errors"][0]["line"] == 6);
+  const Called missing = call({"validate", (dir / "none.yaml").string(), good});
+  CHECK(missing.exit == 4);
+  CHECK_THAT(missing.err, Contains("cannot be opened"));
+  CHECK(missing.out == good + ": valid\n");
+}
+
+TEST_CASE("command line: list and describe, singular and plural") {
+  CHECK_THAT(call({"list"}).out, Contains("expm1_square") && Contains("dijkstra") && Contains("formats"));
+  CHECK(call({"list", "kernels"}).out == call({"list", "kernel"}).out);
+  CHECK(Json::parse(call({"list", "solvers", "--format", "json"}).out)["solvers"].size() == 2);
+  const Called wrong = call({"list", "kernles"});
+  CHECK(wrong.exit == 2);
+  CHECK_THAT(wrong.err, Contains("did you mean 'kernels'?"));
+  CHECK(call({"describe", "cost", "travel_time"}).out == call({"describe", "costs", "travel_time"}).out);
+  CHECK_THAT(call({"describe", "cost", "travel_time"}).out,
+             Contains("gravity") && Contains("default 9.80665") && Contains("greater than 0"));
+  CHECK_THAT(call({"describe", "cost", "euclidean"}).out, Contains("It has no options."));
+  CHECK_THAT(call({"describe", "cost", "euclidan"}).err, Contains("did you mean 'euclidean'?"));
+  CHECK_THAT(call({"describe", "cost"}).out, Contains("metric_tensor"));
+  CHECK_THAT(call({"describe", "run"}).out, Contains("max_seconds"));
+}
+
+TEST_CASE("command line: init gives files that validate") {
+  const ScratchDir dir;
+  for (const app::Template& t : app::templates()) {
+    CAPTURE(t.name);
+    const std::string file = (dir / (std::string(t.name) + ".yaml")).string();
+    CHECK(call({"init", std::string(t.name), "-o", file}).exit == 0);
+    CHECK(call({"validate", file}).exit == 0);
+    CHECK(call({"init", std::string(t.name), "-o", file}).exit == 2);
+    CHECK(call({"init", std::string(t.name)}).out == t.text);
+  }
+  CHECK_THAT(call({"init"}).out, Contains("brachistochrone"));
+  CHECK_THAT(call({"init", "brachistochron"}).err, Contains("did you mean 'brachistochrone'?"));
+}
+
+TEST_CASE("command line: doctor") {
+  const ScratchDir dir;
+  const std::string mesh =
+      write(dir / "fan.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\nv -1 1 0\nv -1 -1 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n");
+  const Called text = call({"doctor", mesh});
+  CHECK(text.exit == 0);
+  CHECK_THAT(text.out, Contains("edges with three or more faces: 1 (0-1)"));
+  const Json report = Json::parse(call({"doctor", mesh, "--format", "json"}).out);
+  CHECK(report["faults"]["non_manifold_edges"]["count"] == 1);
+  CHECK(call({"doctor", (dir / "none.obj").string()}).exit == 4);
+}
+
+}  // namespace leastcost::test

@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+
+// What a user reads when a configuration is wrong, to the letter.
+#include "tests/app/config_text.hpp"
+#include "tests/support/catch.hpp"
+
+namespace leastcost::test {
+
+using Catch::Contains;
+
+TEST_CASE("config errors: a good configuration has none") { CHECK(errors_of(kPlane) == ""); }
+
+TEST_CASE("config errors: unknown key, with place, line, underline and the key that was meant") {
+  CHECK(errors_of(kPlane + "solver:\n  type: newton\n  max_iter: 200\n") ==
+        "a.yaml:8:3: error: unknown key 'max_iter' in solver (did you mean 'max_iterations'?)\n"
+        "    8 |   max_iter: 200\n"
+        "      |   ^~~~~~~~\n");
+}
+
+TEST_CASE("config errors: an unknown key that resembles none lists the valid ones") {
+  CHECK(errors_of("manifold: {type: euclidean, colour: 3}\n" + kPlane.substr(kPlane.find('\n') + 1)) ==
+        "a.yaml:1:29: error: unknown key 'colour' in manifold; valid keys: dimension, lower, upper, type\n"
+        "    1 | manifold: {type: euclidean, colour: 3}\n"
+        "      |                             ^~~~~~\n");
+}
+
+TEST_CASE("config errors: unknown type") {
+  CHECK(errors_of("manifold: euclidan\ncost: euclidean\nends: {source: {point: [0, 0]}, target: {point: [1, 1]}}\n") ==
+        "a.yaml:1:11: error: unknown manifold 'euclidan' (did you mean 'euclidean'?); valid types: euclidean, mesh\n"
+        "    1 | manifold: euclidan\n"
+        "      |           ^~~~~~~~\n");
+}
+
+TEST_CASE("config errors: missing keys stand at their block") {
+  CHECK(errors_of(
+            "manifold: euclidean\ncost: metric_tensor\nends:\n  source: {point: [0, 0]}\n  target: {point: [1, 1]}\n")
+            .rfind("a.yaml:2:1: error: missing key 'matrix' in cost: ", 0) == 0);
+  CHECK_THAT(errors_of("manifold: {dimension: 2}\ncost: euclidean\n"),
+             Contains("a.yaml:1:1: error: missing key 'type' in manifold: one of euclidean, mesh\n"));
+  CHECK_THAT(errors_of("manifold: euclidean\n"), Contains("a.yaml:1:1: error: missing key 'cost': "));
+  CHECK_THAT(errors_of("manifold: euclidean\n"), Contains("missing key 'ends': the source and target of the path"));
+  CHECK_THAT(errors_of("manifold: euclidean\ncost: euclidean\nends:\n  source: {point: [0, 0]}\n"),
+             Contains("a.yaml:3:1: error: missing key 'target' in ends: Where the path ends.\n"));
+}
+
+TEST_CASE("config errors: all of them, in the order of the file") {
+  const std::string errors = errors_of(R"(manifold: {type: euclidean, dimension: two}
+cost: {type: travel_time, gravity: -1, rule: chut}
+ends:
+  source: {point: [0, x]}
+  target: {point: [1, 1], vertex: 3}
+path: {points: 0, rng: true}
+nmae: x
+)");
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; (at = errors.find("a.yaml:", at)) != std::string::npos; ++at)
+    lines.push_back(errors.substr(at, errors.find('\n', at) - at));
+  CHECK(lines ==
+        std::vector<std::string>{
+            "a.yaml:1:40: error: 'dimension' in manifold must be a whole number (found 'two')",
+            "a.yaml:2:36: error: 'gravity' in cost must be greater than 0 (found '-1')",
+            "a.yaml:2:46: error: 'rule' in cost must be one of: chute, midpoint; found 'chut' (did you mean 'chute'?)",
+            "a.yaml:4:23: error: 'point' in ends.source has an entry that must be a number, .inf or -.inf (found 'x')",
+            "a.yaml:5:3: error: 'target' in ends must have exactly one of: vertex; face and barycentric; point",
+            "a.yaml:5:35: error: an end is given as a vertex or face on a mesh only; 'euclidean' takes {point: [..]}",
+            "a.yaml:6:16: error: 'points' in path must be at least 1 and at most 10000000 (found '0')",
+            "a.yaml:6:19: error: unknown key 'rng' in path (did you mean 'ring'?)",
+            "a.yaml:7:1: error: unknown key 'nmae' (did you mean 'name'?)"});
+  CHECK(parse("manifold: euclidean\ncost: euclidean\npath: {ring: 1, points: x}\n").errors.count() ==
+        "3 errors in a.yaml");
+}
+
+TEST_CASE("config errors: numbers that YAML would have bent") {
+  const auto points = [](const std::string& value) { return errors_of(kPlane + "path: {points: " + value + "}\n"); };
+  CHECK(points("64") == "");
+  CHECK(points("+64") == "");
+  CHECK_THAT(points("010"), Contains("must be a whole number or auto (found '010')"));
+  CHECK_THAT(points("0x40"), Contains("must be a whole number or auto (found '0x40')"));
+  CHECK_THAT(points("64.0"), Contains("must be a whole number or auto (found '64.0')"));
+  CHECK_THAT(points("\"64\""), Contains("must be a whole number or auto (found the text '64' in quotes)"));
+  CHECK_THAT(points("99999999999999999999"), Contains("must be a whole number or auto"));
+  const auto seed = [](const std::string& value) { return errors_of(kPlane + "seed: " + value + "\n"); };
+  CHECK_THAT(seed("010"), Contains("must be a whole number without leading zeros (found '010')"));
+  CHECK_THAT(seed("99999999999"), Contains("must be a whole number between -2147483648 and 2147483647"));
+  CHECK_THAT(seed("1_000"), Contains("must be a whole number (found '1_000')"));
+  CHECK_THAT(seed("-1"), Contains("must be at least 0 (found '-1')"));
+  const auto seconds = [](const std::string& value) { return errors_of(kPlane + "max_seconds: " + value + "\n"); };
+  CHECK(seconds("1.5e2") == "");
+  CHECK(seconds(".5") == "");
+  CHECK_THAT(seconds(".nan"), Contains("must be a finite number (found '.nan')"));
+  CHECK_THAT(seconds("nan"), Contains("must be a finite number (found 'nan')"));
+  CHECK_THAT(seconds(".inf"), Contains("must be a finite number (found '.inf')"));
+  CHECK_THAT(seconds("1e999"), Contains("must be a number that fits double precision (found '1e999')"));
+  CHECK_THAT(seconds("1,5"), Contains("must be a finite number (found '1,5')"));
+  CHECK_THAT(seconds("[1]"), Contains("must be a finite number (found a list)"));
+  const auto ring = [](const std::string& value) { return errors_of(kPlane + "path: {ring: " + value + "}\n"); };
+  CHECK(ring("false") == "");
+  CHECK_THAT(ring("no"), Contains("must be true or false (found 'no')"));
+  CHECK_THAT(ring("False"), Contains("must be true or false (found 'False')"));
+  CHECK_THAT(ring("0"), Contains("must be true or false (found '0')"));
+}
+
+TEST_CASE("config errors: lists and matrices") {
+  const auto matrix = [](const std::string& value) {
+    return errors_of("manifold: euclidean\ncost: {type: metric_tensor, matrix: " + value +
+                     "}\nends: {source: {point: [0, 0]}, target: {point: [1, 1]}}\n");
+  };
+  CHECK(matrix("[[1, 0], [0, 1]]") == "");
+  CHECK_THAT(matrix("[1, 0]"), Contains("must be a list of rows, like [[1, 0], [0, 1]] (found a list without rows)"));
+  CHECK_THAT(matrix("3"), Contains("must be a list of rows, like [[1, 0], [0, 1]] (found '3')"));
+  CHECK_THAT(matrix("[[1, 0], [0]]"),
+             Contains("a.yaml:2:46: error: 'matrix' in cost has rows of different length (1 here, 2 in the first)"));
+  CHECK_THAT(matrix("[[1, 0], [0, .inf]]"), Contains("has an entry that must be a finite number (found '.inf')"));
+  CHECK_THAT(matrix("[]"), Contains("found a list without rows"));
+  CHECK_THAT(errors_of("manifold: {type: euclidean, lower: 3}\n" + kPlane.substr(kPlane.find('\n') + 1)),
+             Contains("'lower' in manifold must be a list of numbers, like [0, 1] (found '3')"));
+}
+
+TEST_CASE("config errors: what constructors refuse stands at its option") {
+  const std::string ends = "\nends: {source: {point: [0, 0]}, target: {point: [1, 1]}}\n";
+  const std::string box =
+      errors_of("manifold: {type: euclidean, dimension: 2, lower: [0, 0, 0]}\ncost: euclidean" + ends);
+  CHECK_THAT(box, Contains("a.yaml:1:50: error: 'lower' in manifold: 3 numbers, the space has dimension 2\n"));
+  const std::string indefinite =
+      errors_of("manifold: euclidean\ncost: {type: metric_tensor, matrix: [[1, 0], [0, -1]]}" + ends);
+  CHECK_THAT(indefinite, Contains("a.yaml:2:37: error: 'matrix' in cost: "));
+  CHECK_THAT(
+      errors_of("manifold: euclidean\ncost: euclidean\nends: {source: {point: [0, 0, 0]}, target: {point: [1, 1]}}\n"),
+      Contains("a.yaml:3:24: error: 'point' in ends.source: 3 coordinates, points of the manifold have 2\n"));
+  CHECK_THAT(
+      errors_of("manifold: euclidean\ncost: euclidean\nends: {source: {point: [1, 1]}, target: {point: [1, 1]}}\n"),
+      Contains("'target' in ends: is the same point as the source"));
+}
+
+TEST_CASE("config errors: parts that do not fit each other") {
+  const std::string mesh = "manifold: {type: mesh, file: m.obj}\n";
+  const std::string vertices = "ends: {source: {vertex: 0}, target: {vertex: 1}}\n";
+  CHECK(errors_of(mesh + "cost: euclidean\n" + vertices) == "");
+  CHECK_THAT(
+      errors_of(mesh + "cost: travel_time\npost_process: [trace, straighten]\n" + vertices),
+      Contains(
+          "a.yaml:3:23: error: 'straighten' needs a cost with a constant metric, which 'travel_time' does not have\n"));
+  CHECK_THAT(errors_of(kPlane + "post_process: [trace]\n"),
+             Contains("'trace' needs a manifold with a mesh, which 'euclidean' does not have"));
+  CHECK_THAT(
+      errors_of(kPlane + "initializer: dijkstra\n"),
+      Contains("a.yaml:6:14: error: 'dijkstra' needs a manifold with a mesh, which 'euclidean' does not have\n"));
+  CHECK_THAT(
+      errors_of("manifold: euclidean\ncost: euclidean\n" + vertices),
+      Contains(
+          "a.yaml:3:25: error: an end is given as a vertex or face on a mesh only; 'euclidean' takes {point: [..]}\n"));
+  CHECK_THAT(errors_of(kPlane + "path: {points: auto}\n"),
+             Contains("'auto' takes the number of points from the first path"));
+  CHECK_THAT(errors_of(kPlane + "path: {ring: true}\n"),
+             Contains("a ring (path.ring: true) has no ends: remove one of the two"));
+  const std::string ring = "manifold: euclidean\ncost: euclidean\npath: {ring: true}\n";
+  CHECK_THAT(errors_of(ring), Contains("it needs an initializer, waypoints or file"));
+  CHECK_THAT(errors_of(ring + "initializer: straight\n"), Contains("'straight' joins two ends and a ring has none"));
+  CHECK(errors_of(ring + "initializer: {type: waypoints, points: [[1, 0], [0, 1], [-1, -1]]}\n") == "");
+  CHECK_THAT(errors_of(mesh + "cost: euclidean\npath: {ring: true}\npost_process: [straighten]\n"
+                              "initializer: {type: waypoints, points: [[1, 0, 0], [0, 1, 0], [-1, -1, 0]]}\n"),
+             Contains("'straighten' needs a path with ends; this one is a ring"));
+}
+
+TEST_CASE("config errors: ends") {
+  const auto source = [](const std::string& end) {
+    return errors_of("manifold: {type: mesh, file: m.obj}\ncost: euclidean\nends: {source: " + end +
+                     ", target: {vertex: 1}}\n");
+  };
+  CHECK(source("{vertex: 0}") == "");
+  CHECK(source("{face: 0, barycentric: [0.2, 0.3, 0.5]}") == "");
+  CHECK(source("{point: [0, 0, 0], tolerance: 1}") == "");
+  CHECK_THAT(source("{vertex: -3}"), Contains("'vertex' in ends.source must be at least 0 (found '-3')"));
+  CHECK_THAT(source("{face: 0}"), Contains("needs both face and barycentric"));
+  CHECK_THAT(source("{barycentric: [1, 0, 0]}"), Contains("needs both face and barycentric"));
+  CHECK_THAT(source("{face: 0, barycentric: [1, 0]}"), Contains("must have three numbers"));
+  CHECK_THAT(source("{vertex: 0, point: [0, 0, 0]}"), Contains("must have exactly one of"));
+  CHECK_THAT(source("{}"), Contains("must have exactly one of"));
+  CHECK_THAT(source("{vertex: 0, tolerance: 1}"), Contains("is for an end given as a point"));
+  CHECK_THAT(source("3"), Contains("'ends.source' must be a block of keys (found '3')"));
+}
+
+TEST_CASE("config errors: names that become folders") {
+  const auto name = [](const std::string& value) { return errors_of(kPlane + "name: " + value + "\n"); };
+  CHECK(name("a run of 2024") == "");
+  CHECK(name("2024") == "");
+  for (const char* bad : {"../up", "a/b", ".hidden", "\"\"", "\"a\\nb\""}) {
+    CAPTURE(bad);
+    CHECK_THAT(name(bad), Contains("a.yaml:6:7: error: 'name'"));
+  }
+}
+
+TEST_CASE("config errors: notes mean nothing, but x-expect-exit is an exit code") {
+  CHECK(errors_of(kPlane + "x-anything: [1, {a: b}]\nx-expect-exit: 5\n") == "");
+  CHECK(errors_of("manifold: {type: euclidean, x-why: because}\n" + kPlane.substr(kPlane.find('\n') + 1)) == "");
+  CHECK_THAT(errors_of(kPlane + "x-expect-exit: 9\n"), Contains("must be an exit code of a run"));
+}
+
+TEST_CASE("config errors: source lines are shown safely") {
+  const std::string text = kPlane + "k\xc3\xb6rper: {a: \x1b[31m}\n";
+  CHECK_THAT(errors_of(text), Contains("unknown key 'k\xc3\xb6rper'") || Contains("YAML"));
+  CHECK(errors_of(text).find('\x1b') == std::string::npos);
+  const std::string wide = errors_of(kPlane + "name: [" + std::string(5000, ' ') + "1]\nzzz: 1\n");
+  for (std::size_t at = 0; at < wide.size(); at = std::min(wide.find('\n', at), wide.size() - 1) + 1)
+    CHECK(wide.find('\n', at) - at < 250);
+}
+
+}  // namespace leastcost::test

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/compose.hpp"
+#include "app/config/run_config.hpp"
+
+namespace leastcost::test {
+
+/// A configuration of a straight line in the plane; tests add to it or break it.
+inline const std::string kPlane = R"(manifold: {type: euclidean, dimension: 2}
+cost: euclidean
+ends:
+  source: {point: [0, 0]}
+  target: {point: [3, 4]}
+)";
+
+inline app::LoadedConfig parse(const std::string& text, const std::vector<std::string>& set = {}) {
+  std::vector<app::Override> overrides;
+  overrides.reserve(set.size());
+  for (const std::string& assignment : set) overrides.push_back(app::set_option(assignment));
+  return app::parse_config(text, "a.yaml", ".", overrides);
+}
+
+/// All errors as the program prints them, those of constructors included.
+inline std::string errors_of(const std::string& text, const std::vector<std::string>& set = {}) {
+  app::LoadedConfig loaded = parse(text, set);
+  if (loaded.errors.empty()) app::check_constructors(loaded);
+  return loaded.errors.render();
+}
+
+}  // namespace leastcost::test

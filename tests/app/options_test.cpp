@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+
+// One field list serves reading, writing, describing: shown on options that have every kind of field.
+#include "app/config/field_list.hpp"
+#include "app/config/options_reader.hpp"
+#include "app/config/options_writer.hpp"
+#include "app/config/scalars.hpp"
+#include "app/config/suggest.hpp"
+#include "app/config/yaml_reader.hpp"
+#include "tests/support/catch.hpp"
+
+namespace leastcost::test {
+
+using Catch::Contains;
+
+namespace {
+
+struct EveryField {
+  bool flag = false;
+  int count = 3;
+  double size = 0.1;
+  double unset = std::numeric_limits<double>::quiet_NaN();
+  int absent = -1;
+  std::string word = "a word";
+  Eigen::VectorXd list;
+  Eigen::MatrixXd matrix;
+  std::string mode = "fast";
+  std::string file;
+  double inner = 1e-6;
+
+  void fields(FieldVisitor& visit) {
+    visit.field("flag", flag, {.help = "A flag."});
+    visit.field("count", count, {.help = "A count.", .minimum = 1, .maximum = 9});
+    visit.field("size", size, {.help = "A size.", .unit = "length", .minimum = 0, .exclusive_minimum = true});
+    visit.field("unset", unset, {.help = "Not given unless given."});
+    visit.field("absent", absent, {.help = "Not given unless given.", .minimum = 0});
+    visit.field("word", word, {.help = "Text."});
+    visit.field("list", list, {.help = "Numbers."});
+    visit.field("matrix", matrix, {.help = "Rows."});
+    visit.choice("mode", mode, {"fast", "slow"}, {.help = "A choice."});
+    visit.file("file", file, {.help = "A file."});
+    visit.group("group", {.help = "A group."},
+                [this](FieldVisitor& v) { v.field("inner", inner, {.help = "Inside."}); });
+  }
+};
+
+std::string read(const std::string& text, EveryField& options) {
+  app::Diagnostics errors("a.yaml", text);
+  const app::ConfigNode node = app::read_yaml(text, errors);
+  app::OptionsReader reader(node, "it", {1, 1, 1, ""}, errors);
+  options.fields(reader);
+  reader.finish();
+  return errors.render();
+}
+
+std::string written(EveryField& options, const app::RenameFile& rename = {}) {
+  app::OptionsWriter writer(rename);
+  options.fields(writer);
+  return app::to_yaml(writer.take());
+}
+
+const char* const kAll = R"(flag: true
+count: 9
+size: 1.25e-300
+unset: -0.1
+absent: 0
+word: "true"
+list: [0.1, .inf, -.inf, 1.0e+22]
+matrix: [[1, 2], [3, 4.5]]
+mode: slow
+file: a/b.obj
+group:
+  inner: 0.3333333333333333
+)";
+
+}  // namespace
+
+TEST_CASE("options: every kind of field is read") {
+  EveryField o;
+  REQUIRE(read(kAll, o) == "");
+  CHECK(o.flag);
+  CHECK(o.count == 9);
+  CHECK(o.size == 1.25e-300);
+  CHECK(o.unset == -0.1);
+  CHECK(o.absent == 0);
+  CHECK(o.word == "true");
+  REQUIRE(o.list.size() == 4);
+  CHECK(o.list[3] == 1e22);
+  CHECK(o.matrix(1, 1) == 4.5);
+  CHECK(o.mode == "slow");
+  CHECK(o.file == "a/b.obj");
+  CHECK(o.inner == 0.3333333333333333);
+}
+
+TEST_CASE("options: what is written reads back the same, to the last bit") {
+  EveryField o;
+  REQUIRE(read(kAll, o) == "");
+  CHECK(written(o) == kAll);
+}
+
+TEST_CASE("options: defaults are written, what stands for absent is not") {
+  EveryField o;
+  CHECK(written(o) == "flag: false\ncount: 3\nsize: 0.1\nword: \"a word\"\nmode: fast\ngroup:\n  inner: 1.0e-06\n");
+  EveryField again;
+  CHECK(read(written(o), again) == "");
+}
+
+TEST_CASE("options: files can be renamed while they are written") {
+  EveryField o;
+  o.file = "m.obj";
+  CHECK_THAT(written(o, [](const std::string& f) { return "../" + f; }), Contains("file: ../m.obj\n"));
+}
+
+TEST_CASE("options: a wrong value leaves the default and the others alone") {
+  EveryField o;
+  const std::string errors = read("count: 12\nflag: true\nmode: medium\nsize: 0\ngroup: {outer: 1}\n", o);
+  CHECK(o.flag);
+  CHECK(o.mode == "fast");
+  CHECK_THAT(errors, Contains("'count' in it must be at least 1 and at most 9 (found '12')"));
+  CHECK_THAT(errors, Contains("'mode' in it must be one of: fast, slow; found 'medium'"));
+  CHECK_THAT(errors, Contains("'size' in it must be greater than 0 (found '0')"));
+  CHECK_THAT(errors, Contains("unknown key 'outer' in it.group; valid keys: inner"));
+}
+
+TEST_CASE("options: the same list describes them") {
+  app::OptionsOf<EveryField> options;
+  const std::vector<app::FieldInfo> fields = app::fields_of(options);
+  REQUIRE(fields.size() == 11);
+  CHECK(fields[1].type_in_words() == "whole number, at least 1 and at most 9");
+  CHECK(fields[1].default_value == "3");
+  CHECK(fields[2].type_in_words() == "number, greater than 0");
+  CHECK(fields[2].unit == "length");
+  CHECK(fields[3].default_value == "");
+  CHECK(fields[4].default_value == "");
+  CHECK(fields[8].type_in_words() == "one of fast, slow");
+  REQUIRE(fields[10].children.size() == 1);
+  CHECK(fields[10].children[0].key == "inner");
+}
+
+TEST_CASE("suggestions: near words only") {
+  CHECK(app::edit_distance("kitten", "sitting") == 3);
+  CHECK(app::edit_distance("ab", "ba") == 1);
+  CHECK(app::edit_distance("", "abc") == 3);
+  const std::vector<std::string> words = {"euclidean", "metric_tensor", "travel_time"};
+  CHECK(app::nearest_word("euclidian", words) == "euclidean");
+  CHECK(app::nearest_word("Travel_Time", words) == "travel_time");
+  CHECK(app::nearest_word("metric", words) == "metric_tensor");
+  CHECK(app::nearest_word("potato", words) == "");
+  CHECK(app::nearest_word("", words) == "");
+  CHECK(app::nearest_word(std::string(100000, 'x'), words) == "");
+}
+
+TEST_CASE("numbers: shortest text that reads back") {
+  for (const double x : {0.1, 1.0 / 3, 1e-300, 5e-324, 1e22, -2.5, 0.0, 1e-6, 123456789.123456789}) {
+    const app::Parsed<double> parsed = app::parse_double(app::scalar_node(app::number_text(x)));
+    CAPTURE(x, app::number_text(x), parsed.fault);
+    CHECK(parsed.value == x);
+  }
+}
+
+}  // namespace leastcost::test

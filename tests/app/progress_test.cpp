@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "app/cli/progress.hpp"
+
+#include <sstream>
+#include <thread>
+
+#include "tests/support/catch.hpp"
+
+namespace leastcost::test {
+
+using Catch::Contains;
+
+namespace {
+
+Progress solving(const Iteration& iteration) { return {Stage::solve, &iteration}; }
+Iteration with_error(int number, double error) { return {.iteration = number, .cost_error = error}; }
+void wait(int milliseconds) { std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds)); }
+
+}  // namespace
+
+TEST_CASE("progress: on a terminal a bar that is taken away again") {
+  std::ostringstream out, err;
+  {
+    app::ProgressPrinter printer({out, err, true, false}, false);
+    const Iteration first = with_error(0, 1e-2), later = with_error(7, 1e-8);
+    printer.show(solving(first));
+    wait(120);
+    printer.show(solving(later));
+  }
+  CHECK_THAT(err.str(), Contains("\r\033[K[##########..........] solve") && Contains("iteration 7"));
+  CHECK(err.str().substr(err.str().size() - 4) == "\r\033[K");
+  CHECK(out.str().empty());
+}
+
+TEST_CASE("progress: elsewhere plain lines per 10 %, none in the first second, none when quiet") {
+  std::ostringstream out, err;
+  app::ProgressPrinter printer({out, err, false, false}, false), silent({out, err, false, false}, true);
+  const Iteration first = with_error(0, 1e-2);
+  printer.show(solving(first));
+  CHECK(err.str().empty());
+  wait(1050);
+  for (int i = 1; i <= 120; ++i) {
+    const Iteration next = with_error(i, 1e-2 * std::pow(10, -i / 10.0));
+    printer.show(solving(next));
+    silent.show(solving(next));
+  }
+  const std::string text = err.str();
+  CHECK(std::count(text.begin(), text.end(), '\n') == 10);
+  CHECK_THAT(text, Contains(" 50 %  solve") && Contains("100 %  solve"));
+  CHECK(text.find('\r') == std::string::npos);
+}
+
+TEST_CASE("progress: errors that are no numbers are no progress") {
+  std::ostringstream out, err;
+  app::ProgressPrinter printer({out, err, true, false}, false);
+  wait(120);
+  for (const double error : {std::nan(""), std::numeric_limits<double>::infinity(), 0.0, -1.0}) {
+    const Iteration i = with_error(1, error);
+    CHECK_NOTHROW(printer.show(solving(i)));
+  }
+  printer.show({Stage::certify, nullptr});
+}
+
+}  // namespace leastcost::test

@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+
+// Whole runs inside the process, and their files read back.
+#include "app/run.hpp"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+
+#include "app/config/yaml_reader.hpp"
+#include "app/output/manifest.hpp"
+#include "problems/readers/waypoint_reader.hpp"
+#include "tests/app/config_text.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/data.hpp"
+
+namespace leastcost::test {
+
+namespace fs = std::filesystem;
+using Catch::Contains;
+using Json = nlohmann::json;
+
+namespace {
+
+const char* const kChute = R"(manifold: {type: euclidean, dimension: 2}
+cost: {type: travel_time, gravity: 1, start_speed: 1}
+ends: {source: {point: [0, 0]}, target: {point: [3, -1]}}
+path: {points: 15}
+)";
+
+/// A square pyramid without base: five vertices, four faces.
+const char* const kPyramid = "v 0 0 1\nv 1 1 0\nv -1 1 0\nv -1 -1 0\nv 1 -1 0\nf 1 2 3\nf 1 3 4\nf 1 4 5\nf 1 5 2\n";
+
+const char* const kOnPyramid = R"(manifold: {type: mesh, file: pyramid.obj, subdivide: 2}
+cost: euclidean
+ends:
+  source: {face: 0, barycentric: [0.2, 0.3, 0.5]}
+  target: {face: 2, barycentric: [0.1, 0.4, 0.5]}
+path: {points: 9}
+)";
+
+std::string content(const fs::path& file) {
+  std::ifstream in(file);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+fs::path write(const fs::path& file, const std::string& text) {
+  std::ofstream(file) << text;
+  return file;
+}
+
+app::RunOutcome run_file(const fs::path& config, const fs::path& output, const Monitor& monitor = {}) {
+  return app::run({config, {}, output, false, {"leastcost", "run"}}, monitor);
+}
+
+Json result_of(const fs::path& output) { return Json::parse(content(output / "result.json")); }
+
+std::vector<std::vector<std::string>> csv(const fs::path& file) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream in(content(file));
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream cells(line);
+    rows.emplace_back();
+    for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
+  }
+  return rows;
+}
+
+}  // namespace
+
+TEST_CASE("run: every promised file, and result.json with every promised key") {
+  const ScratchDir dir;
+  const app::RunOutcome outcome = run_file(write(dir / "chute.yaml", kChute), dir / "out");
+  CHECK(outcome.output_error == "");
+  for (const char* name : {"config.resolved.yaml", "manifest.json", "result.json", "path.csv", "curve.csv", "path.vtp",
+                           "path.obj", "history.csv"})
+    CHECK(fs::exists(dir / "out" / name));
+
+  const Json r = result_of(dir / "out");
+  for (const char* key : {"schema_version", "status", "certified", "failures", "scope", "cost", "spacing",
+                          "certificate", "solver", "seconds", "points"}) {
+    CAPTURE(key);
+    CHECK(r.contains(key));
+  }
+  for (const char* key : {"value", "unit", "error_estimate", "initial"}) CHECK(r["cost"].contains(key));
+  for (const char* key : {"name", "iterations", "counters", "termination", "message"}) CHECK(r["solver"].contains(key));
+  for (const char* key : {"read", "initialize", "solve", "post_process", "certify"}) CHECK(r["seconds"].contains(key));
+  CHECK(r["status"] == "certified");
+  CHECK(r["points"] == 15);
+  CHECK(r["cost"]["value"] == outcome.result.certificate.estimate.value);
+  CHECK(r["cost"]["unit"] == "s");
+}
+
+TEST_CASE("run: path.csv holds the path to the last bit and starts another run") {
+  const ScratchDir dir;
+  const app::RunOutcome outcome = run_file(write(dir / "chute.yaml", kChute), dir / "out");
+  const auto rows = csv(dir / "out/path.csv");
+  REQUIRE(rows.size() == 18);
+  CHECK(rows[0] == std::vector<std::string>{"index", "x", "y", "segment_cost", "cumulative_cost"});
+  for (std::size_t i = 0; i < 17; ++i) {
+    const auto column = static_cast<Index>(i);
+    CHECK(std::stod(rows[i + 1][1]) == outcome.result.path.u(0, column));
+    CHECK(std::stod(rows[i + 1][2]) == outcome.result.path.u(1, column));
+    if (i < 16) CHECK(std::stod(rows[i + 1][3]) == outcome.result.costs[column]);
+  }
+  CHECK(std::stod(rows.back()[3]) == 0);
+  CHECK(std::stod(rows.back()[4]) == Approx(outcome.result.curve.cost).epsilon(1e-14));
+  const Eigen::MatrixXd read = read_waypoints(dir / "out/path.csv", 2);
+  CHECK(read == outcome.result.path.u);
+
+  const std::string again = std::string(kChute) + "initializer: {type: file, file: out/path.csv}\n";
+  CHECK(run_file(write(dir / "again.yaml", again), dir / "out2").result.status == Status::certified);
+}
+
+TEST_CASE("run: the resolved configuration repeats the run exactly, wherever it lies") {
+  const ScratchDir dir;
+  fs::create_directories(dir / "in");
+  write(dir / "in/pyramid.obj", kPyramid);
+  run_file(write(dir / "in/chute.yaml", kChute), dir / "a/chute");
+  run_file(write(dir / "in/mesh.yaml", kOnPyramid), dir / "a/b/mesh");
+  for (const char* folder : {"a/chute", "a/b/mesh"}) {
+    const fs::path repeated = (dir / folder).string() + ".repeated";
+    run_file(dir / folder / "config.resolved.yaml", repeated);
+    CHECK(content(repeated / "path.csv") == content(dir / folder / "path.csv"));
+    CHECK(content(repeated / "curve.csv") == content(dir / folder / "curve.csv"));
+    Json first = result_of(dir / folder), second = result_of(repeated);
+    for (Json* r : {&first, &second}) r->erase("seconds");
+    CHECK(first == second);
+  }
+}
+
+TEST_CASE("run: on a mesh, path.csv speaks of the file's faces and vertices") {
+  const ScratchDir dir;
+  write(dir / "pyramid.obj", kPyramid);
+  const app::RunOutcome outcome = run_file(write(dir / "mesh.yaml", kOnPyramid), dir / "out");
+  const std::vector<Eigen::Vector3d> vertices = {{0, 0, 1}, {1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}};
+  for (const char* name : {"path.csv", "curve.csv"}) {
+    const auto rows = csv(dir / "out" / name);
+    REQUIRE(rows[0] == std::vector<std::string>{"index", "x", "y", "z", "segment_cost", "cumulative_cost", "face",
+                                                "fan", "v0", "v1", "v2", "b0", "b1", "b2"});
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+      Eigen::Vector3d p = Eigen::Vector3d::Zero();
+      for (std::size_t k = 0; k < 3; ++k)
+        p += std::stod(rows[i][11 + k]) * vertices.at(static_cast<std::size_t>(std::stoi(rows[i][8 + k])));
+      CHECK((p - Eigen::Vector3d(std::stod(rows[i][1]), std::stod(rows[i][2]), std::stod(rows[i][3]))).norm() < 1e-14);
+      CHECK(std::stoi(rows[i][6]) < 4);
+    }
+  }
+  const auto points = csv(dir / "out/path.csv"), curve = csv(dir / "out/curve.csv");
+  CHECK(points[1][6] == "0");
+  CHECK(std::stod(points.back()[5]) == Approx(outcome.result.curve.cost).epsilon(1e-12));
+  CHECK(std::stod(curve.back()[5]) == Approx(outcome.result.curve.cost).epsilon(1e-12));
+  CHECK(result_of(dir / "out")["ends"]["source"]["moved"] == 0.0);
+  CHECK(outcome.result.status == Status::certified);
+}
+
+TEST_CASE("run: path.vtp and path.obj are consistent files") {
+  const ScratchDir dir;
+  write(dir / "pyramid.obj", kPyramid);
+  run_file(write(dir / "mesh.yaml", kOnPyramid), dir / "out");
+  const std::string vtp = content(dir / "out/path.vtp");
+  const auto rows = csv(dir / "out/path.csv").size() - 1, curve = csv(dir / "out/curve.csv").size() - 1;
+  CHECK_THAT(vtp,
+             Contains("NumberOfPoints=\"" + std::to_string(rows + curve) + "\"") && Contains("NumberOfLines=\"2\""));
+  const auto values = [&](const std::string& name) {
+    const std::regex pattern("<DataArray[^>]*Name=\"" + name + "\"[^>]*>([^<]*)</DataArray>");
+    std::smatch match;
+    REQUIRE(std::regex_search(vtp, match, pattern));
+    std::istringstream in(match[1].str());
+    return std::vector<double>(std::istream_iterator<double>(in), {});
+  };
+  CHECK(values("Points").size() == 3 * (rows + curve));
+  CHECK(values("cumulative_cost").size() == rows + curve);
+  CHECK(values("connectivity").size() == rows + curve);
+  CHECK(values("offsets") == std::vector<double>{double(rows), double(rows + curve)});
+  CHECK(values("line") == std::vector<double>{0, 1});
+  for (const char* tag : {"Piece", "PointData", "CellData", "Points", "Lines", "PolyData", "VTKFile"}) {
+    CHECK_THAT(vtp, Contains(std::string("<") + tag) && Contains(std::string("</") + tag + ">"));
+  }
+  const std::string obj = content(dir / "out/path.obj");
+  CHECK(static_cast<std::size_t>(std::count(obj.begin(), obj.end(), 'v')) == curve);
+  CHECK_THAT(obj, Contains(std::to_string(curve) + "\n"));
+}
+
+TEST_CASE("run: the manifest names the inputs by content") {
+  const ScratchDir dir;
+  write(dir / "pyramid.obj", kPyramid);
+  run_file(write(dir / "mesh.yaml", kOnPyramid), dir / "out");
+  const Json m = Json::parse(content(dir / "out/manifest.json"));
+  CHECK(m["program"] == "leastcost");
+  REQUIRE(m["inputs"].size() == 2);
+  CHECK(m["inputs"][0]["sha256"] == app::sha256_of_text(kOnPyramid));
+  CHECK(m["inputs"][1]["sha256"] == app::sha256_of_text(kPyramid));
+  CHECK(m["arguments"] == Json({"leastcost", "run"}));
+  for (const char* key : {"version", "build", "machine", "threads", "seed", "started", "finished"})
+    CHECK(m.contains(key));
+}
+
+TEST_CASE("run: a stop request keeps the best path; a time budget too") {
+  const ScratchDir dir;
+  int asked = 0;
+  Monitor monitor;
+  monitor.stop_requested = [&] { return ++asked > 3; };
+  const app::RunOutcome stopped = run_file(write(dir / "chute.yaml", kChute), dir / "out", monitor);
+  CHECK(stopped.result.status == Status::interrupted);
+  CHECK(app::exit_of(stopped.result.status) == app::Exit::interrupted);
+  CHECK(result_of(dir / "out")["status"] == "interrupted");
+  CHECK(csv(dir / "out/path.csv").size() == 18);
+
+  const std::string short_of_time = std::string(kChute) + "max_seconds: 1e-9\n";
+  CHECK(run_file(write(dir / "short.yaml", short_of_time), dir / "out2").result.status == Status::interrupted);
+}
+
+TEST_CASE("run: statuses") {
+  const ScratchDir dir;
+  const std::string uncertified = std::string(kChute) + "certificate: {enabled: false}\n";
+  CHECK(run_file(write(dir / "u.yaml", uncertified), dir / "u").result.status == Status::uncertified);
+  const Json r = result_of(dir / "u");
+  CHECK(r["certified"] == false);
+  CHECK(r["cost"]["error_estimate"].is_null());
+  CHECK(r["certificate"]["measured"] == false);
+  CHECK(app::exit_of(Status::certified) == app::Exit::certified);
+  CHECK(app::exit_of(Status::uncertified) == app::Exit::uncertified);
+  CHECK(app::exit_of(Status::collapsed) == app::Exit::uncertified);
+}
+
+TEST_CASE("run: a ring is closed in every file") {
+  const ScratchDir dir;
+  run_file(write(dir / "ring.yaml", content(project_dir() / "configs/ring_collapses.yaml")), dir / "out");
+  CHECK(result_of(dir / "out")["status"] == "collapsed");
+  CHECK(result_of(dir / "out")["ends"].is_null());
+  CHECK(csv(dir / "out/path.csv").size() == 33);
+  CHECK_THAT(content(dir / "out/path.vtp"), Contains(" 31 0\n"));
+}
+
+TEST_CASE("run: ends are placed or refused with their position") {
+  const ScratchDir dir;
+  write(dir / "pyramid.obj", kPyramid);
+  const auto source = [&](const std::string& end) {
+    const fs::path file =
+        write(dir / "m.yaml", "manifold: {type: mesh, file: pyramid.obj}\ncost: euclidean\nends:\n  source: " + end +
+                                  "\n  target: {vertex: 3}\npath: {points: 4}\n");
+    try {
+      const app::Prepared prepared = app::prepare({file, {}, {}, false, {}});
+      return "moved " + std::to_string(prepared.parts.source.moved);
+    } catch (const app::ConfigError& e) {
+      return std::string(e.what());
+    }
+  };
+  CHECK(source("{vertex: 1}") == "moved 0.000000");
+  CHECK(source("{point: [0, 0, 1.01]}") == "moved 0.010000");
+  CHECK_THAT(source("{point: [0, 0, 2]}"), Contains("m.yaml:4:19: error: 'point' in ends.source: the nearest point of "
+                                                    "the manifold is 1 away, the tolerance is 0.03"));
+  CHECK(source("{point: [0, 0, 2], tolerance: 1}") == "moved 1.000000");
+  CHECK_THAT(source("{vertex: 5}"),
+             Contains("m.yaml:4:20: error: 'vertex' in ends.source: the mesh has vertices 0 to 4, not 5"));
+  CHECK_THAT(source("{face: 4, barycentric: [1, 0, 0]}"), Contains("the mesh has faces 0 to 3, not 4"));
+  CHECK_THAT(source("{face: 0, barycentric: [1, 1, 0]}"), Contains("must have the sum 1, not 2"));
+  CHECK_THAT(source("{vertex: 3}"), Contains("is the same point as the source"));
+}
+
+TEST_CASE("run: missing and broken data are input errors") {
+  const ScratchDir dir;
+  const fs::path file = write(dir / "m.yaml", kOnPyramid);
+  CHECK_THROWS_AS(app::prepare({file, {}, {}, false, {}}), InputError);
+  write(dir / "pyramid.obj", "v 0 0 zero\n");
+  CHECK_THROWS_AS(app::prepare({file, {}, {}, false, {}}), InputError);
+  CHECK_FALSE(fs::exists(dir / "results"));
+}
+
+}  // namespace leastcost::test

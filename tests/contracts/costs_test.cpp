@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "framework/errors.hpp"
+#include "problems/costs/euclidean.hpp"
+#include "problems/costs/metric_tensor.hpp"
+#include "problems/costs/travel_time.hpp"
+#include "tests/contracts/cost_contract.hpp"
+
+namespace leastcost::test {
+namespace {
+
+CostCase euclidean(int d) {
+  return {.cost = make_euclidean_cost(d),
+          .draw = [d](Random& random) { return random.vector(d); },
+          .linear_residual = true};
+}
+
+CostCase metric_tensor(int d) {
+  Random random(3);
+  const Eigen::MatrixXd root = random.matrix(d, d) + 2 * Eigen::MatrixXd::Identity(d, d);
+  MetricTensorOptions options;
+  options.matrix = root.transpose() * root;
+  return {.cost = make_metric_tensor_cost(options, d),
+          .draw = [d](Random& r) { return r.vector(d); },
+          .linear_residual = true};
+}
+
+/// Level at height 0; points between 1 and 3 below it.
+CostCase travel_time(const char* rule, int d) {
+  TravelTimeOptions options;
+  options.rule = rule;
+  options.level = 0;
+  const Eigen::VectorXd up = Eigen::VectorXd::Unit(d, d - 1);
+  const auto draw = [d](Random& random) {
+    Eigen::VectorXd x = random.vector(d);
+    x[d - 1] = -random.uniform(1, 3);
+    return x;
+  };
+  return {.cost = make_travel_time_cost(options, d, std::nullopt),
+          .draw = draw,
+          .outside = {1e-8 * up, 0.5 * up, 100 * up}};
+}
+
+}  // namespace
+
+TEST_CASE("cost contract: euclidean", "[contract]") { check_cost_contract(euclidean(GENERATE(2, 3, 7))); }
+TEST_CASE("cost contract: metric_tensor", "[contract]") { check_cost_contract(metric_tensor(GENERATE(2, 3, 7))); }
+TEST_CASE("cost contract: travel_time, chute", "[contract]") {
+  check_cost_contract(travel_time("chute", GENERATE(2, 3, 7)));
+}
+TEST_CASE("cost contract: travel_time, midpoint", "[contract]") {
+  check_cost_contract(travel_time("midpoint", GENERATE(2, 3, 7)));
+}
+
+TEST_CASE("a chute from rest: finite time, and derivatives at the other end", "[contract]") {
+  const int d = GENERATE(2, 3, 7);
+  TravelTimeOptions options;
+  options.gravity = 1;
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(d), up = Eigen::VectorXd::Unit(d, d - 1);
+  const auto cost = make_travel_time_cost(options, d, rest);
+  CHECK(move_cost(*cost, rest, -2 * up) == Approx(2));  // free fall: sqrt(2 h / g)
+  CHECK(move_cost(*cost, rest, rest) == 0);
+  CHECK(move_cost(*cost, rest, Eigen::VectorXd::Unit(d, 0)) ==
+        std::numeric_limits<double>::infinity());  // level: never starts
+  Random random;
+  Points x(d, 3);
+  x << rest, -up + 0.3 * random.vector(d).cwiseAbs() * -1, -2 * up;
+  check_cost_derivatives({.cost = cost, .draw = {}}, KernelOf<Square>(), x, false, random);
+}
+
+TEST_CASE("the level of a bead: source, start speed, or stated", "[contract]") {
+  TravelTimeOptions options;
+  options.gravity = 2;
+  options.start_speed = 4;  // level = 1 + 16 / 4 = 5
+  const Eigen::Vector2d source(0, 1), below(0, -4);
+  const auto cost = make_travel_time_cost(options, 2, Eigen::VectorXd(source));
+  CHECK(move_cost(*cost, source, below) == Approx(2 * 5 / (4 + 6.0)));
+  CHECK_THROWS_AS(make_travel_time_cost(options, 2, std::nullopt), OptionError);
+  options.level = 5;
+  CHECK_THROWS_AS(make_travel_time_cost(options, 2, std::nullopt), OptionError);  // one of the two
+  options.start_speed = 0;
+  CHECK(move_cost(*make_travel_time_cost(options, 2, std::nullopt), source, below) == Approx(1));
+}
+
+TEST_CASE("metric_tensor refuses what is no metric, by name", "[contract]") {
+  const auto refused = [](const Eigen::MatrixXd& matrix) {
+    MetricTensorOptions options;
+    options.matrix = matrix;
+    try {
+      make_metric_tensor_cost(options, 2);
+    } catch (const OptionError& error) {
+      return error.key() == "matrix";
+    }
+    return false;
+  };
+  CHECK(refused(Eigen::MatrixXd()));
+  CHECK(refused(Eigen::MatrixXd::Identity(3, 3)));
+  CHECK(refused((Eigen::Matrix2d() << 1, 0.1, 0, 1).finished()));
+  CHECK(refused((Eigen::Matrix2d() << 1, 2, 2, 1).finished()));
+  CHECK(refused((Eigen::Matrix2d() << 1, 1, 1, 1).finished()));
+  CHECK(refused((Eigen::Matrix2d() << std::numeric_limits<double>::quiet_NaN(), 0, 0, 1).finished()));
+  CHECK_FALSE(refused(Eigen::Matrix2d::Identity()));
+}
+
+}  // namespace leastcost::test

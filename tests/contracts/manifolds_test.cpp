@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "framework/errors.hpp"
+#include "problems/manifolds/euclidean.hpp"
+#include "problems/manifolds/mesh.hpp"
+#include "tests/contracts/manifold_contract.hpp"
+#include "tests/problems/sample_meshes.hpp"
+#include "tests/support/compose.hpp"
+#include "tests/support/sample_domains.hpp"
+
+namespace leastcost::test {
+namespace {
+
+/// Points in faces of a mesh (barycentric coordinates above 0.1), lifted off it by less than a tenth of an edge.
+ManifoldCase mesh_case(const PolygonSoup& soup) {
+  const auto manifold = std::make_shared<MeshManifold>(TriangleMesh(soup));
+  const TriangleMesh& mesh = manifold->mesh();
+  const auto near = [&mesh](Random& random) -> Eigen::VectorXd {
+    const std::int32_t f = random.integer(0, mesh.face_count() - 1);
+    Eigen::Vector3d b(random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1));
+    b /= b.sum();
+    return mesh.point({f, b}) + random.uniform(-0.01, 0.01) * mesh.face_normal(f);
+  };
+  ManifoldCase c{.manifold = manifold, .near = near, .size = mesh.diameter()};
+  const auto& [p, q, r] = mesh.face(0);
+  const Eigen::Vector3d a = mesh.position(p), edge = (a + mesh.position(q)) / 2;
+  for (const double off : {0.0, 1e-8}) {
+    for (const Eigen::Vector3d& x : {a, edge}) {
+      c.special.push_back(x + off * mesh.face_normal(0));
+      c.special.push_back(x + off * (mesh.position(r) - x));
+      c.special.push_back(x - off * (mesh.position(r) - x));
+    }
+  }
+  return c;
+}
+
+ManifoldCase box_case(int d) {
+  ManifoldCase c{.manifold = box(-Eigen::VectorXd::Ones(d), Eigen::VectorXd::Constant(d, 2)),
+                 .near = [d](Random& random) -> Eigen::VectorXd { return 2 * random.vector(d); },
+                 .size = 3};
+  const Eigen::VectorXd corner = Eigen::VectorXd::Constant(d, 2), side = 2 * Eigen::VectorXd::Unit(d, 0);
+  for (const double off : {0.0, 1e-8, -1e-8})
+    for (const Eigen::VectorXd& x : {corner, side}) c.special.emplace_back(x + off * Eigen::VectorXd::Ones(d));
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("manifold contract: euclidean, free", "[contract]") {
+  const int d = GENERATE(1, 2, 3, 7);
+  check_manifold_contract({.manifold = space(d), .near = [d](Random& random) { return random.vector(d); }});
+}
+TEST_CASE("manifold contract: euclidean, box", "[contract]") {
+  check_manifold_contract(box_case(GENERATE(1, 2, 3, 7)));
+}
+TEST_CASE("manifold contract: mesh, cube", "[contract]") { check_manifold_contract(mesh_case(cube())); }
+TEST_CASE("manifold contract: mesh, sphere", "[contract]") { check_manifold_contract(mesh_case(sphere(3))); }
+TEST_CASE("manifold contract: mesh with a border", "[contract]") {
+  check_manifold_contract(mesh_case(grid(6, 3, Closing::kRound, false)));
+}
+
+// The helpers of the tests must keep the contract as well, or what is tested with them means nothing.
+TEST_CASE("manifold contract: the sphere and the torus of the tests", "[contract]") {
+  const auto near = [](Random& random) -> Eigen::VectorXd {
+    return 3 * random.vector(3).normalized() + 0.3 * random.vector(3);
+  };
+  check_manifold_contract({.manifold = std::make_shared<Sphere>(), .near = near});
+  check_manifold_contract({.manifold = std::make_shared<Torus>(), .near = near, .size = 3});
+}
+
+TEST_CASE("a box that is none is refused by name", "[contract]") {
+  const auto key = [](int dimension, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) -> std::string {
+    try {
+      EuclideanManifold({dimension, lower, upper});
+    } catch (const OptionError& error) {
+      return error.key();
+    }
+    return "accepted";
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(key(0, {}, {}) == "dimension");
+  CHECK(key(1000, {}, {}) == "dimension");
+  CHECK(key(2, Eigen::Vector3d::Zero(), {}) == "lower");
+  CHECK(key(2, {}, Eigen::Vector2d(nan, 1)) == "upper");
+  CHECK(key(2, Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0)) == "lower");
+  CHECK(key(2, {}, Eigen::Vector2d(1, 0)) == "accepted");
+}
+
+}  // namespace leastcost::test

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "framework/errors.hpp"
+#include "framework/spacing.hpp"
+#include "problems/costs/metric_tensor.hpp"
+#include "problems/initializers/dijkstra.hpp"
+#include "problems/manifolds/mesh.hpp"
+#include "problems/post_processors/straighten.hpp"
+#include "problems/post_processors/trace.hpp"
+#include "tests/problems/sample_meshes.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/compose.hpp"
+#include "tests/support/random.hpp"
+
+namespace leastcost::test {
+namespace {
+
+constexpr int kPoints = 12;
+constexpr double kRounding = 1e-14;  // length units: points go through barycentric coordinates; the ball has size 1
+
+std::shared_ptr<const MeshManifold> ball() {
+  static const auto mesh = std::make_shared<const MeshManifold>(TriangleMesh(sphere(3)));
+  return mesh;
+}
+
+std::shared_ptr<const SegmentCost> stretched() {
+  MetricTensorOptions options;
+  options.matrix = Eigen::Vector3d(1, 2, 3).asDiagonal();
+  return make_metric_tensor_cost(options, 3);
+}
+
+/// Typical, nearly degenerate (an end 1e-8 off a vertex) and random ends, under two costs.
+std::vector<Problem> problems() {
+  Random random;
+  const Eigen::Vector3d a(0.1, 0.2, 0.97), b(0.9, -0.3, -0.3), v = ball()->mesh().position(5), off(1e-8, 2e-8, 0);
+  std::vector<Problem> all;
+  for (const auto& cost : {make_euclidean_cost(3), stretched()})
+    for (const auto& [from, to] : std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>{
+             {a, b}, {v, b}, {v + off, a}, {random.vector(3), random.vector(3)}})
+      all.push_back(between(ball(), cost, from, to));
+  return all;
+}
+
+/// Every segment of the curve lies in the face that carries it, and the reported costs are those of the curve.
+void check_curve(const Problem& problem, const Curve& curve) {
+  const Index segments = curve.x.cols() - 1;
+  REQUIRE(segments >= 1);
+  REQUIRE(static_cast<Index>(curve.segment_sites.size()) == segments);
+  for (Index i = 0; i < segments; ++i) {
+    const Site face = curve.segment_sites[static_cast<std::size_t>(i)];
+    REQUIRE((face >= 0 && face < ball()->mesh().face_count()));
+    for (const double t : {0.0, 0.5, 1.0}) {
+      const Eigen::Vector3d x = (1 - t) * curve.x.col(i) + t * curve.x.col(i + 1);
+      const auto& [p, q, r] = ball()->mesh().face(face);
+      const TriangleMesh alone({{ball()->mesh().position(p), ball()->mesh().position(q), ball()->mesh().position(r)},
+                                {0, 1, 2},
+                                {0, 3},
+                                "face"});
+      CHECK(ClosestPointTree(alone).nearest(x).distance <= kRounding);
+    }
+  }
+  const Eigen::VectorXd costs = segment_costs(*problem.cost, {{curve.x.data(), 3, curve.x.cols()}, {}, false});
+  CHECK(curve.cost == Approx(costs.sum()).epsilon(1e-12));
+}
+
+/// The curve joins the ends on the surface, the chain lies on the curve with as many points as before.
+PostProcessed check_post_processor_contract(const PostProcessor& post_processor, const Problem& problem) {
+  CAPTURE(post_processor.name(), problem.source.u.transpose(), problem.target.u.transpose());
+  CHECK_FALSE(post_processor.name().empty());
+  const FirstPath first = DijkstraInitializer().first_path(problem, {});
+  const CoordinatePath chain = sample_equally(problem, first.path, kPoints);
+  PostProcessed made = post_processor.apply(problem, first, as_delivered(problem, chain), {});
+  check_curve(problem, made.curve);
+  REQUIRE(made.chain.u.cols() == chain.u.cols());
+  CHECK(problem.manifold->residual(made.chain) <= kRounding);
+  for (const Points& points : {made.curve.x, made.chain.u}) {
+    CHECK((points.col(0) - problem.source.u).norm() <= kRounding);
+    CHECK((points.rightCols(1) - problem.target.u).norm() <= kRounding);
+  }
+  REQUIRE(made.curve_costs.size() == made.chain.segment_count());
+  CHECK(made.curve_costs.sum() == Approx(made.curve.cost).epsilon(1e-12));
+  return made;
+}
+
+}  // namespace
+
+TEST_CASE("post_processor contract: trace", "[contract]") {
+  for (const Problem& problem : problems()) check_post_processor_contract(TracePostProcessor(), problem);
+}
+
+TEST_CASE("post_processor contract: straighten", "[contract]") {
+  for (const Problem& problem : problems()) {
+    const PostProcessed made = check_post_processor_contract(StraightenPostProcessor(), problem);
+    const CoordinatePath edges = DijkstraInitializer().first_path(problem, {}).path;
+    CHECK(made.curve.cost <= PathEnergy(problem, 1).cost(edges) * (1 + 1e-12));  // no step may lengthen the path
+    REQUIRE(made.curve.straightness);
+    CHECK(*made.curve.straightness >= -1e-7);  // radians; angles of lengths with rounding 1e-16 near pi
+    CHECK(spread(made.curve_costs) <= 1e-9);
+  }
+}
+
+TEST_CASE("post_processor contract: what does not fit is refused", "[contract]") {
+  const Problem plane = between(space(2), make_euclidean_cost(2), Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0));
+  const FirstPath first = StraightInitializer().first_path(plane, {});
+  CHECK_THROWS_AS(TracePostProcessor().apply(plane, first, as_delivered(plane, first.path), {}), InputError);
+  CHECK_THROWS_AS(StraightenPostProcessor().apply(plane, first, as_delivered(plane, first.path), {}), InputError);
+}
+
+}  // namespace leastcost::test

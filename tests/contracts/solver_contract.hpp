@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "framework/bundle.hpp"
+#include "framework/segment_cost_function.hpp"
+#include "framework/spacing.hpp"
+#include "problems/costs/metric_tensor.hpp"
+#include "problems/initializers/dijkstra.hpp"
+#include "problems/manifolds/mesh.hpp"
+#include "tests/problems/sample_meshes.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/compose.hpp"
+#include "tests/support/random.hpp"
+#include "tests/support/sample_domains.hpp"
+
+namespace leastcost::test {
+
+/// A solver with given limits.
+using MakeSolver = std::function<std::unique_ptr<Solver>(int max_iterations, int max_evaluations)>;
+
+struct StandardProblem {
+  std::string name;
+  Problem problem;
+  CoordinatePath start;
+  double tolerance = 1e-14;  ///< relative cost error that a solver claims when it says "converged"
+};
+
+struct HyperbolicPlane {
+  static constexpr int dim = 2;
+  CostTraits traits() const { return {.unit = "hyperbolic length"}; }
+  template <class S>
+  S value(const Point<S, 2>& a, const Point<S, 2>& b) const {
+    const S y = (a[1] + b[1]) * 0.5;
+    if (!(innermost(y) > 0)) return S(std::numeric_limits<double>::infinity());
+    return (b - a).squaredNorm() / (y * y);
+  }
+};
+
+inline StandardProblem standard(const char* name, const Problem& problem,
+                                const Initializer& initializer = StraightInitializer()) {
+  const bool kinked = problem.manifold->shape() == Shape::polyhedral;
+  return {name, problem, sample_equally(problem, initializer.first_path(problem, {}).path, 20),
+          kinked ? kKinkedTolerance : 1e-14};
+}
+
+/// One problem per ability a solver meets: singular cost, curved metric, anisotropy in R^7, curved domain, active bounds,
+/// ring, kinks.
+inline std::vector<StandardProblem> standard_problems() {
+  const Eigen::Vector2d left(0, 1), right(2, 1);
+  const auto hyperbolic = make_segment_cost(HyperbolicPlane{});
+  MetricTensorOptions metric;
+  metric.matrix = Eigen::VectorXd::LinSpaced(7, 1, 40).asDiagonal();
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(7), one = Eigen::VectorXd::Ones(7);
+  const Eigen::Vector3d from = Eigen::Vector3d(1, 0, 0.2).normalized(), to = Eigen::Vector3d(-0.5, 1, 0.4).normalized();
+  Points loop(3, 12);
+  for (Index i = 0; i < 12; ++i) {
+    const double t = 2 * std::numbers::pi * static_cast<double>(i) / 12;
+    loop.col(i) = Torus::at(t, std::numbers::pi + 0.4 * std::sin(2 * t));
+  }
+  return {
+      standard("bead from rest", bead(Eigen::Vector2d(0, 0), Eigen::Vector2d(std::numbers::pi, -2))),
+      standard("half-plane", between(space(2), hyperbolic, left, Eigen::Vector2d(2, 3))),
+      standard("metric in R^7", between(space(7), make_metric_tensor_cost(metric, 7), zero, one),
+               WaypointsInitializer(2 * Eigen::VectorXd::Unit(7, 3))),
+      standard("sphere", between(std::make_shared<Sphere>(), make_euclidean_cost(3), from, to),
+               WaypointsInitializer(Eigen::Vector3d(0.3, 0.5, 0.9))),
+      standard("half-plane under a lid",  // the circle of radius sqrt 2 does not fit below y = 1.2
+               between(box(Eigen::Vector2d(-5, 0.1), Eigen::Vector2d(5, 1.2)), hyperbolic, left, right)),
+      standard("ring on a torus", closed(std::make_shared<Torus>(), make_euclidean_cost(3)),
+               WaypointsInitializer(loop)),
+      standard("mesh",
+               between(std::make_shared<MeshManifold>(TriangleMesh(sphere(3))), make_euclidean_cost(3), from, to),
+               DijkstraInitializer()),
+  };
+}
+
+inline void check_report(const SolveReport& report, PathEnergy& energy, const CoordinatePath& start,
+                         const CoordinatePath& path) {
+  PathEnergy fresh(energy.problem(), energy.reference_cost());
+  const double before = fresh.value(start), after = fresh.value(path);
+  CHECK(report.initial_energy == Approx(before).epsilon(1e-14));
+  CHECK(report.final_energy == Approx(after).epsilon(1e-14));
+  CHECK(after <= before * (1 + 1e-14));
+  CHECK(std::isfinite(report.cost_error));
+  CHECK(report.seconds > 0);
+  CHECK_FALSE(report.history.empty());
+  CHECK(report.iterations == report.history.back().iteration);
+  CHECK(report.message != SolveReport().message);
+  CHECK(report.counters.gradients > 0);
+  CHECK(energy.counters().gradients >= report.counters.gradients);
+  if (!start.ring) CHECK((path.u.col(0) == start.u.col(0) && path.u.rightCols(1) == start.u.rightCols(1)));
+  CHECK(energy.problem().manifold->residual(path) < 1e-13);
+}
+
+inline PathEnergy energy_at_mean(const StandardProblem& p) {
+  return PathEnergy(p.problem, PathEnergy(p.problem, 1).cost(p.start) / static_cast<double>(p.start.segment_count()));
+}
+
+/// What two energies may differ by when both are solved to the relative cost error they claim, with room for rounding: an excess of the
+/// cost by e is one of the energy by e scale. (Costs alone may differ more, where the segments are not exactly equal at the minimum.)
+inline double energy_tolerance(const StandardProblem& p, PathEnergy& energy, const CoordinatePath& path) {
+  return 10 * p.tolerance * energy.scale(path);
+}
+
+/// Solves, reports, counts, and does not make a path worse, nor better than it can be a second time.
+inline void check_solves(const StandardProblem& p, const Solver& solver) {
+  PathEnergy energy = energy_at_mean(p);
+  CoordinatePath path = p.start;
+  const SolveReport report = solver.solve(energy, path, {});
+  CAPTURE(name(report.termination), report.message, report.iterations, report.cost_error);
+  CHECK((report.termination == Termination::converged || report.termination == Termination::round_off));
+  check_report(report, energy, p.start, path);
+  CHECK(report.counters.projections > 0);
+  if (report.termination == Termination::converged) CHECK(report.cost_error <= p.tolerance);
+  const SolveReport again = solver.solve(energy, path, {});
+  CHECK(std::abs(again.final_energy - report.final_energy) <= energy_tolerance(p, energy, path));
+}
+
+/// Limits, stop requests and deadlines end a solve with their own reason; the path is feasible and no worse.
+inline void check_ends_when_told(const StandardProblem& p, const MakeSolver& make) {
+  constexpr int kMany = 100000;
+  const auto run = [&](const Solver& solver, const Monitor& monitor, Termination expected) {
+    PathEnergy energy = energy_at_mean(p);
+    CoordinatePath path = p.start;
+    const SolveReport report = solver.solve(energy, path, monitor);
+    CAPTURE(name(report.termination), name(expected));
+    CHECK(report.termination == expected);
+    check_report(report, energy, p.start, path);
+    return report;
+  };
+  CHECK(run(*make(2, kMany), {}, Termination::iteration_limit).iterations <= 2);
+  const Counters few = run(*make(kMany, 4), {}, Termination::evaluation_limit).counters;
+  CHECK(few.energies + few.gradients <=
+        4 + 80);  // the search under way is finished: 40 trials, an energy and a gradient each
+  int asked = 0;
+  Monitor stop;
+  stop.stop_requested = [&asked] { return ++asked >= 2; };
+  run(*make(kMany, kMany), stop, Termination::cancelled);
+  Monitor late;
+  late.deadline = Monitor::Clock::now() - std::chrono::seconds(1);
+  run(*make(kMany, kMany), late, Termination::time_limit);
+}
+
+/// A path with infinite energy comes back untouched, with the reason.
+inline void check_refuses_infinite(const Solver& solver) {
+  const Problem problem = bead(Eigen::Vector2d(0, 0), Eigen::Vector2d(2, -1));
+  CoordinatePath path{(Points(2, 4) << 0, 0.5, 1, 2, 0, 0.5, -0.5, -1).finished(), {}, false};
+  const Points before = path.u;
+  PathEnergy energy(problem, 1);
+  const SolveReport report = solver.solve(energy, path, {});
+  CHECK(report.termination == Termination::non_finite);
+  CHECK_FALSE(report.message.empty());
+  CHECK(path.u == before);
+}
+
+/// The contract of Solver (framework/solver.hpp).
+inline void check_solver_contract(const MakeSolver& make) {
+  const std::unique_ptr<Solver> solver = make(100000, 1000000);
+  for (const StandardProblem& p : standard_problems()) {
+    CAPTURE(solver->name(), p.name);
+    check_solves(p, *solver);
+    check_ends_when_told(p, make);
+  }
+  check_refuses_infinite(*solver);
+}
+
+/// Two solvers give the same energy to the digits they claim. (On a mesh each may come to rest in a kink of its own: within a hundred times
+/// that.)
+inline void check_agreement(const Solver& one, const Solver& other) {
+  for (const StandardProblem& p : standard_problems()) {
+    CAPTURE(one.name(), other.name(), p.name);
+    PathEnergy energy = energy_at_mean(p);
+    CoordinatePath path = p.start, same = p.start;
+    const SolveReport mine = one.solve(energy, path, {}), theirs = other.solve(energy, same, {});
+    const double rest = p.problem.manifold->shape() == Shape::polyhedral ? 10 : 1;
+    CHECK(std::abs(mine.final_energy - theirs.final_energy) <= rest * energy_tolerance(p, energy, path));
+  }
+}
+
+}  // namespace leastcost::test

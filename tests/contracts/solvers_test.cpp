@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "solvers/lbfgs.hpp"
+#include "solvers/newton.hpp"
+#include "tests/contracts/solver_contract.hpp"
+
+namespace leastcost::test {
+namespace {
+
+std::unique_ptr<Solver> newton(int iterations, int evaluations) {
+  return std::make_unique<Newton>(NewtonOptions{.max_iterations = iterations, .max_evaluations = evaluations});
+}
+std::unique_ptr<Solver> lbfgs(int iterations, int evaluations, const char* precondition) {
+  return std::make_unique<Lbfgs>(
+      LbfgsOptions{.max_iterations = iterations, .max_evaluations = evaluations, .precondition = precondition});
+}
+
+}  // namespace
+
+TEST_CASE("solver contract: newton", "[contract]") { check_solver_contract(newton); }
+TEST_CASE("solver contract: lbfgs, precondition chain", "[contract]") {
+  check_solver_contract([](int iterations, int evaluations) { return lbfgs(iterations, evaluations, "chain"); });
+}
+TEST_CASE("solver contract: lbfgs, precondition none", "[contract]") {
+  check_solver_contract([](int iterations, int evaluations) { return lbfgs(iterations, evaluations, "none"); });
+}
+TEST_CASE("solvers agree", "[contract]") {
+  const auto n = newton(1000, 100000), chain = lbfgs(1000, 100000, "chain"), plain = lbfgs(100000, 1000000, "none");
+  check_agreement(*n, *chain);
+  check_agreement(*n, *plain);
+}
+
+}  // namespace leastcost::test

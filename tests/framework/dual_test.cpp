@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "framework/dual.hpp"
+
+#include <Eigen/Core>
+
+#include "tests/support/catch.hpp"
+#include "tests/support/random.hpp"
+
+namespace leastcost::test {
+namespace {
+
+using First = Dual<double, 1>;
+using Second = Dual<First, 1>;
+
+/// x with unit derivative in both directions, so that .d[0].d[0] of f(x) is f''(x).
+Second variable(double x) {
+  Second s(x);
+  s.value.d[0] = 1;
+  s.d[0] = First(1.0);
+  return s;
+}
+
+/// f, f' and f'' at x against what analysis says.
+template <class F>
+void check(const char* name, F f, double x, double value, double first, double second) {
+  CAPTURE(name, x);
+  const Second y = f(variable(x));
+  CHECK(innermost(y) == Approx(value).epsilon(1e-14).margin(1e-15));
+  CHECK(y.value.d[0] == Approx(first).epsilon(1e-14).margin(1e-15));
+  CHECK(y.d[0].value == Approx(first).epsilon(1e-14).margin(1e-15));
+  CHECK(y.d[0].d[0] == Approx(second).epsilon(1e-13).margin(1e-15));
+}
+
+}  // namespace
+
+TEST_CASE("dual numbers: elementary functions with two derivatives", "[framework]") {
+  Random random;
+  for (const double x : {1e-8, 0.3, 1.0, 2.5, random.uniform(0.1, 3)}) {
+    const double e = std::exp(x), s = std::sin(x), c = std::cos(x), sh = std::sinh(x), ch = std::cosh(x),
+                 t = std::tanh(x);
+    const double r = std::sqrt(x), p = std::pow(x, 2.3), a = 1 / (1 + x * x);
+    check(
+        "sqrt", [](auto y) { return sqrt(y); }, x, r, 0.5 / r, -0.25 / (r * x));
+    check(
+        "exp", [](auto y) { return exp(y); }, x, e, e, e);
+    check(
+        "expm1", [](auto y) { return expm1(y); }, x, std::expm1(x), e, e);
+    check(
+        "log", [](auto y) { return log(y); }, x, std::log(x), 1 / x, -1 / (x * x));
+    check(
+        "sin", [](auto y) { return sin(y); }, x, s, c, -s);
+    check(
+        "cos", [](auto y) { return cos(y); }, x, c, -s, -c);
+    check(
+        "sinh", [](auto y) { return sinh(y); }, x, sh, ch, sh);
+    check(
+        "cosh", [](auto y) { return cosh(y); }, x, ch, sh, ch);
+    check(
+        "tanh", [](auto y) { return tanh(y); }, x, t, 1 - t * t, -2 * t * (1 - t * t));
+    check(
+        "atan", [](auto y) { return atan(y); }, x, std::atan(x), a, -2 * x * a * a);
+    check(
+        "pow", [](auto y) { return pow(y, 2.3); }, x, p, 2.3 * p / x, 2.3 * 1.3 * p / (x * x));
+    check(
+        "abs", [](auto y) { return abs(-y * y); }, x, x * x, 2 * x, 2);
+  }
+}
+
+TEST_CASE("dual numbers: arithmetic", "[framework]") {
+  const double x = 1.7;
+  check(
+      "sum", [](auto y) { return 2 + y - (-y) + y; }, x, 2 + 3 * x, 3, 0);
+  check(
+      "product", [](auto y) { return 3 * y * y * y; }, x, 3 * x * x * x, 9 * x * x, 18 * x);
+  check(
+      "quotient", [](auto y) { return 1 / y; }, x, 1 / x, -1 / (x * x), 2 / (x * x * x));
+  check(
+      "self", [](auto y) { return (y * y) / y; }, x, x, 1, 0);
+  check(
+      "composed", [](auto y) { return exp(sin(y) / y); }, x, std::exp(std::sin(x) / x),
+      std::exp(std::sin(x) / x) * (std::cos(x) / x - std::sin(x) / (x * x)),
+      std::exp(std::sin(x) / x) * (std::pow(std::cos(x) / x - std::sin(x) / (x * x), 2) - std::sin(x) / x -
+                                   2 * std::cos(x) / (x * x) + 2 * std::sin(x) / (x * x * x)));
+  Second y = variable(x);
+  y += y;
+  y *= y;
+  y -= y / 2;
+  CHECK(innermost(y) == Approx(2 * x * x));
+  CHECK(y.d[0].d[0] == Approx(4));
+  y = variable(x);
+  y /= y;
+  CHECK((innermost(y) == 1 && std::abs(y.d[0].value) < 1e-15));
+}
+
+TEST_CASE("dual numbers: mixed second derivatives of several variables", "[framework]") {
+  using Inner = Dual<double, 2>;
+  using Outer = Dual<Inner, 2>;
+  const auto seed = [](double v, std::size_t k) {
+    Outer s(v);
+    s.value.d[k] = 1;
+    s.d[k] = Inner(1.0);
+    return s;
+  };
+  const double x = 0.7, y = -1.3;
+  const Outer f = sin(seed(x, 0) * seed(y, 1)) * seed(y, 1);  // y sin(x y)
+  CHECK(f.d[0].d[0] == Approx(-y * y * y * std::sin(x * y)));
+  CHECK(f.d[0].d[1] == Approx(2 * y * std::cos(x * y) - x * y * y * std::sin(x * y)));
+  CHECK(f.d[1].d[0] == f.d[0].d[1]);
+  CHECK(f.d[1].d[1] == Approx(2 * x * std::cos(x * y) - x * x * y * std::sin(x * y)));
+}
+
+TEST_CASE("dual numbers: the root of a constant 0 is a constant, that of a variable 0 is not", "[framework]") {
+  const Second constant = sqrt(Second(0.0)) + variable(2);
+  CHECK((innermost(constant) == 2 && constant.d[0].value == 1 && constant.d[0].d[0] == 0));
+  CHECK_FALSE(std::isfinite(sqrt(variable(0)).d[0].value));
+  First only_first(0.0);
+  only_first.d[0] = 1;
+  CHECK_FALSE(is_constant(only_first));
+  CHECK(is_constant(First(3.0)));
+}
+
+TEST_CASE("dual numbers: comparisons and Eigen", "[framework]") {
+  CHECK((First(1.0) < First(2.0) && First(2.0) >= First(2.0) && First(2.0) == First(2.0) && First(1.0) != First(2.0)));
+  First nan(std::nan(""));
+  CHECK_FALSE((nan == nan));
+  CHECK_FALSE(isfinite(nan));
+  Eigen::Matrix<First, 2, 1> v(First(3.0), First(4.0));
+  v[0].d[0] = 1;
+  const First square = v.squaredNorm(), half = (0.5 * v * 2.0)[0];
+  CHECK((square.value == 25 && square.d[0] == 6));
+  CHECK((half.value == 3 && half.d[0] == 1));
+}
+
+}  // namespace leastcost::test

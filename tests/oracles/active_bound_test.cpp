@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+
+// A brachistochrone that would dip below the floor of its box: the place where it leaves the floor moves between the
+// levels of the certificate, so the bar must not come from an extrapolation.
+#include <numbers>
+
+#include "framework/find_path.hpp"
+#include "problems/costs/travel_time.hpp"
+#include "problems/initializers/straight.hpp"
+#include "problems/kernels/kernels.hpp"
+#include "problems/manifolds/euclidean.hpp"
+#include "solvers/newton.hpp"
+#include "tests/support/catch.hpp"
+
+namespace {
+
+using namespace leastcost;
+
+Result slide_on_floor(int points) {
+  EuclideanManifoldOptions box{.dimension = 2};
+  box.lower = Eigen::Vector2d(-1, -1);
+  box.upper = Eigen::Vector2d(6, 1);
+  Problem problem;
+  problem.manifold = std::make_shared<EuclideanManifold>(box);
+  problem.source.u = Eigen::Vector2d(0, 0);
+  problem.target.u = Eigen::Vector2d(5, -0.5);
+  problem.cost = make_travel_time_cost({.gravity = 1}, 2, problem.source.u);
+  problem.kernel = make_kernel<Expm1Square>();
+  const Newton newton;
+  return find_path(problem, StraightInitializer(), newton, {.points = points, .certifier = &newton});
+}
+
+}  // namespace
+
+TEST_CASE("a path along a bound: the error bar covers the finer solution", "[oracles]") {
+  const Result fine = slide_on_floor(1000);
+  REQUIRE(fine.path.u.row(1).minCoeff() == -1);  // it does rest on the floor
+  const CostEstimate reference = fine.certificate.estimate;
+  for (const int points : {8, 16, 40, 64, 100}) {
+    const Certificate c = slide_on_floor(points).certificate;
+    INFO(points << " points: " << c.estimate.value << " +- " << c.estimate.error << ", " << reference.value << " +- "
+                << reference.error);
+    CHECK(std::abs(c.estimate.value - reference.value) <= c.estimate.error + reference.error);
+  }
+}
