@@ -29,7 +29,7 @@ bool finite(const Problem& problem, const CoordinatePath& path) {
 
 /// The line itself, or the first bow with a finite cost: last coordinate downwards first, which is where a bead can go.
 CoordinatePath find_finite(const Problem& problem) {
-  const CoordinatePath line = bow(problem.source, problem.target, 0, 0);
+  CoordinatePath line = bow(problem.source, problem.target, 0, 0);
   if (finite(problem, line)) return line;
   const double length = (problem.target.u - problem.source.u).norm();
   for (Index axis = problem.source.u.size() - 1; axis >= 0; --axis)
@@ -42,8 +42,7 @@ CoordinatePath find_finite(const Problem& problem) {
   if (!std::isfinite(problem.cost->line_element(problem.target.u, problem.target.u - problem.source.u)))
     throw InitializationError(
         "the target lies outside the domain of the cost: every move to it costs infinitely much (for a travel time: it "
-        "is "
-        "not below the energy level, the greatest height that the bead can reach)");
+        "is not below the energy level, the greatest height that the bead can reach)");
   throw InitializationError(
       "the cost is infinite on the straight line between the ends and on every bow around it (in all coordinate "
       "directions, up to the distance of the ends): an end may lie outside the domain of the cost; otherwise give "

@@ -22,8 +22,8 @@ void orthonormal_to(const Eigen::Vector3d& normal, Eigen::Ref<Points> basis) {
 
 /// Outward unit normal, in the plane of its face, of the border edge h.
 Eigen::Vector3d outward(const TriangleMesh& mesh, std::int32_t h) {
-  const Eigen::Vector3d a = mesh.position(mesh.tail(h)), b = mesh.position(mesh.head(h));
-  const Eigen::Vector3d opposite = mesh.position(mesh.head(TriangleMesh::next(h)));
+  const Eigen::Vector3d &a = mesh.position(mesh.tail(h)), &b = mesh.position(mesh.head(h));
+  const Eigen::Vector3d& opposite = mesh.position(mesh.head(TriangleMesh::next(h)));
   const Eigen::Vector3d along = (b - a).normalized();
   const Eigen::Vector3d inward = (opposite - a) - along.dot(opposite - a) * along;
   return -inward.normalized();

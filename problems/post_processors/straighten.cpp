@@ -36,7 +36,7 @@ PostProcessed StraightenPostProcessor::apply(const Problem& problem, const First
   // The solve may have slid into a longer class: its result is kept only where it is no longer than the first path's.
   const bool keep_solved = solved.final_length <= best.final_length;
   if (!keep_solved)
-    current.notes.push_back("straighten: the first path gave a shorter path than the solved one");
+    current.notes.emplace_back("straighten: the first path gave a shorter path than the solved one");
   else
     best = std::move(solved);
   current.curve = as_curve(problem, best.path);
@@ -45,7 +45,7 @@ PostProcessed StraightenPostProcessor::apply(const Problem& problem, const First
   current.chain = coordinate_path(mesh, resample(mesh, best.path, static_cast<int>(columns), *metric));
   pin_ends(problem, current.chain);
   current.curve_costs = costs_along(problem, current.curve, current.chain);
-  if (!best.finished) current.notes.push_back("straighten: interrupted before the path was straight");
+  if (!best.finished) current.notes.emplace_back("straighten: interrupted before the path was straight");
   return current;
 }
 

@@ -83,14 +83,14 @@ TEST_CASE("find_path: a stop request in the middle of a solve", "[framework]") {
   CHECK(r.costs.sum() < r.initial_cost);
 }
 
-TEST_CASE("find_path: a deadline ends the run in time", "[framework]") {
+TEST_CASE("find_path: a deadline that has passed costs no further iteration", "[framework]") {
   Monitor monitor;
-  monitor.deadline = Monitor::Clock::now() + std::chrono::milliseconds(20);
-  const auto start = Monitor::Clock::now();
-  const Result r = find_watched(cycloid(), monitor, 200000);
+  monitor.deadline = Monitor::Clock::now();
+  const Result r = find_watched(cycloid(), monitor, 2000);
   CHECK(r.status == Status::interrupted);
   CHECK(r.path.u.allFinite());
-  CHECK(Monitor::Clock::now() - start < std::chrono::seconds(20));  // one stage step, not the whole run
+  CHECK(r.solve.iterations == 0);
+  CHECK(r.costs.sum() <= r.initial_cost);
 }
 
 TEST_CASE("find_path: several threads give bitwise the same result", "[framework]") {
