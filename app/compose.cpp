@@ -24,6 +24,10 @@ void place_ends(const RunConfig& config, Composition& out) {
     throw OptionError("ends.target", "is the same point as the source; a closed path is a ring (path.ring: true)");
 }
 
+Eigen::VectorXd source_position(const Problem& problem) {
+  return positions(*problem.manifold, {problem.source.u, {}, true});
+}
+
 void make_parts(const RunConfig& config, const BuildContext& context, Composition& out) {
   out.problem.cost = make<std::shared_ptr<const SegmentCost>>(config.cost, context);
   out.problem.kernel = make<std::shared_ptr<const Kernel>>(config.kernel, context);
@@ -68,7 +72,7 @@ std::optional<BuildContext> context_without_files(LoadedConfig& loaded) {
   });
   if (!placed) return std::nullopt;
   context.dimension = out.problem.manifold->dimensions().ambient;
-  if (!config.ring) context.source = out.problem.source.u;
+  if (!config.ring) context.source = source_position(out.problem);
   return context;
 }
 
@@ -89,7 +93,7 @@ Composition compose(const RunConfig& config, const std::filesystem::path& folder
   if (const auto* mesh = dynamic_cast<const HasMesh*>(out.problem.manifold.get())) out.notes = mesh->mesh().notes();
   place_ends(config, out);
   BuildContext context{folder, out.problem.manifold->dimensions().ambient, {}};
-  if (!config.ring) context.source = out.problem.source.u;
+  if (!config.ring) context.source = source_position(out.problem);
   make_parts(config, context, out);
   fill_options(config, out);
   return out;

@@ -42,14 +42,17 @@ void lift_drift(ChainSystem& system) {
 
 /// Largest change of a segment by a step, relative to that segment; lengths in coordinates.
 double spacing_change(const CoordinatePath& path, const Points& step) {
-  const Index n = step.cols(), columns = path.u.cols();
+  const Index n = step.cols();
   double worst = 0;
   for (Index s = 0; s < path.segment_count(); ++s) {
     const Index a = s - path.free_begin(), b = path.ring && a + 1 == n ? 0 : a + 1;
-    const double length2 = (path.u.col((s + 1) % columns) - path.u.col(s)).squaredNorm();
+    const bool closes = path.ring && b == 0 && !path.closing.identity();
+    const double length2 = closes ? (path.column(s + 1) - path.u.col(s)).squaredNorm()
+                                  : (path.u.col(path.ring && b == 0 ? 0 : s + 1) - path.u.col(s)).squaredNorm();
     double change2 = 0;
     for (Index row = 0; row < step.rows(); ++row) {
-      const double d = (b < n ? step(row, b) : 0) - (a >= 0 ? step(row, a) : 0);
+      const double sign = closes ? path.closing.sign[row] : 1;
+      const double d = (b < n ? sign * step(row, b) : 0) - (a >= 0 ? step(row, a) : 0);
       change2 += d * d;
     }
     if (length2 > 0) worst = std::max(worst, change2 / length2);

@@ -27,26 +27,34 @@ void cubic(double t, Eigen::Vector4d& w, Eigen::Vector4d& dw) {
 
 std::optional<double> smooth_curve_cost(const Problem& problem, const CoordinatePath& path) {
   const Index columns = path.u.cols();
-  if (problem.manifold->shape() != Shape::flat || columns < 4) return std::nullopt;
-  const SegmentCost& cost = *problem.cost;
+  const auto* chart = dynamic_cast<const HasChart*>(problem.manifold.get());
+  if ((problem.manifold->shape() != Shape::flat && !chart) || columns < 4) return std::nullopt;
+  CoordinatePath point{Points(path.u.rows(), 1), {}, true};
+  Points x, jacobian;
+  // Line element at `point` for a velocity in coordinates.
+  const auto line_element = [&](const Eigen::VectorXd& velocity) {
+    if (!chart) return problem.cost->line_element(point.u, velocity);
+    chart->embed(point, x);
+    chart->jacobians(point, jacobian);
+    return problem.cost->line_element(x, jacobian * velocity);
+  };
   if (!path.ring) {
-    const Eigen::VectorXd start = path.u.col(0), first = path.u.col(1) - path.u.col(0);
-    const Eigen::VectorXd end = path.u.col(columns - 1), last = end - path.u.col(columns - 2);
-    if (!std::isfinite(cost.line_element(start, first)) || !std::isfinite(cost.line_element(end, last)))
-      return std::nullopt;
+    point.u = path.u.col(0);
+    if (!std::isfinite(line_element(path.u.col(1) - path.u.col(0)))) return std::nullopt;
+    point.u = path.u.col(columns - 1);
+    if (!std::isfinite(line_element(path.u.col(columns - 1) - path.u.col(columns - 2)))) return std::nullopt;
   }
   double sum = 0;
   Eigen::Vector4d w, dw;
   Points four(path.u.rows(), 4);
-  CoordinatePath point{Points(path.u.rows(), 1), {}, true};
   for (Index i = 0; i < path.segment_count(); ++i) {
     const Index begin = path.ring ? i - 1 : std::clamp<Index>(i - 1, 0, columns - 4);
-    for (Index j = 0; j < 4; ++j) four.col(j) = path.u.col((begin + j + columns) % columns);
+    for (Index j = 0; j < 4; ++j) four.col(j) = path.column(begin + j);
     for (std::size_t g = 0; g < kNodes.size(); ++g) {
       cubic(static_cast<double>(i - begin) + kNodes[g], w, dw);
       point.u = four * w;
       if (problem.manifold->residual(point) > 0) return std::nullopt;
-      sum += kWeights[g] * cost.line_element(point.u.col(0), four * dw);
+      sum += kWeights[g] * line_element(four * dw);
     }
   }
   return std::isfinite(sum) ? std::optional(sum) : std::nullopt;

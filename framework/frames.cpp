@@ -53,8 +53,12 @@ void PathEnergy::frames(const CoordinatePath& path, const Points& gradient, Fram
     if (count > 0) count = keep_pushed(normals, count, -gradient.col(i));
     if (count > 0) turned.emplace_back(i, normals.leftCols(count));
   }
-  out.identity = problem_->manifold->shape() == Shape::flat && turned.empty() && !path.ring;
-  if (out.identity) return;
+  const bool cartesian = chart_ || problem_->manifold->shape() == Shape::flat;
+  out.identity = cartesian && turned.empty() && !path.ring;
+  if (out.identity) {
+    lift(path, out);
+    return;
+  }
 
   Points all;
   problem_->manifold->tangent_bases(path, all);
@@ -64,9 +68,23 @@ void PathEnergy::frames(const CoordinatePath& path, const Points& gradient, Fram
         turn_to_end(out.bases.middleCols(k * i, k), outward, static_cast<int>(outward.cols()));
   // E is all but invariant under sliding every point of a ring along it: pin x_0 (NUMERICS Sec. 3).
   if (path.ring && n > 1 && out.blocked[0] == 0) {
-    const Points along = (path.u.col(1) - path.u.col(n - 1)).normalized();
+    const Points along = (path.column(1) - path.column(-1)).normalized();
     if (along.allFinite()) out.blocked[0] = turn_to_end(out.bases.leftCols(k), along, 1);
   }
+  lift(path, out);
+}
+
+void PathEnergy::lift(const CoordinatePath& path, Frames& out) const {
+  if (!chart_) return;
+  const int d = dims_.coordinate;
+  const Index n = path.free_count();
+  Points all;
+  chart_->jacobians(path, all);
+  out.lifted = all.middleCols(d * path.free_begin(), d * n);
+  if (out.identity) return;
+  for (Index i = 0; i < n; ++i)
+    out.lifted.middleCols(d * i, d) =
+        (all.middleCols(d * (path.free_begin() + i), d) * out.bases.middleCols(d * i, d)).eval();
 }
 
 }  // namespace leastcost

@@ -7,10 +7,19 @@
 
 namespace leastcost {
 
+Points positions(const ConstraintManifold& manifold, const CoordinatePath& path) {
+  const auto* chart = dynamic_cast<const HasChart*>(&manifold);
+  if (chart == nullptr) return path.u;
+  Points x;
+  chart->embed(path, x);
+  return x;
+}
+
 void prepare_like(const CoordinatePath& from, CoordinatePath& to) {
   to.u.resize(from.u.rows(), from.u.cols());
   to.ring = from.ring;
   to.sites = from.sites;
+  to.closing = from.closing;
   if (from.ring) return;
   to.u.col(0) = from.u.col(0);
   to.u.rightCols(1) = from.u.rightCols(1);

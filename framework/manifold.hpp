@@ -47,6 +47,23 @@ class ConstraintManifold {
   virtual double residual(const CoordinatePath& path) const = 0;
 };
 
+/// Ability: points are given in the coordinates of a chart x = x(u) (VFCS Eq. 12). The coordinates are the unknowns: retraction is
+/// addition, tangent bases are the identity. Without it coordinates are ambient positions.
+class HasChart {
+ public:
+  virtual ~HasChart() = default;
+  /// Ambient positions of all columns, ambient x columns.
+  virtual void embed(const CoordinatePath& path, Points& x) const = 0;
+  /// dx/du at all columns, side by side: ambient x (coordinate * columns).
+  virtual void jacobians(const CoordinatePath& path, Points& j) const = 0;
+  /// sum_j w_j Hess x_j(u) at all columns, w the columns of `weights` (ambient x columns), side by side: coordinate x (coordinate *
+  /// columns).
+  virtual void curvatures(const CoordinatePath& path, const Points& weights, Points& h) const = 0;
+};
+
+/// Ambient positions of the columns of a path: through its chart, or the coordinates themselves.
+Points positions(const ConstraintManifold& manifold, const CoordinatePath& path);
+
 /// Ability: the domain has bounds (a box, a chart's edge, the border of a mesh) on which points may come to rest.
 class HasBounds {
  public:

@@ -17,17 +17,39 @@ using Points = Eigen::MatrixXd;  ///< one column per point
 using Site = std::int32_t;
 inline constexpr Site kNoSite = -1;
 
+/// A seam of a chart as a map on its universal cover: u -> sign * u + shift, coordinate by coordinate, names the same
+/// point of the domain. A shift for a cylinder, a shift with a flip for a Moebius strip. Empty: the identity.
+struct SeamMap {
+  Eigen::VectorXd sign, shift;
+
+  bool identity() const { return shift.size() == 0; }
+  Eigen::VectorXd apply(const Eigen::VectorXd& u) const {
+    return identity() ? u : Eigen::VectorXd(sign.cwiseProduct(u) + shift);
+  }
+  Eigen::VectorXd undo(const Eigen::VectorXd& u) const {
+    return identity() ? u : Eigen::VectorXd(sign.cwiseProduct(u - shift));
+  }
+};
+
 /// What a solver moves: points in the coordinates of the manifold.
 /// Open: d x (n + 2), first and last column fixed (VFCS 3.2). Ring: d x n, all columns free, closed by the move from
-/// the last column to the first. `sites` has one entry per column, or none where the domain has no sites.
+/// the last column to the image of the first under `closing`. `sites` has one entry per column, or none where the domain
+/// has no sites.
 struct CoordinatePath {
   Points u;
   std::vector<Site> sites;
   bool ring = false;
+  SeamMap closing = {};  ///< of a ring that crosses seams: which image of its first point it closes on
 
   Index free_begin() const { return ring ? 0 : 1; }
   Index free_count() const { return ring ? u.cols() : u.cols() - 2; }
   Index segment_count() const { return ring ? u.cols() : u.cols() - 1; }
+  /// Column i; in a ring also one turn before and after, on the universal cover: -cols <= i < 2 cols.
+  Eigen::VectorXd column(Index i) const {
+    if (i < 0) return closing.undo(u.col(i + u.cols()));
+    if (i >= u.cols()) return closing.apply(u.col(i - u.cols()));
+    return u.col(i);
+  }
   Site site(Index column) const { return sites.empty() ? kNoSite : sites[static_cast<std::size_t>(column)]; }
 };
 

@@ -9,31 +9,37 @@
 namespace leastcost {
 namespace {
 
-/// T' M S for the frames of two points (or M itself where frames are the identity), added to `out`.
+/// T' M S for the frames of two points in ambient coordinates (or M itself where they are the identity), added to `out`.
 template <class Derived>
 void add_in_frames(const Frames& frames, int k, Index i, Index j, const Eigen::MatrixBase<Derived>& m,
                    Eigen::Block<Points> out) {
-  if (frames.identity) {
+  if (frames.identity && frames.lifted.size() == 0) {
     out += m;
     return;
   }
-  out.noalias() += frames.bases.middleCols(k * i, k).transpose() * m.lazyProduct(frames.bases.middleCols(k * j, k));
+  const Points& bases = frames.lifted.size() > 0 ? frames.lifted : frames.bases;
+  out.noalias() += bases.middleCols(k * i, k).transpose() * m.lazyProduct(bases.middleCols(k * j, k));
 }
 
 }  // namespace
 
 PathEnergy::PathEnergy(const Problem& problem, double reference_cost)
-    : problem_(&problem), s0_(reference_cost), dims_(problem.manifold->dimensions()) {
+    : problem_(&problem),
+      chart_(dynamic_cast<const HasChart*>(problem.manifold.get())),
+      s0_(reference_cost),
+      dims_(problem.manifold->dimensions()) {
   assert(reference_cost > 0);
 }
 
 AmbientPath PathEnergy::ambient(const CoordinatePath& path) {
-  if (!path.ring) return {{path.u.data(), path.u.rows(), path.u.cols()}, path.sites, false};
-  ring_.resize(path.u.rows(), path.u.cols() + 1);
-  ring_ << path.u, path.u.col(0);
+  if (chart_) chart_->embed(path, embedded_);
+  const Points& x = chart_ ? embedded_ : path.u;
+  if (!path.ring) return {{x.data(), x.rows(), x.cols()}, path.sites, false};
+  ambient_.resize(x.rows(), x.cols() + 1);
+  ambient_ << x, x.col(0);
   ring_sites_ = path.sites;
   if (!ring_sites_.empty()) ring_sites_.push_back(path.sites.front());
-  return {{ring_.data(), ring_.rows(), ring_.cols()}, ring_sites_, true};
+  return {{ambient_.data(), ambient_.rows(), ambient_.cols()}, ring_sites_, true};
 }
 
 double PathEnergy::value(const CoordinatePath& path) {
@@ -49,14 +55,29 @@ double PathEnergy::value(const CoordinatePath& path) {
   return std::isnan(energy) ? std::numeric_limits<double>::infinity() : energy;
 }
 
-double PathEnergy::value_and_gradient(const CoordinatePath& path, Points& gradient) {
-  ++counters_.gradients;
+double PathEnergy::ambient_gradient(const CoordinatePath& path) {
   const AmbientPath x = ambient(path);
   ambient_gradient_.resize(dims_.ambient, x.x.cols());
   const double energy = problem_->cost->energy_and_gradient(x, *problem_->kernel, s0_, ambient_gradient_);
   // The closing column of a ring is its first point again.
   if (path.ring) ambient_gradient_.col(0) += ambient_gradient_.col(x.x.cols() - 1);
-  gradient = ambient_gradient_.middleCols(path.free_begin(), path.free_count());
+  return energy;
+}
+
+double PathEnergy::value_and_gradient(const CoordinatePath& path, Points& gradient) {
+  ++counters_.gradients;
+  const double energy = ambient_gradient(path);
+  const Index first = path.free_begin(), n = path.free_count();
+  if (chart_) {
+    const int d = dims_.coordinate;
+    chart_->jacobians(path, jacobians_);
+    gradient.resize(d, n);
+    for (Index i = 0; i < n; ++i)
+      gradient.col(i).noalias() =
+          jacobians_.middleCols(d * (first + i), d).transpose().lazyProduct(ambient_gradient_.col(first + i));
+  } else {
+    gradient = ambient_gradient_.middleCols(first, n);
+  }
   return gradient.allFinite() ? energy : std::numeric_limits<double>::infinity();
 }
 
@@ -108,7 +129,9 @@ void PathEnergy::chain_hessian(const CoordinatePath& path, const Points& gradien
     if (b < n) add_in_frames(frames, k, b, b, h.block(d, c + d, d, d), system.diagonal(b));
     if (a >= 0 && b < n) add_in_frames(frames, k, a, b, h.block(0, c + d, d, d), system.coupling(a));
   }
-  if (kind == HessianKind::exact && problem_->manifold->shape() == Shape::smooth)
+  if (kind == HessianKind::exact && chart_)
+    add_chart_curvature(path, frames, system);
+  else if (kind == HessianKind::exact && problem_->manifold->shape() == Shape::smooth)
     add_curvature(path, gradient, frames, system);
   block_directions(frames, system);
 }
@@ -145,6 +168,23 @@ void PathEnergy::add_curvature(const CoordinatePath& path, const Points& gradien
         system.diagonal(i)(p, q) += mixed[i];
         system.diagonal(i)(q, p) += mixed[i];
       }
+    }
+  }
+}
+
+/// A chart's retraction is addition: what bends is the embedding, and its second derivatives are at hand.
+void PathEnergy::add_chart_curvature(const CoordinatePath& path, const Frames& frames, ChainSystem& system) {
+  const int d = dims_.coordinate;
+  const Index n = path.free_count(), first = path.free_begin();
+  ambient_gradient(path);
+  chart_->curvatures(path, ambient_gradient_, step_);
+  for (Index i = 0; i < n; ++i) {
+    const auto h = step_.middleCols(d * (first + i), d);
+    if (frames.identity) {
+      system.diagonal(i) += h;
+    } else {
+      const auto basis = frames.bases.middleCols(d * i, d);
+      system.diagonal(i).noalias() += basis.transpose() * h.lazyProduct(basis);
     }
   }
 }

@@ -14,8 +14,9 @@ namespace leastcost {
 /// each frame: outward at an active bound, along the path at the pinned point of a ring. All frames keep the same width, so
 /// the chain system keeps its block size; a blocked coordinate has gradient 0 and a decoupled row in the Hessian.
 struct Frames {
-  bool identity = false;     ///< flat domain, nothing blocked: every basis is the identity
+  bool identity = false;     ///< flat domain or chart, nothing blocked: every basis is the identity
   Points bases;              ///< coordinate x (tangent * n)
+  Points lifted;             ///< of a chart: the same in ambient coordinates, J T; ambient x (tangent * n)
   std::vector<int> blocked;  ///< per free point, how many trailing directions are blocked
 };
 
@@ -66,14 +67,19 @@ class PathEnergy {
   AmbientPath ambient(const CoordinatePath& path);
 
  private:
+  void lift(const CoordinatePath& path, Frames& frames) const;
   void add_curvature(const CoordinatePath& path, const Points& gradient, const Frames& frames, ChainSystem& system);
+  void add_chart_curvature(const CoordinatePath& path, const Frames& frames, ChainSystem& system);
+  /// dE/dx into ambient_gradient_, the closing column of a ring added to its first; E.
+  double ambient_gradient(const CoordinatePath& path);
   void block_directions(const Frames& frames, ChainSystem& system) const;
 
   const Problem* problem_;
+  const HasChart* chart_;
   double s0_;
   Dimensions dims_;
   Counters counters_;
-  Points ring_, ambient_gradient_, step_;
+  Points ambient_, ambient_gradient_, step_, embedded_, jacobians_;
   std::vector<Site> ring_sites_;
   std::vector<double> q_;
   std::vector<Jet2> phi_;

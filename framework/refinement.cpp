@@ -73,9 +73,13 @@ CostEstimate estimate_cost(const Problem& problem, PathEnergy& energy, const Coo
   CostEstimate e;
   const CostTraits& traits = problem.cost->traits();
   const bool flat = problem.manifold->shape() == Shape::flat;
+  const bool chart = dynamic_cast<const HasChart*>(problem.manifold.get()) != nullptr;
   const double cost = energy.cost(chain), segments = static_cast<double>(chain.segment_count());
   e.value = cost;
-  if (flat) e.upper = traits.additive ? std::optional(cost) : smooth_curve_cost(problem, chain);
+  const bool chords_exist = flat && traits.additive;  // the chain itself is a curve of the domain
+  const std::optional<double> curve =
+      !chords_exist && (flat || chart) ? smooth_curve_cost(problem, chain) : std::nullopt;
+  e.upper = chords_exist ? std::optional(cost) : curve;
   if (traits.below_curves && index.verdict == IndexVerdict::minimum)
     e.lower = segments * energy.reference_cost() * kernel_inverse(*problem.kernel, energy.value(chain) / segments);
   if (refinement.levels.size() < 3) {
@@ -117,9 +121,9 @@ CostEstimate estimate_cost(const Problem& problem, PathEnergy& energy, const Coo
   e.value = fine;
   e.error = std::max(3 * std::abs(fine - coarse) / 15, kExact * fine);
   e.method = "richardson";
-  if (e.upper && !traits.additive) {  // the curve has order 4 as well, and it exists: quote it, with room for both
-    e.error = std::max(e.error, std::abs(*e.upper - fine));
-    e.value = *e.upper;
+  if (curve) {  // it has order 4 as well, and it exists: quote it, with room for both
+    e.error = std::max(e.error, std::abs(*curve - fine));
+    e.value = *curve;
     e.method = "curve";
   }
   return e;

@@ -35,7 +35,7 @@ class ArcLength {
   }
 
  private:
-  Eigen::VectorXd column(Index i) const { return polyline_.u.col(i % polyline_.u.cols()); }
+  Eigen::VectorXd column(Index i) const { return polyline_.column(i); }
 
   const CoordinatePath& polyline_;
   Eigen::VectorXd knots_;
@@ -45,7 +45,7 @@ class ArcLength {
 CoordinatePath points_at(const Problem& problem, const ArcLength& curve, const CoordinatePath& polyline,
                          const Eigen::VectorXd& t) {
   const Index columns = polyline.ring ? t.size() - 1 : t.size();
-  CoordinatePath path{Points(polyline.u.rows(), columns), {}, polyline.ring};
+  CoordinatePath path{Points(polyline.u.rows(), columns), {}, polyline.ring, polyline.closing};
   path.sites.resize(polyline.sites.empty() ? 0 : static_cast<std::size_t>(columns));
   Site site = kNoSite;
   for (Index i = 0; i < columns; ++i) {
@@ -123,9 +123,9 @@ CoordinatePath sample_equally(const Problem& problem, const CoordinatePath& poly
 
 CoordinatePath refine(const Problem& problem, const CoordinatePath& path) {
   const Index columns = path.u.cols(), segments = path.segment_count();
-  CoordinatePath fine{Points(path.u.rows(), path.ring ? 2 * columns : 2 * columns - 1), {}, path.ring};
+  CoordinatePath fine{Points(path.u.rows(), path.ring ? 2 * columns : 2 * columns - 1), {}, path.ring, path.closing};
   fine.sites.resize(path.sites.empty() ? 0 : static_cast<std::size_t>(fine.u.cols()));
-  const auto x = [&](Index i) { return path.u.col((i + columns) % columns); };
+  const auto x = [&path](Index i) { return path.column(i); };
   const auto fill = [&](bool cubic) {
     for (Index i = 0; i < columns; ++i) fine.u.col(2 * i) = path.u.col(i);
     for (Index i = 0; i < segments; ++i) {
