@@ -14,6 +14,7 @@
 #include "problems/kernels/kernels.hpp"
 #include "problems/manifolds/euclidean.hpp"
 #include "problems/manifolds/mesh.hpp"
+#include "problems/manifolds/parametric.hpp"
 #include "problems/post_processors/straighten.hpp"
 #include "problems/post_processors/trace.hpp"
 #include "problems/readers/waypoint_reader.hpp"
@@ -89,6 +90,9 @@ const auto& manifolds() {
           "mesh", "A triangle mesh in R^3, read from an OBJ, OFF, PLY or STL file.",
           [](const MeshManifoldOptions& o, const BuildContext& c) { return make_mesh_manifold(o, c.folder); })
           .providing(std::string(kMesh)),
+      plugin<ManifoldPlugin, ParametricOptions>(
+          "parametric", "A surface x(u, v) in R^3, by name or by formulas; points are given in u and v.",
+          [](const ParametricOptions& o, const BuildContext&) { return make_parametric_manifold(o); }),
   };
   return all;
 }

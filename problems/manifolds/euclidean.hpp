@@ -6,13 +6,13 @@
 
 #include "framework/manifold.hpp"
 #include "framework/options.hpp"
+#include "problems/geometry/box.hpp"
 
 namespace leastcost {
 
 struct EuclideanManifoldOptions {
   int dimension = 2;
-  Eigen::VectorXd lower;  ///< empty: unbounded; entries may be -infinity
-  Eigen::VectorXd upper;
+  BoxOptions box = {};
   void fields(FieldVisitor& visit);
 };
 
@@ -32,8 +32,7 @@ class EuclideanManifold final : public ConstraintManifold, public HasBounds {
 
  private:
   int dimension_;
-  bool bounded_ = false;
-  Eigen::VectorXd lower_, upper_;
+  Box box_;
 };
 
 }  // namespace leastcost

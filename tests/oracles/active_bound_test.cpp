@@ -19,8 +19,8 @@ using namespace leastcost;
 
 Result slide_on_floor(int points) {
   EuclideanManifoldOptions box{.dimension = 2};
-  box.lower = Eigen::Vector2d(-1, -1);
-  box.upper = Eigen::Vector2d(6, 1);
+  box.box.lower = Eigen::Vector2d(-1, -1);
+  box.box.upper = Eigen::Vector2d(6, 1);
   Problem problem;
   problem.manifold = std::make_shared<EuclideanManifold>(box);
   problem.source.u = Eigen::Vector2d(0, 0);
@@ -28,7 +28,10 @@ Result slide_on_floor(int points) {
   problem.cost = make_travel_time_cost({.gravity = 1}, 2, problem.source.u);
   problem.kernel = make_kernel<Expm1Square>();
   const Newton newton;
-  return find_path(problem, StraightInitializer(), newton, {.points = points, .certifier = &newton});
+  FindOptions options;
+  options.points = points;
+  options.certifier = &newton;
+  return find_path(problem, StraightInitializer(), newton, options);
 }
 
 }  // namespace

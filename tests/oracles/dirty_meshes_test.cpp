@@ -32,7 +32,9 @@ std::string outcome(const std::shared_ptr<const MeshManifold>& domain, std::int3
   const Lbfgs solver;
   const TracePostProcessor trace;
   const StraightenPostProcessor straighten;
-  FindOptions options{.points = 32, .certifier = &solver};
+  FindOptions options;
+  options.points = 32;
+  options.certifier = &solver;
   options.post_processors = {&trace, &straighten};
   const Problem problem{domain, make_euclidean_cost(3), make_kernel<Expm1Square>(), end_at(mesh, source),
                         end_at(mesh, target)};

@@ -21,10 +21,10 @@
 namespace leastcost::test {
 
 inline std::shared_ptr<const EuclideanManifold> space(int dimension) {
-  return std::make_shared<EuclideanManifold>(EuclideanManifoldOptions{dimension, {}, {}});
+  return std::make_shared<EuclideanManifold>(EuclideanManifoldOptions{.dimension = dimension});
 }
 inline std::shared_ptr<const EuclideanManifold> box(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
-  return std::make_shared<EuclideanManifold>(EuclideanManifoldOptions{static_cast<int>(lower.size()), lower, upper});
+  return std::make_shared<EuclideanManifold>(EuclideanManifoldOptions{static_cast<int>(lower.size()), {lower, upper}});
 }
 
 /// An open path from source to target.

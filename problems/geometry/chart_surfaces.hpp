@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+
+/// Named surfaces as maps (u, v) -> R^3. Where a surface is round, u is the angle about the z axis.
+namespace leastcost::chart {
+
+template <class S>
+using Vector3 = Eigen::Matrix<S, 3, 1>;
+
+struct Plane {
+  template <class S>
+  Vector3<S> operator()(const S& u, const S& v) const {
+    return {u, v, S(0.0)};
+  }
+};
+
+/// u: longitude; v: latitude on the unit sphere (reduced latitude). Axes along x, y, z.
+struct Ellipsoid {
+  double a = 1, b = 1, c = 1;
+  template <class S>
+  Vector3<S> operator()(const S& u, const S& v) const {
+    using std::cos, std::sin;
+    const S r = cos(v);
+    return {a * r * cos(u), b * r * sin(u), c * sin(v)};
+  }
+};
+
+/// v: angle around the tube.
+struct Torus {
+  double major = 2, minor = 1;
+  template <class S>
+  Vector3<S> operator()(const S& u, const S& v) const {
+    using std::cos, std::sin;
+    const S r = major + minor * cos(v);
+    return {r * cos(u), r * sin(u), minor * sin(v)};
+  }
+};
+
+/// v: height.
+struct Cylinder {
+  double radius = 1;
+  template <class S>
+  Vector3<S> operator()(const S& u, const S& v) const {
+    using std::cos, std::sin;
+    return {radius * cos(u), radius * sin(u), v};
+  }
+};
+
+/// v: distance from the apex along a ruling; half_angle: between axis and ruling, radians.
+struct Cone {
+  double half_angle = 0.5;
+  template <class S>
+  Vector3<S> operator()(const S& u, const S& v) const {
+    using std::cos, std::sin;
+    const S r = std::sin(half_angle) * v;
+    return {r * cos(u), r * sin(u), std::cos(half_angle) * v};
+  }
+};
+
+/// v: height; waist: least distance from the axis.
+struct Catenoid {
+  double waist = 1;
+  template <class S>
+  Vector3<S> operator()(const S& u, const S& v) const {
+    using std::cos, std::cosh, std::sin;
+    const S r = waist * cosh(v / waist);
+    return {r * cos(u), r * sin(u), v};
+  }
+};
+
+/// z = curvature r^2 / 2; v: distance r from the axis.
+struct Paraboloid {
+  double curvature = 1;
+  template <class S>
+  Vector3<S> operator()(const S& u, const S& v) const {
+    using std::cos, std::sin;
+    return {v * cos(u), v * sin(u), 0.5 * curvature * v * v};
+  }
+};
+
+/// One sheet, (x^2 + y^2) / waist^2 - z^2 / height^2 = 1; v: z.
+struct Hyperboloid {
+  double waist = 1, height = 1;
+  template <class S>
+  Vector3<S> operator()(const S& u, const S& v) const {
+    using std::cos, std::sin, std::sqrt;
+    const S t = v / height, r = waist * sqrt(1.0 + t * t);
+    return {r * cos(u), r * sin(u), v};
+  }
+};
+
+/// VFCS Eq. (17) with the misprint in y mended. Closed for u in [0, 2 pi]; crossing that seam turns v over.
+struct KleinBottle {
+  double a = 2, b = 1;
+  template <class S>
+  Vector3<S> operator()(const S& u, const S& v) const {
+    using std::cos, std::sin;
+    const S c = cos(0.5 * u), s = sin(0.5 * u);
+    const S r = a + b * (c * sin(v) - s * sin(2.0 * v));
+    return {r * cos(u), r * sin(u), b * (s * sin(v) + c * sin(2.0 * v))};
+  }
+};
+
+/// VFCS Eq. (18). Closed for u in [0, pi]; crossing that seam turns v over.
+struct MoebiusStrip {
+  template <class S>
+  Vector3<S> operator()(const S& u, const S& v) const {
+    using std::cos, std::sin;
+    const S r = 1.0 + v * cos(u);
+    return {r * cos(2.0 * u), r * sin(2.0 * u), v * sin(u)};
+  }
+};
+
+/// Helicoid, VFCS Eq. (19): u along the rulings, v the angle, pitch 2 pi a.
+struct Spiral {
+  double a = 1;
+  template <class S>
+  Vector3<S> operator()(const S& u, const S& v) const {
+    using std::cos, std::sin;
+    return {u * cos(v), u * sin(v), a * v};
+  }
+};
+
+struct Enneper {
+  template <class S>
+  Vector3<S> operator()(const S& u, const S& v) const {
+    const S uu = u * u, vv = v * v;
+    return {u * (1.0 - uu / 3.0 + vv), v * (1.0 - vv / 3.0 + uu), uu - vv};
+  }
+};
+
+}  // namespace leastcost::chart

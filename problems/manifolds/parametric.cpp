@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/manifolds/parametric.hpp"
+
+#include <utility>
+
+namespace leastcost {
+
+ParametricManifold::ParametricManifold(std::shared_ptr<const ChartMap> map, Box box, std::vector<Seam> seams)
+    : map_(std::move(map)), box_(std::move(box)), seams_(std::move(seams)) {}
+
+Projection ParametricManifold::project(CoordinatePath& path) const {
+  Projection result;
+  for (Index i = 0; i < path.u.cols(); ++i) {
+    Eigen::Vector2d u = path.u.col(i);
+    box_.clamp(u);
+    // Where a formula has no value there is no point.
+    if (!map_->position(u).allFinite()) {
+      result.failed.push_back(i);
+      continue;
+    }
+    result.moved = std::max(result.moved, (u - path.u.col(i)).norm());
+    path.u.col(i) = u;
+  }
+  return result;
+}
+
+void ParametricManifold::tangent_bases(const CoordinatePath& path, Points& bases) const {
+  bases = Points::Identity(2, 2).replicate(1, path.u.cols());
+}
+
+void ParametricManifold::retract(const CoordinatePath& from, const Points& step, CoordinatePath& to) const {
+  prepare_like(from, to);
+  auto moved = to.u.middleCols(from.free_begin(), from.free_count());
+  moved = from.u.middleCols(from.free_begin(), from.free_count()) + step;
+  box_.clamp(moved);
+}
+
+double ParametricManifold::residual(const CoordinatePath& path) const {
+  CoordinatePath inside = path;
+  return project(inside).moved;
+}
+
+void ParametricManifold::embed(const CoordinatePath& path, Points& x) const {
+  x.resize(3, path.u.cols());
+  for (Index i = 0; i < path.u.cols(); ++i) x.col(i) = map_->position(path.u.col(i));
+}
+
+void ParametricManifold::jacobians(const CoordinatePath& path, Points& j) const {
+  j.resize(3, 2 * path.u.cols());
+  for (Index i = 0; i < path.u.cols(); ++i) j.middleCols(2 * i, 2) = map_->jacobian(path.u.col(i));
+}
+
+void ParametricManifold::curvatures(const CoordinatePath& path, const Points& weights, Points& h) const {
+  h.resize(2, 2 * path.u.cols());
+  for (Index i = 0; i < path.u.cols(); ++i) h.middleCols(2 * i, 2) = map_->curvature(path.u.col(i), weights.col(i));
+}
+
+int ParametricManifold::active_bounds(const CoordinatePath& path, Index column, Eigen::Ref<Points> normals) const {
+  return box_.bounded() ? box_.active(path.u.col(column), normals) : 0;
+}
+
+}  // namespace leastcost

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+
+// The named surfaces of the parametric manifold: their options, charts, edges and seams.
+#include <array>
+#include <limits>
+#include <numbers>
+
+#include "framework/errors.hpp"
+#include "problems/geometry/chart_surfaces.hpp"
+#include "problems/geometry/formula.hpp"
+#include "problems/manifolds/parametric.hpp"
+
+namespace leastcost {
+namespace {
+
+constexpr double kPi = std::numbers::pi, kInfinity = std::numeric_limits<double>::infinity();
+
+const std::vector<std::string> kTypes = {"plane",         "sphere",   "ellipsoid",  "torus",       "cylinder",
+                                         "cone",          "catenoid", "paraboloid", "hyperboloid", "klein_bottle",
+                                         "moebius_strip", "spiral",   "enneper",    "formula"};
+
+/// (x, y, z)(u, v) from three formulas.
+struct FormulaChart {
+  Formulas xyz;
+  template <class S>
+  Eigen::Matrix<S, 3, 1> operator()(const S& u, const S& v) const {
+    const std::array<S, 2> uv = {u, v};
+    Eigen::Matrix<S, 3, 1> x;
+    xyz.evaluate<S>(uv, {x.data(), 3});
+    return x;
+  }
+};
+
+struct Parts {
+  std::shared_ptr<const ChartMap> map;
+  std::vector<Seam> seams = {};
+  double v_least = -kInfinity, v_most = kInfinity;  ///< edges of the chart in v
+};
+
+const Seam kAround = {0, 2 * kPi, {}};
+
+Parts formula(const ParametricOptions& o) {
+  for (const auto& [key, text] : {std::pair("x", &o.x), std::pair("y", &o.y), std::pair("z", &o.z)})
+    if (text->empty()) throw OptionError(std::string("surface.") + key, "a formula surface needs x, y and z");
+  std::vector<Seam> seams;
+  if (o.period_u > 0) seams.push_back({0, o.period_u, o.twisted ? std::optional(1) : std::nullopt});
+  if (o.period_v > 0) seams.push_back({1, o.period_v, {}});
+  if (o.twisted && !(o.period_u > 0))
+    throw OptionError("surface.twisted", "turns v over where u comes back: it needs period_u");
+  const auto read = [&o](const char* key, const std::string& text) {  // each alone first: the error names its key
+    formulas_of_option(std::string("surface.") + key, {text}, {"u", "v"}, o.parameters);
+  };
+  read("x", o.x);
+  read("y", o.y);
+  read("z", o.z);
+  return {make_chart_map(FormulaChart{Formulas({o.x, o.y, o.z}, {"u", "v"}, o.parameters)}), seams};
+}
+
+Parts parts_of(const ParametricOptions& o) {
+  const std::string& type = o.type;
+  if (type == "plane") return {make_chart_map(chart::Plane{})};
+  if (type == "sphere")
+    return {make_chart_map(chart::Ellipsoid{o.radius, o.radius, o.radius}), {kAround}, -kPi / 2, kPi / 2};
+  if (type == "ellipsoid")
+    return {make_chart_map(chart::Ellipsoid{o.axes[0], o.axes[1], o.axes[2]}), {kAround}, -kPi / 2, kPi / 2};
+  if (type == "torus")
+    return {make_chart_map(chart::Torus{o.major_radius, o.minor_radius}), {kAround, {1, 2 * kPi, {}}}};
+  if (type == "cylinder") return {make_chart_map(chart::Cylinder{o.radius}), {kAround}};
+  if (type == "cone") return {make_chart_map(chart::Cone{o.half_angle}), {kAround}, 0};
+  if (type == "catenoid") return {make_chart_map(chart::Catenoid{o.waist}), {kAround}};
+  if (type == "paraboloid") return {make_chart_map(chart::Paraboloid{o.curvature}), {kAround}, 0};
+  if (type == "hyperboloid") return {make_chart_map(chart::Hyperboloid{o.waist, o.height}), {kAround}};
+  if (type == "klein_bottle")
+    return {make_chart_map(chart::KleinBottle{o.major_radius, o.minor_radius}), {{0, 2 * kPi, 1}, {1, 2 * kPi, {}}}};
+  if (type == "moebius_strip")
+    return {make_chart_map(chart::MoebiusStrip{}), {{0, kPi, 1}}, -o.half_width, o.half_width};
+  if (type == "spiral") return {make_chart_map(chart::Spiral{o.pitch})};
+  if (type == "enneper") return {make_chart_map(chart::Enneper{})};
+  return formula(o);
+}
+
+/// The chart's own edges, and what the options add to them.
+Box box_of(const ParametricOptions& o, const Parts& parts) {
+  Box given(2, o.box);
+  const bool edges = parts.v_least > -kInfinity || parts.v_most < kInfinity;
+  if (!edges) return given;
+  BoxOptions both{given.lower(), given.upper()};
+  both.lower[1] = std::max(both.lower[1], parts.v_least);
+  both.upper[1] = std::min(both.upper[1], parts.v_most);
+  return Box(2, both);
+}
+
+}  // namespace
+
+void ParametricOptions::fields(FieldVisitor& visit) {
+  const FieldDoc doc{.help = "The surface: a name with its measures, or formulas in u and v.", .required = true};
+  visit.group("surface", doc, [this](FieldVisitor& v) {
+    v.choice("type", type, kTypes, {.help = "Name of the surface, or formula.", .required = true});
+    const auto length = [&v](const char* key, double& value, const char* help) {
+      v.field(key, value, {.help = help, .unit = "length", .minimum = 0, .exclusive_minimum = true});
+    };
+    if (type == "sphere" || type == "cylinder") length("radius", radius, "Radius.");
+    if (type == "ellipsoid") v.field("axes", axes, {.help = "Half axes along x, y, z.", .unit = "length"});
+    if (type == "torus" || type == "klein_bottle") {
+      length("major_radius", major_radius, "From the axis to the middle of the tube (a of VFCS Eq. 17).");
+      length("minor_radius", minor_radius, "Of the tube (b of VFCS Eq. 17).");
+    }
+    if (type == "cone")
+      v.field("half_angle", half_angle,
+              {.help = "Between axis and ruling.",
+               .unit = "radians",
+               .minimum = 0,
+               .maximum = kPi / 2,
+               .exclusive_minimum = true});
+    if (type == "catenoid" || type == "hyperboloid") length("waist", waist, "Least distance from the axis.");
+    if (type == "hyperboloid") length("height", height, "c of (x^2 + y^2) / waist^2 - z^2 / c^2 = 1.");
+    if (type == "paraboloid")
+      v.field("curvature", curvature, {.help = "k of z = k (x^2 + y^2) / 2.", .unit = "1/length"});
+    if (type == "moebius_strip") length("half_width", half_width, "The strip is -half_width <= v <= half_width.");
+    if (type == "spiral") v.field("pitch", pitch, {.help = "a of z = a v, VFCS Eq. (19).", .unit = "length"});
+    if (type != "formula") return;
+    v.field("x", x, {.help = "x(u, v), like (2 + cos(v)) * cos(u)."});
+    v.field("y", y, {.help = "y(u, v)."});
+    v.field("z", z, {.help = "z(u, v)."});
+    v.field("parameters", parameters, {.help = "Numbers that the formulas may name, like {a: 2, b: 1}."});
+    v.field("period_u", period_u, {.help = "Period of u; 0: not periodic.", .minimum = 0});
+    v.field("period_v", period_v, {.help = "Period of v; 0: not periodic.", .minimum = 0});
+    v.field("twisted", twisted, {.help = "Whether v changes sign where u comes back (Moebius strip, Klein bottle)."});
+  });
+  box.fields(visit);
+}
+
+std::shared_ptr<const ParametricManifold> make_parametric_manifold(const ParametricOptions& options) {
+  if (options.type == "ellipsoid" && (options.axes.size() != 3 || !(options.axes.array() > 0).all()))
+    throw OptionError("surface.axes", "an ellipsoid has three positive half axes");
+  Parts parts = parts_of(options);
+  Box box = box_of(options, parts);
+  return std::make_shared<ParametricManifold>(std::move(parts.map), std::move(box), std::move(parts.seams));
+}
+
+}  // namespace leastcost
