@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: MIT
 #include "app/compose.hpp"
 
+#include <fmt/format.h>
+
 #include <chrono>
+#include <utility>
 
 #include "app/ends.hpp"
 #include "app/registry.hpp"
 #include "framework/errors.hpp"
 #include "problems/geometry/has_mesh.hpp"
+#include "problems/geometry/wound.hpp"
+#include "problems/initializers/bow.hpp"
 #include "solvers/newton.hpp"
 
 namespace leastcost::app {
@@ -42,9 +47,31 @@ void fill_options(const RunConfig& config, Composition& out) {
   out.options.points = config.points.automatic ? 0 : config.points.count;
   out.options.reference_cost = config.reference_cost;
   out.options.cascade = config.cascade;
+  out.options.escape_saddle = config.escape_saddle;
   out.options.certificate = config.certificate;
   out.options.certifier = out.certifier.get();
   for (const auto& processor : out.post_processors) out.options.post_processors.push_back(processor.get());
+}
+
+/// The starts of a family: every image of the target, from the run's own initializer, from bows, and from what else was given.
+void add_family(const RunConfig& config, const BuildContext& context, Composition& out) {
+  const FamilyOptions& family = config.family;
+  if (!family.wanted()) return;
+  std::vector<std::pair<std::string, std::shared_ptr<const Initializer>>> ways = {
+      {std::string(out.initializer->name()), out.initializer}};
+  for (int i = 0; i < family.bows; ++i) {
+    const double angle = 360.0 * i / family.bows;
+    ways.emplace_back(fmt::format("bow {:g} degrees", angle),
+                      std::make_shared<const BowInitializer>(BowOptions{family.bow_height, angle}));
+  }
+  for (const PluginChoice& choice : family.initializers.choices)
+    ways.emplace_back(choice.path, make<std::shared_ptr<const Initializer>>(choice, context));
+  std::vector<WoundProblem> problems = wound_problems(out.problem, family.windings);
+  if (problems.empty()) problems.push_back({out.problem, ""});
+  for (const WoundProblem& wound : problems)
+    for (const auto& [name, initializer] : ways)
+      out.family.push_back(
+          {wound.winding.empty() ? name : fmt::format("{}, winding {}", name, wound.winding), wound.problem, initializer});
 }
 
 /// Runs one step of the check; its OptionError goes to the list, so that the next steps can add theirs.
@@ -95,6 +122,7 @@ Composition compose(const RunConfig& config, const std::filesystem::path& folder
   BuildContext context{folder, out.problem.manifold->dimensions().ambient, {}};
   if (!config.ring) context.source = source_position(out.problem);
   make_parts(config, context, out);
+  add_family(config, context, out);
   fill_options(config, out);
   return out;
 }
@@ -107,6 +135,8 @@ void check_constructors(LoadedConfig& loaded) {
   checked(loaded, [&] { make<std::shared_ptr<const Kernel>>(config.kernel, *context); });
   if (!reads_files(config.initializer))
     checked(loaded, [&] { make<std::shared_ptr<const Initializer>>(config.initializer, *context); });
+  for (const PluginChoice& choice : config.family.initializers.choices)
+    if (!reads_files(choice)) checked(loaded, [&] { make<std::shared_ptr<const Initializer>>(choice, *context); });
   checked(loaded, [&] { make<std::shared_ptr<const Solver>>(config.solver, *context); });
   for (const PluginChoice& choice : config.post_process.choices)
     checked(loaded, [&] { make<std::shared_ptr<const PostProcessor>>(choice, *context); });

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/config/run_config.hpp"
+#include "framework/family.hpp"
 #include "framework/find_path.hpp"
 
 namespace leastcost::app {
@@ -22,6 +23,7 @@ struct PlacedEnd {
 struct Composition {
   Problem problem;
   std::shared_ptr<const Initializer> initializer;
+  std::vector<FamilyStart> family;  ///< of all starts, the one above first; empty: only that one
   std::shared_ptr<const Solver> solver, certifier;
   std::vector<std::shared_ptr<const PostProcessor>> post_processors;
   FindOptions options;

@@ -6,8 +6,11 @@
 #include <cstdlib>
 
 #include "problems/costs/euclidean.hpp"
+#include "problems/costs/metric_field.hpp"
 #include "problems/costs/metric_tensor.hpp"
 #include "problems/costs/travel_time.hpp"
+#include "problems/initializers/bow.hpp"
+#include "problems/initializers/coordinate_circle.hpp"
 #include "problems/initializers/dijkstra.hpp"
 #include "problems/initializers/straight.hpp"
 #include "problems/initializers/waypoints.hpp"
@@ -76,6 +79,9 @@ const auto& costs() {
           "metric_tensor", "Length under a constant metric tensor M: c(a, b) = sqrt((b - a)' M (b - a)).",
           [](const MetricTensorOptions& o, O c) { return make_metric_tensor_cost(o, c.dimension); })
           .providing(std::string(kConstantMetric)),
+      plugin<CostPlugin, MetricFieldOptions>(
+          "metric_field", "Length under a metric tensor that depends on the place: by name or by formulas.",
+          [](const MetricFieldOptions& o, O c) { return make_metric_field_cost(o, c.dimension); }),
       plugin<CostPlugin, TravelTimeOptions>(
           "travel_time", "Time of a bead that slides without friction under gravity; the last coordinate is height.",
           [](const TravelTimeOptions& o, O c) { return make_travel_time_cost(o, c.dimension, c.source); }),
@@ -92,7 +98,8 @@ const auto& manifolds() {
           .providing(std::string(kMesh)),
       plugin<ManifoldPlugin, ParametricOptions>(
           "parametric", "A surface x(u, v) in R^3, by name or by formulas; points are given in u and v.",
-          [](const ParametricOptions& o, const BuildContext&) { return make_parametric_manifold(o); }),
+          [](const ParametricOptions& o, const BuildContext&) { return make_parametric_manifold(o); })
+          .providing(std::string(kSeams)),
   };
   return all;
 }
@@ -101,6 +108,7 @@ const auto& initializers() {
   static const std::vector<InitializerPlugin> all = {
       made_of<InitializerPlugin, StraightInitializer>(
           "straight", "The straight line between the ends, bowed out of the way where its cost is infinite."),
+      made_of<InitializerPlugin, BowInitializer, BowOptions>("bow", "An arc beside the straight line, to a given side."),
       made_of<InitializerPlugin, DijkstraInitializer, DijkstraOptions>(
           "dijkstra", "The least-cost path along the edges of the mesh.")
           .needing(std::string(kMesh)),
@@ -109,6 +117,10 @@ const auto& initializers() {
                                                     return std::make_shared<const WaypointsInitializer>(
                                                         o.points.transpose());
                                                   })
+          .providing(std::string(kRing)),
+      made_of<InitializerPlugin, CoordinateCircleInitializer, CoordinateCircleOptions>(
+          "coordinate_circle", "A ring on which one coordinate of a chart runs around.")
+          .needing(std::string(kSeams))
           .providing(std::string(kRing)),
       plugin<InitializerPlugin, FileInitializerOptions>(
           "file", "A path through the points of a text file, such as the path.csv of an earlier run.",

@@ -28,6 +28,20 @@ std::vector<ManifestInput> inputs_of(const LoadedConfig& loaded) {
   return inputs;
 }
 
+/// The path of the configuration, or the best of its family.
+void find(RunOutcome& outcome, const Monitor& monitor) {
+  Composition& parts = outcome.parts;
+  if (parts.family.empty()) {
+    outcome.result = find_path(parts.problem, *parts.initializer, *parts.solver, parts.options, monitor);
+    return;
+  }
+  Family family = find_family(parts.family, *parts.solver, parts.options, monitor);
+  parts.notes.insert(parts.notes.end(), family.notes.begin(), family.notes.end());
+  outcome.family = std::move(family.members);
+  outcome.result = outcome.family.front().result;
+  parts.problem = outcome.family.front().problem;  // its target may be another image of the same point
+}
+
 }  // namespace
 
 Exit exit_of(Status status) {
@@ -70,10 +84,9 @@ RunOutcome run(const RunRequest& request, const Monitor& monitor) {
   OutputFolder folder(output_of(request, prepared.loaded.config), request.force);
 
   RunOutcome outcome{std::move(prepared.loaded.config), std::move(prepared.parts), {}, folder.target(), ""};
-  const Composition& parts = outcome.parts;
   const Monitor limited = with_budget(monitor, outcome.config.max_seconds);
   try {
-    outcome.result = find_path(parts.problem, *parts.initializer, *parts.solver, parts.options, limited);
+    find(outcome, limited);
   } catch (const InitializationError& e) {
     if (limited.interrupted()) throw StoppedEarly(e.what());
     throw;

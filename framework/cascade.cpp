@@ -20,24 +20,6 @@ std::vector<Index> level_sizes(Index finest) {
   return {sizes.rbegin(), sizes.rend()};
 }
 
-Counters operator+(const Counters& a, const Counters& b) {
-  return {a.energies + b.energies, a.gradients + b.gradients, a.hessians + b.hessians, a.projections + b.projections,
-          a.linear_solves + b.linear_solves};
-}
-
-void prepend(const SolveReport& earlier, SolveReport& report) {
-  report.counters = earlier.counters + report.counters;
-  report.iterations += earlier.iterations;
-  report.initial_energy = earlier.initial_energy;
-  for (Iteration& line : report.history) {
-    line.iteration += earlier.iterations;
-    line.evaluations += earlier.counters.energies + earlier.counters.gradients;
-    line.seconds += earlier.seconds;
-  }
-  report.seconds += earlier.seconds;
-  report.history.insert(report.history.begin(), earlier.history.begin(), earlier.history.end());
-}
-
 }  // namespace
 
 SolveReport solve_by_cascade(const Problem& problem, const Solver& solver, double reference_cost, CoordinatePath& path,
@@ -56,8 +38,7 @@ SolveReport solve_by_cascade(const Problem& problem, const Solver& solver, doubl
     const double s0 = reference_cost * static_cast<double>(finest) / static_cast<double>(segments);
     PathEnergy energy(problem, s0);
     SolveReport next = solver.solve(energy, level, monitor);
-    if (!report.history.empty()) prepend(report, next);
-    report = std::move(next);
+    report = report.history.empty() ? std::move(next) : joined(report, std::move(next));
     if (monitor.interrupted()) break;
   }
   if (level.segment_count() == finest) path = std::move(level);

@@ -149,39 +149,65 @@ void ChainSystem::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
   }
 }
 
-int ChainSystem::negative_eigenvalues() const {
-  int negatives = 0;
+ChainSystem::Elimination ChainSystem::eliminate() const {
+  Elimination e;
+  e.inverse.resize(static_cast<std::size_t>(n_));
+  e.border.resize(static_cast<std::size_t>(n_));
   // Counts the negative eigenvalues of a pivot and returns its inverse; an eigenvalue lost to rounding counts as positive.
-  const auto invert = [&negatives](const Points& pivot) -> Points {
+  const auto invert = [&e](const Points& pivot, Index i) -> Points {
     const Eigen::SelfAdjointEigenSolver<Points> eigen(pivot);
     Eigen::VectorXd values = eigen.eigenvalues();
     const double tiny = 1e-300 + 1e-15 * values.cwiseAbs().maxCoeff();
+    if (values[0] < 0 && e.first_negative < 0) {
+      e.first_negative = i;
+      e.negative = eigen.eigenvectors().col(0);
+    }
     for (double& value : values) {
-      if (value < 0) ++negatives;
+      if (value < 0) ++e.negatives;
       if (std::abs(value) < tiny) value = value < 0 ? -tiny : tiny;
     }
     return eigen.eigenvectors() * values.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
   };
   const Index first = ring_ ? 1 : 0;
-  Points inverse, border, schur;
+  Points schur;
   if (ring_) schur = diagonal(0);
   if (ring_ && n_ == 1) schur += coupling(0) + coupling(0).transpose();
   for (Index i = first; i < n_; ++i) {
+    const auto at = static_cast<std::size_t>(i);
     Points pivot = diagonal(i);
-    Points new_border = Points::Zero(k_, k_);
+    Points border = Points::Zero(k_, k_);
     if (i > first) {
-      pivot -= coupling(i - 1).transpose() * inverse * coupling(i - 1);
-      if (ring_) new_border -= coupling(i - 1).transpose() * inverse * border;
+      const Points eliminated = coupling(i - 1).transpose() * e.inverse[at - 1];
+      pivot -= eliminated * coupling(i - 1);
+      if (ring_) border -= eliminated * e.border[at - 1];
     }
-    inverse = invert(pivot);
+    e.inverse[at] = invert(pivot, i);
     if (!ring_) continue;
-    if (i == 1) new_border += coupling(0).transpose();
-    if (i == n_ - 1) new_border += coupling(n_ - 1);
-    border = new_border;
-    schur -= border.transpose() * inverse * border;
+    if (i == 1) border += coupling(0).transpose();
+    if (i == n_ - 1) border += coupling(n_ - 1);
+    schur -= border.transpose() * e.inverse[at] * border;
+    e.border[at] = std::move(border);
   }
-  if (ring_) invert(schur);
-  return negatives;
+  if (ring_) invert(schur, 0);
+  return e;
+}
+
+int ChainSystem::negative_eigenvalues() const { return eliminate().negatives; }
+
+Eigen::VectorXd ChainSystem::negative_direction() const {
+  const Elimination e = eliminate();
+  if (e.first_negative < 0) return {};
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(size());
+  x.segment(k_ * e.first_negative, k_) = e.negative;
+  const bool at_pin = ring_ && e.first_negative == 0;
+  for (Index i = at_pin ? n_ - 1 : e.first_negative - 1; i >= (ring_ ? 1 : 0); --i) {
+    const auto at = static_cast<std::size_t>(i);
+    Eigen::VectorXd pull = Eigen::VectorXd::Zero(k_);
+    if (i + 1 < n_) pull += coupling(i) * x.segment(k_ * (i + 1), k_);
+    if (at_pin) pull += e.border[at] * e.negative;
+    x.segment(k_ * i, k_) = -e.inverse[at] * pull;
+  }
+  return x;
 }
 
 }  // namespace leastcost

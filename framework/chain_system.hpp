@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 #include "framework/path.hpp"
 
 namespace leastcost {
@@ -43,8 +45,19 @@ class ChainSystem {
   void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
   /// Number of negative eigenvalues, from the signs of all block pivots (Sylvester). Independent of factor().
   int negative_eigenvalues() const;
+  /// A vector x with x'Ax < 0 from the first negative pivot, by back substitution; empty where there is none.
+  Eigen::VectorXd negative_direction() const;
 
  private:
+  /// Block elimination that goes on through indefinite pivots.
+  struct Elimination {
+    std::vector<Points> inverse, border;  ///< of the pivots; ring: their coupling to x_0
+    int negatives = 0;
+    Index first_negative = -1;  ///< pivot, -1: none
+    Eigen::VectorXd negative;   ///< its eigenvector
+  };
+  Elimination eliminate() const;
+
   template <int K>
   bool factor_blocks();
   template <int K>

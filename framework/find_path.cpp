@@ -8,6 +8,7 @@
 
 #include "framework/cascade.hpp"
 #include "framework/errors.hpp"
+#include "framework/escape_saddle.hpp"
 #include "framework/path_energy.hpp"
 #include "framework/spacing.hpp"
 
@@ -76,6 +77,10 @@ Result find_path(const Problem& problem, const Initializer& initializer, const S
   stage(Stage::solve, monitor, result.seconds.solve, [&] {
     result.solve = options.cascade ? solve_by_cascade(problem, solver, result.reference_cost, result.path, monitor)
                                    : solver.solve(energy, result.path, monitor);
+    if (!options.escape_saddle) return;
+    const int left =
+        escape_saddles(energy, solver, options.certificate.index_shift, result.path, result.solve, monitor);
+    if (left > 0) result.notes.push_back("escape_saddle: left " + std::to_string(left) + " saddles");
   });
 
   const ToCurve to_curve = [&](const CoordinatePath& chain) {
@@ -98,7 +103,7 @@ Result find_path(const Problem& problem, const Initializer& initializer, const S
   result.path = std::move(processed.chain);
   result.curve = std::move(processed.curve);
   result.curve_costs = std::move(processed.curve_costs);
-  result.notes = result.first.notes;
+  result.notes.insert(result.notes.begin(), result.first.notes.begin(), result.first.notes.end());
   result.notes.insert(result.notes.end(), processed.notes.begin(), processed.notes.end());
   return result;
 }

@@ -47,4 +47,20 @@ SolveReport Solver::solve(PathEnergy& energy, CoordinatePath& path, const Monito
   return report;
 }
 
+SolveReport joined(const SolveReport& earlier, SolveReport later) {
+  const Counters &a = earlier.counters, &b = later.counters;
+  later.counters = {a.energies + b.energies, a.gradients + b.gradients, a.hessians + b.hessians,
+                    a.projections + b.projections, a.linear_solves + b.linear_solves};
+  later.iterations += earlier.iterations;
+  later.initial_energy = earlier.initial_energy;
+  for (Iteration& line : later.history) {
+    line.iteration += earlier.iterations;
+    line.evaluations += a.energies + a.gradients;
+    line.seconds += earlier.seconds;
+  }
+  later.seconds += earlier.seconds;
+  later.history.insert(later.history.begin(), earlier.history.begin(), earlier.history.end());
+  return later;
+}
+
 }  // namespace leastcost

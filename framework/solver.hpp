@@ -52,6 +52,9 @@ struct SolveReport {
   std::vector<Iteration> history;
 };
 
+/// Two solves, one after the other, as one: the counters add up, the end is that of the later one.
+SolveReport joined(const SolveReport& earlier, SolveReport later);
+
 /// Improves a path in place. Keeps the best iterate, never returns a higher energy than it was given, and never throws for a
 /// numerical outcome.
 class Solver {

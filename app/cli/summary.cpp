@@ -45,6 +45,18 @@ std::string solver_line(const RunOutcome& run) {
   return line;
 }
 
+/// One line per distinct path of the family.
+std::string family_rows(const RunOutcome& run) {
+  std::string out;
+  for (const FamilyMember& m : run.family) {
+    const Certificate& c = m.result.certificate;
+    out += row(out.empty() ? "family" : "",
+               fmt::format("{:.12g}  {}, {}  from {}", c.measured ? c.estimate.value : m.result.curve.cost,
+                           name(m.result.status), name(c.index.verdict), fmt::join(m.origins, "; ")));
+  }
+  return out;
+}
+
 std::string time_line(const RunOutcome& run) {
   const StageSeconds& s = run.result.seconds;
   return fmt::format("read {:.3g} s, first path {:.3g} s, solve {:.3g} s, post-process {:.3g} s, certify {:.3g} s",
@@ -88,6 +100,7 @@ std::string summary_text(const RunOutcome& run, bool verbose) {
     if (verbose || run.config.source.point.size() > 0) out += row("source", end_line(run.parts.source));
     if (verbose || run.config.target.point.size() > 0) out += row("target", end_line(run.parts.target));
   }
+  out += family_rows(run);
   for (const std::string& note : run.parts.notes) out += row("note", note);
   for (const std::string& note : result.notes) out += row("note", note);
   out += row("time", time_line(run));

@@ -128,6 +128,7 @@ void check_and_complete(LoadedConfig& loaded) {
   check_points(loaded);
   check_needs(loaded, loaded.config.initializer);
   check_needs(loaded, loaded.config.solver);
+  for (const PluginChoice& choice : loaded.config.family.initializers.choices) check_needs(loaded, choice);
   for (const PluginChoice& choice : loaded.config.post_process.choices) check_needs(loaded, choice);
 }
 

@@ -44,6 +44,15 @@ void EndOptions::fields(FieldVisitor& visit) {
                .minimum = 0});
 }
 
+void FamilyOptions::fields(RunVisitor& visit) {
+  visit.field("windings", windings,
+              {.help = "Chart with seams: also images of the target up to so many turns on.", .minimum = 0, .maximum = 8});
+  visit.field("bows", bows,
+              {.help = "Also first paths bowed to so many sides of the straight line.", .minimum = 0, .maximum = 64});
+  visit.field("bow_height", bow_height, {.help = "Height of the bows over the distance of the ends.", .minimum = 0});
+  visit.plugins("initializers", initializers, kind("initializer"), {.help = "Also these first paths."});
+}
+
 void RunConfig::fields(RunVisitor& visit) {
   visit.field("name", name, {.help = "Name of the run and of its output folder; default: that of the file."});
   visit.field("seed", seed, {.help = "Master seed of everything random.", .minimum = 0});
@@ -64,9 +73,12 @@ void RunConfig::fields(RunVisitor& visit) {
                 .unit = "cost",
                 .minimum = 0});
     path.field("cascade", cascade, {.help = "Solve coarse first, then with twice the segments until all are there."});
+    path.field("escape_saddle", escape_saddle, {.help = "Leave a saddle to its lower side and solve again."});
   });
   visit.plugin("initializer", initializer, kind("initializer"),
                {.help = "The first path; default: dijkstra on a mesh, else straight."});
+  visit.block("family", {.help = "More first paths: lists the distinct locally least-cost paths, the least one is delivered."},
+              [&](RunVisitor& v) { family.fields(v); });
   visit.plugin("solver", solver, kind("solver"),
                {.help = "How the path is improved; default: lbfgs on a mesh, else newton."});
   visit.field("max_seconds", max_seconds,

@@ -15,6 +15,16 @@
 
 namespace leastcost::app {
 
+/// More first paths, for other locally least-cost paths.
+struct FamilyOptions {
+  int windings = 0;
+  int bows = 0;
+  double bow_height = 0.5;
+  PluginList initializers;
+  void fields(RunVisitor& visit);
+  bool wanted() const { return windings > 0 || bows > 0 || !initializers.choices.empty(); }
+};
+
 /// One run as its configuration describes it. Everything typed, checked and with its default in place; nothing read
 /// from the disk and nothing computed yet.
 struct RunConfig {
@@ -26,8 +36,10 @@ struct RunConfig {
   PointCount points;
   bool ring = false;
   bool cascade = false;
+  bool escape_saddle = false;
   double reference_cost = 0;  ///< s0; 0: the mean segment cost of the first path
   PluginChoice initializer, solver;
+  FamilyOptions family;
   CertificateOptions certificate;
   PluginList post_process;
   std::string output_folder;  ///< relative to the current folder; empty: results/<name>

@@ -93,6 +93,23 @@ Json end_json(const PlacedEnd& end) {
   return {{"given", list(end.given)}, {"placed", list(end.end.u)}, {"moved", number(end.moved)}};
 }
 
+Json family(const RunOutcome& run) {
+  Json out = Json::array();
+  for (const FamilyMember& m : run.family) {
+    const Certificate& c = m.result.certificate;
+    Json item;
+    item["status"] = std::string(name(m.result.status));
+    item["cost"] = number(c.measured ? c.estimate.value : m.result.curve.cost);
+    item["error_estimate"] = c.measured ? number(c.estimate.error) : Json(nullptr);
+    item["index"] = std::string(name(c.index.verdict));
+    item["failures"] = failures(c);
+    item["iterations"] = m.result.solve.iterations;
+    item["from"] = m.origins;
+    out.push_back(std::move(item));
+  }
+  return out;
+}
+
 Json notes(const RunOutcome& run) {
   Json out = Json::array();
   for (const std::string& note : run.parts.notes) out.push_back(note);
@@ -127,6 +144,7 @@ std::string result_json(const RunOutcome& run) {
                     {"certify", s.certify}};
   out["ends"] = run.config.ring ? Json(nullptr)
                                 : Json{{"source", end_json(run.parts.source)}, {"target", end_json(run.parts.target)}};
+  if (!run.family.empty()) out["family"] = family(run);
   out["notes"] = notes(run);
   return to_text(out);
 }

@@ -32,8 +32,11 @@ void write_results(const RunOutcome& outcome, const fs::path& folder_of_config, 
   folder.write("result.json", result_json(outcome));
   folder.write("path.csv", csv_text(points));
   folder.write("curve.csv", csv_text(curve));
-  folder.write("path.vtp",
-               vtp_text(curve_differs ? std::vector<PathTable>{points, curve} : std::vector<PathTable>{points}));
+  std::vector<PathTable> lines = {points};
+  if (curve_differs) lines.push_back(curve);
+  for (std::size_t k = 1; k < outcome.family.size(); ++k)
+    lines.push_back(delivered_curve(outcome.family[k].problem, outcome.family[k].result));
+  folder.write("path.vtp", vtp_text(lines));
   folder.write("path.obj", obj_text(curve));
   folder.write("history.csv", history_csv(outcome.result.solve.history));
 }

@@ -39,7 +39,8 @@ CoordinatePath find_finite(const Problem& problem) {
         problem.manifold->project(path);
         if (finite(problem, path)) return path;
       }
-  if (!std::isfinite(problem.cost->line_element(problem.target.u, problem.target.u - problem.source.u)))
+  const bool flat = problem.manifold->shape() == Shape::flat;
+  if (flat && !std::isfinite(problem.cost->line_element(problem.target.u, problem.target.u - problem.source.u)))
     throw InitializationError(
         "the target lies outside the domain of the cost: every move to it costs infinitely much (for a travel time: it "
         "is not below the energy level, the greatest height that the bead can reach)");
@@ -54,7 +55,8 @@ CoordinatePath find_finite(const Problem& problem) {
 FirstPath StraightInitializer::first_path(const Problem& problem, const Monitor&) const {
   if (problem.ring) throw InitializationError("a ring has no ends to join: give waypoints");
   FirstPath first;
-  if (problem.manifold->shape() == Shape::flat) {
+  const bool chart = dynamic_cast<const HasChart*>(problem.manifold.get()) != nullptr;
+  if (chart || problem.manifold->shape() == Shape::flat) {
     first.path = find_finite(problem);
   } else {  // sampled and projected by find_path()
     first.path.u.resize(problem.source.u.size(), 2);

@@ -12,6 +12,7 @@
 #include "problems/geometry/edge_route.hpp"
 #include "problems/geometry/has_mesh.hpp"
 #include "problems/geometry/mesh_curve.hpp"
+#include "problems/geometry/seams.hpp"
 
 namespace leastcost {
 namespace {
@@ -60,6 +61,16 @@ CoordinatePath join_on_mesh(const Problem& problem, const TriangleMesh& mesh, co
   return path;
 }
 
+/// On a chart with seams the ring closes on the image of its first point that is nearest to the last one, which may also be given.
+void close_across_seams(const HasSeams& domain, CoordinatePath& ring) {
+  const Index last = ring.u.cols() - 1;
+  const Eigen::VectorXi turns = nearest_image(domain.seams(), ring.u.col(0), ring.u.col(last));
+  if (turns.isZero()) return;
+  ring.closing = seam_map(domain.seams(), static_cast<int>(ring.u.rows()), turns);
+  if ((ring.column(last + 1) - ring.u.col(last)).norm() <= 1e-9 * (1 + ring.u.col(last).norm()))
+    ring.u.conservativeResize(Eigen::NoChange, last);
+}
+
 }  // namespace
 
 void WaypointsOptions::fields(FieldVisitor& visit) {
@@ -94,6 +105,8 @@ FirstPath WaypointsInitializer::first_path(const Problem& problem, const Monitor
     first.path.ring = true;
     first.path.u.conservativeResize(Eigen::NoChange, first.path.u.cols() - 1);
     if (!first.path.sites.empty()) first.path.sites.pop_back();
+    if (const auto* seams = dynamic_cast<const HasSeams*>(problem.manifold.get()))
+      close_across_seams(*seams, first.path);
   }
   return first;
 }

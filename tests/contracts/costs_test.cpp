@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "framework/errors.hpp"
 #include "problems/costs/euclidean.hpp"
+#include "problems/costs/metric_field.hpp"
 #include "problems/costs/metric_tensor.hpp"
 #include "problems/costs/travel_time.hpp"
 #include "tests/contracts/cost_contract.hpp"
@@ -25,6 +26,20 @@ CostCase metric_tensor(int d) {
           .linear_residual = true};
 }
 
+/// Points around (0, 2); the named metrics that are infinite somewhere are so below y = 0.
+CostCase metric_field(const char* type, const char* reading, const char* rule) {
+  MetricFieldOptions options;
+  options.type = type;
+  options.reading = reading;
+  options.rule = rule;
+  options.entries = {"2 + sin(x)", "0.3 * cos(y)", "1 + 0.2 * x^2"};
+  const bool bounded = std::string_view(type) != "formula";
+  CostCase c{.cost = make_metric_field_cost(options, 2),
+             .draw = [](Random& random) -> Eigen::VectorXd { return Eigen::Vector2d(0, 2.5) + random.vector(2); }};
+  if (bounded) c.outside = {Eigen::Vector2d(0, -1e-8), Eigen::Vector2d(3, -1)};
+  return c;
+}
+
 /// Level at height 0; points between 1 and 3 below it.
 CostCase travel_time(const char* rule, int d) {
   TravelTimeOptions options;
@@ -45,6 +60,12 @@ CostCase travel_time(const char* rule, int d) {
 
 TEST_CASE("cost contract: euclidean", "[contract]") { check_cost_contract(euclidean(GENERATE(2, 3, 7))); }
 TEST_CASE("cost contract: metric_tensor", "[contract]") { check_cost_contract(metric_tensor(GENERATE(2, 3, 7))); }
+TEST_CASE("cost contract: metric_field, named", "[contract]") {
+  check_cost_contract(metric_field(GENERATE("half_plane", "fisher_rao"), "metric", "midpoint"));
+}
+TEST_CASE("cost contract: metric_field, formula", "[contract]") {
+  check_cost_contract(metric_field("formula", GENERATE("metric", "root"), GENERATE("midpoint", "average")));
+}
 TEST_CASE("cost contract: travel_time, chute", "[contract]") {
   check_cost_contract(travel_time("chute", GENERATE(2, 3, 7)));
 }

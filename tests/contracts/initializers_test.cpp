@@ -3,8 +3,11 @@
 #include <fstream>
 
 #include "framework/errors.hpp"
+#include "problems/initializers/bow.hpp"
+#include "problems/initializers/coordinate_circle.hpp"
 #include "problems/initializers/dijkstra.hpp"
 #include "problems/manifolds/mesh.hpp"
+#include "problems/manifolds/parametric.hpp"
 #include "problems/readers/waypoint_reader.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
@@ -76,6 +79,35 @@ TEST_CASE("initializer contract: straight", "[contract]") {
   for (const Problem& problem : problems_in_plane()) check_initializer_contract(StraightInitializer(), problem);
   check_initializer_contract(StraightInitializer(), problems_on_mesh().front());
   CHECK_THROWS_AS(StraightInitializer().first_path(closed(space(2), make_euclidean_cost(2)), {}), InitializationError);
+}
+
+TEST_CASE("initializer contract: bow", "[contract]") {
+  const BowInitializer bow({GENERATE(0.1, 0.5), GENERATE(0.0, 120.0, 180.0)});
+  const auto ends = [](int d) { return std::pair(Eigen::VectorXd::Zero(d), Eigen::VectorXd::Ones(d)); };
+  for (const int d : {2, 3, 7}) {
+    const auto [a, b] = ends(d);
+    check_initializer_contract(bow, between(space(d), make_euclidean_cost(d), a, b));
+  }
+  check_initializer_contract(bow, problems_on_mesh().front());
+}
+
+TEST_CASE("initializer contract: coordinate_circle", "[contract]") {
+  ParametricOptions surface;
+  surface.type = "moebius_strip";
+  const Problem strip = closed(make_parametric_manifold(surface), make_euclidean_cost(3));
+  const Problem torus = closed(make_parametric_manifold([] {
+                                 ParametricOptions o;
+                                 o.type = "torus";
+                                 return o;
+                               }()),
+                               make_euclidean_cost(3));
+  check_initializer_contract(CoordinateCircleInitializer({1, Eigen::Vector2d(0.3, 0.1), 1}), torus);
+  check_initializer_contract(CoordinateCircleInitializer({0, Eigen::Vector2d(0.3, 0), 1}), strip);
+  check_initializer_contract(CoordinateCircleInitializer({0, Eigen::Vector2d(0.3, 0.2), 2}), strip);
+  // Off the middle one turn ends on the other side of the strip.
+  CHECK_THROWS_WITH(CoordinateCircleInitializer({0, Eigen::Vector2d(0.3, 0.2), 1}).first_path(strip, {}),
+                    Catch::Contains("even number of turns"));
+  CHECK_THROWS_AS(CoordinateCircleInitializer({1, Eigen::Vector2d(0.3, 0), 1}).first_path(strip, {}), OptionError);
 }
 
 TEST_CASE("initializer contract: dijkstra", "[contract]") {

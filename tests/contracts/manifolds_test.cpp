@@ -3,6 +3,7 @@
 #include "framework/errors.hpp"
 #include "problems/manifolds/euclidean.hpp"
 #include "problems/manifolds/mesh.hpp"
+#include "problems/manifolds/parametric.hpp"
 #include "tests/contracts/manifold_contract.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/compose.hpp"
@@ -57,6 +58,63 @@ TEST_CASE("manifold contract: mesh, cube", "[contract]") { check_manifold_contra
 TEST_CASE("manifold contract: mesh, sphere", "[contract]") { check_manifold_contract(mesh_case(sphere(3))); }
 TEST_CASE("manifold contract: mesh with a border", "[contract]") {
   check_manifold_contract(mesh_case(grid(6, 3, Closing::kRound, false)));
+}
+
+/// Derivatives of the embedding against differences, and every seam against the embedding.
+void check_chart(const ParametricManifold& manifold, const Points& points) {
+  const CoordinatePath path{points, {}, true};
+  Points x, j, h, plus, minus;
+  manifold.embed(path, x);
+  manifold.jacobians(path, j);
+  const double size = x.cwiseAbs().maxCoeff(), step = 1e-4;
+  const Points weights = Points::Ones(3, points.cols());
+  manifold.curvatures(path, weights, h);
+  for (int k = 0; k < 2; ++k) {
+    CoordinatePath ahead = path, behind = path;
+    ahead.u.row(k).array() += step;
+    behind.u.row(k).array() -= step;
+    manifold.embed(ahead, plus);
+    manifold.embed(behind, minus);
+    for (Index i = 0; i < points.cols(); ++i) {
+      CHECK(((plus - minus).col(i) / (2 * step) - j.col(2 * i + k)).norm() <= 100 * step * step * size);
+      const double bend = (plus + minus - 2 * x).col(i).sum() / (step * step);
+      CHECK(std::abs(bend - h(k, 2 * i + k)) <= 100 * (step * step + 1e-15 / (step * step)) * size);
+      CHECK(h(0, 2 * i + 1) == Approx(h(1, 2 * i)).margin(1e-12 * size));
+    }
+  }
+  for (std::size_t s = 0; s < manifold.seams().size(); ++s) {
+    const SeamMap map = seam_map(
+        manifold.seams(), 2, Eigen::VectorXi::Unit(static_cast<Index>(manifold.seams().size()), static_cast<Index>(s)));
+    for (Index i = 0; i < points.cols(); ++i) {
+      const CoordinatePath image{map.apply(points.col(i)), {}, true};
+      manifold.embed(image, plus);
+      CHECK((plus - x.col(i)).norm() <= 1e-13 * size);
+      CHECK((map.undo(image.u) - points.col(i)).norm() <= 1e-13 * size);
+    }
+  }
+}
+
+TEST_CASE("manifold contract: parametric", "[contract]") {
+  ParametricOptions options;
+  options.type = GENERATE("plane", "sphere", "ellipsoid", "torus", "cylinder", "cone", "catenoid", "paraboloid",
+                          "hyperboloid", "klein_bottle", "moebius_strip", "spiral", "enneper", "formula");
+  CAPTURE(options.type);
+  options.x = "u * cos(v)";
+  options.y = "u * sin(v)";
+  options.z = "exp(-u^2)";
+  options.box.lower = Eigen::Vector2d(-2, -1.5);
+  options.box.upper = Eigen::Vector2d(2, 1.5);
+  const auto manifold = make_parametric_manifold(options);
+  ManifoldCase c{
+      .manifold = manifold,
+      .near = [](Random& random) -> Eigen::VectorXd { return Eigen::Vector2d(0.2, 0.6) + 0.9 * random.vector(2); },
+      .size = 4};
+  for (const double off : {0.0, 1e-8, -1e-8}) c.special.emplace_back(Eigen::Vector2d(2 + off, 0.1));
+  check_manifold_contract(c);
+  Random random;
+  Points points(2, 6);
+  for (Index i = 0; i < points.cols(); ++i) points.col(i) = c.near(random);
+  check_chart(*manifold, points);
 }
 
 // The helpers of the tests must keep the contract as well, or what is tested with them means nothing.

@@ -75,6 +75,9 @@ TEST_CASE("chain system: negative eigenvalues of indefinite matrices, and factor
     const Index expected = negatives(dense(system));
     CHECK(system.negative_eigenvalues() == expected);
     CHECK(system.factor() == (expected == 0));
+    const Eigen::VectorXd down = system.negative_direction();
+    CHECK((down.size() > 0) == (expected > 0));
+    if (down.size() > 0) CHECK(down.dot(dense(system) * down) < 0);
   }
 }
 

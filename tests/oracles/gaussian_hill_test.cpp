@@ -41,6 +41,20 @@ TEST_CASE("D3: around the hill on either side", "[oracle]") {
   CHECK(apex == Approx(1.460981078).margin(36.0 / (n * n)));
 }
 
+TEST_CASE("D3: from the straight line over the top, escape_saddle finds a way around the hill", "[oracle]") {
+  const Newton newton;
+  FindOptions options;
+  options.points = 31;
+  options.certifier = &newton;
+  options.escape_saddle = true;
+  const Result result = find_path(over_the_hill(), StraightInitializer(), newton, options);
+  const CostEstimate& e = result.certificate.estimate;
+  CAPTURE(failures(result.certificate), result.solve.iterations);
+  CHECK(result.status == Status::certified);
+  CHECK(result.certificate.index.verdict == IndexVerdict::minimum);
+  CHECK(std::abs(e.value - 6.030127200428) <= std::max(e.error, 1e-12 * e.value));
+}
+
 TEST_CASE("D3: the straight line over the top is refused as a saddle", "[oracle]") {
   const int n = GENERATE(15, 31, 64);
   const Result result = find(over_the_hill(), n);

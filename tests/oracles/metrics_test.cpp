@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "framework/segment_cost_function.hpp"
+#include "problems/costs/metric_field.hpp"
 #include "problems/costs/metric_tensor.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
@@ -18,48 +19,13 @@ S outside_is_infinite(const S& inside, const S& q) {
   return innermost(inside) > 0 ? q : S(std::numeric_limits<double>::infinity());
 }
 
-struct HalfPlane {
-  static constexpr int dim = 2;
-  CostTraits traits() const { return {.unit = "hyperbolic length"}; }
-  template <class S>
-  S value(const Point<S, 2>& a, const Point<S, 2>& b) const {
-    const S y = (a[1] + b[1]) * 0.5;
-    return outside_is_infinite(y, S((b - a).squaredNorm() / (y * y)));
-  }
-};
-
-struct FisherRao {  // normal distributions (mean, deviation)
-  static constexpr int dim = 2;
-  CostTraits traits() const { return {.unit = "Fisher-Rao length"}; }
-  template <class S>
-  S value(const Point<S, 2>& a, const Point<S, 2>& b) const {
-    const S deviation = (a[1] + b[1]) * 0.5, mean = b[0] - a[0], change = b[1] - a[1];
-    return outside_is_infinite(deviation, S((mean * mean + 2 * change * change) / (deviation * deviation)));
-  }
-};
-
-struct PoincareDisc {
-  static constexpr int dim = 2;
-  CostTraits traits() const { return {.unit = "hyperbolic length"}; }
-  template <class S>
-  S value(const Point<S, 2>& a, const Point<S, 2>& b) const {
-    const Point<S, 2> middle = (a + b) * S(0.5);
-    const S inside = S(1.0) - middle.squaredNorm();
-    return outside_is_infinite(inside, S(4 * (b - a).squaredNorm() / (inside * inside)));
-  }
-};
-
-struct PullBack {  // M = J'J, phi = (x + 0.3 sin y, y + 0.2 x^2)
-  static constexpr int dim = 2;
-  CostTraits traits() const { return {.unit = "length of the image"}; }
-  template <class S>
-  S value(const Point<S, 2>& a, const Point<S, 2>& b) const {
-    using std::cos;
-    const Point<S, 2> middle = (a + b) * S(0.5), d = b - a;
-    const S first = d[0] + 0.3 * cos(middle[1]) * d[1], second = 0.4 * middle[0] * d[0] + d[1];
-    return first * first + second * second;
-  }
-};
+/// A metric of the library.
+std::shared_ptr<const SegmentCost> field(const char* type, std::vector<std::string> entries = {}, int dim = 2) {
+  MetricFieldOptions options;
+  options.type = type;
+  options.entries = std::move(entries);
+  return make_metric_field_cost(options, dim);
+}
 
 struct PowerLaw {  // index of refraction y^k
   static constexpr int dim = 2;
@@ -102,9 +68,14 @@ struct Wind {  // air speed 1, wind (0.4, 0.3): Zermelo, ORACLES D5
   }
 };
 
+Result find_in_plane(std::shared_ptr<const SegmentCost> cost, const Eigen::Vector2d& source,
+                     const Eigen::Vector2d& target, int n) {
+  return find(between(space(2), std::move(cost), source, target), n);
+}
+
 template <class Cost>
 Result find_in_plane(const Cost& cost, const Eigen::Vector2d& source, const Eigen::Vector2d& target, int n) {
-  return find(between(space(2), make_segment_cost(cost), source, target), n);
+  return find_in_plane(make_segment_cost(cost), source, target, n);
 }
 
 /// Certified, and the truth lies within the error bar, which is not simply wide.
@@ -120,10 +91,53 @@ void check_covers(const Result& result, double truth, double widest = 0.02) {
 
 TEST_CASE("D3: hyperbolic, information and pull-back metrics", "[oracle]") {
   const int n = GENERATE(12, 31, 64, 127);
-  SECTION("half-plane") { check_covers(find_in_plane(HalfPlane{}, {0, 1}, {2, 3}, n), 1.49099630899480838); }
-  SECTION("Fisher-Rao") { check_covers(find_in_plane(FisherRao{}, {0, 1}, {1, 2}, n), 1.18938093140641183); }
-  SECTION("Poincare") { check_covers(find_in_plane(PoincareDisc{}, {0.1, -0.3}, {-0.5, 0.6}, n), 2.72574840436481329); }
-  SECTION("pull-back") { check_covers(find_in_plane(PullBack{}, {-1, -1}, {1, 2}, n), 3.92132492874104357); }
+  const auto half_plane = field("half_plane"), by_formula = field("formula", {"1 / y^2", "0", "1 / y^2"});
+  SECTION("half-plane") { check_covers(find_in_plane(half_plane, {0, 1}, {2, 3}, n), 1.49099630899480838); }
+  SECTION("half-plane by formulas") { check_covers(find_in_plane(by_formula, {0, 1}, {2, 3}, n), 1.49099630899480838); }
+  SECTION("Fisher-Rao") { check_covers(find_in_plane(field("fisher_rao"), {0, 1}, {1, 2}, n), 1.18938093140641183); }
+  SECTION("Poincare") {
+    check_covers(find_in_plane(field("poincare_disc"), {0.1, -0.3}, {-0.5, 0.6}, n), 2.72574840436481329);
+  }
+  SECTION("pull-back") {  // M = J'J, phi = (x + 0.3 sin y, y + 0.2 x^2)
+    const auto pull_back = field("formula", {"1 + (0.4 * x)^2", "0.3 * cos(y) + 0.4 * x", "(0.3 * cos(y))^2 + 1"});
+    check_covers(find_in_plane(pull_back, {-1, -1}, {1, 2}, n), 3.92132492874104357);
+  }
+}
+
+TEST_CASE("D3: the value of a smooth curve is good to 1e-8 at 200 points", "[oracle]") {
+  const auto value = [](const Result& r) { return r.certificate.estimate.value; };
+  CHECK(value(find_in_plane(field("half_plane"), {0, 1}, {2, 3}, 199)) == Approx(1.49099630899480838).epsilon(1e-8));
+  CHECK(value(find_in_plane(field("fisher_rao"), {0, 1}, {1, 2}, 199)) == Approx(1.18938093140641183).epsilon(1e-8));
+  CHECK(value(find_in_plane(field("poincare_disc"), {0.1, -0.3}, {-0.5, 0.6}, 199)) ==
+        Approx(2.72574840436481329).epsilon(1e-8));
+}
+
+TEST_CASE("D3: symmetric positive definite matrices under the affine-invariant metric", "[oracle]") {
+  // tr((P^-1 dP)^2) for P = [x y; y z].
+  const auto cost = field("formula",
+                          {"z^2 / (x*z - y^2)^2", "-2*y*z / (x*z - y^2)^2", "y^2 / (x*z - y^2)^2",
+                           "2*(x*z + y^2) / (x*z - y^2)^2", "-2*x*y / (x*z - y^2)^2", "x^2 / (x*z - y^2)^2"},
+                          3);
+  const auto solve = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return find(between(space(3), cost, a, b), 199);
+  };
+  const Result diagonal = solve({1, 0, 2}, {3, 0, 0.5}), full = solve({2, 0.5, 1}, {1, -0.3, 3});
+  check_covers(diagonal, 1.76883040919286202);
+  check_covers(full, 1.5426995089660);
+  CHECK(diagonal.certificate.estimate.value == Approx(1.76883040919286202).epsilon(1e-8));
+  CHECK(full.certificate.estimate.value == Approx(1.5426995089660).epsilon(1e-8));
+}
+
+TEST_CASE("D3: both readings of T and both rules agree where they must", "[oracle]") {
+  const int n = 64;
+  MetricFieldOptions options;
+  options.rule = GENERATE("midpoint", "average");
+  options.reading = "root";  // 1 / y is a root of 1 / y^2
+  options.entries = {"1 / y", "0", "1 / y"};
+  check_covers(find_in_plane(make_metric_field_cost(options, 2), {0, 1}, {2, 3}, n), 1.49099630899480838);
+  options.reading = "metric";
+  options.entries = {"1 / y^2", "0", "1 / y^2"};
+  check_covers(find_in_plane(make_metric_field_cost(options, 2), {0, 1}, {2, 3}, n), 1.49099630899480838);
 }
 
 TEST_CASE("D4: the power-law family", "[oracle]") {
@@ -168,8 +182,7 @@ TEST_CASE("D3: a half-plane geodesic under a lid hugs it", "[oracle]") {
   // Circles of radius 1.2 about points of y = 0 touch the lid y = 1.2; between them the path runs along it.
   const int n = GENERATE(31, 64);
   const auto lid = box(Eigen::Vector2d(-5, 0.1), Eigen::Vector2d(5, 1.2));
-  const Result result =
-      find(between(lid, make_segment_cost(HalfPlane{}), Eigen::Vector2d(0, 1), Eigen::Vector2d(2, 1)), n);
+  const Result result = find(between(lid, field("half_plane"), Eigen::Vector2d(0, 1), Eigen::Vector2d(2, 1)), n);
   const double truth = 2 * std::acosh(1.2) + (2 - 2 * std::sqrt(1.2 * 1.2 - 1)) / 1.2;
   const CostEstimate& e = result.certificate.estimate;
   CAPTURE(n, e.value, e.error, e.method, truth, failures(result.certificate));

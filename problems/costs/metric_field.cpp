@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/costs/metric_field.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "framework/errors.hpp"
+#include "framework/segment_cost_function.hpp"
+#include "problems/geometry/formula.hpp"
+
+namespace leastcost {
+namespace {
+
+template <class S, int D>
+using Tensor = Eigen::Matrix<S, D, D>;
+
+/// ds^2 = (dx^2 + dy^2) / y^2, y > 0.
+struct HalfPlane {
+  static constexpr int dim = 2;
+  static bool inside(const Point<double, 2>& x) { return x[1] > 0; }
+  template <class S>
+  Tensor<S, 2> operator()(const Point<S, 2>& x) const {
+    return Tensor<S, 2>::Identity() * (1.0 / (x[1] * x[1]));
+  }
+};
+
+/// ds^2 = 4 (dx^2 + dy^2) / (1 - x^2 - y^2)^2 in the unit disc.
+struct PoincareDisc {
+  static constexpr int dim = 2;
+  static bool inside(const Point<double, 2>& x) { return x.squaredNorm() < 1; }
+  template <class S>
+  Tensor<S, 2> operator()(const Point<S, 2>& x) const {
+    const S w = 1.0 - x[0] * x[0] - x[1] * x[1];
+    return Tensor<S, 2>::Identity() * (4.0 / (w * w));
+  }
+};
+
+/// ds^2 = (dmu^2 + 2 dsigma^2) / sigma^2, sigma > 0.
+struct FisherRao {
+  static constexpr int dim = 2;
+  static bool inside(const Point<double, 2>& x) { return x[1] > 0; }
+  template <class S>
+  Tensor<S, 2> operator()(const Point<S, 2>& x) const {
+    const S w = 1.0 / (x[1] * x[1]);
+    Tensor<S, 2> m;
+    m << w, S(0.0), S(0.0), 2.0 * w;
+    return m;
+  }
+};
+
+/// Upper triangle, row by row.
+template <int D>
+struct FormulaTensor {
+  static constexpr int dim = D;
+  Formulas entries;
+  static bool inside(const Point<double, D>&) { return true; }
+  template <class S>
+  Tensor<S, D> operator()(const Point<S, D>& x) const {
+    std::array<S, D*(D + 1) / 2> upper;
+    entries.evaluate<S>({x.data(), D}, upper);
+    Tensor<S, D> m;
+    std::size_t k = 0;
+    for (int i = 0; i < D; ++i)
+      for (int j = i; j < D; ++j) m(i, j) = m(j, i) = upper[k++];
+    return m;
+  }
+};
+
+/// Whether m is positive definite; then its upper triangle becomes the U of m = U'U.
+template <class S, int D>
+bool root(Tensor<S, D>& m) {
+  using std::sqrt;
+  for (int i = 0; i < D; ++i) {
+    for (int k = 0; k < i; ++k) m(i, i) -= m(k, i) * m(k, i);
+    if (!(innermost(m(i, i)) > 0)) return false;
+    m(i, i) = sqrt(m(i, i));
+    for (int j = i + 1; j < D; ++j) {
+      for (int k = 0; k < i; ++k) m(i, j) -= m(k, i) * m(k, j);
+      m(i, j) /= m(i, i);
+    }
+  }
+  return true;
+}
+
+template <class Field>
+struct MetricField {
+  static constexpr int dim = Field::dim;
+  Field field;
+  bool is_root = false;     ///< T is a root of the metric
+  bool is_average = false;  ///< T is the mean of both ends
+
+  CostTraits traits() const { return {.unit = "length", .symmetric = true}; }
+
+  /// r with |r|^2 = q; infinite outside the domain.
+  template <class S>
+  Point<S, dim> residual(const Point<S, dim>& a, const Point<S, dim>& b) const {
+    Point<S, dim> d = b - a;
+    const Point<S, dim> middle = 0.5 * (a + b);
+    Tensor<S, dim> t = is_average ? Tensor<S, dim>(0.5 * (field(a) + field(b))) : field(middle);
+    if (inside(a) && inside(middle) && inside(b)) {
+      if (is_root) return t * d;
+      if (root<S, dim>(t)) {
+        for (int i = 0; i < dim; ++i) {
+          d[i] *= t(i, i);
+          for (int j = i + 1; j < dim; ++j) d[i] += t(i, j) * d[j];
+        }
+        return d;
+      }
+    }
+    return Point<S, dim>::Constant(S(std::numeric_limits<double>::infinity()));
+  }
+
+  template <class S>
+  S value(const Point<S, dim>& a, const Point<S, dim>& b) const {
+    return residual<S>(a, b).squaredNorm();
+  }
+
+  double line_element(const Eigen::VectorXd& x, const Eigen::VectorXd& v) const {
+    const Point<double, dim> p = x;
+    if (!Field::inside(p)) return std::numeric_limits<double>::infinity();
+    const Tensor<double, dim> t = field(p);
+    const double q = is_root ? (t * v).squaredNorm() : v.dot(t * v);
+    return q >= 0 ? std::sqrt(q) : std::numeric_limits<double>::infinity();
+  }
+
+ private:
+  template <class S>
+  static bool inside(const Point<S, dim>& x) {
+    Point<double, dim> p;
+    for (int i = 0; i < dim; ++i) p[i] = innermost(x[i]);
+    return Field::inside(p);
+  }
+};
+
+template <class Field>
+std::shared_ptr<const SegmentCost> lifted(Field field, const MetricFieldOptions& o, int dim) {
+  if (dim != Field::dim)
+    throw OptionError("field", "this metric lives in dimension " + std::to_string(Field::dim) +
+                                   ", the ambient space has " + std::to_string(dim));
+  return make_segment_cost(MetricField<Field>{std::move(field), o.reading == "root", o.rule == "average"});
+}
+
+template <int D>
+std::shared_ptr<const SegmentCost> by_formulas(const MetricFieldOptions& o) {
+  constexpr std::size_t kEntries = D * (D + 1) / 2;
+  if (o.entries.size() != kEntries)
+    throw OptionError("field.entries", "a symmetric " + std::to_string(D) + " x " + std::to_string(D) + " tensor has " +
+                                           std::to_string(kEntries) +
+                                           " entries on and above the diagonal, row by row; these are " +
+                                           std::to_string(o.entries.size()));
+  return lifted(FormulaTensor<D>{formulas_of_option("field.entries", o.entries, coordinate_names(D), o.parameters)}, o,
+                D);
+}
+
+}  // namespace
+
+void MetricFieldOptions::fields(FieldVisitor& visit) {
+  visit.group("field", {.help = "The tensor T(x): a name, or formulas in the coordinates.", .required = true},
+              [this](FieldVisitor& v) {
+                v.choice("type", type, {"half_plane", "poincare_disc", "fisher_rao", "formula"},
+                         {.help = "Name of the metric, or formula.", .required = true});
+                if (type != "formula") return;
+                v.field("entries", entries,
+                        {.help = "Entries on and above the diagonal, row by row, like [\"1 + x^2\", \"0\", \"1\"]."});
+                v.field("parameters", parameters, {.help = "Numbers that the formulas may name, like {a: 2, b: 1}."});
+              });
+  visit.choice("reading", reading, {"metric", "root"},
+               {.help = "T is the metric, c = sqrt(d' T d) (VFCS Eq. 1), or a root of it, c = |T d| (VFCS Sec. 4.5)."});
+  visit.choice("rule", rule, {"midpoint", "average"},
+               {.help = "T in the middle of a segment, or the mean of its ends (VFCS Sec. 4.5)."});
+}
+
+std::shared_ptr<const SegmentCost> make_metric_field_cost(const MetricFieldOptions& options, int dim) {
+  if (options.type == "half_plane") return lifted(HalfPlane{}, options, dim);
+  if (options.type == "poincare_disc") return lifted(PoincareDisc{}, options, dim);
+  if (options.type == "fisher_rao") return lifted(FisherRao{}, options, dim);
+  if (dim == 2) return by_formulas<2>(options);
+  if (dim == 3) return by_formulas<3>(options);
+  throw OptionError("field", "formulas describe metrics of spaces of dimension 2 and 3, not " + std::to_string(dim));
+}
+
+}  // namespace leastcost

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "framework/options.hpp"
+#include "framework/segment_cost.hpp"
+
+namespace leastcost {
+
+struct MetricFieldOptions {
+  std::string type = "formula";
+  std::vector<std::string> entries;          ///< formula: upper triangle of the tensor, row by row
+  std::map<std::string, double> parameters;  ///< formula
+  std::string reading = "metric";
+  std::string rule = "midpoint";
+  void fields(FieldVisitor& visit);
+};
+
+/// Length under a metric tensor that depends on the place, in an ambient space of dimension 2 or 3: half-plane, Poincare disc, Fisher-Rao
+/// metric of the normal distributions (mu, sigma), or formulas. On a surface it is the metric induced on the tangent planes.
+///
+/// The paper uses T both as the metric, VFCS Eq. (1), and as a root of it, Sec. 4.5: `reading: metric` is c = sqrt(d' T d), `reading: root`
+/// is c = |T d|, d = b - a. T is taken in the middle of the segment, or as the mean of both ends (`rule: average`, VFCS Sec. 4.5); both have order
+/// 2. +infinity where an end or the middle lies outside the domain of the metric, or where T is not positive definite. Throws OptionError.
+std::shared_ptr<const SegmentCost> make_metric_field_cost(const MetricFieldOptions& options, int dim);
+
+}  // namespace leastcost

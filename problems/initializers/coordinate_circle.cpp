@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/initializers/coordinate_circle.hpp"
+
+#include <string>
+#include <utility>
+
+#include "framework/errors.hpp"
+#include "problems/geometry/seams.hpp"
+
+namespace leastcost {
+namespace {
+
+constexpr int kPointsPerTurn = 64;
+
+/// Which seam the coordinate crosses.
+Index seam_of(const std::vector<Seam>& seams, int coordinate) {
+  for (std::size_t s = 0; s < seams.size(); ++s)
+    if (seams[s].coordinate == coordinate) return static_cast<Index>(s);
+  throw OptionError("coordinate", "coordinate " + std::to_string(coordinate) + " of this chart does not come back");
+}
+
+}  // namespace
+
+void CoordinateCircleOptions::fields(FieldVisitor& visit) {
+  visit.field("coordinate", coordinate, {.help = "The coordinate that runs around, from 0.", .minimum = 0});
+  visit.field("through", through,
+              {.help = "A point of the circle, in the coordinates of the chart.", .required = true});
+  visit.field("turns", turns, {.help = "How many times it runs around.", .minimum = 1, .maximum = 1000});
+}
+
+CoordinateCircleInitializer::CoordinateCircleInitializer(CoordinateCircleOptions options)
+    : options_(std::move(options)) {}
+
+FirstPath CoordinateCircleInitializer::first_path(const Problem& problem, const Monitor&) const {
+  const auto* domain = dynamic_cast<const HasSeams*>(problem.manifold.get());
+  if (!problem.ring) throw InitializationError("a coordinate circle is a ring (path.ring: true)");
+  if (domain == nullptr) throw InitializationError("a coordinate circle needs a chart with seams");
+  const int d = problem.manifold->dimensions().coordinate;
+  if (options_.through.size() != d)
+    throw OptionError("through",
+                      std::to_string(options_.through.size()) + " coordinates, the chart has " + std::to_string(d));
+  const Index seam = seam_of(domain->seams(), options_.coordinate);
+  Eigen::VectorXi windings = Eigen::VectorXi::Zero(static_cast<Index>(domain->seams().size()));
+  windings[seam] = options_.turns;
+  FirstPath first;
+  const Index count = kPointsPerTurn * options_.turns;
+  first.path = {options_.through.replicate(1, count), {}, true, seam_map(domain->seams(), d, windings)};
+  const double step = domain->seams()[static_cast<std::size_t>(seam)].period / kPointsPerTurn;
+  for (Index i = 0; i < count; ++i) first.path.u(options_.coordinate, i) += step * static_cast<double>(i);
+  Eigen::VectorXd end = options_.through;
+  end[options_.coordinate] += step * static_cast<double>(count);
+  if ((first.path.column(count) - end).norm() > 1e-9 * (1 + end.norm()))
+    throw InitializationError(
+        "the circle does not close: crossing the seam turns another coordinate over; start where that one is 0, or "
+        "take "
+        "an even number of turns");
+  return first;
+}
+
+}  // namespace leastcost
