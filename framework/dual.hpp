@@ -137,9 +137,63 @@ Dual<S, N> atan(const Dual<S, N>& x) {
   return compose(x, S(atan(x.value)), S(1.0) / (S(1.0) + x.value * x.value));
 }
 template <class S, int N>
+Dual<S, N> tan(const Dual<S, N>& x) {
+  using std::tan;
+  const S t = tan(x.value);
+  return compose(x, t, S(1.0) + t * t);
+}
+template <class S, int N>
+Dual<S, N> asin(const Dual<S, N>& x) {
+  using std::asin, std::sqrt;
+  return compose(x, S(asin(x.value)), S(1.0) / S(sqrt((S(1.0) - x.value) * (S(1.0) + x.value))));
+}
+template <class S, int N>
+Dual<S, N> acos(const Dual<S, N>& x) {
+  using std::acos, std::sqrt;
+  return compose(x, S(acos(x.value)), S(-1.0) / S(sqrt((S(1.0) - x.value) * (S(1.0) + x.value))));
+}
+
+/// f(x, y) from f and its partial derivatives at the values.
+template <class S, int N>
+Dual<S, N> compose(const Dual<S, N>& x, const Dual<S, N>& y, const S& f, const S& fx, const S& fy) {
+  Dual<S, N> r;
+  r.value = f;
+  for (int k = 0; k < N; ++k) r.d[k] = fx * x.d[k] + fy * y.d[k];
+  return r;
+}
+
+template <class S, int N>
+Dual<S, N> atan2(const Dual<S, N>& y, const Dual<S, N>& x) {
+  using std::atan2;
+  const S r2 = x.value * x.value + y.value * y.value;
+  return compose(y, x, S(atan2(y.value, x.value)), S(x.value / r2), S(-y.value / r2));
+}
+template <class S, int N>
+Dual<S, N> hypot(const Dual<S, N>& x, const Dual<S, N>& y) {
+  using std::hypot;
+  if (innermost(x) == 0 && innermost(y) == 0 && is_constant(x) && is_constant(y)) return Dual<S, N>(0.0);
+  const S h = hypot(x.value, y.value);
+  return compose(x, y, h, S(x.value / h), S(y.value / h));
+}
+template <class S, int N>
 Dual<S, N> pow(const Dual<S, N>& x, double p) {
   using std::pow;
   return compose(x, S(pow(x.value, p)), S(p) * S(pow(x.value, p - 1)));
+}
+/// A constant exponent, also one that only happens to be a dual, leaves x free to be negative.
+template <class S, int N>
+Dual<S, N> pow(const Dual<S, N>& x, const Dual<S, N>& p) {
+  using std::log, std::pow;
+  if (is_constant(p)) return pow(x, innermost(p));
+  const S power = pow(x.value, p.value);
+  const S by_exponent = innermost(power) == 0 ? S(0.0) : S(power * log(x.value));  // x^p log x -> 0 with x, p > 0
+  return compose(x, p, power, S(p.value * pow(x.value, S(p.value - S(1.0)))), by_exponent);
+}
+template <class S, int N>
+Dual<S, N> pow(double x, const Dual<S, N>& p) {
+  using std::log, std::pow;
+  const S power = pow(x, p.value);
+  return compose(p, power, innermost(power) == 0 ? S(0.0) : S(power * S(std::log(x))));
 }
 template <class S, int N>
 Dual<S, N> abs(const Dual<S, N>& x) {

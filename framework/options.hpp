@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <functional>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -42,6 +43,10 @@ class FieldVisitor {
   virtual void field(std::string_view key, Eigen::VectorXd& value, const FieldDoc& doc) = 0;
   /// A matrix: a list of rows of equal length. An empty one counts as absent.
   virtual void field(std::string_view key, Eigen::MatrixXd& value, const FieldDoc& doc) = 0;
+  /// Numbers by name, {a: 2, b: 1}: the parameters of a formula. The names are free.
+  virtual void field(std::string_view key, std::map<std::string, double>& value, const FieldDoc& doc) = 0;
+  /// Texts: a list, or a single one. An empty list counts as absent.
+  virtual void field(std::string_view key, std::vector<std::string>& value, const FieldDoc& doc) = 0;
   /// One word out of `choices`.
   virtual void choice(std::string_view key, std::string& value, const std::vector<std::string>& choices,
                       const FieldDoc& doc) = 0;

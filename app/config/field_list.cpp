@@ -32,6 +32,12 @@ class FieldCollector final : public RunVisitor {
   void field(std::string_view key, Eigen::MatrixXd& value, const FieldDoc& doc) override {
     plain(key, value, FieldType::matrix, doc);
   }
+  void field(std::string_view key, std::map<std::string, double>& value, const FieldDoc& doc) override {
+    plain(key, value, FieldType::named_numbers, doc);
+  }
+  void field(std::string_view key, std::vector<std::string>& value, const FieldDoc& doc) override {
+    plain(key, value, FieldType::texts, doc);
+  }
   void choice(std::string_view key, std::string& value, const std::vector<std::string>& choices,
               const FieldDoc& doc) override {
     FieldInfo& info = add(key, FieldType::choice, doc);
@@ -100,6 +106,8 @@ std::string in_words(FieldType type) {
     case FieldType::text: return "text";
     case FieldType::numbers: return "list of numbers";
     case FieldType::matrix: return "list of rows of numbers";
+    case FieldType::named_numbers: return "block of names and numbers";
+    case FieldType::texts: return "text or list of texts";
     case FieldType::choice: return "one of";
     case FieldType::file: return "file";
     case FieldType::block: return "block";

@@ -16,6 +16,8 @@ enum class FieldType {
   text,
   numbers,
   matrix,
+  named_numbers,
+  texts,
   choice,
   file,
   block,

@@ -121,6 +121,42 @@ void OptionsReader::field(std::string_view key, Eigen::MatrixXd& value, const Fi
   value = matrix;
 }
 
+void OptionsReader::field(std::string_view key, std::map<std::string, double>& value, const FieldDoc& doc) {
+  const ConfigEntry* e = entry(key, doc);
+  if (e == nullptr) return;
+  if (!e->value.is_block())
+    return fault(key, e->value.place,
+                 "must be a block of names and numbers, like {a: 2, b: 1} (" + found(e->value) + ")");
+  value.clear();
+  for (const ConfigEntry& named : e->value.entries) {
+    if (is_note(named.key)) continue;
+    const std::string name = std::string(key) + "." + named.key;
+    const Place place = named.value.kind == ConfigNode::Kind::nothing ? named.place : named.value.place;
+    const Parsed<double> parsed = parse_double(named.value);
+    if (!parsed.value) {
+      fault(name, place, parsed.fault);
+      continue;
+    }
+    value[named.key] = *parsed.value;
+    check_range(name, named.value, *parsed.value, doc);
+  }
+}
+
+void OptionsReader::field(std::string_view key, std::vector<std::string>& value, const FieldDoc& doc) {
+  const ConfigEntry* e = entry(key, doc);
+  if (e == nullptr) return;
+  const bool list = e->value.is_list();
+  if (list && e->value.items.empty()) return fault(key, e->value.place, "must not be an empty list");
+  const std::vector<ConfigNode> items = list ? e->value.items : std::vector<ConfigNode>{e->value};
+  std::vector<std::string> texts;
+  for (const ConfigNode& item : items) {
+    const Parsed<std::string> parsed = parse_text(item);
+    if (!parsed.value) return fault(key, item.place, (list ? "has an entry that " : "") + parsed.fault);
+    texts.push_back(*parsed.value);
+  }
+  value = std::move(texts);
+}
+
 void OptionsReader::choice(std::string_view key, std::string& value, const std::vector<std::string>& choices,
                            const FieldDoc& doc) {
   const ConfigEntry* e = entry(key, doc);

@@ -51,6 +51,22 @@ void OptionsWriter::field(std::string_view key, Eigen::MatrixXd& value, const Fi
   add(key, std::move(rows));
 }
 
+void OptionsWriter::field(std::string_view key, std::map<std::string, double>& value, const FieldDoc&) {
+  if (value.empty()) return;
+  ConfigNode named;
+  named.kind = ConfigNode::Kind::block;
+  for (const auto& [name, number] : value) named.entries.push_back({name, {}, number_node(number)});
+  add(key, std::move(named));
+}
+
+void OptionsWriter::field(std::string_view key, std::vector<std::string>& value, const FieldDoc&) {
+  if (value.empty()) return;
+  ConfigNode list;
+  list.kind = ConfigNode::Kind::list;
+  for (const std::string& text : value) list.items.push_back(text_node(text));
+  add(key, std::move(list));
+}
+
 void OptionsWriter::choice(std::string_view key, std::string& value, const std::vector<std::string>&, const FieldDoc&) {
   add(key, text_node(value));
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ class OptionsWriter final : public RunVisitor {
   void field(std::string_view key, std::string& value, const FieldDoc& doc) override;
   void field(std::string_view key, Eigen::VectorXd& value, const FieldDoc& doc) override;
   void field(std::string_view key, Eigen::MatrixXd& value, const FieldDoc& doc) override;
+  void field(std::string_view key, std::map<std::string, double>& value, const FieldDoc& doc) override;
+  void field(std::string_view key, std::vector<std::string>& value, const FieldDoc& doc) override;
   void choice(std::string_view key, std::string& value, const std::vector<std::string>& choices,
               const FieldDoc& doc) override;
   void file(std::string_view key, std::string& value, const FieldDoc& doc) override;

@@ -29,6 +29,18 @@ Json ranged(const char* type, const FieldInfo& field) {
 
 Json list_of(Json items) { return {{"type", "array"}, {"minItems", 1}, {"items", std::move(items)}}; }
 
+Json named_numbers_schema(const FieldInfo& field) {
+  return {{"type", "object"},
+          {"patternProperties", {{"^x-", Json::object()}}},
+          {"additionalProperties", ranged("number", field)}};
+}
+
+/// A text, or several; any scalar is taken as it is written.
+Json texts_schema() {
+  const Json text = {{"type", {"string", "number", "boolean"}}};
+  return {{"anyOf", {text, list_of(text)}}};
+}
+
 /// Exactly one way to say where an end is.
 Json end_schema(const FieldInfo& field) {
   Json out = object_schema(field.children);
@@ -45,6 +57,8 @@ Json value_schema(const FieldInfo& field) {
     case FieldType::file: return {{"type", "string"}, {"minLength", 1}};
     case FieldType::numbers: return list_of(ranged("number", field));
     case FieldType::matrix: return list_of(list_of(ranged("number", field)));
+    case FieldType::named_numbers: return named_numbers_schema(field);
+    case FieldType::texts: return texts_schema();
     case FieldType::choice: return {{"enum", field.choices}};
     case FieldType::block: return object_schema(field.children);
     case FieldType::points: return {{"anyOf", {ranged("integer", field), {{"const", "auto"}}}}};

@@ -25,6 +25,8 @@ struct EveryField {
   std::string word = "a word";
   Eigen::VectorXd list;
   Eigen::MatrixXd matrix;
+  std::map<std::string, double> parameters;
+  std::vector<std::string> equations;
   std::string mode = "fast";
   std::string file;
   double inner = 1e-6;
@@ -38,6 +40,8 @@ struct EveryField {
     visit.field("word", word, {.help = "Text."});
     visit.field("list", list, {.help = "Numbers."});
     visit.field("matrix", matrix, {.help = "Rows."});
+    visit.field("parameters", parameters, {.help = "Numbers by name.", .minimum = -5});
+    visit.field("equations", equations, {.help = "Texts."});
     visit.choice("mode", mode, {"fast", "slow"}, {.help = "A choice."});
     visit.file("file", file, {.help = "A file."});
     visit.group("group", {.help = "A group."},
@@ -68,6 +72,10 @@ absent: 0
 word: "true"
 list: [0.1, .inf, -.inf, 1.0e+22]
 matrix: [[1, 2], [3, 4.5]]
+parameters:
+  a: 2
+  b_1: -0.5
+equations: ["x0^2 - 1", x1]
 mode: slow
 file: a/b.obj
 group:
@@ -88,6 +96,8 @@ TEST_CASE("options: every kind of field is read") {
   REQUIRE(o.list.size() == 4);
   CHECK(o.list[3] == 1e22);
   CHECK(o.matrix(1, 1) == 4.5);
+  CHECK(o.parameters == std::map<std::string, double>{{"a", 2}, {"b_1", -0.5}});
+  CHECK(o.equations == std::vector<std::string>{"x0^2 - 1", "x1"});
   CHECK(o.mode == "slow");
   CHECK(o.file == "a/b.obj");
   CHECK(o.inner == 0.3333333333333333);
@@ -126,16 +136,32 @@ TEST_CASE("options: a wrong value leaves the default and the others alone") {
 TEST_CASE("options: the same list describes them") {
   app::OptionsOf<EveryField> options;
   const std::vector<app::FieldInfo> fields = app::fields_of(options);
-  REQUIRE(fields.size() == 11);
+  REQUIRE(fields.size() == 13);
   CHECK(fields[1].type_in_words() == "whole number, at least 1 and at most 9");
   CHECK(fields[1].default_value == "3");
   CHECK(fields[2].type_in_words() == "number, greater than 0");
   CHECK(fields[2].unit == "length");
   CHECK(fields[3].default_value == "");
   CHECK(fields[4].default_value == "");
-  CHECK(fields[8].type_in_words() == "one of fast, slow");
-  REQUIRE(fields[10].children.size() == 1);
-  CHECK(fields[10].children[0].key == "inner");
+  CHECK(fields[8].type_in_words() == "block of names and numbers, at least -5");
+  CHECK(fields[9].type_in_words() == "text or list of texts");
+  CHECK(fields[10].type_in_words() == "one of fast, slow");
+  REQUIRE(fields[12].children.size() == 1);
+  CHECK(fields[12].children[0].key == "inner");
+}
+
+TEST_CASE("options: numbers by name and lists of texts, right and wrong") {
+  EveryField o;
+  REQUIRE(read("parameters: {x-note: why, a: 1}\nequations: x0 - 1\n", o) == "");
+  CHECK(o.parameters == std::map<std::string, double>{{"a", 1}});
+  CHECK(o.equations == std::vector<std::string>{"x0 - 1"});
+  const std::string errors = read("parameters:\n  a: two\n  b: -7\n  c:\nequations: []\n", o);
+  CHECK_THAT(errors, Contains("a.yaml:2:6: error: 'parameters.a' in it must be a finite number (found 'two')"));
+  CHECK_THAT(errors, Contains("a.yaml:3:6: error: 'parameters.b' in it must be at least -5 (found '-7')"));
+  CHECK_THAT(errors, Contains("a.yaml:4:3: error: 'parameters.c' in it must be a finite number (found nothing)"));
+  CHECK_THAT(errors, Contains("'equations' in it must not be an empty list"));
+  CHECK_THAT(read("parameters: [1, 2]\n", o), Contains("must be a block of names and numbers, like {a: 2, b: 1}"));
+  CHECK_THAT(read("equations: [x0, {a: 1}]\n", o), Contains("has an entry that must be text (found a block of keys)"));
 }
 
 TEST_CASE("suggestions: near words only") {

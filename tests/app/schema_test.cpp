@@ -88,7 +88,9 @@ class Validator {
           known = true;
           if (!valid(child, inner)) return false;
         }
-      if (!known && s.contains("additionalProperties") && s["additionalProperties"] == false) return false;
+      if (known || !s.contains("additionalProperties")) continue;
+      const Json& others = s["additionalProperties"];
+      if (others == false || (others.is_object() && !valid(child, others))) return false;
     }
     return true;
   }

@@ -67,6 +67,47 @@ TEST_CASE("dual numbers: elementary functions with two derivatives", "[framework
   }
 }
 
+TEST_CASE("dual numbers: inverse functions and powers", "[framework]") {
+  Random random;
+  for (const double x : {-0.8, 1e-8, 0.4, random.uniform(-0.9, 0.9)}) {
+    const double r = 1 / std::sqrt((1 - x) * (1 + x)), t = std::tan(x);
+    check(
+        "asin", [](auto y) { return asin(y); }, x, std::asin(x), r, x * r * r * r);
+    check(
+        "acos", [](auto y) { return acos(y); }, x, std::acos(x), -r, -x * r * r * r);
+    check(
+        "tan", [](auto y) { return tan(y); }, x, t, 1 + t * t, 2 * t * (1 + t * t));
+    const double e = std::pow(2.5, x), l = std::log(2.5);
+    check(
+        "power of a constant", [](auto y) { return pow(2.5, y); }, x, e, e * l, e * l * l);
+    check(
+        "constant power of a negative number", [](auto y) { return pow(y - 2, decltype(y)(3.0)); }, x,
+        std::pow(x - 2, 3), 3 * std::pow(x - 2, 2), 6 * (x - 2));
+  }
+  for (const double x : {0.4, 2.0, random.uniform(0.5, 3)}) {
+    const double p = std::pow(x, x), l = std::log(x) + 1;
+    check(
+        "x^x", [](auto y) { return pow(y, y); }, x, p, p * l, p * (l * l + 1 / x));
+  }
+  const Second zero = pow(Second(0.0), variable(2));  // no 0 * infinity
+  CHECK((innermost(zero) == 0 && zero.d[0].value == 0 && zero.d[0].d[0] == 0));
+}
+
+TEST_CASE("dual numbers: functions of two arguments, on a circle and on its radii", "[framework]") {
+  // atan2(r sin t, r cos t) = t and hypot(..) = r, in every quadrant.
+  for (const double t : {-3.0, -1.2, 0.3, 1.9}) {
+    check(
+        "angle", [](auto y) { return atan2(2 * sin(y), 2 * cos(y)); }, t, t, 1, 0);
+    check(
+        "radius", [](auto y) { return hypot(2 * sin(y), 2 * cos(y)); }, t, 2, 0, 0);
+    check(
+        "along the ray", [t](auto y) { return hypot(std::sin(t) * y, std::cos(t) * y); }, 1.7, 1.7, 1, 0);
+    check(
+        "across the ray", [t](auto y) { return atan2(std::sin(t) * y, std::cos(t) * y); }, 1.7, t, 0, 0);
+  }
+  CHECK(hypot(First(0.0), First(0.0)).d[0] == 0);
+}
+
 TEST_CASE("dual numbers: arithmetic", "[framework]") {
   const double x = 1.7;
   check(
