@@ -12,7 +12,9 @@
 #include "problems/initializers/straight.hpp"
 #include "problems/initializers/waypoints.hpp"
 #include "problems/kernels/kernels.hpp"
+#include "problems/manifolds/constraint.hpp"
 #include "problems/manifolds/euclidean.hpp"
+#include "problems/manifolds/implicit.hpp"
 #include "problems/manifolds/mesh.hpp"
 #include "problems/post_processors/straighten.hpp"
 #include "problems/post_processors/trace.hpp"
@@ -89,6 +91,12 @@ const auto& manifolds() {
           "mesh", "A triangle mesh in R^3, read from an OBJ, OFF, PLY or STL file.",
           [](const MeshManifoldOptions& o, const BuildContext& c) { return make_mesh_manifold(o, c.folder); })
           .providing(std::string(kMesh)),
+      plugin<ManifoldPlugin, ImplicitManifoldOptions>(
+          "implicit", "A surface f(x, y, z) = 0, or a curve f(x, y) = 0: by name or as a formula.",
+          [](const ImplicitManifoldOptions& o, const BuildContext&) { return make_implicit_manifold(o); }),
+      plugin<ManifoldPlugin, ConstraintManifoldOptions>(
+          "constraint", "The solutions of equations in R^n: formulas, the n-sphere, the rotations SO(3).",
+          [](const ConstraintManifoldOptions& o, const BuildContext&) { return make_constraint_manifold(o); }),
   };
   return all;
 }
