@@ -10,6 +10,7 @@
 #include "app/ends.hpp"
 #include "app/registry.hpp"
 #include "framework/errors.hpp"
+#include "problems/geometry/has_images.hpp"
 #include "problems/geometry/has_mesh.hpp"
 #include "problems/geometry/wound.hpp"
 #include "problems/initializers/bow.hpp"
@@ -18,11 +19,22 @@
 namespace leastcost::app {
 namespace {
 
+/// Where several points stand for the same, the path ends at the one nearest to its source.
+void take_nearest_image(Composition& out) {
+  const auto* domain = dynamic_cast<const HasImages*>(out.problem.manifold.get());
+  if (domain == nullptr) return;
+  const Eigen::VectorXd image = domain->nearest_image(out.target.end.u, out.source.end.u);
+  if (image == out.target.end.u) return;
+  out.target.end.u = image;
+  out.notes.emplace_back("the target was replaced by the image of it that is nearer to the source");
+}
+
 void place_ends(const RunConfig& config, Composition& out) {
   out.problem.ring = config.ring;
   if (config.ring) return;
   out.source = place_end(*out.problem.manifold, config.source, "ends.source");
   out.target = place_end(*out.problem.manifold, config.target, "ends.target");
+  take_nearest_image(out);
   out.problem.source = out.source.end;
   out.problem.target = out.target.end;
   if (out.problem.source.u == out.problem.target.u)

@@ -56,7 +56,11 @@ PlacedEnd at_point(const ConstraintManifold& manifold, const HasMesh* mesh, cons
                       fmt::format("{} coordinates, points of the manifold have {}", options.point.size(), wanted));
   if (!options.point.allFinite()) throw OptionError(path + ".point", "coordinates must be finite");
   PlacedEnd placed{options.point, {}, 0};
-  placed.end = project_end(manifold, options.point, &placed.moved);
+  try {
+    placed.end = project_end(manifold, options.point, &placed.moved);
+  } catch (const InputError& e) {
+    throw OptionError(path + ".point", e.what());
+  }
   const double tolerance = options.tolerance >= 0 ? options.tolerance : default_tolerance(mesh, options.point);
   if (placed.moved > tolerance) {
     throw OptionError(path + ".point",

@@ -15,7 +15,9 @@
 #include "problems/initializers/straight.hpp"
 #include "problems/initializers/waypoints.hpp"
 #include "problems/kernels/kernels.hpp"
+#include "problems/manifolds/constraint.hpp"
 #include "problems/manifolds/euclidean.hpp"
+#include "problems/manifolds/implicit.hpp"
 #include "problems/manifolds/mesh.hpp"
 #include "problems/manifolds/parametric.hpp"
 #include "problems/post_processors/straighten.hpp"
@@ -100,6 +102,12 @@ const auto& manifolds() {
           "parametric", "A surface x(u, v) in R^3, by name or by formulas; points are given in u and v.",
           [](const ParametricOptions& o, const BuildContext&) { return make_parametric_manifold(o); })
           .providing(std::string(kSeams)),
+      plugin<ManifoldPlugin, ImplicitManifoldOptions>(
+          "implicit", "A surface f(x, y, z) = 0, or a curve f(x, y) = 0: by name or as a formula.",
+          [](const ImplicitManifoldOptions& o, const BuildContext&) { return make_implicit_manifold(o); }),
+      plugin<ManifoldPlugin, ConstraintManifoldOptions>(
+          "constraint", "The solutions of equations in R^n: formulas, the n-sphere, the rotations SO(3).",
+          [](const ConstraintManifoldOptions& o, const BuildContext&) { return make_constraint_manifold(o); }),
   };
   return all;
 }

@@ -15,6 +15,11 @@ Points positions(const ConstraintManifold& manifold, const CoordinatePath& path)
   return x;
 }
 
+std::string reason_for_failure(const ConstraintManifold& manifold, const Eigen::VectorXd& x) {
+  const auto* domain = dynamic_cast<const ExplainsProjection*>(&manifold);
+  return domain == nullptr ? "" : ": " + domain->why_not_projected(x);
+}
+
 void prepare_like(const CoordinatePath& from, CoordinatePath& to) {
   to.u.resize(from.u.rows(), from.u.cols());
   to.ring = from.ring;

@@ -82,6 +82,16 @@ class HasPieces {
   virtual void into_pieces(const CoordinatePath& path, Points& vectors) const = 0;
 };
 
+/// Ability: the domain can say in words why a point has no nearest point on it.
+class ExplainsProjection {
+ public:
+  virtual ~ExplainsProjection() = default;
+  virtual std::string why_not_projected(const Eigen::VectorXd& x) const = 0;
+};
+
+/// ": " and the reason why x cannot be projected, where the domain knows it; else nothing.
+std::string reason_for_failure(const ConstraintManifold& manifold, const Eigen::VectorXd& x);
+
 /// Gives `to` the size, sites and fixed columns of `from`, for implementations of retract().
 void prepare_like(const CoordinatePath& from, CoordinatePath& to);
 

@@ -23,6 +23,15 @@ struct FieldDoc {
   bool required = false;
 };
 
+class FieldVisitor;
+
+/// One of several forms that a nested block can take, see FieldVisitor::variant().
+struct FieldVariant {
+  std::string type;
+  std::string_view help;                           ///< one sentence
+  std::function<void(FieldVisitor&)> fields = {};  ///< none: it has no options
+};
+
 /// Walks the options of one object. An options struct states its fields once,
 ///
 ///     struct LbfgsOptions {
@@ -54,6 +63,10 @@ class FieldVisitor {
   virtual void file(std::string_view key, std::string& value, const FieldDoc& doc) = 0;
   /// A nested block with fields of its own.
   virtual void group(std::string_view key, const FieldDoc& doc, const std::function<void(FieldVisitor&)>& body) = 0;
+  /// A nested block whose `type` says which fields it has: {type: torus, major_radius: 2}, or the word alone. An empty type counts as
+  /// absent.
+  virtual void variant(std::string_view key, std::string& type, const std::vector<FieldVariant>& variants,
+                       const FieldDoc& doc) = 0;
 };
 
 /// Options of a plug-in that has none.

@@ -35,7 +35,9 @@ PathEnd project_end(const ConstraintManifold& manifold, const Eigen::VectorXd& p
   if (!point.allFinite()) throw InputError("point " + text(point) + ": coordinates must be finite");
   CoordinatePath path{point, {}, true};
   const Projection projection = manifold.project(path);
-  if (!projection.failed.empty()) throw InputError("point " + text(point) + " has no nearest point on the domain");
+  if (!projection.failed.empty())
+    throw InputError("point " + text(point) + " has no nearest point on the domain" +
+                     reason_for_failure(manifold, point));
   if (moved) *moved = projection.moved;
   return {path.u.col(0), path.site(0)};
 }

@@ -55,7 +55,8 @@ CoordinatePath points_at(const Problem& problem, const ArcLength& curve, const C
   const Projection projection = problem.manifold->project(path);
   if (!projection.failed.empty())
     throw InitializationError("point " + std::to_string(projection.failed.front()) +
-                              " of the first path has no nearest point on the domain; give waypoints around it");
+                              " of the first path has no nearest point on the domain; give waypoints around it" +
+                              reason_for_failure(*problem.manifold, path.u.col(projection.failed.front())));
   if (!polyline.ring) {  // the ends are given, not found again
     path.u.col(0) = polyline.u.col(0);
     path.u.rightCols(1) = polyline.u.rightCols(1);

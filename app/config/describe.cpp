@@ -20,6 +20,15 @@ std::string facts(const FieldInfo& field) {
   return line;
 }
 
+void append_fields(const std::vector<FieldInfo>& fields, std::size_t indent, std::string& out);
+
+void append_types(const std::vector<FieldInfo>& types, std::size_t indent, std::string& out) {
+  for (const FieldInfo& type : types) {
+    out += fmt::format("{:{}}type {}: {}\n", "", indent, type.key, type.help);
+    append_fields(type.children, indent + 2, out);
+  }
+}
+
 void append_fields(const std::vector<FieldInfo>& fields, std::size_t indent, std::string& out) {
   std::size_t width = 0;
   for (const FieldInfo& field : fields) width = std::max(width, field.key.size());
@@ -27,6 +36,10 @@ void append_fields(const std::vector<FieldInfo>& fields, std::size_t indent, std
   for (const FieldInfo& field : fields) {
     out += fmt::format("{:{}}{:<{}}  {}\n", "", indent, field.key, width, facts(field));
     out += fmt::format("{:{}}{}\n", "", indent + width + 2, field.help);
+    if (field.type == FieldType::variant) {
+      append_types(field.children, indent + width + 2, out);
+      continue;
+    }
     const bool is_end = field.type == FieldType::end;
     if (!is_end || !end_described) append_fields(field.children, indent + width + 2, out);
     end_described = end_described || is_end;

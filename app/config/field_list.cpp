@@ -49,6 +49,22 @@ class FieldCollector final : public RunVisitor {
     block(key, doc, body);
   }
 
+  void variant(std::string_view key, std::string& type, const std::vector<FieldVariant>& variants,
+               const FieldDoc& doc) override {
+    FieldInfo& info = add(key, FieldType::variant, doc);
+    if (!doc.required) info.default_value = type;
+    for (const FieldVariant& v : variants) {
+      FieldCollector inner;
+      if (v.fields) v.fields(inner);
+      FieldInfo& form = info.children.emplace_back();
+      form.key = v.type;
+      form.type = FieldType::block;
+      form.help = v.help;
+      form.children = inner.take();
+      info.choices.push_back(v.type);
+    }
+  }
+
   void points(std::string_view key, PointCount& value, const FieldDoc& doc) override {
     add(key, FieldType::points, doc).default_value = std::to_string(value.count);
   }
@@ -111,6 +127,7 @@ std::string in_words(FieldType type) {
     case FieldType::choice: return "one of";
     case FieldType::file: return "file";
     case FieldType::block: return "block";
+    case FieldType::variant: return "a type, or a block with a type, of";
     case FieldType::points: return "whole number or auto";
     case FieldType::end: return "end of the path";
     case FieldType::plugin: return "a type, or a block with a type";
@@ -123,7 +140,7 @@ std::string in_words(FieldType type) {
 
 std::string FieldInfo::type_in_words() const {
   std::string words = in_words(type);
-  if (type == FieldType::choice) return words + " " + joined(choices);
+  if (type == FieldType::choice || type == FieldType::variant) return words + " " + joined(choices);
   FieldDoc doc;
   doc.minimum = minimum;
   doc.maximum = maximum;

@@ -21,6 +21,7 @@ enum class FieldType {
   choice,
   file,
   block,
+  variant,
   points,
   end,
   plugin,
@@ -36,7 +37,7 @@ struct FieldInfo {
   double minimum = 0, maximum = 0;  ///< infinite where there is no bound
   bool exclusive_minimum = false, required = false;
   std::vector<std::string> choices;
-  std::vector<FieldInfo> children;   ///< of a block or an end
+  std::vector<FieldInfo> children;   ///< of a block or an end; of a variant: one block per type
   const PluginKind* kind = nullptr;  ///< of plug-ins
 
   /// "integer, at least 1", "one of chute, midpoint".

@@ -36,6 +36,8 @@ class OptionsReader final : public RunVisitor {
               const FieldDoc& doc) override;
   void file(std::string_view key, std::string& value, const FieldDoc& doc) override;
   void group(std::string_view key, const FieldDoc& doc, const std::function<void(FieldVisitor&)>& body) override;
+  void variant(std::string_view key, std::string& type, const std::vector<FieldVariant>& variants,
+               const FieldDoc& doc) override;
 
   void points(std::string_view key, PointCount& value, const FieldDoc& doc) override;
   void end(std::string_view key, EndOptions& value, const FieldDoc& doc) override;
@@ -51,6 +53,8 @@ class OptionsReader final : public RunVisitor {
   void fault(std::string_view key, const Place& place, const std::string& message);
   void check_range(std::string_view key, const ConfigNode& node, double value, const FieldDoc& doc);
   bool read_numbers(std::string_view key, const ConfigNode& list, bool infinite, std::vector<double>& out);
+  const FieldVariant* find_variant(const ConfigEntry& e, const std::string& path,
+                                   const std::vector<FieldVariant>& variants);
   PluginChoice read_plugin(const ConfigNode& node, const Place& place, const std::string& path, const PluginKind& kind);
   const PluginEntry* find_type(const ConfigNode& node, const Place& place, const std::string& path,
                                const PluginKind& kind);

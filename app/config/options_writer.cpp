@@ -79,6 +79,16 @@ void OptionsWriter::group(std::string_view key, const FieldDoc& doc, const std::
   block(key, doc, body);
 }
 
+void OptionsWriter::variant(std::string_view key, std::string& type, const std::vector<FieldVariant>& variants,
+                            const FieldDoc&) {
+  if (type.empty()) return;
+  OptionsWriter inner(rename_);
+  inner.add("type", text_node(type));
+  for (const FieldVariant& v : variants)
+    if (v.type == type && v.fields) v.fields(inner);
+  add(key, inner.take());
+}
+
 void OptionsWriter::block(std::string_view key, const FieldDoc&, const std::function<void(RunVisitor&)>& body) {
   OptionsWriter inner(rename_);
   body(inner);

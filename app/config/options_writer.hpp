@@ -34,6 +34,8 @@ class OptionsWriter final : public RunVisitor {
               const FieldDoc& doc) override;
   void file(std::string_view key, std::string& value, const FieldDoc& doc) override;
   void group(std::string_view key, const FieldDoc& doc, const std::function<void(FieldVisitor&)>& body) override;
+  void variant(std::string_view key, std::string& type, const std::vector<FieldVariant>& variants,
+               const FieldDoc& doc) override;
 
   void points(std::string_view key, PointCount& value, const FieldDoc& doc) override;
   void end(std::string_view key, EndOptions& value, const FieldDoc& doc) override;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 
-// The part of OptionsReader that reads plug-ins and ends.
+// The part of OptionsReader that reads plug-ins, variants and ends.
 #include <fmt/format.h>
 
 #include "app/config/options_reader.hpp"
@@ -69,6 +69,48 @@ void OptionsReader::plugins(std::string_view key, PluginList& value, const Plugi
     const ConfigNode& item = e->value.items[i];
     value.choices.push_back(read_plugin(item, item.place, fmt::format("{}.{}", path(key), i), kind));
   }
+}
+
+const FieldVariant* OptionsReader::find_variant(const ConfigEntry& e, const std::string& path,
+                                                const std::vector<FieldVariant>& variants) {
+  std::vector<std::string> types;
+  for (const FieldVariant& v : variants) types.push_back(v.type);
+  const ConfigNode* type = &e.value;
+  if (e.value.is_block()) {
+    const ConfigEntry* named = e.value.find("type");
+    if (named == nullptr) {
+      errors_.error(e.place, fmt::format("missing key 'type' in {}: one of {}", path, joined(types)));
+      return nullptr;
+    }
+    type = &named->value;
+  }
+  if (!type->is_scalar()) {
+    errors_.error(type->place, fmt::format("'{}' must be a type or a block with a type, like {{type: {}}} ({})", path,
+                                           types.front(), found(*type)));
+    return nullptr;
+  }
+  for (const FieldVariant& v : variants)
+    if (v.type == type->text) return &v;
+  errors_.error(type->place, fmt::format("unknown type {} of {}{}; valid types: {}", in_quotes(type->text), path,
+                                         did_you_mean(type->text, types), joined(types)));
+  return nullptr;
+}
+
+void OptionsReader::variant(std::string_view key, std::string& type, const std::vector<FieldVariant>& variants,
+                            const FieldDoc& doc) {
+  const ConfigEntry* e = entry(key, doc);
+  const FieldVariant* chosen = e == nullptr ? nullptr : find_variant(*e, path(key), variants);
+  if (chosen == nullptr) return;
+  type = chosen->type;
+  ConfigNode options = e->value;
+  if (!options.is_block()) {  // the word alone
+    options = ConfigNode{};
+    options.kind = ConfigNode::Kind::block;
+  }
+  OptionsReader reader(options, path(key), e->place, errors_);
+  if (chosen->fields) chosen->fields(reader);
+  reader.known_.emplace_back("type");
+  reader.finish();
 }
 
 void OptionsReader::end(std::string_view key, EndOptions& value, const FieldDoc& doc) {

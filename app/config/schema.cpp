@@ -41,6 +41,24 @@ Json texts_schema() {
   return {{"anyOf", {text, list_of(text)}}};
 }
 
+/// A block whose `type` decides which options it has, or the word alone where no option is required.
+Json variant_schema(const std::vector<FieldInfo>& types) {
+  Json words = Json::array(), names = Json::array(), cases = Json::array();
+  for (const FieldInfo& type : types) {
+    Json then = object_schema(type.children);
+    then["properties"]["type"] = {{"const", type.key}, {"description", type.help}};
+    names.push_back(type.key);
+    if (!then.contains("required")) words.push_back(type.key);
+    cases.push_back(
+        {{"if", {{"properties", {{"type", {{"const", type.key}}}}}, {"required", {"type"}}}}, {"then", then}});
+  }
+  const Json block = {
+      {"type", "object"}, {"properties", {{"type", {{"enum", names}}}}}, {"required", {"type"}}, {"allOf", cases}};
+  Json out = Json::object();
+  out["anyOf"] = words.empty() ? Json::array({block}) : Json::array({{{"enum", words}}, block});
+  return out;
+}
+
 /// Exactly one way to say where an end is.
 Json end_schema(const FieldInfo& field) {
   Json out = object_schema(field.children);
@@ -61,6 +79,7 @@ Json value_schema(const FieldInfo& field) {
     case FieldType::texts: return texts_schema();
     case FieldType::choice: return {{"enum", field.choices}};
     case FieldType::block: return object_schema(field.children);
+    case FieldType::variant: return variant_schema(field.children);
     case FieldType::points: return {{"anyOf", {ranged("integer", field), {{"const", "auto"}}}}};
     case FieldType::end: return end_schema(field);
     case FieldType::plugin: return {{"$ref", definition(*field.kind)}};
@@ -94,22 +113,16 @@ Json object_schema(const std::vector<FieldInfo>& fields) {
   return out;
 }
 
-/// A block whose `type` decides which options it has, or the word alone where no option is required.
 Json plugin_schema(const PluginKind& kind) {
-  Json words = Json::array(), cases = Json::array();
+  std::vector<FieldInfo> types;
   for (const PluginEntry* plugin : kind.entries) {
-    Json then = object_schema(fields_of(*plugin->defaults()));
-    then["properties"]["type"] = {{"const", plugin->type}, {"description", plugin->summary}};
-    if (!then.contains("required")) words.push_back(plugin->type);
-    cases.push_back(
-        {{"if", {{"properties", {{"type", {{"const", plugin->type}}}}}, {"required", {"type"}}}}, {"then", then}});
+    FieldInfo& type = types.emplace_back();
+    type.key = plugin->type;
+    type.help = plugin->summary;
+    type.children = fields_of(*plugin->defaults());
   }
-  const Json block = {{"type", "object"},
-                      {"properties", {{"type", {{"enum", types_of(kind)}}}}},
-                      {"required", {"type"}},
-                      {"allOf", cases}};
   Json out = {{"description", kind.summary}};
-  out["anyOf"] = words.empty() ? Json::array({block}) : Json::array({{{"enum", words}}, block});
+  out.update(variant_schema(types));
   return out;
 }
 

@@ -29,6 +29,9 @@ struct EveryField {
   std::vector<std::string> equations;
   std::string mode = "fast";
   std::string file;
+  std::string shape;
+  double radius = 1;
+  Eigen::VectorXd axes;
   double inner = 1e-6;
 
   void fields(FieldVisitor& visit) {
@@ -44,6 +47,12 @@ struct EveryField {
     visit.field("equations", equations, {.help = "Texts."});
     visit.choice("mode", mode, {"fast", "slow"}, {.help = "A choice."});
     visit.file("file", file, {.help = "A file."});
+    visit.variant(
+        "shape", shape,
+        {{"ball", "Round.", [this](FieldVisitor& v) { v.field("radius", radius, {.help = "R.", .minimum = 0}); }},
+         {"brick", "Not round.", [this](FieldVisitor& v) { v.field("axes", axes, {.help = "A.", .required = true}); }},
+         {"point", "Neither."}},
+        {.help = "A shape."});
     visit.group("group", {.help = "A group."},
                 [this](FieldVisitor& v) { v.field("inner", inner, {.help = "Inside."}); });
   }
@@ -78,6 +87,9 @@ parameters:
 equations: ["x0^2 - 1", x1]
 mode: slow
 file: a/b.obj
+shape:
+  type: brick
+  axes: [1, 2]
 group:
   inner: 0.3333333333333333
 )";
@@ -136,7 +148,7 @@ TEST_CASE("options: a wrong value leaves the default and the others alone") {
 TEST_CASE("options: the same list describes them") {
   app::OptionsOf<EveryField> options;
   const std::vector<app::FieldInfo> fields = app::fields_of(options);
-  REQUIRE(fields.size() == 13);
+  REQUIRE(fields.size() == 14);
   CHECK(fields[1].type_in_words() == "whole number, at least 1 and at most 9");
   CHECK(fields[1].default_value == "3");
   CHECK(fields[2].type_in_words() == "number, greater than 0");
@@ -146,8 +158,26 @@ TEST_CASE("options: the same list describes them") {
   CHECK(fields[8].type_in_words() == "block of names and numbers, at least -5");
   CHECK(fields[9].type_in_words() == "text or list of texts");
   CHECK(fields[10].type_in_words() == "one of fast, slow");
-  REQUIRE(fields[12].children.size() == 1);
-  CHECK(fields[12].children[0].key == "inner");
+  CHECK(fields[12].type_in_words() == "a type, or a block with a type, of ball, brick, point");
+  REQUIRE(fields[12].children.size() == 3);
+  CHECK((fields[12].children[1].key == "brick" && fields[12].children[1].children[0].key == "axes"));
+  REQUIRE(fields[13].children.size() == 1);
+  CHECK(fields[13].children[0].key == "inner");
+}
+
+TEST_CASE("options: a block whose type says which fields it has") {
+  EveryField o;
+  REQUIRE(read("shape: {type: ball, radius: 2}\n", o) == "");
+  CHECK((o.shape == "ball" && o.radius == 2));
+  REQUIRE(read("shape: point\n", o) == "");
+  CHECK_THAT(written(o), Contains("shape:\n  type: point\n"));
+  CHECK_THAT(read("shape: {type: ball, axes: [1]}\n", o), Contains("unknown key 'axes' in it.shape"));
+  CHECK_THAT(read("shape: {type: ball, radius: -1}\n", o), Contains("'radius' in it.shape must be at least 0"));
+  CHECK_THAT(read("shape: brick\n", o), Contains("missing key 'axes' in it.shape"));
+  CHECK_THAT(read("shape: {type: bal}\n", o),
+             Contains("unknown type 'bal' of it.shape (did you mean 'ball'?); valid types: ball, brick, point"));
+  CHECK_THAT(read("shape: {radius: 1}\n", o), Contains("missing key 'type' in it.shape: one of ball, brick, point"));
+  CHECK_THAT(read("shape: [ball]\n", o), Contains("'it.shape' must be a type or a block with a type"));
 }
 
 TEST_CASE("options: numbers by name and lists of texts, right and wrong") {
