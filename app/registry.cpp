@@ -14,6 +14,7 @@
 #include "problems/kernels/kernels.hpp"
 #include "problems/manifolds/euclidean.hpp"
 #include "problems/manifolds/mesh.hpp"
+#include "problems/manifolds/point_cloud.hpp"
 #include "problems/post_processors/straighten.hpp"
 #include "problems/post_processors/trace.hpp"
 #include "problems/readers/waypoint_reader.hpp"
@@ -88,7 +89,14 @@ const auto& manifolds() {
       plugin<ManifoldPlugin, MeshManifoldOptions>(
           "mesh", "A triangle mesh in R^3, read from an OBJ, OFF, PLY or STL file.",
           [](const MeshManifoldOptions& o, const BuildContext& c) { return make_mesh_manifold(o, c.folder); })
-          .providing(std::string(kMesh)),
+          .providing(std::string(kMesh))
+          .providing(std::string(kGraph)),
+      plugin<ManifoldPlugin, PointCloudManifoldOptions>(
+          "point_cloud", "The smooth surface through a point cloud in R^3, read from a PLY or XYZ file.",
+          [](const PointCloudManifoldOptions& o, const BuildContext& c) {
+            return make_point_cloud_manifold(o, c.folder);
+          })
+          .providing(std::string(kGraph)),
   };
   return all;
 }
@@ -98,8 +106,8 @@ const auto& initializers() {
       made_of<InitializerPlugin, StraightInitializer>(
           "straight", "The straight line between the ends, bowed out of the way where its cost is infinite."),
       made_of<InitializerPlugin, DijkstraInitializer, DijkstraOptions>(
-          "dijkstra", "The least-cost path along the edges of the mesh.")
-          .needing(std::string(kMesh)),
+          "dijkstra", "The least-cost path along the edges of the mesh, or the neighbour graph of the cloud.")
+          .needing(std::string(kGraph)),
       plugin<InitializerPlugin, WaypointsOptions>("waypoints", "A path through the given points, in order.",
                                                   [](const WaypointsOptions& o, const BuildContext&) {
                                                     return std::make_shared<const WaypointsInitializer>(

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,15 @@ class HasPieces {
   virtual ~HasPieces() = default;
   /// Replaces vectors at the free points (coordinate x free_count) by their parts in the pieces the points lie on.
   virtual void into_pieces(const CoordinatePath& path, Points& vectors) const = 0;
+};
+
+/// Ability: the domain stands for data that could be coarser (a sampled cloud, a grid). The certificate solves once more there, and the change of
+/// the cost says what the representation itself costs.
+class HasCoarserVersion {
+ public:
+  virtual ~HasCoarserVersion() = default;
+  /// The same domain from about half the data; made on request. May throw InputError where too little is left.
+  virtual std::shared_ptr<const ConstraintManifold> coarser() const = 0;
 };
 
 /// Gives `to` the size, sites and fixed columns of `from`, for implementations of retract().
