@@ -14,6 +14,7 @@
 #include "problems/geometry/has_mesh.hpp"
 #include "problems/geometry/wound.hpp"
 #include "problems/initializers/bow.hpp"
+#include "problems/geometry/has_point_cloud.hpp"
 #include "solvers/newton.hpp"
 
 namespace leastcost::app {
@@ -98,12 +99,12 @@ bool checked(LoadedConfig& loaded, Step step) {
   }
 }
 
-/// The space a plug-in will see. Where the manifold itself is in a file, a stand-in: meshes lie in R^3.
+/// The space a plug-in will see. Where the manifold itself is in a file, a stand-in: meshes and clouds lie in R^3.
 std::optional<BuildContext> context_without_files(LoadedConfig& loaded) {
   const RunConfig& config = loaded.config;
   BuildContext context{loaded.folder, 3, Eigen::VectorXd::Zero(3)};
   if (config.ring) context.source.reset();
-  if (config.manifold.provides(std::string(kMesh))) return context;
+  if (config.manifold.provides(std::string(kGraph))) return context;
   Composition out;
   const bool placed = checked(loaded, [&] {
     out.problem.manifold = make<std::shared_ptr<const ConstraintManifold>>(config.manifold, {loaded.folder, 0, {}});
@@ -130,6 +131,10 @@ Composition compose(const RunConfig& config, const std::filesystem::path& folder
   out.problem.manifold = make<std::shared_ptr<const ConstraintManifold>>(config.manifold, {folder, 0, {}});
   out.read_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (const auto* mesh = dynamic_cast<const HasMesh*>(out.problem.manifold.get())) out.notes = mesh->mesh().notes();
+  if (const auto* points = dynamic_cast<const HasPointCloud*>(out.problem.manifold.get())) {
+    out.notes = points->cloud().notes();
+    for (std::string& note : points->graph().notes()) out.notes.push_back(std::move(note));
+  }
   place_ends(config, out);
   BuildContext context{folder, out.problem.manifold->dimensions().ambient, {}};
   if (!config.ring) context.source = source_position(out.problem);

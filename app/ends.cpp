@@ -8,6 +8,7 @@
 
 #include "framework/errors.hpp"
 #include "problems/geometry/has_mesh.hpp"
+#include "problems/geometry/has_point_cloud.hpp"
 #include "problems/geometry/path_tools.hpp"
 
 namespace leastcost::app {
@@ -42,14 +43,15 @@ PlacedEnd on_face(const TriangleMesh& mesh, const EndOptions& options, const std
   }
 }
 
-/// A mesh forgives coordinates that were copied with few digits; elsewhere there is nothing to snap to.
-double default_tolerance(const HasMesh* mesh, const Eigen::VectorXd& point) {
+/// A mesh or cloud forgives coordinates that were copied with few digits; elsewhere there is nothing to snap to.
+double default_tolerance(const ConstraintManifold& manifold, const Eigen::VectorXd& point) {
   constexpr double kOfDiameter = 0.01, kRounding = 1e-9;
-  return mesh != nullptr ? kOfDiameter * mesh->mesh().diameter() : kRounding * (1 + point.norm());
+  if (const auto* mesh = dynamic_cast<const HasMesh*>(&manifold)) return kOfDiameter * mesh->mesh().diameter();
+  if (const auto* cloud = dynamic_cast<const HasPointCloud*>(&manifold)) return kOfDiameter * cloud->cloud().diameter();
+  return kRounding * (1 + point.norm());
 }
 
-PlacedEnd at_point(const ConstraintManifold& manifold, const HasMesh* mesh, const EndOptions& options,
-                   const std::string& path) {
+PlacedEnd at_point(const ConstraintManifold& manifold, const EndOptions& options, const std::string& path) {
   const int wanted = manifold.dimensions().coordinate;
   if (options.point.size() != wanted)
     throw OptionError(path + ".point",
@@ -61,7 +63,7 @@ PlacedEnd at_point(const ConstraintManifold& manifold, const HasMesh* mesh, cons
   } catch (const InputError& e) {
     throw OptionError(path + ".point", e.what());
   }
-  const double tolerance = options.tolerance >= 0 ? options.tolerance : default_tolerance(mesh, options.point);
+  const double tolerance = options.tolerance >= 0 ? options.tolerance : default_tolerance(manifold, options.point);
   if (placed.moved > tolerance) {
     throw OptionError(path + ".point",
                       fmt::format("the nearest point of the manifold is {:.6g} away, the tolerance is {:.6g} "
@@ -80,7 +82,7 @@ PlacedEnd place_end(const ConstraintManifold& manifold, const EndOptions& option
     throw OptionError(path, "vertices and faces are ends on a mesh only: give {point: [..]}");
   if (options.vertex >= 0) return at_vertex(mesh->mesh(), options.vertex, path);
   if (options.face >= 0) return on_face(mesh->mesh(), options, path);
-  return at_point(manifold, mesh, options, path);
+  return at_point(manifold, options, path);
 }
 
 }  // namespace leastcost::app

@@ -20,6 +20,7 @@
 #include "problems/manifolds/implicit.hpp"
 #include "problems/manifolds/mesh.hpp"
 #include "problems/manifolds/parametric.hpp"
+#include "problems/manifolds/point_cloud.hpp"
 #include "problems/post_processors/straighten.hpp"
 #include "problems/post_processors/trace.hpp"
 #include "problems/readers/waypoint_reader.hpp"
@@ -97,7 +98,8 @@ const auto& manifolds() {
       plugin<ManifoldPlugin, MeshManifoldOptions>(
           "mesh", "A triangle mesh in R^3, read from an OBJ, OFF, PLY or STL file.",
           [](const MeshManifoldOptions& o, const BuildContext& c) { return make_mesh_manifold(o, c.folder); })
-          .providing(std::string(kMesh)),
+          .providing(std::string(kMesh))
+          .providing(std::string(kGraph)),
       plugin<ManifoldPlugin, ParametricOptions>(
           "parametric", "A surface x(u, v) in R^3, by name or by formulas; points are given in u and v.",
           [](const ParametricOptions& o, const BuildContext&) { return make_parametric_manifold(o); })
@@ -108,6 +110,12 @@ const auto& manifolds() {
       plugin<ManifoldPlugin, ConstraintManifoldOptions>(
           "constraint", "The solutions of equations in R^n: formulas, the n-sphere, the rotations SO(3).",
           [](const ConstraintManifoldOptions& o, const BuildContext&) { return make_constraint_manifold(o); }),
+      plugin<ManifoldPlugin, PointCloudManifoldOptions>(
+          "point_cloud", "The smooth surface through a point cloud in R^3, read from a PLY or XYZ file.",
+          [](const PointCloudManifoldOptions& o, const BuildContext& c) {
+            return make_point_cloud_manifold(o, c.folder);
+          })
+          .providing(std::string(kGraph)),
   };
   return all;
 }
@@ -118,8 +126,8 @@ const auto& initializers() {
           "straight", "The straight line between the ends, bowed out of the way where its cost is infinite."),
       made_of<InitializerPlugin, BowInitializer, BowOptions>("bow", "An arc beside the straight line, to a given side."),
       made_of<InitializerPlugin, DijkstraInitializer, DijkstraOptions>(
-          "dijkstra", "The least-cost path along the edges of the mesh.")
-          .needing(std::string(kMesh)),
+          "dijkstra", "The least-cost path along the edges of the mesh, or the neighbour graph of the cloud.")
+          .needing(std::string(kGraph)),
       plugin<InitializerPlugin, WaypointsOptions>("waypoints", "A path through the given points, in order.",
                                                   [](const WaypointsOptions& o, const BuildContext&) {
                                                     return std::make_shared<const WaypointsInitializer>(

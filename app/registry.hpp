@@ -26,6 +26,7 @@ using PostProcessorPlugin = Plugin<std::shared_ptr<const PostProcessor>>;
 /// Abilities that plug-ins provide and need, see PluginEntry.
 inline constexpr std::string_view kMesh = "mesh";
 inline constexpr std::string_view kSeams = "chart with seams";
+inline constexpr std::string_view kGraph = "graph";  ///< edges between points that lie on the domain
 inline constexpr std::string_view kConstantMetric = "constant metric";
 inline constexpr std::string_view kRing = "ring";  ///< an initializer that makes closed paths
 inline constexpr std::string_view kEnds = "ends";  ///< what a closed path does not have

@@ -9,6 +9,7 @@
 
 #include "framework/bundle.hpp"
 #include "framework/chain_model.hpp"
+#include "framework/geometry_error.hpp"
 #include "framework/path_energy.hpp"
 #include "framework/path_index.hpp"
 #include "framework/refinement.hpp"
@@ -176,6 +177,14 @@ class Certifier {
     check_spacing();
     measure_doubling();
     c_.estimate = estimate_cost(problem_, energy_, path_.chain, refinement, c_.index, hugs_bound_, c_.failures);
+    measure_domain();
+  }
+
+  void measure_domain() {
+    const GeometryError error = measure_geometry_error(problem_, path_.chain, certifier_, monitor_);
+    c_.geometry_error = error.value;
+    if (!error.trouble.empty() && !monitor_.interrupted())
+      fail("geometry_error", "what the domain's representation costs is unknown: " + error.trouble);
   }
 
   void measure_stationarity() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -91,6 +92,15 @@ class ExplainsProjection {
 
 /// ": " and the reason why x cannot be projected, where the domain knows it; else nothing.
 std::string reason_for_failure(const ConstraintManifold& manifold, const Eigen::VectorXd& x);
+
+/// Ability: the domain stands for data that could be coarser (a sampled cloud, a grid). The certificate solves once more there, and the change of
+/// the cost says what the representation itself costs.
+class HasCoarserVersion {
+ public:
+  virtual ~HasCoarserVersion() = default;
+  /// The same domain from about half the data; made on request. May throw InputError where too little is left.
+  virtual std::shared_ptr<const ConstraintManifold> coarser() const = 0;
+};
 
 /// Gives `to` the size, sites and fixed columns of `from`, for implementations of retract().
 void prepare_like(const CoordinatePath& from, CoordinatePath& to);

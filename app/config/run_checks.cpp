@@ -19,9 +19,10 @@ PluginChoice default_plugin(const char* kind_name, const char* type, const std::
 
 void complete(RunConfig& config) {
   const bool mesh = config.manifold.provides(std::string(kMesh));
+  const bool graph = config.manifold.provides(std::string(kGraph));
   if (!config.kernel) config.kernel = default_plugin("kernel", "expm1_square", "kernel");
   if (!config.initializer && !config.ring)
-    config.initializer = default_plugin("initializer", mesh ? "dijkstra" : "straight", "initializer");
+    config.initializer = default_plugin("initializer", graph ? "dijkstra" : "straight", "initializer");
   if (!config.solver) config.solver = default_plugin("solver", mesh ? "lbfgs" : "newton", "solver");
   if (config.post_process.given) return;
   config.post_process.given = true;
@@ -87,7 +88,7 @@ void check_points(LoadedConfig& loaded) {
   constexpr int kFewestInRing = 3;
   if (config.ring && !config.points.automatic && config.points.count < kFewestInRing)
     loaded.errors.error(place, fmt::format("a ring needs at least {} points", kFewestInRing));
-  if (!config.points.automatic || !config.manifold || config.manifold.provides(std::string(kMesh))) return;
+  if (!config.points.automatic || !config.manifold || config.manifold.provides(std::string(kGraph))) return;
   loaded.errors.error(
       place, fmt::format("'auto' takes the number of points from the first path along edges, and '{}' has none: "
                          "give a number",

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "framework/errors.hpp"
+#include "problems/geometry/cloud_route.hpp"
 #include "problems/geometry/edge_graph.hpp"
 #include "problems/geometry/edge_route.hpp"
 #include "problems/geometry/geodesic.hpp"
@@ -42,6 +43,16 @@ Route best_straightened(const Problem& problem, const TriangleMesh& mesh, const 
   return {std::move(best.result.path), vertices};
 }
 
+FirstPath along_cloud(const Problem& problem, const HasPointCloud& domain, int routes, const Monitor& monitor) {
+  if (routes > 1) throw InputError("dijkstra with more than one route needs a mesh; use routes: 1 on a point cloud");
+  const CloudRoute route = cloud_route(problem, domain, monitor);
+  FirstPath first;
+  first.path.u.resize(3, static_cast<Index>(route.points.size()));
+  for (std::size_t i = 0; i < route.points.size(); ++i) first.path.u.col(static_cast<Index>(i)) = route.points[i];
+  first.graph_vertices = route.vertices;
+  return first;
+}
+
 }  // namespace
 
 void DijkstraOptions::fields(FieldVisitor& visit) {
@@ -54,6 +65,8 @@ void DijkstraOptions::fields(FieldVisitor& visit) {
 
 FirstPath DijkstraInitializer::first_path(const Problem& problem, const Monitor& monitor) const {
   if (problem.ring) throw InitializationError("a ring has no ends to join: give waypoints");
+  if (const auto* cloud = dynamic_cast<const HasPointCloud*>(problem.manifold.get()))
+    return along_cloud(problem, *cloud, options_.routes, monitor);
   const TriangleMesh& mesh = mesh_of(problem, "initializer dijkstra").mesh();
   const SurfacePoint source = point_on_face(mesh, problem.source.site, problem.source.u);
   const SurfacePoint target = point_on_face(mesh, problem.target.site, problem.target.u);

@@ -4,12 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <fstream>
 #include <string>
-#include <system_error>
 
 #include "framework/errors.hpp"
+#include "problems/readers/file_content.hpp"
 #include "problems/readers/format_readers.hpp"
 #include "problems/readers/text_scanner.hpp"
 
@@ -23,27 +21,6 @@ struct Format {
 
 constexpr std::array<Format, 4> kFormats = {
     {{".obj", read_obj}, {".off", read_off}, {".ply", read_ply}, {".stl", read_stl}}};
-
-std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
-std::string read_content(const std::filesystem::path& file) {
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) throw InputError(file.string() + ": no such file");
-  if (!std::filesystem::is_regular_file(status)) throw InputError(file.string() + ": not a regular file");
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  std::ifstream stream(file, std::ios::binary);
-  if (error || !stream) throw InputError(file.string() + ": cannot be opened for reading");
-  std::string content(static_cast<std::size_t>(size), '\0');
-  stream.read(content.data(), static_cast<std::streamsize>(size));
-  if (static_cast<std::uintmax_t>(stream.gcount()) != size)
-    throw InputError(file.string() + ": cannot be read to its end");
-  return content;
-}
 
 /// The extension that the first token stands for, empty when it says nothing.
 std::string format_by_content(std::string_view content, const std::string& file) {

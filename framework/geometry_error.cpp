@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "framework/geometry_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "framework/errors.hpp"
+#include "framework/path_energy.hpp"
+
+namespace leastcost {
+namespace {
+
+constexpr double kSafety = 2;
+constexpr int kLevels = 2;
+
+/// The cost of the chain solved on another version of the domain, or why there is none.
+struct Solved {
+  std::optional<double> cost;
+  std::string trouble;
+};
+
+Solved solve_on(std::shared_ptr<const ConstraintManifold> manifold, const Problem& problem, CoordinatePath path,
+                const Solver& certifier, const Monitor& monitor) {
+  Problem coarse = problem;
+  coarse.manifold = std::move(manifold);
+  if (!problem.ring) {
+    coarse.source = project_end(*coarse.manifold, problem.source.u);
+    coarse.target = project_end(*coarse.manifold, problem.target.u);
+  }
+  path.sites.clear();
+  if (!coarse.manifold->project(path).failed.empty())
+    return {std::nullopt, "a point of the path has no counterpart on it"};
+  pin_ends(coarse, path);
+  PathEnergy energy(coarse, PathEnergy(coarse, 1).cost(path) / static_cast<double>(path.segment_count()));
+  const SolveReport report = certifier.solve(energy, path, monitor);
+  if (report.termination != Termination::converged && report.termination != Termination::round_off)
+    return {std::nullopt, "the chain on it ended with " + std::string(name(report.termination))};
+  return {energy.cost(path), ""};
+}
+
+/// The next coarser version; null where there is none.
+std::shared_ptr<const ConstraintManifold> coarser(const ConstraintManifold& manifold) {
+  const auto* domain = dynamic_cast<const HasCoarserVersion*>(&manifold);
+  return domain != nullptr ? domain->coarser() : nullptr;
+}
+
+}  // namespace
+
+GeometryError measure_geometry_error(const Problem& problem, const CoordinatePath& chain, const Solver& certifier,
+                                     const Monitor& monitor) {
+  std::optional<double> largest;
+  double finer = PathEnergy(problem, 1).cost(chain), part = 1;
+  std::shared_ptr<const ConstraintManifold> manifold = problem.manifold;
+  for (int level = 0; level < kLevels; ++level, part /= 2) {
+    Solved solved;
+    try {
+      manifold = coarser(*manifold);
+      if (!manifold) break;
+      solved = solve_on(manifold, problem, chain, certifier, monitor);
+    } catch (const InputError& error) {
+      solved.trouble = error.what();
+    }
+    if (!solved.cost && !largest) return {std::nullopt, "on a coarser version of the domain: " + solved.trouble};
+    if (!solved.cost) break;  // too little is left: the first difference has to do
+    largest = std::max(largest.value_or(0), part * std::abs(*solved.cost - finer));
+    finer = *solved.cost;
+  }
+  if (!largest) return {};
+  return {kSafety * *largest, ""};
+}
+
+}  // namespace leastcost

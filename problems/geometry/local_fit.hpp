@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace leastcost {
+
+/// A quadratic height field over the tangent plane of a neighbourhood.
+struct LocalFit {
+  bool valid = false;                                ///< false: too few points, or points on a line
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, of either sign, at the foot of the centre
+  double height = 0;                                 ///< of the centre over the fitted surface, length units
+  double scale = 0;                                  ///< robust standard deviation of the residuals, length units
+};
+
+/// Fits neighbours, given as offsets from the centre (which may be among them), by weighted least squares with compact
+/// weights of support `radius`, re-weighted by Tukey's biweight on the median absolute residual (three rounds), so that
+/// outliers and a few points of another sheet do not count. First frame: principal components.
+LocalFit fit_locally(const std::vector<Eigen::Vector3d>& offsets, double radius);
+
+/// Fewest neighbours of a fit: the six coefficients and two to judge them by.
+inline constexpr std::size_t kFewestForFit = 8;
+
+}  // namespace leastcost

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/manifolds/point_cloud.hpp"
+
+#include <Eigen/Geometry>
+#include <utility>
+
+#include "problems/readers/point_cloud_reader.hpp"
+
+namespace leastcost {
+
+void PointCloudManifoldOptions::fields(FieldVisitor& visit) {
+  visit.file("file", file, {.help = "Point cloud: PLY, or text with rows x y z [nx ny nz].", .required = true});
+  visit.field("neighbours", settings.neighbours,
+              {.help = "Nearest neighbours of a point: its links in the graph, and what its local spacing is measured "
+                       "from.",
+               .minimum = 4,
+               .maximum = 100});
+  visit.field("radius", settings.radius,
+              {.help = "Support of the moving least squares fit; 0: 4, and wider where the cloud is noisy.",
+               .unit = "local spacings",
+               .minimum = 0,
+               .maximum = 100});
+  visit.field("max_edge", settings.max_edge,
+              {.help = "Longest link of the neighbour graph, against jumps between sheets.",
+               .unit = "local spacings",
+               .minimum = 1});
+  visit.choice("normals", settings.normals, {"auto", "given", "estimate"},
+               {.help = "Normals of the file, or estimated by robust quadratic fits and oriented along a minimum "
+                        "spanning tree. auto: those of the file where they agree with the estimate."});
+}
+
+PointCloudManifold::PointCloudManifold(PointCloud cloud)
+    : EmbeddedManifold({3, 3, 2}), cloud_(std::move(cloud)), surface_(cloud_), graph_(cloud_) {}
+
+std::shared_ptr<const ConstraintManifold> PointCloudManifold::coarser() const {
+  return std::make_shared<const PointCloudManifold>(cloud_.thinned());
+}
+
+bool PointCloudManifold::project_point(Eigen::Ref<Eigen::VectorXd> x) const {
+  Eigen::Vector3d y = x;
+  if (!surface_.project(y)) return false;
+  x = y;
+  return true;
+}
+
+void PointCloudManifold::tangent_basis(const Eigen::VectorXd& x, Eigen::Ref<Points> basis) const {
+  // Points of a path have been projected; elsewhere (a rejected trial) any frame will do.
+  const Eigen::Vector3d normal = surface_.normal(x).value_or(Eigen::Vector3d::UnitZ());
+  basis.col(0) = normal.unitOrthogonal();
+  basis.col(1) = normal.cross(Eigen::Vector3d(basis.col(0)));
+}
+
+std::shared_ptr<const PointCloudManifold> make_point_cloud_manifold(const PointCloudManifoldOptions& options,
+                                                                    const std::filesystem::path& folder) {
+  return std::make_shared<const PointCloudManifold>(
+      PointCloud(read_point_cloud(folder / options.file), options.settings));
+}
+
+}  // namespace leastcost
