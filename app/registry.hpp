@@ -27,7 +27,6 @@ using PostProcessorPlugin = Plugin<std::shared_ptr<const PostProcessor>>;
 inline constexpr std::string_view kMesh = "mesh";
 inline constexpr std::string_view kConstantMetric = "constant metric";
 inline constexpr std::string_view kRing = "ring";  ///< an initializer that makes closed paths
-inline constexpr std::string_view kEnds = "ends";  ///< what a closed path does not have
 
 /// Everything that a configuration can name: one registration line per plug-in, in registry.cpp.
 const std::vector<PluginKind>& plugin_kinds();
