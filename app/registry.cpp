@@ -12,6 +12,7 @@
 #include "problems/initializers/bow.hpp"
 #include "problems/initializers/coordinate_circle.hpp"
 #include "problems/initializers/dijkstra.hpp"
+#include "problems/initializers/plane_cut.hpp"
 #include "problems/initializers/straight.hpp"
 #include "problems/initializers/waypoints.hpp"
 #include "problems/kernels/kernels.hpp"
@@ -128,6 +129,10 @@ const auto& initializers() {
       made_of<InitializerPlugin, DijkstraInitializer, DijkstraOptions>(
           "dijkstra", "The least-cost path along the edges of the mesh, or the neighbour graph of the cloud.")
           .needing(std::string(kGraph)),
+      made_of<InitializerPlugin, PlaneCutInitializer, PlaneCutOptions>(
+          "plane_cut", "The closed curve in which a plane cuts the mesh, for a ring.")
+          .needing(std::string(kMesh))
+          .providing(std::string(kRing)),
       plugin<InitializerPlugin, WaypointsOptions>("waypoints", "A path through the given points, in order.",
                                                   [](const WaypointsOptions& o, const BuildContext&) {
                                                     return std::make_shared<const WaypointsInitializer>(
@@ -163,8 +168,7 @@ const auto& post_processors() {
       made_of<PostProcessorPlugin, StraightenPostProcessor>(
           "straighten", "The exact locally shortest path on the mesh, of the same class as the solved one.")
           .needing(std::string(kMesh))
-          .needing(std::string(kConstantMetric))
-          .needing(std::string(kEnds)),
+          .needing(std::string(kConstantMetric)),
   };
   return all;
 }

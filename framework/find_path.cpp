@@ -36,11 +36,16 @@ PostProcessed chain_as_curve(PathEnergy& energy, const CoordinatePath& path) {
   return {{energy.ambient(path).x, {}, energy.cost(path), {}}, path, energy.costs(path), {}};
 }
 
-Status status_of(const Result& result, const Monitor& monitor) {
+/// A ring that the solver lost may still be found again from the first path, by a post-processor that certifies itself.
+bool has_collapsed(const Result& result, const PostProcessed& processed) {
+  return processed.collapsed || (result.solve.termination == Termination::collapsed && !processed.curve.straightness);
+}
+
+Status status_of(const Result& result, bool collapsed, const Monitor& monitor) {
   const Termination end = result.solve.termination;
   if (end == Termination::cancelled || end == Termination::time_limit || monitor.interrupted())
     return Status::interrupted;
-  if (end == Termination::collapsed) return Status::collapsed;
+  if (collapsed) return Status::collapsed;
   return result.certificate.certified() ? Status::certified : Status::uncertified;
 }
 
@@ -91,14 +96,15 @@ Result find_path(const Problem& problem, const Initializer& initializer, const S
   };
   PostProcessed processed;
   stage(Stage::post_process, monitor, result.seconds.post_process, [&] { processed = to_curve(result.path); });
-  if (options.certificate.enabled && result.solve.termination != Termination::collapsed) {
+  const bool collapsed = has_collapsed(result, processed);
+  if (options.certificate.enabled && !collapsed) {
     assert(options.certifier != nullptr);
     stage(Stage::certify, monitor, result.seconds.certify, [&] {
       result.certificate = certify(problem, result.reference_cost, processed, to_curve, *options.certifier,
                                    options.certificate, monitor);
     });
   }
-  result.status = status_of(result, monitor);
+  result.status = status_of(result, collapsed, monitor);
   result.costs = energy.costs(processed.chain);
   result.path = std::move(processed.chain);
   result.curve = std::move(processed.curve);

@@ -28,6 +28,7 @@ struct PostProcessed {
   CoordinatePath chain;         ///< the path's points on that curve, equally spaced in cost
   Eigen::VectorXd curve_costs;  ///< cost of the curve between consecutive points of the chain
   std::vector<std::string> notes;
+  bool collapsed = false;  ///< a ring that contracts to a point: there is no closed curve to deliver
 };
 
 /// Turns a solved chain into a curve on the domain (VFCS 4.4.3). Applied in the order given; each sees what the one before it

@@ -27,14 +27,13 @@ void complete(RunConfig& config) {
   if (config.post_process.given) return;
   config.post_process.given = true;
   if (mesh) config.post_process.choices.push_back(default_plugin("post_processor", "trace", "post_process.0"));
-  if (mesh && !config.ring && config.cost.provides(std::string(kConstantMetric)))
+  if (mesh && config.cost.provides(std::string(kConstantMetric)))
     config.post_process.choices.push_back(default_plugin("post_processor", "straighten", "post_process.1"));
 }
 
 void check_needs(LoadedConfig& loaded, const PluginChoice& choice) {
   if (!choice || !loaded.config.manifold || !loaded.config.cost) return;
   for (const std::string& need : choice.plugin->needs) {
-    if (need == kEnds) continue;  // see check_ring()
     const bool of_cost = need == kConstantMetric;
     const PluginChoice& giver = of_cost ? loaded.config.cost : loaded.config.manifold;
     if (giver.provides(need)) continue;
@@ -69,16 +68,11 @@ void check_ring(LoadedConfig& loaded) {
   if (!config.initializer) {
     if (loaded.tree.find("initializer") == nullptr)
       loaded.errors.error(place_of(loaded.tree, "path.ring"),
-                          "a ring has no ends to start from: it needs an initializer, waypoints or file");
+                          "a ring has no ends to start from: it needs an initializer, plane_cut, waypoints or file");
   } else if (!config.initializer.provides(std::string(kRing))) {
-    loaded.errors.error(
-        place_of(loaded.tree, "initializer"),
-        fmt::format("'{}' joins two ends and a ring has none: use waypoints or file", config.initializer.plugin->type));
-  }
-  for (const PluginChoice& choice : config.post_process.choices) {
-    if (choice && std::count(choice.plugin->needs.begin(), choice.plugin->needs.end(), kEnds) > 0)
-      loaded.errors.error(place_of(loaded.tree, choice.path),
-                          fmt::format("'{}' needs a path with ends; this one is a ring", choice.plugin->type));
+    loaded.errors.error(place_of(loaded.tree, "initializer"),
+                        fmt::format("'{}' joins two ends and a ring has none: use plane_cut, waypoints or file",
+                                    config.initializer.plugin->type));
   }
 }
 

@@ -158,15 +158,19 @@ std::shared_ptr<const SegmentCost> by_formulas(const MetricFieldOptions& o) {
 }  // namespace
 
 void MetricFieldOptions::fields(FieldVisitor& visit) {
-  visit.group("field", {.help = "The tensor T(x): a name, or formulas in the coordinates.", .required = true},
-              [this](FieldVisitor& v) {
-                v.choice("type", type, {"half_plane", "poincare_disc", "fisher_rao", "formula"},
-                         {.help = "Name of the metric, or formula.", .required = true});
-                if (type != "formula") return;
-                v.field("entries", entries,
-                        {.help = "Entries on and above the diagonal, row by row, like [\"1 + x^2\", \"0\", \"1\"]."});
-                v.field("parameters", parameters, {.help = "Numbers that the formulas may name, like {a: 2, b: 1}."});
-              });
+  visit.variant("field", type,
+                {{"half_plane", "(dx^2 + dy^2) / y^2 where y > 0."},
+                 {"poincare_disc", "4 (dx^2 + dy^2) / (1 - x^2 - y^2)^2 in the unit disc."},
+                 {"fisher_rao", "(dmu^2 + 2 dsigma^2) / sigma^2: normal distributions (mu, sigma), sigma > 0."},
+                 {"formula", "T as formulas in the coordinates x, y and z.",
+                  [this](FieldVisitor& v) {
+                    v.field("entries", entries,
+                            {.help = "Entries on and above the diagonal, row by row, like [\"1 + x^2\", \"0\", \"1\"].",
+                             .required = true});
+                    v.field("parameters", parameters,
+                            {.help = "Numbers that the formulas may name, like {a: 2, b: 1}."});
+                  }}},
+                {.help = "The tensor T(x): a name, or formulas in the coordinates.", .required = true});
   visit.choice("reading", reading, {"metric", "root"},
                {.help = "T is the metric, c = sqrt(d' T d) (VFCS Eq. 1), or a root of it, c = |T d| (VFCS Sec. 4.5)."});
   visit.choice("rule", rule, {"midpoint", "average"},
@@ -177,6 +181,7 @@ std::shared_ptr<const SegmentCost> make_metric_field_cost(const MetricFieldOptio
   if (options.type == "half_plane") return lifted(HalfPlane{}, options, dim);
   if (options.type == "poincare_disc") return lifted(PoincareDisc{}, options, dim);
   if (options.type == "fisher_rao") return lifted(FisherRao{}, options, dim);
+  if (options.type != "formula") throw OptionError("field.type", "unknown metric '" + options.type + "'");
   if (dim == 2) return by_formulas<2>(options);
   if (dim == 3) return by_formulas<3>(options);
   throw OptionError("field", "formulas describe metrics of spaces of dimension 2 and 3, not " + std::to_string(dim));

@@ -13,7 +13,7 @@
 namespace leastcost {
 
 struct MetricFieldOptions {
-  std::string type = "formula";
+  std::string type;
   std::vector<std::string> entries;          ///< formula: upper triangle of the tensor, row by row
   std::map<std::string, double> parameters;  ///< formula
   std::string reading = "metric";

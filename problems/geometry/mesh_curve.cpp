@@ -73,7 +73,7 @@ Eigen::VectorXd costs_along(const Problem& problem, const Curve& curve, const Co
   for (Index i = 0; i <= segments; ++i) {
     for (; piece < pieces; passed += costs[piece++]) {
       const Eigen::Vector3d a = curve.x.col(piece), d = curve.x.col(piece + 1) - curve.x.col(piece);
-      const Eigen::Vector3d to = chain.u.col(i) - curve.x.col(piece);
+      const Eigen::Vector3d to = chain.u.col(i % chain.u.cols()) - curve.x.col(piece);
       const double t = d.squaredNorm() > 0 ? std::clamp(to.dot(d) / d.squaredNorm(), 0.0, 1.0) : 0;
       if ((to - t * d).norm() > near) continue;
       const double here = passed + move_cost(*problem.cost, a, a + t * d);

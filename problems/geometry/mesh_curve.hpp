@@ -31,7 +31,7 @@ CoordinatePath as_coordinates(const SurfacePath& path);
 Curve as_curve(const Problem& problem, const SurfacePath& path);
 SurfacePath as_surface_path(const Curve& curve);
 
-/// Cost of the curve between consecutive points of an open chain, found again on the curve by position: a measurement, not what a
+/// Cost of the curve between consecutive points of a chain (a ring begins where the curve does), found again on the curve by position: a measurement, not what a
 /// resampling meant to do. +infinity from the first point on that is not on the curve.
 Eigen::VectorXd costs_along(const Problem& problem, const Curve& curve, const CoordinatePath& chain);
 

@@ -55,12 +55,8 @@ SideOfVertex side_of_vertex(const Unfolding& unfolding, std::int32_t v, const Co
   return side;
 }
 
-/// The doors around the narrower side of an interior node, when that side has an angle below pi.
-bool StringMover::find_move(const TautString& string, std::size_t node, std::vector<std::int32_t>& doors) const {
-  const std::int32_t v = string.nodes[node].end.vertex;
-  const CornerAngles& arrives = string.pieces[node - 1].finish;
-  const CornerAngles& leaves = string.pieces[node].start;
-  const Unfolding& unfolding = puller_->unfolding();
+bool narrow_side(const Unfolding& unfolding, std::int32_t v, const CornerAngles& arrives, const CornerAngles& leaves,
+                 std::vector<std::int32_t>& doors) {
   doors.clear();
   std::vector<std::int32_t> other;
   const SideOfVertex a = side_of_vertex(unfolding, v, arrives, leaves, true, kStraight, doors);
@@ -68,7 +64,7 @@ bool StringMover::find_move(const TautString& string, std::size_t node, std::vec
   if (b.angle < a.angle) std::swap(doors, other);
   if (std::min(a.angle, b.angle) < kStraight) return true;
   const std::int32_t blocked = a.blocked_by >= 0 ? a.blocked_by : b.blocked_by;
-  if (blocked >= 0) throw_non_manifold(puller_->mesh(), blocked);
+  if (blocked >= 0) throw_non_manifold(unfolding.mesh(), blocked);
   return false;
 }
 
@@ -80,7 +76,8 @@ bool StringMover::find_moves(TautString& string) {
   for (std::size_t i = 1; i + 1 < count; ++i) {
     if (!string.nodes[i].changed) continue;
     string.nodes[i].changed = false;
-    if (!find_move(string, i, around_[i])) continue;
+    const CornerAngles &arrives = string.pieces[i - 1].finish, &leaves = string.pieces[i].start;
+    if (!narrow_side(puller_->unfolding(), string.nodes[i].end.vertex, arrives, leaves, around_[i])) continue;
     has_move_[i] = 1;
     any = true;
   }

@@ -27,6 +27,11 @@ SideOfVertex side_of_vertex(const Unfolding& unfolding, std::int32_t v, const Co
                             const CornerAngles& leaves, bool next_side, double enough,
                             std::vector<std::int32_t>& doors);
 
+/// The doors around the narrower side of a vertex that a path goes through, when that side has an angle below pi; false:
+/// neither has. Throws InputError when a side that may be narrow holds an edge with three or more faces.
+bool narrow_side(const Unfolding& unfolding, std::int32_t v, const CornerAngles& arrives, const CornerAngles& leaves,
+                 std::vector<std::int32_t>& doors);
+
 /// Moves a string over vertices until it is straight everywhere.
 class StringMover {
  public:
@@ -46,7 +51,6 @@ class StringMover {
 
   bool sweep(TautString& string);
   bool find_moves(TautString& string);
-  bool find_move(const TautString& string, std::size_t node, std::vector<std::int32_t>& doors) const;
   double gather(const TautString& string, std::size_t first, std::size_t last);
   void reroute(TautString& string, std::size_t first, std::size_t last, TautString& out);
   void reroute_runs(TautString& string, std::size_t first, std::size_t last, TautString& out);

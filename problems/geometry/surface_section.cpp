@@ -6,37 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "problems/geometry/plane_section.hpp"
 #include "problems/geometry/surface_walk.hpp"
 
 namespace leastcost {
 namespace {
-
-/// The section of the surface with a plane. A vertex in the plane counts as below it, so that every face is crossed
-/// through two of its edges or not at all.
-class Section {
- public:
-  Section(const TriangleMesh& mesh, const Eigen::Vector3d& through, const Eigen::Vector3d& normal)
-      : mesh_(&mesh), through_(through), normal_(normal) {}
-
-  double height(std::int32_t v) const { return (mesh_->position(v) - through_).dot(normal_); }
-  bool crosses(std::int32_t h) const { return (height(mesh_->tail(h)) > 0) != (height(mesh_->head(h)) > 0); }
-  Eigen::Vector3d crossing(std::int32_t h) const {
-    const Eigen::Vector3d& p = mesh_->position(mesh_->tail(h));
-    const Eigen::Vector3d& q = mesh_->position(mesh_->head(h));
-    const double a = height(mesh_->tail(h)), b = height(mesh_->head(h));
-    const double t = a / (a - b);
-    return t < 0.5 ? Eigen::Vector3d(p + t * (q - p)) : Eigen::Vector3d(q + (1 - t) * (p - q));
-  }
-  /// The other edge of its face through which the plane leaves, entering by halfedge h.
-  std::int32_t exit(std::int32_t h) const {
-    const std::int32_t next = TriangleMesh::next(h);
-    return crosses(next) ? next : TriangleMesh::previous(h);
-  }
-
- private:
-  const TriangleMesh* mesh_;
-  Eigen::Vector3d through_, normal_;
-};
 
 /// Normal of the plane through a and b that contains the mean of the normals there; zero when there is no such plane.
 Eigen::Vector3d section_normal(const TriangleMesh& mesh, const Place& a, const Place& b) {
@@ -48,7 +22,7 @@ Eigen::Vector3d section_normal(const TriangleMesh& mesh, const Place& a, const P
 }
 
 /// Follows the section out of a through halfedge h until a face of b. False: border, or longer than `longest`.
-bool follow(const TriangleMesh& mesh, const Section& section, const Place& a, std::int32_t h, const Place& b,
+bool follow(const TriangleMesh& mesh, const PlaneSection& section, const Place& a, std::int32_t h, const Place& b,
             std::span<const std::int32_t> goal_faces, double longest, SurfacePath& path, double& length) {
   path.points.assign(1, a.position);
   path.faces.clear();
@@ -74,7 +48,7 @@ bool follow(const TriangleMesh& mesh, const Section& section, const Place& a, st
 bool follow_section(const TriangleMesh& mesh, const Place& a, const Place& b, double longest, SurfacePath& path) {
   const Eigen::Vector3d normal = section_normal(mesh, a, b);
   if (normal.isZero(0)) return false;
-  const Section section(mesh, a.position, normal);
+  const PlaneSection section(mesh, a.position, normal);
   std::vector<std::int32_t> start_faces, goal_faces;
   faces_at(mesh, a, start_faces);
   faces_at(mesh, b, goal_faces);

@@ -58,8 +58,9 @@ double TautString::length() const {
 StringPuller::StringPuller(const TriangleMesh& mesh, const MetricRoot& metric)
     : mesh_(&mesh),
       tolerance_(kSamePoint * mesh.diameter()),
+      touching_(tolerance_ * stretch(metric)),
       unfolding_(mesh, metric),
-      funnel_(kSamePoint * mesh.diameter() * stretch(metric)) {}
+      funnel_(touching_) {}
 
 void StringPuller::append_piece(const StripEnd& from, const Eigen::Vector2d& from_at, const StripEnd& to,
                                 const Eigen::Vector2d& to_at, const Strip& strip, std::size_t begin, std::size_t end,

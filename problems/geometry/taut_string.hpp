@@ -52,6 +52,8 @@ class StringPuller {
   void crossings(const StripEnd& from, const Strip& strip, const StripEnd& to, std::vector<double>& parameters);
 
   Unfolding& unfolding() { return unfolding_; }
+  /// A string nearer to a vertex than this, in length units of the metric, goes through it.
+  double touching() const { return touching_; }
   const TriangleMesh& mesh() const { return *mesh_; }
 
  private:
@@ -65,6 +67,7 @@ class StringPuller {
 
   const TriangleMesh* mesh_;
   double tolerance_;  // positions of the given path, length units
+  double touching_;
   Unfolding unfolding_;
   Funnel funnel_;
 };

@@ -16,10 +16,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi, kInfinity = std::numeric_limits<double>::infinity();
 
-const std::vector<std::string> kTypes = {"plane",         "sphere",   "ellipsoid",  "torus",       "cylinder",
-                                         "cone",          "catenoid", "paraboloid", "hyperboloid", "klein_bottle",
-                                         "moebius_strip", "spiral",   "enneper",    "formula"};
-
 /// (x, y, z)(u, v) from three formulas.
 struct FormulaChart {
   Formulas xyz;
@@ -41,8 +37,6 @@ struct Parts {
 const Seam kAround = {0, 2 * kPi, {}};
 
 Parts formula(const ParametricOptions& o) {
-  for (const auto& [key, text] : {std::pair("x", &o.x), std::pair("y", &o.y), std::pair("z", &o.z)})
-    if (text->empty()) throw OptionError(std::string("surface.") + key, "a formula surface needs x, y and z");
   std::vector<Seam> seams;
   if (o.period_u > 0) seams.push_back({0, o.period_u, o.twisted ? std::optional(1) : std::nullopt});
   if (o.period_v > 0) seams.push_back({1, o.period_v, {}});
@@ -77,7 +71,8 @@ Parts parts_of(const ParametricOptions& o) {
     return {make_chart_map(chart::MoebiusStrip{}), {{0, kPi, 1}}, -o.half_width, o.half_width};
   if (type == "spiral") return {make_chart_map(chart::Spiral{o.pitch})};
   if (type == "enneper") return {make_chart_map(chart::Enneper{})};
-  return formula(o);
+  if (type == "formula") return formula(o);
+  throw OptionError("surface.type", "unknown surface '" + type + "'");
 }
 
 /// The chart's own edges, and what the options add to them.
@@ -94,40 +89,61 @@ Box box_of(const ParametricOptions& o, const Parts& parts) {
 }  // namespace
 
 void ParametricOptions::fields(FieldVisitor& visit) {
-  const FieldDoc doc{.help = "The surface: a name with its measures, or formulas in u and v.", .required = true};
-  visit.group("surface", doc, [this](FieldVisitor& v) {
-    v.choice("type", type, kTypes, {.help = "Name of the surface, or formula.", .required = true});
-    const auto length = [&v](const char* key, double& value, const char* help) {
-      v.field(key, value, {.help = help, .unit = "length", .minimum = 0, .exclusive_minimum = true});
-    };
-    if (type == "sphere" || type == "cylinder") length("radius", radius, "Radius.");
-    if (type == "ellipsoid") v.field("axes", axes, {.help = "Half axes along x, y, z.", .unit = "length"});
-    if (type == "torus" || type == "klein_bottle") {
-      length("major_radius", major_radius, "From the axis to the middle of the tube (a of VFCS Eq. 17).");
-      length("minor_radius", minor_radius, "Of the tube (b of VFCS Eq. 17).");
-    }
-    if (type == "cone")
-      v.field("half_angle", half_angle,
-              {.help = "Between axis and ruling.",
-               .unit = "radians",
-               .minimum = 0,
-               .maximum = kPi / 2,
-               .exclusive_minimum = true});
-    if (type == "catenoid" || type == "hyperboloid") length("waist", waist, "Least distance from the axis.");
-    if (type == "hyperboloid") length("height", height, "c of (x^2 + y^2) / waist^2 - z^2 / c^2 = 1.");
-    if (type == "paraboloid")
-      v.field("curvature", curvature, {.help = "k of z = k (x^2 + y^2) / 2.", .unit = "1/length"});
-    if (type == "moebius_strip") length("half_width", half_width, "The strip is -half_width <= v <= half_width.");
-    if (type == "spiral") v.field("pitch", pitch, {.help = "a of z = a v, VFCS Eq. (19).", .unit = "length"});
-    if (type != "formula") return;
-    v.field("x", x, {.help = "x(u, v), like (2 + cos(v)) * cos(u)."});
-    v.field("y", y, {.help = "y(u, v)."});
-    v.field("z", z, {.help = "z(u, v)."});
-    v.field("parameters", parameters, {.help = "Numbers that the formulas may name, like {a: 2, b: 1}."});
-    v.field("period_u", period_u, {.help = "Period of u; 0: not periodic.", .minimum = 0});
-    v.field("period_v", period_v, {.help = "Period of v; 0: not periodic.", .minimum = 0});
-    v.field("twisted", twisted, {.help = "Whether v changes sign where u comes back (Moebius strip, Klein bottle)."});
-  });
+  const auto length = [](FieldVisitor& v, const char* key, double& value, const char* help) {
+    v.field(key, value, {.help = help, .unit = "length", .minimum = 0, .exclusive_minimum = true});
+  };
+  const auto round = [&](const char* help) { return [&, help](FieldVisitor& v) { length(v, "radius", radius, help); }; };
+  const auto tube = [&](FieldVisitor& v) {
+    length(v, "major_radius", major_radius, "From the axis to the middle of the tube (a of VFCS Eq. 17).");
+    length(v, "minor_radius", minor_radius, "Of the tube (b of VFCS Eq. 17).");
+  };
+  visit.variant(
+      "surface", type,
+      {{"plane", "(u, v, 0)."},
+       {"sphere", "u: longitude, v: latitude.", round("Radius.")},
+       {"ellipsoid", "u: longitude, v: latitude on the unit sphere that is stretched (reduced latitude).",
+        [&](FieldVisitor& v) {
+          v.field("axes", axes,
+                  {.help = "Half axes along x, y, z.", .unit = "length", .minimum = 0, .exclusive_minimum = true});
+        }},
+       {"torus", "u: around the axis, v: around the tube.", tube},
+       {"cylinder", "u: around the axis, v: height.", round("Radius.")},
+       {"cone", "u: around the axis, v: distance from the apex along a ruling.",
+        [&](FieldVisitor& v) {
+          v.field("half_angle", half_angle,
+                  {.help = "Between axis and ruling.",
+                   .unit = "radians",
+                   .minimum = 0,
+                   .maximum = kPi / 2,
+                   .exclusive_minimum = true});
+        }},
+       {"catenoid", "u: around the axis, v: height.",
+        [&](FieldVisitor& v) { length(v, "waist", waist, "Least distance from the axis."); }},
+       {"paraboloid", "z = k r^2 / 2; u: around the axis, v: r.",
+        [&](FieldVisitor& v) { v.field("curvature", curvature, {.help = "k.", .unit = "1/length"}); }},
+       {"hyperboloid", "(x^2 + y^2) / waist^2 - z^2 / height^2 = 1; u: around the axis, v: z.",
+        [&](FieldVisitor& v) {
+          length(v, "waist", waist, "Least distance from the axis.");
+          length(v, "height", height, "Height at which the radius has grown by sqrt(2).");
+        }},
+       {"klein_bottle", "VFCS Eq. (17), mended; crossing u = 2 pi turns v over.", tube},
+       {"moebius_strip", "VFCS Eq. (18); crossing u = pi turns v over.",
+        [&](FieldVisitor& v) { length(v, "half_width", half_width, "The strip is -half_width <= v <= half_width."); }},
+       {"spiral", "Helicoid, VFCS Eq. (19): u along the rulings, v the angle.",
+        [&](FieldVisitor& v) { v.field("pitch", pitch, {.help = "a of z = a v.", .unit = "length"}); }},
+       {"enneper", "Enneper's minimal surface."},
+       {"formula", "x, y, z as formulas in u and v.",
+        [&](FieldVisitor& v) {
+          v.field("x", x, {.help = "x(u, v), like (2 + cos(v)) * cos(u).", .required = true});
+          v.field("y", y, {.help = "y(u, v).", .required = true});
+          v.field("z", z, {.help = "z(u, v).", .required = true});
+          v.field("parameters", parameters, {.help = "Numbers that the formulas may name, like {a: 2, b: 1}."});
+          v.field("period_u", period_u, {.help = "Period of u; 0: not periodic.", .minimum = 0});
+          v.field("period_v", period_v, {.help = "Period of v; 0: not periodic.", .minimum = 0});
+          v.field("twisted", twisted,
+                  {.help = "Whether v changes sign where u comes back (Moebius strip, Klein bottle)."});
+        }}},
+      {.help = "The surface: a name with its measures, or formulas in u and v.", .required = true});
   box.fields(visit);
 }
 

@@ -8,15 +8,60 @@
 #include "framework/errors.hpp"
 #include "problems/geometry/mesh_curve.hpp"
 #include "problems/geometry/straighten.hpp"
+#include "problems/geometry/straighten_ring.hpp"
 #include "problems/geometry/trace.hpp"
 
 namespace leastcost {
 namespace {
 
+/// A chain as a polyline on the mesh; a ring ends where it begins.
+SurfacePath traced(const TriangleMesh& mesh, const CoordinatePath& chain) {
+  std::vector<SurfacePoint> points = surface_points(mesh, chain);
+  if (chain.ring) points.push_back(points.front());
+  return trace_chain(mesh, points).path;
+}
+
 /// The curve as it was traced, or a fresh trace where no post-processor has made one.
 SurfacePath on_surface(const TriangleMesh& mesh, const PostProcessed& current) {
   if (!current.curve.segment_sites.empty()) return as_surface_path(current.curve);
-  return trace_chain(mesh, surface_points(mesh, current.chain)).path;
+  return traced(mesh, current.chain);
+}
+
+/// What straightening made of the better of two paths.
+struct Outcome {
+  SurfacePath path;
+  bool from_first = false;  ///< the first path's, not the solved one's
+  bool finished = true;
+  bool collapsed = false;
+};
+
+// The solve may have slid into a longer class: its result is kept only where it is no longer than the first path's.
+
+Outcome straighten_open(const TriangleMesh& mesh, const SurfacePath& first, const SurfacePath& solved,
+                        const StraightenOptions& options) {
+  Straightened a = straighten(mesh, first, options), b = straighten(mesh, solved, options);
+  const bool from_first = a.final_length < b.final_length;
+  Straightened& best = from_first ? a : b;
+  return {std::move(best.path), from_first, best.finished, false};
+}
+
+/// Nor is a ring kept that collapsed while the other did not.
+Outcome straighten_closed(const TriangleMesh& mesh, const SurfacePath& first, const SurfacePath& solved,
+                          const StraightenOptions& options) {
+  StraightenedRing a = straighten_ring(mesh, first, options), b = straighten_ring(mesh, solved, options);
+  const bool from_first = b.collapsed || (!a.collapsed && a.final_length < b.final_length);
+  StraightenedRing& best = from_first ? a : b;
+  return {std::move(best.path), from_first, best.finished, best.collapsed};
+}
+
+/// `columns` points of the path, equally spaced by length; a ring has no point twice.
+CoordinatePath spaced(const TriangleMesh& mesh, const SurfacePath& path, bool ring, int columns,
+                      const MetricRoot& metric) {
+  std::vector<SurfacePoint> points = resample(mesh, path, ring ? columns + 1 : columns, metric);
+  if (ring) points.pop_back();
+  CoordinatePath chain = coordinate_path(mesh, points);
+  chain.ring = ring;
+  return chain;
 }
 
 }  // namespace
@@ -28,21 +73,22 @@ PostProcessed StraightenPostProcessor::apply(const Problem& problem, const First
   if (!metric)
     throw InputError(
         "straighten unfolds the mesh, which needs a cost with a constant metric (euclidean, metric_tensor)");
-  if (current.chain.ring) throw InputError("straighten works on open paths; this path is a ring");
-  StraightenOptions options{.metric = *metric, .stop = [&monitor] { return monitor.interrupted(); }, .flips = true};
-  const SurfacePath start = trace_chain(mesh, surface_points(mesh, first.path)).path;
-  Straightened best = straighten(mesh, start, options);
-  Straightened solved = straighten(mesh, on_surface(mesh, current), options);
-  // The solve may have slid into a longer class: its result is kept only where it is no longer than the first path's.
-  const bool keep_solved = solved.final_length <= best.final_length;
-  if (!keep_solved)
-    current.notes.emplace_back("straighten: the first path gave a shorter path than the solved one");
-  else
-    best = std::move(solved);
+  const StraightenOptions options{
+      .metric = *metric, .stop = [&monitor] { return monitor.interrupted(); }, .flips = true};
+  const bool ring = current.chain.ring;
+  const SurfacePath start = traced(mesh, first.path), solved = on_surface(mesh, current);
+  const Outcome best =
+      ring ? straighten_closed(mesh, start, solved, options) : straighten_open(mesh, start, solved, options);
+  if (best.collapsed) {
+    current.collapsed = true;
+    current.notes.emplace_back("straighten: the ring contracts to a point of the mesh");
+    return current;
+  }
+  if (best.from_first) current.notes.emplace_back("straighten: the first path gave a shorter path than the solved one");
   current.curve = as_curve(problem, best.path);
-  current.curve.straightness = check_straight(mesh, best.path, *metric);
-  const Index columns = current.chain.u.cols();
-  current.chain = coordinate_path(mesh, resample(mesh, best.path, static_cast<int>(columns), *metric));
+  current.curve.straightness =
+      ring ? check_straight_ring(mesh, best.path, *metric) : check_straight(mesh, best.path, *metric);
+  current.chain = spaced(mesh, best.path, ring, static_cast<int>(current.chain.u.cols()), *metric);
   pin_ends(problem, current.chain);
   current.curve_costs = costs_along(problem, current.curve, current.chain);
   if (!best.finished) current.notes.emplace_back("straighten: interrupted before the path was straight");

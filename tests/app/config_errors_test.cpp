@@ -161,12 +161,13 @@ TEST_CASE("config errors: parts that do not fit each other") {
   CHECK_THAT(errors_of(kPlane + "path: {ring: true}\n"),
              Contains("a ring (path.ring: true) has no ends: remove one of the two"));
   const std::string ring = "manifold: euclidean\ncost: euclidean\npath: {ring: true}\n";
-  CHECK_THAT(errors_of(ring), Contains("it needs an initializer, waypoints or file"));
+  CHECK_THAT(errors_of(ring), Contains("it needs an initializer, plane_cut, waypoints or file"));
   CHECK_THAT(errors_of(ring + "initializer: straight\n"), Contains("'straight' joins two ends and a ring has none"));
   CHECK(errors_of(ring + "initializer: {type: waypoints, points: [[1, 0], [0, 1], [-1, -1]]}\n") == "");
-  CHECK_THAT(errors_of(mesh + "cost: euclidean\npath: {ring: true}\npost_process: [straighten]\n"
-                              "initializer: {type: waypoints, points: [[1, 0, 0], [0, 1, 0], [-1, -1, 0]]}\n"),
-             Contains("'straighten' needs a path with ends; this one is a ring"));
+  CHECK(errors_of(mesh + "cost: euclidean\npath: {ring: true}\npost_process: [straighten]\n"
+                         "initializer: {type: plane_cut, point: [0, 0, 0], normal: [0, 0, 1]}\n") == "");
+  CHECK_THAT(errors_of(ring + "initializer: {type: plane_cut, point: [0, 0, 0], normal: [0, 0, 1]}\n"),
+             Contains("'plane_cut' needs a manifold with a mesh"));
 }
 
 TEST_CASE("config errors: ends") {

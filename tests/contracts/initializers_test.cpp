@@ -6,6 +6,7 @@
 #include "problems/initializers/bow.hpp"
 #include "problems/initializers/coordinate_circle.hpp"
 #include "problems/initializers/dijkstra.hpp"
+#include "problems/initializers/plane_cut.hpp"
 #include "problems/manifolds/mesh.hpp"
 #include "problems/manifolds/parametric.hpp"
 #include "problems/readers/waypoint_reader.hpp"
@@ -114,6 +115,24 @@ TEST_CASE("initializer contract: dijkstra", "[contract]") {
   for (const Problem& problem : problems_on_mesh()) check_initializer_contract(DijkstraInitializer(), problem);
   CHECK_THROWS_AS(DijkstraInitializer().first_path(problems_in_plane().front(), {}), InputError);
   CHECK_THROWS_AS(DijkstraInitializer().first_path(closed(ball(), make_euclidean_cost(3)), {}), InitializationError);
+}
+
+TEST_CASE("initializer contract: plane_cut", "[contract]") {
+  Random random;
+  const Eigen::Vector3d v = ball()->mesh().position(5), x(1, 0, 0);
+  for (const auto& [point, normal] : std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>{
+           {{0.1, 0.2, 0.3}, {1, 2, 3}},
+           {{0, 0, 0}, {0, 0, 1}},  // edges and vertices in the plane
+           {v, x},
+           {v + Eigen::Vector3d::Constant(1e-8), x},
+           {0.5 * random.vector(3).normalized(), random.vector(3)}})
+    check_initializer_contract(PlaneCutInitializer({point, normal}), closed(ball(), make_euclidean_cost(3)));
+  const PlaneCutInitializer equator({x, Eigen::Vector3d(0, 0, 1)}), outside({2 * x, x});
+  CHECK_THROWS_AS(outside.first_path(closed(ball(), make_euclidean_cost(3)), {}), InitializationError);
+  CHECK_THROWS_AS(equator.first_path(problems_on_mesh().front(), {}), InitializationError);
+  CHECK_THROWS_AS(equator.first_path(closed(space(3), make_euclidean_cost(3)), {}), InputError);
+  CHECK_THROWS_AS(PlaneCutInitializer({x, Eigen::Vector3d(0, 0, 0)}), OptionError);
+  CHECK_THROWS_AS(PlaneCutInitializer({Eigen::Vector2d(1, 0), x}), OptionError);
 }
 
 TEST_CASE("initializer contract: waypoints", "[contract]") {

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "framework/initializer.hpp"
+#include "framework/options.hpp"
+
+namespace leastcost {
+
+struct PlaneCutOptions {
+  Eigen::VectorXd point;   ///< in the plane, ambient coordinates
+  Eigen::VectorXd normal;  ///< of any length but zero
+  void fields(FieldVisitor& visit);
+};
+
+/// A first ring (VFCS 6.1): the closed curve in which a plane cuts a mesh; of several the one nearest to the given
+/// point. Vertices, edges and faces that lie in the plane are no trouble. Throws InitializationError where the plane
+/// misses the mesh, touches it only, or cuts it in no closed curve, and where the path is no ring.
+class PlaneCutInitializer final : public Initializer {
+ public:
+  /// Throws OptionError for a point or normal that is not three finite numbers, and for a zero normal.
+  explicit PlaneCutInitializer(PlaneCutOptions options);
+  std::string_view name() const override { return "plane_cut"; }
+  FirstPath first_path(const Problem& problem, const Monitor& monitor) const override;
+
+ private:
+  Eigen::Vector3d point_, normal_;
+};
+
+}  // namespace leastcost
