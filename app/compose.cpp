@@ -10,11 +10,12 @@
 #include "app/ends.hpp"
 #include "app/registry.hpp"
 #include "framework/errors.hpp"
+#include "problems/geometry/coordinate_names.hpp"
 #include "problems/geometry/has_images.hpp"
 #include "problems/geometry/has_mesh.hpp"
+#include "problems/geometry/has_point_cloud.hpp"
 #include "problems/geometry/wound.hpp"
 #include "problems/initializers/bow.hpp"
-#include "problems/geometry/has_point_cloud.hpp"
 #include "solvers/newton.hpp"
 
 namespace leastcost::app {
@@ -83,8 +84,8 @@ void add_family(const RunConfig& config, const BuildContext& context, Compositio
   if (problems.empty()) problems.push_back({out.problem, ""});
   for (const WoundProblem& wound : problems)
     for (const auto& [name, initializer] : ways)
-      out.family.push_back(
-          {wound.winding.empty() ? name : fmt::format("{}, winding {}", name, wound.winding), wound.problem, initializer});
+      out.family.push_back({wound.winding.empty() ? name : fmt::format("{}, winding {}", name, wound.winding),
+                            wound.problem, initializer});
 }
 
 /// Runs one step of the check; its OptionError goes to the list, so that the next steps can add theirs.
@@ -102,16 +103,17 @@ bool checked(LoadedConfig& loaded, Step step) {
 /// The space a plug-in will see. Where the manifold itself is in a file, a stand-in: meshes and clouds lie in R^3.
 std::optional<BuildContext> context_without_files(LoadedConfig& loaded) {
   const RunConfig& config = loaded.config;
-  BuildContext context{loaded.folder, 3, Eigen::VectorXd::Zero(3)};
+  BuildContext context{loaded.folder, 3, Eigen::VectorXd::Zero(3), coordinate_names(3)};
   if (config.ring) context.source.reset();
   if (config.manifold.provides(std::string(kGraph))) return context;
   Composition out;
   const bool placed = checked(loaded, [&] {
-    out.problem.manifold = make<std::shared_ptr<const ConstraintManifold>>(config.manifold, {loaded.folder, 0, {}});
+    out.problem.manifold = make<std::shared_ptr<const ConstraintManifold>>(config.manifold, {loaded.folder, 0, {}, {}});
     place_ends(config, out);
   });
   if (!placed) return std::nullopt;
   context.dimension = out.problem.manifold->dimensions().ambient;
+  context.coordinates = point_coordinates(*out.problem.manifold);
   if (!config.ring) context.source = source_position(out.problem);
   return context;
 }
@@ -128,7 +130,7 @@ bool reads_files(const PluginChoice& choice) {
 Composition compose(const RunConfig& config, const std::filesystem::path& folder) {
   const auto start = std::chrono::steady_clock::now();
   Composition out;
-  out.problem.manifold = make<std::shared_ptr<const ConstraintManifold>>(config.manifold, {folder, 0, {}});
+  out.problem.manifold = make<std::shared_ptr<const ConstraintManifold>>(config.manifold, {folder, 0, {}, {}});
   out.read_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (const auto* mesh = dynamic_cast<const HasMesh*>(out.problem.manifold.get())) out.notes = mesh->mesh().notes();
   if (const auto* points = dynamic_cast<const HasPointCloud*>(out.problem.manifold.get())) {
@@ -136,7 +138,8 @@ Composition compose(const RunConfig& config, const std::filesystem::path& folder
     for (std::string& note : points->graph().notes()) out.notes.push_back(std::move(note));
   }
   place_ends(config, out);
-  BuildContext context{folder, out.problem.manifold->dimensions().ambient, {}};
+  BuildContext context{
+      folder, out.problem.manifold->dimensions().ambient, {}, point_coordinates(*out.problem.manifold)};
   if (!config.ring) context.source = source_position(out.problem);
   make_parts(config, context, out);
   add_family(config, context, out);

@@ -125,7 +125,8 @@ const auto& initializers() {
   static const std::vector<InitializerPlugin> all = {
       made_of<InitializerPlugin, StraightInitializer>(
           "straight", "The straight line between the ends, bowed out of the way where its cost is infinite."),
-      made_of<InitializerPlugin, BowInitializer, BowOptions>("bow", "An arc beside the straight line, to a given side."),
+      made_of<InitializerPlugin, BowInitializer, BowOptions>("bow",
+                                                             "An arc beside the straight line, to a given side."),
       made_of<InitializerPlugin, DijkstraInitializer, DijkstraOptions>(
           "dijkstra", "The least-cost path along the edges of the mesh, or the neighbour graph of the cloud.")
           .needing(std::string(kGraph)),
@@ -146,7 +147,7 @@ const auto& initializers() {
       plugin<InitializerPlugin, FileInitializerOptions>(
           "file", "A path through the points of a text file, such as the path.csv of an earlier run.",
           [](const FileInitializerOptions& o, const BuildContext& c) {
-            return std::make_shared<const WaypointsInitializer>(read_waypoints(c.folder / o.file, c.dimension));
+            return std::make_shared<const WaypointsInitializer>(read_waypoints(c.folder / o.file, c.coordinates));
           })
           .providing(std::string(kRing)),
   };

@@ -83,7 +83,7 @@ RunOutcome run(const RunRequest& request, const Monitor& monitor) {
   facts.seed = prepared.loaded.config.seed;
   OutputFolder folder(output_of(request, prepared.loaded.config), request.force);
 
-  RunOutcome outcome{std::move(prepared.loaded.config), std::move(prepared.parts), {}, folder.target(), ""};
+  RunOutcome outcome{std::move(prepared.loaded.config), std::move(prepared.parts), {}, {}, folder.target(), ""};
   const Monitor limited = with_budget(monitor, outcome.config.max_seconds);
   try {
     find(outcome, limited);

@@ -47,8 +47,8 @@ struct RunOutcome {
   Composition parts;
   Result result;
   std::vector<FamilyMember> family;  ///< distinct paths, the delivered one first; empty without a family
-  std::filesystem::path output;  ///< where it was written, absolute
-  std::string output_error;      ///< why it could not be written; the result stands all the same
+  std::filesystem::path output;      ///< where it was written, absolute
+  std::string output_error;          ///< why it could not be written; the result stands all the same
 };
 
 /// A configuration that is ready to run: composed, nothing solved, nothing written.

@@ -31,8 +31,7 @@ bool comes_first(const FamilyMember& a, const FamilyMember& b) {
 /// Adds a result to the member that it repeats, or as a new one.
 void add(FamilyMember member, std::vector<FamilyMember>& members) {
   for (FamilyMember& known : members) {
-    if (known.result.status != member.result.status ||
-        !same_path(known.problem, known.result.path, member.result.path))
+    if (known.result.status != member.result.status || !same_path(known.problem, known.result.path, member.result.path))
       continue;
     known.origins.push_back(member.origins.front());
     return;

@@ -45,8 +45,9 @@ void EndOptions::fields(FieldVisitor& visit) {
 }
 
 void FamilyOptions::fields(RunVisitor& visit) {
-  visit.field("windings", windings,
-              {.help = "Chart with seams: also images of the target up to so many turns on.", .minimum = 0, .maximum = 8});
+  visit.field(
+      "windings", windings,
+      {.help = "Chart with seams: also images of the target up to so many turns on.", .minimum = 0, .maximum = 8});
   visit.field("bows", bows,
               {.help = "Also first paths bowed to so many sides of the straight line.", .minimum = 0, .maximum = 64});
   visit.field("bow_height", bow_height, {.help = "Height of the bows over the distance of the ends.", .minimum = 0});
@@ -77,7 +78,8 @@ void RunConfig::fields(RunVisitor& visit) {
   });
   visit.plugin("initializer", initializer, kind("initializer"),
                {.help = "The first path; default: dijkstra on a mesh, else straight."});
-  visit.block("family", {.help = "More first paths: lists the distinct locally least-cost paths, the least one is delivered."},
+  visit.block("family",
+              {.help = "More first paths: lists the distinct locally least-cost paths, the least one is delivered."},
               [&](RunVisitor& v) { family.fields(v); });
   visit.plugin("solver", solver, kind("solver"),
                {.help = "How the path is improved; default: lbfgs on a mesh, else newton."});

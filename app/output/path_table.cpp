@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "framework/path_energy.hpp"
+#include "problems/geometry/coordinate_names.hpp"
 #include "problems/geometry/has_mesh.hpp"
 #include "problems/geometry/path_tools.hpp"
 
@@ -40,6 +41,7 @@ PathTable delivered_points(const Problem& problem, const Result& result) {
   // A ring's ambient path repeats its first point at the end.
   PathEnergy energy(problem, 1);
   table.x = energy.ambient(result.path).x.leftCols(result.path.u.cols());
+  if (dynamic_cast<const HasChart*>(problem.manifold.get())) table.chart = result.path.u;
   table.ring = result.path.ring;
   accumulate(result.curve_costs, table);
   if (const TriangleMesh* mesh = mesh_of(problem)) {
@@ -64,24 +66,17 @@ PathTable delivered_curve(const Problem& problem, const Result& result) {
   return table;
 }
 
-std::vector<std::string> coordinate_names(Index dimension) {
-  if (dimension <= 3) {
-    const std::vector<std::string> names = {"x", "y", "z"};
-    return {names.begin(), names.begin() + dimension};
-  }
-  std::vector<std::string> names;
-  for (Index i = 0; i < dimension; ++i) names.push_back(fmt::format("x{}", i));
-  return names;
-}
-
 std::string csv_text(const PathTable& table) {
-  std::string text =
-      fmt::format("index,{},segment_cost,cumulative_cost", fmt::join(coordinate_names(table.x.rows()), ","));
+  std::vector<std::string> names = coordinate_names(static_cast<int>(table.x.rows()));
+  if (table.chart.size() > 0) names.insert(names.end(), {"u", "v"});
+  std::string text = fmt::format("index,{},segment_cost,cumulative_cost", fmt::join(names, ","));
   text += table.on_mesh.empty() ? "\n" : ",face,fan,v0,v1,v2,b0,b1,b2\n";
   const auto out = std::back_inserter(text);
   for (Index i = 0; i < table.x.cols(); ++i) {
     fmt::format_to(out, "{}", i);
     for (const double coordinate : table.x.col(i)) fmt::format_to(out, ",{:.17g}", coordinate);
+    if (table.chart.size() > 0)
+      for (const double coordinate : table.chart.col(i)) fmt::format_to(out, ",{:.17g}", coordinate);
     fmt::format_to(out, ",{:.17g},{:.17g}", table.segment_costs[i], table.cumulative_costs[i]);
     if (!table.on_mesh.empty()) {
       const TriangleMesh::FilePoint& p = table.on_mesh[static_cast<std::size_t>(i)];

@@ -13,6 +13,7 @@ namespace leastcost::app {
 /// A polyline of a result with its costs, ready to be written in any format.
 struct PathTable {
   Points x;           ///< ambient, d x m
+  Points chart;       ///< their coordinates in a chart, one column per point; empty without one
   bool ring = false;  ///< a move leads from the last column to the first
   Eigen::VectorXd
       segment_costs;  ///< from each point to the next, along the curve on the domain; 0 at the end of an open path
@@ -25,10 +26,7 @@ PathTable delivered_points(const Problem& problem, const Result& result);
 /// The delivered curve; `on_mesh` names the face that carries the segment which starts at a point.
 PathTable delivered_curve(const Problem& problem, const Result& result);
 
-/// "x", "y", "z" up to three dimensions, "x0", "x1", ... above.
-std::vector<std::string> coordinate_names(Index dimension);
-
-/// index, coordinates, segment_cost, cumulative_cost; on a mesh also face, fan, the corners v0 v1 v2 of the triangle and
+/// index, ambient coordinates, in a chart also u and v, segment_cost, cumulative_cost; on a mesh also face, fan, the corners v0 v1 v2 of the triangle and
 /// the barycentric coordinates b0 b1 b2, all numbered as in the file. All digits.
 std::string csv_text(const PathTable& table);
 

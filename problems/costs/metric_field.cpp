@@ -9,6 +9,7 @@
 
 #include "framework/errors.hpp"
 #include "framework/segment_cost_function.hpp"
+#include "problems/geometry/coordinate_names.hpp"
 #include "problems/geometry/formula.hpp"
 
 namespace leastcost {

@@ -61,17 +61,4 @@ Formulas formulas_of_option(const std::string& key, const std::vector<std::strin
   }
 }
 
-std::vector<std::string> numbered_names(const std::string& name, int count) {
-  std::vector<std::string> names;
-  for (int i = 0; i < count; ++i) names.push_back(name + std::to_string(i));
-  return names;
-}
-
-std::vector<std::string> coordinate_names(int dimension) {
-  std::vector<std::string> names = {"x", "y", "z"};
-  if (dimension > 3) return numbered_names("x", dimension);
-  names.resize(static_cast<std::size_t>(std::max(0, dimension)));
-  return names;
-}
-
 }  // namespace leastcost

@@ -78,9 +78,4 @@ Formulas formulas_of_option(const std::string& key, const std::vector<std::strin
                             const std::vector<std::string>& variables,
                             const std::map<std::string, double>& parameters = {});
 
-/// The names of the coordinates of R^n: x, y, z up to three, else x0 .. x{n-1}.
-std::vector<std::string> coordinate_names(int dimension);
-/// x0 .. x{n-1}.
-std::vector<std::string> numbered_names(const std::string& name, int count);
-
 }  // namespace leastcost

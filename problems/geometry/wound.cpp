@@ -21,11 +21,18 @@ std::vector<WoundProblem> wound_problems(const Problem& problem, int turns) {
     return false;
   };
   do {
-    WoundProblem wound{problem, "("};
-    wound.problem.target.u = seam_map(seams, static_cast<int>(problem.target.u.size()), winding).apply(problem.target.u);
-    for (Index s = 0; s < count; ++s) wound.winding += (s ? ", " : "") + std::to_string(winding[s]);
-    wound.winding += ")";
-    all.insert(winding.isZero() ? all.begin() : all.end(), std::move(wound));
+    std::string name;
+    for (Index i = 0; i < count; ++i) name += (i ? ", " : "(") + std::to_string(winding[i]);
+    name += ")";
+    const SeamMap map = seam_map(seams, static_cast<int>(problem.target.u.size()), winding);
+    const auto add = [&](const Eigen::VectorXd& target, const std::string& where, bool given) {
+      WoundProblem wound{problem, name + where};
+      wound.problem.target.u = map.apply(target);
+      all.insert(given ? all.begin() : all.end(), std::move(wound));
+    };
+    add(problem.target.u, "", winding.isZero());
+    for (std::size_t i = 0; i < domain->poles().size(); ++i)
+      add(domain->poles()[i].apply(problem.target.u), " over pole " + std::to_string(i + 1), false);
   } while (next());
   return all;
 }

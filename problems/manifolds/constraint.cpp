@@ -3,6 +3,7 @@
 #include "problems/manifolds/constraint.hpp"
 
 #include "framework/errors.hpp"
+#include "problems/geometry/coordinate_names.hpp"
 #include "problems/geometry/formula_constraint.hpp"
 #include "problems/geometry/has_images.hpp"
 #include "problems/geometry/named_surfaces.hpp"

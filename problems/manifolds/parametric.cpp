@@ -6,8 +6,9 @@
 
 namespace leastcost {
 
-ParametricManifold::ParametricManifold(std::shared_ptr<const ChartMap> map, Box box, std::vector<Seam> seams)
-    : map_(std::move(map)), box_(std::move(box)), seams_(std::move(seams)) {}
+ParametricManifold::ParametricManifold(std::shared_ptr<const ChartMap> map, Box box, std::vector<Seam> seams,
+                                       std::vector<SeamMap> poles)
+    : map_(std::move(map)), box_(std::move(box)), seams_(std::move(seams)), poles_(std::move(poles)) {}
 
 Projection ParametricManifold::project(CoordinatePath& path) const {
   Projection result;

@@ -35,10 +35,11 @@ struct ParametricOptions {
 };
 
 /// A surface x(u, v) in R^3 (VFCS 4.4.1, Eq. 12). The chart's coordinates are the unknowns; they lie on the universal cover, so that paths
-/// cross seams and keep their winding. The edges of the chart (poles, rims) are bounds.
+/// cross seams and poles and keep their winding. The edges of the chart (an apex, a rim) are bounds.
 class ParametricManifold final : public ConstraintManifold, public HasChart, public HasBounds, public HasSeams {
  public:
-  ParametricManifold(std::shared_ptr<const ChartMap> map, Box box, std::vector<Seam> seams);
+  ParametricManifold(std::shared_ptr<const ChartMap> map, Box box, std::vector<Seam> seams,
+                     std::vector<SeamMap> poles = {});
 
   Dimensions dimensions() const override { return {2, 3, 2}; }
   Shape shape() const override { return Shape::smooth; }
@@ -52,11 +53,13 @@ class ParametricManifold final : public ConstraintManifold, public HasChart, pub
   void curvatures(const CoordinatePath& path, const Points& weights, Points& h) const override;
   int active_bounds(const CoordinatePath& path, Index column, Eigen::Ref<Points> normals) const override;
   const std::vector<Seam>& seams() const override { return seams_; }
+  const std::vector<SeamMap>& poles() const override { return poles_; }
 
  private:
   std::shared_ptr<const ChartMap> map_;
   Box box_;
   std::vector<Seam> seams_;
+  std::vector<SeamMap> poles_;
 };
 
 /// Throws OptionError.

@@ -31,10 +31,15 @@ struct FormulaChart {
 struct Parts {
   std::shared_ptr<const ChartMap> map;
   std::vector<Seam> seams = {};
+  std::vector<SeamMap> poles = {};
   double v_least = -kInfinity, v_most = kInfinity;  ///< edges of the chart in v
 };
 
 const Seam kAround = {0, 2 * kPi, {}};
+
+/// v goes on beyond a pole at v = `at`, on the other side of it.
+SeamMap pole(double at) { return {Eigen::Vector2d(1, -1), Eigen::Vector2d(kPi, 2 * at)}; }
+const std::vector<SeamMap> kTwoPoles = {pole(kPi / 2), pole(-kPi / 2)};
 
 Parts formula(const ParametricOptions& o) {
   std::vector<Seam> seams;
@@ -54,21 +59,20 @@ Parts formula(const ParametricOptions& o) {
 Parts parts_of(const ParametricOptions& o) {
   const std::string& type = o.type;
   if (type == "plane") return {make_chart_map(chart::Plane{})};
-  if (type == "sphere")
-    return {make_chart_map(chart::Ellipsoid{o.radius, o.radius, o.radius}), {kAround}, -kPi / 2, kPi / 2};
+  if (type == "sphere") return {make_chart_map(chart::Ellipsoid{o.radius, o.radius, o.radius}), {kAround}, kTwoPoles};
   if (type == "ellipsoid")
-    return {make_chart_map(chart::Ellipsoid{o.axes[0], o.axes[1], o.axes[2]}), {kAround}, -kPi / 2, kPi / 2};
+    return {make_chart_map(chart::Ellipsoid{o.axes[0], o.axes[1], o.axes[2]}), {kAround}, kTwoPoles};
   if (type == "torus")
     return {make_chart_map(chart::Torus{o.major_radius, o.minor_radius}), {kAround, {1, 2 * kPi, {}}}};
   if (type == "cylinder") return {make_chart_map(chart::Cylinder{o.radius}), {kAround}};
-  if (type == "cone") return {make_chart_map(chart::Cone{o.half_angle}), {kAround}, 0};
+  if (type == "cone") return {make_chart_map(chart::Cone{o.half_angle}), {kAround}, {}, 0};
   if (type == "catenoid") return {make_chart_map(chart::Catenoid{o.waist}), {kAround}};
-  if (type == "paraboloid") return {make_chart_map(chart::Paraboloid{o.curvature}), {kAround}, 0};
+  if (type == "paraboloid") return {make_chart_map(chart::Paraboloid{o.curvature}), {kAround}, {pole(0)}};
   if (type == "hyperboloid") return {make_chart_map(chart::Hyperboloid{o.waist, o.height}), {kAround}};
   if (type == "klein_bottle")
     return {make_chart_map(chart::KleinBottle{o.major_radius, o.minor_radius}), {{0, 2 * kPi, 1}, {1, 2 * kPi, {}}}};
   if (type == "moebius_strip")
-    return {make_chart_map(chart::MoebiusStrip{}), {{0, kPi, 1}}, -o.half_width, o.half_width};
+    return {make_chart_map(chart::MoebiusStrip{}), {{0, kPi, 1}}, {}, -o.half_width, o.half_width};
   if (type == "spiral") return {make_chart_map(chart::Spiral{o.pitch})};
   if (type == "enneper") return {make_chart_map(chart::Enneper{})};
   if (type == "formula") return formula(o);
@@ -92,7 +96,9 @@ void ParametricOptions::fields(FieldVisitor& visit) {
   const auto length = [](FieldVisitor& v, const char* key, double& value, const char* help) {
     v.field(key, value, {.help = help, .unit = "length", .minimum = 0, .exclusive_minimum = true});
   };
-  const auto round = [&](const char* help) { return [&, help](FieldVisitor& v) { length(v, "radius", radius, help); }; };
+  const auto round = [&](const char* help) {
+    return [&, help](FieldVisitor& v) { length(v, "radius", radius, help); };
+  };
   const auto tube = [&](FieldVisitor& v) {
     length(v, "major_radius", major_radius, "From the axis to the middle of the tube (a of VFCS Eq. 17).");
     length(v, "minor_radius", minor_radius, "Of the tube (b of VFCS Eq. 17).");
@@ -152,7 +158,8 @@ std::shared_ptr<const ParametricManifold> make_parametric_manifold(const Paramet
     throw OptionError("surface.axes", "an ellipsoid has three positive half axes");
   Parts parts = parts_of(options);
   Box box = box_of(options, parts);
-  return std::make_shared<ParametricManifold>(std::move(parts.map), std::move(box), std::move(parts.seams));
+  return std::make_shared<ParametricManifold>(std::move(parts.map), std::move(box), std::move(parts.seams),
+                                              std::move(parts.poles));
 }
 
 }  // namespace leastcost

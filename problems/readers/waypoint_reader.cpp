@@ -38,27 +38,21 @@ std::optional<double> number(const std::string& word) {
 }
 
 /// Columns of the coordinates: those the header names, or the first ones.
-std::vector<std::size_t> pick_columns(const std::vector<std::string>& header, int dim) {
-  const auto find = [&header](const std::string& name) {
-    return static_cast<std::size_t>(std::find(header.begin(), header.end(), name) - header.begin());
-  };
+std::vector<std::size_t> pick_columns(const std::vector<std::string>& header, const std::vector<std::string>& names) {
   std::vector<std::size_t> named, first;
-  for (int i = 0; i < dim; ++i) {
-    const std::size_t letter = i < 3 ? find(std::string(1, "xyz"[i])) : header.size();
-    std::string numbered("x");
-    numbered += std::to_string(i);
-    named.push_back(letter < header.size() ? letter : find(numbered));
-    first.push_back(static_cast<std::size_t>(i));
+  for (const std::string& name : names) {
+    named.push_back(static_cast<std::size_t>(std::find(header.begin(), header.end(), name) - header.begin()));
+    first.push_back(first.size());
   }
   return *std::max_element(named.begin(), named.end()) < header.size() ? named : first;
 }
 
 }  // namespace
 
-Eigen::MatrixXd read_waypoints(const std::filesystem::path& file, int dim) {
+Eigen::MatrixXd read_waypoints(const std::filesystem::path& file, const std::vector<std::string>& names) {
   std::ifstream in(file);
   if (!in) throw InputError(file.string() + ": cannot be opened");
-  std::vector<std::size_t> columns = pick_columns({}, dim);
+  std::vector<std::size_t> columns = pick_columns({}, names);
   std::vector<double> values;
   std::string line;
   bool first = true;
@@ -66,21 +60,22 @@ Eigen::MatrixXd read_waypoints(const std::filesystem::path& file, int dim) {
     const std::vector<std::string> words = split(line);
     if (words.empty()) continue;
     if (std::exchange(first, false) && !number(words.front())) {
-      columns = pick_columns(words, dim);
+      columns = pick_columns(words, names);
       continue;
     }
     const std::string place = file.string() + ":" + std::to_string(row) + ": ";
     for (const std::size_t column : columns) {
       if (column >= words.size())
-        throw InputError(place + std::to_string(words.size()) + " columns, a point has " + std::to_string(dim) +
-                         " coordinates");
+        throw InputError(place + std::to_string(words.size()) + " columns, a point has " +
+                         std::to_string(names.size()) + " coordinates");
       const std::optional<double> value = number(words[column]);
       if (!value) throw InputError(place + "'" + words[column] + "' is not a finite number");
       values.push_back(*value);
     }
   }
   if (values.empty()) throw InputError(file.string() + ": holds no points");
-  return Eigen::Map<const Eigen::MatrixXd>(values.data(), dim, static_cast<Eigen::Index>(values.size()) / dim);
+  const auto rows = static_cast<Eigen::Index>(names.size());
+  return Eigen::Map<const Eigen::MatrixXd>(values.data(), rows, static_cast<Eigen::Index>(values.size()) / rows);
 }
 
 }  // namespace leastcost

@@ -109,7 +109,7 @@ TEST_CASE("run: path.csv holds the path to the last bit and starts another run")
   }
   CHECK(std::stod(rows.back()[3]) == 0);
   CHECK(std::stod(rows.back()[4]) == Approx(outcome.result.curve.cost).epsilon(1e-14));
-  const Eigen::MatrixXd read = read_waypoints(dir / "out/path.csv", 2);
+  const Eigen::MatrixXd read = read_waypoints(dir / "out/path.csv", {"x", "y"});
   CHECK(read == outcome.result.path.u);
 
   const std::string again = std::string(kChute) + "initializer: {type: file, file: out/path.csv}\n";

@@ -147,7 +147,7 @@ TEST_CASE("initializer contract: waypoints", "[contract]") {
 TEST_CASE("initializer contract: file", "[contract]") {
   const ScratchDir folder;
   std::ofstream(folder / "tour.csv") << "x,y,z\n1,0,0.1\n-0.5,0.8,0.1\n-0.5,-0.8,0.1\n";
-  const WaypointsInitializer around(read_waypoints(folder / "tour.csv", 3));
+  const WaypointsInitializer around(read_waypoints(folder / "tour.csv", {"x", "y", "z"}));
   for (const Problem& problem : problems_on_mesh()) check_initializer_contract(around, problem);
   check_initializer_contract(around, closed(ball(), make_euclidean_cost(3)));
 }

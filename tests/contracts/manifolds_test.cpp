@@ -82,9 +82,11 @@ void check_chart(const ParametricManifold& manifold, const Points& points) {
       CHECK(h(0, 2 * i + 1) == Approx(h(1, 2 * i)).margin(1e-12 * size));
     }
   }
-  for (std::size_t s = 0; s < manifold.seams().size(); ++s) {
-    const SeamMap map = seam_map(
-        manifold.seams(), 2, Eigen::VectorXi::Unit(static_cast<Index>(manifold.seams().size()), static_cast<Index>(s)));
+  std::vector<SeamMap> maps = manifold.poles();
+  for (std::size_t s = 0; s < manifold.seams().size(); ++s)
+    maps.push_back(seam_map(manifold.seams(), 2,
+                            Eigen::VectorXi::Unit(static_cast<Index>(manifold.seams().size()), static_cast<Index>(s))));
+  for (const SeamMap& map : maps) {
     for (Index i = 0; i < points.cols(); ++i) {
       const CoordinatePath image{map.apply(points.col(i)), {}, true};
       manifold.embed(image, plus);

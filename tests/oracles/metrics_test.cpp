@@ -131,6 +131,7 @@ TEST_CASE("D3: symmetric positive definite matrices under the affine-invariant m
 TEST_CASE("D3: both readings of T and both rules agree where they must", "[oracle]") {
   const int n = 64;
   MetricFieldOptions options;
+  options.type = "formula";
   options.rule = GENERATE("midpoint", "average");
   options.reading = "root";  // 1 / y is a root of 1 / y^2
   options.entries = {"1 / y", "0", "1 / y"};
