@@ -102,6 +102,7 @@ Composition compose(const RunConfig& config, const std::filesystem::path& folder
   place_ends(config, out);
   BuildContext context{folder, out.problem.manifold->dimensions().ambient, {}};
   if (!config.ring) context.source = out.problem.source.u;
+  context.seed = config.seed;
   make_parts(config, context, out);
   fill_options(config, out);
   return out;

@@ -35,6 +35,7 @@ struct BuildContext {
   std::filesystem::path folder;           ///< of the configuration; files are relative to it
   int dimension = 0;                      ///< of the ambient space; 0 while the manifold is made
   std::optional<Eigen::VectorXd> source;  ///< projected onto the manifold; none in a ring
+  int seed = 0;                           ///< master seed of the run
 };
 
 /// What is known about a plug-in of any kind. Abilities are words ("mesh", "constant metric", "ring") that one

@@ -9,6 +9,7 @@
 #include "problems/costs/metric_tensor.hpp"
 #include "problems/costs/travel_time.hpp"
 #include "problems/initializers/dijkstra.hpp"
+#include "problems/initializers/rrt.hpp"
 #include "problems/initializers/straight.hpp"
 #include "problems/initializers/waypoints.hpp"
 #include "problems/kernels/kernels.hpp"
@@ -108,6 +109,9 @@ const auto& initializers() {
       made_of<InitializerPlugin, DijkstraInitializer, DijkstraOptions>(
           "dijkstra", "The least-cost path along the edges of the mesh.")
           .needing(std::string(kMesh)),
+      plugin<InitializerPlugin, RrtOptions>(
+          "rrt", "A random tree in the shell around a smooth domain, shortened.",
+          [](const RrtOptions& o, const BuildContext& c) { return std::make_shared<const RrtInitializer>(o, c.seed); }),
       plugin<InitializerPlugin, WaypointsOptions>("waypoints", "A path through the given points, in order.",
                                                   [](const WaypointsOptions& o, const BuildContext&) {
                                                     return std::make_shared<const WaypointsInitializer>(
