@@ -17,6 +17,7 @@
 #include "problems/manifolds/euclidean.hpp"
 #include "problems/manifolds/implicit.hpp"
 #include "problems/manifolds/mesh.hpp"
+#include "problems/post_processors/on_surface.hpp"
 #include "problems/post_processors/straighten.hpp"
 #include "problems/post_processors/trace.hpp"
 #include "problems/readers/waypoint_reader.hpp"
@@ -94,10 +95,12 @@ const auto& manifolds() {
           .providing(std::string(kMesh)),
       plugin<ManifoldPlugin, ImplicitManifoldOptions>(
           "implicit", "A surface f(x, y, z) = 0, or a curve f(x, y) = 0: by name or as a formula.",
-          [](const ImplicitManifoldOptions& o, const BuildContext&) { return make_implicit_manifold(o); }),
+          [](const ImplicitManifoldOptions& o, const BuildContext&) { return make_implicit_manifold(o); })
+          .providing(std::string(kEmbedded)),
       plugin<ManifoldPlugin, ConstraintManifoldOptions>(
           "constraint", "The solutions of equations in R^n: formulas, the n-sphere, the rotations SO(3).",
-          [](const ConstraintManifoldOptions& o, const BuildContext&) { return make_constraint_manifold(o); }),
+          [](const ConstraintManifoldOptions& o, const BuildContext&) { return make_constraint_manifold(o); })
+          .providing(std::string(kEmbedded)),
   };
   return all;
 }
@@ -145,6 +148,9 @@ const auto& post_processors() {
           .needing(std::string(kMesh))
           .needing(std::string(kConstantMetric))
           .needing(std::string(kEnds)),
+      made_of<PostProcessorPlugin, OnSurfacePostProcessor, OnSurfaceOptions>(
+          "on_surface", "The solved path as a polyline that lies on a smooth domain to a tolerance.")
+          .needing(std::string(kEmbedded)),
   };
   return all;
 }

@@ -26,8 +26,9 @@ using PostProcessorPlugin = Plugin<std::shared_ptr<const PostProcessor>>;
 /// Abilities that plug-ins provide and need, see PluginEntry.
 inline constexpr std::string_view kMesh = "mesh";
 inline constexpr std::string_view kConstantMetric = "constant metric";
-inline constexpr std::string_view kRing = "ring";  ///< an initializer that makes closed paths
-inline constexpr std::string_view kEnds = "ends";  ///< what a closed path does not have
+inline constexpr std::string_view kEmbedded = "smooth embedding";  ///< curved, given in its ambient space
+inline constexpr std::string_view kRing = "ring";                  ///< an initializer that makes closed paths
+inline constexpr std::string_view kEnds = "ends";                  ///< what a closed path does not have
 
 /// Everything that a configuration can name: one registration line per plug-in, in registry.cpp.
 const std::vector<PluginKind>& plugin_kinds();
