@@ -141,6 +141,7 @@ Composition compose(const RunConfig& config, const std::filesystem::path& folder
   BuildContext context{
       folder, out.problem.manifold->dimensions().ambient, {}, point_coordinates(*out.problem.manifold)};
   if (!config.ring) context.source = source_position(out.problem);
+  context.seed = config.seed;
   make_parts(config, context, out);
   add_family(config, context, out);
   fill_options(config, out);

@@ -36,6 +36,7 @@ struct BuildContext {
   int dimension = 0;                      ///< of the ambient space; 0 while the manifold is made
   std::optional<Eigen::VectorXd> source;  ///< projected onto the manifold, ambient; none in a ring
   std::vector<std::string> coordinates;   ///< names of the coordinates in which points are given
+  int seed = 0;                           ///< master seed of the run
 };
 
 /// What is known about a plug-in of any kind. Abilities are words ("mesh", "constant metric", "ring") that one

@@ -13,6 +13,7 @@
 #include "problems/initializers/coordinate_circle.hpp"
 #include "problems/initializers/dijkstra.hpp"
 #include "problems/initializers/plane_cut.hpp"
+#include "problems/initializers/rrt.hpp"
 #include "problems/initializers/straight.hpp"
 #include "problems/initializers/waypoints.hpp"
 #include "problems/kernels/kernels.hpp"
@@ -22,6 +23,7 @@
 #include "problems/manifolds/mesh.hpp"
 #include "problems/manifolds/parametric.hpp"
 #include "problems/manifolds/point_cloud.hpp"
+#include "problems/post_processors/on_surface.hpp"
 #include "problems/post_processors/straighten.hpp"
 #include "problems/post_processors/trace.hpp"
 #include "problems/readers/waypoint_reader.hpp"
@@ -107,10 +109,12 @@ const auto& manifolds() {
           .providing(std::string(kSeams)),
       plugin<ManifoldPlugin, ImplicitManifoldOptions>(
           "implicit", "A surface f(x, y, z) = 0, or a curve f(x, y) = 0: by name or as a formula.",
-          [](const ImplicitManifoldOptions& o, const BuildContext&) { return make_implicit_manifold(o); }),
+          [](const ImplicitManifoldOptions& o, const BuildContext&) { return make_implicit_manifold(o); })
+          .providing(std::string(kEmbedded)),
       plugin<ManifoldPlugin, ConstraintManifoldOptions>(
           "constraint", "The solutions of equations in R^n: formulas, the n-sphere, the rotations SO(3).",
-          [](const ConstraintManifoldOptions& o, const BuildContext&) { return make_constraint_manifold(o); }),
+          [](const ConstraintManifoldOptions& o, const BuildContext&) { return make_constraint_manifold(o); })
+          .providing(std::string(kEmbedded)),
       plugin<ManifoldPlugin, PointCloudManifoldOptions>(
           "point_cloud", "The smooth surface through a point cloud in R^3, read from a PLY or XYZ file.",
           [](const PointCloudManifoldOptions& o, const BuildContext& c) {
@@ -134,6 +138,9 @@ const auto& initializers() {
           "plane_cut", "The closed curve in which a plane cuts the mesh, for a ring.")
           .needing(std::string(kMesh))
           .providing(std::string(kRing)),
+      plugin<InitializerPlugin, RrtOptions>(
+          "rrt", "A random tree in the shell around a smooth domain, shortened.",
+          [](const RrtOptions& o, const BuildContext& c) { return std::make_shared<const RrtInitializer>(o, c.seed); }),
       plugin<InitializerPlugin, WaypointsOptions>("waypoints", "A path through the given points, in order.",
                                                   [](const WaypointsOptions& o, const BuildContext&) {
                                                     return std::make_shared<const WaypointsInitializer>(
@@ -170,6 +177,9 @@ const auto& post_processors() {
           "straighten", "The exact locally shortest path on the mesh, of the same class as the solved one.")
           .needing(std::string(kMesh))
           .needing(std::string(kConstantMetric)),
+      made_of<PostProcessorPlugin, OnSurfacePostProcessor, OnSurfaceOptions>(
+          "on_surface", "The solved path as a polyline that lies on a smooth domain to a tolerance.")
+          .needing(std::string(kEmbedded)),
   };
   return all;
 }

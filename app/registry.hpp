@@ -28,7 +28,8 @@ inline constexpr std::string_view kMesh = "mesh";
 inline constexpr std::string_view kSeams = "chart with seams";
 inline constexpr std::string_view kGraph = "graph";  ///< edges between points that lie on the domain
 inline constexpr std::string_view kConstantMetric = "constant metric";
-inline constexpr std::string_view kRing = "ring";  ///< an initializer that makes closed paths
+inline constexpr std::string_view kEmbedded = "smooth embedding";  ///< curved, given in its ambient space
+inline constexpr std::string_view kRing = "ring";                  ///< an initializer that makes closed paths
 
 /// Everything that a configuration can name: one registration line per plug-in, in registry.cpp.
 const std::vector<PluginKind>& plugin_kinds();

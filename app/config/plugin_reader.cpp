@@ -74,6 +74,7 @@ void OptionsReader::plugins(std::string_view key, PluginList& value, const Plugi
 const FieldVariant* OptionsReader::find_variant(const ConfigEntry& e, const std::string& path,
                                                 const std::vector<FieldVariant>& variants) {
   std::vector<std::string> types;
+  types.reserve(variants.size());
   for (const FieldVariant& v : variants) types.push_back(v.type);
   const ConfigNode* type = &e.value;
   if (e.value.is_block()) {

@@ -26,6 +26,8 @@ void complete(RunConfig& config) {
   if (!config.solver) config.solver = default_plugin("solver", mesh ? "lbfgs" : "newton", "solver");
   if (config.post_process.given) return;
   config.post_process.given = true;
+  if (config.manifold.provides(std::string(kEmbedded)))
+    config.post_process.choices.push_back(default_plugin("post_processor", "on_surface", "post_process.0"));
   if (mesh) config.post_process.choices.push_back(default_plugin("post_processor", "trace", "post_process.0"));
   if (mesh && config.cost.provides(std::string(kConstantMetric)))
     config.post_process.choices.push_back(default_plugin("post_processor", "straighten", "post_process.1"));

@@ -139,6 +139,7 @@ FormulaProgram FormulaBuilder::compile(const std::vector<Node>& outputs) const {
     throw InputError("a formula needs " + std::to_string(steps.size()) + " operations; the most is " +
                      std::to_string(FormulaProgram::kMaxSteps));
   std::vector<std::uint8_t> where;
+  where.reserve(outputs.size());
   for (const Node n : outputs) where.push_back(of(n));
   return {inputs_, std::move(steps), std::move(where)};
 }

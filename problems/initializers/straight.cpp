@@ -6,6 +6,7 @@
 
 #include "framework/errors.hpp"
 #include "framework/path_energy.hpp"
+#include "problems/geometry/projected_line.hpp"
 
 namespace leastcost {
 namespace {
@@ -50,6 +51,21 @@ CoordinatePath find_finite(const Problem& problem) {
       "waypoints");
 }
 
+/// The line, projected. It may pass a place where the nearest point jumps; what is on both sides of it is no path.
+CoordinatePath project_continuously(const Problem& problem) {
+  constexpr int kPieces = 32;
+  constexpr double kGap = 0.25;  // of the distance of the ends: several of them make up the path
+  const Eigen::VectorXd &a = problem.source.u, &b = problem.target.u;
+  LineProjector lines(*problem.manifold);
+  std::vector<Eigen::VectorXd> points = {a};
+  if (!lines.append(a, b, kPieces, kGap * (b - a).norm(), points))
+    throw InitializationError("the straight line between the ends has no continuous projection onto the domain: " +
+                              lines.why() + "; give waypoints around it, or use the initializer rrt");
+  CoordinatePath path = as_open_path(points);
+  pin_ends(problem, path);
+  return path;
+}
+
 }  // namespace
 
 FirstPath StraightInitializer::first_path(const Problem& problem, const Monitor&) const {
@@ -58,6 +74,8 @@ FirstPath StraightInitializer::first_path(const Problem& problem, const Monitor&
   const bool chart = dynamic_cast<const HasChart*>(problem.manifold.get()) != nullptr;
   if (chart || problem.manifold->shape() == Shape::flat) {
     first.path = find_finite(problem);
+  } else if (problem.manifold->shape() == Shape::smooth) {
+    first.path = project_continuously(problem);
   } else {  // sampled and projected by find_path()
     first.path.u.resize(problem.source.u.size(), 2);
     first.path.u << problem.source.u, problem.target.u;

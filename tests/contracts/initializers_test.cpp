@@ -7,6 +7,8 @@
 #include "problems/initializers/coordinate_circle.hpp"
 #include "problems/initializers/dijkstra.hpp"
 #include "problems/initializers/plane_cut.hpp"
+#include "problems/initializers/rrt.hpp"
+#include "problems/manifolds/implicit.hpp"
 #include "problems/manifolds/mesh.hpp"
 #include "problems/manifolds/parametric.hpp"
 #include "problems/readers/waypoint_reader.hpp"
@@ -109,6 +111,101 @@ TEST_CASE("initializer contract: coordinate_circle", "[contract]") {
   CHECK_THROWS_WITH(CoordinateCircleInitializer({0, Eigen::Vector2d(0.3, 0.2), 1}).first_path(strip, {}),
                     Catch::Contains("even number of turns"));
   CHECK_THROWS_AS(CoordinateCircleInitializer({1, Eigen::Vector2d(0.3, 0), 1}).first_path(strip, {}), OptionError);
+}
+
+namespace {
+
+std::shared_ptr<const LevelSet> surface(const char* type) {
+  ImplicitManifoldOptions options;
+  options.surface = type;
+  return make_implicit_manifold(options);
+}
+
+/// Problems on smooth surfaces; `across`: also such whose straight line runs through the middle.
+std::vector<Problem> problems_on_surfaces(bool across) {
+  const auto sphere = surface("sphere"), torus = surface("torus"), genus2 = surface("genus2");
+  const auto cost = make_euclidean_cost(3);
+  Random random;
+  const Eigen::Vector3d x(1, 0, 0), off(0, 1e-8, 0);
+  std::vector<Problem> all = {between(sphere, cost, x, Eigen::Vector3d(0, 0.6, 0.8)), between(sphere, cost, x, x + off),
+                              between(sphere, cost, random.vector(3), random.vector(3)),
+                              between(torus, cost, 3 * x, Eigen::Vector3d(0, 3, 0)),
+                              between(genus2, cost, Eigen::Vector3d(0.5, 1, 0.3), Eigen::Vector3d(-0.5, -1, 0.5))};
+  if (!across) return all;
+  all.push_back(between(sphere, cost, x, -x));
+  all.push_back(between(sphere, cost, x, -x + off));
+  all.push_back(between(torus, cost, 3 * x, -3 * x));
+  all.push_back(between(torus, cost, 3 * x, x));
+  return all;
+}
+
+/// Largest move between neighbours, in lengths of the path.
+double longest_move(const CoordinatePath& path) {
+  const Index m = path.u.cols() - 1;
+  const Eigen::VectorXd moves = (path.u.rightCols(m) - path.u.leftCols(m)).colwise().norm();
+  return moves.maxCoeff() / moves.sum();
+}
+
+}  // namespace
+
+TEST_CASE("initializer contract: straight, on smooth surfaces", "[contract]") {
+  for (const Problem& problem : problems_on_surfaces(false)) check_initializer_contract(StraightInitializer(), problem);
+  // Through the middle there is no continuous projection, whatever the number of points: an error, never a path with a jump.
+  const auto refused = [](const std::shared_ptr<const LevelSet>& domain, const Eigen::Vector3d& a,
+                          const Eigen::Vector3d& b) {
+    try {
+      StraightInitializer().first_path(between(domain, make_euclidean_cost(3), a, b), {});
+      return std::string("accepted");
+    } catch (const InitializationError& error) {
+      return std::string(error.what());
+    }
+  };
+  const Eigen::Vector3d x(1, 0, 0);
+  CHECK_THAT(refused(surface("sphere"), x, -x), Catch::Contains("no continuous projection"));
+  CHECK_THAT(refused(surface("torus"), 3 * x, -3 * x), Catch::Contains("no continuous projection"));
+  CHECK_THAT(refused(surface("torus"), 3 * x, x), Catch::Contains("no continuous projection"));
+}
+
+TEST_CASE("initializer contract: rrt", "[contract]") {
+  for (const Problem& problem : problems_on_surfaces(true)) {
+    check_initializer_contract(RrtInitializer(), problem);
+    CHECK(longest_move(RrtInitializer({}, 3).first_path(problem, {}).path) < 0.2);
+  }
+  for (const Problem& problem : problems_in_plane()) check_initializer_contract(RrtInitializer(), problem);
+  CHECK_THROWS_AS(RrtInitializer().first_path(closed(space(2), make_euclidean_cost(2)), {}), InitializationError);
+  CHECK_THROWS_AS(RrtInitializer().first_path(problems_on_mesh().front(), {}), InitializationError);
+}
+
+TEST_CASE("initializer contract: rrt, seeds and failures", "[contract]") {
+  const Problem across = problems_on_surfaces(true)[7];
+  const auto path = [&](int seed) { return RrtInitializer({}, seed).first_path(across, {}).path.u; };
+  CHECK(path(1) == path(1));
+  CHECK((path(1).cols() != path(2).cols() || path(1) != path(2)));
+  RrtOptions own;
+  own.seed = 1;
+  CHECK(RrtInitializer(own, 2).first_path(across, {}).path.u == path(1));
+
+  const auto message = [](const Problem& problem, const RrtOptions& options, const Monitor& monitor = {}) {
+    try {
+      RrtInitializer(options).first_path(problem, monitor);
+      return std::string("found");
+    } catch (const InitializationError& error) {
+      return std::string(error.what());
+    }
+  };
+  // Two spheres that do not touch: no tree gets from one to the other.
+  ImplicitManifoldOptions two;
+  two.surface = "formula";
+  two.f = "((x - 2)^2 + y^2 + z^2 - 1) * ((x + 2)^2 + y^2 + z^2 - 1)";
+  const Problem apart =
+      between(make_implicit_manifold(two), make_euclidean_cost(3), Eigen::Vector3d(3, 0, 0), Eigen::Vector3d(-3, 0, 0));
+  RrtOptions few;
+  few.max_nodes = 300;
+  CHECK_THAT(message(apart, few), Catch::Contains("no path after ") && Catch::Contains("from the target"));
+  few.max_nodes = 3;
+  CHECK_THAT(message(across, few), Catch::Contains("no path after 3 nodes"));
+  CHECK_THAT(message(across, {}, {.observe = {}, .stop_requested = [] { return true; }, .deadline = {}}),
+             Catch::Contains("interrupted after 1 nodes"));
 }
 
 TEST_CASE("initializer contract: dijkstra", "[contract]") {

@@ -4,7 +4,9 @@
 #include "framework/spacing.hpp"
 #include "problems/costs/metric_tensor.hpp"
 #include "problems/initializers/dijkstra.hpp"
+#include "problems/manifolds/implicit.hpp"
 #include "problems/manifolds/mesh.hpp"
+#include "problems/post_processors/on_surface.hpp"
 #include "problems/post_processors/straighten.hpp"
 #include "problems/post_processors/trace.hpp"
 #include "tests/problems/sample_meshes.hpp"
@@ -99,10 +101,58 @@ TEST_CASE("post_processor contract: straighten", "[contract]") {
   }
 }
 
+TEST_CASE("post_processor contract: on_surface", "[contract]") {
+  ImplicitManifoldOptions options;
+  options.surface = GENERATE("sphere", "torus", "genus2", "gyroid");
+  const auto manifold = make_implicit_manifold(options);
+  const Problem problem =
+      between(manifold, make_euclidean_cost(3), Eigen::Vector3d(0.9, 1, 0.3), Eigen::Vector3d(0.9, -1, 0.5));
+  const FirstPath first = StraightInitializer().first_path(problem, {});
+  const PostProcessed chain = as_delivered(problem, sample_equally(problem, first.path, kPoints));
+  double before = chain.curve.cost;
+  for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
+    CAPTURE(options.surface, tolerance);
+    const PostProcessed made = OnSurfacePostProcessor({tolerance}).apply(problem, first, chain, {});
+    const Points& x = made.curve.x;
+    const Index m = x.cols() - 1;
+    CHECK(made.notes.empty());
+    CHECK(made.chain.u == chain.chain.u);
+    CHECK(x.col(0) == problem.source.u);
+    CHECK(x.col(m) == problem.target.u);
+    CHECK(manifold->residual({x, {}, true}) <= kRounding);
+    for (const double t : {0.1, 0.25, 0.5, 0.8})
+      CHECK(manifold->residual({(1 - t) * x.leftCols(m) + t * x.rightCols(m), {}, true}) <= tolerance);
+    REQUIRE(made.curve_costs.size() == chain.chain.segment_count());
+    CHECK(made.curve_costs.sum() == Approx(made.curve.cost).epsilon(1e-12));
+    const Eigen::VectorXd costs = segment_costs(*problem.cost, {{x.data(), 3, x.cols()}, {}, false});
+    CHECK(made.curve.cost == Approx(costs.sum()).epsilon(1e-12));
+    CHECK(made.curve.cost >= before * (1 - 1e-14 * kPoints));  // points are only put in
+    before = made.curve.cost;
+  }
+}
+
+TEST_CASE("post_processor contract: on_surface, rings", "[contract]") {
+  ImplicitManifoldOptions options;
+  options.surface = "torus";
+  const Problem problem = closed(make_implicit_manifold(options), make_euclidean_cost(3));
+  Points equator(3, 12);
+  for (Index i = 0; i < 12; ++i) {
+    const double t = static_cast<double>(i) * std::acos(-1) / 6;
+    equator.col(i) = Eigen::Vector3d(std::cos(t), std::sin(t), 0);
+  }
+  const PostProcessed made =
+      OnSurfacePostProcessor({1e-6}).apply(problem, {}, as_delivered(problem, {equator, {}, true}), {});
+  CHECK(made.curve.x.col(0) == made.curve.x.rightCols(1));
+  // Chords with sagittas s <= 1e-6 of the unit circle: too short by 4 s / 3 of their length at most.
+  CHECK(std::abs(made.curve.cost - 2 * std::acos(-1)) <= 1.4e-6 * 2 * std::acos(-1));
+  CHECK(made.curve_costs.size() == 12);
+}
+
 TEST_CASE("post_processor contract: what does not fit is refused", "[contract]") {
   const Problem plane = between(space(2), make_euclidean_cost(2), Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0));
   const FirstPath first = StraightInitializer().first_path(plane, {});
   CHECK_THROWS_AS(TracePostProcessor().apply(plane, first, as_delivered(plane, first.path), {}), InputError);
+  CHECK_THROWS_AS(OnSurfacePostProcessor().apply(plane, first, as_delivered(plane, first.path), {}), InputError);
   CHECK_THROWS_AS(StraightenPostProcessor().apply(plane, first, as_delivered(plane, first.path), {}), InputError);
 }
 

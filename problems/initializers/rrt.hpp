@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "framework/initializer.hpp"
+#include "framework/options.hpp"
+
+namespace leastcost {
+
+struct RrtOptions {
+  double step = -1;   ///< length units; negative: a sixteenth of the distance of the ends
+  double shell = -1;  ///< length units; negative: a quarter of the step
+  double goal_bias = 0.1;
+  double reach = 1;
+  int max_nodes = 20000;
+  int shortcuts = 200;
+  int seed = -1;  ///< negative: the seed of the run
+  void fields(FieldVisitor& visit);
+};
+
+/// A rapidly exploring random tree in the shell around a smooth domain, VFCS Sec. 4.2.1: from the tree's point nearest to a random sample one
+/// step towards it, then into the shell. Here the shell is what lies within a distance of the domain, on both sides, so that it needs nothing
+/// but a projection. Every edge has a continuous projection; the path is projected and shortened by random shortcuts. The same seed gives
+/// the same path.
+class RrtInitializer final : public Initializer {
+ public:
+  explicit RrtInitializer(const RrtOptions& options = {}, int run_seed = 0);
+  std::string_view name() const override { return "rrt"; }
+  /// Throws InitializationError that says how many nodes there were and how near to the target they came.
+  FirstPath first_path(const Problem& problem, const Monitor& monitor) const override;
+
+ private:
+  RrtOptions options_;
+};
+
+}  // namespace leastcost

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/post_processors/on_surface.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <sstream>
+#include <vector>
+
+#include "framework/errors.hpp"
+#include "framework/segment_cost.hpp"
+#include "problems/geometry/projected_line.hpp"
+
+namespace leastcost {
+namespace {
+
+constexpr double kOfExtent = 1e-6;
+constexpr double kMargin = 0.8;  ///< of the tolerance: the deviation is measured in three places only
+constexpr int kDeepest = 20;     ///< bisections of a segment
+
+/// Refines the segments of a chain; counts those that could not be refined far enough.
+class Refiner {
+ public:
+  Refiner(const ConstraintManifold& manifold, double tolerance) : lines_(manifold), tolerance_(kMargin * tolerance) {}
+
+  int given_up() const { return given_up_; }
+  const std::vector<Eigen::VectorXd>& points() const { return points_; }
+  void start(const Eigen::VectorXd& x) { points_.push_back(x); }
+
+  /// Appends a -> b without a.
+  void segment(const Eigen::VectorXd& a, const Eigen::VectorXd& b, int depth = 0) {
+    const std::optional<Eigen::VectorXd> middle = lines_.nearest((a + b) / 2);
+    // A nearest point as far away as the ends is on another sheet.
+    const bool usable = middle && std::max((*middle - a).norm(), (*middle - b).norm()) < (b - a).norm();
+    if (usable && ((*middle - (a + b) / 2).norm() > tolerance_ || off(a, b, 0.25) || off(a, b, 0.75))) {
+      if (depth < kDeepest) {
+        segment(a, *middle, depth + 1);
+        return segment(*middle, b, depth + 1);
+      }
+      ++given_up_;
+    }
+    given_up_ += usable ? 0 : 1;
+    points_.push_back(b);
+  }
+
+ private:
+  bool off(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double t) {
+    const Eigen::VectorXd x = (1 - t) * a + t * b;
+    const std::optional<Eigen::VectorXd> on = lines_.nearest(x);
+    return on && (*on - x).norm() > tolerance_;
+  }
+
+  LineProjector lines_;
+  double tolerance_;
+  int given_up_ = 0;
+  std::vector<Eigen::VectorXd> points_;
+};
+
+double extent(const Points& u) { return (u.rowwise().maxCoeff() - u.rowwise().minCoeff()).norm(); }
+
+}  // namespace
+
+void OnSurfaceOptions::fields(FieldVisitor& visit) {
+  visit.field("tolerance", tolerance,
+              {.help = "How far the delivered curve may be off the domain; default: 1e-6 of its extent.",
+               .unit = "length",
+               .minimum = 0,
+               .exclusive_minimum = true});
+}
+
+PostProcessed OnSurfacePostProcessor::apply(const Problem& problem, const FirstPath&, PostProcessed current,
+                                            const Monitor& monitor) const {
+  const ConstraintManifold& manifold = *problem.manifold;
+  if (manifold.shape() != Shape::smooth || manifold.dimensions().coordinate != manifold.dimensions().ambient)
+    throw InputError("on_surface needs a smooth domain that is given in its ambient space (implicit, constraint)");
+  const Points& u = current.chain.u;
+  const Index segments = current.chain.segment_count();
+  const double tolerance = options_.tolerance > 0 ? options_.tolerance : kOfExtent * extent(u);
+  Refiner refiner(manifold, tolerance);
+  refiner.start(u.col(0));
+  std::vector<Index> ends = {0};  // of the segments, in the curve
+  for (Index i = 0; i < segments; ++i) {
+    if (monitor.interrupted()) return current;
+    refiner.segment(u.col(i), u.col((i + 1) % u.cols()));
+    ends.push_back(static_cast<Index>(refiner.points().size()) - 1);
+  }
+  current.curve.x = as_open_path(refiner.points()).u;
+  const Points& x = current.curve.x;
+  const Eigen::VectorXd costs = segment_costs(*problem.cost, {{x.data(), x.rows(), x.cols()}, {}, current.chain.ring});
+  current.curve.cost = costs.sum();
+  for (Index i = 0; i < segments; ++i) {
+    const Index begin = ends[static_cast<std::size_t>(i)], end = ends[static_cast<std::size_t>(i) + 1];
+    current.curve_costs[i] = costs.segment(begin, end - begin).sum();
+  }
+  if (refiner.given_up() > 0) {
+    std::ostringstream note;
+    note << "on_surface: " << refiner.given_up() << " segments stay further off the domain than " << tolerance;
+    current.notes.push_back(note.str());
+  }
+  return current;
+}
+
+}  // namespace leastcost

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "framework/options.hpp"
+#include "framework/post_processor.hpp"
+
+namespace leastcost {
+
+struct OnSurfaceOptions {
+  double tolerance = -1;  ///< length units; negative: 1e-6 of the path's extent
+  void fields(FieldVisitor& visit);
+};
+
+/// The chain as a polyline that lies on a smooth domain to a tolerance: wherever a chord is further off the domain than that, the projection of
+/// its middle is put in, and so on with the halves. VFCS Eq. (16) cuts the surface with the plane of chord and normal; the nearest point of
+/// the middle lies in that plane up to third order in the chord, and it exists in every dimension. The chain stays as it is.
+class OnSurfacePostProcessor final : public PostProcessor {
+ public:
+  explicit OnSurfacePostProcessor(const OnSurfaceOptions& options = {}) : options_(options) {}
+  std::string_view name() const override { return "on_surface"; }
+  /// Throws InputError for a domain that is not smooth or is not embedded point by point.
+  PostProcessed apply(const Problem& problem, const FirstPath& first, PostProcessed current,
+                      const Monitor& monitor) const override;
+
+ private:
+  OnSurfaceOptions options_;
+};
+
+}  // namespace leastcost
