@@ -19,13 +19,14 @@ namespace leastcost {
 namespace {
 
 constexpr double kRadius = PointCloudSettings::kCleanRadius;
-constexpr double kWidestRadius = 32;   ///< spacings
-constexpr double kNoise = 0.125;       ///< largest standard deviation of the noise, in supports
-constexpr int kNoiseProbes = 400;      ///< samples that are asked for it
-constexpr double kMostOfCloud = 0.25;  ///< a support never holds more than this part of the cloud
-constexpr double kOutlier = 6;         ///< standard deviations off the local fit at which trust ends
-constexpr double kScaleFloor = 0.01;   ///< of the support: below it a deviation is curvature, not noise
-constexpr double kAgreement = 0.985;   ///< median |cos| of given and estimated normals (10 degrees)
+constexpr double kWidestRadius = 32;      ///< spacings
+constexpr double kNoise = 0.125;          ///< largest standard deviation of the noise, in supports
+constexpr int kNoiseProbes = 400;         ///< samples that are asked for it
+constexpr double kMostOfCloud = 0.25;     ///< a support never holds more than this part of the cloud
+constexpr std::size_t kMostForFit = 160;  ///< neighbours of a fit: of more, every other or third one
+constexpr double kOutlier = 6;            ///< standard deviations off the local fit at which trust ends
+constexpr double kScaleFloor = 0.01;      ///< of the support: below it a deviation is curvature, not noise
+constexpr double kAgreement = 0.985;      ///< median |cos| of given and estimated normals (10 degrees)
 
 std::string text(double x) {
   std::ostringstream out;
@@ -141,7 +142,9 @@ void PointCloud::gather(std::int32_t i, double radius, std::vector<Neighbour>& f
                         std::vector<Eigen::Vector3d>& offsets) const {
   search_.within(sample(i).position, radius, found);
   offsets.clear();
-  for (const Neighbour& other : found) offsets.push_back(sample(other.index).position - sample(i).position);
+  const std::size_t stride = (found.size() + kMostForFit - 1) / kMostForFit;
+  for (std::size_t k = 0; k < found.size(); k += stride)
+    offsets.push_back(sample(found[k].index).position - sample(i).position);
 }
 
 /// Noise must be small against the support, or there is no surface to see in it: wider until it is.
@@ -157,7 +160,7 @@ void PointCloud::choose_radius() {
     for (std::int32_t i = stride / 2; i < size(); i += stride) {
       const double radius = settings_.radius * spacing(i);
       gather(i, radius, found, offsets);
-      counts.push_back(static_cast<double>(offsets.size()));
+      counts.push_back(static_cast<double>(found.size()));
       const LocalFit fit = fit_locally(offsets, radius);
       if (fit.valid) noises.push_back(fit.scale / radius);
     }
