@@ -27,7 +27,8 @@ TEST_CASE("config errors: an unknown key that resembles none lists the valid one
 
 TEST_CASE("config errors: unknown type") {
   CHECK(errors_of("manifold: euclidan\ncost: euclidean\nends: {source: {point: [0, 0]}, target: {point: [1, 1]}}\n") ==
-        "a.yaml:1:11: error: unknown manifold 'euclidan' (did you mean 'euclidean'?); valid types: euclidean, mesh\n"
+        "a.yaml:1:11: error: unknown manifold 'euclidan' (did you mean 'euclidean'?); valid types: euclidean, mesh, "
+        "point_cloud\n"
         "    1 | manifold: euclidan\n"
         "      |           ^~~~~~~~\n");
 }
@@ -37,7 +38,7 @@ TEST_CASE("config errors: missing keys stand at their block") {
             "manifold: euclidean\ncost: metric_tensor\nends:\n  source: {point: [0, 0]}\n  target: {point: [1, 1]}\n")
             .rfind("a.yaml:2:1: error: missing key 'matrix' in cost: ", 0) == 0);
   CHECK_THAT(errors_of("manifold: {dimension: 2}\ncost: euclidean\n"),
-             Contains("a.yaml:1:1: error: missing key 'type' in manifold: one of euclidean, mesh\n"));
+             Contains("a.yaml:1:1: error: missing key 'type' in manifold: one of euclidean, mesh, point_cloud\n"));
   CHECK_THAT(errors_of("manifold: euclidean\n"), Contains("a.yaml:1:1: error: missing key 'cost': "));
   CHECK_THAT(errors_of("manifold: euclidean\n"), Contains("missing key 'ends': the source and target of the path"));
   CHECK_THAT(errors_of("manifold: euclidean\ncost: euclidean\nends:\n  source: {point: [0, 0]}\n"),
@@ -145,7 +146,7 @@ TEST_CASE("config errors: parts that do not fit each other") {
              Contains("'trace' needs a manifold with a mesh, which 'euclidean' does not have"));
   CHECK_THAT(
       errors_of(kPlane + "initializer: dijkstra\n"),
-      Contains("a.yaml:6:14: error: 'dijkstra' needs a manifold with a mesh, which 'euclidean' does not have\n"));
+      Contains("a.yaml:6:14: error: 'dijkstra' needs a manifold with a graph, which 'euclidean' does not have\n"));
   CHECK_THAT(
       errors_of("manifold: euclidean\ncost: euclidean\n" + vertices),
       Contains(
