@@ -145,7 +145,7 @@ void PointCloud::gather(std::int32_t i, double radius, std::vector<Neighbour>& f
   offsets.clear();
   const std::size_t stride = (found.size() + kMostForFit - 1) / kMostForFit;
   for (std::size_t k = 0; k < found.size(); k += stride)
-    offsets.push_back(sample(found[k].index).position - sample(i).position);
+    offsets.emplace_back(sample(found[k].index).position - sample(i).position);
 }
 
 /// Noise must be small against the support, or there is no surface to see in it: wider until it is.
@@ -161,9 +161,9 @@ void PointCloud::choose_radius() {
     for (std::int32_t i = stride / 2; i < size(); i += stride) {
       const double radius = settings_.radius * spacing(i);
       gather(i, radius, found, offsets);
-      counts.push_back(static_cast<double>(found.size()));
+      counts.emplace_back(static_cast<double>(found.size()));
       const LocalFit fit = fit_locally(offsets, radius);
-      if (fit.valid) noises.push_back(fit.scale / radius);
+      if (fit.valid) noises.emplace_back(fit.scale / radius);
     }
     if (noises.empty()) throw InputError(source_ + ": no neighbourhood looks like a surface (the points lie on lines)");
     noise = median(noises);
