@@ -43,6 +43,19 @@ PlacedEnd on_face(const TriangleMesh& mesh, const EndOptions& options, const std
   }
 }
 
+PlacedEnd at_sample(const ConstraintManifold& manifold, const PointCloud& cloud, int number, const std::string& path) {
+  const std::int32_t here = cloud.sample_of_file(number);
+  if (here < 0)
+    throw OptionError(path + ".vertex",
+                      fmt::format("the cloud has no point {}, counted from 0, or it repeats an earlier "
+                                  "one and was removed",
+                                  number));
+  const Eigen::VectorXd position = cloud.sample(here).position + cloud.centre();
+  PlacedEnd placed{position, {}, 0};
+  placed.end = project_end(manifold, position, &placed.moved);
+  return placed;
+}
+
 /// A mesh or cloud forgives coordinates that were copied with few digits; elsewhere there is nothing to snap to.
 double default_tolerance(const ConstraintManifold& manifold, const Eigen::VectorXd& point) {
   constexpr double kOfDiameter = 0.01, kRounding = 1e-9;
@@ -78,6 +91,8 @@ PlacedEnd at_point(const ConstraintManifold& manifold, const EndOptions& options
 PlacedEnd place_end(const ConstraintManifold& manifold, const EndOptions& options, const std::string& path) {
   const auto* mesh = dynamic_cast<const HasMesh*>(&manifold);
   const bool needs_mesh = options.vertex >= 0 || options.face >= 0;
+  const auto* cloud = dynamic_cast<const HasPointCloud*>(&manifold);
+  if (cloud != nullptr && options.vertex >= 0) return at_sample(manifold, cloud->cloud(), options.vertex, path);
   if (needs_mesh && mesh == nullptr)
     throw OptionError(path, "vertices and faces are ends on a mesh only: give {point: [..]}");
   if (options.vertex >= 0) return at_vertex(mesh->mesh(), options.vertex, path);

@@ -41,6 +41,34 @@ Solved solve_on(std::shared_ptr<const ConstraintManifold> manifold, const Proble
   return {energy.cost(path), ""};
 }
 
+/// How much the cost changes when each point alone moves to its foot on the coarser version, by central differences, without letting the points
+/// cancel each other.
+double change_without_cancelling(const Problem& problem, const ConstraintManifold& manifold,
+                                 const CoordinatePath& chain) {
+  CoordinatePath moved = chain;
+  moved.sites.clear();
+  manifold.project(moved);
+  const Index columns = chain.u.cols();
+  PathEnergy energy(problem, 1);
+  CoordinatePath three{Points(chain.u.rows(), 3), {}, false};
+  if (!chain.sites.empty()) three.sites.resize(3);
+  double sum = 0;
+  for (Index i = chain.free_begin(); i < chain.free_begin() + chain.free_count(); ++i) {
+    for (Index k = 0; k < 3; ++k) {
+      const Index column = (i + k - 1 + columns) % columns;
+      three.u.col(k) = chain.u.col(column);
+      if (!chain.sites.empty()) three.sites[static_cast<std::size_t>(k)] = chain.site(column);
+    }
+    const Eigen::VectorXd step = moved.u.col(i) - chain.u.col(i);
+    three.u.col(1) = chain.u.col(i) + step;
+    const double there = energy.cost(three);
+    three.u.col(1) = chain.u.col(i) - step;
+    const double change = std::abs(there - energy.cost(three)) / 2;
+    if (std::isfinite(change)) sum += change;
+  }
+  return sum;
+}
+
 /// The next coarser version; null where there is none.
 std::shared_ptr<const ConstraintManifold> coarser(const ConstraintManifold& manifold) {
   const auto* domain = dynamic_cast<const HasCoarserVersion*>(&manifold);
@@ -66,6 +94,7 @@ GeometryError measure_geometry_error(const Problem& problem, const CoordinatePat
     if (!solved.cost && !largest) return {std::nullopt, "on a coarser version of the domain: " + solved.trouble};
     if (!solved.cost) break;  // too little is left: the first difference has to do
     largest = std::max(largest.value_or(0), part * std::abs(*solved.cost - finer));
+    if (level == 0) largest = std::max(*largest, change_without_cancelling(problem, *manifold, chain));
     finer = *solved.cost;
   }
   if (!largest) return {};

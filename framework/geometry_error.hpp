@@ -17,11 +17,14 @@ struct GeometryError {
   std::string trouble;          ///< why it could not be measured; empty: all is well
 };
 
-/// Solves the chain once more, with as many points, on the coarser version of the domain between the ends projected onto that, and again on the
-/// coarser version of that one, where it has one: twice the larger of |C - C_1| and |C_1 - C_2| / 2 (NUMERICS Sec. 6, domain error, safety factor
-/// 2). One difference alone happens to vanish now and then: on a sampled torus (200 random geodesics) it covered the true error in 87 to 90 of 100
-/// cases, both together in 99. The half stands for the least that a difference shrinks from one level to the next. The same number of points on
-/// all of them takes the error of the chain out of it.
+/// Solves the chain once more, with as many points, on the coarser version of the domain between the ends projected onto that (cost C_1), and
+/// again on the coarser version of that one, where it has one (C_2). Twice the largest (NUMERICS Sec. 6, domain error, safety factor 2) of
+/// * |C - C_1|;
+/// * |C_1 - C_2| / 2, the half standing for the least that a difference shrinks from one level to the next;
+/// * the sum over the points of the change of the cost as the point alone moves to its foot on the first coarser version.
+/// One difference alone happens to vanish now and then: on sampled tori (1350 random geodesics, 3000 to 20,000 points) twice the first
+/// covered the true error in 87 to 98 of 100 cases, twice the largest of the three in all of them, at about ten times the error. The same
+/// number of points on all versions takes the error of the chain out of it.
 GeometryError measure_geometry_error(const Problem& problem, const CoordinatePath& chain, const Solver& certifier,
                                      const Monitor& monitor);
 

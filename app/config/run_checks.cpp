@@ -58,6 +58,7 @@ void check_ends(LoadedConfig& loaded) {
     const EndOptions& end = std::string_view(path) == "ends.source" ? config.source : config.target;
     const std::string key = std::string(path) + (end.vertex >= 0 ? ".vertex" : ".face");
     if (end.vertex < 0 && end.face < 0) continue;
+    if (end.face < 0 && config.manifold.provides(std::string(kGraph))) continue;  // a point of a cloud
     loaded.errors.error(place_of(loaded.tree, key),
                         fmt::format("an end is given as a vertex or face on a mesh only; '{}' takes {{point: [..]}}",
                                     config.manifold.plugin->type));

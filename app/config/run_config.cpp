@@ -32,16 +32,18 @@ std::string read_text(const std::filesystem::path& file) {
 }  // namespace
 
 void EndOptions::fields(FieldVisitor& visit) {
-  visit.field("vertex", vertex,
-              {.help = "Vertex of the mesh, numbered from 0 in the order of the file.", .minimum = 0});
+  visit.field(
+      "vertex", vertex,
+      {.help = "Vertex of the mesh, or point of the cloud, numbered from 0 in the order of the file.", .minimum = 0});
   visit.field("face", face, {.help = "Face of the mesh, numbered from 0 in the order of the file.", .minimum = 0});
   visit.field("barycentric", barycentric,
               {.help = "Where on the face: three weights of its corners, with sum 1.", .minimum = 0});
   visit.field("point", point, {.help = "Coordinates; moved to the nearest point of the manifold.", .unit = "length"});
-  visit.field("tolerance", tolerance,
-              {.help = "How far `point` may be moved; default: 1 % of the diameter of a mesh, elsewhere rounding.",
-               .unit = "length",
-               .minimum = 0});
+  visit.field(
+      "tolerance", tolerance,
+      {.help = "How far `point` may be moved; default: 1 % of the diameter of a mesh or cloud, elsewhere rounding.",
+       .unit = "length",
+       .minimum = 0});
 }
 
 void FamilyOptions::fields(RunVisitor& visit) {

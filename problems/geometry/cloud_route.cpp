@@ -8,6 +8,7 @@
 #include <boost/property_map/function_property_map.hpp>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -21,6 +22,7 @@ using Graph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_pro
                                                  boost::no_property, std::int32_t, std::int32_t>;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kRounds = 200;        // searches, each around the gaps found so far
 constexpr int kStopInterval = 256;  // settled samples between two questions to the monitor
 
 struct TargetSettled {};
@@ -42,6 +44,15 @@ class RouteQuery {
     const std::vector<std::int32_t> from = links(problem_.source.u), to = links(problem_.target.u);
     check_components(from, to);
     const Graph graph = build(from, to);
+    for (int round = 0;; ++round) {
+      CloudRoute route = shortest(graph);
+      if (!block_gaps() || round == kRounds) return route;
+    }
+  }
+
+ private:
+  CloudRoute shortest(const Graph& graph) {
+    settled_ = 0;
     const auto nodes = static_cast<std::size_t>(samples_) + 2;
     std::vector<std::int32_t> predecessor(nodes);
     distance_.assign(nodes, kInfinity);
@@ -67,7 +78,6 @@ class RouteQuery {
                               " beside them are on a border or off the surface, elsewhere the cost is infinite");
   }
 
- private:
   enum class State : std::uint8_t { unknown, on_surface, none };
 
   struct Visitor : boost::default_dijkstra_visitor {
@@ -141,6 +151,7 @@ class RouteQuery {
   }
 
   double move(std::int32_t from, std::int32_t to) {
+    if (!gaps_.empty() && gaps_.count(std::minmax(from, to)) > 0) return kInfinity;
     Eigen::Matrix<double, 3, 2> ends;
     const Eigen::Vector3d* a = place(from);
     if (a == nullptr) return kInfinity;
@@ -153,13 +164,27 @@ class RouteQuery {
     return std::sqrt(q);
   }
 
+  /// Blocks the moves of the path whose middle has no projection (they lead over a hole or along a border); true when there are any.
+  bool block_gaps() {
+    bool any = false;
+    for (std::size_t i = 1; i < nodes_.size(); ++i) {
+      const Eigen::Vector3d a = *place(nodes_[i - 1]), b = *place(nodes_[i]);
+      for (const double t : {0.25, 0.5, 0.75}) {
+        Eigen::Vector3d x = (1 - t) * a + t * b;
+        if (domain_.surface().project(x)) continue;
+        any = gaps_.insert(std::minmax(nodes_[i - 1], nodes_[i])).second || any;
+        break;
+      }
+    }
+    return any;
+  }
+
   CloudRoute path_found(const std::vector<std::int32_t>& predecessor) {
     CloudRoute route;
-    for (std::int32_t node = target();; node = predecessor[static_cast<std::size_t>(node)]) {
-      route.points.push_back(*place(node));
-      if (node == source()) break;
-    }
-    std::reverse(route.points.begin(), route.points.end());
+    nodes_.assign(1, target());
+    while (nodes_.back() != source()) nodes_.push_back(predecessor[static_cast<std::size_t>(nodes_.back())]);
+    std::reverse(nodes_.begin(), nodes_.end());
+    for (const std::int32_t node : nodes_) route.points.push_back(*place(node));
     route.vertices = static_cast<int>(route.points.size()) - 2;
     return route;
   }
@@ -172,6 +197,8 @@ class RouteQuery {
   std::vector<double> distance_;
   std::vector<Eigen::Vector3d> position_;
   Eigen::Vector3d end_;
+  std::vector<std::int32_t> nodes_;                       // of the path found last
+  std::set<std::pair<std::int32_t, std::int32_t>> gaps_;  // smaller node first
 };
 
 }  // namespace

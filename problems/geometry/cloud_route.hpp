@@ -18,7 +18,7 @@ struct CloudRoute {
 };
 
 /// The least-cost path of the problem along the neighbour graph under its own segment cost (Dijkstra, Boost.Graph; ends at the target). The ends
-/// are joined to their nearest samples. Moves of infinite cost, and samples that have no projection onto the surface (borders, outliers), are not
+/// are joined to their nearest samples. Moves of infinite cost, samples that have no projection onto the surface (borders, outliers) and moves over a hole are not
 /// passed. Throws InitializationError where there is no path, with the sizes of the parts or what was reached.
 CloudRoute cloud_route(const Problem& problem, const HasPointCloud& domain, const Monitor& monitor);
 

@@ -15,6 +15,7 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 constexpr int kRounds = 3;
+constexpr double kApart = 0.125;  // of the radius
 constexpr int kFewestForPlane = 5;
 constexpr double kMadToSigma = 1.4826;    // of a normal distribution
 constexpr double kTukey = 4.685;          // 95 % efficiency on normal residuals
@@ -88,6 +89,14 @@ class HeightField {
     return scale;
   }
 
+  /// Part of the neighbours that are no noise: another sheet, or the far side of an edge.
+  double apart() const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < residuals_.size(); ++i)
+      if (!(trust_[i] > 0) && residuals_[i] > kApart * radius_) ++count;
+    return static_cast<double>(count) / static_cast<double>(residuals_.size());
+  }
+
   Eigen::Vector3d surface_normal() const {
     return (normal_ - coefficients_[1] * e1_ - coefficients_[2] * e2_).normalized();
   }
@@ -128,6 +137,7 @@ LocalFit fit_locally(const std::vector<Eigen::Vector3d>& offsets, double radius)
     result.scale = field.reweight();
     result.normal = normal;
     result.height = field.height();
+    result.apart = field.apart();
     result.valid = true;
   }
   return result;

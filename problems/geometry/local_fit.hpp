@@ -12,7 +12,9 @@ struct LocalFit {
   bool valid = false;                                ///< false: too few points, or points on a line
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, of either sign, at the foot of the centre
   double height = 0;                                 ///< of the centre over the fitted surface, length units
-  double scale = 0;                                  ///< robust standard deviation of the residuals, length units
+  double apart =
+      0;  ///< part of the neighbours that lie off the fit by more than an eighth of the radius and do not count
+  double scale = 0;  ///< robust standard deviation of the residuals, length units
 };
 
 /// Fits neighbours, given as offsets from the centre (which may be among them), by weighted least squares with compact

@@ -19,13 +19,15 @@ namespace leastcost {
 namespace {
 
 constexpr double kRadius = PointCloudSettings::kCleanRadius;
-constexpr double kWidestRadius = 32;   ///< spacings
-constexpr double kNoise = 0.125;       ///< largest standard deviation of the noise, in supports
-constexpr int kNoiseProbes = 400;      ///< samples that are asked for it
-constexpr double kMostOfCloud = 0.25;  ///< a support never holds more than this part of the cloud
-constexpr double kOutlier = 6;         ///< standard deviations off the local fit at which trust ends
-constexpr double kScaleFloor = 0.01;   ///< of the support: below it a deviation is curvature, not noise
-constexpr double kAgreement = 0.985;   ///< median |cos| of given and estimated normals (10 degrees)
+constexpr double kWidestRadius = 32;      ///< spacings
+constexpr double kNoise = 0.125;          ///< largest standard deviation of the noise, in supports
+constexpr int kNoiseProbes = 400;         ///< samples that are asked for it
+constexpr double kMostOfCloud = 0.25;     ///< a support never holds more than this part of the cloud
+constexpr std::size_t kMostForFit = 160;  ///< neighbours of a fit: of more, every other or third one
+constexpr double kOutlier = 6;            ///< standard deviations off the local fit at which trust ends
+constexpr double kScaleFloor = 0.01;      ///< of the support: below it a deviation is curvature, not noise
+constexpr double kCrowded = 0.1;          ///< part of the neighbours that is another sheet
+constexpr double kAgreement = 0.985;      ///< median |cos| of given and estimated normals (10 degrees)
 
 std::string text(double x) {
   std::ostringstream out;
@@ -141,7 +143,9 @@ void PointCloud::gather(std::int32_t i, double radius, std::vector<Neighbour>& f
                         std::vector<Eigen::Vector3d>& offsets) const {
   search_.within(sample(i).position, radius, found);
   offsets.clear();
-  for (const Neighbour& other : found) offsets.push_back(sample(other.index).position - sample(i).position);
+  const std::size_t stride = (found.size() + kMostForFit - 1) / kMostForFit;
+  for (std::size_t k = 0; k < found.size(); k += stride)
+    offsets.emplace_back(sample(found[k].index).position - sample(i).position);
 }
 
 /// Noise must be small against the support, or there is no surface to see in it: wider until it is.
@@ -157,9 +161,9 @@ void PointCloud::choose_radius() {
     for (std::int32_t i = stride / 2; i < size(); i += stride) {
       const double radius = settings_.radius * spacing(i);
       gather(i, radius, found, offsets);
-      counts.push_back(static_cast<double>(offsets.size()));
+      counts.emplace_back(static_cast<double>(found.size()));
       const LocalFit fit = fit_locally(offsets, radius);
-      if (fit.valid) noises.push_back(fit.scale / radius);
+      if (fit.valid) noises.emplace_back(fit.scale / radius);
     }
     if (noises.empty()) throw InputError(source_ + ": no neighbourhood looks like a surface (the points lie on lines)");
     noise = median(noises);
@@ -200,7 +204,7 @@ void PointCloud::set_radii() {
 void PointCloud::fit_samples(const PointSamples& samples) {
   std::vector<Eigen::Vector3d> estimates(samples_.size()), offsets;
   std::vector<Neighbour> found;
-  std::int32_t outliers = 0;
+  std::int32_t outliers = 0, crowded = 0;
   for (std::int32_t i = 0; i < size(); ++i) {
     gather(i, radius(i), found, offsets);
     const LocalFit fit = fit_locally(offsets, radius(i));
@@ -210,12 +214,17 @@ void PointCloud::fit_samples(const PointSamples& samples) {
     const double trust = fit.valid && std::abs(t) < 1 ? (1 - t * t) * (1 - t * t) : 0;
     samples_[static_cast<std::size_t>(i)].trust = trust;
     if (!(trust > 0)) ++outliers;
+    if (fit.apart > kCrowded) ++crowded;
   }
   if (outliers == size())
     throw InputError(source_ + ": no neighbourhood looks like a surface (the points lie on lines)");
   if (outliers > 0)
     notes_.push_back(std::to_string(outliers) + " of " + std::to_string(size()) +
                      " points take no part in the surface: far off their neighbours, or without enough of them");
+  if (crowded > 0)
+    notes_.push_back(std::to_string(crowded) + " of " + std::to_string(size()) +
+                     " points have another sheet, or the far side of an edge, within their support: the surface is "
+                     "drawn towards it; a smaller radius keeps them apart");
   choose_normals(samples, estimates);
 }
 
@@ -259,6 +268,11 @@ void PointCloud::choose_normals(const PointSamples& samples, const std::vector<E
     orient_normals(positions, edges, normals);
   }
   for (std::size_t i = 0; i < samples_.size(); ++i) samples_[i].normal = normals[i];
+}
+
+std::int32_t PointCloud::sample_of_file(std::int32_t number) const {
+  const auto it = std::find(in_file_.begin(), in_file_.end(), number);
+  return it == in_file_.end() ? -1 : static_cast<std::int32_t>(it - in_file_.begin());
 }
 
 /// Of two points that are nearest to each other among those left, one goes.

@@ -48,6 +48,8 @@ class PointCloud {
   double spacing(std::int32_t i) const { return spacing_[static_cast<std::size_t>(i)]; }
   double radius(std::int32_t i) const { return radius_[static_cast<std::size_t>(i)]; }
   std::int32_t in_file(std::int32_t i) const { return in_file_[static_cast<std::size_t>(i)]; }
+  /// The sample with this number in the file, -1 where there is none.
+  std::int32_t sample_of_file(std::int32_t number) const;
   /// The k nearest samples, nearest first, without itself.
   const std::int32_t* neighbours(std::int32_t i) const { return &neighbours_[static_cast<std::size_t>(i) * width_]; }
   int neighbour_count() const { return static_cast<int>(width_); }

@@ -151,7 +151,7 @@ TEST_CASE("config errors: parts that do not fit each other") {
              Contains("'trace' needs a manifold with a mesh, which 'euclidean' does not have"));
   CHECK_THAT(
       errors_of(kPlane + "initializer: dijkstra\n"),
-      Contains("a.yaml:6:14: error: 'dijkstra' needs a manifold with a mesh, which 'euclidean' does not have\n"));
+      Contains("a.yaml:6:14: error: 'dijkstra' needs a manifold with a graph, which 'euclidean' does not have\n"));
   CHECK_THAT(
       errors_of("manifold: euclidean\ncost: euclidean\n" + vertices),
       Contains(

@@ -11,7 +11,9 @@
 #include "problems/manifolds/implicit.hpp"
 #include "problems/manifolds/mesh.hpp"
 #include "problems/manifolds/parametric.hpp"
+#include "problems/manifolds/point_cloud.hpp"
 #include "problems/readers/waypoint_reader.hpp"
+#include "tests/problems/sample_clouds.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
@@ -47,6 +49,20 @@ void check_initializer_contract(const Initializer& initializer, const Problem& p
 std::shared_ptr<const MeshManifold> ball() {
   static const auto mesh = std::make_shared<const MeshManifold>(TriangleMesh(sphere(3)));
   return mesh;
+}
+
+/// Typical, nearly degenerate (ends 1e-8 apart, an end on or 1e-8 off a sample) and random ends on a sampled sphere.
+std::vector<Problem> problems_on_cloud() {
+  static const auto cloud = std::make_shared<const PointCloudManifold>(PointCloud(sphere_cloud(2000), {}));
+  Random random;
+  const Eigen::Vector3d a(0.1, 0.2, 0.97), b(0.9, -0.3, -0.3), off(1e-8, 2e-8, 0);
+  const Eigen::Vector3d sample = cloud->cloud().sample(5).position + cloud->cloud().centre();
+  const Eigen::Vector3d c = random.vector(3).normalized(), d = random.vector(3).normalized();
+  std::vector<Problem> all;
+  for (const auto& [from, to] : std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>{
+           {a, b}, {a, a + off}, {sample, b}, {a, sample}, {sample + off, b}, {c, d}})
+    all.push_back(between(cloud, make_euclidean_cost(3), from, to));
+  return all;
 }
 
 /// Typical, nearly degenerate (ends 1e-8 apart, an end on or 1e-8 off a vertex) and random ends on the ball.
@@ -210,6 +226,8 @@ TEST_CASE("initializer contract: rrt, seeds and failures", "[contract]") {
 
 TEST_CASE("initializer contract: dijkstra", "[contract]") {
   for (const Problem& problem : problems_on_mesh()) check_initializer_contract(DijkstraInitializer(), problem);
+  for (const Problem& problem : problems_on_cloud()) check_initializer_contract(DijkstraInitializer(), problem);
+  CHECK_THROWS_AS(DijkstraInitializer({2}).first_path(problems_on_cloud().front(), {}), InputError);
   CHECK_THROWS_AS(DijkstraInitializer().first_path(problems_in_plane().front(), {}), InputError);
   CHECK_THROWS_AS(DijkstraInitializer().first_path(closed(ball(), make_euclidean_cost(3)), {}), InitializationError);
 }

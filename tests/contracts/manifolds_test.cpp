@@ -4,7 +4,9 @@
 #include "problems/manifolds/euclidean.hpp"
 #include "problems/manifolds/mesh.hpp"
 #include "problems/manifolds/parametric.hpp"
+#include "problems/manifolds/point_cloud.hpp"
 #include "tests/contracts/manifold_contract.hpp"
+#include "tests/problems/sample_clouds.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/sample_domains.hpp"
@@ -42,6 +44,23 @@ ManifoldCase box_case(int d) {
   const Eigen::VectorXd corner = Eigen::VectorXd::Constant(d, 2), side = 2 * Eigen::VectorXd::Unit(d, 0);
   for (const double off : {0.0, 1e-8, -1e-8})
     for (const Eigen::VectorXd& x : {corner, side}) c.special.emplace_back(x + off * Eigen::VectorXd::Ones(d));
+  return c;
+}
+
+/// Points on the torus with radii 20 and 10, lifted off it by less than a tenth of a support; nearly degenerate: on a sample and beside it.
+ManifoldCase cloud_case() {
+  const auto manifold = std::make_shared<PointCloudManifold>(PointCloud(torus_cloud(3000, 10), {}));
+  const auto near = [](Random& random) -> Eigen::VectorXd {
+    const double u = random.uniform(0, 6.2), v = random.uniform(0, 6.2), r = 10 + random.uniform(-0.3, 0.3);
+    return Eigen::Vector3d((20 + r * std::cos(v)) * std::cos(u), (20 + r * std::cos(v)) * std::sin(u), r * std::sin(v));
+  };
+  ManifoldCase c{.manifold = manifold, .near = near, .size = manifold->cloud().diameter()};
+  const CloudSample& sample = manifold->cloud().sample(7);
+  const Eigen::Vector3d p = sample.position + manifold->cloud().centre();
+  for (const double off : {0.0, 1e-8, -1e-8}) {
+    c.special.emplace_back(p + off * sample.normal);
+    c.special.emplace_back(p + off * sample.normal.unitOrthogonal());
+  }
   return c;
 }
 
@@ -118,6 +137,8 @@ TEST_CASE("manifold contract: parametric", "[contract]") {
   for (Index i = 0; i < points.cols(); ++i) points.col(i) = c.near(random);
   check_chart(*manifold, points);
 }
+
+TEST_CASE("manifold contract: point_cloud, a sampled torus", "[contract]") { check_manifold_contract(cloud_case()); }
 
 // The helpers of the tests must keep the contract as well, or what is tested with them means nothing.
 TEST_CASE("manifold contract: the sphere and the torus of the tests", "[contract]") {
