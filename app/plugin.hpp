@@ -32,11 +32,11 @@ class OptionsOf final : public AnyOptions {
 
 /// What a factory may look at besides its own options.
 struct BuildContext {
-  std::filesystem::path folder;           ///< of the configuration; files are relative to it
-  int dimension = 0;                      ///< of the ambient space; 0 while the manifold is made
-  std::optional<Eigen::VectorXd> source;  ///< projected onto the manifold, ambient; none in a ring
-  std::vector<std::string> coordinates;   ///< names of the coordinates in which points are given
-  int seed = 0;                           ///< master seed of the run
+  std::filesystem::path folder;                ///< of the configuration; files are relative to it
+  int dimension = 0;                           ///< of the ambient space; 0 while the manifold is made
+  std::optional<Eigen::VectorXd> source = {};  ///< projected onto the manifold, ambient; none in a ring
+  std::vector<std::string> coordinates = {};   ///< names of the coordinates in which points are given
+  int seed = 0;                                ///< master seed of the run
 };
 
 /// What is known about a plug-in of any kind. Abilities are words ("mesh", "constant metric", "ring") that one

@@ -9,6 +9,7 @@
 
 #include "framework/errors.hpp"
 #include "problems/geometry/ring_funnel.hpp"
+#include "problems/geometry/string_flips.hpp"
 #include "problems/geometry/string_moves.hpp"
 #include "problems/geometry/taut_string.hpp"
 
@@ -43,22 +44,30 @@ class RingStraightener {
   RingStraightener(const TriangleMesh& mesh, const StraightenOptions& options)
       : puller_(mesh, options.metric),
         mover_(puller_, false),
+        flipper_(puller_, mover_),
         funnel_(puller_.unfolding(), puller_.touching()),
         stop_(options.stop) {}
 
-  StraightenedRing run(const SurfacePath& ring) {
+  StraightenedRing run(const SurfacePath& ring, bool flips) {
     string_ = puller_.from_path(begun_in_a_face(ring));
-    State state = State::moving;
-    for (int idle = 0; state == State::moving && idle <= kIdleLimit;) {
-      const double before = string_.length();
-      if (!mover_.straighten(string_, stop_) || (stop_ && stop_())) break;
-      state = step();
-      if (!(string_.length() < before * (1 - kRounding))) ++idle;
+    State state = settle();
+    TautString held;
+    while (flips && state == State::bent) {
+      held = string_;
+      const std::int64_t before = flipper_.flips();
+      if (!flipper_.improve(string_, stop_) || flipper_.flips() == before) break;
+      state = settle();
+    }
+    // A flip may push a ring over the bump that holds it: then it stays where it was.
+    if (state == State::collapsed && !held.pieces.empty()) {
+      std::swap(string_, held);
+      state = State::bent;
     }
     StraightenedRing result;
     result.collapsed = state == State::collapsed;
     result.finished = !(stop_ && state == State::moving && stop_());
     result.moves = mover_.moves() + closings_;
+    result.flips = flipper_.flips();
     if (state == State::line) result.path = funnel_.line();
     if (state == State::moving || state == State::bent) result.path = puller_.to_path(string_);
     return result;
@@ -68,6 +77,18 @@ class RingStraightener {
   enum class State { moving, bent, line, collapsed };
 
   const TriangleMesh& mesh() const { return puller_.mesh(); }
+
+  /// Moves the string until it is straight, or gone.
+  State settle() {
+    State state = State::moving;
+    for (int idle = 0; state == State::moving && idle <= kIdleLimit;) {
+      const double before = string_.length();
+      if (!mover_.straighten(string_, stop_) || (stop_ && stop_())) break;
+      state = step();
+      if (!(string_.length() < before * (1 - kRounding))) ++idle;
+    }
+    return state;
+  }
 
   /// The string is straight but for its base. Deals with the base, or makes another node the base.
   State step() {
@@ -148,6 +169,7 @@ class RingStraightener {
 
   StringPuller puller_;
   StringMover mover_;
+  StringFlipper flipper_;
   RingFunnel funnel_;
   std::function<bool()> stop_;
   TautString string_, next_;
@@ -164,7 +186,7 @@ StraightenedRing straighten_ring(const TriangleMesh& mesh, const SurfacePath& ri
   if (ring.faces.empty())
     result.collapsed = true;
   else
-    result = RingStraightener(mesh, options).run(ring);
+    result = RingStraightener(mesh, options).run(ring, options.flips);
   result.initial_length = path_length(ring, options.metric);
   result.final_length = path_length(result.path, options.metric);
   return result;

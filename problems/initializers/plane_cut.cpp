@@ -65,7 +65,7 @@ void PlaneCutOptions::fields(FieldVisitor& visit) {
   visit.field("normal", normal, {.help = "Normal of the plane, of any length.", .required = true});
 }
 
-PlaneCutInitializer::PlaneCutInitializer(PlaneCutOptions options)
+PlaneCutInitializer::PlaneCutInitializer(const PlaneCutOptions& options)
     : point_(three_numbers(options.point, "point")), normal_(three_numbers(options.normal, "normal")) {
   if (!(normal_.stableNorm() > 0)) throw OptionError("normal", "must not be zero");
   normal_.stableNormalize();

@@ -19,7 +19,7 @@ struct PlaneCutOptions {
 class PlaneCutInitializer final : public Initializer {
  public:
   /// Throws OptionError for a point or normal that is not three finite numbers, and for a zero normal.
-  explicit PlaneCutInitializer(PlaneCutOptions options);
+  explicit PlaneCutInitializer(const PlaneCutOptions& options);
   std::string_view name() const override { return "plane_cut"; }
   FirstPath first_path(const Problem& problem, const Monitor& monitor) const override;
 

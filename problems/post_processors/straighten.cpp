@@ -30,28 +30,30 @@ SurfacePath on_surface(const TriangleMesh& mesh, const PostProcessed& current) {
 /// What straightening made of the better of two paths.
 struct Outcome {
   SurfacePath path;
-  bool from_first = false;  ///< the first path's, not the solved one's
   bool finished = true;
   bool collapsed = false;
+  const char* note = nullptr;  ///< where the solved path was not taken
 };
 
-// The solve may have slid into a longer class: its result is kept only where it is no longer than the first path's.
-
+/// The solve may have slid into a longer class: its result is kept only where it is no longer than the first path's.
 Outcome straighten_open(const TriangleMesh& mesh, const SurfacePath& first, const SurfacePath& solved,
                         const StraightenOptions& options) {
   Straightened a = straighten(mesh, first, options), b = straighten(mesh, solved, options);
-  const bool from_first = a.final_length < b.final_length;
-  Straightened& best = from_first ? a : b;
-  return {std::move(best.path), from_first, best.finished, false};
+  if (a.final_length < b.final_length)
+    return {std::move(a.path), a.finished, false, "straighten: the first path gave a shorter path than the solved one"};
+  return {std::move(b.path), b.finished};
 }
 
-/// Nor is a ring kept that collapsed while the other did not.
+/// Nor is a solved ring kept that contracts while the first one does not: with few points a chain jumps over what holds
+/// it. One that is shorter is kept, even much: straightening alone stops in every dent of a noisy mesh.
 Outcome straighten_closed(const TriangleMesh& mesh, const SurfacePath& first, const SurfacePath& solved,
                           const StraightenOptions& options) {
   StraightenedRing a = straighten_ring(mesh, first, options), b = straighten_ring(mesh, solved, options);
-  const bool from_first = b.collapsed || (!a.collapsed && a.final_length < b.final_length);
-  StraightenedRing& best = from_first ? a : b;
-  return {std::move(best.path), from_first, best.finished, best.collapsed};
+  if (!a.collapsed && b.collapsed)
+    return {std::move(a.path), a.finished, false, "straighten: the solved ring contracts; the first one is taken"};
+  if (!a.collapsed && a.final_length < b.final_length)
+    return {std::move(a.path), a.finished, false, "straighten: the first ring gave a shorter ring than the solved one"};
+  return {std::move(b.path), b.finished, b.collapsed};
 }
 
 /// `columns` points of the path, equally spaced by length; a ring has no point twice.
@@ -84,7 +86,7 @@ PostProcessed StraightenPostProcessor::apply(const Problem& problem, const First
     current.notes.emplace_back("straighten: the ring contracts to a point of the mesh");
     return current;
   }
-  if (best.from_first) current.notes.emplace_back("straighten: the first path gave a shorter path than the solved one");
+  if (best.note != nullptr) current.notes.emplace_back(best.note);
   current.curve = as_curve(problem, best.path);
   current.curve.straightness =
       ring ? check_straight_ring(mesh, best.path, *metric) : check_straight(mesh, best.path, *metric);

@@ -6,6 +6,7 @@
 
 #include "app/config/describe.hpp"
 #include "app/config/field_list.hpp"
+#include "problems/costs/metric_field.hpp"
 #include "problems/costs/metric_tensor.hpp"
 #include "problems/geometry/has_constant_metric.hpp"
 #include "problems/geometry/has_mesh.hpp"
@@ -64,6 +65,10 @@ TEST_CASE("registry: the promised abilities are those of the objects") {
     app::PluginChoice choice = app::choose(*plugin, "cost");
     if (auto* tensor = dynamic_cast<app::OptionsOf<MetricTensorOptions>*>(choice.options.get()))
       tensor->value.matrix = Eigen::MatrixXd::Identity(3, 3);
+    if (auto* field = dynamic_cast<app::OptionsOf<MetricFieldOptions>*>(choice.options.get())) {
+      field->value.type = "formula";
+      field->value.entries = {"1", "0", "0", "1", "0", "1 + x^2"};
+    }
     const auto cost = app::make<std::shared_ptr<const SegmentCost>>(choice, {"", 3, Eigen::VectorXd::Zero(3)});
     CHECK(choice.provides(std::string(app::kConstantMetric)) ==
           (dynamic_cast<const HasConstantMetric*>(cost.get()) != nullptr));

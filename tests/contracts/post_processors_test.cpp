@@ -4,6 +4,7 @@
 #include "framework/spacing.hpp"
 #include "problems/costs/metric_tensor.hpp"
 #include "problems/initializers/dijkstra.hpp"
+#include "problems/initializers/plane_cut.hpp"
 #include "problems/manifolds/implicit.hpp"
 #include "problems/manifolds/mesh.hpp"
 #include "problems/post_processors/on_surface.hpp"
@@ -146,6 +147,37 @@ TEST_CASE("post_processor contract: on_surface, rings", "[contract]") {
   // Chords with sagittas s <= 1e-6 of the unit circle: too short by 4 s / 3 of their length at most.
   CHECK(std::abs(made.curve.cost - 2 * std::acos(-1)) <= 1.4e-6 * 2 * std::acos(-1));
   CHECK(made.curve_costs.size() == 12);
+}
+
+TEST_CASE("post_processor contract: straighten, rings", "[contract]") {
+  // A torus has closed geodesics around its hole and around its tube; a ring on the ball contracts.
+  const auto torus = std::make_shared<const MeshManifold>(TriangleMesh(grid(12, 9, Closing::kRound, true)));
+  const StraightenPostProcessor straighten;
+  for (const auto& cost : {make_euclidean_cost(3), stretched()}) {
+    const Problem problem = closed(torus, cost), on_ball = closed(ball(), cost);
+    for (const PlaneCutOptions& cut : {PlaneCutOptions{Eigen::Vector3d(-2, 0, 0.1), Eigen::Vector3d(0.1, 0.2, 1)},
+                                       PlaneCutOptions{Eigen::Vector3d(3, 0.1, 0), Eigen::Vector3d(0.2, 1, 0.1)}}) {
+      const FirstPath first = PlaneCutInitializer(cut).first_path(problem, {});
+      const CoordinatePath chain = sample_equally(problem, first.path, kPoints);
+      const PostProcessed traced = TracePostProcessor().apply(problem, first, as_delivered(problem, chain), {});
+      const PostProcessed made = straighten.apply(problem, first, traced, {});
+      REQUIRE_FALSE(made.collapsed);
+      CHECK(made.chain.ring);
+      REQUIRE(made.chain.u.cols() == kPoints);
+      CHECK(problem.manifold->residual(made.chain) <= 4 * kRounding);
+      CHECK(made.curve.x.col(0) == made.curve.x.rightCols(1));
+      CHECK(made.curve.cost <= PathEnergy(problem, 1).cost(first.path) * (1 + 1e-12));
+      REQUIRE(made.curve.straightness);
+      CHECK(*made.curve.straightness >= -1e-9);
+      REQUIRE(made.curve_costs.size() == kPoints);
+      CHECK(made.curve_costs.sum() == Approx(made.curve.cost).epsilon(1e-12));
+      CHECK(spread(made.curve_costs) <= 1e-9);
+    }
+    const PlaneCutOptions parallel{Eigen::Vector3d(0, 0, 0.4), Eigen::Vector3d(0.1, 0.2, 1)};
+    const FirstPath first = PlaneCutInitializer(parallel).first_path(on_ball, {});
+    const CoordinatePath chain = sample_equally(on_ball, first.path, kPoints);
+    CHECK(straighten.apply(on_ball, first, as_delivered(on_ball, chain), {}).collapsed);
+  }
 }
 
 TEST_CASE("post_processor contract: what does not fit is refused", "[contract]") {

@@ -84,9 +84,6 @@ void solve_pair(const std::vector<FamilyStart>& starts, double truth, bool near_
   if (!near_antipodal) {
     const Result result = find_path(starts.front().problem, *starts.front().initializer, newton, options);
     check_not_below(result, truth);
-    if (!reaches(result, truth))
-      std::printf("MISS %.9f truth %.9f %s | %s\n", result.certificate.estimate.value, truth,
-                  failures(result.certificate).c_str(), std::string(name(result.solve.termination)).c_str());
     if (reaches(result, truth)) {
       ++count.first;
       ++count.family;

@@ -247,6 +247,24 @@ TEST_CASE("a constant metric is the Euclidean ring of the transformed mesh") {
   CHECK(ring_length(mesh, start, root) == Approx(ring_length(transformed, moved)).epsilon(1e-12));
 }
 
+TEST_CASE("flips shorten a ring on a bumpy surface and never lose it") {
+  test::Random random;
+  for (int i = 0; i < 20; ++i) {
+    PolygonSoup soup = test::grid(24, 16, test::Closing::kRound, true);
+    for (Eigen::Vector3d& p : soup.positions) p += 0.08 * random.vector(3);
+    const TriangleMesh torus(soup);
+    for (const SurfacePath& start : {cut(torus, {3, 0.5, 0}, {0.3, 1, 0.1}), cut(torus, {-2, 0, 0}, {0, 0.1, 1})}) {
+      StraightenOptions options;
+      const double without = ring_length(torus, start);
+      options.flips = true;
+      const StraightenedRing s = straighten_ring(torus, start, options);
+      check_result(torus, start, s);
+      CHECK_FALSE(s.collapsed);
+      CHECK(s.final_length <= without * (1 + kRounding));
+    }
+  }
+}
+
 TEST_CASE("the checker of rings looks at the seam") {
   const TriangleMesh mesh = box(1, 2, 3, 1);
   const SurfacePath straight = straighten_ring(mesh, cut(mesh, {0, 0, 0.1}, {0.1, 0.2, 1})).path;
