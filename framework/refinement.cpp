@@ -23,6 +23,8 @@ bool solved(Termination termination) {
 constexpr double kExact = 1e-12;
 /// The observed order may be off by this much before Richardson extrapolation is refused.
 constexpr double kOrderTolerance = 0.2;
+/// A curve in a chart may differ from the extrapolated value by this part of the largest level difference.
+constexpr double kCurveTolerance = 1e-3;
 
 void use_bracket(CostEstimate& e, double lower, double upper) {
   e.lower = lower;
@@ -77,8 +79,7 @@ CostEstimate estimate_cost(const Problem& problem, PathEnergy& energy, const Coo
   const double cost = energy.cost(chain), segments = static_cast<double>(chain.segment_count());
   e.value = cost;
   const bool chords_exist = flat && traits.additive;  // the chain itself is a curve of the domain
-  const std::optional<double> curve =
-      !chords_exist && (flat || chart) ? smooth_curve_cost(problem, chain) : std::nullopt;
+  std::optional<double> curve = !chords_exist && (flat || chart) ? smooth_curve_cost(problem, chain) : std::nullopt;
   e.upper = chords_exist ? std::optional(cost) : curve;
   if (traits.below_curves && index.verdict == IndexVerdict::minimum)
     e.lower = segments * energy.reference_cost() * kernel_inverse(*problem.kernel, energy.value(chain) / segments);
@@ -96,6 +97,14 @@ CostEstimate estimate_cost(const Problem& problem, PathEnergy& energy, const Coo
     return e;
   }
   if (d12 / d24 > 0) e.order = std::log2(d12 / d24);
+  // Always with the factor 4: an observed order in its place would make both values equal and the bar 0.
+  const double fine = (4 * c4 - c2) / 3, coarse = (4 * c2 - c1) / 3;
+  const bool second_order = e.order && std::abs(*e.order - 2) <= kOrderTolerance;
+  // Beside a pole a chart turns so fast that the cubic in its coordinates leaves the path, and the chains know better.
+  if (chart && curve && second_order && !(std::abs(*curve - fine) <= kCurveTolerance * largest)) {
+    curve.reset();
+    e.upper.reset();
+  }
   if (e.lower && e.upper) {
     use_bracket(e, *e.lower, *e.upper);
     return e;
@@ -106,7 +115,7 @@ CostEstimate estimate_cost(const Problem& problem, PathEnergy& energy, const Coo
     e.method = "differences";
     return e;
   }
-  if (!e.order || std::abs(*e.order - 2) > kOrderTolerance) {
+  if (!second_order) {
     e.error = 2 * largest;
     e.method = "differences";
     failures.push_back({"not_asymptotic", "the cost does not fall at second order between " +
@@ -116,8 +125,6 @@ CostEstimate estimate_cost(const Problem& problem, PathEnergy& energy, const Coo
                                               " segments: no extrapolated value; use more points"});
     return e;
   }
-  // Always with the factor 4: an observed order in its place would make both values equal and the bar 0.
-  const double fine = (4 * c4 - c2) / 3, coarse = (4 * c2 - c1) / 3;
   e.value = fine;
   e.error = std::max(3 * std::abs(fine - coarse) / 15, kExact * fine);
   e.method = "richardson";

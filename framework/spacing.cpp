@@ -13,6 +13,9 @@
 namespace leastcost {
 namespace {
 
+/// A cubic that leaves the middle of a segment by more than this part of its length does not belong to a smooth curve.
+constexpr double kSmoothBend = 0.5;
+
 /// A polyline by arc length in coordinates.
 class ArcLength {
  public:
@@ -131,10 +134,13 @@ CoordinatePath refine(const Problem& problem, const CoordinatePath& path) {
     for (Index i = 0; i < columns; ++i) fine.u.col(2 * i) = path.u.col(i);
     for (Index i = 0; i < segments; ++i) {
       const bool left = path.ring || i > 0, right = path.ring || i + 2 < columns;
-      Eigen::VectorXd middle = (x(i) + x(i + 1)) / 2;
-      if (cubic && left && right) middle = (9 * (x(i) + x(i + 1)) - x(i - 1) - x(i + 2)) / 16;
-      if (cubic && left && !right) middle = (3 * x(i + 1) + 6 * x(i) - x(i - 1)) / 8;
-      if (cubic && !left && right) middle = (3 * x(i) + 6 * x(i + 1) - x(i + 2)) / 8;
+      const Eigen::VectorXd a = x(i), b = x(i + 1), linear = (a + b) / 2;
+      Eigen::VectorXd middle = linear;
+      if (cubic && left && right) middle = (9 * (a + b) - x(i - 1) - x(i + 2)) / 16;
+      if (cubic && left && !right) middle = (3 * b + 6 * a - x(i - 1)) / 8;
+      if (cubic && !left && right) middle = (3 * a + 6 * b - x(i + 2)) / 8;
+      // Points that jump (around a pole, in a chart) are no samples of a smooth curve.
+      if (!((middle - linear).norm() <= kSmoothBend * (b - a).norm())) middle = linear;
       fine.u.col(2 * i + 1) = middle;
     }
     for (std::size_t i = 0; i < fine.sites.size(); ++i) fine.sites[i] = path.sites[i / 2];

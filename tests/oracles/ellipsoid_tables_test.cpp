@@ -98,18 +98,14 @@ void solve_pair(const std::vector<FamilyStart>& starts, double truth, bool near_
   if (found) ++(near_antipodal ? count.near_found : count.family);
 }
 
-/// Straight lines and bows to every image of the target; first the straight line with the least cost.
+/// Straight lines and bows to every image of the target, the given one first.
 std::vector<FamilyStart> starts_in_chart(const Problem& problem) {
   std::vector<FamilyStart> starts;
-  double least = std::numeric_limits<double>::infinity();
   for (const WoundProblem& wound : wound_problems(problem, 1)) {
     if (std::abs(wound.problem.target.u[0] - problem.source.u[0]) > 2 * std::numbers::pi) continue;
+    starts.push_back({"straight", wound.problem, std::make_shared<const StraightInitializer>()});
     for (const double angle : {0.0, 180.0})
       starts.push_back({"bow", wound.problem, std::make_shared<const BowInitializer>(BowOptions{0.3, angle})});
-    FamilyStart straight{"straight", wound.problem, std::make_shared<const StraightInitializer>()};
-    const double cost = PathEnergy(wound.problem, 1).cost(straight.initializer->first_path(wound.problem, {}).path);
-    starts.insert(cost < least ? starts.begin() : starts.end(), std::move(straight));
-    least = std::min(least, cost);
   }
   return starts;
 }
