@@ -8,6 +8,7 @@ namespace leastcost {
 
 std::vector<std::string> numbered_names(const std::string& name, int count) {
   std::vector<std::string> names;
+  names.reserve(static_cast<std::size_t>(std::max(0, count)));
   for (int i = 0; i < count; ++i) names.push_back(name + std::to_string(i));
   return names;
 }

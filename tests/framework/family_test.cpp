@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "framework/family.hpp"
+
+#include "framework/errors.hpp"
+#include "framework/segment_cost_function.hpp"
+#include "problems/initializers/bow.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/compose.hpp"
+
+namespace leastcost::test {
+namespace {
+
+/// A hill between the ends: two mirror minima around it, a saddle over its top.
+struct Hill {
+  static constexpr int dim = 2;
+  CostTraits traits() const { return {.unit = "weighted length"}; }
+  template <class S>
+  S value(const Point<S, 2>& a, const Point<S, 2>& b) const {
+    using std::exp;
+    const S weight = S(1.0) + 2 * exp(S(-((a + b) * S(0.5)).squaredNorm()));
+    return (b - a).squaredNorm() * weight * weight;
+  }
+};
+
+class NoPath final : public Initializer {
+ public:
+  std::string_view name() const override { return "no_path"; }
+  FirstPath first_path(const Problem&, const Monitor&) const override { throw InitializationError("blocked"); }
+};
+
+FamilyStart bow(const Problem& problem, double angle, double height) {
+  return {"bow", problem, std::make_shared<const BowInitializer>(BowOptions{height, angle})};
+}
+
+FindOptions with_certificate(const Solver& certifier) {
+  FindOptions options;
+  options.points = 31;
+  options.certifier = &certifier;
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("family: distinct paths by cost, the same path once", "[framework]") {
+  const Problem problem =
+      between(space(2), make_segment_cost(Hill{}), Eigen::Vector2d(-2, 0.05), Eigen::Vector2d(2, 0.05));
+  const Newton newton;
+  const Family family = find_family({bow(problem, 180, 0.4),
+                                     bow(problem, 0, 0.4),
+                                     bow(problem, 0, 0.5),
+                                     {"blocked", problem, std::make_shared<const NoPath>()}},
+                                    newton, with_certificate(newton));
+  REQUIRE(family.members.size() == 2);
+  const FamilyMember &first = family.members[0], &second = family.members[1];
+  CHECK(first.result.status == Status::certified);
+  CHECK(second.result.status == Status::certified);
+  CHECK(first.origins.size() == 2);  // both bows to the near side
+  CHECK(first.result.certificate.estimate.value < second.result.certificate.estimate.value);
+  CHECK_FALSE(same_path(problem, first.result.path, second.result.path));
+  REQUIRE(family.notes.size() == 1);
+  CHECK_THAT(family.notes[0], Catch::Contains("blocked"));
+}
+
+TEST_CASE("family: without any first path the first reason is the error", "[framework]") {
+  const Problem problem = between(space(2), make_euclidean_cost(2), Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0));
+  const Newton newton;
+  CHECK_THROWS_WITH(
+      find_family({{"blocked", problem, std::make_shared<const NoPath>()}}, newton, with_certificate(newton)),
+      Catch::Contains("blocked"));
+}
+
+}  // namespace leastcost::test

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+// ORACLES D2 in charts: rings that close on another image of their first point.
+#include <numbers>
+
+#include "problems/initializers/coordinate_circle.hpp"
+#include "problems/manifolds/parametric.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/compose.hpp"
+
+namespace leastcost::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Result loop(const char* surface, int coordinate, const Eigen::Vector2d& through, int n) {
+  ParametricOptions options;
+  options.type = surface;
+  const Problem problem = closed(make_parametric_manifold(options), make_euclidean_cost(3));
+  return find(problem, n, CoordinateCircleInitializer({coordinate, through, 1}));
+}
+
+void check_waist(const Result& result, int n) {
+  const CostEstimate& e = result.certificate.estimate;
+  CAPTURE(n, e.value, e.error, e.method, failures(result.certificate));
+  CHECK(result.status == Status::certified);
+  CHECK(std::abs(e.value - 2 * kPi) <= e.error);
+  CHECK(std::abs(e.value - 2 * kPi) <= 1e-8 * 2 * kPi);
+  CHECK(result.costs.sum() == Approx(2 * n * std::sin(kPi / n)).epsilon(1e-12));  // the N-gon
+}
+
+}  // namespace
+
+TEST_CASE("D2: waists in charts are certified minima", "[oracle]") {
+  const int n = GENERATE(64, 200);
+  check_waist(loop("torus", 0, {0.3, kPi - 0.4}, n), n);
+  check_waist(loop("hyperboloid", 0, {0.3, 0.5}, n), n);
+  check_waist(loop("catenoid", 0, {0.3, -0.4}, n), n);
+}
+
+TEST_CASE("D2: in a chart the outer equator is a saddle of order 3, a meridian degenerate", "[oracle]") {
+  const Result outer = loop("torus", 0, {0.3, 0}, 64), meridian = loop("torus", 1, {0.3, 0.2}, 64);
+  CAPTURE(failures(outer.certificate), failures(meridian.certificate));
+  CHECK(outer.certificate.index.saddle_order == 3);
+  CHECK(failed(outer.certificate, "saddle"));
+  CHECK(outer.costs.sum() == Approx(3 * 2 * 64 * std::sin(kPi / 64)).epsilon(1e-10));
+  CHECK(failed(meridian.certificate, "degenerate"));
+  CHECK(meridian.costs.sum() == Approx(2 * 64 * std::sin(kPi / 64)).epsilon(1e-10));
+}
+
+}  // namespace leastcost::test
