@@ -22,6 +22,7 @@ constexpr double kStraight = 1e-9;                ///< radians below pi that a s
 constexpr double kPolyhedronStationarity = 1e-6;  ///< relative cost error of an unstraightened path on a polyhedron
 constexpr double kPolyhedronSpacing = 0.05;
 constexpr double kPolyhedronError = 0.01;  ///< relative error bar above which it is a failure
+constexpr double kWidestBar = 0.1;         ///< relative error bar above which a path on a smooth domain says nothing
 constexpr double kSpacingFall = 3;         ///< second order halves the step and quarters the spread; 3 leaves room
 constexpr int kBundleSteps = 20;
 
@@ -177,6 +178,9 @@ class Certifier {
     check_spacing();
     measure_doubling();
     c_.estimate = estimate_cost(problem_, energy_, path_.chain, refinement, c_.index, hugs_bound_, c_.failures);
+    if (!(c_.estimate.error <= kWidestBar * c_.estimate.value))
+      fail("error_bar", "the error bar is " + text(c_.estimate.error / c_.estimate.value) +
+                            " of the cost: too few points for this path");
     measure_domain();
   }
 

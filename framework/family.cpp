@@ -3,10 +3,12 @@
 #include "framework/family.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <utility>
 
 #include "framework/errors.hpp"
+#include "framework/path_energy.hpp"
 
 namespace leastcost {
 namespace {
@@ -42,6 +44,10 @@ void add(FamilyMember member, std::vector<FamilyMember>& members) {
 }  // namespace
 
 bool same_path(const Problem& problem, const CoordinatePath& a, const CoordinatePath& b) {
+  constexpr double kSameCost = 1e-3;
+  PathEnergy energy(problem, 1);
+  const double cost = energy.cost(a);
+  if (!(std::abs(energy.cost(b) - cost) <= kSameCost * cost)) return false;
   const Points x = positions(*problem.manifold, a), y = positions(*problem.manifold, b);
   const Index m = x.cols() - 1;
   if (m < 1 || y.cols() < 2) return false;

@@ -29,7 +29,8 @@ struct Family {
   std::vector<std::string> notes;     ///< starts without a first path, and why
 };
 
-/// Whether two results are the same path: no point of one is farther from the other than three quarters of a segment.
+/// Whether two paths are the same: their costs agree to 0.1 % (twice around is not once around), and no point of one is farther from the
+/// other than three quarters of a segment.
 bool same_path(const Problem& problem, const CoordinatePath& a, const CoordinatePath& b);
 
 /// find_path() from every start. A start without a first path is a note; throws the InitializationError of the first one when none has any.

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/output/json_numbers.hpp"
 #include "app/output/output_folder.hpp"
@@ -34,7 +35,10 @@ std::string cost_line(const RunOutcome& run) {
   const CostEstimate& estimate = result.certificate.estimate;
   if (!result.certificate.measured) return fmt::format("{:.15g} {} (error not measured)", result.curve.cost, unit);
   if (!std::isfinite(estimate.error)) return fmt::format("{:.15g} {} (error unknown)", estimate.value, unit);
-  return fmt::format("{:.15g} +- {:.2g} {} ({})", estimate.value, estimate.error, unit, estimate.method);
+  std::string line = fmt::format("{:.15g} +- {:.2g} {} ({})", estimate.value, estimate.error, unit, estimate.method);
+  if (const std::optional<double>& geometry = result.certificate.geometry_error)
+    line += fmt::format(", and +- {:.2g} for the samples of the domain", *geometry);
+  return line;
 }
 
 std::string solver_line(const RunOutcome& run) {

@@ -5,6 +5,8 @@
 #include <array>
 #include <limits>
 #include <numbers>
+#include <string>
+#include <utility>
 
 #include "framework/errors.hpp"
 #include "problems/geometry/chart_surfaces.hpp"
@@ -41,6 +43,26 @@ const Seam kAround = {0, 2 * kPi, {}};
 SeamMap pole(double at) { return {Eigen::Vector2d(1, -1), Eigen::Vector2d(kPi, 2 * at)}; }
 const std::vector<SeamMap> kTwoPoles = {pole(kPi / 2), pole(-kPi / 2)};
 
+/// The formulas must mean what the periods say: an image of a point is the same point.
+void check_seams(const ChartMap& map, const std::vector<Seam>& seams) {
+  constexpr double kSame = 1e-9;
+  for (std::size_t s = 0; s < seams.size(); ++s) {
+    Eigen::VectorXi once = Eigen::VectorXi::Zero(static_cast<Index>(seams.size()));
+    once[static_cast<Index>(s)] = 1;
+    const SeamMap image = seam_map(seams, 2, once);
+    for (const Eigen::Vector2d& u :
+         {Eigen::Vector2d(0.3, 0.2), Eigen::Vector2d(1.1, -0.7), Eigen::Vector2d(2.3, 0.9)}) {
+      const Eigen::Vector3d x = map.position(u), y = map.position(image.apply(u));
+      if (!x.allFinite() || !y.allFinite() || (x - y).norm() <= kSame * (1 + x.norm())) continue;
+      const char* key = seams[s].coordinate == 0 ? "surface.period_u" : "surface.period_v";
+      throw OptionError(key, "the formulas do not come back after this period" +
+                                 std::string(seams[s].flipped ? " with v turned over" : "") + ": (u, v) = (" +
+                                 std::to_string(u[0]) + ", " + std::to_string(u[1]) + ") and its image are " +
+                                 std::to_string((x - y).norm()) + " apart");
+    }
+  }
+}
+
 Parts formula(const ParametricOptions& o) {
   std::vector<Seam> seams;
   if (o.period_u > 0) seams.push_back({0, o.period_u, o.twisted ? std::optional(1) : std::nullopt});
@@ -53,7 +75,9 @@ Parts formula(const ParametricOptions& o) {
   read("x", o.x);
   read("y", o.y);
   read("z", o.z);
-  return {make_chart_map(FormulaChart{Formulas({o.x, o.y, o.z}, {"u", "v"}, o.parameters)}), seams};
+  auto map = make_chart_map(FormulaChart{Formulas({o.x, o.y, o.z}, {"u", "v"}, o.parameters)});
+  check_seams(*map, seams);
+  return {std::move(map), seams};
 }
 
 Parts parts_of(const ParametricOptions& o) {

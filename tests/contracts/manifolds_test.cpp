@@ -140,6 +140,29 @@ TEST_CASE("manifold contract: parametric", "[contract]") {
 
 TEST_CASE("manifold contract: point_cloud, a sampled torus", "[contract]") { check_manifold_contract(cloud_case()); }
 
+TEST_CASE("a period that the formulas do not have is refused", "[contract]") {
+  ParametricOptions options;
+  options.type = "formula";
+  options.x = "cos(u)";
+  options.y = "sin(u)";
+  options.z = "v";
+  const auto key = [&]() -> std::string {
+    try {
+      make_parametric_manifold(options);
+    } catch (const OptionError& error) {
+      return error.key();
+    }
+    return "accepted";
+  };
+  options.period_u = 2 * std::acos(-1.0);
+  CHECK(key() == "accepted");
+  options.twisted = true;
+  CHECK(key() == "surface.period_u");
+  options.twisted = false;
+  options.period_u = 3;
+  CHECK(key() == "surface.period_u");
+}
+
 // The helpers of the tests must keep the contract as well, or what is tested with them means nothing.
 TEST_CASE("manifold contract: the sphere and the torus of the tests", "[contract]") {
   const auto near = [](Random& random) -> Eigen::VectorXd {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "framework/family.hpp"
 
+#include <numbers>
+
 #include "framework/errors.hpp"
 #include "framework/segment_cost_function.hpp"
 #include "problems/initializers/bow.hpp"
@@ -60,6 +62,20 @@ TEST_CASE("family: distinct paths by cost, the same path once", "[framework]") {
   CHECK_FALSE(same_path(problem, first.result.path, second.result.path));
   REQUIRE(family.notes.size() == 1);
   CHECK_THAT(family.notes[0], Catch::Contains("blocked"));
+}
+
+TEST_CASE("family: twice around a circle is not once around", "[framework]") {
+  const Problem problem = closed(space(2), make_euclidean_cost(2));
+  const auto circle = [](int turns) {
+    CoordinatePath path{Points(2, 40), {}, true};
+    for (Index i = 0; i < 40; ++i) {
+      const double t = 2 * std::numbers::pi * turns * static_cast<double>(i) / 40;
+      path.u.col(i) = Eigen::Vector2d(std::cos(t), std::sin(t));
+    }
+    return path;
+  };
+  CHECK(same_path(problem, circle(1), circle(1)));
+  CHECK_FALSE(same_path(problem, circle(1), circle(2)));
 }
 
 TEST_CASE("family: without any first path the first reason is the error", "[framework]") {
