@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "framework/escape_saddle.hpp"
 
+#include <optional>
 #include <utility>
 
-#include "framework/chain_model.hpp"
+#include "framework/path_index.hpp"
 
 namespace leastcost {
 namespace {
@@ -15,15 +16,11 @@ constexpr int kMostHalvings = 20;
 /// A move of the free points that lowers E to second order; empty at a minimum.
 Points way_down(PathEnergy& energy, const CoordinatePath& path, double shift) {
   Points moves;
-  ChainModel model;
-  if (!energy.has_exact_hessian() || !model.evaluate(energy, path)) return moves;
-  ChainSystem hessian, gauss_newton;
-  energy.chain_hessian(path, model.gradient, model.frames, HessianKind::exact, hessian);
-  energy.chain_hessian(path, model.gradient, model.frames, HessianKind::gauss_newton, gauss_newton);
-  hessian.add(shift, gauss_newton);
-  const Eigen::VectorXd direction = hessian.negative_direction();
-  if (direction.size() == 0) return moves;
-  energy.from_tangent(model.frames, direction, moves);
+  std::optional<ChainHessians> h = chain_hessians(energy, path);
+  if (!h) return moves;
+  h->exact.add(shift, h->gauss_newton);
+  const Eigen::VectorXd direction = h->exact.negative_direction();
+  if (direction.size() > 0) energy.from_tangent(h->model.frames, direction, moves);
   return moves;
 }
 

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "framework/path_index.hpp"
 
-#include "framework/chain_model.hpp"
-
 namespace leastcost {
 
 std::string_view name(IndexVerdict verdict) {
@@ -16,17 +14,22 @@ std::string_view name(IndexVerdict verdict) {
   return "unknown";
 }
 
+std::optional<ChainHessians> chain_hessians(PathEnergy& energy, const CoordinatePath& path) {
+  ChainHessians h;
+  if (!energy.has_exact_hessian() || !h.model.evaluate(energy, path)) return std::nullopt;
+  energy.chain_hessian(path, h.model.gradient, h.model.frames, HessianKind::exact, h.exact);
+  energy.chain_hessian(path, h.model.gradient, h.model.frames, HessianKind::gauss_newton, h.gauss_newton);
+  return h;
+}
+
 PathIndex path_index(PathEnergy& energy, const CoordinatePath& path, double shift) {
   PathIndex index;
-  ChainModel model;
-  if (!energy.has_exact_hessian() || !model.evaluate(energy, path)) return index;
-  ChainSystem exact, gauss_newton;
-  energy.chain_hessian(path, model.gradient, model.frames, HessianKind::exact, exact);
-  energy.chain_hessian(path, model.gradient, model.frames, HessianKind::gauss_newton, gauss_newton);
-  ChainSystem up = exact, down = exact;
-  up.add(shift, gauss_newton);
-  down.add(-shift, gauss_newton);
-  index.negatives = exact.negative_eigenvalues();
+  const std::optional<ChainHessians> h = chain_hessians(energy, path);
+  if (!h) return index;
+  ChainSystem up = h->exact, down = h->exact;
+  up.add(shift, h->gauss_newton);
+  down.add(-shift, h->gauss_newton);
+  index.negatives = h->exact.negative_eigenvalues();
   index.saddle_order = up.negative_eigenvalues();
   index.nullity = down.negative_eigenvalues() - index.saddle_order;
   index.verdict = index.saddle_order > 0 ? IndexVerdict::saddle

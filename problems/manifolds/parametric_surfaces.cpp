@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // The named surfaces of the parametric manifold: their options, charts, edges and seams.
+#include <Eigen/Geometry>
 #include <array>
 #include <limits>
 #include <numbers>
@@ -43,6 +44,25 @@ const Seam kAround = {0, 2 * kPi, {}};
 SeamMap pole(double at) { return {Eigen::Vector2d(1, -1), Eigen::Vector2d(kPi, 2 * at)}; }
 const std::vector<SeamMap> kTwoPoles = {pole(kPi / 2), pole(-kPi / 2)};
 
+/// Where formulas are looked at before they are used.
+const std::array<Eigen::Vector2d, 3> kSamples = {Eigen::Vector2d(0.3, 0.2), Eigen::Vector2d(1.1, -0.7),
+                                                 Eigen::Vector2d(2.3, 0.9)};
+
+/// Formulas of one combination of u and v only describe a curve or a point, on which the coordinates of a path mean nothing.
+void check_rank(const ChartMap& map) {
+  constexpr double kParallel = 1e-9;
+  bool looked = false;
+  for (const Eigen::Vector2d& u : kSamples) {
+    const Eigen::Matrix<double, 3, 2> j = map.jacobian(u);
+    if (!j.allFinite()) continue;
+    looked = true;
+    if (j.col(0).cross(j.col(1)).norm() > kParallel * j.col(0).norm() * j.col(1).norm()) return;
+  }
+  if (looked)
+    throw OptionError("surface",
+                      "x, y and z do not describe a surface: moves along u and along v have the same direction");
+}
+
 /// The formulas must mean what the periods say: an image of a point is the same point.
 void check_seams(const ChartMap& map, const std::vector<Seam>& seams) {
   constexpr double kSame = 1e-9;
@@ -50,8 +70,7 @@ void check_seams(const ChartMap& map, const std::vector<Seam>& seams) {
     Eigen::VectorXi once = Eigen::VectorXi::Zero(static_cast<Index>(seams.size()));
     once[static_cast<Index>(s)] = 1;
     const SeamMap image = seam_map(seams, 2, once);
-    for (const Eigen::Vector2d& u :
-         {Eigen::Vector2d(0.3, 0.2), Eigen::Vector2d(1.1, -0.7), Eigen::Vector2d(2.3, 0.9)}) {
+    for (const Eigen::Vector2d& u : kSamples) {
       const Eigen::Vector3d x = map.position(u), y = map.position(image.apply(u));
       if (!x.allFinite() || !y.allFinite() || (x - y).norm() <= kSame * (1 + x.norm())) continue;
       const char* key = seams[s].coordinate == 0 ? "surface.period_u" : "surface.period_v";
@@ -76,6 +95,7 @@ Parts formula(const ParametricOptions& o) {
   read("y", o.y);
   read("z", o.z);
   auto map = make_chart_map(FormulaChart{Formulas({o.x, o.y, o.z}, {"u", "v"}, o.parameters)});
+  check_rank(*map);
   check_seams(*map, seams);
   return {std::move(map), seams};
 }

@@ -140,7 +140,7 @@ TEST_CASE("manifold contract: parametric", "[contract]") {
 
 TEST_CASE("manifold contract: point_cloud, a sampled torus", "[contract]") { check_manifold_contract(cloud_case()); }
 
-TEST_CASE("a period that the formulas do not have is refused", "[contract]") {
+TEST_CASE("formulas that are no surface, or do not have their period, are refused", "[contract]") {
   ParametricOptions options;
   options.type = "formula";
   options.x = "cos(u)";
@@ -161,6 +161,13 @@ TEST_CASE("a period that the formulas do not have is refused", "[contract]") {
   options.twisted = false;
   options.period_u = 3;
   CHECK(key() == "surface.period_u");
+  options.period_u = 0;
+  options.z = "sin(u)";
+  CHECK(key() == "surface");
+  options.x = options.y = options.z = "u - v";
+  CHECK(key() == "surface");
+  options.y = "u + v";
+  CHECK(key() == "accepted");
 }
 
 // The helpers of the tests must keep the contract as well, or what is tested with them means nothing.

@@ -5,25 +5,13 @@
 #include <numbers>
 
 #include "framework/errors.hpp"
-#include "framework/segment_cost_function.hpp"
 #include "problems/initializers/bow.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/hill.hpp"
 
 namespace leastcost::test {
 namespace {
-
-/// A hill between the ends: two mirror minima around it, a saddle over its top.
-struct Hill {
-  static constexpr int dim = 2;
-  CostTraits traits() const { return {.unit = "weighted length"}; }
-  template <class S>
-  S value(const Point<S, 2>& a, const Point<S, 2>& b) const {
-    using std::exp;
-    const S weight = S(1.0) + 2 * exp(S(-((a + b) * S(0.5)).squaredNorm()));
-    return (b - a).squaredNorm() * weight * weight;
-  }
-};
 
 class NoPath final : public Initializer {
  public:

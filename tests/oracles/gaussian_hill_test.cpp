@@ -4,23 +4,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "framework/segment_cost_function.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/hill.hpp"
 
 namespace leastcost::test {
 namespace {
-
-struct Hill {
-  static constexpr int dim = 2;
-  CostTraits traits() const { return {.unit = "weighted length"}; }
-  template <class S>
-  S value(const Point<S, 2>& a, const Point<S, 2>& b) const {
-    using std::exp;
-    const S weight = S(1.0) + 2 * exp(S(-((a + b) * S(0.5)).squaredNorm()));
-    return (b - a).squaredNorm() * weight * weight;
-  }
-};
 
 Problem over_the_hill() {
   return between(space(2), make_segment_cost(Hill{}), Eigen::Vector2d(-2, 0), Eigen::Vector2d(2, 0));
