@@ -1,19 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 // Iterations and time of the chain solvers against the number of points, and against plain L-BFGS. One run, ratios.
-#include <chrono>
 #include <cstdio>
-#include <functional>
 #include <limits>
 #include <numbers>
 #include <vector>
 
+#include "benchmarks/measure.hpp"
 #include "framework/cascade.hpp"
-#include "framework/path_energy.hpp"
 #include "framework/segment_cost_function.hpp"
-#include "framework/spacing.hpp"
 #include "problems/costs/travel_time.hpp"
-#include "problems/initializers/straight.hpp"
 #include "problems/kernels/kernels.hpp"
 #include "problems/manifolds/euclidean.hpp"
 #include "solvers/lbfgs.hpp"
@@ -22,6 +18,7 @@
 namespace {
 
 using namespace leastcost;
+using namespace leastcost::bench;
 
 /// Upper half-plane, |b - a| over the height at the middle: a cost as a user would write it.
 struct HalfPlane {
@@ -33,11 +30,6 @@ struct HalfPlane {
     if (!(innermost(y) > 0)) return S(std::numeric_limits<double>::infinity());
     return (b - a).squaredNorm() / (y * y);
   }
-};
-
-struct Case {
-  const char* name;
-  Problem problem;
 };
 
 Problem in_plane(Eigen::Vector2d source, Eigen::Vector2d target, std::shared_ptr<const SegmentCost> cost) {
@@ -57,56 +49,15 @@ Problem chute(double start_speed, Eigen::Vector2d target) {
   return in_plane(source, target, make_travel_time_cost(options, 2, source));
 }
 
-struct Outcome {
-  int iterations = 0;
-  double milliseconds = 0;
-  Termination end = Termination::non_finite;
-};
-
-using Solve = std::function<SolveReport(const Problem&, CoordinatePath&, double s0)>;
-
-Outcome measure(const Problem& problem, int n, const Solve& solve, int repetitions) {
-  const FirstPath first = StraightInitializer().first_path(problem, {});
-  const CoordinatePath start = sample_equally(problem, first.path, n);
-  const double s0 = PathEnergy(problem, 1).cost(start) / (n + 1);
-  Outcome best{0, std::numeric_limits<double>::infinity(), Termination::non_finite};
-  for (int i = 0; i < repetitions; ++i) {
-    CoordinatePath path = start;
-    const auto begin = std::chrono::steady_clock::now();
-    const SolveReport report = solve(problem, path, s0);
-    const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-    best = {report.iterations, std::min(best.milliseconds, ms), report.termination};
-  }
-  return best;
-}
-
-Solve direct(std::shared_ptr<const Solver> solver) {
-  return [solver](const Problem& problem, CoordinatePath& path, double s0) {
-    PathEnergy energy(problem, s0);
-    return solver->solve(energy, path, {});
-  };
-}
-
 Solve cascade(std::shared_ptr<const Solver> solver) {
   return [solver](const Problem& problem, CoordinatePath& path, double s0) {
     return solve_by_cascade(problem, *solver, s0, path, {});
   };
 }
 
-void print_row(const char* problem, const char* kernel, const char* solver, const std::vector<int>& sizes,
-               const std::vector<Outcome>& row) {
-  std::printf("| %-12s | %-12s | %-16s |", problem, kernel, solver);
-  for (const Outcome& o : row)
-    std::printf(" %5d%s %9.2f |", o.iterations, o.end == Termination::converged ? " " : "*", o.milliseconds);
-  std::printf(" %5.2f | %5.2f |\n", static_cast<double>(row.back().iterations) / row.front().iterations,
-              row.back().milliseconds / row.front().milliseconds * sizes.front() / sizes.back());
-}
-
 void table(std::vector<Case>& cases) {
   const std::vector<int> sizes = {20, 200, 2000, 20000};
-  std::printf(
-      "Iterations and milliseconds at n = 20, 200, 2000, 20000 (* not converged); iterations and time per point at "
-      "n = 20000 relative to n = 20\n");
+  print_heading(sizes);
   const std::vector<std::pair<const char*, Solve>> solvers = {{"newton", direct(std::make_shared<Newton>())},
                                                               {"lbfgs chain", direct(std::make_shared<Lbfgs>())},
                                                               {"newton, cascade", cascade(std::make_shared<Newton>())}};
@@ -116,7 +67,7 @@ void table(std::vector<Case>& cases) {
       for (const auto& [name, solve] : solvers) {
         c.problem.kernel = kernel;
         std::vector<Outcome> row;
-        for (const int n : sizes) row.push_back(measure(c.problem, n, solve, n > 2000 ? 3 : 5));
+        for (const int n : sizes) row.push_back(measure(c, n, solve, n > 2000 ? 3 : 5));
         print_row(c.name, kernel_name, name, sizes, row);
       }
 }
@@ -131,9 +82,9 @@ void against_plain(std::vector<Case>& cases) {
   options.max_evaluations = 100000;
   for (Case& c : cases) {
     c.problem.kernel = make_kernel<Expm1Square>();
-    const Outcome plain = measure(c.problem, 1000, direct(std::make_shared<Lbfgs>(options)), 1);
-    const Outcome chain = measure(c.problem, 1000, direct(std::make_shared<Lbfgs>()), 5);
-    const Outcome newton = measure(c.problem, 1000, direct(std::make_shared<Newton>()), 5);
+    const Outcome plain = measure(c, 1000, direct(std::make_shared<Lbfgs>(options)), 1);
+    const Outcome chain = measure(c, 1000, direct(std::make_shared<Lbfgs>()), 5);
+    const Outcome newton = measure(c, 1000, direct(std::make_shared<Newton>()), 5);
     std::printf(
         "| %-12s | plain %6d it%s %9.1f ms | chain %7.2f ms, %6.0f x faster | newton %7.2f ms, %6.0f x faster |\n",
         c.name, plain.iterations, plain.end == Termination::converged ? "" : "*", plain.milliseconds,

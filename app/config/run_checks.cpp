@@ -58,10 +58,12 @@ void check_ends(LoadedConfig& loaded) {
     const EndOptions& end = std::string_view(path) == "ends.source" ? config.source : config.target;
     const std::string key = std::string(path) + (end.vertex >= 0 ? ".vertex" : ".face");
     if (end.vertex < 0 && end.face < 0) continue;
-    if (end.face < 0 && config.manifold.provides(std::string(kGraph))) continue;  // a point of a cloud
-    loaded.errors.error(place_of(loaded.tree, key),
-                        fmt::format("an end is given as a vertex or face on a mesh only; '{}' takes {{point: [..]}}",
-                                    config.manifold.plugin->type));
+    const bool has_samples = config.manifold.provides(std::string(kGraph));  // a point of a cloud
+    if (end.face < 0 && has_samples) continue;
+    loaded.errors.error(
+        place_of(loaded.tree, key),
+        fmt::format("'{}' has no {}; an end on it is {{point: [..]}}{}", config.manifold.plugin->type,
+                    end.face < 0 ? "vertices" : "faces", has_samples ? " or {vertex: .., a sample of the file}" : ""));
   }
 }
 

@@ -148,9 +148,25 @@ void PointCloud::gather(std::int32_t i, double radius, std::vector<Neighbour>& f
     offsets.emplace_back(sample(found[k].index).position - sample(i).position);
 }
 
+/// A support that reaches around the whole cloud averages the surface away, and a coarser version of the cloud would not show it.
+void PointCloud::check_radius() const {
+  std::vector<double> counts;
+  std::vector<Neighbour> found;
+  const std::int32_t stride = std::max(1, size() / kNoiseProbes);
+  for (std::int32_t i = stride / 2; i < size(); i += stride) {
+    search_.within(sample(i).position, settings_.radius * spacing(i), found);
+    counts.emplace_back(static_cast<double>(found.size()));
+  }
+  const double share = median(counts) / size();
+  if (share > kMostOfCloud)
+    throw OptionError("radius", "a support of " + text(settings_.radius) + " local spacings holds " +
+                                    text(100 * share) + " % of the cloud; the most is " + text(100 * kMostOfCloud) +
+                                    " %");
+}
+
 /// Noise must be small against the support, or there is no surface to see in it: wider until it is.
 void PointCloud::choose_radius() {
-  if (settings_.radius > 0) return;
+  if (settings_.radius > 0) return check_radius();
   settings_.radius = kRadius;
   std::vector<Neighbour> found;
   std::vector<Eigen::Vector3d> offsets;

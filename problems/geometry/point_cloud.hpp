@@ -74,6 +74,7 @@ class PointCloud {
   void find_neighbours();
   void measure_spacing();
   void choose_radius();
+  void check_radius() const;
   void set_radii();
   void fit_samples(const PointSamples& samples);
   void choose_normals(const PointSamples& samples, const std::vector<Eigen::Vector3d>& estimates);

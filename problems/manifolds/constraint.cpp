@@ -53,7 +53,10 @@ void ConstraintManifoldOptions::fields(FieldVisitor& visit) {
 }
 
 std::shared_ptr<const LevelSet> make_constraint_manifold(const ConstraintManifoldOptions& o) {
-  if (o.equations.empty() == o.set.empty()) throw OptionError("equations", "give either equations or a set, not both");
+  if (o.equations.empty() && o.set.empty())
+    throw OptionError("equations", "missing: give equations, like [\"x^2 + y^2 - 1\"], or a set");
+  if (!o.equations.empty() && !o.set.empty())
+    throw OptionError("equations", "give either equations or a set, not both");
   if (!o.equations.empty()) return from_equations(o);
   if (!o.parameters.empty()) throw OptionError("parameters", "parameters are for equations; the set has none");
   if (o.set == "so3") {

@@ -36,8 +36,9 @@ TEST_CASE("config: points of a cloud have numbers, faces it has none") {
     return errors_of("manifold: {type: point_cloud, file: cloud.xyz}\ncost: euclidean\nends: {source: " + source +
                      ", target: {point: [0, 0, 1]}}\n");
   };
-  CHECK(errors("{vertex: 3}").find("vertex or face") == std::string::npos);
-  CHECK(errors("{face: 3, barycentric: [1, 0, 0]}").find("on a mesh only") != std::string::npos);
+  CHECK(errors("{vertex: 3}").find("has no") == std::string::npos);
+  CHECK(errors("{face: 3, barycentric: [1, 0, 0]}")
+            .find("'point_cloud' has no faces; an end on it is {point: [..]} or {vertex: ..,") != std::string::npos);
 }
 
 }  // namespace leastcost::test

@@ -69,7 +69,7 @@ nmae: x
             "a.yaml:2:46: error: 'rule' in cost must be one of: chute, midpoint; found 'chut' (did you mean 'chute'?)",
             "a.yaml:4:23: error: 'point' in ends.source has an entry that must be a number, .inf or -.inf (found 'x')",
             "a.yaml:5:3: error: 'target' in ends must have exactly one of: vertex; face and barycentric; point",
-            "a.yaml:5:35: error: an end is given as a vertex or face on a mesh only; 'euclidean' takes {point: [..]}",
+            "a.yaml:5:35: error: 'euclidean' has no vertices; an end on it is {point: [..]}",
             "a.yaml:6:16: error: 'points' in path must be at least 1 and at most 10000000 (found '0')",
             "a.yaml:6:19: error: unknown key 'rng' in path (did you mean 'ring'?)",
             "a.yaml:7:1: error: unknown key 'nmae' (did you mean 'name'?)"});
@@ -152,10 +152,8 @@ TEST_CASE("config errors: parts that do not fit each other") {
   CHECK_THAT(
       errors_of(kPlane + "initializer: dijkstra\n"),
       Contains("a.yaml:6:14: error: 'dijkstra' needs a manifold with a graph, which 'euclidean' does not have\n"));
-  CHECK_THAT(
-      errors_of("manifold: euclidean\ncost: euclidean\n" + vertices),
-      Contains(
-          "a.yaml:3:25: error: an end is given as a vertex or face on a mesh only; 'euclidean' takes {point: [..]}\n"));
+  CHECK_THAT(errors_of("manifold: euclidean\ncost: euclidean\n" + vertices),
+             Contains("a.yaml:3:25: error: 'euclidean' has no vertices; an end on it is {point: [..]}\n"));
   CHECK_THAT(errors_of(kPlane + "path: {points: auto}\n"),
              Contains("'auto' takes the number of points from the first path"));
   CHECK_THAT(errors_of(kPlane + "path: {ring: true}\n"),

@@ -37,6 +37,7 @@ TEST_CASE("level sets in a configuration: errors at their places") {
              Contains("a.yaml:3:31: error: 'f' in manifold.surface: character 5 of the formula: unknown name 'yy'"));
   CHECK_THAT(errors_of(on("  type: constraint\n  dimension: 3\n  equations: [x0 - 1, x1 +]\n")),
              Contains("a.yaml:4:23: error:") && Contains("character 5 of the formula: found the end"));
+  CHECK_THAT(errors_of(on("  type: constraint\n")), Contains("missing: give equations") && Contains("or a set"));
   CHECK_THAT(errors_of(on("  type: implicit\n  surface: sphere\n", "[0, 0, 0]")),
              Contains("a.yaml:6:19: error:") && Contains("gradients of the equations vanish"));
 }

@@ -35,6 +35,11 @@ double error_on_torus(int count) {
 
 }  // namespace
 
+TEST_CASE("a support that holds most of the cloud is refused") {
+  CHECK_NOTHROW(PointCloud(torus_cloud(1000), {.radius = 6}));
+  CHECK_THROWS_AS(PointCloud(torus_cloud(1000), {.radius = 30}), OptionError);
+}
+
 TEST_CASE("neighbour search agrees with looking at every point") {
   Random random;
   std::vector<Eigen::Vector3d> points(300);

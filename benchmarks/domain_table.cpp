@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+// Iterations of the chain solvers against the number of points, on every domain. One run, ratios.
+#include <Eigen/Core>
+#include <vector>
+
+#include "benchmarks/measure.hpp"
+#include "problems/costs/euclidean.hpp"
+#include "problems/costs/metric_field.hpp"
+#include "problems/initializers/coordinate_circle.hpp"
+#include "problems/initializers/dijkstra.hpp"
+#include "problems/kernels/kernels.hpp"
+#include "problems/manifolds/constraint.hpp"
+#include "problems/manifolds/euclidean.hpp"
+#include "problems/manifolds/implicit.hpp"
+#include "problems/manifolds/parametric.hpp"
+#include "problems/manifolds/point_cloud.hpp"
+#include "solvers/lbfgs.hpp"
+#include "solvers/newton.hpp"
+
+namespace {
+
+using namespace leastcost;
+using namespace leastcost::bench;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+Case between(const char* name, std::shared_ptr<const ConstraintManifold> manifold, const Eigen::VectorXd& source,
+             const Eigen::VectorXd& target) {
+  Case c{name, {}};
+  c.problem.source = project_end(*manifold, source);
+  c.problem.target = project_end(*manifold, target);
+  c.problem.cost = make_euclidean_cost(manifold->dimensions().ambient);
+  c.problem.manifold = std::move(manifold);
+  return c;
+}
+
+Case parametric(const char* name, const char* type, const Vector2d& source, const Vector2d& target) {
+  ParametricOptions options;
+  options.type = type;
+  return between(name, make_parametric_manifold(options), source, target);
+}
+
+/// A ring at the waist of a hyperboloid, from a circle above it.
+Case waist() {
+  Case c = parametric("hyperboloid, ring", "hyperboloid", {0, 0}, {1, 1});
+  c.problem.ring = true;
+  CoordinateCircleOptions circle;
+  circle.through = Vector2d(0, 0.7);
+  c.initializer = std::make_shared<CoordinateCircleInitializer>(circle);
+  return c;
+}
+
+/// On the outside of the torus, from the far left to the right.
+Case implicit_torus() {
+  ImplicitManifoldOptions options;
+  options.surface = "torus";
+  return between("implicit torus", make_implicit_manifold(options), Vector3d(3, 0, 0), Vector3d(1.2, 2, 0.9));
+}
+
+Case rotations() {
+  ConstraintManifoldOptions options;
+  options.set = "so3";
+  return between("SO(3)", make_constraint_manifold(options), Eigen::Vector4d(1, 0, 0, 0),
+                 Eigen::Vector4d(0.3, 0.6, -0.5, 0.4));
+}
+
+Case field(const char* name, const char* type, const Vector2d& source, const Vector2d& target) {
+  Case c = between(name, std::make_shared<EuclideanManifold>(EuclideanManifoldOptions{}), source, target);
+  MetricFieldOptions options;
+  options.type = type;
+  c.problem.cost = make_metric_field_cost(options, 2);
+  return c;
+}
+
+Case cloud() {
+  PointCloudManifoldOptions options;
+  options.file = LEASTCOST_PROJECT_DIR "/configs/data/torus_cloud.xyz";
+  Case c =
+      between("cloud, torus", make_point_cloud_manifold(options, ""), Vector3d(3, 0, 0), Vector3d(0.85, 1.33, 0.91));
+  c.initializer = std::make_shared<DijkstraInitializer>();
+  return c;
+}
+
+}  // namespace
+
+int main() {
+  std::vector<Case> cases = {
+      parametric("torus", "torus", {0, 0}, {1, 2}),
+      parametric("triaxial ellipsoid", "ellipsoid", {0.17, 0.35}, {1.2, -0.5}),
+      parametric("Klein bottle", "klein_bottle", {5, 0.4}, {7.2, 1.1}),
+      waist(),
+      implicit_torus(),
+      rotations(),
+      field("half-plane", "half_plane", {0, 1}, {2, 3}),
+      field("Poincare disc", "poincare_disc", {0.9, 0}, {-0.5, 0.7}),
+      cloud(),
+  };
+  const std::vector<int> sizes = {20, 200, 2000, 20000};
+  print_heading(sizes);
+  for (Case& c : cases)
+    for (const auto& [name, solve] : std::vector<std::pair<const char*, Solve>>{
+             {"newton", direct(std::make_shared<Newton>())}, {"lbfgs chain", direct(std::make_shared<Lbfgs>())}}) {
+      c.problem.kernel = make_kernel<Expm1Square>();
+      std::vector<Outcome> row;
+      for (const int n : sizes) row.push_back(measure(c, n, solve, 1));
+      print_row(c.name, "expm1_square", name, sizes, row);
+    }
+}
