@@ -26,12 +26,10 @@ constexpr double kOrderTolerance = 0.2;
 /// A curve in a chart may differ from the extrapolated value by this part of the largest level difference.
 constexpr double kCurveTolerance = 1e-3;
 
-void use_bracket(CostEstimate& e, double lower, double upper) {
-  e.lower = lower;
-  e.upper = upper;
-  e.value = upper;
-  e.error = std::max(upper - lower, kExact * upper);
-  e.method = "bracket";
+void quote(CostEstimate& e, const char* method, double value, double error) {
+  e.value = value;
+  e.error = std::max(error, kExact * value);
+  e.method = method;
 }
 
 }  // namespace
@@ -91,9 +89,7 @@ CostEstimate estimate_cost(const Problem& problem, PathEnergy& energy, const Coo
   const double c1 = refinement.levels[0].cost, c2 = refinement.levels[1].cost, c4 = refinement.levels[2].cost;
   const double d12 = c1 - c2, d24 = c2 - c4, largest = std::max(std::abs(d12), std::abs(d24));
   if (largest <= kExact * c4) {
-    e.value = c4;
-    e.error = kExact * c4;
-    e.method = "exact";
+    quote(e, "exact", c4, 0);
     return e;
   }
   if (d12 / d24 > 0) e.order = std::log2(d12 / d24);
@@ -105,16 +101,10 @@ CostEstimate estimate_cost(const Problem& problem, PathEnergy& energy, const Coo
     curve.reset();
     e.upper.reset();
   }
-  if (e.lower && e.upper) {
-    use_bracket(e, *e.lower, *e.upper);
-    return e;
-  }
-  if (hugs_bound) {
-    e.value = c4;
-    e.error = 2 * largest;
-    e.method = "differences";
-    return e;
-  }
+  const bool bracketed = e.lower && e.upper;
+  if (bracketed) quote(e, "bracket", *e.upper, *e.upper - *e.lower);
+  if (hugs_bound && !bracketed) quote(e, "differences", c4, 2 * largest);
+  if (hugs_bound || (bracketed && !second_order)) return e;
   if (!second_order) {
     e.error = 2 * largest;
     e.method = "differences";
@@ -125,14 +115,14 @@ CostEstimate estimate_cost(const Problem& problem, PathEnergy& energy, const Coo
                                               " segments: no extrapolated value; use more points"});
     return e;
   }
-  e.value = fine;
-  e.error = std::max(3 * std::abs(fine - coarse) / 15, kExact * fine);
-  e.method = "richardson";
-  if (curve) {  // it has order 4 as well, and it exists: quote it, with room for both
-    e.error = std::max(e.error, std::abs(*curve - fine));
-    e.value = *curve;
-    e.method = "curve";
+  const double richardson = 3 * std::abs(fine - coarse) / 15;
+  if (!curve) {
+    if (!bracketed) quote(e, "richardson", fine, richardson);
+    return e;
   }
+  // It has order 4 as well, and it exists: quote it, with room for both. A bracket has order 2.
+  const double error = richardson + std::abs(*curve - fine);
+  if (!bracketed || error < e.error) quote(e, "curve", *curve, error);
   return e;
 }
 
