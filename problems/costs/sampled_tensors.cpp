@@ -12,7 +12,7 @@
 namespace leastcost {
 namespace {
 
-constexpr double kMeshFit = 3;  ///< local spacings: 28 vertices of a regular mesh
+constexpr double kMeshFit = 2.5;  ///< local spacings: 23 vertices of a regular mesh
 
 SurfaceSamples samples_on(const std::string& on, const ConstraintManifold* domain) {
   const auto* mesh = dynamic_cast<const HasMesh*>(domain);
@@ -48,7 +48,7 @@ void CurvatureMetricOptions::fields(FieldVisitor& visit) {
        .required = true});
   visit.field(
       "radius", radius,
-      {.help = "Radius of the quadratic fits that measure the curvatures; 0: 3 on a mesh, on a cloud that of its "
+      {.help = "Radius of the quadratic fits that measure the curvatures; 0: 2.5 on a mesh, on a cloud that of its "
                "surface. A larger one averages noise and creases.",
        .unit = "local spacings",
        .minimum = 0,

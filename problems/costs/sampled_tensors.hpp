@@ -23,7 +23,7 @@ struct TensorFileOptions {
 /// The isophotic metric (problems/geometry/curvature).
 struct CurvatureMetricOptions {
   double weight = 0;  ///< length
-  double radius = 0;  ///< of the fits, local spacings; 0: 3 on a mesh, the radius of the surface fit on a cloud
+  double radius = 0;  ///< of the fits, local spacings; 0: 2.5 on a mesh, the radius of the surface fit on a cloud
   void fields(FieldVisitor& visit);
 };
 

@@ -9,10 +9,10 @@
 namespace leastcost {
 namespace {
 
-constexpr double kVertexSupport = 2;  ///< spacings: 14 vertices of a regular mesh
-constexpr double kFaceSupport = 2.5;  ///< radii of the face: 15 faces of a regular mesh
-constexpr double kCloudSupport =
-    0.625;  ///< supports of the surface fit, that is 2.5 spacings and 20 points on a clean cloud
+// Small, because a mean over a support is off by its square; large enough for a dozen samples.
+constexpr double kVertexSupport = 1.6;  ///< spacings
+constexpr double kFaceSupport = 2;      ///< radii of the face
+constexpr double kCloudSupport = 0.5;   ///< supports of the surface fit, that is 2 spacings on a clean cloud
 
 /// A face of the file, put together from the triangles it became.
 struct FileFace {
