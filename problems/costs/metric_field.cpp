@@ -176,7 +176,7 @@ std::shared_ptr<const SegmentCost> lifted(Field field, const MetricFieldOptions&
     throw OptionError("field", "this metric lives in dimension " + std::to_string(Field::dim) +
                                    ", the ambient space has " + std::to_string(dim));
   return std::make_shared<MetricFieldCost<Field>>(
-      MetricField<Field>{std::move(field), o.reading == "root", o.rule == "average"});
+      MetricField<Field>{std::move(field), o.reading == "root", o.averages()});
 }
 
 template <int D>
@@ -215,11 +215,15 @@ void MetricFieldOptions::fields(FieldVisitor& visit) {
       {.help = "The tensor T(x): a name, or formulas in the coordinates.", .required = true});
   visit.choice("reading", reading, {"metric", "root"},
                {.help = "T is the metric, c = sqrt(d' T d) (VFCS Eq. 1), or a root of it, c = |T d| (VFCS Sec. 4.5)."});
-  visit.choice("rule", rule, {"midpoint", "average"},
-               {.help = "T in the middle of a segment, or the mean of its ends (VFCS Sec. 4.5)."});
+  visit.choice(
+      "rule", rule, {"auto", "midpoint", "average"},
+      {.help =
+           "T in the middle of a segment, or the mean of its ends (VFCS Sec. 4.5). auto: the mean for tensors given "
+           "on data, because the ends lie on the surface and the middle does not; else the middle."});
 }
 
 bool MetricFieldOptions::needs_domain() const { return type == "file" || type == "curvature"; }
+bool MetricFieldOptions::averages() const { return rule == "average" || (rule == "auto" && needs_domain()); }
 
 std::shared_ptr<const SegmentCost> make_metric_field_cost(const MetricFieldOptions& options, int dim,
                                                           const ConstraintManifold* domain,

@@ -16,6 +16,7 @@ namespace {
 using Entries = Eigen::Matrix<double, 6, 1>;
 
 constexpr double kOtherSheet = -0.5;  ///< cosine of 120 degrees
+constexpr double kThickness = 0.5;    ///< of a support along the normal, against its width
 constexpr double kSteepest = 0.5;     ///< part of a tensor that its slope may take away within the support
 constexpr double kFlattest = 1e-3;    ///< squared ratio of the spreads of the neighbours: below it they lie on a line
 
@@ -73,11 +74,6 @@ class SlopeFit {
   Eigen::Matrix<double, 6, 2> changes_ = Eigen::Matrix<double, 6, 2>::Zero();
 };
 
-std::vector<std::int32_t>& buffer() {
-  thread_local std::vector<std::int32_t> instance;
-  return instance;
-}
-
 /// Weighted sums, and their derivatives with respect to x.
 template <int Order>
 struct Sums {
@@ -88,21 +84,23 @@ struct Sums {
   Eigen::Matrix<double, 6, 3> tensor_1 = Eigen::Matrix<double, 6, 3>::Zero();
   Eigen::Matrix<double, 6, 6> tensor_2 = Eigen::Matrix<double, 6, 6>::Zero();
 
-  void add(const Eigen::Vector3d& y, double t, double inverse_radius2, const Eigen::Matrix<double, 6, 4>& polynomial) {
+  /// A sample at x - y whose weight is t^4, t = 1 - y'Qy, Q = across I + along n n'; tilt = along n'y.
+  void add(const Eigen::Vector3d& y, double t, double across, double along, double tilt, const Eigen::Vector3d& n,
+           const Eigen::Matrix<double, 6, 4>& polynomial) {
     const Entries value =
         polynomial.col(0) + polynomial.col(1) * y[0] + polynomial.col(2) * y[1] + polynomial.col(3) * y[2];
     const double t2 = t * t, w = t2 * t2;
     weight += w;
     tensor += w * value;
     if constexpr (Order >= 1) {
-      const Eigen::Vector3d dw = (-8 * t2 * t * inverse_radius2) * y;
+      const double a = -8 * t2 * t;
+      const Eigen::Vector3d q = across * y + tilt * n, dw = a * q;
       weight_1 += dw;
       for (int k = 0; k < 3; ++k) tensor_1.col(k) += dw[k] * value + w * polynomial.col(k + 1);
       if constexpr (Order >= 2) {
-        const double a = -8 * t2 * t * inverse_radius2, b = 48 * t2 * inverse_radius2 * inverse_radius2;
         for (int i = 0, column = 0; i < 3; ++i)
           for (int j = i; j < 3; ++j, ++column) {
-            const double ddw = b * y[i] * y[j] + (i == j ? a : 0);
+            const double ddw = 48 * t2 * q[i] * q[j] + a * ((i == j ? across : 0) + along * n[i] * n[j]);
             weight_2[column] += ddw;
             tensor_2.col(column) += ddw * value + dw[i] * polynomial.col(j + 1) + dw[j] * polynomial.col(i + 1);
           }
@@ -126,14 +124,14 @@ struct Sums {
 
 TensorSamples::TensorSamples(const SurfaceSamples& samples, const std::vector<Eigen::Matrix3d>& tensors)
     : tree_(samples.positions, samples.support), place_of_(samples.positions.size()), search_(samples.positions) {
-  const bool sheets = samples.oriented;
   for (const std::int32_t i : tree_.order()) {
     const auto k = static_cast<std::size_t>(i);
     place_of_[k] = static_cast<std::int32_t>(samples_.size());
     Eigen::Matrix<double, 6, 4> polynomial = Eigen::Matrix<double, 6, 4>::Zero();
     polynomial.col(0) = entries_of(tensors[k]);
-    samples_.push_back({samples.positions[k], 1 / (samples.support[k] * samples.support[k]), polynomial});
-    if (sheets) normals_.push_back(samples.normals[k]);
+    const double across = 1 / (samples.support[k] * samples.support[k]);
+    const double along = (1 / (kThickness * kThickness) - 1) * across;
+    samples_.push_back({samples.positions[k], samples.normals[k], across, along, polynomial});
   }
   fit_slopes(samples, tensors);
 }
@@ -149,34 +147,11 @@ void TensorSamples::fit_slopes(const SurfaceSamples& samples, const std::vector<
     for (const Neighbour& near : found) {
       const auto j = static_cast<std::size_t>(near.index);
       if (samples.oriented && normal.dot(samples.normals[j]) < kOtherSheet) continue;
-      const double t = 1 - near.squared_distance * samples_[place].inverse_radius2;
+      const double t = 1 - near.squared_distance * samples_[place].across;
       fit.add(t * t, samples.positions[j] - samples.positions[i], entries_of(tensors[j] - tensors[i]));
     }
     samples_[place].polynomial.rightCols<3>() = fit.slopes(tensors[i], samples.support[i]);
   }
-}
-
-/// The samples whose support reaches x, on the sheet of the nearest of them.
-void TensorSamples::gather(const Eigen::Vector3d& x, std::vector<std::int32_t>& places) const {
-  places.clear();
-  double nearest = std::numeric_limits<double>::infinity();
-  const Eigen::Vector3d* side = nullptr;
-  tree_.near(x, [&](std::int32_t first, std::int32_t last) {
-    for (std::int32_t place = first; place < last; ++place) {
-      const Sample& sample = samples_[static_cast<std::size_t>(place)];
-      const double squared = (x - sample.position).squaredNorm();
-      if (!(squared * sample.inverse_radius2 < 1)) continue;
-      places.push_back(place);
-      if (normals_.empty() || !(squared < nearest)) continue;
-      nearest = squared;
-      side = &normals_[static_cast<std::size_t>(place)];
-    }
-  });
-  if (side == nullptr) return;
-  places.erase(
-      std::remove_if(places.begin(), places.end(),
-                     [&](std::int32_t p) { return side->dot(normals_[static_cast<std::size_t>(p)]) < kOtherSheet; }),
-      places.end());
 }
 
 template <int Order>
@@ -187,14 +162,16 @@ void TensorSamples::evaluate(const Eigen::Vector3d& x, TensorJet& out) const {
     out.hessian.setZero();
     return;
   }
-  std::vector<std::int32_t>& places = buffer();
-  gather(x, places);
   Sums<Order> sums;
-  for (const std::int32_t place : places) {
-    const Sample& sample = samples_[static_cast<std::size_t>(place)];
-    const Eigen::Vector3d y = x - sample.position;
-    sums.add(y, 1 - y.squaredNorm() * sample.inverse_radius2, sample.inverse_radius2, sample.polynomial);
-  }
+  tree_.near(x, [&](std::int32_t first, std::int32_t last) {
+    for (std::int32_t place = first; place < last; ++place) {
+      const Sample& sample = samples_[static_cast<std::size_t>(place)];
+      const Eigen::Vector3d y = x - sample.position;
+      const double height = sample.normal.dot(y);
+      const double t = 1 - sample.across * y.squaredNorm() - sample.along * height * height;
+      if (t > 0) sums.add(y, t, sample.across, sample.along, sample.along * height, sample.normal, sample.polynomial);
+    }
+  });
   if (sums.weight > 0) return sums.divide(out);
   out.gradient.setZero();
   out.hessian.setZero();

@@ -23,15 +23,16 @@ struct TensorJet {
 
 /// A smooth field of symmetric positive definite tensors T(x) in R^3 through tensors T_i given at samples of a surface:
 ///
-///     T(x) = sum_i w_i(x) (T_i + G_i (x - p_i)) / sum_i w_i(x),    w_i(x) = (1 - |x - p_i|^2 / r_i^2)^4,
+///     T(x) = sum_i w_i(x) (T_i + G_i y_i) / sum_i w_i(x),    w_i(x) = (1 - y_i' Q_i y_i)^4,    y_i = x - p_i.
 ///
-/// r_i the support of the sample, G_i the slope of the tensors around it along the surface, by least squares (a modified Shepard
-/// interpolant; Renka, ACM TOMS 14:139). Constant tensors are reproduced exactly, smooth fields to second order in the spacing. A
-/// slope is lowered until T_i + G_i y >= T_i / 2 within the support: T(x) is positive definite everywhere. Three
-/// times differentiable where some support reaches, which is so near the surface; beyond, the tensor of the nearest sample.
+/// Q_i is the ellipsoid of the sample's support, half as thick along its normal as it is wide. G_i is the slope of the tensors around the
+/// sample along the surface, by least squares (a modified Shepard interpolant; Renka, ACM TOMS 14:139). Constant tensors are
+/// reproduced exactly, smooth fields to second order in the spacing. A slope is lowered until T_i + G_i y >= T_i / 2 within the support: T(x)
+/// is positive definite everywhere. Three times differentiable where some support reaches, which is so near the surface; beyond,
+/// constant: the tensor of the nearest sample.
 ///
-/// Samples whose normal turns more than 120 degrees from that of the sample nearest to x belong to another sheet and do not count. Sheets
-/// that face the same way, nearer than a support, do share their tensors.
+/// Sheets nearer than half a support (0.8 spacings of a mesh, 1 of a cloud) share their tensors to some part: choosing among
+/// them, by the normal of the nearest sample say, would make the field jump where the surface is rough.
 class TensorSamples {
  public:
   /// One tensor per sample, positive definite.
@@ -43,18 +44,16 @@ class TensorSamples {
 
  private:
   struct Sample {
-    Eigen::Vector3d position;
-    double inverse_radius2;
+    Eigen::Vector3d position, normal;
+    double across, along;                    ///< Q = across I + along n n'
     Eigen::Matrix<double, 6, 4> polynomial;  ///< T_i, then the slopes along x, y, z
   };
 
   void fit_slopes(const SurfaceSamples& samples, const std::vector<Eigen::Matrix3d>& tensors);
-  void gather(const Eigen::Vector3d& x, std::vector<std::int32_t>& places) const;
 
   BallTree tree_;
-  std::vector<Sample> samples_;           ///< in the order of the tree
-  std::vector<Eigen::Vector3d> normals_;  ///< the same; empty: sheets are not told apart
-  std::vector<std::int32_t> place_of_;    ///< of a sample as it was given
+  std::vector<Sample> samples_;         ///< in the order of the tree
+  std::vector<std::int32_t> place_of_;  ///< of a sample as it was given
   NeighbourSearch search_;
 };
 

@@ -54,10 +54,12 @@ CoordinatePath find_finite(const Problem& problem) {
     throw InitializationError(
         "the target lies outside the domain of the cost: every move to it costs infinitely much (for a travel time: it "
         "is not below the energy level, the greatest height that the bead can reach)");
+  const std::string reason = reason_on(problem, line);
   throw InitializationError(
       "the cost is infinite on the straight line between the ends and on every bow around it (in all coordinate "
       "directions, up to the distance of the ends)" +
-      reason_on(problem, line) + ": an end may lie outside the domain of the cost; otherwise give waypoints");
+      (reason.empty() ? ": an end may lie outside the domain of the cost; otherwise give waypoints"
+                      : reason + "; give waypoints around such places"));
 }
 
 /// The line, projected. It may pass a place where the nearest point jumps; what is on both sides of it is no path.

@@ -22,7 +22,7 @@ void check(const Eigen::Matrix3d& tensor, const TextScanner& scanner) {
   std::ostringstream message;
   message << "a tensor is positive definite; the eigenvalues of this one are " << values[0] << ", " << values[1] << ", "
           << values[2];
-  if (values[1] > kSmallest * values[2])
+  if (values[0] >= -kSmallest * values[2] && values[1] > 0)
     message << " (a tensor of the tangent plane becomes positive definite when n n' is added, n the unit normal)";
   scanner.fail(message.str());
 }
