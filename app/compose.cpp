@@ -112,6 +112,7 @@ std::optional<BuildContext> context_without_files(LoadedConfig& loaded) {
     place_ends(config, out);
   });
   if (!placed) return std::nullopt;
+  context.manifold = out.problem.manifold;
   context.dimension = out.problem.manifold->dimensions().ambient;
   context.coordinates = point_coordinates(*out.problem.manifold);
   if (!config.ring) context.source = source_position(out.problem);
@@ -142,6 +143,7 @@ Composition compose(const RunConfig& config, const std::filesystem::path& folder
       folder, out.problem.manifold->dimensions().ambient, {}, point_coordinates(*out.problem.manifold)};
   if (!config.ring) context.source = source_position(out.problem);
   context.seed = config.seed;
+  context.manifold = out.problem.manifold;
   make_parts(config, context, out);
   add_family(config, context, out);
   fill_options(config, out);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "framework/errors.hpp"
+#include "framework/manifold.hpp"
 #include "framework/options.hpp"
 
 namespace leastcost::app {
@@ -37,6 +38,8 @@ struct BuildContext {
   std::optional<Eigen::VectorXd> source = {};  ///< projected onto the manifold, ambient; none in a ring
   std::vector<std::string> coordinates = {};   ///< names of the coordinates in which points are given
   int seed = 0;                                ///< master seed of the run
+  std::shared_ptr<const ConstraintManifold> manifold =
+      {};  ///< null while it is made, or while options are only checked
 };
 
 /// What is known about a plug-in of any kind. Abilities are words ("mesh", "constant metric", "ring") that one

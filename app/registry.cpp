@@ -86,8 +86,12 @@ const auto& costs() {
           [](const MetricTensorOptions& o, O c) { return make_metric_tensor_cost(o, c.dimension); })
           .providing(std::string(kConstantMetric)),
       plugin<CostPlugin, MetricFieldOptions>(
-          "metric_field", "Length under a metric tensor that depends on the place: by name or by formulas.",
-          [](const MetricFieldOptions& o, O c) { return make_metric_field_cost(o, c.dimension); }),
+          "metric_field",
+          "Length under a metric tensor that depends on the place: by name, formulas, a file, or curvature.",
+          [](const MetricFieldOptions& o, O c) -> std::shared_ptr<const SegmentCost> {
+            if (o.needs_domain() && !c.manifold) return nullptr;  // the mesh or cloud has not been read yet
+            return make_metric_field_cost(o, c.dimension, c.manifold.get(), c.folder);
+          }),
       plugin<CostPlugin, TravelTimeOptions>(
           "travel_time", "Time of a bead that slides without friction under gravity; the last coordinate is height.",
           [](const TravelTimeOptions& o, O c) { return make_travel_time_cost(o, c.dimension, c.source); }),

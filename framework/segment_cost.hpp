@@ -52,6 +52,17 @@ class SegmentCost {
   virtual double line_element(const Eigen::VectorXd& x, const Eigen::VectorXd& v) const = 0;
 };
 
+/// Ability: the cost can say in words why a move costs infinitely much.
+class ExplainsInfinity {
+ public:
+  virtual ~ExplainsInfinity() = default;
+  /// Empty where it does not know, or where the move has a cost.
+  virtual std::string why_infinite(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const = 0;
+};
+
+/// ": " and the reason why the move a -> b costs infinitely much, where the cost knows it; else nothing.
+std::string reason_for_infinity(const SegmentCost& cost, const Eigen::VectorXd& a, const Eigen::VectorXd& b);
+
 /// Costs c_i of the segments, and their sum.
 Eigen::VectorXd segment_costs(const SegmentCost& cost, const AmbientPath& path);
 double total_cost(const SegmentCost& cost, const AmbientPath& path);
