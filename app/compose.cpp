@@ -11,6 +11,7 @@
 #include "app/registry.hpp"
 #include "framework/errors.hpp"
 #include "problems/geometry/coordinate_names.hpp"
+#include "problems/geometry/has_distance_grid.hpp"
 #include "problems/geometry/has_images.hpp"
 #include "problems/geometry/has_mesh.hpp"
 #include "problems/geometry/has_point_cloud.hpp"
@@ -100,12 +101,29 @@ bool checked(LoadedConfig& loaded, Step step) {
   }
 }
 
-/// The space a plug-in will see. Where the manifold itself is in a file, a stand-in: meshes and clouds lie in R^3.
+/// Checks the options of a manifold that takes a while to make: it is stopped before it reads or computes anything.
+void check_options_of_grid(LoadedConfig& loaded) {
+  struct Checked {};
+  BuildContext context{loaded.folder, 0, {}, {}};
+  context.progress = [](double, std::string_view) { throw Checked(); };
+  try {
+    make<std::shared_ptr<const ConstraintManifold>>(loaded.config.manifold, context);
+  } catch (const Checked&) {
+  } catch (const OptionError& e) {
+    loaded.add_error(e.key(), e.what());
+  }
+}
+
+/// The space a plug-in will see. Where the manifold itself is in a file, a stand-in: meshes, clouds and grids lie in R^3.
 std::optional<BuildContext> context_without_files(LoadedConfig& loaded) {
   const RunConfig& config = loaded.config;
   BuildContext context{loaded.folder, 3, Eigen::VectorXd::Zero(3), coordinate_names(3)};
   if (config.ring) context.source.reset();
   if (config.manifold.provides(std::string(kGraph))) return context;
+  if (config.manifold.provides(std::string(kGrid))) {
+    check_options_of_grid(loaded);
+    return context;
+  }
   Composition out;
   const bool placed = checked(loaded, [&] {
     out.problem.manifold = make<std::shared_ptr<const ConstraintManifold>>(config.manifold, {loaded.folder, 0, {}, {}});
@@ -128,16 +146,20 @@ bool reads_files(const PluginChoice& choice) {
 
 }  // namespace
 
-Composition compose(const RunConfig& config, const std::filesystem::path& folder) {
+Composition compose(const RunConfig& config, const std::filesystem::path& folder, const BuildProgress& progress) {
   const auto start = std::chrono::steady_clock::now();
   Composition out;
-  out.problem.manifold = make<std::shared_ptr<const ConstraintManifold>>(config.manifold, {folder, 0, {}, {}});
+  BuildContext reading{folder, 0, {}, {}};
+  reading.progress = progress;
+  out.problem.manifold = make<std::shared_ptr<const ConstraintManifold>>(config.manifold, reading);
   out.read_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (const auto* mesh = dynamic_cast<const HasMesh*>(out.problem.manifold.get())) out.notes = mesh->mesh().notes();
   if (const auto* points = dynamic_cast<const HasPointCloud*>(out.problem.manifold.get())) {
     out.notes = points->cloud().notes();
     for (std::string& note : points->graph().notes()) out.notes.push_back(std::move(note));
   }
+  if (const auto* sampled = dynamic_cast<const HasDistanceGrid*>(out.problem.manifold.get()))
+    out.notes = sampled->notes();
   place_ends(config, out);
   BuildContext context{
       folder, out.problem.manifold->dimensions().ambient, {}, point_coordinates(*out.problem.manifold)};

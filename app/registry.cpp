@@ -23,6 +23,7 @@
 #include "problems/manifolds/mesh.hpp"
 #include "problems/manifolds/parametric.hpp"
 #include "problems/manifolds/point_cloud.hpp"
+#include "problems/manifolds/signed_distance.hpp"
 #include "problems/post_processors/on_surface.hpp"
 #include "problems/post_processors/straighten.hpp"
 #include "problems/post_processors/trace.hpp"
@@ -125,6 +126,14 @@ const auto& manifolds() {
             return make_point_cloud_manifold(o, c.folder);
           })
           .providing(std::string(kGraph)),
+      plugin<ManifoldPlugin, SignedDistanceOptions>(
+          "signed_distance",
+          "A surface as the zeros of a signed-distance grid, made from a mesh, a cloud or a formula, or read.",
+          [](const SignedDistanceOptions& o, const BuildContext& c) {
+            return make_signed_distance_manifold(o, c.folder, c.progress);
+          })
+          .providing(std::string(kEmbedded))
+          .providing(std::string(kGrid)),
   };
   return all;
 }

@@ -29,6 +29,7 @@ inline constexpr std::string_view kSeams = "chart with seams";
 inline constexpr std::string_view kGraph = "graph";  ///< edges between points that lie on the domain
 inline constexpr std::string_view kConstantMetric = "constant metric";
 inline constexpr std::string_view kEmbedded = "smooth embedding";  ///< curved, given in its ambient space
+inline constexpr std::string_view kGrid = "distance grid";         ///< takes a while to make
 inline constexpr std::string_view kRing = "ring";                  ///< an initializer that makes closed paths
 
 /// Everything that a configuration can name: one registration line per plug-in, in registry.cpp.

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "problems/geometry/build_progress.hpp"
+#include "problems/geometry/grid_shape.hpp"
+
+namespace leastcost {
+
+/// A surface whose distances can be sampled.
+class DistanceSource {
+ public:
+  virtual ~DistanceSource() = default;
+  /// Bounds of the surface, length units.
+  virtual Eigen::AlignedBox3d box() const = 0;
+  /// Distances at all nodes, negative inside (all positive from a source without sides), in the order of GridShape::index: exact to rounding
+  /// up to the distance `exact` from the surface, farther away right to a small part of a cell. Throws InputError where there is no
+  /// inside and outside.
+  virtual std::vector<double> sample(const GridShape& shape, double exact, const BuildProgress& progress) const = 0;
+  /// The point of the surface nearest to x, which is at most a few of its cells away; nothing where it is not found.
+  virtual std::optional<Eigen::Vector3d> foot(const Eigen::Vector3d& x) const = 0;
+  /// What a user should know about the source.
+  virtual std::vector<std::string> notes() const { return {}; }
+};
+
+}  // namespace leastcost
