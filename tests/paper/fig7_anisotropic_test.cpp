@@ -20,7 +20,6 @@ struct Found {
 Found run_config(const char* name) {
   app::RunRequest request;
   request.config_file = project_dir() / "configs" / name;
-  if (const char* o = std::getenv("FIG7")) { std::istringstream in(o); std::string w; while (in >> w) if (w[0] != '@' || std::string(name).find("aniso") != std::string::npos) request.overrides.push_back(app::set_option(w[0] == '@' ? w.substr(1) : w)); }
   app::Prepared prepared = app::prepare(request);
   const app::Composition& parts = prepared.parts;
   return {parts.problem, find_path(parts.problem, *parts.initializer, *parts.solver, parts.options)};
@@ -40,7 +39,7 @@ double cost_under(const SegmentCost& cost, const Points& curve) {
 
 }  // namespace
 
-TEST_CASE("Fig. 7: each path is the cheaper one under its own metric", "[paper]") {
+TEST_CASE("Fig. 7: each path is the cheaper one under its own metric", "[paper][slow]") {
   if (!installed_model("glmark2/models/bunny.obj")) return;
   const Found normal = run_config("fig7_normal_metric.yaml"), anisotropic = run_config("fig7_anisotropic_metric.yaml");
   const auto cost = [](const Found& metric, const Found& path) {
@@ -58,9 +57,9 @@ TEST_CASE("Fig. 7: each path is the cheaper one under its own metric", "[paper]"
               failures(normal.result.certificate).c_str(), failures(anisotropic.result.certificate).c_str());
   CHECK(normal.result.status == Status::certified);
   CHECK(anisotropic.result.status == Status::certified);
-  CHECK(length < 0.98 * cost(normal, anisotropic));
-  CHECK(own < 0.95 * cost(anisotropic, normal));
-  CHECK(apart > 0.05 * length);
+  CHECK(length < 0.97 * cost(normal, anisotropic));
+  CHECK(own < 0.93 * cost(anisotropic, normal));
+  CHECK(apart > 0.04 * length);
 }
 
 }  // namespace leastcost::test
