@@ -15,10 +15,11 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kBand = 6;         ///< cells around the surface with exact distances
-constexpr double kLost = 0.5;       ///< cells from the surface of the grid at which a place counts as lost
+constexpr double kLost = 0.25;      ///< cells from the surface of the grid at which a place counts as lost
 constexpr double kMostLost = 0.05;  ///< part of the places
 constexpr std::size_t kMostPlaces = 5000;
 constexpr double kOffsetCells = 3;  ///< cells that an offset must have: nearer, the kink at the sheet itself is felt
+constexpr double kLargest = 0.25;   ///< part of the longest side of the surface that a cell may be
 constexpr int kMostRefinements = 8;
 
 std::string number(double x) {
@@ -98,9 +99,7 @@ struct Sampled {
 Sampled sample(const DistanceSource& source, const Eigen::AlignedBox3d& box, const DistanceGridSettings& s, double cell,
                const BuildProgress& progress) {
   const GridShape shape = grid_around(box, cell, s.margin, s.memory);
-  std::vector<double> values = source.sample(shape, s.offset + kBand * cell, progress);
-  if (s.offset > 0)
-    for (double& v : values) v -= s.offset;
+  std::vector<double> values = sample_distances(source, shape, s.offset, progress);
   const std::vector<Vector3d> centres = centres_near_surface(shape, values);
   report(progress, 0, "spline");
   DistanceGrid grid(shape, std::move(values));
@@ -138,6 +137,14 @@ Sampled sample_to_accuracy(const DistanceSource& source, const Eigen::AlignedBox
 
 }  // namespace
 
+std::vector<double> sample_distances(const DistanceSource& source, const GridShape& shape, double offset,
+                                     const BuildProgress& progress) {
+  std::vector<double> values = source.sample(shape, offset + kBand * shape.cell, progress);
+  if (offset > 0)
+    for (double& v : values) v -= offset;
+  return values;
+}
+
 SampledDistance build_distance_grid(const DistanceSource& source, const DistanceGridSettings& settings,
                                     const BuildProgress& progress) {
   check(settings);
@@ -151,6 +158,9 @@ SampledDistance build_distance_grid(const DistanceSource& source, const Distance
   const double cell = settings.cell > 0     ? settings.cell
                       : settings.offset > 0 ? std::min(size / kCells, settings.offset / kOffsetCells)
                                             : size / kCells;
+  if (cell > kLargest * size)
+    throw OptionError("cell", "a cell of " + number(cell) + " is more than a quarter of the surface, which is " +
+                                  number(size) + " long");
   if (settings.offset > 0 && settings.offset < kOffsetCells * cell * (1 - 1e-9))
     throw OptionError("offset", "must be at least 3 cells (" + number(kOffsetCells * cell) +
                                     "), or the kink of an unsigned distance at the surface spoils the grid");
@@ -162,15 +172,17 @@ SampledDistance build_distance_grid(const DistanceSource& source, const Distance
   if (static_cast<double>(m.lost) > kMostLost * static_cast<double>(m.places))
     throw InputError("a cell of " + number(used) + " is too large for this surface: " + std::to_string(m.lost) +
                      " of " + std::to_string(m.places) +
-                     " places on it are more than half a cell from the surface of the grid, the worst " +
-                     place(m.worst_at) + " (sheets that are thinner than a cell merge or vanish): a smaller cell");
-  SampledDistance result{std::move(sampled.grid), m.worst, m.mean, source.notes()};
+                     " places on it are more than a quarter of a cell from the surface of the grid, the worst " +
+                     place(m.worst_at) +
+                     " (sheets thinner than a cell merge or vanish, as do parts inside others): a smaller cell");
+  SampledDistance result{std::move(sampled.grid), settings.offset, m.worst, m.mean, source.notes()};
   result.notes.push_back("distance grid: " + text(result.grid.shape()) + "; its surface is within " + number(m.worst) +
                          " (mean " + number(m.mean) + ") of the one it was made from, at " + std::to_string(m.places) +
                          " places");
   if (m.lost > 0)
-    result.notes.push_back(std::to_string(m.lost) + " of these places are more than half a cell off, the worst " +
-                           place(m.worst_at) + ": something there is thinner than a cell");
+    result.notes.push_back(std::to_string(m.lost) +
+                           " of these places are more than a quarter of a cell off, the worst " + place(m.worst_at) +
+                           ": something there is thinner than a cell");
   return result;
 }
 

@@ -21,9 +21,14 @@ struct DistanceGridSettings {
 /// A grid and what is known about it.
 struct SampledDistance {
   DistanceGrid grid;
+  double offset = 0;
   double worst = 0, mean = 0;  ///< distance of places on the surface from that of the grid, length units
   std::vector<std::string> notes;
 };
+
+/// The values of a source on a given grid, as build_distance_grid() takes them.
+std::vector<double> sample_distances(const DistanceSource& source, const GridShape& shape, double offset,
+                                     const BuildProgress& progress = {});
 
 /// Samples the source. How far the zeros of the spline are from the surface is measured at up to 5000 places of the surface, the feet of cell
 /// centres near it. With `accuracy` the cell starts at a 32nd of the longest side and shrinks, by what two such measurements say about the

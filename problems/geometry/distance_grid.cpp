@@ -150,4 +150,10 @@ DistanceGrid DistanceGrid::every_second() const {
   return DistanceGrid(half, std::move(values));
 }
 
+DistanceGrid DistanceGrid::raised(double rise) const {
+  DistanceGrid result = *this;
+  for (double& c : result.coefficients_) c += rise;  // the weights of the coefficients add up to 1
+  return result;
+}
+
 }  // namespace leastcost

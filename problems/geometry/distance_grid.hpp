@@ -32,6 +32,8 @@ class DistanceGrid final : public ConstraintFunction {
   double at_node(int i, int j, int k) const;
   /// The grid through every second node. Throws InputError when too few are left.
   DistanceGrid every_second() const;
+  /// The same function, `rise` higher: its zeros lie that much farther inside.
+  DistanceGrid raised(double rise) const;
 
  private:
   std::size_t padded(int i, int j, int k) const {

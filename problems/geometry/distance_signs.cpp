@@ -49,6 +49,7 @@ void sign_by_parts(const GridShape& shape, std::vector<double>& distances,
 
 std::optional<Eigen::Vector3d> spread_signs(const GridShape& shape, std::vector<double>& distances,
                                             std::vector<std::int8_t> signs) {
+  constexpr double kSlack = 1.1;
   std::optional<Eigen::Vector3d> conflict;
   std::vector<Node> reached;
   for_nodes(shape, [&](std::size_t index, const Node& at) {
@@ -57,7 +58,7 @@ std::optional<Eigen::Vector3d> spread_signs(const GridShape& shape, std::vector<
   const auto spread = [&](const Node& at) {
     const std::size_t here = shape.index(at[0], at[1], at[2]);
     for_neighbours(shape, at, [&](std::size_t next, const Node& node) {
-      if (!same_side(distances[here], distances[next], shape.cell)) return;
+      if (!same_side(distances[here], distances[next], kSlack * shape.cell)) return;
       if (signs[next] == 0) {
         signs[next] = signs[here];
         reached.push_back(node);

@@ -34,7 +34,7 @@ void for_neighbours(const GridShape& shape, const std::array<int, 3>& at, Visit 
 void sign_by_parts(const GridShape& shape, std::vector<double>& distances,
                    const std::function<bool(const Eigen::Vector3d& x, double distance)>& inside);
 
-/// The same where the signs of some nodes are known (-1, 1; 0: unknown): they spread. Returns a node that is reached from both sides, if there is
+/// The same where the signs of some nodes are known (-1, 1; 0: unknown) and distances are right to a twentieth of a cell: they spread. Returns a node that is reached from both sides, if there is
 /// one. Nodes that are reached from nowhere become positive.
 std::optional<Eigen::Vector3d> spread_signs(const GridShape& shape, std::vector<double>& distances,
                                             std::vector<std::int8_t> signs);

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,9 @@ class DistanceSource {
   virtual std::vector<double> sample(const GridShape& shape, double exact, const BuildProgress& progress) const = 0;
   /// The point of the surface nearest to x, which is at most a few of its cells away; nothing where it is not found.
   virtual std::optional<Eigen::Vector3d> foot(const Eigen::Vector3d& x) const = 0;
+  /// Whether the source is itself a sample of a surface, and has a coarser version: the same surface from half the data.
+  virtual bool is_sample() const { return false; }
+  virtual std::shared_ptr<const DistanceSource> coarser() const { return nullptr; }
   /// What a user should know about the source.
   virtual std::vector<std::string> notes() const { return {}; }
 };

@@ -74,6 +74,7 @@ FootField::FootField(const GridShape& grid)
     : shape(grid),
       distance(grid.nodes(), std::numeric_limits<double>::infinity()),
       feet(grid.nodes(), Eigen::Vector3f::Zero()),
+      side(grid.nodes(), 0),
       exact(grid.nodes(), 0) {}
 
 void FootField::set(std::size_t node, const Vector3d& where, double how_far) {
@@ -105,6 +106,7 @@ void fill_band(FootField& field, const std::vector<Vector3d>& seeds, double band
     const double distance = (x - foot->position).norm();
     field.set(here, foot->position, distance);
     field.exact[here] = 1;
+    field.side[here] = foot->side;
     if (distance > band) continue;
     for_neighbours(shape, node, [&](std::size_t next, const std::array<int, 3>& at) {
       if (std::exchange(seen[next], 1) == 0) open.push_back({at, foot->hint});

@@ -25,6 +25,7 @@ struct FootField {
   GridShape shape;
   std::vector<double> distance;       ///< infinite where no foot is known
   std::vector<Eigen::Vector3f> feet;  ///< relative to the origin of the grid
+  std::vector<std::int8_t> side;      ///< -1, 1; 0: not known
   std::vector<char> exact;            ///< 1: the foot is the nearest point, and is not replaced any more
 };
 
@@ -32,6 +33,7 @@ struct FootField {
 struct Foot {
   Eigen::Vector3d position;
   std::int32_t hint = -1;
+  std::int8_t side = 0;  ///< of the surface on which the point lies that this is the foot of; 0: not known
 };
 
 /// Finds the feet of all nodes that hang together with the cells around the `seeds` (points of the surface) and are nearer than `band`

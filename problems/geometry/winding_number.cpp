@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 constexpr std::int32_t kLeaf = 8;  ///< most triangles of a leaf
 constexpr double kFar =
-    3;  ///< radii of a group from where on it is a dipole: the next term is below 1 % of a group's share
+    3;  ///< radii of a group from where on it is a dipole: the next term is a few percent of a group's share
 constexpr std::size_t kMostOpen = 64;
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace leastcost {
 
 /// The generalised winding number of a triangle mesh (Jacobson, Kavan, Sorkine-Hornung 2013): how often it surrounds a point, an integer off a
 /// closed mesh, -1 inside one that is inside out, broken numbers near an opening. Triangles by their exact solid angle (van Oosterom, Strackee
-/// 1983), far groups of them by the dipole of their area (Barill et al. 2018, first term): off by a few thousandths.
+/// 1983), far groups of them by the dipole of their area (Barill et al. 2018, first term): off by one or two hundredths.
 class WindingNumber {
  public:
   /// `turned` says which faces count with the opposite orientation; empty: none.

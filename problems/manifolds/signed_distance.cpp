@@ -3,13 +3,16 @@
 #include "problems/manifolds/signed_distance.hpp"
 
 #include <Eigen/Geometry>
+#include <sstream>
 #include <utility>
 
 #include "framework/errors.hpp"
 #include "problems/geometry/build_distance_grid.hpp"
+#include "problems/geometry/cloud_distance.hpp"
 #include "problems/geometry/implicit_distance.hpp"
 #include "problems/geometry/mesh_distance.hpp"
 #include "problems/readers/mesh_reader.hpp"
+#include "problems/readers/point_cloud_reader.hpp"
 #include "problems/readers/sdf_reader.hpp"
 
 namespace leastcost {
@@ -65,6 +68,8 @@ std::shared_ptr<const DistanceSource> source_of(const SignedDistanceOptions& o, 
           "an unsigned distance has no gradient at 0: give the distance (> 0) at which the surface is wanted");
     report(progress, 0, "reading");
     if (o.source == "mesh") return make_mesh_distance(TriangleMesh(read_mesh(folder / o.file), {o.weld, 0}), sides);
+    if (o.source == "point_cloud")
+      return make_cloud_distance(PointCloud(read_point_cloud(folder / o.cloud.file), o.cloud.settings), sides);
   } catch (const OptionError& error) {
     throw OptionError("source." + error.key(), error.what());
   }
@@ -84,8 +89,8 @@ std::shared_ptr<const SignedDistanceManifold> from_file(const SignedDistanceOpti
   report(progress, 0, "reading");
   GridSamples samples = read_sdf(folder / o.file, o.memory_limit * kGiB);
   std::vector<std::string> notes = {"distance grid: " + text(samples.shape)};
-  return std::make_shared<SignedDistanceManifold>(
-      std::make_shared<const DistanceGrid>(samples.shape, std::move(samples.values)), std::move(notes));
+  return std::make_shared<SignedDistanceManifold>(DistanceGrid(samples.shape, std::move(samples.values)),
+                                                  std::move(notes));
 }
 
 }  // namespace
@@ -105,6 +110,11 @@ void SignedDistanceOptions::fields(FieldVisitor& visit) {
           v.file("file", file, {.help = "Mesh file: OBJ, OFF, PLY or STL.", .required = true});
           v.field("weld", weld, {.help = "Merges vertices with exactly equal positions (STL always is)."});
           sides(v, "signed: the mesh must be closed, inside is where its winding number is not 0. unsigned: any mesh.");
+        }},
+       {"point_cloud", "The smooth surface through a point cloud.",
+        [&](FieldVisitor& v) {
+          cloud.fields(v);
+          sides(v, "signed: the cloud must go all around, inside is against its normals. unsigned: any cloud.");
         }},
        {"implicit", "A surface f(x, y, z) = 0, by name or as a formula.",
         [&](FieldVisitor& v) {
@@ -137,11 +147,52 @@ void SignedDistanceOptions::fields(FieldVisitor& visit) {
                .exclusive_minimum = true});
 }
 
+SignedDistanceManifold::SignedDistanceManifold(DistanceGrid grid, std::vector<std::string> notes)
+    : SignedDistanceManifold(std::make_shared<const DistanceGrid>(std::move(grid)), std::move(notes)) {}
+
 SignedDistanceManifold::SignedDistanceManifold(std::shared_ptr<const DistanceGrid> grid, std::vector<std::string> notes)
     : LevelSet(grid), grid_(std::move(grid)), notes_(std::move(notes)) {}
 
+SignedDistanceManifold::SignedDistanceManifold(SampledDistance sampled,
+                                               const std::shared_ptr<const DistanceSource>& source)
+    : SignedDistanceManifold(std::move(sampled.grid), std::move(sampled.notes)) {
+  offset_ = sampled.offset;
+  mean_miss_ = sampled.mean;
+  if (source->is_sample()) source_ = source;
+}
+
 std::shared_ptr<const ConstraintManifold> SignedDistanceManifold::coarser() const {
-  return std::make_shared<SignedDistanceManifold>(std::make_shared<const DistanceGrid>(grid_->every_second()));
+  std::call_once(made_coarser_, [this] { coarser_ = make_coarser(); });
+  return coarser_;
+}
+
+std::string SignedDistanceManifold::why_not_projected(const Eigen::VectorXd& x) const {
+  const Vector3d lower = grid_->shape().origin, upper = grid_->shape().upper();
+  if ((x.array() >= lower.array()).all() && (x.array() <= upper.array()).all()) return LevelSet::why_not_projected(x);
+  std::ostringstream out;
+  out.precision(4);
+  out << "it lies outside the grid, which goes from (" << lower[0] << ", " << lower[1] << ", " << lower[2] << ") to ("
+      << upper[0] << ", " << upper[1] << ", " << upper[2] << "); a larger margin makes a larger grid";
+  return out.str();
+}
+
+std::shared_ptr<const ConstraintManifold> SignedDistanceManifold::make_coarser() const {
+  constexpr double kMisses = 4;
+  const bool first = level_ == 0;
+  if (level_ == 2 || (!first && !source_ && mean_miss_ == 0)) return nullptr;
+  const auto grid_of = [&](const DistanceSource& coarse) {
+    const GridShape shape = first ? grid_->every_second().shape() : grid_->shape();
+    return DistanceGrid(shape, sample_distances(coarse, shape, offset_));
+  };
+  const std::shared_ptr<const DistanceSource> coarse = source_ ? source_->coarser() : nullptr;
+  auto result = std::make_shared<SignedDistanceManifold>(coarse  ? grid_of(*coarse)
+                                                         : first ? grid_->every_second()
+                                                                 : grid_->raised(kMisses * mean_miss_));
+  result->level_ = level_ + 1;
+  result->offset_ = offset_;
+  result->mean_miss_ = mean_miss_;
+  result->source_ = coarse;
+  return result;
 }
 
 std::shared_ptr<const SignedDistanceManifold> make_signed_distance_manifold(const SignedDistanceOptions& options,
@@ -151,9 +202,7 @@ std::shared_ptr<const SignedDistanceManifold> make_signed_distance_manifold(cons
   const DistanceGridSettings settings = settings_of(options);
   const std::shared_ptr<const DistanceSource> source = source_of(options, folder, progress);
   try {
-    SampledDistance sampled = build_distance_grid(*source, settings, progress);
-    return std::make_shared<SignedDistanceManifold>(std::make_shared<const DistanceGrid>(std::move(sampled.grid)),
-                                                    std::move(sampled.notes));
+    return std::make_shared<SignedDistanceManifold>(build_distance_grid(*source, settings, progress), source);
   } catch (const OptionError& error) {
     throw error.key() == "offset" ? OptionError("source.offset", error.what()) : error;
   }

@@ -4,11 +4,12 @@
 
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
 #include "problems/geometry/box.hpp"
-#include "problems/geometry/build_progress.hpp"
+#include "problems/geometry/build_distance_grid.hpp"
 #include "problems/geometry/has_distance_grid.hpp"
 #include "problems/manifolds/implicit.hpp"
 #include "problems/manifolds/level_set.hpp"
@@ -37,16 +38,30 @@ struct SignedDistanceOptions {
 /// grid.
 class SignedDistanceManifold final : public LevelSet, public HasCoarserVersion, public HasDistanceGrid {
  public:
-  explicit SignedDistanceManifold(std::shared_ptr<const DistanceGrid> grid, std::vector<std::string> notes = {});
+  /// A grid with nothing behind it.
+  explicit SignedDistanceManifold(DistanceGrid grid, std::vector<std::string> notes = {});
+  /// `source` is kept where it has a coarser version (a cloud).
+  SignedDistanceManifold(SampledDistance sampled, const std::shared_ptr<const DistanceSource>& source);
 
   const DistanceGrid& grid() const override { return *grid_; }
   const std::vector<std::string>& notes() const override { return notes_; }
-  /// Every second node: the same source sampled with cells twice as large.
+  /// First every second node, which is the same source sampled with cells twice as large; the version after it is the same moved by four times
+  /// the mean miss of the grid, for details of the source between its nodes, which neither of the two grids sees. Where the source is a
+  /// cloud: half of it, and a quarter of it, with cells twice as large. Then none (null).
   std::shared_ptr<const ConstraintManifold> coarser() const override;
+  std::string why_not_projected(const Eigen::VectorXd& x) const override;
 
  private:
+  SignedDistanceManifold(std::shared_ptr<const DistanceGrid> grid, std::vector<std::string> notes);
+  std::shared_ptr<const ConstraintManifold> make_coarser() const;
+
   std::shared_ptr<const DistanceGrid> grid_;
   std::vector<std::string> notes_;
+  double offset_ = 0, mean_miss_ = 0;  // length units
+  std::shared_ptr<const DistanceSource> source_;
+  int level_ = 0;                        // 0: the domain itself; 1, 2: its coarser versions
+  mutable std::once_flag made_coarser_;  // a family of paths asks more than once
+  mutable std::shared_ptr<const ConstraintManifold> coarser_;
 };
 
 /// Reads (relative to `folder`), samples, builds. `progress` is first called when all options have been checked, and nothing read yet. Throws

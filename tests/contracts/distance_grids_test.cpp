@@ -13,7 +13,7 @@ namespace {
 
 std::shared_ptr<const SignedDistanceManifold> from(const DistanceSource& source, double cell) {
   SampledDistance sampled = build_distance_grid(source, {.cell = cell});
-  return std::make_shared<SignedDistanceManifold>(std::make_shared<const DistanceGrid>(std::move(sampled.grid)));
+  return std::make_shared<SignedDistanceManifold>(std::move(sampled.grid));
 }
 
 std::shared_ptr<const SignedDistanceManifold> torus(double cell) {
