@@ -33,11 +33,13 @@ void take_nearest_image(Composition& out) {
 
 void place_ends(const RunConfig& config, Composition& out) {
   out.problem.ring = config.ring;
-  if (config.ring) return;
+  out.problem.based = config.ring && config.source.given;
+  if (config.ring && !out.problem.based) return;
   out.source = place_end(*out.problem.manifold, config.source, "ends.source");
+  out.problem.source = out.source.end;
+  if (config.ring) return;
   out.target = place_end(*out.problem.manifold, config.target, "ends.target");
   take_nearest_image(out);
-  out.problem.source = out.source.end;
   out.problem.target = out.target.end;
   if (out.problem.source.u == out.problem.target.u)
     throw OptionError("ends.target", "is the same point as the source; a closed path is a ring (path.ring: true)");
@@ -104,7 +106,7 @@ bool checked(LoadedConfig& loaded, Step step) {
 std::optional<BuildContext> context_without_files(LoadedConfig& loaded) {
   const RunConfig& config = loaded.config;
   BuildContext context{loaded.folder, 3, Eigen::VectorXd::Zero(3), coordinate_names(3)};
-  if (config.ring) context.source.reset();
+  if (config.ring && !config.source.given) context.source.reset();
   if (config.manifold.provides(std::string(kGraph))) return context;
   Composition out;
   const bool placed = checked(loaded, [&] {
@@ -114,7 +116,7 @@ std::optional<BuildContext> context_without_files(LoadedConfig& loaded) {
   if (!placed) return std::nullopt;
   context.dimension = out.problem.manifold->dimensions().ambient;
   context.coordinates = point_coordinates(*out.problem.manifold);
-  if (!config.ring) context.source = source_position(out.problem);
+  if (!config.ring || out.problem.based) context.source = source_position(out.problem);
   return context;
 }
 
@@ -140,7 +142,7 @@ Composition compose(const RunConfig& config, const std::filesystem::path& folder
   place_ends(config, out);
   BuildContext context{
       folder, out.problem.manifold->dimensions().ambient, {}, point_coordinates(*out.problem.manifold)};
-  if (!config.ring) context.source = source_position(out.problem);
+  if (!config.ring || out.problem.based) context.source = source_position(out.problem);
   context.seed = config.seed;
   make_parts(config, context, out);
   add_family(config, context, out);
