@@ -34,11 +34,13 @@ void take_nearest_image(Composition& out) {
 
 void place_ends(const RunConfig& config, Composition& out) {
   out.problem.ring = config.ring;
-  if (config.ring) return;
+  out.problem.based = config.ring && config.source.given;
+  if (config.ring && !out.problem.based) return;
   out.source = place_end(*out.problem.manifold, config.source, "ends.source");
+  out.problem.source = out.source.end;
+  if (config.ring) return;
   out.target = place_end(*out.problem.manifold, config.target, "ends.target");
   take_nearest_image(out);
-  out.problem.source = out.source.end;
   out.problem.target = out.target.end;
   if (out.problem.source.u == out.problem.target.u)
     throw OptionError("ends.target", "is the same point as the source; a closed path is a ring (path.ring: true)");
@@ -118,7 +120,7 @@ void check_options_of_grid(LoadedConfig& loaded) {
 std::optional<BuildContext> context_without_files(LoadedConfig& loaded) {
   const RunConfig& config = loaded.config;
   BuildContext context{loaded.folder, 3, Eigen::VectorXd::Zero(3), coordinate_names(3)};
-  if (config.ring) context.source.reset();
+  if (config.ring && !config.source.given) context.source.reset();
   if (config.manifold.provides(std::string(kGraph))) return context;
   if (config.manifold.provides(std::string(kGrid))) {
     check_options_of_grid(loaded);
@@ -133,7 +135,7 @@ std::optional<BuildContext> context_without_files(LoadedConfig& loaded) {
   context.manifold = out.problem.manifold;
   context.dimension = out.problem.manifold->dimensions().ambient;
   context.coordinates = point_coordinates(*out.problem.manifold);
-  if (!config.ring) context.source = source_position(out.problem);
+  if (!config.ring || out.problem.based) context.source = source_position(out.problem);
   return context;
 }
 
@@ -163,7 +165,7 @@ Composition compose(const RunConfig& config, const std::filesystem::path& folder
   place_ends(config, out);
   BuildContext context{
       folder, out.problem.manifold->dimensions().ambient, {}, point_coordinates(*out.problem.manifold)};
-  if (!config.ring) context.source = source_position(out.problem);
+  if (!config.ring || out.problem.based) context.source = source_position(out.problem);
   context.seed = config.seed;
   context.manifold = out.problem.manifold;
   make_parts(config, context, out);

@@ -107,14 +107,17 @@ const auto& manifolds() {
           "mesh", "A triangle mesh in R^3, read from an OBJ, OFF, PLY or STL file.",
           [](const MeshManifoldOptions& o, const BuildContext& c) { return make_mesh_manifold(o, c.folder); })
           .providing(std::string(kMesh))
+          .providing(std::string(kSurface))
           .providing(std::string(kGraph)),
       plugin<ManifoldPlugin, ParametricOptions>(
           "parametric", "A surface x(u, v) in R^3, by name or by formulas; points are given in u and v.",
           [](const ParametricOptions& o, const BuildContext&) { return make_parametric_manifold(o); })
+          .providing(std::string(kSurface))
           .providing(std::string(kSeams)),
       plugin<ManifoldPlugin, ImplicitManifoldOptions>(
           "implicit", "A surface f(x, y, z) = 0, or a curve f(x, y) = 0: by name or as a formula.",
           [](const ImplicitManifoldOptions& o, const BuildContext&) { return make_implicit_manifold(o); })
+          .providing(std::string(kSurface))
           .providing(std::string(kEmbedded)),
       plugin<ManifoldPlugin, ConstraintManifoldOptions>(
           "constraint", "The solutions of equations in R^n: formulas, the n-sphere, the rotations SO(3).",
@@ -125,6 +128,7 @@ const auto& manifolds() {
           [](const PointCloudManifoldOptions& o, const BuildContext& c) {
             return make_point_cloud_manifold(o, c.folder);
           })
+          .providing(std::string(kSurface))
           .providing(std::string(kGraph)),
       plugin<ManifoldPlugin, SignedDistanceOptions>(
           "signed_distance",
@@ -148,8 +152,8 @@ const auto& initializers() {
           "dijkstra", "The least-cost path along the edges of the mesh, or the neighbour graph of the cloud.")
           .needing(std::string(kGraph)),
       made_of<InitializerPlugin, PlaneCutInitializer, PlaneCutOptions>(
-          "plane_cut", "The closed curve in which a plane cuts the mesh, for a ring.")
-          .needing(std::string(kMesh))
+          "plane_cut", "The closed curve in which a plane cuts the surface, for a ring.")
+          .needing(std::string(kSurface))
           .providing(std::string(kRing)),
       plugin<InitializerPlugin, RrtOptions>(
           "rrt", "A random tree in the shell around a smooth domain, shortened.",

@@ -25,6 +25,7 @@ using PostProcessorPlugin = Plugin<std::shared_ptr<const PostProcessor>>;
 
 /// Abilities that plug-ins provide and need, see PluginEntry.
 inline constexpr std::string_view kMesh = "mesh";
+inline constexpr std::string_view kSurface = "surface";  ///< two-dimensional, in R^3
 inline constexpr std::string_view kSeams = "chart with seams";
 inline constexpr std::string_view kGraph = "graph";  ///< edges between points that lie on the domain
 inline constexpr std::string_view kConstantMetric = "constant metric";

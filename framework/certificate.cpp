@@ -256,6 +256,8 @@ class Certifier {
     if (c_.levels.size() < 3 || problem_.kernel->kind() != KernelKind::quadratic_at_zero) return;
     const RefinementLevel &a = c_.levels[1], &b = c_.levels[2];
     const double s0 = a.cost / a.segments;
+    if (!std::isfinite(a.energy) || !std::isfinite(b.energy) || !(b.energy > 0))
+      return fail("doubling", "the energies of the refined chains are not finite, or zero: no ratio E(2M) / E(4M)");
     c_.doubling = a.energy / b.energy;
     c_.doubling_expected = kernel_value(*problem_.kernel, a.cost / (a.segments * s0)) /
                            (2 * kernel_value(*problem_.kernel, b.cost / (b.segments * s0)));

@@ -62,10 +62,12 @@ void RunConfig::fields(RunVisitor& visit) {
   visit.plugin("manifold", manifold, kind("manifold"), {.help = "Where points may be.", .required = true});
   visit.plugin("cost", cost, kind("cost"), {.help = "What a move from a to b costs.", .required = true});
   visit.plugin("kernel", kernel, kind("kernel"), {.help = "The convex H of the energy; default: expm1_square."});
-  visit.block("ends", {.help = "Where the path begins and ends; none in a ring."}, [&](RunVisitor& ends) {
-    ends.end("source", source, {.help = "Where the path begins.", .required = true});
-    ends.end("target", target, {.help = "Where the path ends.", .required = true});
-  });
+  visit.block("ends", {.help = "Where the path begins and ends; none in a ring, or the source alone: its fixed point."},
+              [&](RunVisitor& ends) {
+                ends.end("source", source,
+                         {.help = "Where the path begins; of a ring: its fixed point.", .required = true});
+                ends.end("target", target, {.help = "Where the path ends; none in a ring."});
+              });
   visit.block("path", {.help = "The discrete path."}, [&](RunVisitor& path) {
     path.points(
         "points", points,

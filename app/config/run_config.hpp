@@ -32,7 +32,7 @@ struct RunConfig {
   int seed = 0;
   double max_seconds = 0;  ///< time budget of the search; 0: none
   PluginChoice manifold, cost, kernel;
-  EndOptions source, target;  ///< not given in a ring
+  EndOptions source, target;  ///< not given in a ring, or the source alone: its fixed point
   PointCount points;
   bool ring = false;
   bool cascade = false;
