@@ -96,7 +96,7 @@ class ImplicitDistance final : public DistanceSource {
     FootField field(shape);
     std::vector<std::int8_t> signs(shape.nodes());
     start(field, signs, progress);
-    spread_feet(field);
+    spread_feet(field, progress);
     refine(field, progress);
     check_signs(shape, field.distance, signs);
     for (std::size_t i = 0; i < signs.size(); ++i)
