@@ -55,11 +55,11 @@ Eigen::PartialPivLU<Eigen::Matrix4d> newton_matrix(const ConstraintFunction& fun
   return Eigen::PartialPivLU<Eigen::Matrix4d>(matrix);
 }
 
-/// The foot of x by Newton's method from a point y of the surface near it, with a new matrix where the last did not gain a digit. Nothing
+/// The foot of x by Newton's method from a point y of the surface near it, with a new matrix where the last gained less than a digit and a half. Nothing
 /// when that does not lead to a point at least as near as y.
 std::optional<Vector3d> nearest_from(const ConstraintFunction& function, const Vector3d& x, Vector3d y, double scale) {
   constexpr int kMostSteps = 20;
-  constexpr double kConverged = 1e-4, kDifference = 1e-5, kFast = 0.1;
+  constexpr double kConverged = 1e-6, kDifference = 1e-5, kFast = 0.03;
   constexpr double kSlack = 1e-3;  // start feet are kept with seven digits
   const double start = (y - x).norm();
   Local here(function, y);
