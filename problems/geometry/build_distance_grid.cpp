@@ -36,7 +36,7 @@ std::vector<Vector3d> centres_near_surface(const GridShape& shape, const std::ve
     for (int j = 0; j + 1 < shape.count[1]; ++j)
       for (int i = 0; i + 1 < shape.count[0]; ++i)
         if (std::abs(values[shape.index(i, j, k)]) <= near)
-          centres.push_back(shape.node(i, j, k) + Vector3d::Constant(shape.cell / 2));
+          centres.emplace_back(shape.node(i, j, k) + Vector3d::Constant(shape.cell / 2));
   const std::size_t stride = (centres.size() + kMostPlaces - 1) / kMostPlaces;
   if (stride > 1) {
     for (std::size_t i = 0; i * stride < centres.size(); ++i) centres[i] = centres[i * stride];

@@ -94,8 +94,8 @@ std::string place(const Vector3d& x) {
 
 class ImplicitDistance final : public DistanceSource {
  public:
-  ImplicitDistance(std::shared_ptr<const ConstraintFunction> f, Eigen::AlignedBox3d box)
-      : f_(std::move(f)), box_(std::move(box)) {}
+  ImplicitDistance(std::shared_ptr<const ConstraintFunction> f, const Eigen::AlignedBox3d& box)
+      : f_(std::move(f)), box_(box) {}
 
   Eigen::AlignedBox3d box() const override { return box_; }
   std::optional<Vector3d> foot(const Vector3d& x) const override {
