@@ -14,7 +14,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kBand = 6;         ///< cells around the surface with exact distances
 constexpr double kLost = 0.25;      ///< cells from the surface of the grid at which a place counts as lost
 constexpr double kMostLost = 0.05;  ///< part of the places
 constexpr std::size_t kMostPlaces = 5000;
@@ -37,7 +36,7 @@ std::vector<Vector3d> centres_near_surface(const GridShape& shape, const std::ve
     for (int j = 0; j + 1 < shape.count[1]; ++j)
       for (int i = 0; i + 1 < shape.count[0]; ++i)
         if (std::abs(values[shape.index(i, j, k)]) <= near)
-          centres.push_back(shape.node(i, j, k) + Vector3d::Constant(shape.cell / 2));
+          centres.emplace_back(shape.node(i, j, k) + Vector3d::Constant(shape.cell / 2));
   const std::size_t stride = (centres.size() + kMostPlaces - 1) / kMostPlaces;
   if (stride > 1) {
     for (std::size_t i = 0; i * stride < centres.size(); ++i) centres[i] = centres[i * stride];
@@ -121,7 +120,7 @@ Sampled sample_to_accuracy(const DistanceSource& source, const Eigen::AlignedBox
     order = std::clamp(order, 1.0, 4.0);
     last_cell = cell;
     last_miss = miss;
-    constexpr double kSafe = 0.9, kLeast = 0.75, kMost = 0.25;
+    constexpr double kSafe = 0.9, kLeast = 0.75, kMost = 0.35;
     cell *= std::clamp(kSafe * std::pow(s.accuracy / miss, 1 / order), kMost, kLeast);
     try {
       grid_around(box, cell, s.margin, s.memory);
@@ -139,7 +138,7 @@ Sampled sample_to_accuracy(const DistanceSource& source, const Eigen::AlignedBox
 
 std::vector<double> sample_distances(const DistanceSource& source, const GridShape& shape, double offset,
                                      const BuildProgress& progress) {
-  std::vector<double> values = source.sample(shape, offset + kBand * shape.cell, progress);
+  std::vector<double> values = source.sample(shape, offset + source.exact_cells() * shape.cell, progress);
   if (offset > 0)
     for (double& v : values) v -= offset;
   return values;

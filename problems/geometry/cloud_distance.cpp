@@ -18,6 +18,9 @@ using Eigen::Vector3d;
 constexpr double kSidesFrom =
     2;  ///< cells from the surface up to which nodes take their side from it; the others take it from them
 
+constexpr double kAmong =
+    0.4;  ///< supports between a foot and the nearest sample; 0.2 in the widest gap of an even cloud
+
 class CloudDistance final : public DistanceSource {
  public:
   CloudDistance(PointCloud cloud, bool sides) : cloud_(std::move(cloud)), surface_(cloud_), sides_(sides) {
@@ -33,6 +36,7 @@ class CloudDistance final : public DistanceSource {
   Eigen::AlignedBox3d box() const override { return box_; }
   std::vector<std::string> notes() const override { return cloud_.notes(); }
   bool is_sample() const override { return true; }
+  double exact_cells() const override { return 4; }  // they take long, and a cloud is no exact surface
   std::shared_ptr<const DistanceSource> coarser() const override {
     return std::make_shared<CloudDistance>(cloud_.thinned(), sides_);
   }
@@ -45,8 +49,7 @@ class CloudDistance final : public DistanceSource {
     FootField field(shape);
     fill_band(
         field, samples_, exact, [this](const Vector3d& x, std::int32_t) { return nearest(x); }, progress);
-    report(progress, 0, "distances far from the surface");
-    spread_feet(field);
+    spread_feet(field, progress);
     std::vector<double> values = std::move(field.distance);
     if (!sides_) return values;
     std::vector<std::int8_t> signs = std::move(field.side);
@@ -60,9 +63,9 @@ class CloudDistance final : public DistanceSource {
   /// Down the gradients of the moving least squares first; that foot then moves along its tangent plane until x lies above it.
   std::optional<Foot> nearest(const Vector3d& x) const {
     constexpr int kMostMoves = 4;
-    constexpr double kConverged = 1e-4;  // of the distance: it then errs by 5e-9 of itself
+    constexpr double kConverged = 1e-3;  // of the distance: it then errs by 5e-7 of itself
     Foot result{x};
-    if (!surface_.project(result.position)) return std::nullopt;
+    if (!surface_.project(result.position) || !among_samples(result.position)) return std::nullopt;
     for (int i = 0;; ++i) {
       const std::optional<Vector3d> normal = surface_.normal(result.position);
       if (!normal) return std::nullopt;
@@ -75,6 +78,13 @@ class CloudDistance final : public DistanceSource {
       if (!surface_.project(moved) || !((x - moved).squaredNorm() < way.squaredNorm())) return result;
       result.position = moved;
     }
+  }
+
+  /// Whether samples lie around a point: far from all of them, by noise or outliers, moving least squares have zeros of no meaning.
+  bool among_samples(const Vector3d& x) const {
+    const Neighbour sample = cloud_.search().nearest(x - cloud_.centre());
+    const double reach = kAmong * cloud_.radius(sample.index);
+    return sample.squared_distance <= reach * reach && cloud_.sample(sample.index).trust > 0;
   }
 
   std::string no_sides(const Vector3d& x) const {

@@ -67,7 +67,8 @@ std::optional<Eigen::Vector3d> spread_signs(const GridShape& shape, std::vector<
       }
     });
   };
-  for (std::size_t i = 0; i < reached.size(); ++i) spread(Node(reached[i]));
+  std::size_t next = 0;  // more are reached meanwhile
+  while (next < reached.size()) spread(Node(reached[next++]));
   for (std::size_t i = 0; i < distances.size(); ++i)
     if (signs[i] < 0) distances[i] = -distances[i];
   return conflict;

@@ -24,6 +24,8 @@ class DistanceSource {
   /// up to the distance `exact` from the surface, farther away right to a small part of a cell. Throws InputError where there is no
   /// inside and outside.
   virtual std::vector<double> sample(const GridShape& shape, double exact, const BuildProgress& progress) const = 0;
+  /// Cells around the surface in which a grid should have exact distances: splines feel what is wrong k cells away by 0.27^k of it.
+  virtual double exact_cells() const { return 6; }
   /// The point of the surface nearest to x, which is at most a few of its cells away; nothing where it is not found.
   virtual std::optional<Eigen::Vector3d> foot(const Eigen::Vector3d& x) const = 0;
   /// Whether the source is itself a sample of a surface, and has a coarser version: the same surface from half the data.

@@ -37,7 +37,7 @@ void for_corners(const GridShape& shape, const Vector3d& x, Visit visit) {
 }
 
 /// One pass in memory order (forward) or against it: feet come from the 13 neighbours that the pass has been to.
-void pass(FootField& field, bool forward) {
+void pass(FootField& field, bool forward, const BuildProgress& progress, double done, double share) {
   const auto& n = field.shape.count;
   const int sign = forward ? -1 : 1;
   const auto row = [&](int i, int j, int k) {
@@ -62,10 +62,12 @@ void pass(FootField& field, bool forward) {
     field.feet[here] = field.feet[from];
     field.distance[here] = std::sqrt(best);
   };
-  for (int c = 0; c < n[2]; ++c)
+  for (int c = 0; c < n[2]; ++c) {
+    report(progress, done + share * c / n[2], "distances far from the surface");
     for (int b = 0; b < n[1]; ++b)
       for (int a = 0; a < n[0]; ++a)
         row(forward ? a : n[0] - 1 - a, forward ? b : n[1] - 1 - b, forward ? c : n[2] - 1 - c);
+  }
 }
 
 }  // namespace
@@ -114,11 +116,11 @@ void fill_band(FootField& field, const std::vector<Vector3d>& seeds, double band
   }
 }
 
-void spread_feet(FootField& field) {
+void spread_feet(FootField& field, const BuildProgress& progress) {
   constexpr int kRounds = 2;
   for (int round = 0; round < kRounds; ++round) {
-    pass(field, true);
-    pass(field, false);
+    pass(field, true, progress, 0.5 * round, 0.25);
+    pass(field, false, progress, 0.5 * round + 0.25, 0.25);
   }
 }
 

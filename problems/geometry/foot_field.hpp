@@ -44,6 +44,6 @@ void fill_band(FootField& field, const std::vector<Eigen::Vector3d>& seeds, doub
 
 /// Hands feet on from node to node (Danielsson's vector distance transform, all 26 neighbours): each node that is not exact gets the
 /// nearest of the feet that arrive. Off by less than a hundredth of a cell beyond some cells from exact nodes.
-void spread_feet(FootField& field);
+void spread_feet(FootField& field, const BuildProgress& progress);
 
 }  // namespace leastcost

@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -40,35 +41,46 @@ std::optional<Vector3d> slide_down(const ConstraintFunction& function, const Vec
   return std::nullopt;
 }
 
-/// The foot of x by Newton's method from a point y of the surface near it; second derivatives of f by differences of its gradient over `scale`.
-/// Nothing when that does not lead to a point at least as near as y.
+/// Newton's matrix for y + lambda grad f(y) = x, f(y) = 0, factored; second derivatives of f by differences of its gradient over `step`.
+Eigen::PartialPivLU<Eigen::Matrix4d> newton_matrix(const ConstraintFunction& function, const Vector3d& y,
+                                                   const Local& here, double lambda, double step) {
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
+  for (int axis = 0; axis < 3; ++axis) {
+    const Local beside(function, y + step * Vector3d::Unit(axis));
+    matrix.col(axis).head<3>() = lambda * (beside.g - here.g) / step;
+    matrix(axis, axis) += 1;
+  }
+  matrix.col(3).head<3>() = here.g;
+  matrix.row(3).head<3>() = here.g;
+  return Eigen::PartialPivLU<Eigen::Matrix4d>(matrix);
+}
+
+/// The foot of x by Newton's method from a point y of the surface near it, with a new matrix where the last gained less than a digit and a half. Nothing
+/// when that does not lead to a point at least as near as y.
 std::optional<Vector3d> nearest_from(const ConstraintFunction& function, const Vector3d& x, Vector3d y, double scale) {
-  constexpr int kMostSteps = 12;
-  constexpr double kConverged = 1e-4, kDifference = 1e-5, kSlack = 1e-5;
+  constexpr int kMostSteps = 20;
+  constexpr double kConverged = 1e-6, kDifference = 1e-5, kFast = 0.03;
+  constexpr double kSlack = 1e-3;  // start feet are kept with seven digits
   const double start = (y - x).norm();
   Local here(function, y);
   if (!here.usable()) return std::nullopt;
   double lambda = (x - y).dot(here.g) / here.g.squaredNorm();
+  Eigen::PartialPivLU<Eigen::Matrix4d> solver = newton_matrix(function, y, here, lambda, kDifference * scale);
+  double last = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kMostSteps; ++i) {
-    Eigen::Matrix4d system = Eigen::Matrix4d::Zero();
-    for (int axis = 0; axis < 3; ++axis) {
-      const Local beside(function, y + kDifference * scale * Vector3d::Unit(axis));
-      system.col(axis).head<3>() = lambda * (beside.g - here.g) / (kDifference * scale);
-      system(axis, axis) += 1;
-    }
-    system.col(3).head<3>() = here.g;
-    system.row(3).head<3>() = here.g;
     Eigen::Vector4d rest;
     rest << x - y - lambda * here.g, -here.f[0];
-    const Eigen::Vector4d step = system.partialPivLu().solve(rest);
-    if (!step.allFinite() || !(step.head<3>().norm() <= start + scale)) return std::nullopt;
+    const Eigen::Vector4d step = solver.solve(rest);
+    const double size = step.head<3>().norm();
+    if (!step.allFinite() || !(size <= start + scale)) return std::nullopt;
     y += step.head<3>();
     lambda += step[3];
+    if (size <= kConverged * scale)
+      return (y - x).norm() <= start + kSlack * scale ? std::optional<Vector3d>(y) : std::nullopt;
     here = Local(function, y);
     if (!here.usable()) return std::nullopt;
-    if (step.head<3>().norm() > kConverged * scale) continue;
-    if (!((y - x).norm() <= start + kSlack * scale)) return std::nullopt;
-    return y;
+    if (i > 0 && size > kFast * last) solver = newton_matrix(function, y, here, lambda, kDifference * scale);
+    last = size;
   }
   return std::nullopt;
 }
@@ -82,8 +94,8 @@ std::string place(const Vector3d& x) {
 
 class ImplicitDistance final : public DistanceSource {
  public:
-  ImplicitDistance(std::shared_ptr<const ConstraintFunction> f, Eigen::AlignedBox3d box)
-      : f_(std::move(f)), box_(std::move(box)) {}
+  ImplicitDistance(std::shared_ptr<const ConstraintFunction> f, const Eigen::AlignedBox3d& box)
+      : f_(std::move(f)), box_(box) {}
 
   Eigen::AlignedBox3d box() const override { return box_; }
   std::optional<Vector3d> foot(const Vector3d& x) const override {
@@ -92,12 +104,15 @@ class ImplicitDistance final : public DistanceSource {
     return start ? nearest_from(*f_, x, *start, 1e-2 * size) : std::nullopt;
   }
 
-  std::vector<double> sample(const GridShape& shape, double, const BuildProgress& progress) const override {
+  double exact_cells() const override {
+    return 16;
+  }  // cheap, and the coarser grids of the geometry error have cells twice as large
+  std::vector<double> sample(const GridShape& shape, double exact, const BuildProgress& progress) const override {
     FootField field(shape);
     std::vector<std::int8_t> signs(shape.nodes());
     start(field, signs, progress);
-    spread_feet(field);
-    refine(field, progress);
+    spread_feet(field, progress);
+    refine(field, exact, progress);
     check_signs(shape, field.distance, signs);
     for (std::size_t i = 0; i < signs.size(); ++i)
       if (signs[i] < 0) field.distance[i] = -field.distance[i];
@@ -134,8 +149,9 @@ class ImplicitDistance final : public DistanceSource {
                        " (the surface lies outside the box, or between the nodes: a smaller cell)");
   }
 
-  void refine(FootField& field, const BuildProgress& progress) const {
+  void refine(FootField& field, double exact, const BuildProgress& progress) const {
     for_slabs(field.shape, progress, "distances from the surface", [&](std::size_t node, const Vector3d& x) {
+      if (!(field.distance[node] <= exact + field.shape.cell)) return;  // what was handed on is an upper bound
       const std::optional<Vector3d> y = nearest_from(*f_, x, field.foot(node), field.shape.cell);
       if (y) field.distance[node] = (x - *y).norm();
     });

@@ -75,8 +75,7 @@ class MeshDistance final : public DistanceSource {
       return Foot{point.position, point.where.face};
     };
     fill_band(field, vertices_, exact, nearest, progress);
-    report(progress, 0, "distances far from the surface");
-    spread_feet(field);
+    spread_feet(field, progress);
     std::vector<double> values = std::move(field.distance);
     if (!winding_) return values;
     report(progress, 0, "inside and outside");

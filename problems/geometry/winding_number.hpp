@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -27,7 +28,7 @@ class WindingNumber {
     std::int32_t second = -1;           // -1: a leaf
   };
   struct Triangle {
-    Eigen::Vector3d corner[3];
+    std::array<Eigen::Vector3d, 3> corner;
   };
   std::int32_t build(std::int32_t first, std::int32_t count);
 

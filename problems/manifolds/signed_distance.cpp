@@ -66,14 +66,13 @@ std::shared_ptr<const DistanceSource> source_of(const SignedDistanceOptions& o, 
       throw OptionError(
           "offset",
           "an unsigned distance has no gradient at 0: give the distance (> 0) at which the surface is wanted");
+    if (o.source != "mesh" && o.source != "point_cloud") throw OptionError("type", "unknown source '" + o.source + "'");
     report(progress, 0, "reading");
     if (o.source == "mesh") return make_mesh_distance(TriangleMesh(read_mesh(folder / o.file), {o.weld, 0}), sides);
-    if (o.source == "point_cloud")
-      return make_cloud_distance(PointCloud(read_point_cloud(folder / o.cloud.file), o.cloud.settings), sides);
+    return make_cloud_distance(PointCloud(read_point_cloud(folder / o.cloud.file), o.cloud.settings), sides);
   } catch (const OptionError& error) {
     throw OptionError("source." + error.key(), error.what());
   }
-  throw OptionError("source.type", "unknown source '" + o.source + "'");
 }
 
 DistanceGridSettings settings_of(const SignedDistanceOptions& o) {
@@ -126,7 +125,7 @@ void SignedDistanceOptions::fields(FieldVisitor& visit) {
         [&](FieldVisitor& v) { v.file("file", file, {.help = "The .sdf file.", .required = true}); }}},
       {.help = "What distances are sampled from.", .required = true});
   visit.field("cell", cell,
-              {.help = "Cell of the grid; default: a 64th of the longest side of the surface.",
+              {.help = "Cell of the grid; 0: from the accuracy, or a 64th of the longest side of the surface.",
                .unit = "length",
                .minimum = 0});
   visit.field("accuracy", accuracy,

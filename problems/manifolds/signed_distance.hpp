@@ -32,10 +32,13 @@ struct SignedDistanceOptions {
   void fields(FieldVisitor& visit);
 };
 
-/// The zeros of a signed distance that is sampled on a regular grid, with a twice differentiable tricubic interpolant (VFCS 4.4.3). The domain
-/// is the surface that was sampled; what the grid makes of it is the geometry error, of order 4 in the cell where the surface is smooth. At the
-/// edges of a polyhedron it is rounded on the scale of a cell (order 1 there); sheets nearer than about two cells merge. Paths cannot leave the
-/// grid.
+/// The zeros of a signed distance that is sampled on a regular grid, with a twice differentiable tricubic interpolant. The domain is the surface
+/// that was sampled; what the grid makes of it is the geometry error, of order 4 in the cell where the surface is smooth.
+///
+/// Limits. The edges of a polyhedron are rounded on the scale of a cell (order 1 to 2 there). With cells below the edge length the rounded edges are
+/// what a chain has to resolve: with segments no longer than about a cell Newton needs 5 to 9 iterations and certifies, with longer ones it
+/// converges as well, but the certificate finds no second order. Sheets nearer than about two cells merge; the making says where, and refuses
+/// when a twentieth of the surface is lost. Paths cannot leave the grid.
 class SignedDistanceManifold final : public LevelSet, public HasCoarserVersion, public HasDistanceGrid {
  public:
   /// A grid with nothing behind it.

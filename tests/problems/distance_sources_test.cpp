@@ -129,7 +129,7 @@ TEST_CASE("distance of a mesh: what has no inside is refused with the place, or 
              Catch::Contains("at least 3 cells"));
 }
 
-TEST_CASE("distance of an implicit surface: exact everywhere but at the medial axis, whatever the scale") {
+TEST_CASE("distance of an implicit surface: exact within the band, whatever the scale") {
   for (const double scale : {1e-3, 1.0, 1e4}) {
     const auto source = implicit_sphere(scale);
     const GridShape shape = grid_around(source->box(), 0.13 * scale, 6, 1e9);
