@@ -80,7 +80,7 @@ std::uint64_t next_id() {
   return ++count;
 }
 
-/// What a thread asked for last.
+/// What a thread asked for.
 struct Answer {
   std::uint64_t id = 0;  ///< of the samples; 0: of none
   int order = 0;
@@ -88,8 +88,14 @@ struct Answer {
   TensorJet jet;
 };
 
-Answer& last_answer() {
-  thread_local Answer instance;
+/// The last two answers: a path passes on the end of a segment, a search along edges goes back to where it started from.
+struct Memory {
+  std::array<Answer, 2> answers;
+  std::size_t last = 0;
+};
+
+Memory& memory() {
+  thread_local Memory instance;
   return instance;
 }
 
@@ -178,13 +184,19 @@ void TensorSamples::fit_slopes(const SurfaceSamples& samples, const std::vector<
 
 template <int Order>
 void TensorSamples::evaluate(const Eigen::Vector3d& x, TensorJet& out) const {
-  Answer& last = last_answer();
-  if (last.id != id_ || last.order < Order || last.x != x) {
-    interpolate<Order>(x, last.jet);
-    last.id = id_;
-    last.order = Order;
-    last.x = x;
+  Memory& known = memory();
+  const auto knows = [&](const Answer& a) { return a.id == id_ && a.order >= Order && a.x == x; };
+  if (!knows(known.answers[known.last])) {
+    known.last = 1 - known.last;
+    Answer& older = known.answers[known.last];
+    if (!knows(older)) {
+      interpolate<Order>(x, older.jet);
+      older.id = id_;
+      older.order = Order;
+      older.x = x;
+    }
   }
+  const Answer& last = known.answers[known.last];
   out.value = last.jet.value;
   if constexpr (Order >= 1) out.gradient = last.jet.gradient;
   if constexpr (Order >= 2) out.hessian = last.jet.hessian;
