@@ -104,7 +104,8 @@ struct MetricField {
   Point<S, dim> residual(const Point<S, dim>& a, const Point<S, dim>& b) const {
     Point<S, dim> d = b - a;
     const Point<S, dim> middle = 0.5 * (a + b);
-    Tensor<S, dim> t = is_average ? Tensor<S, dim>(0.5 * (field(a) + field(b))) : field(middle);
+    Tensor<S, dim> t = field(is_average ? a : middle);
+    if (is_average) t = Tensor<S, dim>(0.5 * (t + field(b)));  // b last: it is the a of the next segment
     if (inside(a) && inside(middle) && inside(b)) {
       if (is_root) return t * d;
       if (root<S, dim>(t)) {
@@ -163,7 +164,7 @@ class MetricFieldCost final : public SegmentCostOf<MetricField<Field>>, public E
     const MetricField<Field>& metric = this->function();
     const Eigen::VectorXd middle = (a + b) / 2;
     for (const Eigen::VectorXd& x : {a, b, middle}) {
-      const std::string why = metric.why_not(x, metric.field(Point<double, Field::dim>(x)));
+      std::string why = metric.why_not(x, metric.field(Point<double, Field::dim>(x)));
       if (!why.empty()) return why;
     }
     return "";

@@ -11,7 +11,7 @@ namespace leastcost {
 
 /// Shape operators of a surface at its samples, k1 t1 t1' + k2 t2 t2' as 3 x 3 matrices (1 / length), by quadratic fits to the samples within
 /// `radius` local spacings, on the same sheet. Where these are too few or lie on a line the radius grows, up to four times; where that does not help
-/// (loose points, degenerate faces) the surface counts as flat. Exact on paraboloids, converges on smooth surfaces with the spacing; a crease
+/// (loose points, degenerate faces) the surface counts as flat. Converges on smooth surfaces with the spacing; a crease
 /// shows as a curvature of about its angle over the radius.
 std::vector<Eigen::Matrix3d> shape_operators(const SurfaceSamples& samples, double radius);
 

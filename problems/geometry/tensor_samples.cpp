@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -74,6 +75,30 @@ class SlopeFit {
   Eigen::Matrix<double, 6, 2> changes_ = Eigen::Matrix<double, 6, 2>::Zero();
 };
 
+std::uint64_t next_id() {
+  static std::atomic<std::uint64_t> count{0};
+  return ++count;
+}
+
+/// What a thread asked for.
+struct Answer {
+  std::uint64_t id = 0;  ///< of the samples; 0: of none
+  int order = 0;
+  Eigen::Vector3d x;
+  TensorJet jet;
+};
+
+/// The last two answers: a path passes on the end of a segment, a search along edges goes back to where it started from.
+struct Memory {
+  std::array<Answer, 2> answers;
+  std::size_t last = 0;
+};
+
+Memory& memory() {
+  thread_local Memory instance;
+  return instance;
+}
+
 /// Weighted sums, and their derivatives with respect to x.
 template <int Order>
 struct Sums {
@@ -123,7 +148,10 @@ struct Sums {
 }  // namespace
 
 TensorSamples::TensorSamples(const SurfaceSamples& samples, const std::vector<Eigen::Matrix3d>& tensors)
-    : tree_(samples.positions, samples.support), place_of_(samples.positions.size()), search_(samples.positions) {
+    : id_(next_id()),
+      tree_(samples.positions, samples.support),
+      place_of_(samples.positions.size()),
+      search_(samples.positions) {
   for (const std::int32_t i : tree_.order()) {
     const auto k = static_cast<std::size_t>(i);
     place_of_[k] = static_cast<std::int32_t>(samples_.size());
@@ -156,6 +184,26 @@ void TensorSamples::fit_slopes(const SurfaceSamples& samples, const std::vector<
 
 template <int Order>
 void TensorSamples::evaluate(const Eigen::Vector3d& x, TensorJet& out) const {
+  Memory& known = memory();
+  const auto knows = [&](const Answer& a) { return a.id == id_ && a.order >= Order && a.x == x; };
+  if (!knows(known.answers[known.last])) {
+    known.last = 1 - known.last;
+    Answer& older = known.answers[known.last];
+    if (!knows(older)) {
+      interpolate<Order>(x, older.jet);
+      older.id = id_;
+      older.order = Order;
+      older.x = x;
+    }
+  }
+  const Answer& last = known.answers[known.last];
+  out.value = last.jet.value;
+  if constexpr (Order >= 1) out.gradient = last.jet.gradient;
+  if constexpr (Order >= 2) out.hessian = last.jet.hessian;
+}
+
+template <int Order>
+void TensorSamples::interpolate(const Eigen::Vector3d& x, TensorJet& out) const {
   if (!x.allFinite()) {
     out.value.setConstant(std::numeric_limits<double>::quiet_NaN());
     out.gradient.setZero();

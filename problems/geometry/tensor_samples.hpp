@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
 #include "problems/geometry/ball_tree.hpp"
@@ -38,7 +39,8 @@ class TensorSamples {
   /// One tensor per sample, positive definite.
   TensorSamples(const SurfaceSamples& samples, const std::vector<Eigen::Matrix3d>& tensors);
 
-  /// T(x) and its derivatives up to `Order`, 0 to 2; the others are left alone.
+  /// T(x) and its derivatives up to `Order`, 0 to 2; the others may hold anything. Asked again for the same x a thread gets what it got, because
+  /// segments share their ends.
   template <int Order>
   void evaluate(const Eigen::Vector3d& x, TensorJet& out) const;
 
@@ -49,8 +51,11 @@ class TensorSamples {
     Eigen::Matrix<double, 6, 4> polynomial;  ///< T_i, then the slopes along x, y, z
   };
 
+  template <int Order>
+  void interpolate(const Eigen::Vector3d& x, TensorJet& out) const;
   void fit_slopes(const SurfaceSamples& samples, const std::vector<Eigen::Matrix3d>& tensors);
 
+  std::uint64_t id_;  ///< of all that this process makes
   BallTree tree_;
   std::vector<Sample> samples_;         ///< in the order of the tree
   std::vector<std::int32_t> place_of_;  ///< of a sample as it was given

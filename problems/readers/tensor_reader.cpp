@@ -17,7 +17,7 @@ constexpr double kSmallest = 1e-12;  ///< of the largest eigenvalue: below it a 
 
 void check(const Eigen::Matrix3d& tensor, const TextScanner& scanner) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor, Eigen::EigenvaluesOnly);
-  const Eigen::Vector3d values = solver.eigenvalues();
+  const Eigen::Vector3d& values = solver.eigenvalues();
   if (values[0] > kSmallest * values[2]) return;
   std::ostringstream message;
   message << "a tensor is positive definite; the eigenvalues of this one are " << values[0] << ", " << values[1] << ", "
