@@ -17,6 +17,8 @@
 #include "problems/geometry/has_point_cloud.hpp"
 #include "problems/geometry/wound.hpp"
 #include "problems/initializers/bow.hpp"
+#include "problems/initializers/dijkstra.hpp"
+#include "problems/initializers/mirrored.hpp"
 #include "solvers/newton.hpp"
 
 namespace leastcost::app {
@@ -81,6 +83,12 @@ void add_family(const RunConfig& config, const BuildContext& context, Compositio
     ways.emplace_back(fmt::format("bow {:g} degrees", angle),
                       std::make_shared<const BowInitializer>(BowOptions{family.bow_height, angle}));
   }
+  if (family.mirrored)
+    ways.emplace_back(fmt::format("{}, mirrored", out.initializer->name()),
+                      std::make_shared<const MirroredInitializer>(out.initializer));
+  for (int rank = 2; rank <= family.routes; ++rank)
+    ways.emplace_back(fmt::format("route {}", rank),
+                      std::make_shared<const DijkstraInitializer>(DijkstraOptions{.routes = 1, .rank = rank}));
   for (const PluginChoice& choice : family.initializers.choices)
     ways.emplace_back(choice.path, make<std::shared_ptr<const Initializer>>(choice, context));
   std::vector<WoundProblem> problems = wound_problems(out.problem, family.windings);

@@ -96,6 +96,13 @@ void check_family(LoadedConfig& loaded) {
     refuse("windings", "needs a manifold with a chart with seams");
   if (config.family.bows > 0 && config.ring)
     refuse("bows", "bows the line between two ends, and a ring has none: give other first rings (family.initializers)");
+  if (config.family.routes > 1 && config.ring)
+    refuse("routes",
+           "lists routes between two ends, and a ring has none: give other first rings (family.initializers)");
+  else if (config.family.routes > 1 && config.manifold && !config.manifold.provides(std::string(kGraph)))
+    refuse("routes", "needs a manifold with a graph: a mesh or a point cloud");
+  if (config.family.mirrored && config.ring)
+    refuse("mirrored", "mirrors a path at its ends, and a ring has none: give other first rings (family.initializers)");
   if (!config.ring) return;
   for (const PluginChoice& choice : config.family.initializers.choices)
     if (choice && !choice.provides(std::string(kRing)))

@@ -53,6 +53,11 @@ void FamilyOptions::fields(RunVisitor& visit) {
   visit.field("bows", bows,
               {.help = "Also first paths bowed to so many sides of the straight line.", .minimum = 0, .maximum = 64});
   visit.field("bow_height", bow_height, {.help = "Height of the bows over the distance of the ends.", .minimum = 0});
+  visit.field("routes", routes,
+              {.help = "Mesh or cloud: so many graph routes, each keeping away from those before it, as first paths.",
+               .minimum = 1,
+               .maximum = 32});
+  visit.field("mirrored", mirrored, {.help = "Also the mirror image of the first path, at the line between the ends."});
   visit.plugins("initializers", initializers, kind("initializer"), {.help = "Also these first paths."});
 }
 

@@ -38,6 +38,7 @@ class ChartSearch {
     for (Found& f : found) improve(f);
     std::sort(found.begin(), found.end(), nearer);
     std::vector<Eigen::VectorXd> points;
+    points.reserve(found.size());
     for (Found& f : found) points.push_back(std::move(f.u));
     return points;
   }

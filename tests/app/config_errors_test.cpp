@@ -172,6 +172,9 @@ TEST_CASE("config errors: parts that do not fit each other") {
   CHECK_THAT(errors_of(based + "family: {initializers: [straight]}\n"), Contains("'straight' joins two ends"));
   CHECK_THAT(errors_of("manifold: {type: parametric, surface: torus}\ncost: euclidean\npath: {ring: true}\n"),
              Contains("it needs an initializer: plane_cut, waypoints, coordinate_circle or file"));
+  CHECK_THAT(errors_of(kPlane + "family: {routes: 3}\n"), Contains("'routes' needs a manifold with a graph"));
+  CHECK_THAT(errors_of(based + "family: {routes: 3, mirrored: true}\n"),
+             Contains("'routes' lists routes between two ends") && Contains("'mirrored' mirrors a path at its ends"));
   CHECK_THAT(errors_of(kPlane + "family: {windings: 1}\n"), Contains("'windings' needs a manifold with a chart"));
   CHECK_THAT(errors_of(ring), Contains("it needs an initializer: waypoints or file"));
   CHECK_THAT(errors_of(ring + "initializer: straight\n"), Contains("'straight' joins two ends and a ring has none"));
