@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <sstream>
@@ -16,12 +15,12 @@
 #include "framework/errors.hpp"
 #include "problems/geometry/chart_search.hpp"
 #include "problems/geometry/has_point_cloud.hpp"
+#include "problems/geometry/plane_station.hpp"
 #include "problems/geometry/seams.hpp"
 
 namespace leastcost {
 namespace {
 
-constexpr double kOnPlane = 1e-12;      ///< relative to the size of the coordinates
 constexpr double kMostTurn = 0.2;       ///< radians per step
 constexpr double kLittleTurn = 0.08;    ///< radians below which the step grows
 constexpr double kShortestStep = 1e-7;  ///< relative to the size of the coordinates
@@ -35,19 +34,14 @@ std::string text(const Eigen::Vector3d& x) {
   return out.str();
 }
 
-/// A point of the surface with its plane of motion.
-struct Station {
-  Eigen::VectorXd u;                                ///< coordinates
-  Eigen::Vector3d x = Eigen::Vector3d::Zero();      ///< position
-  Points lift;                                      ///< 3 x 2: moves of the position by moves along `basis`
-  Points basis;                                     ///< coordinate x 2
-  Eigen::Vector3d along = Eigen::Vector3d::Zero();  ///< unit tangent of the curve
-};
-
 class Follower {
  public:
   Follower(const ConstraintManifold& surface, const Eigen::Vector3d& point, const Eigen::Vector3d& normal)
-      : surface_(surface), chart_(dynamic_cast<const HasChart*>(&surface)), point_(point), normal_(normal) {}
+      : surface_(surface),
+        chart_(dynamic_cast<const HasChart*>(&surface)),
+        point_(point),
+        normal_(normal),
+        stations_(surface, point, normal) {}
 
   CoordinatePath follow() {
     const Station start = first_station();
@@ -69,65 +63,6 @@ class Follower {
   }
 
  private:
-  double height(const Station& s) const { return normal_.dot(s.x - point_); }
-
-  /// Projects u onto the surface and looks around there.
-  bool place(const Eigen::VectorXd& u, Station& out) {
-    CoordinatePath one{u, {}, true};
-    if (!u.allFinite() || !surface_.project(one).failed.empty()) return false;
-    out.u = one.u.col(0);
-    surface_.tangent_bases(one, out.basis);
-    Points x;
-    if (chart_ != nullptr) {
-      chart_->embed(one, x);
-      chart_->jacobians(one, jacobian_);
-      out.lift = jacobian_ * out.basis;
-    } else {
-      x = one.u;
-      out.lift = out.basis;
-    }
-    out.x = x.col(0);
-    const Eigen::Vector3d across = out.lift.col(0);
-    const Eigen::Vector3d other = out.lift.col(1);
-    out.along = normal_.cross(across.cross(other));
-    const double sine = out.along.norm() / across.cross(other).norm();
-    if (!(sine > 1e-6)) return false;  // the plane touches the surface there, or the chart has a pole
-    out.along.normalize();
-    return true;
-  }
-
-  /// Coordinates of the move `d`, a vector of the tangent plane.
-  static Eigen::VectorXd pulled_back(const Station& s, const Eigen::Vector3d& d) {
-    return s.basis * (s.lift.transpose() * s.lift).ldlt().solve(s.lift.transpose() * d);
-  }
-
-  /// Newton steps onto the plane, the shortest ones in the tangent plane.
-  bool correct(Station& s) {
-    double before = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 30; ++i) {
-      const double h = height(s);
-      if (std::abs(h) <= kOnPlane * std::max(1e-300, s.x.norm() + point_.norm())) return true;
-      if (!(std::abs(h) < before) && i > 3) return std::abs(h) <= 1e3 * kOnPlane * (s.x.norm() + point_.norm());
-      before = std::abs(h);
-      const Eigen::Vector3d up = normal_ - normal_.dot(surface_normal(s)) * surface_normal(s);
-      Station next;
-      if (!place(s.u + pulled_back(s, -h / up.squaredNorm() * up), next)) return false;
-      s = std::move(next);
-    }
-    return false;
-  }
-
-  static Eigen::Vector3d surface_normal(const Station& s) {
-    return Eigen::Vector3d(s.lift.col(0)).cross(Eigen::Vector3d(s.lift.col(1))).normalized();
-  }
-
-  /// A station on the curve, reached from a place near it.
-  std::optional<Station> reach(const Eigen::VectorXd& u) {
-    Station s;
-    if (!place(u, s) || !correct(s)) return std::nullopt;
-    return s;
-  }
-
   /// Of the places in the plane around the given point, on circles that grow, the first that leads to the curve; the nearest of its circle.
   Station first_station() {
     std::optional<Station> best;
@@ -135,20 +70,20 @@ class Follower {
       if (s && (!best || (s->x - point_).norm() < (best->x - point_).norm())) best = std::move(s);
     };
     if (chart_ != nullptr) {
-      for (const Eigen::VectorXd& u : nearest_in_chart(surface_, point_)) take(reach(u));
+      for (const Eigen::VectorXd& u : nearest_in_chart(surface_, point_)) take(stations_.reach(u));
     } else if (const auto* cloud = dynamic_cast<const HasPointCloud*>(&surface_)) {
       for (std::int32_t i = 0; i < cloud->cloud().size(); ++i) {
         const Eigen::Vector3d p = cloud->cloud().sample(i).position + cloud->cloud().centre();
         if (std::abs(normal_.dot(p - point_)) > cloud->cloud().radius(i)) continue;
-        if (!best || (p - point_).norm() < (best->x - point_).norm()) take(reach(p));
+        if (!best || (p - point_).norm() < (best->x - point_).norm()) take(stations_.reach(p));
       }
     } else {
       const Eigen::Vector3d a = normal_.unitOrthogonal(), b = normal_.cross(a);
-      take(reach(point_));
+      take(stations_.reach(point_));
       for (double r = 1e-3 * (1 + point_.norm()); !best && r < 1e3 * (1 + point_.norm()); r *= 1.5)
         for (int k = 0; k < 16; ++k) {
           const double angle = 2 * std::numbers::pi * k / 16;
-          take(reach(point_ + r * (std::cos(angle) * a + std::sin(angle) * b)));
+          take(stations_.reach(point_ + r * (std::cos(angle) * a + std::sin(angle) * b)));
         }
     }
     if (!best)
@@ -160,8 +95,9 @@ class Follower {
   /// The next station; `step` is adapted to how fast the curve turns.
   Station advance(const Station& now, double& step) {
     for (; step > kShortestStep * size_; step /= 2) {
-      Station next;
-      if (!place(now.u + pulled_back(now, step * now.along), next) || !correct(next)) continue;
+      std::optional<Station> found = stations_.reach(now.u + now.pulled_back(step * now.along));
+      if (!found) continue;
+      Station next = std::move(*found);
       if (now.along.dot(next.along) < 0) next.along = -next.along;
       const double turn = std::acos(std::clamp(now.along.dot(next.along), -1.0, 1.0));
       const double moved = (next.x - now.x).norm();
@@ -207,8 +143,8 @@ class Follower {
   const ConstraintManifold& surface_;
   const HasChart* chart_;
   Eigen::Vector3d point_, normal_;
+  StationFinder stations_;
   double size_ = 1;
-  Points jacobian_;
 };
 
 }  // namespace
