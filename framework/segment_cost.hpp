@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <span>
 #include <string>
 
@@ -62,6 +63,17 @@ class ExplainsInfinity {
 
 /// ": " and the reason why the move a -> b costs infinitely much, where the cost knows it; else nothing.
 std::string reason_for_infinity(const SegmentCost& cost, const Eigen::VectorXd& a, const Eigen::VectorXd& b);
+
+class ConstraintManifold;
+
+/// Ability: the cost is made from the data of the domain (tensors on the points of a cloud), so that on a coarser version of the domain it is another
+/// one. What the data costs the path is then part of the geometry error.
+class FollowsDomain {
+ public:
+  virtual ~FollowsDomain() = default;
+  /// The same cost from the data of another version of the domain. May throw InputError.
+  virtual std::shared_ptr<const SegmentCost> on(const ConstraintManifold& domain) const = 0;
+};
 
 /// Costs c_i of the segments, and their sum.
 Eigen::VectorXd segment_costs(const SegmentCost& cost, const AmbientPath& path);

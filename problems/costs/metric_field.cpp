@@ -157,7 +157,7 @@ struct MetricField {
 };
 
 template <class Field>
-class MetricFieldCost final : public SegmentCostOf<MetricField<Field>>, public ExplainsInfinity {
+class MetricFieldCost : public SegmentCostOf<MetricField<Field>>, public ExplainsInfinity {
  public:
   using SegmentCostOf<MetricField<Field>>::SegmentCostOf;
   std::string why_infinite(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const override {
@@ -169,6 +169,28 @@ class MetricFieldCost final : public SegmentCostOf<MetricField<Field>>, public E
     }
     return "";
   }
+};
+
+/// Tensors on the data of a domain, which are others on another version of it.
+class MetricOnData final : public MetricFieldCost<SampledTensors>, public FollowsDomain {
+ public:
+  MetricOnData(const MetricFieldOptions& o, const ConstraintManifold* domain, std::filesystem::path folder)
+      : MetricFieldCost({{tensors(o, domain, folder)}, o.reading == "root", o.averages()}),
+        options_(o),
+        folder_(std::move(folder)) {}
+  std::shared_ptr<const SegmentCost> on(const ConstraintManifold& domain) const override {
+    return std::make_shared<MetricOnData>(options_, &domain, folder_);
+  }
+
+ private:
+  static std::shared_ptr<const TensorSamples> tensors(const MetricFieldOptions& o, const ConstraintManifold* domain,
+                                                      const std::filesystem::path& folder) {
+    return o.type == "file" ? tensors_from_file(o.tensor_file, domain, folder)
+                            : tensors_from_curvature(o.curvature, domain);
+  }
+
+  MetricFieldOptions options_;
+  std::filesystem::path folder_;
 };
 
 template <class Field>
@@ -232,10 +254,7 @@ std::shared_ptr<const SegmentCost> make_metric_field_cost(const MetricFieldOptio
   if (options.type == "half_plane") return lifted(HalfPlane{}, options, dim);
   if (options.type == "poincare_disc") return lifted(PoincareDisc{}, options, dim);
   if (options.type == "fisher_rao") return lifted(FisherRao{}, options, dim);
-  if (options.type == "file")
-    return lifted(SampledTensors{tensors_from_file(options.tensor_file, domain, folder)}, options, dim);
-  if (options.type == "curvature")
-    return lifted(SampledTensors{tensors_from_curvature(options.curvature, domain)}, options, dim);
+  if (options.needs_domain()) return std::make_shared<MetricOnData>(options, domain, folder);
   if (options.type != "formula") throw OptionError("field.type", "unknown metric '" + options.type + "'");
   if (dim == 2) return by_formulas<2>(options);
   if (dim == 3) return by_formulas<3>(options);
