@@ -41,7 +41,7 @@ void EndOptions::fields(FieldVisitor& visit) {
   visit.field("point", point, {.help = "Coordinates; moved to the nearest point of the manifold.", .unit = "length"});
   visit.field(
       "tolerance", tolerance,
-      {.help = "How far `point` may be moved; default: 1 % of the diameter of a mesh or cloud, elsewhere rounding.",
+      {.help = "How far `point` may be moved; default: 1 % of the diameter of a mesh, a cloud or the box of a grid, elsewhere rounding.",
        .unit = "length",
        .minimum = 0});
 }
@@ -86,7 +86,7 @@ void RunConfig::fields(RunVisitor& visit) {
     path.field("escape_saddle", escape_saddle, {.help = "Leave a saddle to its lower side and solve again."});
   });
   visit.plugin("initializer", initializer, kind("initializer"),
-               {.help = "The first path; default: dijkstra on a mesh, else straight."});
+               {.help = "The first path; default: dijkstra on a mesh or cloud, else straight."});
   visit.block("family",
               {.help = "More first paths: lists the distinct locally least-cost paths, the least one is delivered."},
               [&](RunVisitor& v) { family.fields(v); });

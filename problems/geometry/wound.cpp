@@ -23,9 +23,9 @@ std::vector<WoundProblem> wound_problems(const Problem& problem, int turns) {
     return false;
   };
   do {
-    std::string name;
+    std::string name;  // empty on a chart without seams
     for (Index i = 0; i < count; ++i) name += (i ? ", " : "(") + std::to_string(winding[i]);
-    name += ")";
+    if (count > 0) name += ")";
     const SeamMap map = seam_map(seams, static_cast<int>(problem.target.u.size()), winding);
     const auto add = [&](const Eigen::VectorXd& target, const std::string& where, bool given) {
       WoundProblem wound{problem, name + where};
