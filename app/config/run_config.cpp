@@ -39,11 +39,11 @@ void EndOptions::fields(FieldVisitor& visit) {
   visit.field("barycentric", barycentric,
               {.help = "Where on the face: three weights of its corners, with sum 1.", .minimum = 0});
   visit.field("point", point, {.help = "Coordinates; moved to the nearest point of the manifold.", .unit = "length"});
-  visit.field(
-      "tolerance", tolerance,
-      {.help = "How far `point` may be moved; default: 1 % of the diameter of a mesh, a cloud or the box of a grid, elsewhere rounding.",
-       .unit = "length",
-       .minimum = 0});
+  visit.field("tolerance", tolerance,
+              {.help = "How far `point` may be moved; default: 1 % of the diameter of a mesh, a cloud or the box of a "
+                       "grid, elsewhere rounding.",
+               .unit = "length",
+               .minimum = 0});
 }
 
 void FamilyOptions::fields(RunVisitor& visit) {
