@@ -25,12 +25,10 @@ constexpr double kPolyhedronSpacing = 0.05;
 constexpr double kPolyhedronError = 0.01;  ///< relative error bar above which it is a failure
 constexpr double kWidestBar = 0.1;         ///< relative error bar above which a path on a smooth domain says nothing
 constexpr double kSpacingFall = 3;         ///< second order halves the step and quarters the spread; 3 leaves room
-constexpr double kSpacingRoom =
-    4;  ///< the levels fit s0 to their path; from a longer first path exp is 2.8 times less stiff
-constexpr double kBoundJitter = 4;   ///< room for where points happen to meet a bound
-constexpr double kTracedSafety = 4;  ///< of the largest difference between traced levels
-constexpr double kBetween = 1.25;    ///< room for the chords of the path between the points
-constexpr double kJump = 1.3;        ///< straight move in a chart against the chord: pi / 2 for one around a pole
+constexpr double kBoundJitter = 4;         ///< room for where points happen to meet a bound
+constexpr double kTracedSafety = 4;        ///< of the largest difference between traced levels
+constexpr double kBetween = 1.25;          ///< room for the chords of the path between the points
+constexpr double kJump = 1.3;              ///< straight move in a chart against the chord: pi / 2 for one around a pole
 constexpr int kBundleSteps = 20;
 
 std::string text(double x) {
@@ -300,10 +298,19 @@ class Certifier {
       falls = s4 <= std::max(options_.spacing, kBoundJitter / 16 * std::max(s1, 4 * s2));
     }
     const double ratio = c_.levels[1].segments / static_cast<double>(path_.chain.segment_count());
-    const double expected = std::max(options_.spacing, kSpacingRoom * second_order * ratio * ratio);
+    const double expected = std::max(options_.spacing, 2 * softer_than_levels() * second_order * ratio * ratio);
     if (!falls)
       return fail("spacing", "unequal segments (" + text(c_.spacing) + ") that do not even out at second order");
     if (c_.spacing > expected) fail_spacing(expected);
+  }
+
+  /// The spread of the segments falls with the stiffness of the kernel along the path. The levels have s = 1 in the mean; the delivered chain has
+  /// less where its reference cost comes from a longer first path, and an exponential kernel is then up to three times less stiff.
+  double softer_than_levels() {
+    const double s =
+        energy_.cost(path_.chain) / static_cast<double>(path_.chain.segment_count()) / energy_.reference_cost();
+    const double stiffness = kernel_stiffness(*problem_.kernel, s);
+    return stiffness > 0 ? std::max(1.0, kernel_stiffness(*problem_.kernel, 1) / stiffness) : 1;
   }
 
   void measure_doubling() {

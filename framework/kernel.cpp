@@ -16,6 +16,11 @@ Jet2 jet_at(const Kernel& kernel, double s) {
 
 double kernel_value(const Kernel& kernel, double s) { return jet_at(kernel, s).value; }
 
+double kernel_stiffness(const Kernel& kernel, double s) {
+  const Jet2 jet = jet_at(kernel, s);
+  return 1 + 2 * s * s * jet.d2 / jet.d1;
+}
+
 double kernel_slope_times_s(const Kernel& kernel, double s) { return 2 * jet_at(kernel, s).d1 * s * s; }
 
 double kernel_inverse(const Kernel& kernel, double value) {

@@ -72,6 +72,9 @@ std::shared_ptr<const Kernel> make_kernel(K function = {}) {
 double kernel_value(const Kernel& kernel, double s);
 double kernel_slope_times_s(const Kernel& kernel, double s);
 
+/// s H''(s) / H'(s) for s > 0: how stiffly equal spacing is held (0 for H = s, 1 for s^2, 3 for exp(s^2) - 1 at s = 1).
+double kernel_stiffness(const Kernel& kernel, double s);
+
 /// The s >= 0 with H(s) = value, by bisection to rounding. Requires H(0) <= value < infinity.
 double kernel_inverse(const Kernel& kernel, double value);
 

@@ -2,27 +2,18 @@
 // SPDX-License-Identifier: MIT
 #include "framework/problem.hpp"
 
-#include <sstream>
-
 #include "framework/errors.hpp"
+#include "framework/point_text.hpp"
 
 namespace leastcost {
 namespace {
-
-std::string text(const Eigen::VectorXd& x) {
-  std::ostringstream out;
-  out.precision(17);
-  out << '(';
-  for (Index i = 0; i < x.size(); ++i) out << (i ? ", " : "") << x[i];
-  out << ')';
-  return out.str();
-}
 
 void check_end(const PathEnd& end, const char* which, int dim) {
   if (end.u.size() != dim)
     throw InputError(std::string(which) + ": " + std::to_string(end.u.size()) + " coordinates, the domain has " +
                      std::to_string(dim));
-  if (!end.u.allFinite()) throw InputError(std::string(which) + " " + text(end.u) + ": coordinates must be finite");
+  if (!end.u.allFinite())
+    throw InputError(std::string(which) + " " + point_text(end.u, 17) + ": coordinates must be finite");
 }
 
 }  // namespace
@@ -30,13 +21,13 @@ void check_end(const PathEnd& end, const char* which, int dim) {
 PathEnd project_end(const ConstraintManifold& manifold, const Eigen::VectorXd& point, double* moved) {
   const Dimensions dims = manifold.dimensions();
   if (point.size() != dims.coordinate)
-    throw InputError("point " + text(point) + " has " + std::to_string(point.size()) + " coordinates, the domain has " +
-                     std::to_string(dims.coordinate));
-  if (!point.allFinite()) throw InputError("point " + text(point) + ": coordinates must be finite");
+    throw InputError("point " + point_text(point, 17) + " has " + std::to_string(point.size()) +
+                     " coordinates, the domain has " + std::to_string(dims.coordinate));
+  if (!point.allFinite()) throw InputError("point " + point_text(point, 17) + ": coordinates must be finite");
   CoordinatePath path{point, {}, true};
   const Projection projection = manifold.project(path);
   if (!projection.failed.empty())
-    throw InputError("point " + text(point) + " has no nearest point on the domain" +
+    throw InputError("point " + point_text(point, 17) + " has no nearest point on the domain" +
                      reason_for_failure(manifold, point));
   if (moved) *moved = projection.moved;
   return {path.u.col(0), path.site(0)};
@@ -59,7 +50,7 @@ void check(const Problem& problem) {
   if (problem.ring) return;
   check_end(problem.target, "target", dims.coordinate);
   if (problem.source.u == problem.target.u && !problem.based)
-    throw InputError("source and target coincide at " + text(problem.source.u) +
+    throw InputError("source and target coincide at " + point_text(problem.source.u, 17) +
                      "; a closed path is a ring (path.ring: true)");
 }
 

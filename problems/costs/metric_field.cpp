@@ -125,6 +125,8 @@ struct MetricField {
     const Eigen::IOFormat row(6, Eigen::DontAlignCols, ", ", ", ", "", "", "(", ")");
     if (!Field::inside(x)) {
       out << x.format(row) << " lies outside the domain of the metric";
+    } else if (!t.allFinite()) {
+      out << "at " << x.format(row) << " the tensor is not finite";
     } else if (!is_root && x.allFinite()) {
       const Eigen::SelfAdjointEigenSolver<Tensor<double, dim>> solver(t, Eigen::EigenvaluesOnly);
       if (solver.eigenvalues()[0] > 0) return "";

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "framework/errors.hpp"
+#include "framework/point_text.hpp"
 
 namespace leastcost {
 namespace {
@@ -74,13 +75,6 @@ Misses measure(const DistanceSource& source, const DistanceGrid& grid, const std
   return misses;
 }
 
-std::string place(const Vector3d& x) {
-  std::ostringstream out;
-  out.precision(4);
-  out << '(' << x[0] << ", " << x[1] << ", " << x[2] << ')';
-  return out.str();
-}
-
 void check(const DistanceGridSettings& s) {
   const auto bad = [](double x) { return x < 0 || !std::isfinite(x); };
   if (bad(s.cell)) throw OptionError("cell", "must be positive and finite");
@@ -126,7 +120,7 @@ Sampled sample_to_accuracy(const DistanceSource& source, const Eigen::AlignedBox
       grid_around(box, cell, s.margin, s.memory);
     } catch (const InputError& error) {
       throw InputError("the accuracy of " + number(s.accuracy) + " is out of reach: a cell of " + number(last_cell) +
-                       " gives " + number(miss) + " (worst at " + place(sampled.misses.worst_at) + "), and " +
+                       " gives " + number(miss) + " (worst at " + point_text(sampled.misses.worst_at) + "), and " +
                        error.what());
     }
   }
@@ -172,7 +166,7 @@ SampledDistance build_distance_grid(const DistanceSource& source, const Distance
     throw InputError("a cell of " + number(used) + " is too large for this surface: " + std::to_string(m.lost) +
                      " of " + std::to_string(m.places) +
                      " places on it are more than a quarter of a cell from the surface of the grid, the worst " +
-                     place(m.worst_at) +
+                     point_text(m.worst_at) +
                      " (sheets thinner than a cell merge or vanish, as do parts inside others): a smaller cell");
   SampledDistance result{std::move(sampled.grid), settings.offset, m.worst, m.mean, source.notes()};
   result.notes.push_back("distance grid: " + text(result.grid.shape()) + "; its surface is within " + number(m.worst) +
@@ -180,8 +174,8 @@ SampledDistance build_distance_grid(const DistanceSource& source, const Distance
                          " places");
   if (m.lost > 0)
     result.notes.push_back(std::to_string(m.lost) +
-                           " of these places are more than a quarter of a cell off, the worst " + place(m.worst_at) +
-                           ": something there is thinner than a cell");
+                           " of these places are more than a quarter of a cell off, the worst " +
+                           point_text(m.worst_at) + ": something there is thinner than a cell");
   return result;
 }
 

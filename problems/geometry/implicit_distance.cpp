@@ -5,10 +5,10 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <utility>
 
 #include "framework/errors.hpp"
+#include "framework/point_text.hpp"
 #include "problems/geometry/distance_signs.hpp"
 #include "problems/geometry/foot_field.hpp"
 
@@ -85,13 +85,6 @@ std::optional<Vector3d> nearest_from(const ConstraintFunction& function, const V
   return std::nullopt;
 }
 
-std::string place(const Vector3d& x) {
-  std::ostringstream out;
-  out.precision(6);
-  out << '(' << x[0] << ", " << x[1] << ", " << x[2] << ')';
-  return out.str();
-}
-
 class ImplicitDistance final : public DistanceSource {
  public:
   ImplicitDistance(std::shared_ptr<const ConstraintFunction> f, const Eigen::AlignedBox3d& box)
@@ -145,7 +138,7 @@ class ImplicitDistance final : public DistanceSource {
     });
     if (!any)
       throw InputError("no zero of f near a node of the grid: " + text(field.shape) + " from " +
-                       place(field.shape.origin) + " to " + place(field.shape.upper()) +
+                       point_text(field.shape.origin) + " to " + point_text(field.shape.upper()) +
                        " (the surface lies outside the box, or between the nodes: a smaller cell)");
   }
 
@@ -166,11 +159,11 @@ class ImplicitDistance final : public DistanceSource {
           const std::size_t here = shape.index(i, j, k);
           if (signs[here] > 0) continue;
           if (signs[here] == 0)
-            throw InputError("f has no finite value at " + place(shape.node(i, j, k)) +
+            throw InputError("f has no finite value at " + point_text(shape.node(i, j, k)) +
                              ", a node of the grid: a smaller box");
           for_neighbours(shape, {i, j, k}, [&](std::size_t next, const std::array<int, 3>&) {
             if (signs[next] > 0 && same_side(distance[here], distance[next], kSlack * shape.cell))
-              throw InputError("f changes its sign near " + place(shape.node(i, j, k)) +
+              throw InputError("f changes its sign near " + point_text(shape.node(i, j, k)) +
                                " without a zero there: a pole, a fold, or too large a cell");
           });
         }

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "framework/errors.hpp"
+#include "framework/point_text.hpp"
 #include "problems/geometry/closest_point.hpp"
 #include "problems/geometry/distance_signs.hpp"
 #include "problems/geometry/foot_field.hpp"
@@ -21,13 +22,6 @@ using Eigen::Vector3d;
 
 constexpr double kWhole = 0.25;      ///< most that a winding number may be off an integer
 constexpr double kOnSurface = 1e-6;  ///< cells from the surface within which the sign of a node says nothing
-
-std::string place(const Vector3d& x) {
-  std::ostringstream out;
-  out.precision(6);
-  out << '(' << x[0] << ", " << x[1] << ", " << x[2] << ')';
-  return out.str();
-}
 
 /// A point on some border edge.
 Vector3d on_border(const TriangleMesh& mesh) {
@@ -44,7 +38,7 @@ FaceOrientation oriented(const TriangleMesh& mesh) {
   if (report.border_edges > 0)
     throw InputError(mesh.source() + ": the mesh is open, so that it has no inside: " +
                      std::to_string(report.border_edges) + " border edges in " + std::to_string(report.boundary_loops) +
-                     " loops, one at " + place(on_border(mesh)) + kUnsigned);
+                     " loops, one at " + point_text(on_border(mesh)) + kUnsigned);
   FaceOrientation orientation = orient_faces(mesh);
   if (orientation.one_sided)
     throw InputError(mesh.source() + ": the surface is one-sided, so that it has no inside (seen at face " +
@@ -91,7 +85,7 @@ class MeshDistance final : public DistanceSource {
   std::string not_whole(const Vector3d& x, double w) const {
     std::ostringstream out;
     out.precision(3);
-    out << source_ << ": the mesh has no clear inside: its winding number at " << place(x) << " is " << w
+    out << source_ << ": the mesh has no clear inside: its winding number at " << point_text(x) << " is " << w
         << ", which is no integer (edges with an odd number of faces?)" << kUnsigned;
     return out.str();
   }

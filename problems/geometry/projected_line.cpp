@@ -2,20 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "problems/geometry/projected_line.hpp"
 
-#include <sstream>
+#include "framework/point_text.hpp"
 
 namespace leastcost {
 namespace {
 
 constexpr int kDeepest = 26;  ///< bisections of a piece: 1e-8 of it
-
-std::string text(const Eigen::VectorXd& x) {
-  std::ostringstream out;
-  out.precision(4);
-  for (Index i = 0; i < x.size(); ++i) out << (i == 0 ? "(" : ", ") << x[i];
-  out << ')';
-  return out.str();
-}
 
 }  // namespace
 
@@ -31,7 +23,7 @@ std::optional<Eigen::VectorXd> LineProjector::nearest(const Eigen::VectorXd& x) 
 bool LineProjector::foot(const Eigen::VectorXd& x, Foot& out) {
   std::optional<Eigen::VectorXd> on = nearest(x);
   if (!on) {
-    why_ = "the point " + text(x) + " of a straight line has no nearest point on the domain" +
+    why_ = "the point " + point_text(x) + " of a straight line has no nearest point on the domain" +
            reason_for_failure(manifold_, x);
     return false;
   }
@@ -45,7 +37,8 @@ bool LineProjector::bisect(const Foot& a, const Foot& b, double gap, int depth, 
     return true;
   }
   if (depth == kDeepest) {
-    why_ = "at " + text(a.x) + " the nearest point of the domain jumps from " + text(a.on) + " to " + text(b.on);
+    why_ = "at " + point_text(a.x) + " the nearest point of the domain jumps from " + point_text(a.on) + " to " +
+           point_text(b.on);
     return false;
   }
   Foot middle;

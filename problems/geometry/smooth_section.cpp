@@ -7,12 +7,12 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "framework/errors.hpp"
+#include "framework/point_text.hpp"
 #include "problems/geometry/chart_search.hpp"
 #include "problems/geometry/has_point_cloud.hpp"
 #include "problems/geometry/plane_station.hpp"
@@ -26,13 +26,6 @@ constexpr double kLittleTurn = 0.08;    ///< radians below which the step grows
 constexpr double kShortestStep = 1e-7;  ///< relative to the size of the coordinates
 constexpr double kFarthest = 1e4;       ///< from the first point, relative to the size of the coordinates
 constexpr int kMostSteps = 20000;
-
-std::string text(const Eigen::Vector3d& x) {
-  std::ostringstream out;
-  out.precision(4);
-  out << '(' << x[0] << ", " << x[1] << ", " << x[2] << ')';
-  return out.str();
-}
 
 class Follower {
  public:
@@ -59,7 +52,7 @@ class Follower {
       now = std::move(next);
     }
     throw InitializationError("the plane's curve does not come back: after length " + std::to_string(length) +
-                              " it is at " + text(now.x));
+                              " it is at " + point_text(now.x));
   }
 
  private:
@@ -87,7 +80,7 @@ class Follower {
         }
     }
     if (!best)
-      throw InitializationError("no point of the surface was found on the plane near " + text(point_) +
+      throw InitializationError("no point of the surface was found on the plane near " + point_text(point_) +
                                 ": the plane misses the surface or touches it, or the point is too far away");
     return *best;
   }
@@ -106,7 +99,7 @@ class Follower {
       if (turn < kLittleTurn) step *= 1.5;
       return next;
     }
-    throw InitializationError("the plane's curve ends at " + text(now.x) +
+    throw InitializationError("the plane's curve ends at " + point_text(now.x) +
                               ": the surface ends there, the plane touches it, or its chart has a pole");
   }
 
@@ -115,7 +108,7 @@ class Follower {
     if (bounds == nullptr) return;
     Points normals(s.u.size(), s.u.size());
     if (bounds->active_bounds({s.u, {}, true}, 0, normals) > 0)
-      throw InitializationError("the plane's curve leaves the domain at " + text(s.x) + ": it is not closed");
+      throw InitializationError("the plane's curve leaves the domain at " + point_text(s.x) + ": it is not closed");
   }
 
   /// Whether the curve comes back to its start between two stations, in the direction in which it left.

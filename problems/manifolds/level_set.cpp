@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "framework/errors.hpp"
+#include "framework/point_text.hpp"
 
 namespace leastcost {
 namespace {
@@ -139,14 +140,6 @@ auto with_sizes(const ConstraintFunction& function, Work work) {
   return work(std::integral_constant<int, kAny>(), std::integral_constant<int, kAny>());
 }
 
-std::string text(const Eigen::VectorXd& x) {
-  std::ostringstream out;
-  out.precision(6);
-  for (Index i = 0; i < x.size(); ++i) out << (i == 0 ? "(" : ", ") << x[i];
-  out << ')';
-  return out.str();
-}
-
 Dimensions dimensions_of(const ConstraintFunction& function) {
   const int n = function.inputs(), k = function.outputs();
   if (n > kMaxDimension)
@@ -177,7 +170,7 @@ std::string LevelSet::why_not_projected(const Eigen::VectorXd& x) const {
   Eigen::VectorXd copy = x, last = x;
   const Outcome outcome =
       with_sizes(*function_, [&](auto n, auto k) { return solve_from<n.value, k.value>(*function_, copy, &last); });
-  const std::string where = last == x ? "there" : "at " + text(last) + ", where the search from there ended";
+  const std::string where = last == x ? "there" : "at " + point_text(last) + ", where the search from there ended";
   switch (outcome) {
     case Outcome::found: return "the equations have a solution near it";
     case Outcome::not_finite: return "the equations have no finite value there";

@@ -12,11 +12,10 @@
 #include "problems/manifolds/implicit.hpp"
 #include "problems/manifolds/mesh.hpp"
 #include "problems/manifolds/parametric.hpp"
-#include "problems/post_processors/straighten.hpp"
-#include "problems/post_processors/trace.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/straightened.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -121,15 +120,8 @@ TEST_CASE("a loop with a fixed point on a mesh keeps its vertex", "[oracle]") {
   const auto tube = std::make_shared<const MeshManifold>(TriangleMesh(grid(24, 12, Closing::kRound, true)));
   const std::int32_t vertex = 12 * 5 + 4;  // on the inner half of the tube
   const Eigen::Vector3d base = tube->mesh().position(vertex);
-  const TracePostProcessor trace;
-  const StraightenPostProcessor straighten;
-  const Newton certifier;
-  FindOptions options;
-  options.points = 60;
-  options.certifier = &certifier;
-  options.post_processors = {&trace, &straighten};
   const auto loop = [&](const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
-    return find_path(based(tube, base), PlaneCutInitializer({point, normal}), Lbfgs(), options);
+    return find_straightened(based(tube, base), 60, PlaneCutInitializer({point, normal}));
   };
   // Around the axis, and around the tube.
   const Result waist = loop(Eigen::Vector3d(2, 0, 0.03), Eigen::Vector3d(0, 0.01, 1));
@@ -149,16 +141,9 @@ TEST_CASE("a loop with a fixed point on a mesh keeps its vertex", "[oracle]") {
 
 TEST_CASE("a loop that shrinks to its fixed point on a mesh is reported", "[oracle]") {
   const auto ball = std::make_shared<const MeshManifold>(TriangleMesh(sphere(3)));
-  const TracePostProcessor trace;
-  const StraightenPostProcessor straighten;
-  const Newton certifier;
-  FindOptions options;
-  options.points = 30;
-  options.certifier = &certifier;
-  options.post_processors = {&trace, &straighten};
   const Result result =
-      find_path(based(ball, ball->mesh().position(7)),
-                PlaneCutInitializer({0.7 * ball->mesh().position(7), ball->mesh().position(7)}), Lbfgs(), options);
+      find_straightened(based(ball, ball->mesh().position(7)), 30,
+                        PlaneCutInitializer({0.7 * ball->mesh().position(7), ball->mesh().position(7)}));
   CHECK(result.status == Status::collapsed);
 }
 

@@ -16,12 +16,11 @@
 #include "problems/geometry/straighten_ring.hpp"
 #include "problems/initializers/plane_cut.hpp"
 #include "problems/manifolds/mesh.hpp"
-#include "problems/post_processors/straighten.hpp"
-#include "problems/post_processors/trace.hpp"
 #include "problems/readers/mesh_reader.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/data.hpp"
+#include "tests/support/straightened.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -106,14 +105,7 @@ void check_neighbours(const TriangleMesh& mesh, const SurfacePath& ring, const C
 void check_ring(const std::shared_ptr<const MeshManifold>& domain, const char* model, const Cut& cut, int points) {
   const Problem problem = closed(domain, make_euclidean_cost(3));
   const PlaneCutInitializer initializer({cut.point, cut.normal});
-  const TracePostProcessor trace;
-  const StraightenPostProcessor straighten;
-  const Newton certifier;
-  FindOptions options;
-  options.points = points;
-  options.certifier = &certifier;
-  options.post_processors = {&trace, &straighten};
-  const Result result = find_path(problem, initializer, Lbfgs(), options);
+  const Result result = find_straightened(problem, points, initializer);
   std::printf("  %-18s %-16s n %4d  %-10s length %.9g of %.4g, %.3f s (solve %.3f: %s), %zu points\n", model, cut.where,
               points, std::string(name(result.status)).c_str(), result.curve.cost, result.initial_cost,
               result.seconds.initialize + result.seconds.solve + result.seconds.post_process + result.seconds.certify,

@@ -11,13 +11,12 @@
 #include "problems/manifolds/parametric.hpp"
 #include "problems/manifolds/point_cloud.hpp"
 #include "problems/manifolds/signed_distance.hpp"
-#include "problems/post_processors/straighten.hpp"
-#include "problems/post_processors/trace.hpp"
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/sample_domains.hpp"
+#include "tests/support/straightened.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -80,17 +79,6 @@ Problem between_ends(const Surface& s, std::shared_ptr<const ConstraintManifold>
                  s.at(s.target[0], s.target[1]));
 }
 
-Result straightened(const Problem& problem) {
-  const Newton certifier;
-  const TracePostProcessor trace;
-  const StraightenPostProcessor straighten;
-  FindOptions options;
-  options.points = kPoints;
-  options.certifier = &certifier;
-  options.post_processors = {&trace, &straighten};
-  return find_path(problem, DijkstraInitializer({.routes = 2}), Newton(), options);
-}
-
 }  // namespace
 
 TEST_CASE("one surface, five representations", "[oracle]") {
@@ -119,7 +107,8 @@ TEST_CASE("one surface, five representations", "[oracle]") {
   double previous = 0;
   for (const int level : {2, 3, 4}) {
     const auto mesh = std::make_shared<const MeshManifold>(TriangleMesh(s.mesh(level)));
-    const Result result = straightened(between_ends(s, mesh));
+    const Result result =
+        find_straightened(between_ends(s, mesh), kPoints, DijkstraInitializer({.routes = 2}), Newton());
     const Certificate& c = result.certificate;
     print(s, "mesh, " + std::to_string(mesh->mesh().face_count()) + " faces", result);
     CAPTURE(s.name, level, failures(c));

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+namespace leastcost {
+
+/// "(1, 2.5, -3)", for messages.
+std::string point_text(const Eigen::Ref<const Eigen::VectorXd>& x, int digits = 6);
+
+}  // namespace leastcost

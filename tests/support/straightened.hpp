@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "problems/post_processors/straighten.hpp"
+#include "problems/post_processors/trace.hpp"
+#include "tests/support/compose.hpp"
+
+namespace leastcost::test {
+
+/// find_path() as it is on a mesh: solved, traced, straightened, certified.
+inline Result find_straightened(const Problem& problem, int points, const Initializer& initializer,
+                                const Solver& solver = Lbfgs()) {
+  const Newton certifier;
+  const TracePostProcessor trace;
+  const StraightenPostProcessor straighten;
+  FindOptions options;
+  options.points = points;
+  options.certifier = &certifier;
+  options.post_processors = {&trace, &straighten};
+  return find_path(problem, initializer, solver, options);
+}
+
+}  // namespace leastcost::test
