@@ -31,9 +31,9 @@ bool holds_our_manifest(const fs::path& folder) {
 
 /// A file that no run of ours wrote, or an empty path: --force must not take it away.
 fs::path foreign_file(const fs::path& folder) {
-  static const std::set<std::string> ours = {
-      "config.resolved.yaml", "curve.csv", "history.csv", "manifest.json", "path.csv", "path.obj", "path.vtp",
-      "result.json"};
+  static const std::set<std::string> ours = {"config.resolved.yaml", "curve.csv",     "first_path.csv", "history.csv",
+                                             "manifest.json",        "path.csv",      "path.obj",       "path.vtp",
+                                             "report.html",          "residuals.csv", "result.json",    "scene.json"};
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (ours.count(entry.path().filename().string()) == 0) return entry.path();
   return {};
