@@ -27,8 +27,12 @@
 #include "problems/post_processors/straighten.hpp"
 #include "problems/post_processors/trace.hpp"
 #include "problems/readers/waypoint_reader.hpp"
+#include "solvers/georce.hpp"
+#include "solvers/gradient_descent.hpp"
 #include "solvers/lbfgs.hpp"
 #include "solvers/newton.hpp"
+#include "solvers/string_method.hpp"
+#include "solvers/vfcs.hpp"
 
 namespace leastcost::app {
 namespace {
@@ -165,6 +169,13 @@ const auto& solvers() {
   static const std::vector<SolverPlugin> all = {
       made_of<SolverPlugin, Newton, NewtonOptions>("newton", "Block-tridiagonal Newton on the chain."),
       made_of<SolverPlugin, Lbfgs, LbfgsOptions>("lbfgs", "Riemannian L-BFGS, preconditioned by the chain Hessian."),
+      made_of<SolverPlugin, GradientDescent, GradientDescentOptions>("gradient_descent",
+                                                                     "Riemannian steepest descent."),
+      made_of<SolverPlugin, Vfcs, VfcsOptions>("vfcs", "Algorithm 1 of VFCS as printed, its stopping rule included."),
+      made_of<SolverPlugin, Georce, GeorceOptions>(
+          "georce", "GEORCE (arXiv 2505.05961): optimality conditions of a discrete energy in a chart, in turn."),
+      made_of<SolverPlugin, StringMethod, StringMethodOptions>(
+          "string", "The string method: steps normal to the path, then equal spacing; no energy."),
   };
   return all;
 }

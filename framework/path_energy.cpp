@@ -21,6 +21,12 @@ void add_in_frames(const Frames& frames, int k, Index i, Index j, const Eigen::M
   out.noalias() += bases.middleCols(k * i, k).transpose() * m.lazyProduct(bases.middleCols(k * j, k));
 }
 
+/// phi(q) = q.
+struct SquaredCost {
+  static constexpr KernelKind kind = KernelKind::quadratic_at_zero;
+  Jet2 operator()(double q) const { return {q, 1, 0}; }
+};
+
 }  // namespace
 
 PathEnergy::PathEnergy(const Problem& problem, double reference_cost)
@@ -79,6 +85,28 @@ double PathEnergy::value_and_gradient(const CoordinatePath& path, Points& gradie
     gradient = ambient_gradient_.middleCols(first, n);
   }
   return gradient.allFinite() ? energy : std::numeric_limits<double>::infinity();
+}
+
+void PathEnergy::metrics(const CoordinatePath& path, Points& g) {
+  ++counters_.hessians;
+  static const KernelOf<SquaredCost> kernel;
+  const AmbientPath x = ambient(path);
+  if (chart_) chart_->jacobians(path, jacobians_);
+  const int d = dims_.ambient, k = dims_.coordinate;
+  const Index columns = path.u.cols();
+  g.resize(k, k * columns);
+  Points three(d, 3);
+  for (Index i = 0; i < columns; ++i) {
+    three.colwise() = x.x.col(i);
+    // A move from x to x: half its second derivative in the free end, which is the middle of three (the others are constants).
+    problem_->cost->chain_blocks({{three.data(), d, 3}, {}, false}, kernel, 1, HessianKind::exact, blocks_);
+    const Points ambient_metric = blocks_.blocks.block(d, d, d, d) / 2;
+    if (chart_)
+      g.middleCols(k * i, k) =
+          jacobians_.middleCols(k * i, k).transpose() * ambient_metric * jacobians_.middleCols(k * i, k);
+    else
+      g.middleCols(k * i, k) = ambient_metric;
+  }
 }
 
 void PathEnergy::to_tangent(const Frames& frames, const Points& vectors, Eigen::VectorXd& tangent) const {

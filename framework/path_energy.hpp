@@ -57,6 +57,10 @@ class PathEnergy {
   /// R(from, step), see ConstraintManifold::retract. `to` may not alias `from`.
   void retract(const CoordinatePath& from, const Points& step, CoordinatePath& to);
 
+  /// The metric G of the cost at every column of a path, q(x, x + v) = v' G v + o(|v|^2), side by side: coordinate x (coordinate * columns). For
+  /// methods that work with a metric instead of moves. Counts as a Hessian.
+  void metrics(const CoordinatePath& path, Points& g);
+
   /// sum_i c_i.
   double cost(const CoordinatePath& path);
   Eigen::VectorXd costs(const CoordinatePath& path);
