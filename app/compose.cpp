@@ -11,11 +11,14 @@
 #include "app/registry.hpp"
 #include "framework/errors.hpp"
 #include "problems/geometry/coordinate_names.hpp"
+#include "problems/geometry/has_distance_grid.hpp"
 #include "problems/geometry/has_images.hpp"
 #include "problems/geometry/has_mesh.hpp"
 #include "problems/geometry/has_point_cloud.hpp"
 #include "problems/geometry/wound.hpp"
 #include "problems/initializers/bow.hpp"
+#include "problems/initializers/dijkstra.hpp"
+#include "problems/initializers/mirrored.hpp"
 #include "solvers/newton.hpp"
 
 namespace leastcost::app {
@@ -33,11 +36,13 @@ void take_nearest_image(Composition& out) {
 
 void place_ends(const RunConfig& config, Composition& out) {
   out.problem.ring = config.ring;
-  if (config.ring) return;
+  out.problem.based = config.ring && config.source.given;
+  if (config.ring && !out.problem.based) return;
   out.source = place_end(*out.problem.manifold, config.source, "ends.source");
+  out.problem.source = out.source.end;
+  if (config.ring) return;
   out.target = place_end(*out.problem.manifold, config.target, "ends.target");
   take_nearest_image(out);
-  out.problem.source = out.source.end;
   out.problem.target = out.target.end;
   if (out.problem.source.u == out.problem.target.u)
     throw OptionError("ends.target", "is the same point as the source; a closed path is a ring (path.ring: true)");
@@ -78,6 +83,12 @@ void add_family(const RunConfig& config, const BuildContext& context, Compositio
     ways.emplace_back(fmt::format("bow {:g} degrees", angle),
                       std::make_shared<const BowInitializer>(BowOptions{family.bow_height, angle}));
   }
+  if (family.mirrored)
+    ways.emplace_back(fmt::format("{}, mirrored", out.initializer->name()),
+                      std::make_shared<const MirroredInitializer>(out.initializer));
+  for (int rank = 2; rank <= family.routes; ++rank)
+    ways.emplace_back(fmt::format("route {}", rank),
+                      std::make_shared<const DijkstraInitializer>(DijkstraOptions{.routes = 1, .rank = rank}));
   for (const PluginChoice& choice : family.initializers.choices)
     ways.emplace_back(choice.path, make<std::shared_ptr<const Initializer>>(choice, context));
   std::vector<WoundProblem> problems = wound_problems(out.problem, family.windings);
@@ -100,21 +111,39 @@ bool checked(LoadedConfig& loaded, Step step) {
   }
 }
 
-/// The space a plug-in will see. Where the manifold itself is in a file, a stand-in: meshes and clouds lie in R^3.
+/// Checks the options of a manifold that takes a while to make: it is stopped before it reads or computes anything.
+void check_options_of_grid(LoadedConfig& loaded) {
+  struct Checked {};
+  BuildContext context{loaded.folder, 0, {}, {}};
+  context.progress = [](double, std::string_view) { throw Checked(); };
+  try {
+    make<std::shared_ptr<const ConstraintManifold>>(loaded.config.manifold, context);
+  } catch (const Checked&) {
+  } catch (const OptionError& e) {
+    loaded.add_error(e.key(), e.what());
+  }
+}
+
+/// The space a plug-in will see. Where the manifold itself is in a file, a stand-in: meshes, clouds and grids lie in R^3.
 std::optional<BuildContext> context_without_files(LoadedConfig& loaded) {
   const RunConfig& config = loaded.config;
   BuildContext context{loaded.folder, 3, Eigen::VectorXd::Zero(3), coordinate_names(3)};
-  if (config.ring) context.source.reset();
+  if (config.ring && !config.source.given) context.source.reset();
   if (config.manifold.provides(std::string(kGraph))) return context;
+  if (config.manifold.provides(std::string(kGrid))) {
+    check_options_of_grid(loaded);
+    return context;
+  }
   Composition out;
   const bool placed = checked(loaded, [&] {
     out.problem.manifold = make<std::shared_ptr<const ConstraintManifold>>(config.manifold, {loaded.folder, 0, {}, {}});
     place_ends(config, out);
   });
   if (!placed) return std::nullopt;
+  context.manifold = out.problem.manifold;
   context.dimension = out.problem.manifold->dimensions().ambient;
   context.coordinates = point_coordinates(*out.problem.manifold);
-  if (!config.ring) context.source = source_position(out.problem);
+  if (!config.ring || out.problem.based) context.source = source_position(out.problem);
   return context;
 }
 
@@ -127,21 +156,26 @@ bool reads_files(const PluginChoice& choice) {
 
 }  // namespace
 
-Composition compose(const RunConfig& config, const std::filesystem::path& folder) {
+Composition compose(const RunConfig& config, const std::filesystem::path& folder, const BuildProgress& progress) {
   const auto start = std::chrono::steady_clock::now();
   Composition out;
-  out.problem.manifold = make<std::shared_ptr<const ConstraintManifold>>(config.manifold, {folder, 0, {}, {}});
+  BuildContext reading{folder, 0, {}, {}};
+  reading.progress = progress;
+  out.problem.manifold = make<std::shared_ptr<const ConstraintManifold>>(config.manifold, reading);
   out.read_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (const auto* mesh = dynamic_cast<const HasMesh*>(out.problem.manifold.get())) out.notes = mesh->mesh().notes();
   if (const auto* points = dynamic_cast<const HasPointCloud*>(out.problem.manifold.get())) {
     out.notes = points->cloud().notes();
     for (std::string& note : points->graph().notes()) out.notes.push_back(std::move(note));
   }
+  if (const auto* sampled = dynamic_cast<const HasDistanceGrid*>(out.problem.manifold.get()))
+    out.notes = sampled->notes();
   place_ends(config, out);
   BuildContext context{
       folder, out.problem.manifold->dimensions().ambient, {}, point_coordinates(*out.problem.manifold)};
-  if (!config.ring) context.source = source_position(out.problem);
+  if (!config.ring || out.problem.based) context.source = source_position(out.problem);
   context.seed = config.seed;
+  context.manifold = out.problem.manifold;
   make_parts(config, context, out);
   add_family(config, context, out);
   fill_options(config, out);

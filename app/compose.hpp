@@ -34,7 +34,8 @@ struct Composition {
 
 /// Reads the files, places the ends, makes every object. Throws OptionError whose key is the full path of the option
 /// ("ends.source.point"), or InputError.
-Composition compose(const RunConfig& config, const std::filesystem::path& folder);
+/// `progress` hears of domains that take a while to make.
+Composition compose(const RunConfig& config, const std::filesystem::path& folder, const BuildProgress& progress = {});
 
 /// The same as far as it goes without reading files: finds the errors of options that only constructors check. Adds them
 /// to `loaded.errors`.

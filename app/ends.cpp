@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "framework/errors.hpp"
+#include "problems/geometry/has_distance_grid.hpp"
 #include "problems/geometry/has_mesh.hpp"
 #include "problems/geometry/has_point_cloud.hpp"
 #include "problems/geometry/path_tools.hpp"
@@ -56,11 +57,13 @@ PlacedEnd at_sample(const ConstraintManifold& manifold, const PointCloud& cloud,
   return placed;
 }
 
-/// A mesh or cloud forgives coordinates that were copied with few digits; elsewhere there is nothing to snap to.
+/// A mesh, cloud or grid forgives coordinates that were copied with few digits; elsewhere there is nothing to snap to.
 double default_tolerance(const ConstraintManifold& manifold, const Eigen::VectorXd& point) {
   constexpr double kOfDiameter = 0.01, kRounding = 1e-9;
   if (const auto* mesh = dynamic_cast<const HasMesh*>(&manifold)) return kOfDiameter * mesh->mesh().diameter();
   if (const auto* cloud = dynamic_cast<const HasPointCloud*>(&manifold)) return kOfDiameter * cloud->cloud().diameter();
+  if (const auto* sampled = dynamic_cast<const HasDistanceGrid*>(&manifold))
+    return kOfDiameter * (sampled->grid().shape().upper() - sampled->grid().shape().origin).norm();
   return kRounding * (1 + point.norm());
 }
 

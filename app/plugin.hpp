@@ -12,7 +12,9 @@
 #include <vector>
 
 #include "framework/errors.hpp"
+#include "framework/manifold.hpp"
 #include "framework/options.hpp"
+#include "problems/geometry/build_progress.hpp"
 
 namespace leastcost::app {
 
@@ -37,6 +39,9 @@ struct BuildContext {
   std::optional<Eigen::VectorXd> source = {};  ///< projected onto the manifold, ambient; none in a ring
   std::vector<std::string> coordinates = {};   ///< names of the coordinates in which points are given
   int seed = 0;                                ///< master seed of the run
+  /// Null while it is made, or while options are only checked.
+  std::shared_ptr<const ConstraintManifold> manifold = {};
+  BuildProgress progress = {};  ///< told how far a long build is; may throw to stop
 };
 
 /// What is known about a plug-in of any kind. Abilities are words ("mesh", "constant metric", "ring") that one

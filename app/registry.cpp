@@ -23,6 +23,7 @@
 #include "problems/manifolds/mesh.hpp"
 #include "problems/manifolds/parametric.hpp"
 #include "problems/manifolds/point_cloud.hpp"
+#include "problems/manifolds/signed_distance.hpp"
 #include "problems/post_processors/on_surface.hpp"
 #include "problems/post_processors/straighten.hpp"
 #include "problems/post_processors/trace.hpp"
@@ -90,8 +91,12 @@ const auto& costs() {
           [](const MetricTensorOptions& o, O c) { return make_metric_tensor_cost(o, c.dimension); })
           .providing(std::string(kConstantMetric)),
       plugin<CostPlugin, MetricFieldOptions>(
-          "metric_field", "Length under a metric tensor that depends on the place: by name or by formulas.",
-          [](const MetricFieldOptions& o, O c) { return make_metric_field_cost(o, c.dimension); }),
+          "metric_field",
+          "Length under a metric tensor that depends on the place: by name, formulas, a file, or curvature.",
+          [](const MetricFieldOptions& o, O c) -> std::shared_ptr<const SegmentCost> {
+            if (o.needs_domain() && !c.manifold) return nullptr;  // the mesh or cloud has not been read yet
+            return make_metric_field_cost(o, c.dimension, c.manifold.get(), c.folder);
+          }),
       plugin<CostPlugin, TravelTimeOptions>(
           "travel_time", "Time of a bead that slides without friction under gravity; the last coordinate is height.",
           [](const TravelTimeOptions& o, O c) { return make_travel_time_cost(o, c.dimension, c.source); }),
@@ -106,14 +111,17 @@ const auto& manifolds() {
           "mesh", "A triangle mesh in R^3, read from an OBJ, OFF, PLY or STL file.",
           [](const MeshManifoldOptions& o, const BuildContext& c) { return make_mesh_manifold(o, c.folder); })
           .providing(std::string(kMesh))
+          .providing(std::string(kSurface))
           .providing(std::string(kGraph)),
       plugin<ManifoldPlugin, ParametricOptions>(
           "parametric", "A surface x(u, v) in R^3, by name or by formulas; points are given in u and v.",
           [](const ParametricOptions& o, const BuildContext&) { return make_parametric_manifold(o); })
+          .providing(std::string(kSurface))
           .providing(std::string(kSeams)),
       plugin<ManifoldPlugin, ImplicitManifoldOptions>(
           "implicit", "A surface f(x, y, z) = 0, or a curve f(x, y) = 0: by name or as a formula.",
           [](const ImplicitManifoldOptions& o, const BuildContext&) { return make_implicit_manifold(o); })
+          .providing(std::string(kSurface))
           .providing(std::string(kEmbedded)),
       plugin<ManifoldPlugin, ConstraintManifoldOptions>(
           "constraint", "The solutions of equations in R^n: formulas, the n-sphere, the rotations SO(3).",
@@ -124,7 +132,16 @@ const auto& manifolds() {
           [](const PointCloudManifoldOptions& o, const BuildContext& c) {
             return make_point_cloud_manifold(o, c.folder);
           })
+          .providing(std::string(kSurface))
           .providing(std::string(kGraph)),
+      plugin<ManifoldPlugin, SignedDistanceOptions>(
+          "signed_distance",
+          "A surface as the zeros of a signed-distance grid, made from a mesh, a cloud or a formula, or read.",
+          [](const SignedDistanceOptions& o, const BuildContext& c) {
+            return make_signed_distance_manifold(o, c.folder, c.progress);
+          })
+          .providing(std::string(kEmbedded))
+          .providing(std::string(kGrid)),
   };
   return all;
 }
@@ -139,8 +156,8 @@ const auto& initializers() {
           "dijkstra", "The least-cost path along the edges of the mesh, or the neighbour graph of the cloud.")
           .needing(std::string(kGraph)),
       made_of<InitializerPlugin, PlaneCutInitializer, PlaneCutOptions>(
-          "plane_cut", "The closed curve in which a plane cuts the mesh, for a ring.")
-          .needing(std::string(kMesh))
+          "plane_cut", "The closed curve in which a plane cuts the surface, for a ring.")
+          .needing(std::string(kSurface))
           .providing(std::string(kRing)),
       plugin<InitializerPlugin, RrtOptions>(
           "rrt", "A random tree in the shell around a smooth domain, shortened.",

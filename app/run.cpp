@@ -60,7 +60,7 @@ Prepared prepare(const RunRequest& request) {
   if (loaded.errors.empty()) check_constructors(loaded);
   if (!loaded.errors.empty()) throw ConfigError(loaded.errors);
   try {
-    prepared.parts = compose(loaded.config, loaded.folder);
+    prepared.parts = compose(loaded.config, loaded.folder, request.building);
   } catch (const OptionError& e) {
     loaded.add_error(e.key(), e.what());
     throw ConfigError(loaded.errors);

@@ -39,6 +39,7 @@ struct RunRequest {
   std::filesystem::path output;  ///< empty: that of the configuration, or results/<name>
   bool force = false;
   std::vector<std::string> arguments;  ///< of the program, for the manifest
+  BuildProgress building = {};         ///< told how far domains are that take a while to make; may throw StoppedEarly
 };
 
 /// A finished run.

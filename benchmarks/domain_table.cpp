@@ -15,6 +15,7 @@
 #include "problems/manifolds/implicit.hpp"
 #include "problems/manifolds/parametric.hpp"
 #include "problems/manifolds/point_cloud.hpp"
+#include "problems/manifolds/signed_distance.hpp"
 #include "solvers/lbfgs.hpp"
 #include "solvers/newton.hpp"
 
@@ -58,6 +59,14 @@ Case implicit_torus() {
   return between("implicit torus", make_implicit_manifold(options), Vector3d(3, 0, 0), Vector3d(1.2, 2, 0.9));
 }
 
+Case distance_grid() {
+  SignedDistanceOptions options;
+  options.source = "implicit";
+  options.implicit.surface = "torus";
+  options.cell = 0.1;
+  return between("grid, torus", make_signed_distance_manifold(options, ""), Vector3d(3, 0, 0), Vector3d(1.2, 2, 0.9));
+}
+
 Case rotations() {
   ConstraintManifoldOptions options;
   options.set = "so3";
@@ -94,6 +103,7 @@ int main() {
       rotations(),
       field("half-plane", "half_plane", {0, 1}, {2, 3}),
       field("Poincare disc", "poincare_disc", {0.9, 0}, {-0.5, 0.7}),
+      distance_grid(),
       cloud(),
   };
   const std::vector<int> sizes = {20, 200, 2000, 20000};

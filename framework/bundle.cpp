@@ -73,6 +73,7 @@ class Bundle {
         std::swap(path_, trial_);
         return decrease;
       }
+      if (-decrease > decrement_) continue;  // too far to say anything about the path: exp(s^2) grows by decades
       energy_.from_tangent(trial_model_.frames, trial_model_.tangent, transported_);
       energy_.to_tangent(model_.frames, transported_, here_);
       const double slope = here_.dot(step_), penalty = std::abs(decrease + t * slope);

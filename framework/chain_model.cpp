@@ -29,17 +29,6 @@ void factor_lifted(PathEnergy& energy, ChainSystem& system) {
   }
 }
 
-/// The Gauss-Newton Hessian does not see a ring drift, all points moved alike, which the exact one prices by the curvature of domain and
-/// cost: lifted by the stiffness of one wave around the ring, the model is as good there as elsewhere.
-void lift_drift(ChainSystem& system) {
-  double size = 0;
-  for (Index i = 0; i < system.count(); ++i) size += system.diagonal(i).trace();
-  const double n = static_cast<double>(system.count());
-  const double lift = size / static_cast<double>(system.size()) * (1 - std::cos(2 * std::numbers::pi / n));
-  if (!std::isfinite(lift)) return;
-  for (Index i = 0; i < system.count(); ++i) system.diagonal(i).diagonal().array() += lift;
-}
-
 /// Largest change of a segment by a step, relative to that segment; lengths in coordinates.
 double spacing_change(const CoordinatePath& path, const Points& step) {
   const Index n = step.cols();
@@ -61,6 +50,15 @@ double spacing_change(const CoordinatePath& path, const Points& step) {
 }
 
 }  // namespace
+
+void lift_drift(ChainSystem& system) {
+  double size = 0;
+  for (Index i = 0; i < system.count(); ++i) size += system.diagonal(i).trace();
+  const double n = static_cast<double>(system.count());
+  const double lift = size / static_cast<double>(system.size()) * (1 - std::cos(2 * std::numbers::pi / n));
+  if (!std::isfinite(lift)) return;
+  for (Index i = 0; i < system.count(); ++i) system.diagonal(i).diagonal().array() += lift;
+}
 
 bool ChainModel::evaluate(PathEnergy& energy, const CoordinatePath& path) {
   value = energy.value_and_gradient(path, gradient);

@@ -28,6 +28,10 @@ struct ChainModel {
   void solve(PathEnergy& energy, const CoordinatePath& path, HessianKind wanted);
 };
 
+/// The Gauss-Newton Hessian does not see a ring drift, all points moved alike, which the exact one prices by the curvature of domain and cost:
+/// lifted by the stiffness of one wave around the ring, the model is as good there as elsewhere.
+void lift_drift(ChainSystem& system);
+
 /// What rounding leaves undecided in an energy difference: 4 eps sqrt(N) |E|.
 double rounding_slack(double value, Index segments);
 

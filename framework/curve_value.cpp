@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace leastcost {
 namespace {
@@ -47,14 +48,28 @@ std::optional<double> smooth_curve_cost(const Problem& problem, const Coordinate
   double sum = 0;
   Eigen::Vector4d w, dw;
   Points four(path.u.rows(), 4);
+  // Where the cubic leaves the domain (it overshoots where the path comes to rest on a bound) the nearest curve inside takes its place.
+  CoordinatePath ahead = point, behind = point;
+  const auto inside = [&](double t, CoordinatePath& at) {
+    cubic(t, w, dw);
+    at.u = four * w;
+    return problem.manifold->project(at);
+  };
+  const auto element_inside = [&](double t) {
+    constexpr double kStep = 1e-4;  // of a segment: rounding of a central difference below 1e-11, truncation 1e-8
+    if (!inside(t + kStep, ahead).failed.empty() || !inside(t - kStep, behind).failed.empty() ||
+        !inside(t, point).failed.empty())
+      return std::numeric_limits<double>::quiet_NaN();
+    return line_element((ahead.u - behind.u) / (2 * kStep));
+  };
   for (Index i = 0; i < path.segment_count(); ++i) {
     const Index begin = path.ring ? i - 1 : std::clamp<Index>(i - 1, 0, columns - 4);
     for (Index j = 0; j < 4; ++j) four.col(j) = path.column(begin + j);
     for (std::size_t g = 0; g < kNodes.size(); ++g) {
-      cubic(static_cast<double>(i - begin) + kNodes[g], w, dw);
+      const double t = static_cast<double>(i - begin) + kNodes[g];
+      cubic(t, w, dw);
       point.u = four * w;
-      if (problem.manifold->residual(point) > 0) return std::nullopt;
-      sum += kWeights[g] * line_element(four * dw);
+      sum += kWeights[g] * (problem.manifold->residual(point) > 0 ? element_inside(t) : line_element(four * dw));
     }
   }
   return std::isfinite(sum) ? std::optional(sum) : std::nullopt;

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <chrono>
 
+#include "framework/based_loop.hpp"
 #include "framework/cascade.hpp"
 #include "framework/errors.hpp"
 #include "framework/escape_saddle.hpp"
@@ -22,6 +23,30 @@ void stage(Stage stage, const Monitor& monitor, double& seconds, Work work) {
   const auto start = Monitor::Clock::now();
   work();
   seconds = std::chrono::duration<double>(Monitor::Clock::now() - start).count();
+}
+
+/// A first path that is there already.
+class GivenPath final : public Initializer {
+ public:
+  GivenPath(const FirstPath& first, std::string_view name) : first_(first), name_(name) {}
+  std::string_view name() const override { return name_; }
+  FirstPath first_path(const Problem&, const Monitor&) const override { return first_; }
+
+ private:
+  const FirstPath& first_;
+  std::string_view name_;
+};
+
+/// A ring with a fixed point is an open path from that point to itself.
+Result find_based_loop(const Problem& problem, const Initializer& initializer, const Solver& solver,
+                       const FindOptions& options, const Monitor& monitor) {
+  BasedLoop loop;
+  double seconds = 0;
+  stage(Stage::initialize, monitor, seconds,
+        [&] { loop = cut_at_base(problem, initializer.first_path(problem, monitor)); });
+  Result result = find_path(loop.problem, GivenPath(loop.first, initializer.name()), solver, options, monitor);
+  result.seconds.initialize += seconds;
+  return result;
 }
 
 int point_count(const FindOptions& options, const FirstPath& first) {
@@ -64,6 +89,7 @@ std::string_view name(Status status) {
 Result find_path(const Problem& problem, const Initializer& initializer, const Solver& solver,
                  const FindOptions& options, const Monitor& monitor) {
   check(problem);
+  if (problem.ring && problem.based) return find_based_loop(problem, initializer, solver, options, monitor);
   Result result;
   stage(Stage::initialize, monitor, result.seconds.initialize, [&] {
     result.first = initializer.first_path(problem, monitor);

@@ -67,9 +67,9 @@ void PathEnergy::frames(const CoordinatePath& path, const Points& gradient, Fram
     out.blocked[static_cast<std::size_t>(i)] =
         turn_to_end(out.bases.middleCols(k * i, k), outward, static_cast<int>(outward.cols()));
   // E is all but invariant under sliding every point of a ring along it: pin x_0 (NUMERICS Sec. 3).
-  if (path.ring && n > 1 && out.blocked[0] == 0) {
+  if (path.ring && n > 1 && out.blocked[0] < k) {
     const Points along = (path.column(1) - path.column(-1)).normalized();
-    if (along.allFinite()) out.blocked[0] = turn_to_end(out.bases.leftCols(k), along, 1);
+    if (along.allFinite()) out.blocked[0] += turn_to_end(out.bases.leftCols(k - out.blocked[0]), along, 1);
   }
   lift(path, out);
 }

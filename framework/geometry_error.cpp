@@ -26,6 +26,8 @@ Solved solve_on(std::shared_ptr<const ConstraintManifold> manifold, const Proble
                 const Solver& certifier, const Monitor& monitor) {
   Problem coarse = problem;
   coarse.manifold = std::move(manifold);
+  if (const auto* cost = dynamic_cast<const FollowsDomain*>(problem.cost.get()))
+    coarse.cost = cost->on(*coarse.manifold);
   if (!problem.ring) {
     coarse.source = project_end(*coarse.manifold, problem.source.u);
     coarse.target = project_end(*coarse.manifold, problem.target.u);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "framework/smooth_bounds.hpp"
+
 namespace leastcost {
 namespace {
 
@@ -174,15 +176,21 @@ void PathEnergy::add_curvature(const CoordinatePath& path, const Points& gradien
   const double extent = (path.u.rowwise().maxCoeff() - path.u.rowwise().minCoeff()).norm();
   const double h = 3e-4 * extent;  // eps^(1/4): rounding and truncation of a second difference balance
   if (!(h > 0)) return;
+  const auto* beyond = dynamic_cast<const GoesBeyondBounds*>(problem_->manifold.get());
+  const auto move = [&](CoordinatePath& to) {
+    if (beyond == nullptr) return retract(path, step_, to);
+    ++counters_.projections;
+    beyond->retract_beyond(path, step_, to);
+  };
   const auto differences = [&](int p, int q) {
     step_.resize(dims_.coordinate, n);
     for (Index i = 0; i < n; ++i) {
       step_.col(i) = h * frames.bases.col(k * i + p);
       if (q != p) step_.col(i) += h * frames.bases.col(k * i + q);
     }
-    retract(path, step_, plus_);
+    move(plus_);
     step_ = -step_;
-    retract(path, step_, minus_);
+    move(minus_);
     const auto bend = (plus_.u + minus_.u - 2 * path.u).middleCols(first, n);
     return Eigen::VectorXd((gradient.cwiseProduct(bend)).colwise().sum().transpose() / (h * h));
   };

@@ -55,10 +55,10 @@ void check(const Problem& problem) {
   if (problem.cost->dim() != dims.ambient)
     throw InputError("the cost works in " + std::to_string(problem.cost->dim()) + " dimensions, the domain lies in " +
                      std::to_string(dims.ambient));
+  if (!problem.ring || problem.based) check_end(problem.source, "source", dims.coordinate);
   if (problem.ring) return;
-  check_end(problem.source, "source", dims.coordinate);
   check_end(problem.target, "target", dims.coordinate);
-  if (problem.source.u == problem.target.u)
+  if (problem.source.u == problem.target.u && !problem.based)
     throw InputError("source and target coincide at " + text(problem.source.u) +
                      "; a closed path is a ring (path.ring: true)");
 }

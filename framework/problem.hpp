@@ -24,6 +24,9 @@ struct Problem {
   std::shared_ptr<const Kernel> kernel;
   PathEnd source, target;
   bool ring = false;
+  /// A loop with a fixed point, where it may have a kink. With `ring`: `source` is that point, and find_path() cuts the first ring open
+  /// there. Without: an open path whose target is the source again, or an image of it across the seams of a chart.
+  bool based = false;
 };
 
 /// Projects a point onto the manifold. `moved` (if given) receives how far it moved. Throws InputError where there is no nearest point.

@@ -23,6 +23,8 @@ bool solved(Termination termination) {
 constexpr double kExact = 1e-12;
 /// The observed order may be off by this much before Richardson extrapolation is refused.
 constexpr double kOrderTolerance = 0.2;
+/// The same where the path rests on a bound, and only the bar is made of it.
+constexpr double kHuggingOrder = 1;
 /// A curve in a chart may differ from the extrapolated value by this part of the largest level difference.
 constexpr double kCurveTolerance = 1e-3;
 
@@ -97,14 +99,21 @@ CostEstimate estimate_cost(const Problem& problem, PathEnergy& energy, const Coo
   const double fine = (4 * c4 - c2) / 3, coarse = (4 * c2 - c1) / 3;
   const bool second_order = e.order && std::abs(*e.order - 2) <= kOrderTolerance;
   // Beside a pole a chart turns so fast that the cubic in its coordinates leaves the path, and the chains know better.
-  if (chart && curve && second_order && !(std::abs(*curve - fine) <= kCurveTolerance * largest)) {
+  if (chart && curve && second_order && !hugs_bound && !(std::abs(*curve - fine) <= kCurveTolerance * largest)) {
     curve.reset();
     e.upper.reset();
   }
   const bool bracketed = e.lower && e.upper;
   if (bracketed) quote(e, "bracket", *e.upper, *e.upper - *e.lower);
-  if (hugs_bound && !bracketed) quote(e, "differences", c4, 2 * largest);
-  if (hugs_bound || (bracketed && !second_order)) return e;
+  if (bracketed && (hugs_bound || !second_order)) return e;
+  if (hugs_bound) {
+    // The place where the path leaves the bound moves between the levels, an error of order 3 with any sign: no extrapolated value. But at
+    // second order the last difference is three times what is left, and by how much extrapolation disagrees with itself tells the rest.
+    const bool near_second = e.order && std::abs(*e.order - 2) <= kHuggingOrder;
+    quote(e, "differences", c4,
+          near_second ? std::max(std::abs(d24), std::abs(fine - c4) + std::abs(fine - coarse)) : 2 * largest);
+    return e;
+  }
   if (!second_order) {
     e.error = 2 * largest;
     e.method = "differences";

@@ -22,4 +22,10 @@ double move_cost(const SegmentCost& cost, const Eigen::VectorXd& a, const Eigen:
   return std::sqrt(q);
 }
 
+std::string reason_for_infinity(const SegmentCost& cost, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  const auto* explains = dynamic_cast<const ExplainsInfinity*>(&cost);
+  const std::string why = explains != nullptr ? explains->why_infinite(a, b) : "";
+  return why.empty() ? "" : ": " + why;
+}
+
 }  // namespace leastcost

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <span>
 #include <string>
 
@@ -50,6 +51,28 @@ class SegmentCost {
 
   /// lim c(x, x + e v) / e for e -> 0+: the cost per unit of parameter of a curve through x with velocity v.
   virtual double line_element(const Eigen::VectorXd& x, const Eigen::VectorXd& v) const = 0;
+};
+
+/// Ability: the cost can say in words why a move costs infinitely much.
+class ExplainsInfinity {
+ public:
+  virtual ~ExplainsInfinity() = default;
+  /// Empty where it does not know, or where the move has a cost.
+  virtual std::string why_infinite(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const = 0;
+};
+
+/// ": " and the reason why the move a -> b costs infinitely much, where the cost knows it; else nothing.
+std::string reason_for_infinity(const SegmentCost& cost, const Eigen::VectorXd& a, const Eigen::VectorXd& b);
+
+class ConstraintManifold;
+
+/// Ability: the cost is made from the data of the domain (tensors on the points of a cloud), so that on a coarser version of the domain it is another
+/// one. What the data costs the path is then part of the geometry error.
+class FollowsDomain {
+ public:
+  virtual ~FollowsDomain() = default;
+  /// The same cost from the data of another version of the domain. May throw InputError.
+  virtual std::shared_ptr<const SegmentCost> on(const ConstraintManifold& domain) const = 0;
 };
 
 /// Costs c_i of the segments, and their sum.

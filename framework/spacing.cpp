@@ -88,13 +88,16 @@ Eigen::VectorXd equal_shares(const Eigen::VectorXd& t, const Eigen::VectorXd& co
   return next;
 }
 
-[[noreturn]] void throw_infinite(const Eigen::VectorXd& costs) {
+[[noreturn]] void throw_infinite(const Problem& problem, const Points& x, const Eigen::VectorXd& costs) {
   Index bad = 0;
   while (std::isfinite(costs[bad])) ++bad;
+  const std::string reason = reason_for_infinity(*problem.cost, x.col(bad), x.col((bad + 1) % x.cols()));
   throw InitializationError("the cost of the first path is infinite on segment " + std::to_string(bad) + " of " +
                             std::to_string(costs.size()) +
-                            ": the path leaves the domain of the cost (for a travel time: it rises above the energy "
-                            "level); give another initializer or waypoints");
+                            (reason.empty() ? ": the path leaves the domain of the cost (for a travel time: it rises "
+                                              "above the energy level)"
+                                            : reason) +
+                            "; give another initializer or waypoints");
 }
 
 }  // namespace
@@ -114,7 +117,7 @@ CoordinatePath sample_equally(const Problem& problem, const CoordinatePath& poly
   CoordinatePath path = points_at(problem, curve, polyline, t);
   for (int pass = 0; pass < passes; ++pass) {
     const Eigen::VectorXd costs = energy.costs(path);
-    if (!costs.allFinite()) throw_infinite(costs);
+    if (!costs.allFinite()) throw_infinite(problem, energy.ambient(path).x, costs);
     if (spread(costs) < tolerance || !(costs.sum() > 0)) break;
     const Eigen::VectorXd next = equal_shares(t, costs);
     CoordinatePath trial = points_at(problem, curve, polyline, next);

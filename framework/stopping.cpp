@@ -26,7 +26,8 @@ void SolveLoop::record(double value, double cost_error, double step) {
 }
 
 std::optional<Termination> SolveLoop::must_end(const CoordinatePath& path) {
-  if (path.ring && energy_.cost(path) <= kCollapse * first_cost_) return Termination::collapsed;
+  if ((path.ring || energy_.problem().based) && energy_.cost(path) <= kCollapse * first_cost_)
+    return Termination::collapsed;
   if (monitor_.cancelled()) return Termination::cancelled;
   if (monitor_.out_of_time()) return Termination::time_limit;
   if (report_.iterations >= limits_.max_iterations) return Termination::iteration_limit;

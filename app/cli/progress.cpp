@@ -45,7 +45,22 @@ void ProgressPrinter::show(const Progress& progress) {
   if (streams_.err_is_terminal)
     show_bar(line, done);
   else
-    show_line(line, done, new_stage);
+    show_line(line, done, new_stage, stage_ == Stage::solve);
+}
+
+void ProgressPrinter::show_building(double part, std::string_view phase) {
+  if (quiet_) return;
+  const bool new_phase = phase != phase_;
+  if (new_phase) {
+    phase_ = phase;
+    last_percent_ = 0;
+  }
+  const int done = std::clamp(static_cast<int>(100 * part), 0, 100);
+  const std::string line = fmt::format("{:<12} {}", "build", phase);
+  if (streams_.err_is_terminal)
+    show_bar(line, done);
+  else if (Clock::now() - last_shown_ >= kSilentStart)
+    show_line(line, done, new_phase, true);
 }
 
 void ProgressPrinter::show_bar(const std::string& line, int percent) {
@@ -58,7 +73,7 @@ void ProgressPrinter::show_bar(const std::string& line, int percent) {
   bar_shown_ = true;
 }
 
-void ProgressPrinter::show_line(const std::string& line, int percent, bool new_stage) {
+void ProgressPrinter::show_line(const std::string& line, int percent, bool new_stage, bool has_share) {
   const auto now = Clock::now();
   if (now - start_ < kSilentStart) return;
   const bool due = new_stage || percent >= last_percent_ + 10 || now - last_shown_ >= kLineInterval;
@@ -66,7 +81,7 @@ void ProgressPrinter::show_line(const std::string& line, int percent, bool new_s
   last_shown_ = now;
   last_percent_ = percent - percent % 10;
   const double seconds = std::chrono::duration<double>(now - start_).count();
-  const std::string share = stage_ == Stage::solve ? fmt::format("{:3d} %", percent) : "     ";
+  const std::string share = has_share ? fmt::format("{:3d} %", percent) : "     ";
   streams_.err << fmt::format("{:8.1f} s  {}  {}\n", seconds, share, line) << std::flush;
 }
 

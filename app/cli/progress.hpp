@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "app/cli/streams.hpp"
 #include "framework/monitor.hpp"
@@ -19,6 +20,8 @@ class ProgressPrinter {
   ProgressPrinter& operator=(const ProgressPrinter&) = delete;
 
   void show(const Progress& progress);
+  /// A domain that is being made.
+  void show_building(double part, std::string_view phase);
   /// Takes the bar away, so that other lines can follow.
   void clear();
 
@@ -26,7 +29,7 @@ class ProgressPrinter {
   using Clock = Monitor::Clock;
   int percent(const Iteration& iteration);
   void show_bar(const std::string& line, int percent);
-  void show_line(const std::string& line, int percent, bool new_stage);
+  void show_line(const std::string& line, int percent, bool new_stage, bool has_share);
 
   Streams streams_;
   bool quiet_;
@@ -34,6 +37,7 @@ class ProgressPrinter {
   Stage stage_ = Stage::initialize;
   double first_error_ = 0;
   int last_percent_ = 0;
+  std::string phase_;  ///< of what is being made; empty: none is
   bool bar_shown_ = false;
 };
 

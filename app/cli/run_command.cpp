@@ -78,8 +78,13 @@ Exit run_command(const RunArguments& arguments, const Streams& streams) {
   Monitor monitor;
   monitor.observe = [&](const Progress& p) { progress.show(p); };
   monitor.stop_requested = interrupted;
+  RunRequest request = arguments.request;
+  request.building = [&](double part, std::string_view phase) {
+    if (interrupted()) throw StoppedEarly("while the domain was being made");
+    progress.show_building(part, phase);
+  };
   try {
-    const RunOutcome outcome = run(arguments.request, monitor);
+    const RunOutcome outcome = run(request, monitor);
     progress.clear();
     streams.out << (arguments.json ? summary_json(outcome)
                                    : summary_text(outcome, arguments.verbosity == Verbosity::verbose))

@@ -49,6 +49,11 @@ std::string solver_line(const RunOutcome& run) {
   return line;
 }
 
+const char* shape_of(const RunOutcome& run) {
+  if (run.config.ring && run.config.source.given) return " (a loop with a fixed point, the source)";
+  return run.result.path.ring ? " (ring)" : " and two ends";
+}
+
 /// One line per distinct path of the family.
 std::string family_rows(const RunOutcome& run) {
   std::string out;
@@ -98,11 +103,12 @@ std::string summary_text(const RunOutcome& run, bool verbose) {
   out += row("cost", cost_line(run));
   if (result.certificate.measured)
     out += row("spacing", fmt::format("{:.3g} (largest / smallest segment cost - 1)", result.certificate.spacing));
-  out += row("points", fmt::format("{}{}", result.path.free_count(), result.path.ring ? " (ring)" : " and two ends"));
+  out += row("points", fmt::format("{}{}", result.path.free_count(), shape_of(run)));
   out += row("solver", solver_line(run));
-  if (!run.config.ring) {
+  if (!run.config.ring || run.config.source.given) {
     if (verbose || run.config.source.point.size() > 0) out += row("source", end_line(run.parts.source));
-    if (verbose || run.config.target.point.size() > 0) out += row("target", end_line(run.parts.target));
+    if (!run.config.ring && (verbose || run.config.target.point.size() > 0))
+      out += row("target", end_line(run.parts.target));
   }
   out += family_rows(run);
   for (const std::string& note : run.parts.notes) out += row("note", note);
@@ -132,7 +138,11 @@ std::string dry_run_text(const RunRequest& request, const Prepared& prepared) {
   out += row("kernel", config.kernel.plugin->type);
   if (!config.ring)
     out += row("source", end_line(prepared.parts.source)) + row("target", end_line(prepared.parts.target));
+  else if (config.source.given)
+    out += row("fixed point", end_line(prepared.parts.source));
   for (const std::string& note : prepared.parts.notes) out += row("note", note);
+  for (const FamilyStart& start : prepared.parts.family)
+    out += row(&start == &prepared.parts.family.front() ? "family" : "", "from " + start.origin);
   out += row("points", points_text(config));
   out += row("would run", steps(prepared));
   out += row("would write", output_of(request, config).string());
@@ -153,6 +163,8 @@ std::string dry_run_json(const RunRequest& request, const Prepared& prepared) {
   out["points"] = config.points.automatic ? Json("auto") : Json(config.points.count);
   if (!config.ring)
     out["moved"] = {{"source", number(prepared.parts.source.moved)}, {"target", number(prepared.parts.target.moved)}};
+  if (!prepared.parts.family.empty()) out["family"] = Json::array();
+  for (const FamilyStart& start : prepared.parts.family) out["family"].push_back(start.origin);
   out["read_seconds"] = prepared.parts.read_seconds;
   out["output"] = output_of(request, config).string();
   const std::string refusal = output_refusal(output_of(request, config), request.force);

@@ -48,8 +48,13 @@ void check_needs(LoadedConfig& loaded, const PluginChoice& choice) {
 void check_ends(LoadedConfig& loaded) {
   const RunConfig& config = loaded.config;
   const ConfigEntry* ends = loaded.tree.find("ends");
-  if (config.ring && ends != nullptr) {
-    loaded.errors.error(ends->place, "a ring (path.ring: true) has no ends: remove one of the two");
+  const bool target = ends != nullptr && ends->value.find("target") != nullptr;
+  if (config.ring && target) {
+    loaded.errors.error(ends->place,
+                        "a ring (path.ring: true) has no ends: remove one of the two; the source alone is a fixed "
+                        "point of the ring");
+  } else if (!config.ring && ends != nullptr && ends->value.is_block() && !target) {
+    loaded.errors.error(ends->place, "missing key 'target' in ends: Where the path ends.");
   } else if (!config.ring && ends == nullptr && loaded.tree.is_block()) {
     loaded.errors.error({1, 1, 1, ""}, "missing key 'ends': the source and target of the path, or path.ring: true");
   }
@@ -67,17 +72,57 @@ void check_ends(LoadedConfig& loaded) {
   }
 }
 
+/// The initializers that make rings on a manifold, for people: "plane_cut, waypoints or file".
+std::string ring_initializers(const PluginChoice& manifold) {
+  std::vector<std::string> fitting;
+  for (const PluginEntry* entry : kind("initializer").entries) {
+    const auto met = [&](const std::string& need) { return !manifold || manifold.provides(need); };
+    if (choose(*entry, "").provides(std::string(kRing)) && std::all_of(entry->needs.begin(), entry->needs.end(), met))
+      fitting.push_back(entry->type);
+  }
+  std::string text = fitting.front();
+  for (std::size_t i = 1; i < fitting.size(); ++i) text += (i + 1 < fitting.size() ? ", " : " or ") + fitting[i];
+  return text;
+}
+
+void check_family(LoadedConfig& loaded) {
+  const RunConfig& config = loaded.config;
+  const auto refuse = [&loaded](const char* key, const char* reason) {
+    loaded.errors.error(place_of(loaded.tree, std::string("family.") + key), fmt::format("'{}' {}", key, reason));
+  };
+  if (config.family.windings > 0 && config.ring)
+    refuse("windings", "lists images of the target, and a ring has none: give other first rings (family.initializers)");
+  else if (config.family.windings > 0 && config.manifold && !config.manifold.provides(std::string(kSeams)))
+    refuse("windings", "needs a manifold with a chart with seams");
+  if (config.family.bows > 0 && config.ring)
+    refuse("bows", "bows the line between two ends, and a ring has none: give other first rings (family.initializers)");
+  if (config.family.routes > 1 && config.ring)
+    refuse("routes",
+           "lists routes between two ends, and a ring has none: give other first rings (family.initializers)");
+  else if (config.family.routes > 1 && config.manifold && !config.manifold.provides(std::string(kGraph)))
+    refuse("routes", "needs a manifold with a graph: a mesh or a point cloud");
+  if (config.family.mirrored && config.ring)
+    refuse("mirrored", "mirrors a path at its ends, and a ring has none: give other first rings (family.initializers)");
+  if (!config.ring) return;
+  for (const PluginChoice& choice : config.family.initializers.choices)
+    if (choice && !choice.provides(std::string(kRing)))
+      loaded.errors.error(place_of(loaded.tree, choice.path),
+                          fmt::format("'{}' joins two ends and a ring has none: use {}", choice.plugin->type,
+                                      ring_initializers(config.manifold)));
+}
+
 void check_ring(LoadedConfig& loaded) {
   const RunConfig& config = loaded.config;
   if (!config.ring) return;
   if (!config.initializer) {
     if (loaded.tree.find("initializer") == nullptr)
-      loaded.errors.error(place_of(loaded.tree, "path.ring"),
-                          "a ring has no ends to start from: it needs an initializer, plane_cut, waypoints or file");
+      loaded.errors.error(
+          place_of(loaded.tree, "path.ring"),
+          "a ring has no ends to start from: it needs an initializer: " + ring_initializers(config.manifold));
   } else if (!config.initializer.provides(std::string(kRing))) {
     loaded.errors.error(place_of(loaded.tree, "initializer"),
-                        fmt::format("'{}' joins two ends and a ring has none: use plane_cut, waypoints or file",
-                                    config.initializer.plugin->type));
+                        fmt::format("'{}' joins two ends and a ring has none: use {}", config.initializer.plugin->type,
+                                    ring_initializers(config.manifold)));
   }
 }
 
@@ -125,6 +170,7 @@ void check_and_complete(LoadedConfig& loaded) {
   check_expected_exit(loaded);
   check_ends(loaded);
   check_ring(loaded);
+  check_family(loaded);
   check_points(loaded);
   check_needs(loaded, loaded.config.initializer);
   check_needs(loaded, loaded.config.solver);

@@ -53,6 +53,11 @@ void FamilyOptions::fields(RunVisitor& visit) {
   visit.field("bows", bows,
               {.help = "Also first paths bowed to so many sides of the straight line.", .minimum = 0, .maximum = 64});
   visit.field("bow_height", bow_height, {.help = "Height of the bows over the distance of the ends.", .minimum = 0});
+  visit.field("routes", routes,
+              {.help = "Mesh or cloud: so many graph routes, each keeping away from those before it, as first paths.",
+               .minimum = 1,
+               .maximum = 32});
+  visit.field("mirrored", mirrored, {.help = "Also the mirror image of the first path, at the line between the ends."});
   visit.plugins("initializers", initializers, kind("initializer"), {.help = "Also these first paths."});
 }
 
@@ -62,10 +67,12 @@ void RunConfig::fields(RunVisitor& visit) {
   visit.plugin("manifold", manifold, kind("manifold"), {.help = "Where points may be.", .required = true});
   visit.plugin("cost", cost, kind("cost"), {.help = "What a move from a to b costs.", .required = true});
   visit.plugin("kernel", kernel, kind("kernel"), {.help = "The convex H of the energy; default: expm1_square."});
-  visit.block("ends", {.help = "Where the path begins and ends; none in a ring."}, [&](RunVisitor& ends) {
-    ends.end("source", source, {.help = "Where the path begins.", .required = true});
-    ends.end("target", target, {.help = "Where the path ends.", .required = true});
-  });
+  visit.block("ends", {.help = "Where the path begins and ends; none in a ring, or the source alone: its fixed point."},
+              [&](RunVisitor& ends) {
+                ends.end("source", source,
+                         {.help = "Where the path begins; of a ring: its fixed point.", .required = true});
+                ends.end("target", target, {.help = "Where the path ends; none in a ring."});
+              });
   visit.block("path", {.help = "The discrete path."}, [&](RunVisitor& path) {
     path.points(
         "points", points,

@@ -19,10 +19,12 @@ namespace leastcost::app {
 struct FamilyOptions {
   int windings = 0;
   int bows = 0;
+  int routes = 1;
+  bool mirrored = false;
   double bow_height = 0.5;
   PluginList initializers;
   void fields(RunVisitor& visit);
-  bool wanted() const { return windings > 0 || bows > 0 || !initializers.choices.empty(); }
+  bool wanted() const { return windings > 0 || bows > 0 || routes > 1 || mirrored || !initializers.choices.empty(); }
 };
 
 /// One run as its configuration describes it. Everything typed, checked and with its default in place; nothing read
@@ -32,7 +34,7 @@ struct RunConfig {
   int seed = 0;
   double max_seconds = 0;  ///< time budget of the search; 0: none
   PluginChoice manifold, cost, kernel;
-  EndOptions source, target;  ///< not given in a ring
+  EndOptions source, target;  ///< not given in a ring, or the source alone: its fixed point
   PointCount points;
   bool ring = false;
   bool cascade = false;

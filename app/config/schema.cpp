@@ -131,13 +131,13 @@ Json plugin_schema(const PluginKind& kind) {
 std::string json_schema() {
   Json out = {{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "leastcost run"}};
   out.update(object_schema(fields_of_run()));
-  // A ring has no ends, an open path needs them.
+  // A ring has no ends, but for a fixed point; an open path needs them.
   const Json ring = {
       {"properties", {{"path", {{"properties", {{"ring", {{"const", true}}}}}, {"required", {"ring"}}}}}},
       {"required", {"path"}}};
   out["if"] = ring;
-  out["then"] = {{"not", {{"required", {"ends"}}}}, {"required", {"initializer"}}};
-  out["else"] = {{"required", {"ends"}}};
+  out["then"] = {{"properties", {{"ends", {{"not", {{"required", {"target"}}}}}}}}, {"required", {"initializer"}}};
+  out["else"] = {{"properties", {{"ends", {{"required", {"target"}}}}}}, {"required", {"ends"}}};
   for (const PluginKind& kind : plugin_kinds()) out["definitions"][kind.name] = plugin_schema(kind);
   return out.dump(2) + "\n";
 }

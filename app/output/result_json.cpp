@@ -133,7 +133,7 @@ std::string result_json(const RunOutcome& run) {
   out["spacing"] =
       number(result.certificate.measured ? result.certificate.spacing : std::numeric_limits<double>::quiet_NaN());
   out["points"] = result.path.free_count();
-  out["ring"] = result.path.ring;
+  out["ring"] = run.config.ring;
   out["certificate"] = certificate_json(result.certificate);
   out["solver"] = solver_json(run);
   out["initializer"] = std::string(run.parts.initializer->name());
@@ -142,8 +142,10 @@ std::string result_json(const RunOutcome& run) {
                     {"solve", s.solve},
                     {"post_process", s.post_process},
                     {"certify", s.certify}};
+  const bool based = run.config.ring && run.config.source.given;
   out["ends"] = run.config.ring ? Json(nullptr)
                                 : Json{{"source", end_json(run.parts.source)}, {"target", end_json(run.parts.target)}};
+  if (based) out["ends"] = {{"source", end_json(run.parts.source)}};
   if (!run.family.empty()) out["family"] = family(run);
   out["notes"] = notes(run);
   return to_text(out);

@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: MIT
 #include "problems/costs/metric_field.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <sstream>
+#include <string>
 #include <utility>
 
 #include "framework/errors.hpp"
 #include "framework/segment_cost_function.hpp"
+#include "problems/costs/sampled_tensors.hpp"
 #include "problems/geometry/coordinate_names.hpp"
 #include "problems/geometry/formula.hpp"
 
@@ -100,7 +104,8 @@ struct MetricField {
   Point<S, dim> residual(const Point<S, dim>& a, const Point<S, dim>& b) const {
     Point<S, dim> d = b - a;
     const Point<S, dim> middle = 0.5 * (a + b);
-    Tensor<S, dim> t = is_average ? Tensor<S, dim>(0.5 * (field(a) + field(b))) : field(middle);
+    Tensor<S, dim> t = field(is_average ? a : middle);
+    if (is_average) t = Tensor<S, dim>(0.5 * (t + field(b)));  // b last: it is the a of the next segment
     if (inside(a) && inside(middle) && inside(b)) {
       if (is_root) return t * d;
       if (root<S, dim>(t)) {
@@ -112,6 +117,21 @@ struct MetricField {
       }
     }
     return Point<S, dim>::Constant(S(std::numeric_limits<double>::infinity()));
+  }
+
+  /// Why a tensor is no metric at x; nothing where it is one.
+  std::string why_not(const Point<double, dim>& x, const Tensor<double, dim>& t) const {
+    std::ostringstream out;
+    const Eigen::IOFormat row(6, Eigen::DontAlignCols, ", ", ", ", "", "", "(", ")");
+    if (!Field::inside(x)) {
+      out << x.format(row) << " lies outside the domain of the metric";
+    } else if (!is_root && x.allFinite()) {
+      const Eigen::SelfAdjointEigenSolver<Tensor<double, dim>> solver(t, Eigen::EigenvaluesOnly);
+      if (solver.eigenvalues()[0] > 0) return "";
+      out << "at " << x.format(row) << " the tensor is not positive definite, its eigenvalues are "
+          << solver.eigenvalues().format(row);
+    }
+    return out.str();
   }
 
   template <class S>
@@ -137,11 +157,49 @@ struct MetricField {
 };
 
 template <class Field>
+class MetricFieldCost : public SegmentCostOf<MetricField<Field>>, public ExplainsInfinity {
+ public:
+  using SegmentCostOf<MetricField<Field>>::SegmentCostOf;
+  std::string why_infinite(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const override {
+    const MetricField<Field>& metric = this->function();
+    const Eigen::VectorXd middle = (a + b) / 2;
+    for (const Eigen::VectorXd& x : {a, b, middle}) {
+      std::string why = metric.why_not(x, metric.field(Point<double, Field::dim>(x)));
+      if (!why.empty()) return why;
+    }
+    return "";
+  }
+};
+
+/// Tensors on the data of a domain, which are others on another version of it.
+class MetricOnData final : public MetricFieldCost<SampledTensors>, public FollowsDomain {
+ public:
+  MetricOnData(const MetricFieldOptions& o, const ConstraintManifold* domain, std::filesystem::path folder)
+      : MetricFieldCost({{tensors(o, domain, folder)}, o.reading == "root", o.averages()}),
+        options_(o),
+        folder_(std::move(folder)) {}
+  std::shared_ptr<const SegmentCost> on(const ConstraintManifold& domain) const override {
+    return std::make_shared<MetricOnData>(options_, &domain, folder_);
+  }
+
+ private:
+  static std::shared_ptr<const TensorSamples> tensors(const MetricFieldOptions& o, const ConstraintManifold* domain,
+                                                      const std::filesystem::path& folder) {
+    return o.type == "file" ? tensors_from_file(o.tensor_file, domain, folder)
+                            : tensors_from_curvature(o.curvature, domain);
+  }
+
+  MetricFieldOptions options_;
+  std::filesystem::path folder_;
+};
+
+template <class Field>
 std::shared_ptr<const SegmentCost> lifted(Field field, const MetricFieldOptions& o, int dim) {
   if (dim != Field::dim)
     throw OptionError("field", "this metric lives in dimension " + std::to_string(Field::dim) +
                                    ", the ambient space has " + std::to_string(dim));
-  return make_segment_cost(MetricField<Field>{std::move(field), o.reading == "root", o.rule == "average"});
+  return std::make_shared<MetricFieldCost<Field>>(
+      MetricField<Field>{std::move(field), o.reading == "root", o.averages()});
 }
 
 template <int D>
@@ -159,29 +217,44 @@ std::shared_ptr<const SegmentCost> by_formulas(const MetricFieldOptions& o) {
 }  // namespace
 
 void MetricFieldOptions::fields(FieldVisitor& visit) {
-  visit.variant("field", type,
-                {{"half_plane", "(dx^2 + dy^2) / y^2 where y > 0."},
-                 {"poincare_disc", "4 (dx^2 + dy^2) / (1 - x^2 - y^2)^2 in the unit disc."},
-                 {"fisher_rao", "(dmu^2 + 2 dsigma^2) / sigma^2: normal distributions (mu, sigma), sigma > 0."},
-                 {"formula", "T as formulas in the coordinates x, y and z.",
-                  [this](FieldVisitor& v) {
-                    v.field("entries", entries,
-                            {.help = "Entries on and above the diagonal, row by row, like [\"1 + x^2\", \"0\", \"1\"].",
-                             .required = true});
-                    v.field("parameters", parameters,
-                            {.help = "Numbers that the formulas may name, like {a: 2, b: 1}."});
-                  }}},
-                {.help = "The tensor T(x): a name, or formulas in the coordinates.", .required = true});
+  visit.variant(
+      "field", type,
+      {{"half_plane", "(dx^2 + dy^2) / y^2 where y > 0."},
+       {"poincare_disc", "4 (dx^2 + dy^2) / (1 - x^2 - y^2)^2 in the unit disc."},
+       {"fisher_rao", "(dmu^2 + 2 dsigma^2) / sigma^2: normal distributions (mu, sigma), sigma > 0."},
+       {"formula", "T as formulas in the coordinates x, y and z.",
+        [this](FieldVisitor& v) {
+          v.field("entries", entries,
+                  {.help = "Entries on and above the diagonal, row by row, like [\"1 + x^2\", \"0\", \"1\"].",
+                   .required = true});
+          v.field("parameters", parameters, {.help = "Numbers that the formulas may name, like {a: 2, b: 1}."});
+        }},
+       {"file", "Tensors given on a mesh or a point cloud, by a file.",
+        [this](FieldVisitor& v) { tensor_file.fields(v); }},
+       {"curvature",
+        "Of a mesh or a point cloud: ds^2 = |dx|^2 + weight^2 |dn|^2, n the normal (isophotic). Crossing a feature "
+        "costs more than following it.",
+        [this](FieldVisitor& v) { curvature.fields(v); }}},
+      {.help = "The tensor T(x): a name, or formulas in the coordinates.", .required = true});
   visit.choice("reading", reading, {"metric", "root"},
                {.help = "T is the metric, c = sqrt(d' T d) (VFCS Eq. 1), or a root of it, c = |T d| (VFCS Sec. 4.5)."});
-  visit.choice("rule", rule, {"midpoint", "average"},
-               {.help = "T in the middle of a segment, or the mean of its ends (VFCS Sec. 4.5)."});
+  visit.choice(
+      "rule", rule, {"auto", "midpoint", "average"},
+      {.help =
+           "T in the middle of a segment, or the mean of its ends (VFCS Sec. 4.5). auto: the mean for tensors given "
+           "on data, because the ends lie on the surface and the middle does not; else the middle."});
 }
 
-std::shared_ptr<const SegmentCost> make_metric_field_cost(const MetricFieldOptions& options, int dim) {
+bool MetricFieldOptions::needs_domain() const { return type == "file" || type == "curvature"; }
+bool MetricFieldOptions::averages() const { return rule == "average" || (rule == "auto" && needs_domain()); }
+
+std::shared_ptr<const SegmentCost> make_metric_field_cost(const MetricFieldOptions& options, int dim,
+                                                          const ConstraintManifold* domain,
+                                                          const std::filesystem::path& folder) {
   if (options.type == "half_plane") return lifted(HalfPlane{}, options, dim);
   if (options.type == "poincare_disc") return lifted(PoincareDisc{}, options, dim);
   if (options.type == "fisher_rao") return lifted(FisherRao{}, options, dim);
+  if (options.needs_domain()) return std::make_shared<MetricOnData>(options, domain, folder);
   if (options.type != "formula") throw OptionError("field.type", "unknown metric '" + options.type + "'");
   if (dim == 2) return by_formulas<2>(options);
   if (dim == 3) return by_formulas<3>(options);

@@ -18,11 +18,13 @@ EdgePath edge_route(const Problem& problem, const TriangleMesh& mesh, EdgeGraphS
       if (end->u.size() == 3 && (p - end->u).norm() <= near) return end->u;
     return p;
   };
-  const auto move = [&cost, &exact](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  std::string reason;  // of the first move that costs infinitely much
+  const auto move = [&cost, &exact, &reason](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     Eigen::Matrix<double, 3, 2> ends;
     ends << exact(a), exact(b);
     double q = 0;
     cost.squared_costs({{ends.data(), 3, 2}, {}, false}, {&q, 1});
+    if (reason.empty() && std::isinf(q)) reason = reason_for_infinity(cost, ends.col(0), ends.col(1));
     return std::sqrt(q);
   };
   EdgePathOptions options;
@@ -31,7 +33,7 @@ EdgePath edge_route(const Problem& problem, const TriangleMesh& mesh, EdgeGraphS
   if (cost.traits().below_curves)
     options.lower_bound = [&move, goal = mesh.point(target)](const Eigen::Vector3d& p) { return move(p, goal); };
   EdgePath route = search.shortest(source, target, move, options);
-  if (!route.found()) throw InitializationError(route.failure());
+  if (!route.found()) throw InitializationError(route.failure() + reason);
   return route;
 }
 

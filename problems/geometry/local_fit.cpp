@@ -15,6 +15,7 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 constexpr int kRounds = 3;
+constexpr int kRoundsFromNormal = 2;
 constexpr double kApart = 0.125;  // of the radius
 constexpr int kFewestForPlane = 5;
 constexpr double kMadToSigma = 1.4826;    // of a normal distribution
@@ -100,6 +101,17 @@ class HeightField {
   Eigen::Vector3d surface_normal() const {
     return (normal_ - coefficients_[1] * e1_ - coefficients_[2] * e2_).normalized();
   }
+  /// Second fundamental form with both indices raised, carried to R^3.
+  Eigen::Matrix3d shape() const {
+    const double slope_u = coefficients_[1], slope_v = coefficients_[2];
+    Eigen::Matrix<double, 3, 2> tangents;
+    tangents << e1_ + slope_u * normal_, e2_ + slope_v * normal_;
+    Eigen::Matrix2d second;
+    second << 2 * coefficients_[3], coefficients_[4], coefficients_[4], 2 * coefficients_[5];
+    second /= radius_ * std::sqrt(1 + slope_u * slope_u + slope_v * slope_v);
+    const Eigen::Matrix2d inverse = (tangents.transpose() * tangents).inverse();
+    return tangents * inverse * second * inverse * tangents.transpose();
+  }
   /// Of the centre, along the fitted normal.
   double height() const {
     return -radius_ * coefficients_[0] /
@@ -140,6 +152,22 @@ LocalFit fit_locally(const std::vector<Eigen::Vector3d>& offsets, double radius)
     result.apart = field.apart();
     result.valid = true;
   }
+  result.shape = field.shape();
+  return result;
+}
+
+LocalFit fit_locally(const std::vector<Eigen::Vector3d>& offsets, double radius, const Eigen::Vector3d& normal) {
+  LocalFit result;
+  if (offsets.size() < kFewestForFit) return result;
+  HeightField field(offsets, radius);
+  result.normal = normal;
+  for (int round = 0; round < kRoundsFromNormal; ++round) {
+    if (!field.fit(result.normal)) return result;
+    result.normal = field.surface_normal();
+  }
+  result.height = field.height();
+  result.shape = field.shape();
+  result.valid = true;
   return result;
 }
 

@@ -100,6 +100,7 @@ void PointCloud::place(const PointSamples& samples) {
   order_ = spatial_order(all, low, (high - low).maxCoeff());
   samples_.resize(all.size());
   in_file_.resize(all.size());
+  count_in_file_ = samples.count_in_file > 0 ? samples.count_in_file : static_cast<std::int32_t>(all.size());
   std::vector<Eigen::Vector3d> points(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto from = static_cast<std::size_t>(order_[i]);
@@ -312,6 +313,7 @@ PointCloud PointCloud::thinned() const {
     if (given_normals_) half.normals.push_back(sample(i).normal);
     half.in_file.push_back(in_file(i));
   }
+  half.count_in_file = count_in_file_;
   PointCloudSettings settings = settings_;
   settings.normals = given_normals_ ? "given" : "estimate";
   return {std::move(half), settings};

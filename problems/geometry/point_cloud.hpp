@@ -48,6 +48,7 @@ class PointCloud {
   double spacing(std::int32_t i) const { return spacing_[static_cast<std::size_t>(i)]; }
   double radius(std::int32_t i) const { return radius_[static_cast<std::size_t>(i)]; }
   std::int32_t in_file(std::int32_t i) const { return in_file_[static_cast<std::size_t>(i)]; }
+  std::int32_t count_in_file() const { return count_in_file_; }  ///< points of the file, those removed included
   /// The sample with this number in the file, -1 where there is none.
   std::int32_t sample_of_file(std::int32_t number) const;
   /// The k nearest samples, nearest first, without itself.
@@ -86,6 +87,7 @@ class PointCloud {
   std::vector<CloudSample> samples_;
   std::vector<double> spacing_, radius_;
   std::vector<std::int32_t> in_file_, order_, neighbours_;
+  std::int32_t count_in_file_ = 0;
   std::size_t width_ = 0;
   NeighbourSearch search_;
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();

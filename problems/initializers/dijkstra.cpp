@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "problems/initializers/dijkstra.hpp"
 
+#include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "framework/errors.hpp"
+#include "problems/geometry/away_from_routes.hpp"
 #include "problems/geometry/cloud_route.hpp"
 #include "problems/geometry/edge_graph.hpp"
 #include "problems/geometry/edge_route.hpp"
@@ -43,13 +46,44 @@ Route best_straightened(const Problem& problem, const TriangleMesh& mesh, const 
   return {std::move(best.result.path), vertices};
 }
 
-FirstPath along_cloud(const Problem& problem, const HasPointCloud& domain, int routes, const Monitor& monitor) {
-  if (routes > 1) throw InputError("dijkstra with more than one route needs a mesh; use routes: 1 on a point cloud");
+FirstPath along_cloud(const Problem& problem, const HasPointCloud& domain, const Monitor& monitor) {
   const CloudRoute route = cloud_route(problem, domain, monitor);
   FirstPath first;
   first.path.u.resize(3, static_cast<Index>(route.points.size()));
   for (std::size_t i = 0; i < route.points.size(); ++i) first.path.u.col(static_cast<Index>(i)) = route.points[i];
   first.graph_vertices = route.vertices;
+  return first;
+}
+
+FirstPath along_mesh(const Problem& problem, const TriangleMesh& mesh, int routes, const Monitor& monitor) {
+  const SurfacePoint source = point_on_face(mesh, problem.source.site, problem.source.u);
+  const SurfacePoint target = point_on_face(mesh, problem.target.site, problem.target.u);
+  Route route = routes > 1 ? best_straightened(problem, mesh, source, target, routes, monitor)
+                           : along_edges(problem, mesh, source, target, monitor);
+  FirstPath first;
+  first.path = as_coordinates(route.path);
+  first.graph_vertices = route.graph_vertices;
+  return first;
+}
+
+double length_of(const Points& x) {
+  return (x.rightCols(x.cols() - 1) - x.leftCols(x.cols() - 1)).colwise().norm().sum();
+}
+
+/// The last of `rank` routes; near earlier ones moves cost more.
+template <class Find>
+FirstPath ranked(const Problem& problem, int rank, Find find) {
+  constexpr double kFactor = 4, kReach = 0.3;  // reach: of the length of the first route
+  FirstPath first = find(problem);
+  std::vector<Points> routes;
+  double reach = 0;
+  for (int k = 1; k < rank; ++k) {
+    routes.push_back(first.path.u);
+    if (k == 1) reach = kReach * length_of(first.path.u);
+    Problem other = problem;
+    other.cost = std::make_shared<const AwayFromRoutes>(problem.cost, routes, kFactor, reach);
+    first = find(other);
+  }
   return first;
 }
 
@@ -61,21 +95,24 @@ void DijkstraOptions::fields(FieldVisitor& visit) {
                        "constant metric.",
                .minimum = 1,
                .maximum = 2});
+  visit.field("rank", rank,
+              {.help = "k: the k-th of routes that keep away from each other, for another class of paths.",
+               .minimum = 1,
+               .maximum = 32});
 }
 
 FirstPath DijkstraInitializer::first_path(const Problem& problem, const Monitor& monitor) const {
   if (problem.ring) throw InitializationError("a ring has no ends to join: give waypoints");
-  if (const auto* cloud = dynamic_cast<const HasPointCloud*>(problem.manifold.get()))
-    return along_cloud(problem, *cloud, options_.routes, monitor);
+  if (options_.rank > 1 && options_.routes > 1)
+    throw OptionError("rank", "goes with routes: 1; the best of two routes has no second best");
+  if (const auto* cloud = dynamic_cast<const HasPointCloud*>(problem.manifold.get())) {
+    if (options_.routes > 1)
+      throw InputError("dijkstra with more than one route needs a mesh; use routes: 1 on a point cloud");
+    return ranked(problem, options_.rank, [&](const Problem& p) { return along_cloud(p, *cloud, monitor); });
+  }
   const TriangleMesh& mesh = mesh_of(problem, "initializer dijkstra").mesh();
-  const SurfacePoint source = point_on_face(mesh, problem.source.site, problem.source.u);
-  const SurfacePoint target = point_on_face(mesh, problem.target.site, problem.target.u);
-  Route route = options_.routes > 1 ? best_straightened(problem, mesh, source, target, options_.routes, monitor)
-                                    : along_edges(problem, mesh, source, target, monitor);
-  FirstPath first;
-  first.path = as_coordinates(route.path);
-  first.graph_vertices = route.graph_vertices;
-  return first;
+  return ranked(problem, options_.rank,
+                [&](const Problem& p) { return along_mesh(p, mesh, options_.routes, monitor); });
 }
 
 }  // namespace leastcost

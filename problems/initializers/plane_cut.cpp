@@ -9,12 +9,13 @@
 #include "framework/errors.hpp"
 #include "problems/geometry/mesh_curve.hpp"
 #include "problems/geometry/plane_section.hpp"
+#include "problems/geometry/smooth_section.hpp"
 
 namespace leastcost {
 namespace {
 
 Eigen::Vector3d three_numbers(const Eigen::VectorXd& v, const char* key) {
-  if (v.size() != 3) throw OptionError(key, "three coordinates are needed: the plane cuts a mesh in R^3");
+  if (v.size() != 3) throw OptionError(key, "three coordinates are needed: the plane cuts a surface in R^3");
   if (!v.allFinite()) throw OptionError(key, "coordinates must be finite");
   return v;
 }
@@ -58,10 +59,13 @@ std::string failure(const TriangleMesh& mesh, const SectionCurves& curves, const
 }  // namespace
 
 void PlaneCutOptions::fields(FieldVisitor& visit) {
-  visit.field("point", point,
-              {.help = "A point of the plane; of several closed curves the nearest to it is taken.",
-               .unit = "length",
-               .required = true});
+  visit.field(
+      "point", point,
+      {.help =
+           "A point of the plane; of several closed curves the nearest to it is taken (on a smooth surface: one that "
+           "is near).",
+       .unit = "length",
+       .required = true});
   visit.field("normal", normal, {.help = "Normal of the plane, of any length.", .required = true});
 }
 
@@ -72,9 +76,18 @@ PlaneCutInitializer::PlaneCutInitializer(const PlaneCutOptions& options)
 }
 
 FirstPath PlaneCutInitializer::first_path(const Problem& problem, const Monitor&) const {
-  const TriangleMesh& mesh = mesh_of(problem, "initializer plane_cut").mesh();
+  const ConstraintManifold& domain = *problem.manifold;
+  const bool surface = domain.dimensions().ambient == 3 && domain.dimensions().tangent == 2;
+  if (!surface || domain.shape() == Shape::flat)
+    throw InputError("initializer plane_cut needs a surface in R^3: a mesh, a chart, a level set or a point cloud");
   if (!problem.ring)
     throw InitializationError("a plane cut is a closed curve and this path has two ends: use path.ring: true");
+  if (domain.shape() == Shape::smooth) {
+    FirstPath first;
+    first.path = smooth_section(domain, point_, normal_);
+    return first;
+  }
+  const TriangleMesh& mesh = mesh_of(problem, "initializer plane_cut").mesh();
   const SectionCurves curves = section_curves(mesh, point_, normal_);
   if (curves.closed.empty()) throw InitializationError(failure(mesh, curves, point_, normal_));
   const auto nearer = [this](const SurfacePath& a, const SurfacePath& b) {

@@ -28,6 +28,15 @@ bool finite(const Problem& problem, const CoordinatePath& path) {
   return PathEnergy(problem, 1).costs(path).allFinite();
 }
 
+/// Why the line costs infinitely much, where the cost knows it.
+std::string reason_on(const Problem& problem, const CoordinatePath& line) {
+  const Points x = positions(*problem.manifold, line);
+  std::string reason;
+  for (Index i = 0; i + 1 < x.cols() && reason.empty(); ++i)
+    reason = reason_for_infinity(*problem.cost, x.col(i), x.col(i + 1));
+  return reason;
+}
+
 /// The line itself, or the first bow with a finite cost: last coordinate downwards first, which is where a bead can go.
 CoordinatePath find_finite(const Problem& problem) {
   CoordinatePath line = bow(problem.source, problem.target, 0, 0);
@@ -45,10 +54,12 @@ CoordinatePath find_finite(const Problem& problem) {
     throw InitializationError(
         "the target lies outside the domain of the cost: every move to it costs infinitely much (for a travel time: it "
         "is not below the energy level, the greatest height that the bead can reach)");
+  const std::string reason = reason_on(problem, line);
   throw InitializationError(
       "the cost is infinite on the straight line between the ends and on every bow around it (in all coordinate "
-      "directions, up to the distance of the ends): an end may lie outside the domain of the cost; otherwise give "
-      "waypoints");
+      "directions, up to the distance of the ends)" +
+      (reason.empty() ? ": an end may lie outside the domain of the cost; otherwise give waypoints"
+                      : reason + "; give waypoints around such places"));
 }
 
 /// The line, projected. It may pass a place where the nearest point jumps; what is on both sides of it is no path.

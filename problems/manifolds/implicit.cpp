@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "problems/manifolds/implicit.hpp"
 
+#include <utility>
+
 #include "framework/errors.hpp"
 #include "problems/geometry/coordinate_names.hpp"
 #include "problems/geometry/formula_constraint.hpp"
 #include "problems/geometry/named_surfaces.hpp"
+#include "problems/manifolds/bounded_level_set.hpp"
 
 namespace leastcost {
 namespace {
@@ -58,14 +61,19 @@ void ImplicitManifoldOptions::fields(FieldVisitor& visit) {
           v.field("parameters", parameters, {.help = "Numbers by name that the formula uses."});
         }}},
       {.help = "The surface, by name or as a formula.", .required = true});
+  box.fields(visit);
 }
 
 std::shared_ptr<const LevelSet> make_implicit_manifold(const ImplicitManifoldOptions& options) {
+  std::shared_ptr<const ConstraintFunction> function;
   try {
-    return std::make_shared<LevelSet>(function_of(options));
+    function = function_of(options);
   } catch (const OptionError& error) {
     throw OptionError("surface." + error.key(), error.what());
   }
+  Box box(function->inputs(), options.box);
+  if (!box.bounded()) return std::make_shared<LevelSet>(std::move(function));
+  return std::make_shared<BoundedLevelSet>(std::move(function), std::move(box));
 }
 
 }  // namespace leastcost

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "framework/options.hpp"
+#include "problems/geometry/box.hpp"
 #include "problems/manifolds/level_set.hpp"
 
 namespace leastcost {
@@ -21,10 +22,11 @@ struct ImplicitManifoldOptions {
   std::string f;
   int dimension = 3;
   std::map<std::string, double> parameters;
+  BoxOptions box = {};
   void fields(FieldVisitor& visit);
 };
 
-/// A surface f(x, y, z) = 0 in space or a curve f(x, y) = 0 in the plane, VFCS 4.4.2. Throws OptionError.
+/// A surface f(x, y, z) = 0 in space or a curve f(x, y) = 0 in the plane, VFCS 4.4.2, or the part of it in a box. Throws OptionError.
 std::shared_ptr<const LevelSet> make_implicit_manifold(const ImplicitManifoldOptions& options);
 
 }  // namespace leastcost

@@ -162,10 +162,12 @@ Dimensions dimensions_of(const ConstraintFunction& function) {
 LevelSet::LevelSet(std::shared_ptr<const ConstraintFunction> function)
     : EmbeddedManifold(dimensions_of(*function)), function_(std::move(function)) {}
 
-bool LevelSet::project_point(Eigen::Ref<Eigen::VectorXd> x) const {
-  return with_sizes(*function_,
-                    [&](auto n, auto k) { return solve_from<n.value, k.value>(*function_, x) == Outcome::found; });
+bool LevelSet::solve(const ConstraintFunction& function, Eigen::Ref<Eigen::VectorXd> x) {
+  return with_sizes(function,
+                    [&](auto n, auto k) { return solve_from<n.value, k.value>(function, x) == Outcome::found; });
 }
+
+bool LevelSet::project_point(Eigen::Ref<Eigen::VectorXd> x) const { return solve(*function_, x); }
 
 void LevelSet::tangent_basis(const Eigen::VectorXd& x, Eigen::Ref<Points> basis) const {
   with_sizes(*function_, [&](auto n, auto k) { null_space<n.value, k.value>(*function_, x, basis); });

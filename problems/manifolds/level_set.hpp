@@ -26,6 +26,8 @@ class LevelSet : public EmbeddedManifold, public ExplainsProjection, public HasL
  protected:
   bool project_point(Eigen::Ref<Eigen::VectorXd> x) const override;
   void tangent_basis(const Eigen::VectorXd& x, Eigen::Ref<Points> basis) const override;
+  /// Moves x to a zero of `function` by the steps above; false where that fails (x is then left alone).
+  static bool solve(const ConstraintFunction& function, Eigen::Ref<Eigen::VectorXd> x);
 
  private:
   std::shared_ptr<const ConstraintFunction> function_;

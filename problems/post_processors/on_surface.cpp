@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: MIT
 #include "problems/post_processors/on_surface.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <optional>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "framework/errors.hpp"
 #include "framework/segment_cost.hpp"
+#include "problems/geometry/plane_station.hpp"
 #include "problems/geometry/projected_line.hpp"
 
 namespace leastcost {
@@ -18,10 +21,45 @@ constexpr double kOfExtent = 1e-6;
 constexpr double kMargin = 0.8;  ///< of the tolerance: the deviation is measured in three places only
 constexpr int kDeepest = 20;     ///< bisections of a segment
 
+/// The curves on a surface in space in which the planes of VFCS Eq. (16) cut it: each holds a chord and the mean of the normals at its ends.
+class CuttingPlanes {
+ public:
+  CuttingPlanes(const ConstraintManifold& manifold, const CoordinatePath& chain) : manifold_(manifold), chain_(chain) {
+    const Dimensions d = manifold.dimensions();
+    if (d.ambient == 3 && d.tangent == 2) manifold.tangent_bases(chain, bases_);
+  }
+
+  /// The plane of segment i, where there is one: in space, unless chord and normals are parallel or the normals opposite.
+  std::optional<StationFinder> of_segment(Index i) const {
+    if (bases_.size() == 0) return std::nullopt;
+    const Index next = (i + 1) % chain_.u.cols();
+    const Eigen::Vector3d a = chain_.u.col(i), chord = Eigen::Vector3d(chain_.u.col(next)) - a;
+    Eigen::Vector3d n = normal(i), m = normal(next);
+    if (n.dot(m) < 0) m = -m;
+    const Eigen::Vector3d across = (n + m).cross(chord);
+    if (!(across.norm() > kParallel * chord.norm())) return std::nullopt;
+    return StationFinder(manifold_, a, across.normalized());
+  }
+
+ private:
+  static constexpr double kParallel = 1e-6;
+
+  Eigen::Vector3d normal(Index i) const {
+    return Eigen::Vector3d(bases_.col(2 * i)).cross(Eigen::Vector3d(bases_.col(2 * i + 1)));
+  }
+
+  const ConstraintManifold& manifold_;
+  const CoordinatePath& chain_;
+  Points bases_;
+};
+
 /// Refines the segments of a chain; counts those that could not be refined far enough.
 class Refiner {
  public:
   Refiner(const ConstraintManifold& manifold, double tolerance) : lines_(manifold), tolerance_(kMargin * tolerance) {}
+
+  /// The plane that the points of the segments that follow are to lie in; nothing: the nearest points will do.
+  void cut_by(std::optional<StationFinder> plane) { plane_ = std::move(plane); }
 
   int given_up() const { return given_up_; }
   const std::vector<Eigen::VectorXd>& points() const { return points_; }
@@ -29,7 +67,7 @@ class Refiner {
 
   /// Appends a -> b without a.
   void segment(const Eigen::VectorXd& a, const Eigen::VectorXd& b, int depth = 0) {
-    const std::optional<Eigen::VectorXd> middle = lines_.nearest((a + b) / 2);
+    const std::optional<Eigen::VectorXd> middle = on_domain((a + b) / 2);
     // A nearest point as far away as the ends is on another sheet.
     const bool usable = middle && std::max((*middle - a).norm(), (*middle - b).norm()) < (b - a).norm();
     if (usable && ((*middle - (a + b) / 2).norm() > tolerance_ || off(a, b, 0.25) || off(a, b, 0.75))) {
@@ -44,6 +82,12 @@ class Refiner {
   }
 
  private:
+  std::optional<Eigen::VectorXd> on_domain(const Eigen::VectorXd& x) {
+    if (plane_)
+      if (const std::optional<Station> station = plane_->reach(x)) return station->u;
+    return lines_.nearest(x);
+  }
+
   bool off(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double t) {
     const Eigen::VectorXd x = (1 - t) * a + t * b;
     const std::optional<Eigen::VectorXd> on = lines_.nearest(x);
@@ -51,6 +95,7 @@ class Refiner {
   }
 
   LineProjector lines_;
+  std::optional<StationFinder> plane_;
   double tolerance_;
   int given_up_ = 0;
   std::vector<Eigen::VectorXd> points_;
@@ -76,11 +121,13 @@ PostProcessed OnSurfacePostProcessor::apply(const Problem& problem, const FirstP
   const Points& u = current.chain.u;
   const Index segments = current.chain.segment_count();
   const double tolerance = options_.tolerance > 0 ? options_.tolerance : kOfExtent * extent(u);
+  const CuttingPlanes planes(manifold, current.chain);
   Refiner refiner(manifold, tolerance);
   refiner.start(u.col(0));
   std::vector<Index> ends = {0};  // of the segments, in the curve
   for (Index i = 0; i < segments; ++i) {
     if (monitor.interrupted()) return current;
+    refiner.cut_by(planes.of_segment(i));
     refiner.segment(u.col(i), u.col((i + 1) % u.cols()));
     ends.push_back(static_cast<Index>(refiner.points().size()) - 1);
   }

@@ -35,10 +35,18 @@ struct Outcome {
   const char* note = nullptr;  ///< where the solved path was not taken
 };
 
-/// The solve may have slid into a longer class: its result is kept only where it is no longer than the first path's.
-Outcome straighten_open(const TriangleMesh& mesh, const SurfacePath& first, const SurfacePath& solved,
+/// The solve may have slid into a longer class: its result is kept only where it is no longer than the first path's. Of a loop with a fixed
+/// point (`based`) nothing may be left: see straighten_closed().
+Outcome straighten_open(const TriangleMesh& mesh, const SurfacePath& first, const SurfacePath& solved, bool based,
                         const StraightenOptions& options) {
+  constexpr double kNothing = 1e-9;  // of the first loop
   Straightened a = straighten(mesh, first, options), b = straighten(mesh, solved, options);
+  const double nothing = based ? kNothing * path_length(first, options.metric) : 0;
+  if (based && b.final_length <= nothing) {
+    if (a.final_length <= nothing) return {std::move(b.path), b.finished, true};
+    return {std::move(a.path), a.finished, false, "straighten: the solved loop contracts; the first one is taken"};
+  }
+  if (based && a.final_length <= nothing) return {std::move(b.path), b.finished};
   if (a.final_length < b.final_length)
     return {std::move(a.path), a.finished, false, "straighten: the first path gave a shorter path than the solved one"};
   return {std::move(b.path), b.finished};
@@ -79,8 +87,8 @@ PostProcessed StraightenPostProcessor::apply(const Problem& problem, const First
       .metric = *metric, .stop = [&monitor] { return monitor.interrupted(); }, .flips = true};
   const bool ring = current.chain.ring;
   const SurfacePath start = traced(mesh, first.path), solved = on_surface(mesh, current);
-  const Outcome best =
-      ring ? straighten_closed(mesh, start, solved, options) : straighten_open(mesh, start, solved, options);
+  const Outcome best = ring ? straighten_closed(mesh, start, solved, options)
+                            : straighten_open(mesh, start, solved, problem.based, options);
   if (best.collapsed) {
     current.collapsed = true;
     current.notes.emplace_back("straighten: the ring contracts to a point of the mesh");

@@ -154,6 +154,7 @@ void remove_duplicates(PointSamples& samples) {
   std::vector<char> repeated(n, 0);
   for (std::size_t i = 1; i < n; ++i)
     if (position(order[i]) == position(order[i - 1])) repeated[static_cast<std::size_t>(order[i])] = 1;
+  samples.count_in_file = static_cast<std::int32_t>(n);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < n; ++i) {
     if (repeated[i] != 0) continue;

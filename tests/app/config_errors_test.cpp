@@ -159,13 +159,30 @@ TEST_CASE("config errors: parts that do not fit each other") {
   CHECK_THAT(errors_of(kPlane + "path: {ring: true}\n"),
              Contains("a ring (path.ring: true) has no ends: remove one of the two"));
   const std::string ring = "manifold: euclidean\ncost: euclidean\npath: {ring: true}\n";
-  CHECK_THAT(errors_of(ring), Contains("it needs an initializer, plane_cut, waypoints or file"));
+  const std::string based =
+      "manifold: {type: parametric, surface: torus}\ncost: euclidean\npath: {ring: true}\n"
+      "initializer: {type: coordinate_circle, through: [0, 3]}\n";
+  CHECK(errors_of(based + "ends: {source: {point: [0, 3]}}\n") == "");
+  CHECK_THAT(errors_of(based + "ends: {source: {point: [0, 3]}, target: {point: [1, 3]}}\n"),
+             Contains("the source alone is a fixed point of the ring"));
+  CHECK_THAT(errors_of(based + "ends: {source: {point: [0, 3, 1]}}\n"), Contains("3 coordinates"));
+  CHECK_THAT(errors_of(based + "family: {windings: 1, bows: 2}\n"),
+             Contains("'windings' lists images of the target, and a ring has none") &&
+                 Contains("'bows' bows the line between two ends, and a ring has none"));
+  CHECK_THAT(errors_of(based + "family: {initializers: [straight]}\n"), Contains("'straight' joins two ends"));
+  CHECK_THAT(errors_of("manifold: {type: parametric, surface: torus}\ncost: euclidean\npath: {ring: true}\n"),
+             Contains("it needs an initializer: plane_cut, waypoints, coordinate_circle or file"));
+  CHECK_THAT(errors_of(kPlane + "family: {routes: 3}\n"), Contains("'routes' needs a manifold with a graph"));
+  CHECK_THAT(errors_of(based + "family: {routes: 3, mirrored: true}\n"),
+             Contains("'routes' lists routes between two ends") && Contains("'mirrored' mirrors a path at its ends"));
+  CHECK_THAT(errors_of(kPlane + "family: {windings: 1}\n"), Contains("'windings' needs a manifold with a chart"));
+  CHECK_THAT(errors_of(ring), Contains("it needs an initializer: waypoints or file"));
   CHECK_THAT(errors_of(ring + "initializer: straight\n"), Contains("'straight' joins two ends and a ring has none"));
   CHECK(errors_of(ring + "initializer: {type: waypoints, points: [[1, 0], [0, 1], [-1, -1]]}\n") == "");
   CHECK(errors_of(mesh + "cost: euclidean\npath: {ring: true}\npost_process: [straighten]\n"
                          "initializer: {type: plane_cut, point: [0, 0, 0], normal: [0, 0, 1]}\n") == "");
   CHECK_THAT(errors_of(ring + "initializer: {type: plane_cut, point: [0, 0, 0], normal: [0, 0, 1]}\n"),
-             Contains("'plane_cut' needs a manifold with a mesh"));
+             Contains("'plane_cut' needs a manifold with a surface"));
 }
 
 TEST_CASE("config errors: ends") {

@@ -48,4 +48,18 @@ TEST_CASE("level sets in a configuration: described with every type of surface")
   CHECK_THAT(app::resolved_yaml(loaded.config), Contains("  surface:\n    type: ellipsoid\n    axes: [1, 2, 3]\n"));
 }
 
+TEST_CASE("distance grids in a configuration: checked without reading or sampling anything") {
+  CHECK(errors_of(on("  type: signed_distance\n  source: {type: mesh, file: missing.obj}\n  cell: 1\n")) == "");
+  CHECK(errors_of(on("  type: signed_distance\n  source: {type: implicit, surface: sphere}\n  cell: 1e-9\n")) == "");
+  CHECK_THAT(errors_of(on("  type: signed_distance\n")), Contains("missing key 'source' in manifold"));
+  CHECK_THAT(
+      errors_of(on("  type: signed_distance\n  source: {type: implicit, surface: sphere}\n  cell: 1\n  accuracy: 1\n")),
+      Contains("a.yaml:5:13: error: 'accuracy' in manifold: give either the cell or the accuracy"));
+  CHECK_THAT(errors_of(on("  type: signed_distance\n  source: {type: mesh, file: a.obj, sign: unsigned}\n")),
+             Contains("'offset' in manifold.source: an unsigned distance has no gradient at 0"));
+  CHECK_THAT(
+      errors_of(on("  type: signed_distance\n  source: {type: implicit, surface: {type: formula, f: x + yy}}\n")),
+      Contains("a.yaml:3:56: error: 'f' in manifold.source.surface: character 5"));
+}
+
 }  // namespace leastcost::test

@@ -62,4 +62,18 @@ TEST_CASE("progress: errors that are no numbers are no progress") {
   printer.show({Stage::certify, nullptr});
 }
 
+TEST_CASE("progress: a domain that is being made, as a bar and in lines") {
+  std::ostringstream out, bar, lines;
+  app::ProgressPrinter on_terminal({out, bar, true, false}, false), elsewhere({out, lines, false, false}, false);
+  on_terminal.show_building(0, "distances");
+  elsewhere.show_building(0, "distances");
+  wait(1050);
+  on_terminal.show_building(0.25, "distances");
+  elsewhere.show_building(0.25, "distances");
+  elsewhere.show_building(0.99, "distances");  // at most a line per second
+  CHECK_THAT(bar.str(), Contains("\r\033[K[#####...............] build        distances"));
+  CHECK_THAT(lines.str(), Contains(" 25 %  build        distances\n"));
+  CHECK(lines.str().find("99 %") == std::string::npos);
+}
+
 }  // namespace leastcost::test

@@ -237,6 +237,19 @@ TEST_CASE("run: a ring is closed in every file") {
   CHECK_THAT(content(dir / "out/path.vtp"), Contains(" 31 0\n"));
 }
 
+TEST_CASE("run: a loop with a fixed point begins and ends there") {
+  const ScratchDir dir;
+  run_file(write(dir / "loop.yaml", content(project_dir() / "configs/based_loop.yaml")), dir / "out");
+  const Json r = result_of(dir / "out");
+  CHECK(r["status"] == "certified");
+  CHECK(r["ring"] == true);
+  CHECK(r["points"] == 64);
+  CHECK(r["ends"]["source"]["placed"] == Json({0.0, 2.2}));
+  CHECK_FALSE(r["ends"].contains("target"));
+  const auto rows = csv(dir / "out/path.csv");
+  CHECK(rows.size() == 1 + 64 + 2);
+}
+
 TEST_CASE("run: ends are placed or refused with their position") {
   const ScratchDir dir;
   write(dir / "pyramid.obj", kPyramid);

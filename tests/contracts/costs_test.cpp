@@ -1,11 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
+#include <fstream>
+
 #include "framework/errors.hpp"
 #include "problems/costs/euclidean.hpp"
 #include "problems/costs/metric_field.hpp"
 #include "problems/costs/metric_tensor.hpp"
 #include "problems/costs/travel_time.hpp"
+#include "problems/manifolds/mesh.hpp"
+#include "problems/manifolds/point_cloud.hpp"
 #include "tests/contracts/cost_contract.hpp"
+#include "tests/problems/sample_clouds.hpp"
+#include "tests/problems/sample_meshes.hpp"
+#include "tests/support/data.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -40,6 +47,28 @@ CostCase metric_field(const char* type, const char* reading, const char* rule) {
   return c;
 }
 
+double hill(double x, double y) { return 0.3 * x * x - 0.2 * x * y + 0.1 * std::sin(2 * y); }
+
+std::shared_ptr<const ConstraintManifold> hill_mesh() {
+  return std::make_shared<MeshManifold>(TriangleMesh(sheet(20, 20, [](double s, double t) -> Eigen::Vector3d {
+    return {s - 0.5, t - 0.5, hill(s - 0.5, t - 0.5)};
+  })));
+}
+std::shared_ptr<const ConstraintManifold> hill_cloud() {
+  PointSamples samples = sheet_cloud(400, [](double s, double t) { return hill(s - 0.5, t - 0.5); });
+  for (Eigen::Vector3d& p : samples.positions) p -= Eigen::Vector3d(0.5, 0.5, 0);
+  return std::make_shared<PointCloudManifold>(PointCloud(samples, {}));
+}
+
+/// Tensors on the data of a hill; points over the middle of it, within a spacing.
+CostCase on_data(const ConstraintManifold& domain, MetricFieldOptions options,
+                 const std::filesystem::path& folder = {}) {
+  return {.cost = make_metric_field_cost(options, 3, &domain, folder), .draw = [](Random& random) -> Eigen::VectorXd {
+            const double x = random.uniform(-0.3, 0.3), y = random.uniform(-0.3, 0.3);
+            return Eigen::Vector3d(x, y, hill(x, y) + random.uniform(-0.03, 0.03));
+          }};
+}
+
 /// Level at height 0; points between 1 and 3 below it.
 CostCase travel_time(const char* rule, int d) {
   TravelTimeOptions options;
@@ -65,6 +94,38 @@ TEST_CASE("cost contract: metric_field, named", "[contract]") {
 }
 TEST_CASE("cost contract: metric_field, formula", "[contract]") {
   check_cost_contract(metric_field("formula", GENERATE("metric", "root"), GENERATE("midpoint", "average")));
+}
+TEST_CASE("cost contract: metric_field, curvature", "[contract]") {
+  MetricFieldOptions options;
+  options.type = "curvature";
+  options.curvature.weight = 0.3;
+  options.reading = GENERATE("metric", "root");
+  options.rule = GENERATE("midpoint", "average");
+  check_cost_contract(on_data(*GENERATE(hill_mesh, hill_cloud)(), options));
+}
+TEST_CASE("cost contract: metric_field, file", "[contract]") {
+  const ScratchDir folder;
+  const bool cloud = GENERATE(true, false);
+  const auto domain = cloud ? hill_cloud() : hill_mesh();
+  MetricFieldOptions options;
+  options.type = "file";
+  options.tensor_file.file = "tensors.txt";
+  options.tensor_file.on = GENERATE("auto", "faces");
+  if (cloud && options.tensor_file.on == "faces") return;
+  const SurfaceSamples samples = cloud ? point_samples(dynamic_cast<const HasPointCloud&>(*domain).cloud())
+                                       : (options.tensor_file.on == "faces" ? face_samples : vertex_samples)(
+                                             dynamic_cast<const HasMesh&>(*domain).mesh());
+  std::vector<std::string> rows(samples.in_file.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Eigen::Vector3d& p = samples.positions[i];
+    rows[static_cast<std::size_t>(samples.in_file[i])] = std::to_string(2 + std::sin(3 * p[0])) + " " +
+                                                         std::to_string(p[0] * p[1]) + " 0.1 3 " +
+                                                         std::to_string(p[1]) + " 1.5";
+  }
+  std::ofstream out(folder / "tensors.txt");
+  for (const std::string& row : rows) out << row << '\n';
+  out.close();
+  check_cost_contract(on_data(*domain, options, folder.path()));
 }
 TEST_CASE("cost contract: travel_time, chute", "[contract]") {
   check_cost_contract(travel_time("chute", GENERATE(2, 3, 7)));

@@ -6,6 +6,7 @@
 #include "problems/initializers/bow.hpp"
 #include "problems/initializers/coordinate_circle.hpp"
 #include "problems/initializers/dijkstra.hpp"
+#include "problems/initializers/mirrored.hpp"
 #include "problems/initializers/plane_cut.hpp"
 #include "problems/initializers/rrt.hpp"
 #include "problems/manifolds/implicit.hpp"
@@ -182,6 +183,29 @@ TEST_CASE("initializer contract: straight, on smooth surfaces", "[contract]") {
   CHECK_THAT(refused(surface("torus"), 3 * x, x), Catch::Contains("no continuous projection"));
 }
 
+TEST_CASE("initializer contract: mirrored", "[contract]") {
+  const MirroredInitializer bow(std::make_shared<const BowInitializer>(BowOptions{0.3, 0}));
+  for (const int d : {2, 3, 7}) {
+    const Problem problem =
+        between(space(d), make_euclidean_cost(d), Eigen::VectorXd::Zero(d), Eigen::VectorXd::Ones(d));
+    check_initializer_contract(bow, problem);
+    const Points a = BowInitializer({0.3, 0}).first_path(problem, {}).path.u, b = bow.first_path(problem, {}).path.u;
+    CHECK((BowInitializer({0.3, 180}).first_path(problem, {}).path.u - b).cwiseAbs().maxCoeff() <= 1e-14);
+    CHECK((a - b).cwiseAbs().maxCoeff() > 0.1);
+  }
+  check_initializer_contract(bow, problems_on_surfaces(false).front());
+  check_initializer_contract(bow, problems_on_mesh().front());
+  // On a sphere the mirror image of a detour is the detour to the other side.
+  Points through(3, 1);
+  through << 0.7, 0.7, 0.1;
+  const Problem sphere =
+      between(surface("sphere"), make_euclidean_cost(3), Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 0, 1));
+  const MirroredInitializer way(std::make_shared<const WaypointsInitializer>(through));
+  CHECK(WaypointsInitializer(through).first_path(sphere, {}).path.u.row(1).maxCoeff() > 0.5);
+  CHECK(way.first_path(sphere, {}).path.u.row(1).minCoeff() < -0.5);
+  CHECK_THROWS_AS(bow.first_path(closed(space(2), make_euclidean_cost(2)), {}), InitializationError);
+}
+
 TEST_CASE("initializer contract: rrt", "[contract]") {
   for (const Problem& problem : problems_on_surfaces(true)) {
     check_initializer_contract(RrtInitializer(), problem);
@@ -227,6 +251,13 @@ TEST_CASE("initializer contract: rrt, seeds and failures", "[contract]") {
 TEST_CASE("initializer contract: dijkstra", "[contract]") {
   for (const Problem& problem : problems_on_mesh()) check_initializer_contract(DijkstraInitializer(), problem);
   for (const Problem& problem : problems_on_cloud()) check_initializer_contract(DijkstraInitializer(), problem);
+  for (const int rank : {2, 3}) {
+    for (const Problem& problem : problems_on_mesh())
+      check_initializer_contract(DijkstraInitializer({.routes = 1, .rank = rank}), problem);
+    check_initializer_contract(DijkstraInitializer({.routes = 1, .rank = rank}), problems_on_cloud().front());
+  }
+  CHECK_THROWS_AS(DijkstraInitializer({.routes = 2, .rank = 2}).first_path(problems_on_mesh().front(), {}),
+                  OptionError);
   CHECK_THROWS_AS(DijkstraInitializer({2}).first_path(problems_on_cloud().front(), {}), InputError);
   CHECK_THROWS_AS(DijkstraInitializer().first_path(problems_in_plane().front(), {}), InputError);
   CHECK_THROWS_AS(DijkstraInitializer().first_path(closed(ball(), make_euclidean_cost(3)), {}), InitializationError);

@@ -125,6 +125,12 @@ inline bool is_vertex(const ManifoldCase& c, const Eigen::VectorXd& x) {
   return false;
 }
 
+/// Whether bounds meet at an angle: off the one a step may come up against the other.
+inline bool at_an_angle(const Points& normals) {
+  const Points products = normals.transpose() * normals;
+  return (products - Points::Identity(products.rows(), products.cols())).cwiseAbs().maxCoeff() > 1e-9;
+}
+
 /// Outward unit normals, only on a bound: a step along one does not move the point, a step against it does.
 inline void check_bounds(const ManifoldCase& c, const CoordinatePath& path) {
   const auto* bounds = dynamic_cast<const HasBounds*>(c.manifold.get());
@@ -134,7 +140,7 @@ inline void check_bounds(const ManifoldCase& c, const CoordinatePath& path) {
     const int count = bounds->active_bounds(path, i, normals);
     for (int k = 0; k < count; ++k) {
       CHECK(normals.col(k).norm() == Approx(1).epsilon(1e-14));
-      if (is_vertex(c, path.u.col(i))) continue;
+      if (is_vertex(c, path.u.col(i)) || at_an_angle(normals.leftCols(count))) continue;
       CoordinatePath one{path.u.col(i), {}, true}, to;
       if (!path.sites.empty()) one.sites = {path.site(i)};
       c.manifold->retract(one, 1e-4 * normals.col(k), to);

@@ -132,6 +132,36 @@ TEST_CASE("post_processor contract: on_surface", "[contract]") {
   }
 }
 
+TEST_CASE("VFCS Eq. (16): on_surface puts the points over a segment into the plane of chord and mean normal",
+          "[contract]") {
+  ImplicitManifoldOptions options;
+  options.surface = GENERATE("torus", "genus2", "gyroid");
+  const auto manifold = make_implicit_manifold(options);
+  const Problem problem =
+      between(manifold, make_euclidean_cost(3), Eigen::Vector3d(0.9, 1, 0.3), Eigen::Vector3d(0.9, -1, 0.5));
+  const FirstPath first = StraightInitializer().first_path(problem, {});
+  const PostProcessed chain = as_delivered(problem, sample_equally(problem, first.path, 7));
+  const PostProcessed made = OnSurfacePostProcessor({1e-4}).apply(problem, first, chain, {});
+  const auto normal = [&](const Eigen::Vector3d& x) {
+    Eigen::VectorXd value(1);
+    Points gradient(3, 1);
+    manifold->function().evaluate(x, value, gradient);
+    return Eigen::Vector3d(gradient.normalized());
+  };
+  const Points& u = made.chain.u;
+  Index segment = 0, inside = 0;
+  for (Index i = 1; i < made.curve.x.cols(); ++i) {
+    const Eigen::Vector3d a = u.col(segment), b = u.col(segment + 1), x = made.curve.x.col(i);
+    CHECK(std::abs((x - a).dot(((normal(a) + normal(b)) / 2).cross(b - a).normalized())) <= 1e-11);
+    if (x == b)
+      ++segment;
+    else
+      ++inside;
+  }
+  CHECK(segment == 8);
+  CHECK(inside > 16);
+}
+
 TEST_CASE("post_processor contract: on_surface, rings", "[contract]") {
   ImplicitManifoldOptions options;
   options.surface = "torus";

@@ -43,7 +43,35 @@ struct Kinked {
   }
 };
 
+/// A rough weight, of which the Gauss-Newton model knows the slope alone.
+struct Rough {
+  static constexpr int dim = 2;
+  CostTraits traits() const { return {}; }
+  template <class S>
+  Point<S, 2> residual(const Point<S, 2>& a, const Point<S, 2>& b) const {
+    using std::cos, std::sin;
+    const S weight = S(2.0) + S(1.5) * sin(S(15.0 * (a[0] + b[0]))) * cos(S(17.0 * (a[1] + b[1])));
+    return weight * (b - a);
+  }
+  template <class S>
+  S value(const Point<S, 2>& a, const Point<S, 2>& b) const {
+    return residual<S>(a, b).squaredNorm();
+  }
+};
+
 }  // namespace
+
+TEST_CASE("bundle: a step that is far too long is shortened, not learned from", "[framework]") {
+  const Problem problem = between(space(2), make_segment_cost(Rough{}), Eigen::Vector2d(-1, 0), Eigen::Vector2d(1, 0));
+  CoordinatePath path =
+      sample_equally(problem, WaypointsInitializer(Eigen::Vector2d(0.2, 0.31)).first_path(problem, {}).path, 60);
+  PathEnergy energy(problem, 0.01);  // exp(s^2) with s about 8
+  BundleStep step{true, 0, 0};
+  int steps = 0;
+  for (; steps < 300 && step.lowered; ++steps) step = bundle_step(energy, path, 1e-8);
+  CAPTURE(steps, energy.cost(path), step.cost_error);
+  CHECK(step.cost_error <= 1e-6);
+}
 
 TEST_CASE("bundle: the shortest element of a hull, against brute force", "[framework]") {
   Random random;

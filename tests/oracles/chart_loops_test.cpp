@@ -48,4 +48,20 @@ TEST_CASE("D2: in a chart the outer equator is a saddle of order 3, a meridian d
   CHECK(meridian.costs.sum() == Approx(2 * 64 * std::sin(kPi / 64)).epsilon(1e-10));
 }
 
+TEST_CASE("D2: around a cylinder every circle is a geodesic, none of them a certified minimum", "[oracle]") {
+  const int n = GENERATE(8, 16, 64, 200);
+  ParametricOptions options;
+  options.type = "cylinder";
+  const Problem problem = closed(make_parametric_manifold(options), make_euclidean_cost(3));
+  Points through(2, 3);
+  through << 0, 2, 4.5, 0.3, -0.2, 0.1;
+  for (const Result& result :
+       {find(problem, n, WaypointsInitializer(through)), loop("cylinder", 0, Eigen::Vector2d(0.3, 0.4), n)}) {
+    CAPTURE(n, failures(result.certificate));
+    CHECK(failed(result.certificate, "degenerate"));
+    CHECK(result.certificate.index.nullity == 1);
+    CHECK(std::abs(result.certificate.estimate.value - 2 * kPi) <= result.certificate.estimate.error);
+  }
+}
+
 }  // namespace leastcost::test

@@ -10,6 +10,7 @@
 #include "problems/manifolds/mesh.hpp"
 #include "problems/manifolds/parametric.hpp"
 #include "problems/manifolds/point_cloud.hpp"
+#include "problems/manifolds/signed_distance.hpp"
 #include "problems/post_processors/straighten.hpp"
 #include "problems/post_processors/trace.hpp"
 #include "tests/problems/sample_clouds.hpp"
@@ -102,6 +103,14 @@ TEST_CASE("one surface, five representations", "[oracle]") {
   ImplicitManifoldOptions implicit;
   implicit.surface = s.name;
   covers(s, "implicit", find(between_ends(s, make_implicit_manifold(implicit)), kPoints));
+  for (const char* cell : {"0.2", "0.1"}) {
+    SignedDistanceOptions grid;
+    grid.source = "implicit";
+    grid.implicit = implicit;
+    grid.cell = std::stod(cell);
+    covers(s, std::string("distance grid, cell ") + cell,
+           find(between_ends(s, make_signed_distance_manifold(grid, "")), kPoints));
+  }
   for (const int count : {5000, 20000})
     covers(s, "cloud, " + std::to_string(count) + " points",
            find(between_ends(s, std::make_shared<const PointCloudManifold>(PointCloud(s.cloud(count), {}))), kPoints,

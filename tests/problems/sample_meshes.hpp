@@ -67,6 +67,22 @@ inline PolygonSoup sphere(int levels) {
   return soup;
 }
 
+/// The image of an m x n grid of quads over [0, 1]^2 under `position`, each cut along a diagonal.
+template <class Position>
+PolygonSoup sheet(int m, int n, Position position) {
+  PolygonSoup soup;
+  for (int i = 0; i <= m; ++i)
+    for (int j = 0; j <= n; ++j)
+      soup.positions.emplace_back(position(static_cast<double>(i) / m, static_cast<double>(j) / n));
+  const auto vertex = [&](int i, int j) { return i * (n + 1) + j; };
+  for (int i = 0; i < m; ++i)
+    for (int j = 0; j < n; ++j) {
+      add_polygon(soup, {vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
+      add_polygon(soup, {vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+    }
+  return soup;
+}
+
 enum class Closing { kOpen, kRound, kTwisted };
 
 /// A grid of m x n quads whose columns close as u says (kTwisted: v reversed) and whose rows close or not. Positions are
