@@ -25,14 +25,14 @@ std::string_view name(Termination termination) {
   return "unknown";
 }
 
-std::optional<std::string> Solver::cannot_solve(const PathEnergy&) const { return std::nullopt; }
+std::optional<std::string> Solver::cannot_solve(const PathEnergy&, const CoordinatePath&) const { return std::nullopt; }
 
 SolveReport Solver::solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const {
   const auto start = Monitor::Clock::now();
   SolveReport report;
   const Counters before = energy.counters();
   const double initial = energy.value(path);
-  if (const std::optional<std::string> reason = cannot_solve(energy)) {
+  if (const std::optional<std::string> reason = cannot_solve(energy, path)) {
     report.message = *reason;
   } else if (!std::isfinite(initial)) {
     report.message = "the energy of the first path is not finite";

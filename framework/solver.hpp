@@ -62,7 +62,7 @@ class Solver {
   virtual ~Solver() = default;
   virtual std::string_view name() const = 0;
   /// In words, why this solver cannot work on this energy; checked before work starts.
-  virtual std::optional<std::string> cannot_solve(const PathEnergy& energy) const;
+  virtual std::optional<std::string> cannot_solve(const PathEnergy& energy, const CoordinatePath& path) const;
   /// Checks, counts and times do_solve().
   SolveReport solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const;
 

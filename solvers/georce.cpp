@@ -156,7 +156,7 @@ void GeorceOptions::fields(FieldVisitor& visit) {
   limit_fields(visit, max_iterations, max_evaluations);
 }
 
-std::optional<std::string> Georce::cannot_solve(const PathEnergy& energy) const {
+std::optional<std::string> Georce::cannot_solve(const PathEnergy& energy, const CoordinatePath&) const {
   const Problem& problem = energy.problem();
   if (problem.ring) return "georce needs an open path: its points move from the source on";
   const bool chart =

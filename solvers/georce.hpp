@@ -23,7 +23,7 @@ class Georce final : public Solver {
  public:
   explicit Georce(GeorceOptions options = {}) : options_(options) {}
   std::string_view name() const override { return "georce"; }
-  std::optional<std::string> cannot_solve(const PathEnergy& energy) const override;
+  std::optional<std::string> cannot_solve(const PathEnergy& energy, const CoordinatePath& path) const override;
 
  private:
   SolveReport do_solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const override;
