@@ -141,6 +141,7 @@ const auto& manifolds() {
             return make_signed_distance_manifold(o, c.folder, c.progress);
           })
           .providing(std::string(kEmbedded))
+          .providing(std::string(kSurface))
           .providing(std::string(kGrid)),
   };
   return all;

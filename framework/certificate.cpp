@@ -9,6 +9,7 @@
 
 #include "framework/bundle.hpp"
 #include "framework/chain_model.hpp"
+#include "framework/curve_value.hpp"
 #include "framework/geometry_error.hpp"
 #include "framework/path_energy.hpp"
 #include "framework/path_index.hpp"
@@ -24,7 +25,12 @@ constexpr double kPolyhedronSpacing = 0.05;
 constexpr double kPolyhedronError = 0.01;  ///< relative error bar above which it is a failure
 constexpr double kWidestBar = 0.1;         ///< relative error bar above which a path on a smooth domain says nothing
 constexpr double kSpacingFall = 3;         ///< second order halves the step and quarters the spread; 3 leaves room
-constexpr double kBoundJitter = 4;         ///< room for where points happen to meet a bound
+constexpr double kSpacingRoom =
+    4;  ///< the levels fit s0 to their path; from a longer first path exp is 2.8 times less stiff
+constexpr double kBoundJitter = 4;   ///< room for where points happen to meet a bound
+constexpr double kTracedSafety = 4;  ///< of the largest difference between traced levels
+constexpr double kBetween = 1.25;    ///< room for the chords of the path between the points
+constexpr double kJump = 1.3;        ///< straight move in a chart against the chord: pi / 2 for one around a pole
 constexpr int kBundleSteps = 20;
 
 std::string text(double x) {
@@ -134,11 +140,11 @@ class Certifier {
     values.push_back(path_.curve.cost);
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     c_.estimate.method = "traced";
-    c_.estimate.error = 2 * (*most - *least);
+    c_.estimate.error = kTracedSafety * (*most - *least) + *c_.stationarity * path_.curve.cost;
     if (refinement.levels.size() < 3)
       fail(refinement.collapsed ? "collapsed" : "refinement", refinement.trouble);
     else if (!(c_.estimate.error <= kPolyhedronError * path_.curve.cost))
-      fail("error_bar", "the traced cost varies by " + text(c_.estimate.error / path_.curve.cost / 2) +
+      fail("error_bar", "the traced cost varies by " + text((*most - *least) / path_.curve.cost) +
                             " (relative) between " + std::to_string(refinement.levels[0].segments) + " and " +
                             std::to_string(refinement.levels[2].segments) + " segments; use more points");
     const auto& levels = c_.levels;
@@ -171,14 +177,19 @@ class Certifier {
   void certify_chain() {
     c_.scope = "local";
     measure_stationarity();
-    measure_index();
+    c_.index = path_index(energy_, path_.chain, options_.index_shift);
+    measure_chart_jumps();
     const Refinement refinement = refine_levels(problem_, path_.chain, certifier_, monitor_);
     c_.levels = refinement.levels;
     if (monitor_.interrupted()) return;  // run() says so; half a refinement says nothing
     if (!refinement.trouble.empty()) fail(refinement.collapsed ? "collapsed" : "refinement", refinement.trouble);
+    measure_fine_index(refinement);
+    judge_index();
+    const std::optional<double> between = cost_between_points();
     check_spacing();
     measure_doubling();
     c_.estimate = estimate_cost(problem_, energy_, path_.chain, refinement, c_.index, hugs_bound_, c_.failures);
+    if (between) c_.estimate.error = std::max(c_.estimate.error, kBetween * std::abs(*between - c_.estimate.value));
     if (!(c_.estimate.error <= kWidestBar * c_.estimate.value))
       fail("error_bar", "the error bar is " + text(c_.estimate.error / c_.estimate.value) +
                             " of the cost: too few points for this path");
@@ -212,8 +223,51 @@ class Certifier {
            std::any_of(beyond_first, frames.blocked.end(), [](int blocked) { return blocked > 0; });
   }
 
-  void measure_index() {
-    c_.index = path_index(energy_, path_.chain, options_.index_shift);
+  /// With few points a path past its conjugate point may still look like a minimum: the finest chain has the last word.
+  void measure_fine_index(const Refinement& refinement) {
+    if (c_.index.verdict != IndexVerdict::minimum || refinement.paths.size() < 3) return;
+    const CoordinatePath& fine = refinement.paths[2];
+    PathEnergy energy(problem_, refinement.levels[2].cost / refinement.levels[2].segments);
+    const PathIndex index = path_index(energy, fine, options_.index_shift);
+    if (index.verdict != IndexVerdict::not_applicable) c_.index = index;
+  }
+
+  void measure_chart_jumps() {
+    if (dynamic_cast<const HasChart*>(problem_.manifold.get()) == nullptr) return;
+    const ChartJump jump = worst_chart_jump(problem_, path_.chain, energy_.costs(path_.chain));
+    if (jump.ratio > kJump)
+      fail("longest_segment", "between points " + std::to_string(jump.segment) + " and " +
+                                  std::to_string(jump.segment + 1) + " the straight way in the chart costs " +
+                                  text(jump.ratio) +
+                                  " times the chord: the path jumps over a part of the domain; use more points");
+  }
+
+  /// On a curved domain with bounds that is not a chart: where the path between its points comes to rest on a bound that the points do not see,
+  /// the cost of the path with eight times as many points, projected onto the domain.
+  std::optional<double> cost_between_points() {
+    constexpr Index kPieces = 8;
+    const ConstraintManifold& manifold = *problem_.manifold;
+    const auto* bounds = dynamic_cast<const HasBounds*>(&manifold);
+    if (bounds == nullptr || manifold.shape() != Shape::smooth || dynamic_cast<const HasChart*>(&manifold) != nullptr)
+      return std::nullopt;
+    const CoordinatePath& chain = path_.chain;
+    const Index segments = chain.segment_count();
+    CoordinatePath dense{Points(chain.u.rows(), kPieces * segments + (chain.ring ? 0 : 1)), {}, chain.ring};
+    for (Index i = 0; i < dense.u.cols(); ++i) {
+      const double t = static_cast<double>(i % kPieces) / kPieces;
+      dense.u.col(i) = (1 - t) * chain.column(i / kPieces);
+      if (t > 0) dense.u.col(i) += t * chain.column(i / kPieces + 1);
+    }
+    if (!manifold.project(dense).failed.empty()) return std::nullopt;
+    Points normals(chain.u.rows(), chain.u.rows());
+    bool rests = false;
+    for (Index i = 1; i + 1 < dense.u.cols() && !rests; ++i) rests = bounds->active_bounds(dense, i, normals) > 0;
+    if (!rests) return std::nullopt;
+    hugs_bound_ = true;
+    return energy_.cost(dense);
+  }
+
+  void judge_index() {
     switch (c_.index.verdict) {
       case IndexVerdict::minimum: return;
       case IndexVerdict::saddle:
@@ -246,7 +300,7 @@ class Certifier {
       falls = s4 <= std::max(options_.spacing, kBoundJitter / 16 * std::max(s1, 4 * s2));
     }
     const double ratio = c_.levels[1].segments / static_cast<double>(path_.chain.segment_count());
-    const double expected = std::max(options_.spacing, 2 * second_order * ratio * ratio);
+    const double expected = std::max(options_.spacing, kSpacingRoom * second_order * ratio * ratio);
     if (!falls)
       return fail("spacing", "unequal segments (" + text(c_.spacing) + ") that do not even out at second order");
     if (c_.spacing > expected) fail_spacing(expected);

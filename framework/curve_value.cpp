@@ -24,21 +24,47 @@ void cubic(double t, Eigen::Vector4d& w, Eigen::Vector4d& dw) {
       (b * c + a * c + a * b) / 6;
 }
 
+/// The line element of a cost at points given in coordinates.
+class LineElement {
+ public:
+  explicit LineElement(const Problem& problem)
+      : problem_(problem), chart_(dynamic_cast<const HasChart*>(problem.manifold.get())) {}
+
+  /// At the only column of `point`, for a velocity in coordinates.
+  double operator()(const CoordinatePath& point, const Eigen::VectorXd& velocity) {
+    if (chart_ == nullptr) return problem_.cost->line_element(point.u, velocity);
+    chart_->embed(point, x_);
+    chart_->jacobians(point, jacobian_);
+    return problem_.cost->line_element(x_, jacobian_ * velocity);
+  }
+
+ private:
+  const Problem& problem_;
+  const HasChart* chart_;
+  Points x_, jacobian_;
+};
+
+/// Cost of the straight line a -> b in coordinates; +infinity where it leaves the domain.
+double straight_cost(const Problem& problem, LineElement& element, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  CoordinatePath point{a, {}, true};
+  double sum = 0;
+  for (std::size_t g = 0; g < kNodes.size(); ++g) {
+    point.u = a + kNodes[g] * (b - a);
+    if (problem.manifold->residual(point) > 0) return std::numeric_limits<double>::infinity();
+    sum += kWeights[g] * element(point, b - a);
+  }
+  return sum;
+}
+
 }  // namespace
 
 std::optional<double> smooth_curve_cost(const Problem& problem, const CoordinatePath& path) {
   const Index columns = path.u.cols();
-  const auto* chart = dynamic_cast<const HasChart*>(problem.manifold.get());
+  const bool chart = dynamic_cast<const HasChart*>(problem.manifold.get()) != nullptr;
   if ((problem.manifold->shape() != Shape::flat && !chart) || columns < 4) return std::nullopt;
   CoordinatePath point{Points(path.u.rows(), 1), {}, true};
-  Points x, jacobian;
-  // Line element at `point` for a velocity in coordinates.
-  const auto line_element = [&](const Eigen::VectorXd& velocity) {
-    if (!chart) return problem.cost->line_element(point.u, velocity);
-    chart->embed(point, x);
-    chart->jacobians(point, jacobian);
-    return problem.cost->line_element(x, jacobian * velocity);
-  };
+  LineElement element(problem);
+  const auto line_element = [&](const Eigen::VectorXd& velocity) { return element(point, velocity); };
   if (!path.ring) {
     point.u = path.u.col(0);
     if (!std::isfinite(line_element(path.u.col(1) - path.u.col(0)))) return std::nullopt;
@@ -73,6 +99,22 @@ std::optional<double> smooth_curve_cost(const Problem& problem, const Coordinate
     }
   }
   return std::isfinite(sum) ? std::optional(sum) : std::nullopt;
+}
+
+ChartJump worst_chart_jump(const Problem& problem, const CoordinatePath& path, const Eigen::VectorXd& costs) {
+  const auto& chart = dynamic_cast<const HasChart&>(*problem.manifold);
+  LineElement element(problem);
+  ChartJump worst;
+  for (Index i = 0; i < path.segment_count(); ++i) {
+    const Eigen::VectorXd a = path.column(i), b = path.column(i + 1);
+    double direct = straight_cost(problem, element, a, b);
+    for (const SeamMap& pole : chart.poles())
+      direct = std::min({direct, straight_cost(problem, element, a, pole.apply(b)),
+                         straight_cost(problem, element, a, pole.undo(b))});
+    const double ratio = direct / costs[i];
+    if (ratio > worst.ratio) worst = {ratio, i};
+  }
+  return worst;
 }
 
 }  // namespace leastcost

@@ -14,4 +14,13 @@ namespace leastcost {
 /// is singular (a bead at rest).
 std::optional<double> smooth_curve_cost(const Problem& problem, const CoordinatePath& path);
 
+/// Where a chain in a chart jumps: the largest ratio of what the straight move in coordinates between two neighbours costs to what the chain pays
+/// for the chord. It tends to 1 with the step. Far above 1 the chord cuts through space beside the surface, around a hole of the chart say, and
+/// the chain is no path of the chart's class. A move over a pole may be straight towards the image of a point instead.
+struct ChartJump {
+  double ratio = 1;
+  Index segment = -1;
+};
+ChartJump worst_chart_jump(const Problem& problem, const CoordinatePath& path, const Eigen::VectorXd& costs);
+
 }  // namespace leastcost

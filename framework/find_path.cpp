@@ -112,6 +112,9 @@ Result find_path(const Problem& problem, const Initializer& initializer, const S
     const int left =
         escape_saddles(energy, solver, options.certificate.index_shift, result.path, result.solve, monitor);
     if (left > 0) result.notes.push_back("escape_saddle: left " + std::to_string(left) + " saddles");
+    if (!energy.has_exact_hessian())
+      result.notes.push_back(
+          "escape_saddle: a path on a polyhedron, or under H = s, has no index that could show a saddle");
   });
 
   const ToCurve to_curve = [&](const CoordinatePath& chain) {

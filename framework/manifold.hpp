@@ -60,6 +60,8 @@ class HasChart {
   /// sum_j w_j Hess x_j(u) at all columns, w the columns of `weights` (ambient x columns), side by side: coordinate x (coordinate *
   /// columns).
   virtual void curvatures(const CoordinatePath& path, const Points& weights, Points& h) const = 0;
+  /// Ways over a pole, where the chart goes on as another part of itself: on a sphere (u, v) is also (u + pi, pi - v).
+  virtual const std::vector<SeamMap>& poles() const = 0;
 };
 
 /// Ambient positions of the columns of a path: through its chart, or the coordinates themselves.

@@ -28,6 +28,39 @@ constexpr double kHuggingOrder = 1;
 /// A curve in a chart may differ from the extrapolated value by this part of the largest level difference.
 constexpr double kCurveTolerance = 1e-3;
 
+/// Half as many segments as the first level, or about that: one more difference to judge the others by.
+void solve_coarser(const Problem& problem, const CoordinatePath& chain, int segments, const Solver& certifier,
+                   const Monitor& monitor, Refinement& result) {
+  const int least = chain.ring ? 3 : 2;
+  try {
+    CoordinatePath path = sample_equally(problem, chain, std::max(least, segments / 2) - (chain.ring ? 0 : 1));
+    PathEnergy energy(problem, PathEnergy(problem, 1).cost(path) / static_cast<double>(path.segment_count()));
+    if (!solved(certifier.solve(energy, path, monitor).termination)) return;
+    result.coarser = energy.cost(path);
+    result.coarser_segments = static_cast<int>(path.segment_count());
+  } catch (const InitializationError&) {
+    // Too few points for this path: there is nothing to compare with.
+  }
+}
+
+/// What the extrapolation R_k = (4 C_4M - C_2M) / 3 may be off. Its difference to R_{k-1} alone vanishes by chance now and then: the difference before
+/// that one, which is sixteen times larger where the cost is a series in h^2, and the spread of the segments, which is of the size of (h kappa)^2
+/// and hence of the part that the fourth order is of the second, must not say more.
+double richardson_bar(const Refinement& refinement) {
+  constexpr double kSafety = 3.0 / 15, kFall = 8, kTooCoarse = 4;
+  const auto& l = refinement.levels;
+  const double d24 = l[1].cost - l[2].cost;
+  const double fine = (4 * l[2].cost - l[1].cost) / 3, middle = (4 * l[1].cost - l[0].cost) / 3;
+  double bar = kSafety * std::abs(fine - middle);
+  if (refinement.coarser) {
+    const double r = static_cast<double>(l[0].segments) / refinement.coarser_segments;
+    const double coarse = (r * r * l[0].cost - *refinement.coarser) / (r * r - 1);
+    bar = std::max(bar, kSafety * std::abs(middle - coarse) / kFall);
+  }
+  if (!refinement.coarser || refinement.coarser_segments < 4) bar *= kTooCoarse;
+  return std::max(bar, l[1].spacing * std::abs(d24));
+}
+
 void quote(CostEstimate& e, const char* method, double value, double error) {
   e.value = value;
   e.error = std::max(error, kExact * value);
@@ -63,6 +96,7 @@ Refinement refine_levels(const Problem& problem, const CoordinatePath& chain, co
     result.collapsed = report.termination == Termination::collapsed;
     if (result.collapsed || monitor.interrupted()) return result;
   }
+  solve_coarser(problem, chain, static_cast<int>(result.levels[0].segments), certifier, monitor, result);
   // Energies of all levels at one s0, that of the middle level, so that they can be compared.
   PathEnergy energy(problem, result.levels[1].cost / result.levels[1].segments);
   for (std::size_t k = 0; k < 3; ++k) result.levels[k].energy = energy.value(result.paths[k]);
@@ -103,6 +137,12 @@ CostEstimate estimate_cost(const Problem& problem, PathEnergy& energy, const Coo
     curve.reset();
     e.upper.reset();
   }
+  // Bounds that contradict each other: the chords cut what the curve goes around.
+  if (e.lower && e.upper && *e.lower > *e.upper * (1 + kExact)) {
+    failures.push_back(
+        {"bracket", "the lower bound of the cost lies above the upper one: too few points for this path"});
+    e.lower.reset();
+  }
   const bool bracketed = e.lower && e.upper;
   if (bracketed) quote(e, "bracket", *e.upper, *e.upper - *e.lower);
   if (bracketed && (hugs_bound || !second_order)) return e;
@@ -124,7 +164,7 @@ CostEstimate estimate_cost(const Problem& problem, PathEnergy& energy, const Coo
                                               " segments: no extrapolated value; use more points"});
     return e;
   }
-  const double richardson = 3 * std::abs(fine - coarse) / 15;
+  const double richardson = richardson_bar(refinement);
   if (!curve) {
     if (!bracketed) quote(e, "richardson", fine, richardson);
     return e;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,9 @@ namespace leastcost {
 struct Refinement {
   std::vector<RefinementLevel> levels;
   std::vector<CoordinatePath> paths;
+  std::optional<double>
+      coarser;  ///< cost of the chain with half as many segments as the first level, where that could be solved
+  int coarser_segments = 0;
   bool collapsed = false;  ///< a ring that shrinks to a point, or is one
   std::string trouble;     ///< why it is incomplete, or which level did not converge; empty: all is well
 };

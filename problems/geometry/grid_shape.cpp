@@ -33,23 +33,14 @@ double cell_that_fits(const Eigen::AlignedBox3d& box, double too_small, int marg
   return digit * std::ceil(high / digit);
 }
 
-std::string mebibytes(double bytes) {
-  std::ostringstream out;
-  out.precision(3);
-  if (bytes < 0x1p30)
-    out << bytes / 0x1p20 << " MiB";
-  else
-    out << bytes / 0x1p30 << " GiB";
-  return out.str();
-}
-
 std::string too_large(const Eigen::AlignedBox3d& box, double cell, int margin, double memory) {
   const Counts cells = cells_along(box, cell, margin);
   const double fitting = cell_that_fits(box, cell, margin, memory);
   std::ostringstream out;
   out.precision(6);
   out << "a grid of " << cells[0] << " x " << cells[1] << " x " << cells[2] << " cells of " << cell << " takes "
-      << mebibytes(kBytesPerNode * nodes_of(cells)) << " to build, more than the memory limit of " << mebibytes(memory);
+      << bytes_in_words(kBytesPerNode * nodes_of(cells)) << " to build, more than the memory limit of "
+      << bytes_in_words(memory);
   if (std::isfinite(fitting))
     out << ": a cell of " << fitting << " fits";
   else
@@ -59,11 +50,23 @@ std::string too_large(const Eigen::AlignedBox3d& box, double cell, int margin, d
 
 }  // namespace
 
+std::string bytes_in_words(double bytes) {
+  std::ostringstream out;
+  out.precision(3);
+  if (bytes < 0x1p20)
+    out << bytes / 0x1p10 << " KiB";
+  else if (bytes < 0x1p30)
+    out << bytes / 0x1p20 << " MiB";
+  else
+    out << bytes / 0x1p30 << " GiB";
+  return out.str();
+}
+
 std::string text(const GridShape& shape) {
   std::ostringstream out;
   out.precision(4);
   out << shape.count[0] << " x " << shape.count[1] << " x " << shape.count[2] << " nodes, cell " << shape.cell << ", "
-      << mebibytes(static_cast<double>(shape.nodes()) * sizeof(double));
+      << bytes_in_words(static_cast<double>(shape.nodes()) * sizeof(double));
   return out.str();
 }
 

@@ -33,6 +33,9 @@ struct GridShape {
 /// "128 x 128 x 96 nodes of cell 0.02".
 std::string text(const GridShape& shape);
 
+/// "12.3 MiB".
+std::string bytes_in_words(double bytes);
+
 /// Memory that building a distance grid takes per node, at its peak: the values, and feet or coefficients beside them. The finished grid keeps a
 /// third of it.
 inline constexpr double kBytesPerNode = 24;

@@ -22,7 +22,6 @@ constexpr double kRadius = PointCloudSettings::kCleanRadius;
 constexpr double kWidestRadius = 32;      ///< spacings
 constexpr double kNoise = 0.125;          ///< largest standard deviation of the noise, in supports
 constexpr int kNoiseProbes = 400;         ///< samples that are asked for it
-constexpr double kMostOfCloud = 0.25;     ///< a support never holds more than this part of the cloud
 constexpr std::size_t kMostForFit = 160;  ///< neighbours of a fit: of more, every other or third one
 constexpr double kOutlier = 6;            ///< standard deviations off the local fit at which trust ends
 constexpr double kScaleFloor = 0.01;      ///< of the support: below it a deviation is curvature, not noise
@@ -149,25 +148,20 @@ void PointCloud::gather(std::int32_t i, double radius, std::vector<Neighbour>& f
     offsets.emplace_back(sample(found[k].index).position - sample(i).position);
 }
 
-/// A support that reaches around the whole cloud averages the surface away, and a coarser version of the cloud would not show it.
-void PointCloud::check_radius() const {
+double PointCloud::share_of_support() const {
   std::vector<double> counts;
   std::vector<Neighbour> found;
   const std::int32_t stride = std::max(1, size() / kNoiseProbes);
   for (std::int32_t i = stride / 2; i < size(); i += stride) {
-    search_.within(sample(i).position, settings_.radius * spacing(i), found);
+    search_.within(sample(i).position, radius(i), found);
     counts.emplace_back(static_cast<double>(found.size()));
   }
-  const double share = median(counts) / size();
-  if (share > kMostOfCloud)
-    throw OptionError("radius", "a support of " + text(settings_.radius) + " local spacings holds " +
-                                    text(100 * share) + " % of the cloud; the most is " + text(100 * kMostOfCloud) +
-                                    " %");
+  return median(counts) / size();
 }
 
 /// Noise must be small against the support, or there is no surface to see in it: wider until it is.
 void PointCloud::choose_radius() {
-  if (settings_.radius > 0) return check_radius();
+  if (settings_.radius > 0) return;
   settings_.radius = kRadius;
   std::vector<Neighbour> found;
   std::vector<Eigen::Vector3d> offsets;
@@ -185,7 +179,7 @@ void PointCloud::choose_radius() {
     if (noises.empty()) throw InputError(source_ + ": no neighbourhood looks like a surface (the points lie on lines)");
     noise = median(noises);
     const double next_count = 2 * median(counts);
-    if (noise <= kNoise || settings_.radius >= kWidestRadius || next_count > kMostOfCloud * size()) break;
+    if (noise <= kNoise || settings_.radius >= kWidestRadius || next_count > PointCloud::kMostOfCloud * size()) break;
   }
   if (settings_.radius > kRadius)
     notes_.push_back("the cloud is noisy, or has sheets closer than two spacings: supports widened from " +

@@ -48,6 +48,10 @@ class PointCloud {
   double spacing(std::int32_t i) const { return spacing_[static_cast<std::size_t>(i)]; }
   double radius(std::int32_t i) const { return radius_[static_cast<std::size_t>(i)]; }
   std::int32_t in_file(std::int32_t i) const { return in_file_[static_cast<std::size_t>(i)]; }
+  /// The part of the cloud that a support holds (median). A support that reaches around the whole cloud averages the surface away, and a coarser
+  /// version of the cloud would not show it: more than kMostOfCloud is too much.
+  double share_of_support() const;
+  static constexpr double kMostOfCloud = 0.25;
   std::int32_t count_in_file() const { return count_in_file_; }  ///< points of the file, those removed included
   /// The sample with this number in the file, -1 where there is none.
   std::int32_t sample_of_file(std::int32_t number) const;
@@ -75,7 +79,6 @@ class PointCloud {
   void find_neighbours();
   void measure_spacing();
   void choose_radius();
-  void check_radius() const;
   void set_radii();
   void fit_samples(const PointSamples& samples);
   void choose_normals(const PointSamples& samples, const std::vector<Eigen::Vector3d>& estimates);

@@ -23,8 +23,6 @@ class HasSeams {
  public:
   virtual ~HasSeams() = default;
   virtual const std::vector<Seam>& seams() const = 0;
-  /// Ways over a pole, where the chart goes on as another part of itself: on a sphere (u, v) is also (u + pi, pi - v).
-  virtual const std::vector<SeamMap>& poles() const = 0;
 };
 
 /// The image of a point after `windings` turns across each seam (one entry per seam).

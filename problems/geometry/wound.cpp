@@ -11,6 +11,8 @@ std::vector<WoundProblem> wound_problems(const Problem& problem, int turns) {
   const auto* domain = dynamic_cast<const HasSeams*>(problem.manifold.get());
   if (domain == nullptr || problem.ring) return all;
   const std::vector<Seam>& seams = domain->seams();
+  const auto* chart = dynamic_cast<const HasChart*>(problem.manifold.get());
+  const std::vector<SeamMap> poles = chart != nullptr ? chart->poles() : std::vector<SeamMap>();
   const auto count = static_cast<Index>(seams.size());
   Eigen::VectorXi winding = Eigen::VectorXi::Constant(count, -turns);
   const auto next = [&] {  // counts through all of -turns .. turns
@@ -31,8 +33,8 @@ std::vector<WoundProblem> wound_problems(const Problem& problem, int turns) {
       all.insert(given ? all.begin() : all.end(), std::move(wound));
     };
     add(problem.target.u, "", winding.isZero());
-    for (std::size_t i = 0; i < domain->poles().size(); ++i)
-      add(domain->poles()[i].apply(problem.target.u), " over pole " + std::to_string(i + 1), false);
+    for (std::size_t i = 0; i < poles.size(); ++i)
+      add(poles[i].apply(problem.target.u), " over pole " + std::to_string(i + 1), false);
   } while (next());
   return all;
 }

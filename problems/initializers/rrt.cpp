@@ -214,6 +214,9 @@ FirstPath RrtInitializer::first_path(const Problem& problem, const Monitor& moni
   if (problem.ring) throw InitializationError("a ring has no ends to join: give waypoints");
   if (problem.manifold->shape() == Shape::polyhedral)
     throw InitializationError("rrt works on smooth domains; a mesh has edges: use dijkstra");
+  if (dynamic_cast<const HasChart*>(problem.manifold.get()) != nullptr)
+    throw InitializationError(
+        "rrt works in the space around a domain; a chart has none: use straight, bow or waypoints");
   const double distance = (problem.target.u - problem.source.u).norm();
   Tree tree(problem, options_, distance);
   if (!tree.reach_target(monitor)) throw InitializationError(failure(tree, options_, distance, monitor.interrupted()));

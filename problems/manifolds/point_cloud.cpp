@@ -3,8 +3,10 @@
 #include "problems/manifolds/point_cloud.hpp"
 
 #include <Eigen/Geometry>
+#include <sstream>
 #include <utility>
 
+#include "framework/errors.hpp"
 #include "problems/readers/point_cloud_reader.hpp"
 
 namespace leastcost {
@@ -53,8 +55,16 @@ void PointCloudManifold::tangent_basis(const Eigen::VectorXd& x, Eigen::Ref<Poin
 
 std::shared_ptr<const PointCloudManifold> make_point_cloud_manifold(const PointCloudManifoldOptions& options,
                                                                     const std::filesystem::path& folder) {
-  return std::make_shared<const PointCloudManifold>(
-      PointCloud(read_point_cloud(folder / options.file), options.settings));
+  PointCloud cloud(read_point_cloud(folder / options.file), options.settings);
+  const double share = cloud.share_of_support();
+  if (options.settings.radius > 0 && share > PointCloud::kMostOfCloud) {
+    std::ostringstream why;
+    why.precision(3);
+    why << "a support of " << options.settings.radius << " local spacings holds " << 100 * share
+        << " % of the cloud; the most is " << 100 * PointCloud::kMostOfCloud << " %";
+    throw OptionError("radius", why.str());
+  }
+  return std::make_shared<const PointCloudManifold>(std::move(cloud));
 }
 
 }  // namespace leastcost

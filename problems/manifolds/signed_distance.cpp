@@ -54,6 +54,10 @@ std::shared_ptr<const DistanceSource> source_of(const SignedDistanceOptions& o, 
                                                 const BuildProgress& progress) {
   try {
     if (o.source == "implicit") {
+      if ((o.implicit.box.lower.size() > 0 || o.implicit.box.upper.size() > 0))
+        throw OptionError("lower",
+                          "a grid samples the whole surface: bounds are for 'type: implicit', 'box' says where "
+                          "to sample");
       const auto function = surface_function(o.implicit);
       const Eigen::AlignedBox3d box = box_of(o);
       report(progress, 0, "distances");

@@ -113,14 +113,16 @@ void OnSurfaceOptions::fields(FieldVisitor& visit) {
                .exclusive_minimum = true});
 }
 
-PostProcessed OnSurfacePostProcessor::apply(const Problem& problem, const FirstPath&, PostProcessed current,
+PostProcessed OnSurfacePostProcessor::apply(const Problem& problem, const FirstPath& first, PostProcessed current,
                                             const Monitor& monitor) const {
   const ConstraintManifold& manifold = *problem.manifold;
   if (manifold.shape() != Shape::smooth || manifold.dimensions().coordinate != manifold.dimensions().ambient)
     throw InputError("on_surface needs a smooth domain that is given in its ambient space (implicit, constraint)");
   const Points& u = current.chain.u;
   const Index segments = current.chain.segment_count();
-  const double tolerance = options_.tolerance > 0 ? options_.tolerance : kOfExtent * extent(u);
+  // A ring that has collapsed has no extent; that of the first path says what is small.
+  const double size = std::max(extent(u), first.path.u.cols() > 0 ? extent(first.path.u) : 0);
+  const double tolerance = options_.tolerance > 0 ? options_.tolerance : kOfExtent * size;
   const CuttingPlanes planes(manifold, current.chain);
   Refiner refiner(manifold, tolerance);
   refiner.start(u.col(0));

@@ -30,9 +30,7 @@ GridShape read_header(TextScanner& scanner, double memory) {
   scanner.expect_line_end("the number of nodes along x, y and z");
   if (kBytesPerNode * nodes > memory)
     scanner.fail("a grid of " + std::to_string(static_cast<long long>(nodes)) + " nodes takes " +
-                 std::to_string(static_cast<long long>(kBytesPerNode * nodes / 0x1p20)) +
-                 " MiB, more than the memory limit of " + std::to_string(static_cast<long long>(memory / 0x1p20)) +
-                 " MiB");
+                 bytes_in_words(kBytesPerNode * nodes) + ", more than the memory limit of " + bytes_in_words(memory));
   next_line(scanner, "the position of the first node");
   for (int axis = 0; axis < 3; ++axis) shape.origin[axis] = scanner.number("a coordinate of the first node");
   scanner.expect_line_end("the position of the first node");

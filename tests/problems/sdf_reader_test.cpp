@@ -53,7 +53,7 @@ TEST_CASE("sdf reader: what is wrong, with its line") {
   CHECK_THAT(refusal("4 -4 4\n"), Catch::Contains("at least 4"));
   CHECK_THAT(refusal("4 4 4\n0 0\n"), Catch::Contains("a.sdf:2:"));
   CHECK_THAT(refusal("4 4 4\n0 0 0\n0\n"), Catch::Contains("a.sdf:3: the cell size must be positive"));
-  CHECK_THAT(refusal("1000 1000 1000\n"), Catch::Contains("memory limit of 953 MiB"));
+  CHECK_THAT(refusal("1000 1000 1000\n"), Catch::Contains("memory limit of 954 MiB"));
 }
 
 }  // namespace leastcost::test
