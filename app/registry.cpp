@@ -34,6 +34,9 @@
 #include "solvers/newton.hpp"
 #include "solvers/string_method.hpp"
 #include "solvers/vfcs.hpp"
+#ifdef LEASTCOST_HAS_NLOPT
+#include "solvers/nlopt/nlopt_solver.hpp"
+#endif
 
 namespace leastcost::app {
 namespace {
@@ -183,6 +186,22 @@ const auto& initializers() {
   return all;
 }
 
+/// What this build has not, and how to get it.
+SolverPlugin absent(const char* type, const char* summary, const char* package) {
+  SolverPlugin entry = made_of<SolverPlugin, Newton>(type, summary);
+  entry.missing = std::string("install ") + package + " (Debian) and build again";
+  return entry;
+}
+
+SolverPlugin nlopt() {
+  constexpr const char* kSummary = "NLopt's local optimisers, in the chain's own variables or as they are.";
+#ifdef LEASTCOST_HAS_NLOPT
+  return made_of<SolverPlugin, Nlopt, NloptOptions>("nlopt", kSummary);
+#else
+  return absent("nlopt", kSummary, "libnlopt-cxx-dev");
+#endif
+}
+
 const auto& solvers() {
   static const std::vector<SolverPlugin> all = {
       made_of<SolverPlugin, Newton, NewtonOptions>("newton", "Block-tridiagonal Newton on the chain."),
@@ -194,6 +213,7 @@ const auto& solvers() {
           "georce", "GEORCE (arXiv 2505.05961): optimality conditions of a discrete energy in a chart, in turn."),
       made_of<SolverPlugin, StringMethod, StringMethodOptions>(
           "string", "The string method: steps normal to the path, then equal spacing; no energy."),
+      nlopt(),
   };
   return all;
 }

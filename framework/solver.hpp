@@ -26,6 +26,7 @@ enum class Termination {
   line_search_failed,
   non_finite,  ///< the energy of the path handed in is not finite
   collapsed,   ///< the ring has shrunk to a point
+  exception,   ///< a cost, kernel or manifold threw; the message is its own
   cancelled
 };
 std::string_view name(Termination termination);
@@ -55,8 +56,8 @@ struct SolveReport {
 /// Two solves, one after the other, as one: the counters add up, the end is that of the later one.
 SolveReport joined(const SolveReport& earlier, SolveReport later);
 
-/// Improves a path in place. Keeps the best iterate, never returns a higher energy than it was given, and never throws for a
-/// numerical outcome.
+/// Improves a path in place. Keeps the best iterate, never returns a higher energy than it was given, and never throws: not for a
+/// numerical outcome, nor when a cost does.
 class Solver {
  public:
   virtual ~Solver() = default;
@@ -68,6 +69,7 @@ class Solver {
 
  private:
   virtual SolveReport do_solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const = 0;
+  SolveReport guarded(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const;
 };
 
 }  // namespace leastcost
