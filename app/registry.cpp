@@ -37,6 +37,9 @@
 #ifdef LEASTCOST_HAS_NLOPT
 #include "solvers/nlopt/nlopt_solver.hpp"
 #endif
+#ifdef LEASTCOST_HAS_CERES
+#include "solvers/ceres/ceres_solver.hpp"
+#endif
 
 namespace leastcost::app {
 namespace {
@@ -202,6 +205,15 @@ SolverPlugin nlopt() {
 #endif
 }
 
+SolverPlugin ceres() {
+  constexpr const char* kSummary = "Ceres: trust region on the residual form, or line search.";
+#ifdef LEASTCOST_HAS_CERES
+  return made_of<SolverPlugin, Ceres, CeresOptions>("ceres", kSummary);
+#else
+  return absent("ceres", kSummary, "libceres-dev");
+#endif
+}
+
 const auto& solvers() {
   static const std::vector<SolverPlugin> all = {
       made_of<SolverPlugin, Newton, NewtonOptions>("newton", "Block-tridiagonal Newton on the chain."),
@@ -214,6 +226,7 @@ const auto& solvers() {
       made_of<SolverPlugin, StringMethod, StringMethodOptions>(
           "string", "The string method: steps normal to the path, then equal spacing; no energy."),
       nlopt(),
+      ceres(),
   };
   return all;
 }

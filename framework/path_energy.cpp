@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "framework/smooth_bounds.hpp"
 
@@ -87,6 +88,23 @@ double PathEnergy::value_and_gradient(const CoordinatePath& path, Points& gradie
     gradient = ambient_gradient_.middleCols(first, n);
   }
   return gradient.allFinite() ? energy : std::numeric_limits<double>::infinity();
+}
+
+bool PathEnergy::residuals(const CoordinatePath& path, Points& r, Points* jacobians) {
+  ++(jacobians != nullptr ? counters_.gradients : counters_.energies);
+  if (!problem_->cost->residuals(ambient(path), r, jacobians)) return false;
+  if (jacobians == nullptr || !chart_) return true;
+  chart_->jacobians(path, jacobians_);
+  const int d = dims_.ambient, k = dims_.coordinate;
+  Points in_chart(r.rows(), 2 * k * r.cols());
+  for (Index i = 0; i < r.cols(); ++i) {
+    const Index next = (i + 1) % path.u.cols();  // the last segment of a ring ends at an image of its first point
+    in_chart.middleCols(2 * k * i, k) = jacobians->middleCols(2 * d * i, d) * jacobians_.middleCols(k * i, k);
+    in_chart.middleCols(2 * k * i + k, k) =
+        jacobians->middleCols(2 * d * i + d, d) * jacobians_.middleCols(k * next, k);
+  }
+  *jacobians = std::move(in_chart);
+  return true;
 }
 
 void PathEnergy::metrics(const CoordinatePath& path, Points& g) {
