@@ -50,6 +50,7 @@ struct PluginEntry {
   std::string type;     ///< its name in a configuration
   std::string summary;  ///< one sentence
   std::vector<std::string> provides, needs;
+  std::string missing;  ///< why this build has it not, and how to get it; empty: it is there
   std::function<std::unique_ptr<AnyOptions>()> defaults;
 };
 

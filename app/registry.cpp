@@ -28,8 +28,18 @@
 #include "problems/post_processors/straighten.hpp"
 #include "problems/post_processors/trace.hpp"
 #include "problems/readers/waypoint_reader.hpp"
+#include "solvers/georce.hpp"
+#include "solvers/gradient_descent.hpp"
 #include "solvers/lbfgs.hpp"
 #include "solvers/newton.hpp"
+#include "solvers/string_method.hpp"
+#include "solvers/vfcs.hpp"
+#ifdef LEASTCOST_HAS_NLOPT
+#include "solvers/nlopt/nlopt_solver.hpp"
+#endif
+#ifdef LEASTCOST_HAS_CERES
+#include "solvers/ceres/ceres_solver.hpp"
+#endif
 
 namespace leastcost::app {
 namespace {
@@ -179,10 +189,44 @@ const auto& initializers() {
   return all;
 }
 
+/// What this build has not, and how to get it.
+SolverPlugin absent(const char* type, const char* summary, const char* package) {
+  SolverPlugin entry = made_of<SolverPlugin, Newton>(type, summary);
+  entry.missing = std::string("install ") + package + " (Debian) and build again";
+  return entry;
+}
+
+SolverPlugin nlopt() {
+  constexpr const char* kSummary = "NLopt's local optimisers, in the chain's own variables or as they are.";
+#ifdef LEASTCOST_HAS_NLOPT
+  return made_of<SolverPlugin, Nlopt, NloptOptions>("nlopt", kSummary);
+#else
+  return absent("nlopt", kSummary, "libnlopt-cxx-dev");
+#endif
+}
+
+SolverPlugin ceres() {
+  constexpr const char* kSummary = "Ceres: trust region on the residual form, or line search.";
+#ifdef LEASTCOST_HAS_CERES
+  return made_of<SolverPlugin, Ceres, CeresOptions>("ceres", kSummary);
+#else
+  return absent("ceres", kSummary, "libceres-dev");
+#endif
+}
+
 const auto& solvers() {
   static const std::vector<SolverPlugin> all = {
       made_of<SolverPlugin, Newton, NewtonOptions>("newton", "Block-tridiagonal Newton on the chain."),
       made_of<SolverPlugin, Lbfgs, LbfgsOptions>("lbfgs", "Riemannian L-BFGS, preconditioned by the chain Hessian."),
+      made_of<SolverPlugin, GradientDescent, GradientDescentOptions>("gradient_descent",
+                                                                     "Riemannian steepest descent."),
+      made_of<SolverPlugin, Vfcs, VfcsOptions>("vfcs", "Algorithm 1 of VFCS as printed, its stopping rule included."),
+      made_of<SolverPlugin, Georce, GeorceOptions>(
+          "georce", "GEORCE (arXiv 2505.05961): optimality conditions of a discrete energy in a chart, in turn."),
+      made_of<SolverPlugin, StringMethod, StringMethodOptions>(
+          "string", "The string method: steps normal to the path, then equal spacing; no energy."),
+      nlopt(),
+      ceres(),
   };
   return all;
 }

@@ -2,8 +2,10 @@
 #
 #   leastcost_library(problems NEEDS framework)
 #   leastcost_library(ceres NEEDS solvers FINDS "Ceres 2.1")
+#   leastcost_library(solvers NEEDS framework EXCEPT nlopt ceres)
 #
 # NEEDS: components whose targets appear in our headers (they are linked and exported with the target).
+# EXCEPT: sub-folders that are components of their own.
 # FINDS: packages that a consumer has to find as well, the private ones of a static build included.
 include(GNUInstallDirs)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
@@ -19,9 +21,12 @@ function(leastcost_warnings target)
 endfunction()
 
 function(leastcost_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "NEEDS;FINDS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "NEEDS;FINDS;EXCEPT")
   set(target leastcost_${name})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/*.hpp)
+  foreach(folder IN LISTS arg_EXCEPT)
+    list(FILTER sources EXCLUDE REGEX "^${CMAKE_CURRENT_SOURCE_DIR}/${folder}/")
+  endforeach()
   add_library(${target} ${sources})
   add_library(leastcost::${name} ALIAS ${target})
 

@@ -104,7 +104,7 @@ bool ChainSystem::factor() {
 }
 
 template <int K>
-void ChainSystem::solve_blocks(Eigen::VectorXd& x) const {
+void ChainSystem::solve_lower_blocks(Eigen::VectorXd& x) const {
   using Vector = Eigen::Matrix<double, K, 1>;
   const Index first = ring_ ? 1 : 0;
   const int k = k_;
@@ -116,9 +116,20 @@ void ChainSystem::solve_blocks(Eigen::VectorXd& x) const {
     at(l_, i).template triangularView<Eigen::Lower>().solveInPlace(y);
     if (ring_) part(0).noalias() -= at(border_, i).transpose() * y;
   }
+  if (!ring_) return;
+  Eigen::Map<Vector> y = part(0);
+  at(l_, 0).template triangularView<Eigen::Lower>().solveInPlace(y);
+}
+
+template <int K>
+void ChainSystem::solve_upper_blocks(Eigen::VectorXd& x) const {
+  using Vector = Eigen::Matrix<double, K, 1>;
+  const Index first = ring_ ? 1 : 0;
+  const int k = k_;
+  const auto at = [k](const Points& m, Index i) { return Eigen::Map<const Block<K>>(m.data() + k * k * i, k, k); };
+  const auto part = [k, &x](Index i) { return Eigen::Map<Vector>(x.data() + k * i, k); };
   if (ring_) {
     Eigen::Map<Vector> y = part(0);
-    at(l_, 0).template triangularView<Eigen::Lower>().solveInPlace(y);
     at(l_, 0).transpose().template triangularView<Eigen::Upper>().solveInPlace(y);
   }
   for (Index i = n_ - 1; i >= first; --i) {
@@ -129,13 +140,27 @@ void ChainSystem::solve_blocks(Eigen::VectorXd& x) const {
   }
 }
 
-void ChainSystem::solve(Eigen::VectorXd& x) const {
+void ChainSystem::solve_lower(Eigen::VectorXd& x) const {
   switch (k_) {
-    case 1: return solve_blocks<1>(x);
-    case 2: return solve_blocks<2>(x);
-    case 3: return solve_blocks<3>(x);
-    default: return solve_blocks<Eigen::Dynamic>(x);
+    case 1: return solve_lower_blocks<1>(x);
+    case 2: return solve_lower_blocks<2>(x);
+    case 3: return solve_lower_blocks<3>(x);
+    default: return solve_lower_blocks<Eigen::Dynamic>(x);
   }
+}
+
+void ChainSystem::solve_upper(Eigen::VectorXd& x) const {
+  switch (k_) {
+    case 1: return solve_upper_blocks<1>(x);
+    case 2: return solve_upper_blocks<2>(x);
+    case 3: return solve_upper_blocks<3>(x);
+    default: return solve_upper_blocks<Eigen::Dynamic>(x);
+  }
+}
+
+void ChainSystem::solve(Eigen::VectorXd& x) const {
+  solve_lower(x);
+  solve_upper(x);
 }
 
 void ChainSystem::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {

@@ -41,6 +41,10 @@ class ChainSystem {
   bool factor();
   /// x := A^-1 x, after factor() returned true.
   void solve(Eigen::VectorXd& x) const;
+  /// x := L^-1 x and x := L^-T x for A = L L', the two halves of solve(): with z = L' x the quadratic x'Ax is |z|^2, which makes a change of
+  /// variables of them (NUMERICS Sec. 3).
+  void solve_lower(Eigen::VectorXd& x) const;
+  void solve_upper(Eigen::VectorXd& x) const;
   /// y := A x.
   void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
   /// Number of negative eigenvalues, from the signs of all block pivots (Sylvester). Independent of factor().
@@ -61,7 +65,9 @@ class ChainSystem {
   template <int K>
   bool factor_blocks();
   template <int K>
-  void solve_blocks(Eigen::VectorXd& x) const;
+  void solve_lower_blocks(Eigen::VectorXd& x) const;
+  template <int K>
+  void solve_upper_blocks(Eigen::VectorXd& x) const;
 
   int k_ = 0;
   Index n_ = 0;

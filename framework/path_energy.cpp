@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "framework/smooth_bounds.hpp"
 
@@ -22,6 +23,12 @@ void add_in_frames(const Frames& frames, int k, Index i, Index j, const Eigen::M
   const Points& bases = frames.lifted.size() > 0 ? frames.lifted : frames.bases;
   out.noalias() += bases.middleCols(k * i, k).transpose() * m.lazyProduct(bases.middleCols(k * j, k));
 }
+
+/// phi(q) = q.
+struct SquaredCost {
+  static constexpr KernelKind kind = KernelKind::quadratic_at_zero;
+  Jet2 operator()(double q) const { return {q, 1, 0}; }
+};
 
 }  // namespace
 
@@ -81,6 +88,45 @@ double PathEnergy::value_and_gradient(const CoordinatePath& path, Points& gradie
     gradient = ambient_gradient_.middleCols(first, n);
   }
   return gradient.allFinite() ? energy : std::numeric_limits<double>::infinity();
+}
+
+bool PathEnergy::residuals(const CoordinatePath& path, Points& r, Points* jacobians) {
+  ++(jacobians != nullptr ? counters_.gradients : counters_.energies);
+  if (!problem_->cost->residuals(ambient(path), r, jacobians)) return false;
+  if (jacobians == nullptr || !chart_) return true;
+  chart_->jacobians(path, jacobians_);
+  const int d = dims_.ambient, k = dims_.coordinate;
+  Points in_chart(r.rows(), 2 * k * r.cols());
+  for (Index i = 0; i < r.cols(); ++i) {
+    const Index next = (i + 1) % path.u.cols();  // the last segment of a ring ends at an image of its first point
+    in_chart.middleCols(2 * k * i, k) = jacobians->middleCols(2 * d * i, d) * jacobians_.middleCols(k * i, k);
+    in_chart.middleCols(2 * k * i + k, k) =
+        jacobians->middleCols(2 * d * i + d, d) * jacobians_.middleCols(k * next, k);
+  }
+  *jacobians = std::move(in_chart);
+  return true;
+}
+
+void PathEnergy::metrics(const CoordinatePath& path, Points& g) {
+  ++counters_.hessians;
+  static const KernelOf<SquaredCost> kernel;
+  const AmbientPath x = ambient(path);
+  if (chart_) chart_->jacobians(path, jacobians_);
+  const int d = dims_.ambient, k = dims_.coordinate;
+  const Index columns = path.u.cols();
+  g.resize(k, k * columns);
+  Points three(d, 3);
+  for (Index i = 0; i < columns; ++i) {
+    three.colwise() = x.x.col(i);
+    // A move from x to x: half its second derivative in the free end, which is the middle of three (the others are constants).
+    problem_->cost->chain_blocks({{three.data(), d, 3}, {}, false}, kernel, 1, HessianKind::exact, blocks_);
+    const Points ambient_metric = blocks_.blocks.block(d, d, d, d) / 2;
+    if (chart_)
+      g.middleCols(k * i, k) =
+          jacobians_.middleCols(k * i, k).transpose() * ambient_metric * jacobians_.middleCols(k * i, k);
+    else
+      g.middleCols(k * i, k) = ambient_metric;
+  }
 }
 
 void PathEnergy::to_tangent(const Frames& frames, const Points& vectors, Eigen::VectorXd& tangent) const {

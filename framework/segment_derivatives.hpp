@@ -207,9 +207,17 @@ void exact_block(const C& c, const SegmentEnds<C::dim>& e, const Kernel& kernel,
   add_outer(phi.d2 * scale * scale, g, h);
 }
 
-/// h = J'J for the Jacobian J of the residual over (a, b), one direction at a time.
+/// A residual r of q, |r|^2 = q, and its Jacobian over (a, b), rows x 2d; columns of fixed ends are zero.
+template <int D>
+struct SegmentResidual {
+  static constexpr int kMost = D == Eigen::Dynamic ? kMaxDimension : D;
+  static constexpr int kWidth = D == Eigen::Dynamic ? Eigen::Dynamic : 2 * D;
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMost, 1> r;
+  Eigen::Matrix<double, Eigen::Dynamic, kWidth, 0, kMost, 2 * kMost> jacobian;
+};
+
 template <class C>
-void residual_square(const C& c, const SegmentEnds<C::dim>& e, Eigen::Ref<Points> h) {
+void squared_cost_residual(const C& c, const SegmentEnds<C::dim>& e, SegmentResidual<C::dim>& out) {
   constexpr int D = C::dim;
   const Index d = e.a.size();
   if constexpr (D != Eigen::Dynamic) {
@@ -217,24 +225,25 @@ void residual_square(const C& c, const SegmentEnds<C::dim>& e, Eigen::Ref<Points
     Point<S, D> a, b;
     detail::seed<S, D>(e.a, e.a_fixed, 0, a);
     detail::seed<S, D>(e.b, e.b_fixed, D, b);
-    h.setZero();
-    for (const S& r : c.template residual<S>(a, b)) {
-      const Eigen::Map<const Eigen::Matrix<double, 2 * D, 1>> row(r.d.data());
-      h.noalias() += row * row.transpose();
+    const auto r = c.template residual<S>(a, b);
+    out.r.resize(r.size());
+    out.jacobian.resize(r.size(), 2 * D);
+    for (Index i = 0; i < r.size(); ++i) {
+      out.r[i] = r[i].value;
+      out.jacobian.row(i) = Eigen::Map<const Eigen::Matrix<double, 1, 2 * D>>(r[i].d.data());
     }
   } else {
     using S = detail::Dual1;
     Point<S, D> a = detail::constants<S, D>(e.a), b = detail::constants<S, D>(e.b);
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxDimension, 2 * kMaxDimension> jacobian(
-        c.template residual<S>(a, b).size(), 2 * d);
+    out.r = c.template residual<double>(e.a, e.b);
+    out.jacobian.resize(out.r.size(), 2 * d);
     for (Index k = 0; k < 2 * d; ++k) {
       S& x = detail::variable<S, D>(a, b, k);
       x.d[0] = detail::is_fixed(e, k) ? 0 : 1;
       const auto r = c.template residual<S>(a, b);
-      for (Index i = 0; i < r.size(); ++i) jacobian(i, k) = r[i].d[0];
+      for (Index i = 0; i < r.size(); ++i) out.jacobian(i, k) = r[i].d[0];
       x.d[0] = 0;
     }
-    h.noalias() = jacobian.transpose() * jacobian;
   }
 }
 
@@ -251,8 +260,9 @@ void gauss_newton_block(const C& c, const SegmentEnds<C::dim>& e, const Kernel& 
     const double q = scale * squared_cost_gradient(c, e, g);
     Jet2 phi = evaluate(kernel, q);
     if (q > 0) phi.d2 = std::max(phi.d2, -(1 - kLeastStiffness) * phi.d1 / (2 * q));
-    residual_square(c, e, h);
-    h *= 2 * phi.d1 * scale;
+    SegmentResidual<C::dim> residual;
+    squared_cost_residual(c, e, residual);
+    h.noalias() = 2 * phi.d1 * scale * residual.jacobian.transpose() * residual.jacobian;
     add_outer(phi.d2 * scale * scale, g, h);
   } else {
     exact_block(c, e, kernel, s0, h);

@@ -20,30 +20,55 @@ std::string_view name(Termination termination) {
     case Termination::line_search_failed: return "line_search_failed";
     case Termination::non_finite: return "non_finite";
     case Termination::collapsed: return "collapsed";
+    case Termination::exception: return "exception";
     case Termination::cancelled: return "cancelled";
   }
   return "unknown";
 }
 
-std::optional<std::string> Solver::cannot_solve(const PathEnergy&) const { return std::nullopt; }
+std::optional<std::string> Solver::cannot_solve(const PathEnergy&, const CoordinatePath&) const { return std::nullopt; }
 
 SolveReport Solver::solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const {
   const auto start = Monitor::Clock::now();
   SolveReport report;
   const Counters before = energy.counters();
   const double initial = energy.value(path);
-  if (const std::optional<std::string> reason = cannot_solve(energy)) {
+  if (const std::optional<std::string> reason = cannot_solve(energy, path)) {
     report.message = *reason;
   } else if (!std::isfinite(initial)) {
     report.message = "the energy of the first path is not finite";
   } else {
-    report = do_solve(energy, path, monitor);
+    report = guarded(energy, path, monitor);
   }
   report.initial_energy = initial;
   const Counters& now = energy.counters();
   report.counters = {now.energies - before.energies, now.gradients - before.gradients, now.hessians - before.hessians,
                      now.projections - before.projections, now.linear_solves - before.linear_solves};
   report.seconds = std::chrono::duration<double>(Monitor::Clock::now() - start).count();
+  return report;
+}
+
+/// do_solve(), whatever the problem's parts throw. The path is then the last one that was accepted.
+SolveReport Solver::guarded(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const {
+  const CoordinatePath start = path;
+  const double initial = energy.value(path);
+  SolveReport report;
+  try {
+    return do_solve(energy, path, monitor);
+  } catch (const std::exception& error) {
+    report.message = error.what();
+  }
+  report.termination = Termination::exception;
+  report.final_energy = initial;
+  try {
+    report.final_energy = energy.value(path);
+  } catch (const std::exception&) {
+    path = start;
+  }
+  if (!(report.final_energy <= initial)) {
+    path = start;
+    report.final_energy = initial;
+  }
   return report;
 }
 

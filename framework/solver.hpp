@@ -26,6 +26,7 @@ enum class Termination {
   line_search_failed,
   non_finite,  ///< the energy of the path handed in is not finite
   collapsed,   ///< the ring has shrunk to a point
+  exception,   ///< a cost, kernel or manifold threw; the message is its own
   cancelled
 };
 std::string_view name(Termination termination);
@@ -55,19 +56,20 @@ struct SolveReport {
 /// Two solves, one after the other, as one: the counters add up, the end is that of the later one.
 SolveReport joined(const SolveReport& earlier, SolveReport later);
 
-/// Improves a path in place. Keeps the best iterate, never returns a higher energy than it was given, and never throws for a
-/// numerical outcome.
+/// Improves a path in place. Keeps the best iterate, never returns a higher energy than it was given, and never throws: not for a
+/// numerical outcome, nor when a cost does.
 class Solver {
  public:
   virtual ~Solver() = default;
   virtual std::string_view name() const = 0;
   /// In words, why this solver cannot work on this energy; checked before work starts.
-  virtual std::optional<std::string> cannot_solve(const PathEnergy& energy) const;
+  virtual std::optional<std::string> cannot_solve(const PathEnergy& energy, const CoordinatePath& path) const;
   /// Checks, counts and times do_solve().
   SolveReport solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const;
 
  private:
   virtual SolveReport do_solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const = 0;
+  SolveReport guarded(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const;
 };
 
 }  // namespace leastcost

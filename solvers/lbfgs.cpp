@@ -11,6 +11,8 @@
 #include "framework/bundle.hpp"
 #include "framework/chain_model.hpp"
 #include "framework/stopping.hpp"
+#include "solvers/lbfgs_history.hpp"
+#include "solvers/limit_fields.hpp"
 
 namespace leastcost {
 namespace {
@@ -19,82 +21,6 @@ constexpr double kArmijo = 1e-4;
 constexpr double kCurvature = 0.9;
 constexpr int kMaxTrials = 40;
 constexpr int kMaxKinkedTrials = 6;  ///< bisection cannot find a slope that a kink leaves out
-constexpr double kCautious = 1e-10;  ///< least s.y / (|s| |y|) of a stored pair
-
-/// Stored steps s and gradient changes y, as coordinate-space vectors of the free points, newest last.
-class History {
- public:
-  explicit History(int memory) : pairs_(static_cast<std::size_t>(memory)) {}
-  bool empty() const { return count_ == 0; }
-  void clear() { count_ = 0; }
-
-  void push(const Points& s, const Points& y) {
-    const double sy = s.cwiseProduct(y).sum();
-    if (!(sy > kCautious * s.norm() * y.norm())) return;
-    if (count_ == pairs_.size())
-      std::rotate(pairs_.begin(), pairs_.begin() + 1, pairs_.end());
-    else
-      ++count_;
-    Pair& p = pairs_[count_ - 1];
-    p.s = s;
-    p.y = y;
-  }
-
-  /// Vector transport by projection onto the tangent spaces of `frames`, and the tangent coordinates that direction()
-  /// works in. A pair that has lost its curvature on the way is dropped.
-  void transport(PathEnergy& energy, const Frames& frames) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < count_; ++i) {
-      Pair& p = pairs_[i];
-      energy.to_tangent(frames, p.s, p.ts);
-      energy.to_tangent(frames, p.y, p.ty);
-      if (!frames.identity) {
-        energy.from_tangent(frames, p.ts, p.s);
-        energy.from_tangent(frames, p.ty, p.y);
-      }
-      const double sy = p.ts.dot(p.ty);
-      if (!(sy > kCautious * p.ts.norm() * p.ty.norm())) continue;
-      p.rho = 1 / sy;
-      if (kept != i) std::swap(pairs_[kept], pairs_[i]);
-      ++kept;
-    }
-    count_ = kept;
-  }
-
-  /// Two-loop recursion; `inverse` applies H0 in place: gamma P^-1 or gamma I (Nocedal, Wright, Alg. 7.4).
-  template <class Inverse>
-  void direction(const Eigen::VectorXd& gradient, Inverse inverse, Eigen::VectorXd& d) {
-    d = -gradient;
-    for (std::size_t i = count_; i-- > 0;) {
-      Pair& p = pairs_[i];
-      p.alpha = p.rho * p.ts.dot(d);
-      d -= p.alpha * p.ty;
-    }
-    if (count_ > 0) {
-      const Pair& newest = pairs_[count_ - 1];
-      scratch_ = newest.ty;
-      inverse(scratch_);
-      inverse(d);
-      d *= 1 / (newest.rho * newest.ty.dot(scratch_));
-    } else {
-      inverse(d);
-    }
-    for (std::size_t i = 0; i < count_; ++i) {
-      Pair& p = pairs_[i];
-      d += (p.alpha - p.rho * p.ty.dot(d)) * p.ts;
-    }
-  }
-
- private:
-  struct Pair {
-    Points s, y;
-    Eigen::VectorXd ts, ty;
-    double rho = 0, alpha = 0;
-  };
-  std::vector<Pair> pairs_;
-  std::size_t count_ = 0;
-  Eigen::VectorXd scratch_;
-};
 
 class LbfgsSolve {
  public:
@@ -251,7 +177,7 @@ class LbfgsSolve {
   PathEnergy& energy_;
   CoordinatePath& path_;
   bool chain_, kinked_;
-  History history_;
+  LbfgsHistory history_;
   SolveLoop loop_;
   ChainModel model_, next_, best_model_;
   CoordinatePath trial_, best_;
@@ -265,12 +191,8 @@ class LbfgsSolve {
 }  // namespace
 
 void LbfgsOptions::fields(FieldVisitor& visit) {
-  visit.field("tolerance", tolerance,
-              {.help = "Stops at this relative cost error g' H^-1 g / (2 sum H'(s) s).",
-               .unit = "relative cost error",
-               .minimum = 0});
-  visit.field("max_iterations", max_iterations, {.help = "Limit on iterations.", .minimum = 1});
-  visit.field("max_evaluations", max_evaluations, {.help = "Limit on energy and gradient evaluations.", .minimum = 1});
+  tolerance_field(visit, tolerance);
+  limit_fields(visit, max_iterations, max_evaluations);
   visit.field("memory", memory, {.help = "Stored pairs.", .minimum = 1, .maximum = 1000});
   visit.choice(
       "precondition", precondition, {"chain", "none"},

@@ -9,6 +9,7 @@
 #include "framework/bundle.hpp"
 #include "framework/chain_model.hpp"
 #include "framework/stopping.hpp"
+#include "solvers/limit_fields.hpp"
 
 namespace leastcost {
 namespace {
@@ -130,12 +131,8 @@ class NewtonSolve {
 }  // namespace
 
 void NewtonOptions::fields(FieldVisitor& visit) {
-  visit.field("tolerance", tolerance,
-              {.help = "Stops at this relative cost error g' H^-1 g / (2 sum H'(s) s).",
-               .unit = "relative cost error",
-               .minimum = 0});
-  visit.field("max_iterations", max_iterations, {.help = "Limit on iterations.", .minimum = 1});
-  visit.field("max_evaluations", max_evaluations, {.help = "Limit on energy and gradient evaluations.", .minimum = 1});
+  tolerance_field(visit, tolerance);
+  limit_fields(visit, max_iterations, max_evaluations);
 }
 
 Newton::Newton(NewtonOptions options) : options_(options) {}

@@ -38,7 +38,9 @@ void ProgressPrinter::show(const Progress& progress) {
   int done = 0;
   if (const Iteration* i = progress.iteration) {
     done = percent(*i);
-    line += fmt::format(" iteration {}, cost error {:.1e}", i->iteration, i->cost_error);
+    line += fmt::format(" iteration {}, ", i->iteration);
+    line += std::isfinite(i->cost_error) ? fmt::format("cost error {:.1e}", i->cost_error)
+                                         : fmt::format("energy {:.10g}", i->energy);
   }
   if (streams_.err_is_terminal)
     show_bar(line, done);

@@ -50,6 +50,7 @@ void append_fields(const std::vector<FieldInfo>& fields, std::size_t indent, std
 
 std::string describe_plugin(const PluginKind& kind, const PluginEntry& plugin) {
   std::string out = fmt::format("{} {}\n{}\n", kind.name, plugin.type, plugin.summary);
+  if (!plugin.missing.empty()) out += fmt::format("Not part of this build: {}\n", plugin.missing);
   if (!plugin.needs.empty()) out += "Needs: " + joined(plugin.needs) + ".\n";
   if (!plugin.provides.empty()) out += "Provides: " + joined(plugin.provides) + ".\n";
   const std::vector<FieldInfo> fields = fields_of(*plugin.defaults());
@@ -63,7 +64,8 @@ std::string describe_kind(const PluginKind& kind) {
   std::size_t width = 0;
   for (const PluginEntry* plugin : kind.entries) width = std::max(width, plugin->type.size());
   for (const PluginEntry* plugin : kind.entries)
-    out += fmt::format("  {:<{}}  {}\n", plugin->type, width, plugin->summary);
+    out += fmt::format("  {:<{}}  {}{}\n", plugin->type, width, plugin->summary,
+                       plugin->missing.empty() ? "" : " Not part of this build: " + plugin->missing);
   return out;
 }
 

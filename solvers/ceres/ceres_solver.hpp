@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "framework/solver.hpp"
+#include "solvers/rounds.hpp"
+
+namespace leastcost {
+
+struct CeresOptions {
+  std::string algorithm = "levenberg_marquardt";
+  int max_iterations = 500;
+  RoundOptions rounds;
+  void fields(FieldVisitor& visit);
+};
+
+/// The minimisers of Ceres 2.1. Trust region (levenberg_marquardt, dogleg): the residual form with the kernel as loss, one parameter block per point,
+/// its tangent plane and retraction as a ceres::Manifold, sparse Cholesky. Line search (lbfgs, bfgs, nonlinear conjugate gradients): in
+/// the variables of solvers/chain_variables, round by round. What Ceres says of its own success is only quoted: the best path it has visited is
+/// judged like that of every solver.
+class Ceres final : public Solver {
+ public:
+  explicit Ceres(CeresOptions options = {});
+  std::string_view name() const override { return "ceres"; }
+  std::optional<std::string> cannot_solve(const PathEnergy& energy, const CoordinatePath& path) const override;
+
+ private:
+  SolveReport do_solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const override;
+  CeresOptions options_;
+};
+
+}  // namespace leastcost

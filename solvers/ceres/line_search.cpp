@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "solvers/ceres/line_search.hpp"
+
+#include <ceres/gradient_problem.h>
+#include <ceres/gradient_problem_solver.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace leastcost {
+namespace {
+
+/// The objective of one round as Ceres wants it.
+class Function final : public ceres::FirstOrderFunction {
+ public:
+  explicit Function(RoundObjective& objective) : objective_(objective) {}
+  int NumParameters() const override { return static_cast<int>(objective_.size()); }
+  bool Evaluate(const double* z, double* cost, double* gradient) const override {
+    if (objective_.must_stop()) return false;
+    const Eigen::Map<const Eigen::VectorXd> at(z, objective_.size());
+    Eigen::VectorXd g;
+    *cost = objective_(at, gradient != nullptr ? &g : nullptr);
+    if (!std::isfinite(*cost)) return false;
+    if (gradient != nullptr) Eigen::Map<Eigen::VectorXd>(gradient, g.size()) = g;
+    return true;
+  }
+
+ private:
+  RoundObjective& objective_;
+};
+
+class StopWhenTold final : public ceres::IterationCallback {
+ public:
+  explicit StopWhenTold(const RoundObjective& objective) : objective_(objective) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
+    return objective_.must_stop() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  const RoundObjective& objective_;
+};
+
+class CeresRounds final : public RoundMinimiser {
+ public:
+  explicit CeresRounds(const std::string& algorithm) : algorithm_(algorithm) {}
+
+  std::string minimise(RoundObjective& objective) override {
+    ceres::GradientProblem problem(new Function(objective));
+    StopWhenTold callback(objective);
+    ceres::GradientProblemSolver::Options options;
+    options.line_search_direction_type = algorithm_ == "bfgs"  ? ceres::BFGS
+                                         : algorithm_ == "ncg" ? ceres::NONLINEAR_CONJUGATE_GRADIENT
+                                                               : ceres::LBFGS;
+    options.max_num_iterations = std::numeric_limits<int>::max();
+    options.function_tolerance = options.gradient_tolerance = options.parameter_tolerance = 0;
+    options.logging_type = ceres::SILENT;
+    options.callbacks.push_back(&callback);
+    std::vector<double> z(static_cast<std::size_t>(objective.size()), 0.0);
+    ceres::GradientProblemSolver::Summary summary;
+    ceres::Solve(options, problem, z.data(), &summary);
+    return "ceres: " + summary.message;
+  }
+
+ private:
+  const std::string& algorithm_;
+};
+
+}  // namespace
+
+SolveReport solve_by_line_search(PathEnergy& energy, CoordinatePath& path, const CeresOptions& options,
+                                 const Monitor& monitor) {
+  CeresRounds minimiser(options.algorithm);
+  return solve_by_rounds(energy, path, options.rounds, minimiser, monitor);
+}
+
+}  // namespace leastcost

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "solvers/chain_variables.hpp"
+
+#include <Eigen/SVD>
+#include <algorithm>
+
+#include "framework/smooth_bounds.hpp"
+
+namespace leastcost {
+namespace {
+
+constexpr double kDifference = 6e-6;  ///< of the extent: rounding and truncation of a central difference balance
+constexpr double kSame = 1e-13;       ///< of the extent
+
+double extent(const Points& u) { return (u.rowwise().maxCoeff() - u.rowwise().minCoeff()).norm(); }
+
+}  // namespace
+
+bool ChainVariables::centre(const CoordinatePath& path) {
+  base_ = path;
+  if (!model_.evaluate(energy_, base_)) return false;
+  model_.solve(energy_, base_, HessianKind::gauss_newton);
+  return true;
+}
+
+Points ChainVariables::steps(const Eigen::VectorXd& z) const {
+  Eigen::VectorXd t = z;
+  if (scaling_ == Scaling::chain) model_.system.solve_upper(t);
+  Points step;
+  energy_.from_tangent(model_.frames, t, step);
+  return step;
+}
+
+bool ChainVariables::path_at(const Eigen::VectorXd& z, CoordinatePath& path) {
+  const Points step = steps(z);
+  energy_.retract(base_, step, path);
+  const ConstraintManifold& manifold = *energy_.problem().manifold;
+  const Index first = base_.free_begin(), n = base_.free_count();
+  Points off;
+  if (manifold.shape() == Shape::flat || dynamic_cast<const HasChart*>(&manifold) != nullptr) {
+    off = path.u.middleCols(first, n) - base_.u.middleCols(first, n) - step;
+  } else if (const auto* beyond = dynamic_cast<const GoesBeyondBounds*>(&manifold)) {
+    beyond->retract_beyond(base_, step, plus_);
+    off = path.u.middleCols(first, n) - plus_.u.middleCols(first, n);
+  } else {
+    return true;
+  }
+  return !(off.colwise().norm().maxCoeff() > kSame * (extent(base_.u) + step.cwiseAbs().maxCoeff()));
+}
+
+void ChainVariables::pull_back(const Eigen::VectorXd& z, const Points& path_gradient, Eigen::VectorXd& gradient) {
+  to_tangent(z, path_gradient, gradient);
+  if (scaling_ == Scaling::chain) model_.system.solve_lower(gradient);
+}
+
+/// T' dR' g. In a flat space or a chart dR is the identity, on a polyhedron the frames at x0 stand for those of the piece; elsewhere dR by central
+/// differences along the tangent directions, all points at once.
+void ChainVariables::to_tangent(const Eigen::VectorXd& z, const Points& path_gradient, Eigen::VectorXd& gradient) {
+  const ConstraintManifold& manifold = *energy_.problem().manifold;
+  if (manifold.shape() != Shape::smooth || dynamic_cast<const HasChart*>(&manifold) != nullptr)
+    return energy_.to_tangent(model_.frames, path_gradient, gradient);
+  const Index k = manifold.dimensions().tangent, n = base_.free_count(), first = base_.free_begin();
+  const double h = kDifference * extent(base_.u);
+  const Points step = steps(z);
+  gradient.resize(k * n);
+  Points moved(step.rows(), n);
+  for (Index p = 0; p < k; ++p) {
+    for (const double sign : {1.0, -1.0}) {
+      for (Index i = 0; i < n; ++i) moved.col(i) = step.col(i) + sign * h * model_.frames.bases.col(k * i + p);
+      energy_.retract(base_, moved, sign > 0 ? plus_ : minus_);
+    }
+    for (Index i = 0; i < n; ++i) {
+      const bool blocked = p >= k - model_.frames.blocked[static_cast<std::size_t>(i)];
+      gradient[k * i + p] =
+          blocked ? 0 : path_gradient.col(i).dot(plus_.u.col(first + i) - minus_.u.col(first + i)) / (2 * h);
+    }
+  }
+}
+
+double ChainVariables::turned(const CoordinatePath& path) const {
+  const ConstraintManifold& manifold = *energy_.problem().manifold;
+  if (manifold.shape() == Shape::flat || dynamic_cast<const HasChart*>(&manifold) != nullptr) return 1;
+  Points there;
+  manifold.tangent_bases(path, there);
+  const Index k = manifold.dimensions().tangent, first = base_.free_begin();
+  double least = 1;
+  for (Index i = 0; i < base_.free_count(); ++i) {
+    const Points overlap = model_.frames.bases.middleCols(k * i, k).transpose() * there.middleCols(k * (first + i), k);
+    least = std::min(least, overlap.jacobiSvd().singularValues().minCoeff());
+  }
+  return least;
+}
+
+}  // namespace leastcost

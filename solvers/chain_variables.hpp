@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "framework/chain_model.hpp"
+
+namespace leastcost {
+
+/// Unconstrained variables z around a path x0, for minimisers that know only a vector, a value and a gradient:
+///
+///     x(z) = R(x0, T L^-T z),
+///
+/// with the tangent frames T at x0, the domain's own retraction R, and for `chain` the Cholesky factor L of the Gauss-Newton chain Hessian there
+/// (NUMERICS Sec. 3: the energy is then about |z|^2 / 2 around its minimum, at every n), for `none` the identity. Directions that a bound blocks are
+/// left out of T: the variables are the free set of x0. Where a move goes beyond a bound that is not among them, there is no x(z).
+class ChainVariables {
+ public:
+  enum class Scaling { chain, none };
+
+  ChainVariables(PathEnergy& energy, Scaling scaling) : energy_(energy), scaling_(scaling) {}
+
+  /// Centres the variables at a path, z = 0 there. False where the energy is not finite.
+  bool centre(const CoordinatePath& path);
+  const CoordinatePath& base() const { return base_; }
+  const ChainModel& model() const { return model_; }  ///< at the centre, solved with the Gauss-Newton Hessian
+  Index size() const { return model_.tangent.size(); }
+
+  /// x(z), or the nearest feasible path; whether it is x(z) itself.
+  bool path_at(const Eigen::VectorXd& z, CoordinatePath& path);
+  /// The gradient in z, from the gradient at x(z) in coordinates.
+  void pull_back(const Eigen::VectorXd& z, const Points& path_gradient, Eigen::VectorXd& gradient);
+
+  /// Cosine of the largest angle by which a tangent plane at x(z) has turned from that at x0: far from 1 the variables are no longer good ones.
+  double turned(const CoordinatePath& path) const;
+
+ private:
+  Points steps(const Eigen::VectorXd& z) const;
+  void to_tangent(const Eigen::VectorXd& z, const Points& path_gradient, Eigen::VectorXd& gradient);
+
+  PathEnergy& energy_;
+  Scaling scaling_;
+  CoordinatePath base_, plus_, minus_;
+  ChainModel model_;
+};
+
+}  // namespace leastcost

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "solvers/string_method.hpp"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+#include "framework/chain_model.hpp"
+#include "framework/errors.hpp"
+#include "framework/spacing.hpp"
+#include "framework/stopping.hpp"
+#include "solvers/best_by_cost.hpp"
+#include "solvers/limit_fields.hpp"
+#include "solvers/rare_test.hpp"
+
+namespace leastcost {
+namespace {
+
+class String {
+ public:
+  String(PathEnergy& energy, CoordinatePath& path, const StringMethodOptions& options, const Monitor& monitor)
+      : energy_(energy),
+        given_(path),
+        path_(path),
+        options_(options),
+        best_(energy, path),
+        loop_(energy, path, {options.tolerance, options.max_iterations, options.max_evaluations}, monitor) {}
+
+  SolveReport run() {
+    if (!model_.evaluate(energy_, path_))
+      return loop_.finish(Termination::non_finite, "the gradient is not finite", model_.value);
+    double cost = best_.cost(), moved = 1;
+    for (;;) {
+      loop_.record(model_.value, std::numeric_limits<double>::quiet_NaN(), largest_move_);
+      if (moved <= options_.tolerance) return finish(Termination::fixed_point, at_rest(cost));
+      if (const std::optional<Termination> end = loop_.must_end(path_)) return finish(*end, "");
+      if (!step()) return finish(Termination::non_finite, "a step leaves the domain of the cost");
+      moved = largest_move_ / mean_segment();
+      cost = best_.consider(path_);
+    }
+  }
+
+ private:
+  double mean_segment() const {
+    return (path_.u.rightCols(path_.u.cols() - 1) - path_.u.leftCols(path_.u.cols() - 1)).colwise().norm().mean();
+  }
+
+  /// One step of every point normal to the path, and equal spacing again.
+  bool step() {
+    energy_.from_tangent(model_.frames, model_.tangent, force_);
+    // What a single point feels of the energy's curvature: an explicit step is stable below its inverse.
+    energy_.chain_hessian(path_, model_.gradient, model_.frames, HessianKind::gauss_newton, model_.system);
+    for (Index i = 0; i < force_.cols(); ++i) {
+      const Index at = path_.free_begin() + i;
+      const Eigen::VectorXd along = (path_.column(at + 1) - path_.column(at - 1)).normalized();
+      force_.col(i) -= along.dot(force_.col(i)) * along;
+      force_.col(i) *= -options_.step / model_.system.diagonal(i).trace();
+    }
+    energy_.retract(path_, force_, moved_);
+    if (!std::isfinite(energy_.value(moved_))) return false;
+    CoordinatePath even;
+    try {
+      even = sample_equally(energy_.problem(), moved_, static_cast<int>(path_.free_count()), kEven, kPasses);
+    } catch (const InitializationError&) {
+      return false;
+    }
+    if (!model_.evaluate(energy_, even)) return false;
+    largest_move_ = (even.u - path_.u).colwise().norm().maxCoeff();
+    path_ = std::move(even);
+    return true;
+  }
+
+  std::string at_rest(double cost) const {
+    std::ostringstream out;
+    out.precision(12);
+    out << "at rest at the cost " << cost;
+    return out.str();
+  }
+
+  SolveReport finish(Termination end, std::string message) {
+    given_ = best_.path();
+    loop_.set_cost_error(measured_cost_error(energy_, given_));
+    return loop_.finish(end, std::move(message), energy_.value(given_));
+  }
+
+  static constexpr double kEven = 1e-12;
+  static constexpr int kPasses = 3;
+
+  PathEnergy& energy_;
+  CoordinatePath& given_;
+  CoordinatePath path_, moved_;
+  StringMethodOptions options_;
+  BestByCost best_;
+  SolveLoop loop_;
+  ChainModel model_;
+  Points force_;
+  double largest_move_ = 0;
+};
+
+}  // namespace
+
+void StringMethodOptions::fields(FieldVisitor& visit) {
+  visit.field("step", step,
+              {.help = "Step along the force, in units of the largest that the stiffest point bears.",
+               .minimum = 0,
+               .maximum = 1,
+               .exclusive_minimum = true});
+  visit.field("tolerance", tolerance,
+              {.help = "Stops when no point moves farther in one iteration.", .unit = "segments", .minimum = 0});
+  limit_fields(visit, max_iterations, max_evaluations);
+}
+
+SolveReport StringMethod::do_solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const {
+  return String(energy, path, options_, monitor).run();
+}
+
+}  // namespace leastcost
