@@ -21,6 +21,8 @@ struct RunArguments {
 
 /// Each command returns the exit code of the program. They throw what they do not handle; see exit_of_exception().
 Exit run_command(const RunArguments& arguments, const Streams& streams);
+/// Makes the report of each folder again.
+Exit report_command(const std::vector<std::string>& folders, const Streams& streams);
 Exit validate_command(const std::vector<std::string>& files, const std::vector<Override>& overrides, bool json,
                       const Streams& streams);
 /// `kind`: empty for all kinds.

@@ -48,7 +48,35 @@ bool exchange(const fs::path& a, const fs::path& b) {
 #endif
 }
 
+/// Writes a file to its end. `shown`: the name it has for the user. Throws OutputError.
+void write_file(const fs::path& file, const std::string& content, const fs::path& shown) {
+  std::FILE* out = std::fopen(file.c_str(), "wb");
+  if (out == nullptr) throw OutputError(fmt::format("{}: cannot be made: {}", shown.string(), last_error()));
+  const bool written = std::fwrite(content.data(), 1, content.size(), out) == content.size();
+  const int write_error = errno;
+  const bool closed = std::fclose(out) == 0;  // a full disk may show only here
+  if (written && closed) return;
+  const std::string reason = std::generic_category().message(written ? errno : write_error);
+  throw OutputError(fmt::format("{}: cannot be written: {}", shown.string(), reason));
+}
+
 }  // namespace
+
+void replace_file(const fs::path& file, const std::string& content) {
+  const fs::path temporary = file.parent_path() / fmt::format(".{}.{}", file.filename().string(), ::getpid());
+  std::error_code error;
+  try {
+    write_file(temporary, content, file);
+  } catch (const OutputError&) {
+    fs::remove(temporary, error);
+    throw;
+  }
+  fs::rename(temporary, file, error);
+  if (!error) return;
+  std::error_code ignored;
+  fs::remove(temporary, ignored);
+  throw OutputError(fmt::format("{}: cannot be replaced: {}", file.string(), error.message()));
+}
 
 std::string output_refusal(const fs::path& target, bool force) {
   std::error_code error;
@@ -91,15 +119,7 @@ OutputFolder::~OutputFolder() {
 }
 
 void OutputFolder::write(const std::string& name, const std::string& content) {
-  const fs::path file = temporary_ / name;
-  std::FILE* out = std::fopen(file.c_str(), "wb");
-  if (out == nullptr) throw OutputError(fmt::format("{}: cannot be made: {}", file.string(), last_error()));
-  const bool written = std::fwrite(content.data(), 1, content.size(), out) == content.size();
-  const int write_error = errno;
-  const bool closed = std::fclose(out) == 0;  // a full disk may show only here
-  if (written && closed) return;
-  const std::string reason = std::generic_category().message(written ? errno : write_error);
-  throw OutputError(fmt::format("{}: cannot be written: {}", (target_ / name).string(), reason));
+  write_file(temporary_ / name, content, target_ / name);
 }
 
 void OutputFolder::commit() {

@@ -21,6 +21,9 @@ class OutputRefused : public OutputError {
   using OutputError::OutputError;
 };
 
+/// Puts a file in its place in one step: written beside it, then renamed. Throws OutputError; what was there then remains.
+void replace_file(const std::filesystem::path& file, const std::string& content);
+
 /// Why results may not be put into `target`: it is not empty, and `force` is not set or it holds no manifest of ours. Empty
 /// when they may.
 std::string output_refusal(const std::filesystem::path& target, bool force);

@@ -50,7 +50,7 @@ class Drawing {
         x_range_(shown(chart.x, all_values(chart, true))),
         y_range_(shown(chart.y, all_values(chart, false))),
         legend_(legend_of(chart)) {
-    y_ticks_ = ticks(chart.y.kind, y_range_, static_cast<int>(chart.height / 55));
+    y_ticks_ = ticks(chart.y.kind, y_range_, static_cast<int>(chart.height / 42));
     double label = 0;
     for (const Tick& t : y_ticks_) label = std::max(label, text_width(t.label));
     left_ = 30 + kFont * label;
@@ -59,7 +59,7 @@ class Drawing {
     height_ = chart.height - kTitle - kBelow;
     total_height_ = chart.height;
     place_legend();
-    x_ticks_ = ticks(chart.x.kind, x_range_, std::max(2, static_cast<int>(width_ / 65)));
+    x_ticks_ = ticks(chart.x.kind, x_range_, std::max(2, static_cast<int>(width_ / 48)));
   }
 
   std::string draw(bool standalone) const {

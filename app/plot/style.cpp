@@ -49,16 +49,24 @@ std::string shape(int number, double x, double y, double r) {
 }  // namespace
 
 std::string plot_style() {
-  return R"(.plot{--ink:#222;--soft:#6b6b6b;--rule:#e4e2dd;--paper:#fff;
+  return R"(.plot{--ink:#222;--soft:#6b6b6b;--rule:#e4e2dd;--faint:#f8f6f1;--paper:#fff;
 --c0:#0072B2;--c1:#D55E00;--c2:#009E73;--c3:#CC79A7;--c4:#E69F00;--c5:#56B4E9;--c6:#222;
 font-family:system-ui,-apple-system,"Segoe UI","Helvetica Neue",Helvetica,Arial,sans-serif;font-variant-numeric:tabular-nums}
-@media (prefers-color-scheme:dark){.plot{--ink:#e6e4df;--soft:#a19e97;--rule:#3a3936;--paper:#1c1c1b;
+@media (prefers-color-scheme:dark){.plot{--ink:#e6e4df;--soft:#a19e97;--rule:#3a3936;--faint:#232322;--paper:#1c1c1b;
 --c0:#4aa3dc;--c1:#ef8244;--c2:#33bd93;--c3:#dc98bf;--c4:#efb02e;--c5:#86cbf3;--c6:#e6e4df}}
 .plot text{font-size:11px;fill:var(--soft)}.plot .title{font-size:12.5px;font-weight:600;fill:var(--ink)}
 .plot .axis{stroke:var(--soft);fill:none}.plot .grid{stroke:var(--rule);fill:none}
 .plot .s{fill:none;stroke-width:1.7;stroke-linejoin:round;stroke-linecap:round}.plot .bar{stroke-width:1.1}
 .plot .quiet{fill:none;stroke:var(--soft);stroke-width:1.2;stroke-dasharray:4 3}
 .plot .m{stroke:var(--paper);stroke-width:.8}.plot .m.quiet{fill:var(--soft);stroke:var(--paper)}
+.plot .path{fill:none;stroke:var(--c0);stroke-width:3.2;stroke-linejoin:round;stroke-linecap:round}
+.plot .first{fill:none;stroke:var(--ink);stroke-width:1.5;stroke-dasharray:6 4;opacity:.75}
+.plot .other{fill:none;stroke:var(--c2);stroke-width:1.8}.plot .hidden{stroke-width:1.2;opacity:.45}
+.plot .domain{fill:none;stroke:var(--soft);stroke-width:5;stroke-opacity:.35;stroke-linejoin:round}
+.plot .point{fill:var(--paper);stroke:var(--c0);stroke-width:1.2}.plot .end{fill:var(--c1);stroke:var(--paper);stroke-width:1.5}
+.plot .wall{fill:none;stroke:var(--ink);stroke-width:2}.plot .solid{stroke-width:.7;stroke-linejoin:round}
+.plot .band0{fill:var(--faint)}.plot .band{fill:var(--soft);fill-opacity:.06}
+.plot .out{fill:url(#hatch)}.plot .hatch{stroke:var(--soft);stroke-width:1.2;fill:none}
 .plot .s0{stroke:var(--c0)}.plot .s1{stroke:var(--c1)}.plot .s2{stroke:var(--c2)}.plot .s3{stroke:var(--c3)}
 .plot .s4{stroke:var(--c4)}.plot .s5{stroke:var(--c5)}.plot .s6{stroke:var(--c6)}
 .plot .f0{fill:var(--c0)}.plot .f1{fill:var(--c1)}.plot .f2{fill:var(--c2)}.plot .f3{fill:var(--c3)}
