@@ -25,7 +25,7 @@ header{border-bottom:2px solid var(--ink);padding-bottom:1rem;margin-bottom:1.2r
 .good{color:var(--good)}.bad{color:var(--bad)}.mild{color:var(--mild)}
 .why{border-left:3px solid var(--bad);padding:.1rem 0 .1rem 1rem;margin:1rem 0}
 .why li{margin:.25rem 0}.why ul{margin:.3rem 0;padding-left:1.1rem}
-.key{display:flex;flex-wrap:wrap;gap:1rem 2rem;margin:0 0 1.4rem}
+.key{display:grid;grid-template-columns:repeat(auto-fit,minmax(9.5rem,auto));justify-content:space-between;gap:1rem 1.4rem;margin:0 0 1.4rem}
 .key dt{font-size:.72rem;text-transform:uppercase;letter-spacing:.08em;color:var(--soft)}
 .key dd{margin:0;font-size:1.12rem;font-variant-numeric:tabular-nums;line-height:1.3}
 .key small{display:block;font-size:.8rem;color:var(--soft);max-width:15rem}

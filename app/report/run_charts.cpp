@@ -113,7 +113,7 @@ std::string coordinates_svg(const RunFiles& files) {
     chart.series.push_back({names[i],
                             files.path["cumulative_cost"],
                             files.path[names[i]],
-                            {static_cast<int>(i), true, files.path.rows() <= 80}});
+                            {static_cast<int>(i), true, files.path.rows() <= 30}});
   chart.width = 860;
   chart.height = 420;
   return svg(chart);
