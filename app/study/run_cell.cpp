@@ -9,7 +9,6 @@
 #include "app/run.hpp"
 #include "app/study/csv_text.hpp"
 #include "framework/kernel.hpp"
-#include "framework/path_energy.hpp"
 
 namespace leastcost::app {
 namespace {
@@ -84,23 +83,13 @@ std::vector<TraceRow> trace_of(const std::vector<Iteration>& history, const RunR
   return trace;
 }
 
-/// Asked once more after the solve: before it, the path that the solver looks at is not there.
-std::optional<std::string> refusal(const RunOutcome& run) {
-  if (run.result.solve.termination != Termination::non_finite) return std::nullopt;
-  PathEnergy energy(run.parts.problem, run.result.reference_cost);
-  return run.parts.solver->cannot_solve(energy, run.result.initial);
-}
-
 CellResult solved(const StudyCell& cell, RunRow row) {
   Composition parts = compose(cell.config, cell.folder);
   const RunOutcome run = solve(cell.config, std::move(parts), {});
   fill_solve(run.result.solve, row);
+  row.outcome = outcome::kCannotSolve;
+  if (run.result.solve.termination == Termination::refused) return {row, {}};
   row.outcome = outcome::kOk;
-  if (const std::optional<std::string> reason = refusal(run)) {
-    row.outcome = outcome::kCannotSolve;
-    row.message = one_line(*reason);
-    return {row, {}};
-  }
   fill_result(run, row);
   return {row, trace_of(run.result.solve.history, row)};
 }
