@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "app/back_ends/back_ends.hpp"
+#include "app/registration.hpp"
 #include "problems/costs/euclidean.hpp"
 #include "problems/costs/metric_field.hpp"
 #include "problems/costs/metric_tensor.hpp"
@@ -34,44 +36,14 @@
 #include "solvers/newton.hpp"
 #include "solvers/string_method.hpp"
 #include "solvers/vfcs.hpp"
-#ifdef LEASTCOST_HAS_NLOPT
-#include "solvers/nlopt/nlopt_solver.hpp"
-#endif
-#ifdef LEASTCOST_HAS_CERES
-#include "solvers/ceres/ceres_solver.hpp"
-#endif
 
 namespace leastcost::app {
 namespace {
-
-/// Registers `build(options, context)`, whose options are of type Options.
-template <class P, class Options, class Build>
-P plugin(const char* type, const char* summary, Build build) {
-  P entry;
-  entry.type = type;
-  entry.summary = summary;
-  entry.defaults = [] { return std::make_unique<OptionsOf<Options>>(); };
-  entry.make = [build](const AnyOptions& options, const BuildContext& context) {
-    return build(static_cast<const OptionsOf<Options>&>(options).value, context);
-  };
-  return entry;
-}
 
 template <class Function>
 KernelPlugin kernel(const char* type, const char* summary) {
   return plugin<KernelPlugin, NoOptions>(type, summary,
                                          [](const NoOptions&, const BuildContext&) { return make_kernel(Function{}); });
-}
-
-/// A class made from its options alone, or from nothing.
-template <class P, class Class, class Options = NoOptions>
-P made_of(const char* type, const char* summary) {
-  return plugin<P, Options>(type, summary, [](const Options& options, const BuildContext&) {
-    if constexpr (std::is_same_v<Options, NoOptions>)
-      return std::make_shared<const Class>();
-    else
-      return std::make_shared<const Class>(options);
-  });
 }
 
 const auto& kernels() {
@@ -189,31 +161,6 @@ const auto& initializers() {
   return all;
 }
 
-/// What this build has not, and how to get it.
-SolverPlugin absent(const char* type, const char* summary, const char* package) {
-  SolverPlugin entry = made_of<SolverPlugin, Newton>(type, summary);
-  entry.missing = std::string("install ") + package + " (Debian) and build again";
-  return entry;
-}
-
-SolverPlugin nlopt() {
-  constexpr const char* kSummary = "NLopt's local optimisers, in the chain's own variables or as they are.";
-#ifdef LEASTCOST_HAS_NLOPT
-  return made_of<SolverPlugin, Nlopt, NloptOptions>("nlopt", kSummary);
-#else
-  return absent("nlopt", kSummary, "libnlopt-cxx-dev");
-#endif
-}
-
-SolverPlugin ceres() {
-  constexpr const char* kSummary = "Ceres: trust region on the residual form, or line search.";
-#ifdef LEASTCOST_HAS_CERES
-  return made_of<SolverPlugin, Ceres, CeresOptions>("ceres", kSummary);
-#else
-  return absent("ceres", kSummary, "libceres-dev");
-#endif
-}
-
 const auto& solvers() {
   static const std::vector<SolverPlugin> all = {
       made_of<SolverPlugin, Newton, NewtonOptions>("newton", "Block-tridiagonal Newton on the chain."),
@@ -225,8 +172,8 @@ const auto& solvers() {
           "georce", "GEORCE (arXiv 2505.05961): optimality conditions of a discrete energy in a chart, in turn."),
       made_of<SolverPlugin, StringMethod, StringMethodOptions>(
           "string", "The string method: steps normal to the path, then equal spacing; no energy."),
-      nlopt(),
-      ceres(),
+      nlopt_plugin(),
+      ceres_plugin(),
   };
   return all;
 }

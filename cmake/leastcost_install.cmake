@@ -15,9 +15,12 @@ foreach(component IN LISTS components)
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
   install(EXPORT leastcost-${component} NAMESPACE leastcost:: FILE leastcost-${component}-targets.cmake
     DESTINATION ${package_dir} COMPONENT development)
-  get_target_property(folder ${target} SOURCE_DIR)
-  install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/leastcost/${component} COMPONENT development
-    FILES_MATCHING PATTERN "*.hpp")
+  get_target_property(headers ${target} LEASTCOST_HEADERS)
+  foreach(header IN LISTS headers)
+    file(RELATIVE_PATH place ${PROJECT_SOURCE_DIR} ${header})
+    get_filename_component(place ${place} DIRECTORY)
+    install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/leastcost/${place} COMPONENT development)
+  endforeach()
 
   # leastcost-problems.cmake: first what it needs, then its targets.
   get_target_property(needs ${target} LEASTCOST_NEEDS)

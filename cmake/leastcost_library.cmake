@@ -27,6 +27,8 @@ function(leastcost_library name)
   foreach(folder IN LISTS arg_EXCEPT)
     list(FILTER sources EXCLUDE REGEX "^${CMAKE_CURRENT_SOURCE_DIR}/${folder}/")
   endforeach()
+  set(headers ${sources})
+  list(FILTER headers INCLUDE REGEX "[.]hpp$")
   add_library(${target} ${sources})
   add_library(leastcost::${name} ALIAS ${target})
 
@@ -52,6 +54,7 @@ function(leastcost_library name)
     VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
     INSTALL_RPATH "$ORIGIN"
+    LEASTCOST_HEADERS "${headers}"
     LEASTCOST_NEEDS "${arg_NEEDS}"
     LEASTCOST_FINDS "${arg_FINDS}")
   leastcost_warnings(${target})

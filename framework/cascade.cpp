@@ -39,7 +39,7 @@ SolveReport solve_by_cascade(const Problem& problem, const Solver& solver, doubl
     PathEnergy energy(problem, s0);
     SolveReport next = solver.solve(energy, level, monitor);
     report = report.history.empty() ? std::move(next) : joined(report, std::move(next));
-    if (monitor.interrupted()) break;
+    if (monitor.interrupted() || report.termination == Termination::exception) break;
   }
   if (level.segment_count() == finest) path = std::move(level);
   return report;

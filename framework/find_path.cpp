@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cassert>
 #include <chrono>
+#include <limits>
+#include <utility>
 
 #include "framework/based_loop.hpp"
 #include "framework/cascade.hpp"
@@ -66,6 +68,17 @@ bool has_collapsed(const Result& result, const PostProcessed& processed) {
   return processed.collapsed || (result.solve.termination == Termination::collapsed && !processed.curve.straightness);
 }
 
+/// The best path of a solve in which the cost, or another part of the problem, threw. It is not asked again: nothing is measured about the path.
+Result unfinished(Result result, PathEnergy& energy) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  result.costs.setConstant(result.path.segment_count(), kUnknown);
+  result.curve_costs = result.costs;
+  result.curve = {energy.ambient(result.path).x, {}, kUnknown, {}};
+  result.certificate.failures.push_back({"exception", "while solving: " + result.solve.message});
+  result.notes = result.first.notes;
+  return result;
+}
+
 Status status_of(const Result& result, bool collapsed, const Monitor& monitor) {
   const Termination end = result.solve.termination;
   if (end == Termination::cancelled || end == Termination::time_limit || monitor.interrupted())
@@ -116,6 +129,7 @@ Result find_path(const Problem& problem, const Initializer& initializer, const S
       result.notes.emplace_back(
           "escape_saddle: a path on a polyhedron, or under H = s, has no index that could show a saddle");
   });
+  if (result.solve.termination == Termination::exception) return unfinished(std::move(result), energy);
 
   const ToCurve to_curve = [&](const CoordinatePath& chain) {
     PostProcessed processed = chain_as_curve(energy, chain);

@@ -21,10 +21,24 @@ std::string_view name(Termination termination) {
     case Termination::non_finite: return "non_finite";
     case Termination::collapsed: return "collapsed";
     case Termination::exception: return "exception";
+    case Termination::refused: return "refused";
     case Termination::cancelled: return "cancelled";
   }
   return "unknown";
 }
+
+namespace {
+
+/// By energy, or by the cost for methods that have no energy. What throws again is worse.
+bool no_worse(PathEnergy& energy, const CoordinatePath& path, const CoordinatePath& start) {
+  try {
+    return energy.value(path) <= energy.value(start) || energy.cost(path) <= energy.cost(start);
+  } catch (...) {
+    return false;
+  }
+}
+
+}  // namespace
 
 std::optional<std::string> Solver::cannot_solve(const PathEnergy&, const CoordinatePath&) const { return std::nullopt; }
 
@@ -32,13 +46,12 @@ SolveReport Solver::solve(PathEnergy& energy, CoordinatePath& path, const Monito
   const auto start = Monitor::Clock::now();
   SolveReport report;
   const Counters before = energy.counters();
-  const double initial = energy.value(path);
+  double initial = std::numeric_limits<double>::quiet_NaN();
   if (const std::optional<std::string> reason = cannot_solve(energy, path)) {
+    report.termination = Termination::refused;
     report.message = *reason;
-  } else if (!std::isfinite(initial)) {
-    report.message = "the energy of the first path is not finite";
   } else {
-    report = guarded(energy, path, monitor);
+    report = guarded(energy, path, initial, monitor);
   }
   report.initial_energy = initial;
   const Counters& now = energy.counters();
@@ -49,26 +62,22 @@ SolveReport Solver::solve(PathEnergy& energy, CoordinatePath& path, const Monito
 }
 
 /// do_solve(), whatever the problem's parts throw. The path is then the last one that was accepted.
-SolveReport Solver::guarded(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const {
+SolveReport Solver::guarded(PathEnergy& energy, CoordinatePath& path, double& initial, const Monitor& monitor) const {
   const CoordinatePath start = path;
-  const double initial = energy.value(path);
   SolveReport report;
   try {
-    return do_solve(energy, path, monitor);
+    initial = energy.value(path);
+    if (std::isfinite(initial)) return do_solve(energy, path, monitor);
+    report.message = "the energy of the first path is not finite";
+    return report;
   } catch (const std::exception& error) {
     report.message = error.what();
+  } catch (...) {
+    report.message = "an exception that is no std::exception";
   }
   report.termination = Termination::exception;
-  report.final_energy = initial;
-  try {
-    report.final_energy = energy.value(path);
-  } catch (const std::exception&) {
-    path = start;
-  }
-  if (!(report.final_energy <= initial)) {
-    path = start;
-    report.final_energy = initial;
-  }
+  if (!no_worse(energy, path, start)) path = start;
+  report.final_energy = path.u == start.u ? initial : energy.value(path);
   return report;
 }
 

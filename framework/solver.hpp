@@ -27,6 +27,7 @@ enum class Termination {
   non_finite,  ///< the energy of the path handed in is not finite
   collapsed,   ///< the ring has shrunk to a point
   exception,   ///< a cost, kernel or manifold threw; the message is its own
+  refused,     ///< the solver cannot work on this problem; the message says why
   cancelled
 };
 std::string_view name(Termination termination);
@@ -56,8 +57,8 @@ struct SolveReport {
 /// Two solves, one after the other, as one: the counters add up, the end is that of the later one.
 SolveReport joined(const SolveReport& earlier, SolveReport later);
 
-/// Improves a path in place. Keeps the best iterate, never returns a higher energy than it was given, and never throws: not for a
-/// numerical outcome, nor when a cost does.
+/// Improves a path in place. Keeps the best iterate, never returns a higher energy than it was given (methods without an energy: a higher cost), and
+/// never throws: not for a numerical outcome, nor when a cost does.
 class Solver {
  public:
   virtual ~Solver() = default;
@@ -69,7 +70,8 @@ class Solver {
 
  private:
   virtual SolveReport do_solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const = 0;
-  SolveReport guarded(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const;
+  /// `initial`: out, the energy of the path handed in.
+  SolveReport guarded(PathEnergy& energy, CoordinatePath& path, double& initial, const Monitor& monitor) const;
 };
 
 }  // namespace leastcost

@@ -6,10 +6,11 @@
 
 namespace leastcost {
 
-/// Remembers the path of least true cost that a method without an energy has met. What is handed back is never dearer than what was given.
+/// Keeps in a caller's path the one of least true cost that a method without an energy has met: what is handed back is never dearer than what was
+/// given, whenever and however the method ends.
 class BestByCost {
  public:
-  BestByCost(PathEnergy& energy, const CoordinatePath& path) : energy_(energy), path_(path), cost_(energy.cost(path)) {}
+  BestByCost(PathEnergy& energy, CoordinatePath& path) : energy_(energy), path_(path), cost_(energy.cost(path)) {}
 
   /// The cost of a path, which is kept if it is the least so far.
   double consider(const CoordinatePath& path) {
@@ -25,7 +26,7 @@ class BestByCost {
 
  private:
   PathEnergy& energy_;
-  CoordinatePath path_;
+  CoordinatePath& path_;
   double cost_;
 };
 

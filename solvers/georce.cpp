@@ -24,7 +24,6 @@ class GeorceSolve {
  public:
   GeorceSolve(PathEnergy& energy, CoordinatePath& path, const GeorceOptions& options, const Monitor& monitor)
       : energy_(energy),
-        given_(path),
         path_(path),
         d_(path.u.rows()),
         moves_(path.segment_count()),
@@ -132,13 +131,11 @@ class GeorceSolve {
   }
 
   SolveReport finish(Termination end, std::string message) {
-    given_ = best_.path();
-    loop_.set_cost_error(measured_cost_error(energy_, given_));
-    return loop_.finish(end, std::move(message), energy_.value(given_));
+    loop_.set_cost_error(measured_cost_error(energy_, best_.path()));
+    return loop_.finish(end, std::move(message), energy_.value(best_.path()));
   }
 
   PathEnergy& energy_;
-  CoordinatePath& given_;
   CoordinatePath path_, trial_;
   Index d_, moves_;
   GeorceOptions options_;

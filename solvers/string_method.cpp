@@ -22,7 +22,6 @@ class String {
  public:
   String(PathEnergy& energy, CoordinatePath& path, const StringMethodOptions& options, const Monitor& monitor)
       : energy_(energy),
-        given_(path),
         path_(path),
         options_(options),
         best_(energy, path),
@@ -80,16 +79,14 @@ class String {
   }
 
   SolveReport finish(Termination end, std::string message) {
-    given_ = best_.path();
-    loop_.set_cost_error(measured_cost_error(energy_, given_));
-    return loop_.finish(end, std::move(message), energy_.value(given_));
+    loop_.set_cost_error(measured_cost_error(energy_, best_.path()));
+    return loop_.finish(end, std::move(message), energy_.value(best_.path()));
   }
 
   static constexpr double kEven = 1e-12;
   static constexpr int kPasses = 3;
 
   PathEnergy& energy_;
-  CoordinatePath& given_;
   CoordinatePath path_, moved_;
   StringMethodOptions options_;
   BestByCost best_;

@@ -29,13 +29,24 @@ bool holds_our_manifest(const fs::path& folder) {
   return manifest.is_object() && manifest.contains("program") && manifest["program"] == kProgramName;
 }
 
+constexpr std::string_view kTemporary = ".tmp";
+
+/// What a file that was being written when its program was killed would have been called.
+std::string without_temporary(std::string name) {
+  if (name.size() > kTemporary.size() && name.substr(name.size() - kTemporary.size()) == kTemporary)
+    name.resize(name.size() - kTemporary.size());
+  return name;
+}
+
 /// A file that no run of ours wrote, or an empty path: --force must not take it away.
 fs::path foreign_file(const fs::path& folder) {
-  static const std::set<std::string> ours = {"config.resolved.yaml", "curve.csv",     "first_path.csv", "history.csv",
-                                             "manifest.json",        "path.csv",      "path.obj",       "path.vtp",
-                                             "report.html",          "residuals.csv", "result.json",    "scene.json"};
+  static const std::set<std::string> ours = {
+      "config.resolved.yaml", "curve.csv",   "first_path.csv", "history.csv", "journal.jsonl",
+      "manifest.json",        "path.csv",    "path.obj",       "path.vtp",    "report.html",
+      "residuals.csv",        "result.json", "runs.csv",       "scene.json",  "study.resolved.yaml",
+      "summary.json",         "traces.csv"};
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (ours.count(entry.path().filename().string()) == 0) return entry.path();
+    if (ours.count(without_temporary(entry.path().filename().string())) == 0) return entry.path();
   return {};
 }
 
@@ -61,22 +72,6 @@ void write_file(const fs::path& file, const std::string& content, const fs::path
 }
 
 }  // namespace
-
-void replace_file(const fs::path& file, const std::string& content) {
-  const fs::path temporary = file.parent_path() / fmt::format(".{}.{}", file.filename().string(), ::getpid());
-  std::error_code error;
-  try {
-    write_file(temporary, content, file);
-  } catch (const OutputError&) {
-    fs::remove(temporary, error);
-    throw;
-  }
-  fs::rename(temporary, file, error);
-  if (!error) return;
-  std::error_code ignored;
-  fs::remove(temporary, ignored);
-  throw OutputError(fmt::format("{}: cannot be replaced: {}", file.string(), error.message()));
-}
 
 std::string output_refusal(const fs::path& target, bool force) {
   std::error_code error;
@@ -120,6 +115,14 @@ OutputFolder::~OutputFolder() {
 
 void OutputFolder::write(const std::string& name, const std::string& content) {
   write_file(temporary_ / name, content, target_ / name);
+}
+
+void write_whole_file(const fs::path& file, const std::string& content) {
+  const fs::path temporary = file.string() + std::string(kTemporary);
+  write_file(temporary, content, file);
+  std::error_code error;
+  fs::rename(temporary, file, error);
+  if (error) throw OutputError(fmt::format("{}: cannot be made: {}", file.string(), error.message()));
 }
 
 void OutputFolder::commit() {

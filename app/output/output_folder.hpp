@@ -21,12 +21,12 @@ class OutputRefused : public OutputError {
   using OutputError::OutputError;
 };
 
-/// Puts a file in its place in one step: written beside it, then renamed. Throws OutputError; what was there then remains.
-void replace_file(const std::filesystem::path& file, const std::string& content);
-
 /// Why results may not be put into `target`: it is not empty, and `force` is not set or it holds no manifest of ours. Empty
 /// when they may.
 std::string output_refusal(const std::filesystem::path& target, bool force);
+
+/// Writes a file that appears complete or not at all, in the place of one that is there. Throws OutputError.
+void write_whole_file(const std::filesystem::path& file, const std::string& content);
 
 /// A folder of results that appears complete or not at all: written beside its place under a temporary name, then
 /// renamed. What is there already is kept until that moment.

@@ -25,7 +25,7 @@ std::vector<ReportFile> make_report(const fs::path& folder) {
 }
 
 fs::path write_report(const fs::path& folder) {
-  for (const ReportFile& file : make_report(folder)) replace_file(folder / file.name, file.content);
+  for (const ReportFile& file : make_report(folder)) write_whole_file(folder / file.name, file.content);
   return folder / "report.html";
 }
 

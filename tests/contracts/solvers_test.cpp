@@ -1,7 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
+#include "solvers/georce.hpp"
+#include "solvers/gradient_descent.hpp"
 #include "solvers/lbfgs.hpp"
 #include "solvers/newton.hpp"
+#include "solvers/string_method.hpp"
+#include "solvers/vfcs.hpp"
 #include "tests/contracts/solver_contract.hpp"
 
 namespace leastcost::test {
@@ -23,6 +27,34 @@ TEST_CASE("solver contract: lbfgs, precondition chain", "[contract]") {
 }
 TEST_CASE("solver contract: lbfgs, precondition none", "[contract]") {
   check_solver_contract([](int iterations, int evaluations) { return lbfgs(iterations, evaluations, "none"); });
+}
+TEST_CASE("solver contract: gradient_descent", "[contract]") {
+  check_solver_contract([](int iterations, int evaluations) {
+    return std::make_unique<GradientDescent>(
+        GradientDescentOptions{.max_iterations = iterations, .max_evaluations = evaluations});
+  });
+}
+TEST_CASE("solver contract: vfcs", "[contract]") {
+  check_solver_contract(
+      [](int iterations, int evaluations) {
+        return std::make_unique<Vfcs>(VfcsOptions{.max_iterations = iterations, .max_evaluations = evaluations});
+      },
+      {.own_rule = true});
+}
+TEST_CASE("solver contract: georce", "[contract]") {
+  check_solver_contract(
+      [](int iterations, int evaluations) {
+        return std::make_unique<Georce>(GeorceOptions{.max_iterations = iterations, .max_evaluations = evaluations});
+      },
+      {.own_rule = true, .by_cost = true});
+}
+TEST_CASE("solver contract: string", "[contract]") {
+  check_solver_contract(
+      [](int iterations, int evaluations) {
+        return std::make_unique<StringMethod>(
+            StringMethodOptions{.max_iterations = iterations, .max_evaluations = evaluations});
+      },
+      {.own_rule = true, .by_cost = true});
 }
 TEST_CASE("solvers agree", "[contract]") {
   const auto n = newton(1000, 100000), chain = lbfgs(1000, 100000, "chain"), plain = lbfgs(100000, 1000000, "none");

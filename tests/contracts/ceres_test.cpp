@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "solvers/ceres/ceres_solver.hpp"
+
+#include "tests/contracts/solver_contract.hpp"
+
+namespace leastcost::test {
+namespace {
+
+MakeSolver ceres(const char* algorithm, const char* precondition = "chain") {
+  return [=](int iterations, int evaluations) {
+    CeresOptions options{.algorithm = algorithm, .max_iterations = iterations};
+    options.rounds.precondition = precondition;
+    options.rounds.max_evaluations = evaluations;
+    return std::make_unique<Ceres>(options);
+  };
+}
+
+}  // namespace
+
+TEST_CASE("solver contract: ceres, trust region", "[contract]") {
+  const char* algorithm = GENERATE("levenberg_marquardt", "dogleg");
+  CAPTURE(algorithm);
+  check_solver_contract(ceres(algorithm));
+}
+TEST_CASE("solver contract: ceres, line search, precondition chain", "[contract]") {
+  const char* algorithm = GENERATE("lbfgs", "bfgs", "ncg");
+  CAPTURE(algorithm);
+  check_solver_contract(ceres(algorithm), {.has_iterations = false});
+}
+TEST_CASE("solver contract: ceres, line search, precondition none", "[contract]") {
+  check_solver_contract(ceres("lbfgs", "none"), {.has_iterations = false});
+}
+
+}  // namespace leastcost::test
