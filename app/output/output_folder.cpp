@@ -41,10 +41,11 @@ std::string without_temporary(std::string name) {
 /// A file that no run of ours wrote, or an empty path: --force must not take it away.
 fs::path foreign_file(const fs::path& folder) {
   static const std::set<std::string> ours = {
-      "config.resolved.yaml", "curve.csv",   "first_path.csv", "history.csv", "journal.jsonl",
-      "manifest.json",        "path.csv",    "path.obj",       "path.vtp",    "report.html",
-      "residuals.csv",        "result.json", "runs.csv",       "scene.json",  "study.resolved.yaml",
-      "summary.json",         "traces.csv"};
+      "config.resolved.yaml", "curve.csv", "first_path.csv", "history.csv", "manifest.json", "path.csv", "path.obj",
+      "path.vtp", "report.html", "residuals.csv", "result.json", "scene.json",
+      // of studies
+      "journal.jsonl", "runs.csv", "study.resolved.yaml", "summary.json", "traces.csv", "accuracy.svg", "data.svg",
+      "evaluations.svg", "order.svg", "performance.svg", "seconds.svg"};
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (ours.count(without_temporary(entry.path().filename().string())) == 0) return entry.path();
   return {};

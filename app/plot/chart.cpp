@@ -37,6 +37,7 @@ Range shown(const Axis& axis, const std::vector<double>& values) {
 
 std::vector<const Series*> legend_of(const Chart& chart) {
   std::vector<const Series*> named;
+  if (!chart.legend) return named;
   for (const Series& s : chart.series)
     if (!s.name.empty()) named.push_back(&s);
   return named;
@@ -61,6 +62,8 @@ class Drawing {
     place_legend();
     x_ticks_ = ticks(chart.x.kind, x_range_, std::max(2, static_cast<int>(width_ / 48)));
   }
+
+  double height() const { return total_height_; }
 
   std::string draw(bool standalone) const {
     std::string out = fmt::format("<text class=\"title\" x=\"0\" y=\"13\">{}</text>\n", escaped(chart_.title));
@@ -185,5 +188,18 @@ class Drawing {
 }  // namespace
 
 std::string svg(const Chart& chart, bool standalone) { return Drawing(chart).draw(standalone); }
+
+std::string panels_svg(const std::string& title, const std::string& description, const std::vector<Chart>& charts) {
+  constexpr double kMargin = 12, kGap = 22, kHeading = 30;
+  std::string out = fmt::format("<text class=\"title\" x=\"{0}\" y=\"24\">{1}</text>\n", kMargin, escaped(title));
+  double x = kMargin, height = 0;
+  for (const Chart& chart : charts) {
+    const Drawing drawing(chart);
+    out += fmt::format("<svg x=\"{:.0f}\" y=\"{:.0f}\"{}", x, kMargin + kHeading, drawing.draw(false).substr(4));
+    x += chart.width + kGap;
+    height = std::max(height, drawing.height());
+  }
+  return svg_element(title, description, x - kGap + kMargin, height + kHeading + 2 * kMargin, out, true);
+}
 
 }  // namespace leastcost::app

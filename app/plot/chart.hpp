@@ -39,10 +39,14 @@ struct Chart {
   Axis x, y;
   std::vector<Series> series;
   double width = 460, height = 300;  ///< of everything, in px
+  bool legend = true;
 };
 
 /// The chart as an SVG element. Values that its scales cannot show are left out. `standalone`: a file of its own, with its style in it.
 std::string svg(const Chart& chart, bool standalone = false);
+
+/// Charts side by side, with a title above, as a file of its own.
+std::string panels_svg(const std::string& title, const std::string& description, const std::vector<Chart>& charts);
 
 /// The style sheet that all drawings of this folder share; light and dark.
 std::string plot_style();

@@ -5,8 +5,8 @@
 namespace leastcost::app {
 
 std::string page_style() {
-  return R"(:root{--ink:#222;--soft:#6b6b6b;--rule:#dcd9d2;--faint:#f5f3ee;--paper:#fff;--good:#00704f;--bad:#b04a00;--mild:#6b6b6b;color-scheme:light dark}
-@media (prefers-color-scheme:dark){:root{--ink:#e6e4df;--soft:#a19e97;--rule:#3a3936;--faint:#252523;--paper:#1c1c1b;--good:#45c79c;--bad:#f0905a;--mild:#a19e97}}
+  return R"(:root{--ink:#222;--soft:#6b6b6b;--rule:#dcd9d2;--faint:#f5f3ee;--paper:#fff;--good:#00704f;--bad:#b04a00;--mild:#6b6b6b;--other:#0a63a0;color-scheme:light dark}
+@media (prefers-color-scheme:dark){:root{--ink:#e6e4df;--soft:#a19e97;--rule:#3a3936;--faint:#252523;--paper:#1c1c1b;--good:#45c79c;--bad:#f0905a;--mild:#a19e97;--other:#6fb7ea}}
 *{box-sizing:border-box}
 html{background:var(--paper);color:var(--ink);font:16px/1.5 system-ui,-apple-system,"Segoe UI","Helvetica Neue",Helvetica,Arial,sans-serif;-webkit-text-size-adjust:100%}
 body{margin:0}
@@ -22,7 +22,7 @@ header{border-bottom:2px solid var(--ink);padding-bottom:1rem;margin-bottom:1.2r
 .about{margin:0}
 .verdict{margin:.7rem 0 0;font-weight:600;font-size:1.05rem}
 .verdict::before{content:"";display:inline-block;width:.62em;height:.62em;border-radius:50%;background:currentColor;margin-right:.5em}
-.good{color:var(--good)}.bad{color:var(--bad)}.mild{color:var(--mild)}
+.other{color:var(--other)}.good{color:var(--good)}.bad{color:var(--bad)}.mild{color:var(--mild)}
 .why{border-left:3px solid var(--bad);padding:.1rem 0 .1rem 1rem;margin:1rem 0}
 .why li{margin:.25rem 0}.why ul{margin:.3rem 0;padding-left:1.1rem}
 .key{display:grid;grid-template-columns:repeat(auto-fit,minmax(9.5rem,auto));justify-content:space-between;gap:1rem 1.4rem;margin:0 0 1.4rem}
@@ -53,6 +53,11 @@ td:last-child,th:last-child{padding-right:0}
 td[title],th[title]{text-decoration:underline dotted var(--soft);text-underline-offset:3px;cursor:help}
 td.w{white-space:nowrap}
 td.good,td.bad{font-weight:600}
+.matrix{font-size:.8rem;line-height:1.25}.matrix td{white-space:pre-line;padding:.28rem .5rem;border-left:1px solid var(--rule);text-decoration:none;min-width:4.2rem}
+.matrix th{white-space:normal;padding:.28rem .5rem;font-size:.76rem}.matrix th:first-child,.matrix td:first-child{position:sticky;left:0;background:var(--paper);border-left:0;min-width:9rem;padding-left:0}
+.matrix td.good{background:color-mix(in srgb,var(--good) 9%,transparent);font-weight:400}.matrix td.bad{background:color-mix(in srgb,var(--bad) 14%,transparent);font-weight:400}
+.matrix td.other{background:color-mix(in srgb,var(--other) 12%,transparent)}.matrix td.mild{background:color-mix(in srgb,var(--mild) 12%,transparent)}
+details.sub{padding:.3rem 0;border-top:0}details.sub>summary{font-size:.95rem;margin:0}details.sub>summary::after{float:none;margin-left:.5rem}
 pre{background:var(--faint);border:1px solid var(--rule);padding:.8rem 1rem;overflow-x:auto;font:13px/1.45 ui-monospace,"SF Mono",Menlo,Consolas,"DejaVu Sans Mono",monospace}
 code,.hash{font-family:ui-monospace,"SF Mono",Menlo,Consolas,"DejaVu Sans Mono",monospace;font-size:.86em;overflow-wrap:anywhere}
 @media print{main{max-width:none;padding:0}.legend input{display:none}}

@@ -6,6 +6,7 @@
 #include "app/output/output_folder.hpp"
 #include "app/report/json_file.hpp"
 #include "app/report/run_report.hpp"
+#include "app/report/study_report.hpp"
 
 namespace leastcost::app {
 
@@ -21,6 +22,7 @@ std::vector<ReportFile> make_report(const fs::path& folder) {
   const JsonFile manifest(file);
   if (!manifest.has("program") || manifest.text("program") != kProgramName)
     throw InputError(file.string() + ": was not written by leastcost");
+  if (manifest.has("kind") && manifest.text("kind") == "study") return study_report(folder);
   return {{"report.html", run_report(folder)}};
 }
 
