@@ -66,7 +66,7 @@ Headline headline_of(const JsonFile& result) {
     headline.verdict = status + ", " + result.text("scope");
     std::replace(headline.verdict.begin(), headline.verdict.end(), '_', ' ');
     headline.style = "good";
-  } else if (!result.flag("certificate.measured")) {
+  } else if (!result.flag("certificate.measured") && status != "collapsed") {
     headline.verdict += ", certificate not measured";
     headline.style = "mild";
   }
