@@ -90,10 +90,10 @@ double PathEnergy::value_and_gradient(const CoordinatePath& path, Points& gradie
   return gradient.allFinite() ? energy : std::numeric_limits<double>::infinity();
 }
 
-bool PathEnergy::residuals(const CoordinatePath& path, Points& r, Points* jacobians) {
+void PathEnergy::residuals(const CoordinatePath& path, Points& r, Points* jacobians) {
   ++(jacobians != nullptr ? counters_.gradients : counters_.energies);
-  if (!problem_->cost->residuals(ambient(path), r, jacobians)) return false;
-  if (jacobians == nullptr || !chart_) return true;
+  problem_->cost->residuals(ambient(path), r, jacobians);
+  if (jacobians == nullptr || !chart_) return;
   chart_->jacobians(path, jacobians_);
   const int d = dims_.ambient, k = dims_.coordinate;
   Points in_chart(r.rows(), 2 * k * r.cols());
@@ -104,11 +104,10 @@ bool PathEnergy::residuals(const CoordinatePath& path, Points& r, Points* jacobi
         jacobians->middleCols(2 * d * i + d, d) * jacobians_.middleCols(k * next, k);
   }
   *jacobians = std::move(in_chart);
-  return true;
 }
 
 void PathEnergy::metrics(const CoordinatePath& path, Points& g) {
-  ++counters_.hessians;
+  ++counters_.energies;
   static const KernelOf<SquaredCost> kernel;
   const AmbientPath x = ambient(path);
   if (chart_) chart_->jacobians(path, jacobians_);
@@ -273,6 +272,8 @@ void PathEnergy::retract(const CoordinatePath& from, const Points& step, Coordin
   ++counters_.projections;
   problem_->manifold->retract(from, step, to);
 }
+
+void PathEnergy::count(const Counters& work) { counters_ = counters_ + work; }
 
 Eigen::VectorXd PathEnergy::costs(const CoordinatePath& path) { return segment_costs(*problem_->cost, ambient(path)); }
 

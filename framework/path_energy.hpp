@@ -58,12 +58,15 @@ class PathEnergy {
   void retract(const CoordinatePath& from, const Points& step, CoordinatePath& to);
 
   /// The residual form: r_i with |r_i|^2 = c_i^2, rows x N, and unless null the Jacobians over the coordinates of both ends of each segment, side by
-  /// side: rows x (2 coordinate N), zero for the ends of an open path. False where the cost has none. Counts as an energy, or as a gradient.
-  bool residuals(const CoordinatePath& path, Points& r, Points* jacobians);
+  /// side: rows x (2 coordinate N), zero for the ends of an open path. Counts as an energy, or as a gradient.
+  void residuals(const CoordinatePath& path, Points& r, Points* jacobians);
 
   /// The metric G of the cost at every column of a path, q(x, x + v) = v' G v + o(|v|^2), side by side: coordinate x (coordinate * columns). For
-  /// methods that work with a metric instead of moves. Counts as a Hessian.
+  /// methods that work with a metric instead of moves. Counts as an energy.
   void metrics(const CoordinatePath& path, Points& g);
+
+  /// Work that a back end did by means of its own.
+  void count(const Counters& work);
 
   /// sum_i c_i.
   double cost(const CoordinatePath& path);

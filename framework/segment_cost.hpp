@@ -50,8 +50,8 @@ class SegmentCost {
                             ChainBlocks& out) const = 0;
 
   /// The residual form of the energy, for least-squares solvers: r_i with |r_i|^2 = q_i, one column per segment (rows x N), and unless null its
-  /// Jacobians over (a, b), side by side: rows x 2dN, zero for the ends of an open path. False where the cost has none.
-  virtual bool residuals(const AmbientPath& /*path*/, Points& /*r*/, Points* /*jacobians*/) const { return false; }
+  /// Jacobians over (a, b), side by side: rows x 2dN, zero for the ends of an open path.
+  virtual void residuals(const AmbientPath& path, Points& r, Points* jacobians) const = 0;
 
   /// lim c(x, x + e v) / e for e -> 0+: the cost per unit of parameter of a curve through x with velocity v.
   virtual double line_element(const Eigen::VectorXd& x, const Eigen::VectorXd& v) const = 0;

@@ -71,22 +71,17 @@ class SegmentCostOf : public SegmentCost {
     }
   }
 
-  bool residuals(const AmbientPath& path, Points& r, Points* jacobians) const override {
-    if constexpr (requires(Point<double, kDim> x) { function_.template residual<double>(x, x); }) {
-      const Index width = 2 * dim_;
-      SegmentResidual<kDim> one;
-      for (Index i = 0; i < path.segment_count(); ++i) {
-        squared_cost_residual(function_, ends(path, i), one);
-        if (i == 0) {
-          r.resize(one.r.size(), path.segment_count());
-          if (jacobians != nullptr) jacobians->resize(one.r.size(), width * path.segment_count());
-        }
-        r.col(i) = one.r;
-        if (jacobians != nullptr) jacobians->middleCols(width * i, width) = one.jacobian;
+  void residuals(const AmbientPath& path, Points& r, Points* jacobians) const override {
+    const Index width = 2 * dim_;
+    SegmentResidual<kDim> one;
+    for (Index i = 0; i < path.segment_count(); ++i) {
+      squared_cost_residual(function_, ends(path, i), one);
+      if (i == 0) {
+        r.resize(one.r.size(), path.segment_count());
+        if (jacobians != nullptr) jacobians->resize(one.r.size(), width * path.segment_count());
       }
-      return true;
-    } else {
-      return false;
+      r.col(i) = one.r;
+      if (jacobians != nullptr) jacobians->middleCols(width * i, width) = one.jacobian;
     }
   }
 

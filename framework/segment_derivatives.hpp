@@ -216,8 +216,9 @@ struct SegmentResidual {
   Eigen::Matrix<double, Eigen::Dynamic, kWidth, 0, kMost, 2 * kMost> jacobian;
 };
 
+/// That of the cost itself.
 template <class C>
-void squared_cost_residual(const C& c, const SegmentEnds<C::dim>& e, SegmentResidual<C::dim>& out) {
+void own_residual(const C& c, const SegmentEnds<C::dim>& e, SegmentResidual<C::dim>& out) {
   constexpr int D = C::dim;
   const Index d = e.a.size();
   if constexpr (D != Eigen::Dynamic) {
@@ -245,6 +246,33 @@ void squared_cost_residual(const C& c, const SegmentEnds<C::dim>& e, SegmentResi
       x.d[0] = 0;
     }
   }
+}
+
+/// r = (c / |b - a|) (b - a), for costs without a residual of their own. Zero, its Jacobian too, where the ends coincide.
+template <class C>
+void chord_residual(const C& c, const SegmentEnds<C::dim>& e, SegmentResidual<C::dim>& out) {
+  const Index d = e.a.size();
+  SegmentGradient<C::dim> g;
+  const double q = squared_cost_gradient(c, e, g), cost = std::sqrt(q), length = (e.b - e.a).norm();
+  out.r.setZero(d);
+  out.jacobian.setZero(d, 2 * d);
+  if (!(length > 0) || !(cost > 0)) return;
+  const Point<double, C::dim> direction = (e.b - e.a) / length;
+  out.r = cost * direction;
+  const auto add = [&](const auto& slope, double sign, auto columns) {
+    columns = direction * slope.transpose() / (2 * cost) - sign * cost / length * direction * direction.transpose();
+    columns.diagonal().array() += sign * cost / length;
+  };
+  if (!e.a_fixed) add(g.a, -1, out.jacobian.leftCols(d));
+  if (!e.b_fixed) add(g.b, 1, out.jacobian.rightCols(d));
+}
+
+template <class C>
+void squared_cost_residual(const C& c, const SegmentEnds<C::dim>& e, SegmentResidual<C::dim>& out) {
+  if constexpr (requires { c.template residual<double>(e.a, e.b); })
+    own_residual(c, e, out);
+  else
+    chord_residual(c, e, out);
 }
 
 /// Positive semidefinite stand-in for the exact block. With a residual r: 2 phi' J'J + phi'' dq dq', which is

@@ -27,6 +27,15 @@ std::string_view name(Termination termination) {
   return "unknown";
 }
 
+Counters operator+(const Counters& a, const Counters& b) {
+  return {a.energies + b.energies, a.gradients + b.gradients, a.hessians + b.hessians, a.projections + b.projections,
+          a.linear_solves + b.linear_solves};
+}
+
+Counters operator-(const Counters& a, const Counters& b) {
+  return a + Counters{-b.energies, -b.gradients, -b.hessians, -b.projections, -b.linear_solves};
+}
+
 namespace {
 
 /// By energy, or by the cost for methods that have no energy. What throws again is worse.
@@ -54,9 +63,7 @@ SolveReport Solver::solve(PathEnergy& energy, CoordinatePath& path, const Monito
     report = guarded(energy, path, initial, monitor);
   }
   report.initial_energy = initial;
-  const Counters& now = energy.counters();
-  report.counters = {now.energies - before.energies, now.gradients - before.gradients, now.hessians - before.hessians,
-                     now.projections - before.projections, now.linear_solves - before.linear_solves};
+  report.counters = energy.counters() - before;
   report.seconds = std::chrono::duration<double>(Monitor::Clock::now() - start).count();
   return report;
 }
@@ -82,14 +89,12 @@ SolveReport Solver::guarded(PathEnergy& energy, CoordinatePath& path, double& in
 }
 
 SolveReport joined(const SolveReport& earlier, SolveReport later) {
-  const Counters &a = earlier.counters, &b = later.counters;
-  later.counters = {a.energies + b.energies, a.gradients + b.gradients, a.hessians + b.hessians,
-                    a.projections + b.projections, a.linear_solves + b.linear_solves};
+  later.counters = earlier.counters + later.counters;
   later.iterations += earlier.iterations;
   later.initial_energy = earlier.initial_energy;
   for (Iteration& line : later.history) {
     line.iteration += earlier.iterations;
-    line.evaluations += a.energies + a.gradients;
+    line.evaluations += earlier.counters.energies + earlier.counters.gradients;
     line.seconds += earlier.seconds;
   }
   later.seconds += earlier.seconds;

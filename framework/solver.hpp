@@ -41,6 +41,9 @@ struct Counters {
   long linear_solves = 0;
 };
 
+Counters operator+(const Counters& a, const Counters& b);
+Counters operator-(const Counters& a, const Counters& b);
+
 /// An unfilled report cannot be mistaken for a result.
 struct SolveReport {
   Termination termination = Termination::non_finite;

@@ -5,13 +5,12 @@
 #include <Eigen/SVD>
 #include <algorithm>
 
-#include "framework/smooth_bounds.hpp"
+#include "solvers/free_move.hpp"
 
 namespace leastcost {
 namespace {
 
 constexpr double kDifference = 6e-6;  ///< of the extent: rounding and truncation of a central difference balance
-constexpr double kSame = 1e-13;       ///< of the extent
 
 double extent(const Points& u) { return (u.rowwise().maxCoeff() - u.rowwise().minCoeff()).norm(); }
 
@@ -33,20 +32,8 @@ Points ChainVariables::steps(const Eigen::VectorXd& z) const {
 }
 
 bool ChainVariables::path_at(const Eigen::VectorXd& z, CoordinatePath& path) {
-  const Points step = steps(z);
-  energy_.retract(base_, step, path);
-  const ConstraintManifold& manifold = *energy_.problem().manifold;
-  const Index first = base_.free_begin(), n = base_.free_count();
-  Points off;
-  if (manifold.shape() == Shape::flat || dynamic_cast<const HasChart*>(&manifold) != nullptr) {
-    off = path.u.middleCols(first, n) - base_.u.middleCols(first, n) - step;
-  } else if (const auto* beyond = dynamic_cast<const GoesBeyondBounds*>(&manifold)) {
-    beyond->retract_beyond(base_, step, plus_);
-    off = path.u.middleCols(first, n) - plus_.u.middleCols(first, n);
-  } else {
-    return true;
-  }
-  return !(off.colwise().norm().maxCoeff() > kSame * (extent(base_.u) + step.cwiseAbs().maxCoeff()));
+  energy_.count({.projections = 1});
+  return move_freely(*energy_.problem().manifold, base_, steps(z), path);
 }
 
 void ChainVariables::pull_back(const Eigen::VectorXd& z, const Points& path_gradient, Eigen::VectorXd& gradient) {

@@ -96,6 +96,7 @@ class GeorceSolve {
       right -= inverse_.middleCols(d_ * t, d_) * later.col(t);
     }
     const Eigen::VectorXd mu = sum.llt().solve(right);
+    energy_.count({.linear_solves = 1});
     proposed_.resize(d_, moves_);
     for (Index t = 0; t < moves_; ++t) proposed_.col(t) = -0.5 * inverse_.middleCols(d_ * t, d_) * (mu + later.col(t));
     return proposed_.allFinite();
@@ -153,12 +154,22 @@ void GeorceOptions::fields(FieldVisitor& visit) {
   limit_fields(visit, max_iterations, max_evaluations);
 }
 
-std::optional<std::string> Georce::cannot_solve(const PathEnergy& energy, const CoordinatePath&) const {
+std::optional<std::string> Georce::cannot_solve(const PathEnergy& energy, const CoordinatePath& path) const {
   const Problem& problem = energy.problem();
   if (problem.ring) return "georce needs an open path: its points move from the source on";
   const bool chart =
       problem.manifold->shape() == Shape::flat || dynamic_cast<const HasChart*>(problem.manifold.get()) != nullptr;
   if (!chart) return "georce works in a chart: a euclidean or a parametric manifold";
+  PathEnergy own(problem, energy.reference_cost());
+  Points metric;
+  own.metrics(path, metric);
+  const Index d = metric.rows();
+  for (Index t = 0; t < path.segment_count(); ++t) {
+    const Points g = metric.middleCols(d * t, d);
+    if (!g.allFinite() || g.llt().info() != Eigen::Success)
+      return "georce needs a metric at every point; that of this cost is infinite or not definite at point " +
+             std::to_string(t) + " of the path";
+  }
   return std::nullopt;
 }
 

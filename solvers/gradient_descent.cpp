@@ -83,7 +83,7 @@ class Descent {
     const bool stationary = test_.holds(energy_, path_, model_, loop_.iterations());
     loop_.set_cost_error(test_.cost_error());
     if (stationary) return loop_.finish(Termination::converged, "", model_.value);
-    if (test_.cost_error() * energy_.scale(path_) <= 10 * rounding_slack(model_.value, path_.segment_count()))
+    if (stalled_ == kMostStalled)
       return loop_.finish(Termination::round_off, "no decrease above rounding", model_.value);
     return loop_.finish(Termination::line_search_failed, "no step against the gradient lowers the energy",
                         model_.value);

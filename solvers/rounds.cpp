@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kMostTurned = 0.5;  ///< cosine of 60 degrees
 constexpr int kPatience = 2;         ///< rounds in a row without a lower energy
+constexpr int kIdle = 100;           ///< evaluations in a row without one, for one direction; then the round is over
 
 class Rounds final : public RoundObjective {
  public:
@@ -36,6 +37,7 @@ class Rounds final : public RoundObjective {
         return loop_.finish(Termination::non_finite, "the gradient is not finite",
                             std::numeric_limits<double>::infinity());
       best_value_ = variables_.model().value;
+      variables_.pull_back(Eigen::VectorXd::Zero(size()), variables_.model().gradient, slope_);
       if (loop_.iterations() == 0) loop_.record(best_value_, variables_.model().cost_error, 0);
       if (stationary()) return finish(Termination::converged);
       if (const std::optional<Termination> end = loop_.must_end(path_)) return finish(*end);
@@ -45,7 +47,7 @@ class Rounds final : public RoundObjective {
       if (end_) return finish(*end_);
       if (kinked_ && !(before - best_value_ > kKinkedGain * variables_.model().decrement / 2))
         return descend_by_bundles(energy_, path_, loop_);
-      idle = best_value_ < before ? 0 : idle + 1;
+      idle = before - best_value_ > rounding_slack(before, path_.segment_count()) ? 0 : idle + 1;
       if (idle == kPatience) return stuck();
     }
   }
@@ -60,6 +62,12 @@ class Rounds final : public RoundObjective {
   }
   int evaluations_left() const override { return chain_ ? restart_ - evaluations_ : std::numeric_limits<int>::max(); }
   bool must_stop() const override { return stop_; }
+
+  double rise(const Eigen::VectorXd& z, Eigen::VectorXd* gradient) const override {
+    const double predicted = std::abs(slope_.dot(z)) + rounding_slack(variables_.model().value, path_.segment_count());
+    if (gradient != nullptr) *gradient = 4 * predicted / z.squaredNorm() * z;
+    return variables_.model().value + 2 * predicted;
+  }
 
   double operator()(const Eigen::VectorXd& z, Eigen::VectorXd* gradient) override {
     try {
@@ -76,7 +84,7 @@ class Rounds final : public RoundObjective {
   /// One round: the back end from z = 0, then the best path it has seen.
   void play(RoundMinimiser& minimiser) {
     stop_ = false;
-    evaluations_ = 0;
+    evaluations_ = improved_ = 0;
     best_path_ = path_;
     try {
       words_ = minimiser.minimise(*this);
@@ -95,6 +103,7 @@ class Rounds final : public RoundObjective {
     const double value = at(z, gradient);
     if (!end_) end_ = loop_.must_end(path_);
     if (end_ || (chain_ && evaluations_ >= restart_)) stop_ = true;
+    if (evaluations_ - improved_ > (gradient != nullptr ? kIdle : kIdle * (1 + static_cast<int>(size())))) stop_ = true;
     if (!chain_ && test_.due(evaluations_) && worth_testing()) stop_ = true;
     return value;
   }
@@ -119,6 +128,7 @@ class Rounds final : public RoundObjective {
 
   void take(double value) {
     const double move = (trial_.u - best_path_.u).colwise().norm().maxCoeff();
+    if (best_value_ - value > rounding_slack(value, path_.segment_count())) improved_ = evaluations_;
     best_value_ = value;
     std::swap(best_path_, trial_);
     loop_.record(value, std::numeric_limits<double>::quiet_NaN(), move);
@@ -144,6 +154,7 @@ class Rounds final : public RoundObjective {
   SolveReport stuck() {
     if (variables_.model().decrement / 2 <= 10 * rounding_slack(best_value_, path_.segment_count()))
       return finish(Termination::round_off);
+    if (words_.empty()) words_ = "two rounds in a row have not lowered the energy";
     return finish(Termination::line_search_failed);
   }
 
@@ -157,8 +168,10 @@ class Rounds final : public RoundObjective {
   SolveLoop loop_;
   CoordinatePath best_path_, trial_;
   Points path_gradient_;
+  Eigen::VectorXd slope_;  ///< the gradient at z = 0
   double best_value_ = 0;
   int evaluations_ = 0;  ///< of this round
+  int improved_ = 0;     ///< the last of them that lowered the energy by more than rounding
   bool stop_ = false;
   std::optional<Termination> end_;
   std::exception_ptr thrown_;

@@ -25,10 +25,12 @@ class RoundObjective {
  public:
   virtual ~RoundObjective() = default;
   virtual Index size() const = 0;
-  /// E at z, and its gradient unless null; +infinity outside the domain.
+  /// E at z, and its gradient unless null; +infinity where there is no path or its energy is not finite.
   virtual double operator()(const Eigen::VectorXd& z, Eigen::VectorXd* gradient) = 0;
   /// Whether the back end has to return now: the round is over, a limit is reached, or somebody asked.
   virtual bool must_stop() const = 0;
+  /// A finite value above E(0), and a slope that points outward, in place of an infinite one: for back ends that interpolate between trials.
+  virtual double rise(const Eigen::VectorXd& z, Eigen::VectorXd* gradient) const = 0;
   /// How far a component of z may be expected to move.
   virtual double typical_step() const = 0;
   /// Evaluations that are left in this round.

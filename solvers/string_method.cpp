@@ -55,7 +55,7 @@ class String {
       const Index at = path_.free_begin() + i;
       const Eigen::VectorXd along = (path_.column(at + 1) - path_.column(at - 1)).normalized();
       force_.col(i) -= along.dot(force_.col(i)) * along;
-      force_.col(i) *= -options_.step / model_.system.diagonal(i).trace();
+      force_.col(i) *= -options_.step / model_.system.diagonal(i).cwiseAbs().colwise().sum().maxCoeff();
     }
     energy_.retract(path_, force_, moved_);
     if (!std::isfinite(energy_.value(moved_))) return false;

@@ -206,7 +206,9 @@ class GridBuilder {
           for (const ProblemBase& p : problems_) known.push_back(p.name);
         else
           for (const AxisValue& v : axes_[i - 1].values) known.push_back(v.name);
-        if (known.empty()) continue;  // what the problems say: not known yet
+        // An axis that is not given takes what the problems say; one that --set narrows leaves conditions without a value.
+        const std::string key = i == 0 ? "problems" : key_of(axes_[i - 1]);
+        if (known.empty() || !place_of(study_.tree, key).origin.empty()) continue;
         for (const std::string& value : values)
           if (std::count(known.begin(), known.end(), value) == 0)
             errors_.error(place_of(study_.tree, fmt::format("skip.{}.{}", s, axis)),

@@ -47,6 +47,10 @@ void AwayFromRoutes::chain_blocks(const AmbientPath& path, const Kernel& kernel,
   cost_->chain_blocks(path, kernel, s0, kind, out);
 }
 
+void AwayFromRoutes::residuals(const AmbientPath& path, Points& r, Points* jacobians) const {
+  cost_->residuals(path, r, jacobians);
+}
+
 double AwayFromRoutes::line_element(const Eigen::VectorXd& x, const Eigen::VectorXd& v) const {
   return cost_->line_element(x, v);
 }

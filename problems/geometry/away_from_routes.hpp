@@ -23,6 +23,7 @@ class AwayFromRoutes final : public SegmentCost {
                              Eigen::Ref<Points> gradient) const override;
   void chain_blocks(const AmbientPath& path, const Kernel& kernel, double s0, HessianKind kind,
                     ChainBlocks& out) const override;
+  void residuals(const AmbientPath& path, Points& r, Points* jacobians) const override;
   double line_element(const Eigen::VectorXd& x, const Eigen::VectorXd& v) const override;
 
  private:

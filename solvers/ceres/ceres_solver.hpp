@@ -12,7 +12,7 @@ namespace leastcost {
 struct CeresOptions {
   std::string algorithm = "levenberg_marquardt";
   int max_iterations = 500;
-  RoundOptions rounds;
+  RoundOptions rounds = {};
   void fields(FieldVisitor& visit);
 };
 

@@ -9,6 +9,8 @@
 #include <limits>
 #include <vector>
 
+#include "solvers/ceres/silence.hpp"
+
 namespace leastcost {
 namespace {
 
@@ -59,6 +61,7 @@ class CeresRounds final : public RoundMinimiser {
     options.callbacks.push_back(&callback);
     std::vector<double> z(static_cast<std::size_t>(objective.size()), 0.0);
     ceres::GradientProblemSolver::Summary summary;
+    const Silence silence;
     ceres::Solve(options, problem, z.data(), &summary);
     return "ceres: " + summary.message;
   }

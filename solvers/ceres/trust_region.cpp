@@ -7,12 +7,14 @@
 #include <cmath>
 #include <exception>
 #include <limits>
-#include <memory>
 #include <optional>
+#include <string>
 #include <utility>
-#include <vector>
 
 #include "framework/bundle.hpp"
+#include "solvers/ceres/chain_residuals.hpp"
+#include "solvers/ceres/point_manifold.hpp"
+#include "solvers/ceres/silence.hpp"
 #include "solvers/rare_test.hpp"
 
 namespace leastcost {
@@ -36,117 +38,7 @@ class KernelLoss final : public ceres::LossFunction {
   double scale_;
 };
 
-/// One point on the domain: its tangent frame and retraction, on a path of one column.
-class PointManifold final : public ceres::Manifold {
- public:
-  explicit PointManifold(const ConstraintManifold& manifold) : manifold_(manifold), dims_(manifold.dimensions()) {}
-  int AmbientSize() const override { return dims_.coordinate; }
-  int TangentSize() const override { return dims_.tangent; }
-
-  bool Plus(const double* x, const double* delta, double* x_plus_delta) const override {
-    CoordinatePath from = at(x), to;
-    const Points step = basis(from) * Eigen::Map<const Eigen::VectorXd>(delta, dims_.tangent);
-    if (!step.allFinite()) return false;
-    manifold_.retract(from, step, to);
-    Eigen::Map<Eigen::VectorXd>(x_plus_delta, dims_.coordinate) = to.u.col(0);
-    return to.u.allFinite();
-  }
-  bool PlusJacobian(const double* x, double* jacobian) const override {
-    Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(jacobian, dims_.coordinate,
-                                                                                       dims_.tangent) = basis(at(x));
-    return true;
-  }
-  bool Minus(const double* y, const double* x, double* y_minus_x) const override {
-    const Eigen::Map<const Eigen::VectorXd> to(y, dims_.coordinate), from(x, dims_.coordinate);
-    Eigen::Map<Eigen::VectorXd>(y_minus_x, dims_.tangent) = basis(at(x)).transpose() * (to - from);
-    return true;
-  }
-  bool MinusJacobian(const double* x, double* jacobian) const override {
-    Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
-        jacobian, dims_.tangent, dims_.coordinate) = basis(at(x)).transpose();
-    return true;
-  }
-
- private:
-  /// A ring of one column: a path all of whose points are free.
-  CoordinatePath at(const double* x) const {
-    CoordinatePath one{Eigen::Map<const Eigen::VectorXd>(x, dims_.coordinate), {}, true};
-    if (manifold_.shape() == Shape::polyhedral) manifold_.project(one);  // finds its site
-    return one;
-  }
-  Points basis(const CoordinatePath& one) const {
-    Points out;
-    manifold_.tangent_bases(one, out);
-    return out;
-  }
-
-  const ConstraintManifold& manifold_;
-  Dimensions dims_;
-};
-
-/// The path whose columns Ceres moves, with residuals computed once for all segments.
-class Residuals final : public ceres::EvaluationCallback {
- public:
-  Residuals(PathEnergy& energy, const CoordinatePath& path) : energy_(energy), path_(path) {}
-  double* point(Index column) { return path_.u.col(column).data(); }
-  const CoordinatePath& path() const { return path_; }
-  std::exception_ptr thrown() const { return thrown_; }
-  bool usable() const { return usable_; }
-  Index rows() const { return r_.rows(); }
-  const Points& values() const { return r_; }
-  const Points& jacobians() const { return jacobians_; }
-
-  void PrepareForEvaluation(bool with_jacobians, bool new_point) override {
-    if (!new_point && (!with_jacobians || have_jacobians_)) return;
-    evaluate(with_jacobians);
-  }
-  /// Whether the cost has a residual form that is finite here.
-  bool evaluate(bool with_jacobians) {
-    usable_ = false;
-    have_jacobians_ = with_jacobians;
-    try {
-      usable_ = energy_.residuals(path_, r_, with_jacobians ? &jacobians_ : nullptr) && r_.allFinite() &&
-                (!with_jacobians || jacobians_.allFinite());
-    } catch (...) {
-      thrown_ = std::current_exception();
-    }
-    return usable_;
-  }
-
- private:
-  PathEnergy& energy_;
-  CoordinatePath path_;
-  Points r_, jacobians_;
-  bool usable_ = false, have_jacobians_ = false;
-  std::exception_ptr thrown_;
-};
-
-/// The residual of one segment, read from the common evaluation.
-class SegmentResiduals final : public ceres::CostFunction {
- public:
-  SegmentResiduals(const Residuals& all, Index segment, int coordinates)
-      : all_(all), segment_(segment), k_(coordinates) {
-    set_num_residuals(static_cast<int>(all.rows()));
-    *mutable_parameter_block_sizes() = {coordinates, coordinates};
-  }
-  bool Evaluate(double const* const*, double* residuals, double** jacobians) const override {
-    if (!all_.usable()) return false;
-    const Index rows = all_.rows();
-    Eigen::Map<Eigen::VectorXd>(residuals, rows) = all_.values().col(segment_);
-    if (jacobians == nullptr) return true;
-    for (int end = 0; end < 2; ++end)
-      if (jacobians[end] != nullptr)
-        Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(jacobians[end], rows, k_) =
-            all_.jacobians().middleCols(2 * k_ * segment_ + k_ * end, k_);
-    return true;
-  }
-
- private:
-  const Residuals& all_;
-  Index segment_;
-  int k_;
-};
-
+/// Ceres from one path on, round by round: within a round the blocked directions are those of its first path. Without bounds there is one round.
 class TrustRegion final : public ceres::IterationCallback {
  public:
   TrustRegion(PathEnergy& energy, CoordinatePath& path, const CeresOptions& options, const Monitor& monitor)
@@ -154,33 +46,22 @@ class TrustRegion final : public ceres::IterationCallback {
         path_(path),
         options_(options),
         kinked_(energy.problem().manifold->shape() == Shape::polyhedral),
-        manifold_(*energy.problem().manifold),
+        bounded_(dynamic_cast<const HasBounds*>(energy.problem().manifold.get()) != nullptr),
         loss_(*energy.problem().kernel, energy.reference_cost()),
-        residuals_(energy, path),
         test_(options.rounds.tolerance),
         loop_(energy, path, {options.rounds.tolerance, options.max_iterations, options.rounds.max_evaluations},
               monitor) {}
 
   SolveReport run() {
-    best_value_ = energy_.value(path_);
-    if (!residuals_.evaluate(true))
-      return loop_.finish(Termination::non_finite, "the residuals of the first path are not finite", best_value_);
-    ceres::Problem problem = build();
-    ceres::Solver::Options options;
-    options.minimizer_type = ceres::TRUST_REGION;
-    options.trust_region_strategy_type = options_.algorithm == "dogleg" ? ceres::DOGLEG : ceres::LEVENBERG_MARQUARDT;
-    options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
-    options.max_num_iterations = options_.max_iterations;
-    options.function_tolerance = options.gradient_tolerance = options.parameter_tolerance = 0;
-    options.max_num_consecutive_invalid_steps = 50;
-    options.logging_type = ceres::SILENT;
-    options.update_state_every_iteration = true;
-    options.callbacks.push_back(this);
-    ceres::Solver::Summary summary;
-    ceres::Solve(options, &problem, &summary);
-    if (thrown_) std::rethrow_exception(thrown_);
-    if (residuals_.thrown()) std::rethrow_exception(residuals_.thrown());
-    return finish("ceres: " + summary.message);
+    for (int idle = 0; idle < kPatience;) {
+      if (!model_.evaluate(energy_, path_))
+        return loop_.finish(Termination::non_finite, "the gradient is not finite", model_.value);
+      best_value_ = model_.value;
+      play();
+      if (end_ || kinked_ || !bounded_) break;
+      idle = model_.value - best_value_ > rounding_slack(model_.value, path_.segment_count()) ? 0 : idle + 1;
+    }
+    return finish();
   }
 
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
@@ -193,65 +74,122 @@ class TrustRegion final : public ceres::IterationCallback {
   }
 
  private:
-  ceres::Problem build() {
+  static constexpr double kMayBeDone = 1e-9;  ///< relative gain of a step
+  static constexpr int kPatience = 2;         ///< rounds in a row without a lower energy
+
+  void play() {
+    ChainResiduals residuals(energy_, path_);
+    residuals_ = &residuals;
+    residuals.evaluate(true);
+    if (!residuals.thrown()) solve(residuals);
+    if (thrown_) std::rethrow_exception(thrown_);
+    if (residuals.thrown()) std::rethrow_exception(residuals.thrown());
+    if (residuals.stopped_energy() < best_value_) {
+      best_value_ = residuals.stopped_energy();
+      path_ = residuals.stopped_path();
+    }
+  }
+
+  void solve(ChainResiduals& residuals) {
+    ceres::Problem problem = build(residuals);
+    ceres::Solver::Options options;
+    options.minimizer_type = ceres::TRUST_REGION;
+    options.trust_region_strategy_type = options_.algorithm == "dogleg" ? ceres::DOGLEG : ceres::LEVENBERG_MARQUARDT;
+    options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+    options.max_num_iterations = options_.max_iterations;
+    options.function_tolerance = options.gradient_tolerance = options.parameter_tolerance = 0;
+    options.max_num_consecutive_invalid_steps = 50;
+    options.logging_type = ceres::SILENT;
+    options.update_state_every_iteration = true;
+    options.callbacks.push_back(this);
+    ceres::Solver::Summary summary;
+    const Silence silence;
+    ceres::Solve(options, &problem, &summary);
+    energy_.count({.linear_solves = summary.num_linear_solves});
+    words_ = "ceres: " + summary.message;
+  }
+
+  ceres::Problem build(ChainResiduals& residuals) {
     ceres::Problem::Options options;
-    options.cost_function_ownership = ceres::TAKE_OWNERSHIP;
     options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-    options.manifold_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-    options.evaluation_callback = &residuals_;
+    options.evaluation_callback = &residuals;
     ceres::Problem problem(options);
     const int k = energy_.problem().manifold->dimensions().coordinate;
-    const Index columns = path_.u.cols();
-    for (Index i = 0; i < columns; ++i) problem.AddParameterBlock(residuals_.point(i), k, &manifold_);
-    if (!path_.ring) {
-      problem.SetParameterBlockConstant(residuals_.point(0));
-      problem.SetParameterBlockConstant(residuals_.point(columns - 1));
+    const Index columns = path_.u.cols(), first = path_.free_begin();
+    for (Index i = 0; i < columns; ++i) {
+      const bool free = path_.ring || (i > 0 && i + 1 < columns);
+      add_point(problem, residuals, i, free ? i - first : -1);
     }
     for (Index i = 0; i < path_.segment_count(); ++i)
-      problem.AddResidualBlock(new SegmentResiduals(residuals_, i, k), &loss_, residuals_.point(i),
-                               residuals_.point((i + 1) % columns));
+      problem.AddResidualBlock(new SegmentResiduals(residuals, i, k), &loss_, residuals.point(i),
+                               residuals.point((i + 1) % columns));
     return problem;
   }
 
-  ceres::CallbackReturnType look(const ceres::IterationSummary& summary) {
-    if (summary.step_is_successful || summary.iteration == 0) {
-      CoordinatePath now = residuals_.path();
-      if (kinked_) energy_.problem().manifold->project(now);
-      const double value = energy_.value(now);
-      if (value <= best_value_) {
-        best_value_ = value;
-        path_ = std::move(now);
-      }
-    }
-    ChainModel model;
-    if (model.evaluate(energy_, path_) && test_.holds(energy_, path_, model, 0)) end_ = Termination::converged;
-    loop_.record(best_value_, test_.cost_error(), summary.step_norm);
-    if (!end_) end_ = loop_.must_end(path_);
-    return end_ ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+  /// free_index: the point's number among the free ones; -1: an end.
+  void add_point(ceres::Problem& problem, ChainResiduals& residuals, Index column, Index free_index) {
+    const Dimensions dims = energy_.problem().manifold->dimensions();
+    const Frames& frames = model_.frames;
+    const int blocked = free_index < 0 || frames.identity ? 0 : frames.blocked[static_cast<std::size_t>(free_index)];
+    Points free(dims.coordinate, 0);
+    if (blocked > 0) free = frames.bases.middleCols(dims.tangent * free_index, dims.tangent - blocked);
+    problem.AddParameterBlock(residuals.point(column), dims.coordinate,
+                              new PointManifold(*energy_.problem().manifold, std::move(free), residuals.stopped()));
+    if (free_index < 0 || blocked == dims.tangent) problem.SetParameterBlockConstant(residuals.point(column));
   }
 
-  SolveReport finish(const std::string& words) {
-    if (end_ && *end_ != Termination::converged) return loop_.finish(*end_, "", best_value_);
-    if (end_) return loop_.finish(*end_, "", best_value_);
-    if (kinked_) return descend_by_bundles(energy_, path_, loop_);
+  ceres::CallbackReturnType look(const ceres::IterationSummary& summary) {
+    if (summary.step_is_successful) keep(summary.cost);
+    double cost_error = std::numeric_limits<double>::quiet_NaN();
+    // The test has its price, and says no while a step still gains much.
+    if (summary.iteration == 0 || summary.cost_change <= kMayBeDone * summary.cost) {
+      ChainModel model;
+      if (model.evaluate(energy_, path_) && test_.holds(energy_, path_, model, 0)) end_ = Termination::converged;
+      cost_error = test_.cost_error();
+    }
+    loop_.record(best_value_, cost_error, summary.step_norm);
+    if (!end_) end_ = loop_.must_end(path_);
+    return end_ || residuals_->stopped_energy() < best_value_ ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
+                                                              : ceres::SOLVER_CONTINUE;
+  }
+
+  /// The cost that Ceres speaks of is our energy, except where a point has left the polyhedron.
+  void keep(double value) {
+    CoordinatePath now = residuals_->path();
+    if (kinked_) {
+      energy_.problem().manifold->project(now);
+      if (!now.ring) now.u.col(0) = path_.u.col(0), now.u.rightCols(1) = path_.u.rightCols(1);
+      value = energy_.value(now);
+    }
+    if (!(value <= best_value_)) return;
+    best_value_ = value;
+    path_ = std::move(now);
+  }
+
+  SolveReport finish() {
+    best_value_ = energy_.value(path_);  // summed in our order
+    if (end_ == Termination::converged) return loop_.finish(*end_, "", best_value_);
+    if (!end_ && kinked_) return descend_by_bundles(energy_, path_, loop_);
     const double error = measured_cost_error(energy_, path_);
     loop_.set_cost_error(error);
+    if (end_) return loop_.finish(*end_, "", best_value_);
     const bool at_floor = error * energy_.scale(path_) <= 10 * rounding_slack(best_value_, path_.segment_count());
-    return loop_.finish(at_floor ? Termination::round_off : Termination::line_search_failed, words, best_value_);
+    return loop_.finish(at_floor ? Termination::round_off : Termination::line_search_failed, words_, best_value_);
   }
 
   PathEnergy& energy_;
   CoordinatePath& path_;
   const CeresOptions& options_;
-  bool kinked_;
-  PointManifold manifold_;
+  bool kinked_, bounded_;
   KernelLoss loss_;
-  Residuals residuals_;
   RareTest test_;
   SolveLoop loop_;
+  ChainModel model_;                     ///< at the first path of the round
+  ChainResiduals* residuals_ = nullptr;  ///< of the round
   double best_value_ = 0;
   std::optional<Termination> end_;
   std::exception_ptr thrown_;
+  std::string words_;
 };
 
 }  // namespace

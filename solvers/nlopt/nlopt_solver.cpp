@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <nlopt.hpp>
 #include <utility>
@@ -83,7 +84,9 @@ class NloptRounds final : public RoundMinimiser {
   static double evaluate(const std::vector<double>& z, std::vector<double>& gradient, void* data) {
     Context& context = *static_cast<Context*>(data);
     const Eigen::Map<const Eigen::VectorXd> at(z.data(), static_cast<Index>(z.size()));
-    const double value = context.objective(at, gradient.empty() ? nullptr : &context.gradient);
+    Eigen::VectorXd* g = gradient.empty() ? nullptr : &context.gradient;
+    double value = context.objective(at, g);
+    if (!std::isfinite(value)) value = context.objective.rise(at, g);
     if (!gradient.empty()) std::copy(context.gradient.begin(), context.gradient.end(), gradient.begin());
     if (context.objective.must_stop()) context.optimiser.force_stop();
     return value;

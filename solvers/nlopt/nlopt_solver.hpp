@@ -12,7 +12,7 @@ namespace leastcost {
 
 struct NloptOptions {
   std::string algorithm = "lbfgs";
-  RoundOptions rounds;
+  RoundOptions rounds = {};
   void fields(FieldVisitor& visit);
 };
 

@@ -178,6 +178,13 @@ TEST_CASE("study: resolved, it is the same study") {
   CHECK(app::facts_of(grid).skipped.size() == 4);
 }
 
+TEST_CASE("study: --set may narrow an axis that a skip speaks of") {
+  app::LoadedStudy study = app::parse_study(kStudy + "skip: [{solver: lbfgs, points: [12], because: x}]\n", "a.yaml",
+                                            ".", {app::set_option("solvers=[newton]")});
+  CHECK(app::make_grid(study).cells.size() == 4);
+  CHECK(study.errors.render() == "");
+}
+
 TEST_CASE("study: --set reaches the study's own keys and the paths of its set and sweep") {
   const std::vector<app::Override> overrides = {app::set_option("set.path.points=5"), app::set_option("repetitions=3"),
                                                 app::set_option("sweep.path.cascade=[true]"), app::seed_option("4")};

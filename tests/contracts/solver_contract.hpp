@@ -33,6 +33,7 @@ struct Promise {
   bool own_rule = false;       ///< ends at a fixed point of its own, which need not be a minimum of the energy
   bool by_cost = false;        ///< improves the true cost, not the energy
   bool has_iterations = true;  ///< false: a back end that counts evaluations only
+  bool converges = true;       ///< false: a method without gradients, which improves and may get stuck
 };
 
 struct StandardProblem {
@@ -145,6 +146,11 @@ inline void check_solves(const StandardProblem& p, const Solver& solver, const P
     CHECK(report.termination == Termination::fixed_point);
     return;
   }
+  if (!promise.converges) {
+    CHECK(report.final_energy < report.initial_energy);
+    CHECK((report.termination != Termination::converged || report.cost_error <= p.tolerance));
+    return;
+  }
   CHECK((report.termination == Termination::converged || report.termination == Termination::round_off));
   if (report.termination == Termination::converged) CHECK(report.cost_error <= p.tolerance);
   const SolveReport again = solver.solve(energy, path, {});
@@ -159,7 +165,8 @@ inline void check_ends_when_told(const StandardProblem& p, const MakeSolver& mak
     CoordinatePath path = p.start;
     const SolveReport report = solver.solve(energy, path, monitor);
     CAPTURE(name(report.termination), name(expected), report.message);
-    CHECK(report.termination == expected);
+    const bool limit = expected == Termination::iteration_limit || expected == Termination::evaluation_limit;
+    if (!(limit && report.termination == Termination::fixed_point)) CHECK(report.termination == expected);
     check_report(report, energy, p.start, path, promise);
     return report;
   };

@@ -52,7 +52,7 @@ TEST_CASE("solver contract: string", "[contract]") {
   check_solver_contract(
       [](int iterations, int evaluations) {
         return std::make_unique<StringMethod>(
-            StringMethodOptions{.max_iterations = iterations, .max_evaluations = evaluations});
+            StringMethodOptions{.tolerance = 1e-6, .max_iterations = iterations, .max_evaluations = evaluations});
       },
       {.own_rule = true, .by_cost = true});
 }

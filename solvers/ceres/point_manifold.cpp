@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "solvers/ceres/point_manifold.hpp"
+
+#include <Eigen/QR>
+#include <utility>
+
+#include "solvers/free_move.hpp"
+
+namespace leastcost {
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+}  // namespace
+
+PointManifold::PointManifold(const ConstraintManifold& manifold, Points free, bool& stopped)
+    : manifold_(manifold), dims_(manifold.dimensions()), free_(std::move(free)), stopped_(stopped) {}
+
+/// A ring of one column: a path all of whose points are free.
+CoordinatePath PointManifold::at(const double* x) const {
+  CoordinatePath one{Eigen::Map<const Eigen::VectorXd>(x, dims_.coordinate), {}, true};
+  if (manifold_.shape() == Shape::polyhedral) manifold_.project(one);  // finds its site
+  return one;
+}
+
+Points PointManifold::basis(const CoordinatePath& one) const {
+  Points all;
+  manifold_.tangent_bases(one, all);
+  if (free_.cols() == 0) return all;
+  const Points turned = all * (all.transpose() * free_);
+  const Eigen::HouseholderQR<Points> qr(turned);
+  return qr.householderQ() * Points::Identity(turned.rows(), turned.cols());
+}
+
+bool PointManifold::Plus(const double* x, const double* delta, double* x_plus_delta) const {
+  const CoordinatePath from = at(x);
+  const Points step = basis(from) * Eigen::Map<const Eigen::VectorXd>(delta, TangentSize());
+  if (!step.allFinite()) return false;
+  CoordinatePath to;
+  if (!move_freely(manifold_, from, step, to)) stopped_ = true;
+  Eigen::Map<Eigen::VectorXd>(x_plus_delta, dims_.coordinate) = to.u.col(0);
+  return to.u.allFinite();
+}
+
+bool PointManifold::PlusJacobian(const double* x, double* jacobian) const {
+  Eigen::Map<RowMajor>(jacobian, dims_.coordinate, TangentSize()) = basis(at(x));
+  return true;
+}
+
+bool PointManifold::Minus(const double* y, const double* x, double* y_minus_x) const {
+  const Eigen::Map<const Eigen::VectorXd> to(y, dims_.coordinate), from(x, dims_.coordinate);
+  Eigen::Map<Eigen::VectorXd>(y_minus_x, TangentSize()) = basis(at(x)).transpose() * (to - from);
+  return true;
+}
+
+bool PointManifold::MinusJacobian(const double* x, double* jacobian) const {
+  Eigen::Map<RowMajor>(jacobian, TangentSize(), dims_.coordinate) = basis(at(x)).transpose();
+  return true;
+}
+
+}  // namespace leastcost

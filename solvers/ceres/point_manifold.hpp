@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <ceres/manifold.h>
+
+#include "framework/manifold.hpp"
+
+namespace leastcost {
+
+/// One point of a path on the domain, for Ceres: its tangent plane and the domain's own retraction, on a path of one column. A point with blocked
+/// directions moves in the others: those of `free`, turned along with the tangent plane.
+class PointManifold final : public ceres::Manifold {
+ public:
+  /// free: orthonormal, coordinate x m; without columns: every direction of the tangent plane. stopped: set by a move that a bound has stopped.
+  PointManifold(const ConstraintManifold& manifold, Points free, bool& stopped);
+
+  int AmbientSize() const override { return dims_.coordinate; }
+  int TangentSize() const override { return free_.cols() > 0 ? static_cast<int>(free_.cols()) : dims_.tangent; }
+  bool Plus(const double* x, const double* delta, double* x_plus_delta) const override;
+  bool PlusJacobian(const double* x, double* jacobian) const override;
+  bool Minus(const double* y, const double* x, double* y_minus_x) const override;
+  bool MinusJacobian(const double* x, double* jacobian) const override;
+
+ private:
+  CoordinatePath at(const double* x) const;
+  Points basis(const CoordinatePath& one) const;
+
+  const ConstraintManifold& manifold_;
+  Dimensions dims_;
+  Points free_;
+  bool& stopped_;
+};
+
+}  // namespace leastcost

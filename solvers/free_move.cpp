@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "solvers/free_move.hpp"
+
+#include "framework/smooth_bounds.hpp"
+
+namespace leastcost {
+namespace {
+
+constexpr double kSame = 1e-13;  ///< of the size of the coordinates
+
+}  // namespace
+
+bool move_freely(const ConstraintManifold& manifold, const CoordinatePath& from, const Points& step,
+                 CoordinatePath& to) {
+  manifold.retract(from, step, to);
+  const Index first = from.free_begin(), n = from.free_count();
+  const double size = from.u.cwiseAbs().maxCoeff() + step.cwiseAbs().maxCoeff();
+  const auto is_at = [&](const Points& there) {
+    return !((to.u.middleCols(first, n) - there).cwiseAbs().maxCoeff() > kSame * size);
+  };
+  if (manifold.shape() == Shape::flat || dynamic_cast<const HasChart*>(&manifold) != nullptr)
+    return is_at(from.u.middleCols(first, n) + step);
+  if (const auto* beyond = dynamic_cast<const GoesBeyondBounds*>(&manifold)) {
+    CoordinatePath unstopped;
+    beyond->retract_beyond(from, step, unstopped);
+    return is_at(unstopped.u.middleCols(first, n));
+  }
+  return true;
+}
+
+}  // namespace leastcost

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+// Problems on which the certificate once believed what was not so: bars that a lucky difference made too small, chains that jump
+// around a hole, a neck or an apex in one segment, boxes that chords ignore, saddles that few points hide.
+#include <cmath>
+#include <numbers>
+
+#include "problems/manifolds/implicit.hpp"
+#include "problems/manifolds/parametric.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/compose.hpp"
+
+namespace leastcost::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+using Eigen::Vector2d;
+
+Result on_chart(const ParametricOptions& surface, const Vector2d& source, const Vector2d& target, int n,
+                std::shared_ptr<const Kernel> kernel = make_kernel<Expm1Square>()) {
+  return find(between(make_parametric_manifold(surface), make_euclidean_cost(3), source, target, std::move(kernel)), n);
+}
+
+ParametricOptions annulus(double hole) {
+  ParametricOptions options{.type = "formula", .x = "u*cos(v)", .y = "u*sin(v)", .z = "0"};
+  options.box = {Vector2d(hole, -50), Vector2d(9, 50)};
+  return options;
+}
+
+/// A certified value is covered by its bar; one that is not certified may be anything.
+void check_honest(const Result& result, double truth) {
+  const CostEstimate& e = result.certificate.estimate;
+  CAPTURE(e.value, e.error, e.method, truth, failures(result.certificate));
+  if (result.status == Status::certified) CHECK(std::abs(e.value - truth) <= e.error);
+}
+
+}  // namespace
+
+TEST_CASE("a chain that jumps around a hole of its chart in one segment is refused", "[oracle]") {
+  // By v the way to 3.6 leads around the hole; the straight chord on the other side is shorter than that.
+  CHECK(failed(on_chart(annulus(0.01), {1, 0}, {1.3, 3.6}, 64).certificate, "longest_segment"));
+  ParametricOptions thin{.type = "torus", .major_radius = 1.01, .minor_radius = 1};  // a hole of radius 0.01
+  CHECK(failed(on_chart(thin, {0, 2}, {5, 4}, 33).certificate, "longest_segment"));
+}
+
+TEST_CASE("around the apex of a cone: refused with few points, the law of cosines with many", "[oracle]") {
+  ParametricOptions surface{.type = "cone", .half_angle = 0.5};
+  CHECK(failed(on_chart(surface, {0, 1}, {6, 1.3}, 12).certificate, "longest_segment"));
+  const Result fine = on_chart(surface, {0, 1}, {6, 1.3}, 200);
+  CHECK(fine.status == Status::certified);
+  check_honest(fine, std::sqrt(1 + 1.69 - 2.6 * std::cos(6 * std::sin(0.5))));
+}
+
+TEST_CASE("a chain that hugs a small hole has a bar that is worth something, or no certificate", "[oracle]") {
+  const double r = 0.03;
+  // Two tangents and the arc between them.
+  const double angle = 3.6 - std::acos(r / 1) - std::acos(r / 1.3);
+  check_honest(on_chart(annulus(r), {1, 0}, {1.3, 3.6}, 100),
+               std::sqrt(1 - r * r) + std::sqrt(1.69 - r * r) + r * angle);
+}
+
+TEST_CASE("under a lid on a sphere the value is covered at few points", "[oracle]") {
+  // The way over the pole is closed at z = lid: two great circles that touch the parallel, and the arc between them.
+  const double lid = 0.9999417202299663;
+  const Eigen::Vector3d source(0.817770459769109, 0, 0.5755445031698417),
+      target(-0.030652702166226576, 0.005505896077611216, 0.9995149308330972);
+  ImplicitManifoldOptions options{.surface = "sphere"};
+  options.box = {Eigen::Vector3d::Constant(-2), Eigen::Vector3d(2, 2, lid)};
+  const double polar = std::acos(lid);
+  const auto to_parallel = [&](const Eigen::Vector3d& x) {
+    const double theta = std::acos(x.z());
+    return std::pair(std::acos(std::cos(theta) / std::cos(polar)), std::acos(std::tan(polar) / std::tan(theta)));
+  };
+  const auto [length_a, azimuth_a] = to_parallel(source);
+  const auto [length_b, azimuth_b] = to_parallel(target);
+  const double between_ends = std::acos(source.head<2>().normalized().dot(target.head<2>().normalized()));
+  const double truth = length_a + length_b + std::sin(polar) * (between_ends - azimuth_a - azimuth_b);
+  CHECK(truth == Approx(0.98868692).epsilon(1e-8));
+  const int n = GENERATE(6, 20, 60);
+  check_honest(find(between(make_implicit_manifold(options), make_euclidean_cost(3), source, target), n,
+                    WaypointsInitializer(Eigen::Vector3d(0.02, 0.03, 0.9993))),
+               truth);
+}
+
+TEST_CASE("two equal levels by luck do not make a small bar", "[oracle]") {
+  ParametricOptions torus{.type = "torus", .major_radius = 1.7, .minor_radius = 1};
+  const std::pair<Vector2d, Vector2d> pairs[] = {
+      {{0.3, 0.2}, {2.1, 2.6}}, {{0, 1}, {1.5, -2}}, {{1, 3}, {3.1, 0.4}}, {{0, 0.1}, {2.9, 0.2}}};
+  for (const auto& [source, target] : pairs) {
+    const double truth = on_chart(torus, source, target, 1000).certificate.estimate.value;
+    for (int n = 4; n <= 24; ++n) {
+      CAPTURE(n, source.transpose(), target.transpose());
+      const Result result = on_chart(torus, source, target, n, make_kernel<Square>());
+      if (std::abs(result.certificate.estimate.value - truth) > 0.1) continue;  // another geodesic
+      check_honest(result, truth);
+    }
+  }
+}
+
+TEST_CASE("an equator beyond its conjugate point is a saddle however few the points", "[oracle]") {
+  // Along the equator of an ellipsoid 1:1:1.3 the curvature is 1 / 1.3^2: conjugate at 1.3 pi, and the path is a little longer.
+  ParametricOptions options{.type = "ellipsoid", .axes = Eigen::Vector3d(1, 1, 1.3)};
+  const int n = GENERATE(range(2, 8));
+  const Result result = on_chart(options, {0, 0}, {1.003 * 1.3 * kPi, 0}, n);
+  CAPTURE(n, failures(result.certificate));
+  CHECK(result.status != Status::certified);
+}
+
+}  // namespace leastcost::test
