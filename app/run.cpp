@@ -74,6 +74,18 @@ std::filesystem::path output_of(const RunRequest& request, const RunConfig& conf
   return std::filesystem::path("results") / config.name;
 }
 
+RunOutcome solve(RunConfig config, Composition parts, const Monitor& monitor) {
+  RunOutcome outcome{std::move(config), std::move(parts), {}, {}, {}, ""};
+  const Monitor limited = with_budget(monitor, outcome.config.max_seconds);
+  try {
+    find(outcome, limited);
+  } catch (const InitializationError& e) {
+    if (limited.interrupted()) throw StoppedEarly(e.what());
+    throw;
+  }
+  return outcome;
+}
+
 RunOutcome run(const RunRequest& request, const Monitor& monitor) {
   ManifestFacts facts;
   facts.arguments = request.arguments;
@@ -83,14 +95,8 @@ RunOutcome run(const RunRequest& request, const Monitor& monitor) {
   facts.seed = prepared.loaded.config.seed;
   OutputFolder folder(output_of(request, prepared.loaded.config), request.force);
 
-  RunOutcome outcome{std::move(prepared.loaded.config), std::move(prepared.parts), {}, {}, folder.target(), ""};
-  const Monitor limited = with_budget(monitor, outcome.config.max_seconds);
-  try {
-    find(outcome, limited);
-  } catch (const InitializationError& e) {
-    if (limited.interrupted()) throw StoppedEarly(e.what());
-    throw;
-  }
+  RunOutcome outcome = solve(std::move(prepared.loaded.config), std::move(prepared.parts), monitor);
+  outcome.output = folder.target();
   facts.finished = std::chrono::system_clock::now();
   try {
     write_results(outcome, prepared.loaded.folder, facts, folder);

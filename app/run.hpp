@@ -23,6 +23,7 @@ enum class Exit {
   input = 4,
   uncertified = 5,
   no_path = 6,
+  study_failed = 7,  ///< part of a study
   interrupted = 130
 };
 Exit exit_of(Status status);
@@ -61,6 +62,10 @@ struct Prepared {
 /// Reads, checks and composes; all files of the configuration have been read afterwards. Throws ConfigError,
 /// InputError.
 Prepared prepare(const RunRequest& request);
+
+/// The search of a composed configuration, within its max_seconds: the path, or the best of its family. Writes nothing. Throws
+/// InitializationError; StoppedEarly when it was told to stop before there was a first path.
+RunOutcome solve(RunConfig config, Composition parts, const Monitor& monitor);
 
 /// Where the results of a request go.
 std::filesystem::path output_of(const RunRequest& request, const RunConfig& config);

@@ -7,10 +7,12 @@
 #include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <ostream>
 
 #include "app/cli/commands.hpp"
 #include "app/config/describe.hpp"
+#include "app/config/scalars.hpp"
 #include "app/config/suggest.hpp"
 #include "app/output/manifest.hpp"
 
@@ -19,20 +21,35 @@ namespace {
 
 /// What the options of all commands write into; a command reads what it has declared.
 struct Values {
-  std::string config, output, seed, kind, type, name, mesh, format = "text";
+  std::string config, output, seed, kind, type, name, mesh, shard, timeout, repetitions, format = "text";
   std::vector<std::string> configs, set;
-  bool force = false, dry_run = false, quiet = false, verbose = false, weld = false;
+  int parallel = 1;
+  bool force = false, dry_run = false, quiet = false, verbose = false, weld = false, resume = false;
 
   bool json() const { return format == "json"; }
   std::vector<Override> overrides() const {
     std::vector<Override> all;
     for (const std::string& assignment : set) all.push_back(set_option(assignment));
     if (!seed.empty()) all.push_back(seed_option(seed));
+    if (!timeout.empty()) all.push_back({"max_seconds=" + timeout, "--timeout " + timeout});
+    if (!repetitions.empty()) all.push_back({"repetitions=" + repetitions, "--repetitions " + repetitions});
     return all;
   }
 };
 
 using Command = std::function<Exit()>;
+
+/// "2/8"; empty: everything. What it is not is an error of usage.
+Shard parse_shard(const std::string& text) {
+  if (text.empty()) return {};
+  const std::size_t slash = text.find('/');
+  const std::optional<std::size_t> index = list_index(text.substr(0, slash));
+  const std::optional<std::size_t> count =
+      slash == std::string::npos ? std::nullopt : list_index(text.substr(slash + 1));
+  if (!index || !count || *count == 0 || *index >= *count)
+    throw CLI::ValidationError("--shard", "must be i/N with i from 0 to N - 1, like 0/8 (found '" + text + "')");
+  return {static_cast<int>(*index), static_cast<int>(*count)};
+}
 
 void add_format(CLI::App& command, Values& v) {
   command.add_option("--format", v.format, "text or json")->check(CLI::IsMember({"text", "json"}))->type_name("FORMAT");
@@ -66,6 +83,65 @@ void add_run(CLI::App& app, Values& v, const std::vector<std::string>& arguments
   });
 }
 
+constexpr const char* kStudyHelp =
+    "On one machine:         leastcost study CONFIG -j 4 -o DIR     (killed: the same with --resume)\n"
+    "In parts, GNU parallel: seq 0 7 | parallel leastcost study CONFIG --shard {}/8 -o DIR/{} --resume\n"
+    "In parts, Slurm:        sbatch --array=0-7 --wrap 'leastcost study CONFIG --shard $SLURM_ARRAY_TASK_ID/8 "
+    "-o DIR/$SLURM_ARRAY_TASK_ID --resume'\n"
+    "Then:                   leastcost merge DIR/* -o MERGED\n"
+    "Times are comparable only when cells do not compete: -j 1, or fewer than there are cores.\n"
+    "Exit codes: 0 every cell ended, 7 part of the study failed, 130 interrupted (--resume goes on), others as for run";
+
+void add_study(CLI::App& app, Values& v, const std::vector<std::string>& arguments, const Streams& streams,
+               Command& chosen) {
+  CLI::App& c = *app.add_subcommand("study", "Run a grid of problems, solvers and options, and compare");
+  c.footer(kStudyHelp);
+  c.add_option("config", v.config, "Study (YAML with `problems`)")->required()->type_name("CONFIG");
+  add_set(c, v);
+  add_format(c, v);
+  c.add_option("-o,--output", v.output, "Output folder; default: results/<name>")->type_name("DIR");
+  c.add_option("-j,--jobs", v.parallel, "Cells at once")->type_name("N")->check(CLI::Range(1, 1024));
+  c.add_option("--shard", v.shard, "Only part i of N, i from 0 to N - 1")->type_name("i/N");
+  c.add_option("--timeout", v.timeout, "Same as --set max_seconds=S")->type_name("S");
+  c.add_option("--repetitions", v.repetitions, "Same as --set repetitions=R")->type_name("R");
+  auto* resume = c.add_flag("--resume", v.resume, "Go on where an interrupted or killed study ended");
+  c.add_flag("--force", v.force, "Begin anew in the folder of an earlier one")->excludes(resume);
+  c.add_flag("-n,--dry-run", v.dry_run, "Check every cell and print the grid");
+  c.add_flag("-q,--quiet", v.quiet, "No progress");
+  c.callback([&] {
+    chosen = [&, shard = parse_shard(v.shard)] {
+      StudyArguments study;
+      study.request.config_file = v.config;
+      study.request.overrides = v.overrides();
+      study.request.output = v.output;
+      study.request.force = v.force;
+      study.request.resume = v.resume;
+      study.request.parallel = v.parallel;
+      study.request.shard = shard;
+      study.request.arguments = arguments;
+      study.dry_run = v.dry_run;
+      study.json = v.json();
+      study.quiet = v.quiet;
+      return study_command(study, streams);
+    };
+  });
+}
+
+void add_merge(CLI::App& app, Values& v, const std::vector<std::string>& arguments, const Streams& streams,
+               Command& chosen) {
+  CLI::App& c = *app.add_subcommand("merge", "Join the shards of a study");
+  c.add_option("folders", v.configs, "Output folders of its shards")->required()->type_name("DIR...");
+  c.add_option("-o,--output", v.output, "Output folder")->required()->type_name("DIR");
+  c.add_flag("--force", v.force, "Replace the folder of an earlier study");
+  add_format(c, v);
+  c.callback([&] {
+    chosen = [&] {
+      const MergeRequest request{{v.configs.begin(), v.configs.end()}, v.output, v.force, arguments};
+      return merge_command({request, v.json()}, streams);
+    };
+  });
+}
+
 void add_validate(CLI::App& app, Values& v, const Streams& streams, Command& chosen) {
   CLI::App& c = *app.add_subcommand("validate", "Every error of configurations with its position; computes nothing");
   c.add_option("configs", v.configs, "Configurations (YAML)")->required()->type_name("CONFIG...");
@@ -81,15 +157,15 @@ void add_reference(CLI::App& app, Values& v, const Streams& streams, Command& ch
   add_format(list, v);
   list.callback([&] { chosen = [&] { return list_command(v.kind, v.json(), streams); }; });
 
-  CLI::App& describe =
-      *app.add_subcommand("describe", "Every option of a plug-in, or of a configuration (describe run)");
-  describe.add_option("kind", v.kind, "run, manifold, cost, kernel, initializer, solver, post_processor")
+  CLI::App& describe = *app.add_subcommand(
+      "describe", "Every option of a plug-in, of a configuration (describe run) or a study (describe study)");
+  describe.add_option("kind", v.kind, "run, study, manifold, cost, kernel, initializer, solver, post_processor")
       ->required()
       ->type_name("KIND");
   describe.add_option("type", v.type, "Its type, e.g. euclidean")->type_name("TYPE");
   describe.callback([&] { chosen = [&] { return describe_command(v.kind, v.type, streams); }; });
 
-  CLI::App& schema = *app.add_subcommand("schema", "JSON Schema (draft 7) of a configuration, for editors");
+  CLI::App& schema = *app.add_subcommand("schema", "JSON Schema (draft 7) of configurations and studies, for editors");
   schema.callback([&] { chosen = [&] { return streams.out << json_schema(), Exit::certified; }; });
 }
 
@@ -150,9 +226,11 @@ Exit parse_and_run(const std::vector<std::string>& arguments, const Streams& str
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 certified, 1 internal error, 2 usage, 3 configuration, 4 input, 5 uncertified or collapsed,\n"
-      "6 no path, 130 interrupted");
+      "6 no path, 7 part of a study failed, 130 interrupted");
   Command chosen;
   add_run(app, values, arguments, streams, chosen);
+  add_study(app, values, arguments, streams, chosen);
+  add_merge(app, values, arguments, streams, chosen);
   add_validate(app, values, streams, chosen);
   add_reference(app, values, streams, chosen);
   add_helpers(app, values, streams, chosen);

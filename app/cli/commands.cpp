@@ -65,16 +65,21 @@ Json kind_json(const PluginKind& kind) {
   return out;
 }
 
-/// An unreadable file is one more error, so that the other files get their turn.
-LoadedConfig checked_config(const std::string& file, const std::vector<Override>& overrides, bool& readable) {
+/// The errors of a configuration or a study. An unreadable file is one more error, so that the other files get their turn.
+Diagnostics errors_in(const std::string& file, const std::vector<Override>& overrides, bool& readable) {
   try {
+    if (is_study(config_text(file))) {
+      LoadedStudy study = load_study(file, overrides);
+      make_grid(study);
+      return study.errors;
+    }
     LoadedConfig loaded = load_config(file, overrides);
     if (loaded.errors.empty()) check_constructors(loaded);
-    return loaded;
+    return loaded.errors;
   } catch (const InputError& e) {
     readable = false;
-    LoadedConfig none{{}, {}, {}, {}, {}, {file, ""}};
-    none.errors.error({}, e.what());
+    Diagnostics none(file, "");
+    none.error({}, e.what());
     return none;
   }
 }
@@ -86,11 +91,11 @@ Exit validate_command(const std::vector<std::string>& files, const std::vector<O
   Json report = Json::array();
   bool all_valid = true, all_readable = true;
   for (const std::string& file : files) {
-    const LoadedConfig loaded = checked_config(file, overrides, all_readable);
-    const bool valid = loaded.errors.empty();
+    const Diagnostics errors = errors_in(file, overrides, all_readable);
+    const bool valid = errors.empty();
     all_valid = all_valid && valid;
-    report.push_back({{"file", file}, {"valid", valid}, {"errors", diagnostics_json(loaded.errors)}});
-    if (!valid) streams.err << loaded.errors.render(streams.color) << loaded.errors.count() << '\n';
+    report.push_back({{"file", file}, {"valid", valid}, {"errors", diagnostics_json(errors)}});
+    if (!valid) streams.err << errors.render(streams.color) << errors.count() << '\n';
     if (valid && !json) streams.out << file << ": valid\n";
   }
   if (json) streams.out << to_text({{"valid", all_valid}, {"files", report}});
@@ -121,13 +126,13 @@ Exit list_command(const std::string& kind, bool json, const Streams& streams) {
 }
 
 Exit describe_command(const std::string& kind, const std::string& type, const Streams& streams) {
-  if (kind == "run" && type.empty()) {
-    streams.out << describe_run();
+  if ((kind == "run" || kind == "study") && type.empty()) {
+    streams.out << (kind == "run" ? describe_run() : describe_study());
     return Exit::certified;
   }
   const PluginKind* found = find_kind(kind);
   if (found == nullptr) {
-    std::vector<std::string> valid = {"run"};
+    std::vector<std::string> valid = {"run", "study"};
     for (const PluginKind& k : plugin_kinds()) valid.push_back(k.name);
     return unknown(streams, "kind", kind, valid);
   }

@@ -7,6 +7,8 @@
 
 #include "app/cli/streams.hpp"
 #include "app/run.hpp"
+#include "app/study/merge.hpp"
+#include "app/study/study.hpp"
 
 namespace leastcost::app {
 
@@ -19,13 +21,27 @@ struct RunArguments {
   Verbosity verbosity = Verbosity::normal;
 };
 
+struct StudyArguments {
+  StudyRequest request;
+  bool dry_run = false;
+  bool json = false;
+  bool quiet = false;
+};
+
+struct MergeArguments {
+  MergeRequest request;
+  bool json = false;
+};
+
 /// Each command returns the exit code of the program. They throw what they do not handle; see exit_of_exception().
 Exit run_command(const RunArguments& arguments, const Streams& streams);
+Exit study_command(const StudyArguments& arguments, const Streams& streams);
+Exit merge_command(const MergeArguments& arguments, const Streams& streams);
 Exit validate_command(const std::vector<std::string>& files, const std::vector<Override>& overrides, bool json,
                       const Streams& streams);
 /// `kind`: empty for all kinds.
 Exit list_command(const std::string& kind, bool json, const Streams& streams);
-/// `type`: empty for the overview of a kind; the kind `run` stands for the keys of a configuration.
+/// `type`: empty for the overview of a kind; the kinds `run` and `study` stand for the keys of a configuration.
 Exit describe_command(const std::string& kind, const std::string& type, const Streams& streams);
 /// `name`: empty for the list of templates; `file`: empty for stdout.
 Exit init_command(const std::string& name, const std::string& file, bool force, const Streams& streams);

@@ -129,6 +129,20 @@ Place place_of(const ConfigNode& root, std::string_view path) {
   return place;
 }
 
+const ConfigNode* node_at(const ConfigNode& root, std::string_view path) {
+  const ConfigNode* node = &root;
+  while (!path.empty() && node != nullptr) {
+    const std::string_view head = pop_front(path);
+    const std::optional<std::size_t> index = node->is_list() ? list_index(head) : std::nullopt;
+    const ConfigEntry* entry = node->find(head);
+    if (index && *index < node->items.size())
+      node = &node->items[*index];
+    else
+      node = entry == nullptr ? nullptr : &entry->value;
+  }
+  return node;
+}
+
 std::string to_yaml(const ConfigNode& node) {
   std::string out;
   if (node.is_block() && !node.entries.empty())

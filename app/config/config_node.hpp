@@ -44,6 +44,9 @@ ConfigNode scalar_node(std::string text, bool quoted = false);
 /// Text as a scalar, in quotes where YAML would otherwise take it for something else.
 ConfigNode text_node(std::string_view text);
 
+/// The node at "solver.tolerance" or "post_process.1.type"; null when it is not given.
+const ConfigNode* node_at(const ConfigNode& root, std::string_view path);
+
 /// The place of "solver.tolerance" or "post_process.1.type": of the key itself where it is given, else of the nearest block
 /// around it that is.
 Place place_of(const ConfigNode& root, std::string_view path);

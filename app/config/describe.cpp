@@ -75,4 +75,12 @@ std::string describe_run() {
   return out;
 }
 
+std::string describe_study() {
+  std::string out =
+      "study\nThe keys of a study: a grid of runs. A file with `problems` is a study.\nKeys that start with x- are "
+      "notes.\n\nOptions:\n";
+  append_fields(fields_of_study(), 2, out);
+  return out;
+}
+
 }  // namespace leastcost::app

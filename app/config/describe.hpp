@@ -15,7 +15,10 @@ std::string describe_kind(const PluginKind& kind);
 /// The keys of a configuration.
 std::string describe_run();
 
-/// JSON Schema (draft 7) of a configuration, for completion and checks in an editor.
+/// The keys of a study.
+std::string describe_study();
+
+/// JSON Schema (draft 7) of a configuration or a study, for completion and checks in an editor.
 std::string json_schema();
 
 }  // namespace leastcost::app

@@ -5,6 +5,7 @@
 #include "app/config/options_writer.hpp"
 #include "app/config/run_config.hpp"
 #include "app/config/scalars.hpp"
+#include "app/config/study_config.hpp"
 #include "app/config/suggest.hpp"
 
 namespace leastcost::app {
@@ -84,6 +85,18 @@ class FieldCollector final : public RunVisitor {
     body(inner);
     add(key, FieldType::block, doc).children = inner.take();
   }
+  void blocks(std::string_view key, const BlockList& list, const FieldDoc& doc) override {
+    FieldCollector inner;
+    list.resize(1);
+    list.fields(0, inner);
+    list.resize(0);
+    add(key, FieldType::blocks, doc).children = inner.take();
+  }
+  void tree(std::string_view key, ConfigNode&, TreeForm form, const PluginKind* kind, const FieldDoc& doc) override {
+    FieldInfo& info = add(key, FieldType::tree, doc);
+    info.form = form;
+    info.kind = kind;
+  }
 
  private:
   FieldInfo& add(std::string_view key, FieldType type, const FieldDoc& doc) {
@@ -132,6 +145,20 @@ std::string in_words(FieldType type) {
     case FieldType::end: return "end of the path";
     case FieldType::plugin: return "a type, or a block with a type";
     case FieldType::plugins: return "list of types, or of blocks with a type";
+    case FieldType::blocks: return "list of blocks";
+    case FieldType::tree: return "";  // its form says it
+  }
+  return "";
+}
+
+std::string in_words(TreeForm form) {
+  switch (form) {
+    case TreeForm::run: return "configuration file, or a configuration";
+    case TreeForm::options: return "block of options of a run, like {path.points: 10}";
+    case TreeForm::sweep: return "block of options of a run with lists of values, like {path.cascade: [true, false]}";
+    case TreeForm::plugins: return "list of types, or of blocks with a type and perhaps a name";
+    case TreeForm::counts: return "list of whole numbers or auto";
+    case TreeForm::integers: return "list of whole numbers";
   }
   return "";
 }
@@ -139,7 +166,7 @@ std::string in_words(FieldType type) {
 }  // namespace
 
 std::string FieldInfo::type_in_words() const {
-  std::string words = in_words(type);
+  std::string words = type == FieldType::tree ? in_words(form) : in_words(type);
   if (type == FieldType::choice || type == FieldType::variant) return words + " " + joined(choices);
   FieldDoc doc;
   doc.minimum = minimum;
@@ -158,6 +185,13 @@ std::vector<FieldInfo> fields_of(AnyOptions& options) {
 std::vector<FieldInfo> fields_of_run() {
   FieldCollector collector;
   RunConfig config;
+  config.fields(collector);
+  return collector.take();
+}
+
+std::vector<FieldInfo> fields_of_study() {
+  FieldCollector collector;
+  StudyConfig config;
   config.fields(collector);
   return collector.take();
 }

@@ -25,7 +25,9 @@ enum class FieldType {
   points,
   end,
   plugin,
-  plugins
+  plugins,
+  blocks,
+  tree
 };
 
 /// One option as `describe`, the JSON schema and the reference page see it.
@@ -37,8 +39,9 @@ struct FieldInfo {
   double minimum = 0, maximum = 0;  ///< infinite where there is no bound
   bool exclusive_minimum = false, required = false;
   std::vector<std::string> choices;
-  std::vector<FieldInfo> children;   ///< of a block or an end; of a variant: one block per type
-  const PluginKind* kind = nullptr;  ///< of plug-ins
+  std::vector<FieldInfo> children;    ///< of a block or an end; of a variant: one block per type
+  const PluginKind* kind = nullptr;   ///< of plug-ins
+  TreeForm form = TreeForm::options;  ///< of a tree
 
   /// "integer, at least 1", "one of chute, midpoint".
   std::string type_in_words() const;
@@ -47,5 +50,6 @@ struct FieldInfo {
 /// The options of an object, in the order of its field list. The object is only read.
 std::vector<FieldInfo> fields_of(AnyOptions& options);
 std::vector<FieldInfo> fields_of_run();
+std::vector<FieldInfo> fields_of_study();
 
 }  // namespace leastcost::app

@@ -44,6 +44,9 @@ class OptionsReader final : public RunVisitor {
   void plugin(std::string_view key, PluginChoice& value, const PluginKind& kind, const FieldDoc& doc) override;
   void plugins(std::string_view key, PluginList& value, const PluginKind& kind, const FieldDoc& doc) override;
   void block(std::string_view key, const FieldDoc& doc, const std::function<void(RunVisitor&)>& body) override;
+  void blocks(std::string_view key, const BlockList& list, const FieldDoc& doc) override;
+  void tree(std::string_view key, ConfigNode& value, TreeForm form, const PluginKind* kind,
+            const FieldDoc& doc) override;
 
   /// Reports the keys that no field asked for.
   void finish();
@@ -51,6 +54,7 @@ class OptionsReader final : public RunVisitor {
  private:
   const ConfigEntry* entry(std::string_view key, const FieldDoc& doc);
   void fault(std::string_view key, const Place& place, const std::string& message);
+  bool check_form(std::string_view key, const ConfigNode& node, TreeForm form);
   void check_range(std::string_view key, const ConfigNode& node, double value, const FieldDoc& doc);
   bool read_numbers(std::string_view key, const ConfigNode& list, bool infinite, std::vector<double>& out);
   const FieldVariant* find_variant(const ConfigEntry& e, const std::string& path,

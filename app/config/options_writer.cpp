@@ -96,6 +96,21 @@ void OptionsWriter::block(std::string_view key, const FieldDoc&, const std::func
   if (!node.entries.empty()) add(key, std::move(node));
 }
 
+void OptionsWriter::blocks(std::string_view key, const BlockList& list, const FieldDoc&) {
+  ConfigNode node;
+  node.kind = ConfigNode::Kind::list;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    OptionsWriter inner(rename_);
+    list.fields(i, inner);
+    node.items.push_back(inner.take());
+  }
+  if (!node.items.empty()) add(key, std::move(node));
+}
+
+void OptionsWriter::tree(std::string_view key, ConfigNode& value, TreeForm, const PluginKind*, const FieldDoc&) {
+  if (value.kind != ConfigNode::Kind::nothing) add(key, value);
+}
+
 void OptionsWriter::points(std::string_view key, PointCount& value, const FieldDoc&) {
   add(key, scalar_node(value.automatic ? "auto" : std::to_string(value.count)));
 }

@@ -42,6 +42,9 @@ class OptionsWriter final : public RunVisitor {
   void plugin(std::string_view key, PluginChoice& value, const PluginKind& kind, const FieldDoc& doc) override;
   void plugins(std::string_view key, PluginList& value, const PluginKind& kind, const FieldDoc& doc) override;
   void block(std::string_view key, const FieldDoc& doc, const std::function<void(RunVisitor&)>& body) override;
+  void blocks(std::string_view key, const BlockList& list, const FieldDoc& doc) override;
+  void tree(std::string_view key, ConfigNode& value, TreeForm form, const PluginKind* kind,
+            const FieldDoc& doc) override;
 
  private:
   void add(std::string_view key, ConfigNode value);

@@ -55,19 +55,14 @@ ConfigNode* step_into(ConfigNode& node, const std::string& key, const Place& pla
 void apply(const Override& override, ConfigNode& root, Diagnostics& errors) {
   const Place place{0, 0, 1, override.origin};
   const std::size_t equals = override.assignment.find('=');
-  const std::vector<std::string> path = split_path(override.assignment.substr(0, equals));
-  if (equals == std::string::npos || !is_path(path))
+  const std::string path = override.assignment.substr(0, equals);
+  if (equals == std::string::npos || !is_path(split_path(path)))
     return errors.error(place, "must have the form key=value or block.key=value, like solver.max_iterations=50");
   const std::size_t before = errors.size();
   ConfigNode value = read_yaml_value(override.assignment.substr(equals + 1), override.origin, errors);
   if (errors.size() > before) return;
-  ConfigNode* node = &root;
-  for (const std::string& key : path) {
-    node = step_into(*node, key, place, errors);
-    if (node == nullptr) return;
-  }
   value.place = place;
-  *node = std::move(value);
+  put_option(path, std::move(value), place, root, errors);
 }
 
 }  // namespace
@@ -77,6 +72,18 @@ Override seed_option(const std::string& number) { return {"seed=" + number, "--s
 
 void apply_overrides(const std::vector<Override>& overrides, ConfigNode& root, Diagnostics& errors) {
   for (const Override& override : overrides) apply(override, root, errors);
+}
+
+void put_option(const std::string& path, ConfigNode value, const Place& place, ConfigNode& root, Diagnostics& errors) {
+  const std::vector<std::string> keys = split_path(path);
+  if (!is_path(keys))
+    return errors.error(place, in_quotes(path) + " is no option: it must have the form key or block.key");
+  ConfigNode* node = &root;
+  for (const std::string& key : keys) {
+    node = step_into(*node, key, place, errors);
+    if (node == nullptr) return;
+  }
+  *node = std::move(value);
 }
 
 }  // namespace leastcost::app

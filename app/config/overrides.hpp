@@ -22,4 +22,7 @@ Override seed_option(const std::string& number);
 /// is given as a word (cost: euclidean) becomes a block with that type. Numbers in a path are positions in a list, from 0.
 void apply_overrides(const std::vector<Override>& overrides, ConfigNode& root, Diagnostics& errors);
 
+/// The same for one option whose value is there already. `place`: where the path is written.
+void put_option(const std::string& path, ConfigNode value, const Place& place, ConfigNode& root, Diagnostics& errors);
+
 }  // namespace leastcost::app

@@ -56,7 +56,7 @@ void check_ends(LoadedConfig& loaded) {
   } else if (!config.ring && ends != nullptr && ends->value.is_block() && !target) {
     loaded.errors.error(ends->place, "missing key 'target' in ends: Where the path ends.");
   } else if (!config.ring && ends == nullptr && loaded.tree.is_block()) {
-    loaded.errors.error({1, 1, 1, ""}, "missing key 'ends': the source and target of the path, or path.ring: true");
+    loaded.errors.error(loaded.place, "missing key 'ends': the source and target of the path, or path.ring: true");
   }
   if (!config.manifold || config.manifold.provides(std::string(kMesh))) return;
   for (const char* path : {"ends.source", "ends.target"}) {
@@ -151,7 +151,7 @@ void check_name(LoadedConfig& loaded) {
                       "or a control character, or be longer than 200 bytes");
 }
 
-/// `leastcost run` does not act on it; the tests and a study do.
+/// The program does not act on it; the tests do.
 void check_expected_exit(LoadedConfig& loaded) {
   const ConfigEntry* note = loaded.tree.find("x-expect-exit");
   if (note == nullptr) return;

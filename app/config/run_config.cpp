@@ -15,21 +15,6 @@
 #include "app/registry.hpp"
 
 namespace leastcost::app {
-namespace {
-
-std::string read_text(const std::filesystem::path& file) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error))
-    throw InputError(file.string() + ": is a folder, not a configuration file");
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError(file.string() + ": cannot be opened: " + std::generic_category().message(errno));
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (in.bad()) throw InputError(file.string() + ": cannot be read");
-  return text.str();
-}
-
-}  // namespace
 
 void EndOptions::fields(FieldVisitor& visit) {
   visit.field(
@@ -117,7 +102,7 @@ void LoadedConfig::add_error(const std::string& key, const std::string& message)
 
 LoadedConfig parse_config(std::string text, const std::string& file_name, const std::filesystem::path& folder,
                           const std::vector<Override>& overrides) {
-  LoadedConfig loaded{{}, folder, std::move(text), {}, {}, {file_name, ""}};
+  LoadedConfig loaded{{}, folder, std::move(text), {}, {1, 1, 1, ""}, {}, {file_name, ""}};
   loaded.errors = Diagnostics(file_name, loaded.text);
   loaded.tree = read_yaml(loaded.text, loaded.errors);
   const bool readable = loaded.errors.empty();
@@ -125,16 +110,34 @@ LoadedConfig parse_config(std::string text, const std::string& file_name, const 
   // A text that is no YAML gives one error, not one more for every key that was never reached.
   if (!readable && !loaded.tree.is_block()) return loaded;
   const std::string stem = std::filesystem::path(file_name).stem().string();
-  loaded.config.name = stem.empty() ? "run" : stem;
-  OptionsReader reader(loaded.tree, "", {1, 1, 1, ""}, loaded.errors);
-  loaded.config.fields(reader);
-  reader.finish();
-  check_and_complete(loaded);
+  read_tree(loaded, stem.empty() ? "run" : stem);
   return loaded;
 }
 
+void read_tree(LoadedConfig& loaded, const std::string& name) {
+  if (const ConfigEntry* problems = loaded.tree.find("problems"))
+    return loaded.errors.error(problems->place, "'problems' makes this a study: leastcost study runs it");
+  loaded.config.name = name;
+  OptionsReader reader(loaded.tree, "", loaded.place, loaded.errors);
+  loaded.config.fields(reader);
+  reader.finish();
+  check_and_complete(loaded);
+}
+
+std::string config_text(const std::filesystem::path& file) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error))
+    throw InputError(file.string() + ": is a folder, not a configuration file");
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw InputError(file.string() + ": cannot be opened: " + std::generic_category().message(errno));
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (in.bad()) throw InputError(file.string() + ": cannot be read");
+  return text.str();
+}
+
 LoadedConfig load_config(const std::filesystem::path& file, const std::vector<Override>& overrides) {
-  LoadedConfig loaded = parse_config(read_text(file), file.string(), file.parent_path(), overrides);
+  LoadedConfig loaded = parse_config(config_text(file), file.string(), file.parent_path(), overrides);
   loaded.file = file;
   return loaded;
 }

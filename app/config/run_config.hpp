@@ -54,7 +54,8 @@ struct LoadedConfig {
   std::filesystem::path file;    ///< empty for a text without a file
   std::filesystem::path folder;  ///< files of the configuration are relative to it
   std::string text;
-  ConfigNode tree;  ///< overrides included: where each option stands
+  ConfigNode tree;           ///< overrides included: where each option stands
+  Place place{1, 1, 1, ""};  ///< of the tree as a whole: where missing keys are reported
   RunConfig config;
   Diagnostics errors;  ///< what was found so far; config is usable only while it is empty
 
@@ -66,6 +67,11 @@ struct LoadedConfig {
 LoadedConfig load_config(const std::filesystem::path& file, const std::vector<Override>& overrides);
 LoadedConfig parse_config(std::string text, const std::string& file_name, const std::filesystem::path& folder,
                           const std::vector<Override>& overrides = {});
+
+/// Reads `tree` into `config` and checks it. Done by the two above; `name`: of a run that has none.
+void read_tree(LoadedConfig& loaded, const std::string& name);
+/// The text of a configuration file. Throws InputError.
+std::string config_text(const std::filesystem::path& file);
 
 /// The configuration with every default, as YAML that reads back as the same one.
 std::string resolved_yaml(const RunConfig& config, const RenameFile& rename = {});

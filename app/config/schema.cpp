@@ -66,6 +66,23 @@ Json end_schema(const FieldInfo& field) {
   return out;
 }
 
+/// What a study puts into configurations.
+Json tree_schema(const FieldInfo& field) {
+  const Json whole = {{"type", "integer"}};
+  switch (field.form) {
+    case TreeForm::run: return {{"anyOf", {{{"type", "string"}}, {{"$ref", "#/definitions/part_of_run"}}}}};
+    case TreeForm::options: return {{"type", "object"}};
+    case TreeForm::sweep:
+      return {{"type", "object"},
+              {"patternProperties", {{"^x-", Json::object()}}},
+              {"additionalProperties", list_of(Json::object())}};
+    case TreeForm::plugins: return list_of({{"$ref", definition(*field.kind) + "_with_name"}});
+    case TreeForm::counts: return list_of({{"anyOf", {whole, {{"const", "auto"}}}}});
+    case TreeForm::integers: return list_of(whole);
+  }
+  return Json::object();
+}
+
 Json value_schema(const FieldInfo& field) {
   switch (field.type) {
     case FieldType::boolean: return {{"type", "boolean"}};
@@ -84,6 +101,8 @@ Json value_schema(const FieldInfo& field) {
     case FieldType::end: return end_schema(field);
     case FieldType::plugin: return {{"$ref", definition(*field.kind)}};
     case FieldType::plugins: return {{"type", "array"}, {"items", {{"$ref", definition(*field.kind)}}}};
+    case FieldType::blocks: return list_of(object_schema(field.children));
+    case FieldType::tree: return tree_schema(field);
   }
   return Json::object();
 }
@@ -113,24 +132,29 @@ Json object_schema(const std::vector<FieldInfo>& fields) {
   return out;
 }
 
-Json plugin_schema(const PluginKind& kind) {
+FieldInfo name_field() {
+  FieldInfo name;
+  name.key = "name";
+  name.help = "Its name in the tables of the study; default: its type.";
+  return name;
+}
+
+Json plugin_schema(const PluginKind& kind, bool with_name = false) {
   std::vector<FieldInfo> types;
   for (const PluginEntry* plugin : kind.entries) {
     FieldInfo& type = types.emplace_back();
     type.key = plugin->type;
     type.help = plugin->summary;
     type.children = fields_of(*plugin->defaults());
+    if (with_name) type.children.push_back(name_field());
   }
   Json out = {{"description", kind.summary}};
   out.update(variant_schema(types));
   return out;
 }
 
-}  // namespace
-
-std::string json_schema() {
-  Json out = {{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "leastcost run"}};
-  out.update(object_schema(fields_of_run()));
+Json run_schema() {
+  Json out = object_schema(fields_of_run());
   // A ring has no ends, but for a fixed point; an open path needs them.
   const Json ring = {
       {"properties", {{"path", {{"properties", {{"ring", {{"const", true}}}}}, {"required", {"ring"}}}}}},
@@ -138,7 +162,41 @@ std::string json_schema() {
   out["if"] = ring;
   out["then"] = {{"properties", {{"ends", {{"not", {{"required", {"target"}}}}}}}}, {"required", {"initializer"}}};
   out["else"] = {{"properties", {{"ends", {{"required", {"target"}}}}}}, {"required", {"ends"}}};
-  for (const PluginKind& kind : plugin_kinds()) out["definitions"][kind.name] = plugin_schema(kind);
+  return out;
+}
+
+/// A configuration in a study: what it lacks, the study may set.
+Json part_of_run_schema() {
+  std::vector<FieldInfo> fields = fields_of_run();
+  for (FieldInfo& field : fields) {
+    field.required = false;
+    for (FieldInfo& child : field.children) child.required = false;
+  }
+  return object_schema(fields);
+}
+
+Json study_schema() {
+  Json out = object_schema(fields_of_study());
+  // Swept keys are axes too.
+  out["properties"]["skip"]["items"]["additionalProperties"] = texts_schema();
+  return out;
+}
+
+}  // namespace
+
+std::string json_schema() {
+  Json out = {{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "leastcost run or study"}};
+  out["if"] = {{"required", {"problems"}}};
+  out["then"] = {{"$ref", "#/definitions/study"}};
+  out["else"] = {{"$ref", "#/definitions/run"}};
+  out["definitions"]["run"] = run_schema();
+  out["definitions"]["part_of_run"] = part_of_run_schema();
+  out["definitions"]["study"] = study_schema();
+  for (const PluginKind& kind : plugin_kinds()) {
+    out["definitions"][kind.name] = plugin_schema(kind);
+    if (kind.name == "solver" || kind.name == "kernel")
+      out["definitions"][kind.name + "_with_name"] = plugin_schema(kind, true);
+  }
   return out.dump(2) + "\n";
 }
 

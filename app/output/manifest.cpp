@@ -99,6 +99,7 @@ std::string manifest_json(const ManifestFacts& facts) {
   const nlohmann::ordered_json manifest = {
       {"program", kProgramName},
       {"schema_version", kSchemaVersion},
+      {"kind", facts.kind},
       {"version", LEASTCOST_VERSION},
       {"build", {{"compiler", LEASTCOST_COMPILER}, {"type", LEASTCOST_BUILD_TYPE}, {"libraries", libraries()}}},
       {"machine",

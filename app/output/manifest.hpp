@@ -21,6 +21,7 @@ struct ManifestInput {
 };
 
 struct ManifestFacts {
+  std::string kind = "run";  ///< or "study"
   std::vector<std::string> arguments;
   std::vector<ManifestInput> inputs;
   int seed = 0;

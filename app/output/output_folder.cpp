@@ -29,13 +29,35 @@ bool holds_our_manifest(const fs::path& folder) {
   return manifest.is_object() && manifest.contains("program") && manifest["program"] == kProgramName;
 }
 
+constexpr std::string_view kTemporary = ".tmp";
+
+/// What a file that was being written when its program was killed would have been called.
+std::string without_temporary(std::string name) {
+  if (name.size() > kTemporary.size() && name.substr(name.size() - kTemporary.size()) == kTemporary)
+    name.resize(name.size() - kTemporary.size());
+  return name;
+}
+
+void write_file(const fs::path& file, const std::string& content) {
+  std::FILE* out = std::fopen(file.c_str(), "wb");
+  if (out == nullptr) throw OutputError(fmt::format("{}: cannot be made: {}", file.string(), last_error()));
+  const bool written = std::fwrite(content.data(), 1, content.size(), out) == content.size();
+  const int write_error = errno;
+  const bool closed = std::fclose(out) == 0;  // a full disk may show only here
+  if (written && closed) return;
+  const std::string reason = std::generic_category().message(written ? errno : write_error);
+  throw OutputError(fmt::format("{}: cannot be written: {}", file.string(), reason));
+}
+
 /// A file that no run of ours wrote, or an empty path: --force must not take it away.
 fs::path foreign_file(const fs::path& folder) {
   static const std::set<std::string> ours = {
-      "config.resolved.yaml", "curve.csv", "history.csv", "manifest.json", "path.csv", "path.obj", "path.vtp",
-      "result.json"};
+      "config.resolved.yaml", "curve.csv",   "history.csv", "journal.jsonl",
+      "manifest.json",        "path.csv",    "path.obj",    "path.vtp",
+      "report.html",          "result.json", "runs.csv",    "study.resolved.yaml",
+      "summary.json",         "traces.csv"};
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (ours.count(entry.path().filename().string()) == 0) return entry.path();
+    if (ours.count(without_temporary(entry.path().filename().string())) == 0) return entry.path();
   return {};
 }
 
@@ -91,15 +113,15 @@ OutputFolder::~OutputFolder() {
 }
 
 void OutputFolder::write(const std::string& name, const std::string& content) {
-  const fs::path file = temporary_ / name;
-  std::FILE* out = std::fopen(file.c_str(), "wb");
-  if (out == nullptr) throw OutputError(fmt::format("{}: cannot be made: {}", file.string(), last_error()));
-  const bool written = std::fwrite(content.data(), 1, content.size(), out) == content.size();
-  const int write_error = errno;
-  const bool closed = std::fclose(out) == 0;  // a full disk may show only here
-  if (written && closed) return;
-  const std::string reason = std::generic_category().message(written ? errno : write_error);
-  throw OutputError(fmt::format("{}: cannot be written: {}", (target_ / name).string(), reason));
+  write_file(temporary_ / name, content);
+}
+
+void write_whole_file(const fs::path& file, const std::string& content) {
+  const fs::path temporary = file.string() + std::string(kTemporary);
+  write_file(temporary, content);
+  std::error_code error;
+  fs::rename(temporary, file, error);
+  if (error) throw OutputError(fmt::format("{}: cannot be made: {}", file.string(), error.message()));
 }
 
 void OutputFolder::commit() {

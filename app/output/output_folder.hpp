@@ -25,6 +25,9 @@ class OutputRefused : public OutputError {
 /// when they may.
 std::string output_refusal(const std::filesystem::path& target, bool force);
 
+/// Writes a file that appears complete or not at all, in the place of one that is there. Throws OutputError.
+void write_whole_file(const std::filesystem::path& file, const std::string& content);
+
 /// A folder of results that appears complete or not at all: written beside its place under a temporary name, then
 /// renamed. What is there already is kept until that moment.
 class OutputFolder {

@@ -9,18 +9,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The configuration with every default. Relative files are renamed so that they work from the output folder.
+/// The configuration with every default.
 std::string resolved_config(const RunConfig& config, const fs::path& folder_of_config, const fs::path& output) {
-  const RenameFile rename = [&](const std::string& file) {
+  return "# Every option of this run, defaults included. `leastcost run` on this file repeats it.\n" +
+         resolved_yaml(config, from_output(folder_of_config, output));
+}
+
+}  // namespace
+
+RenameFile from_output(const fs::path& folder_of_config, const fs::path& output) {
+  return [folder_of_config, output](const std::string& file) {
     if (fs::path(file).is_absolute()) return file;
     const fs::path absolute = fs::weakly_canonical(fs::absolute(folder_of_config / file));
     return absolute.lexically_relative(output).string();
   };
-  return "# Every option of this run, defaults included. `leastcost run` on this file repeats it.\n" +
-         resolved_yaml(config, rename);
 }
-
-}  // namespace
 
 void write_results(const RunOutcome& outcome, const fs::path& folder_of_config, const ManifestFacts& facts,
                    OutputFolder& folder) {

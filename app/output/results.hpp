@@ -15,6 +15,9 @@ namespace leastcost::app {
 void write_results(const RunOutcome& outcome, const std::filesystem::path& folder_of_config, const ManifestFacts& facts,
                    OutputFolder& folder);
 
+/// What files of a configuration are called in one that lies in `output`: relative ones work from there.
+RenameFile from_output(const std::filesystem::path& folder_of_config, const std::filesystem::path& output);
+
 /// result.json.
 std::string result_json(const RunOutcome& outcome);
 

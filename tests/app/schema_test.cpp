@@ -9,7 +9,9 @@
 #include "app/config/describe.hpp"
 #include "app/config/scalars.hpp"
 #include "app/config/yaml_reader.hpp"
+#include "app/study/study_facts.hpp"
 #include "tests/app/config_text.hpp"
+#include "tests/app/study_text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
 
@@ -136,6 +138,24 @@ TEST_CASE("schema: draft 7, and every shipped configuration fits, also resolved"
     const app::LoadedConfig loaded = app::load_config(entry.path(), {});
     CHECK(validator.valid(to_json(loaded.tree)));
     CHECK(validator.valid(yaml(app::resolved_yaml(loaded.config))));
+  }
+}
+
+TEST_CASE("schema: every shipped study fits, also resolved; wrong studies do not") {
+  const Validator validator(Json::parse(app::json_schema()));
+  for (const auto& entry : std::filesystem::directory_iterator(project_dir() / "configs/studies")) {
+    if (entry.path().extension() != ".yaml") continue;
+    CAPTURE(entry.path());
+    CHECK(validator.valid(to_json(app::load_study(entry.path(), {}).tree)));
+    CHECK(validator.valid(yaml(app::resolved_study(app::load_grid(entry.path(), {}), project_dir()))));
+  }
+  CHECK(validator.valid(yaml(kStudy)));
+  CHECK(validator.valid(yaml(kStudy + "sweep: {path.cascade: [true]}\nskip: [{path.cascade: true, because: x}]\n")));
+  for (const char* wrong : {"nam: x\n", "kernels: [cubic]\n", "kernels: []\n", "seeds: [x]\n", "repetitions: 0\n",
+                            "sweep: {path.cascade: true}\n", "skip: [{solver: newton}]\n", "set: 3\n"}) {
+    CAPTURE(wrong);
+    CHECK_FALSE(validator.valid(yaml(kStudy + wrong)));
+    CHECK(study_errors(kStudy + wrong) != "");
   }
 }
 

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "app/study/study.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <set>
+#include <utility>
+
+#include "app/output/manifest.hpp"
+#include "app/output/output_folder.hpp"
+#include "app/study/isolation.hpp"
+#include "app/study/row_json.hpp"
+#include "app/study/study_facts.hpp"
+#include "app/study/study_files.hpp"
+
+namespace leastcost::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One repetition of one cell that is still to be run.
+struct Task {
+  const StudyCell* cell = nullptr;
+  long repetition = 0;
+};
+
+std::vector<Task> tasks_of(const StudyGrid& grid, const Shard& shard, const JournalContent& journal) {
+  std::set<std::pair<long, long>> done;
+  for (const CellResult& r : journal.results) done.insert({r.row.cell, r.row.repetition});
+  std::vector<Task> tasks;
+  for (const StudyCell& cell : grid.cells)
+    for (long repetition = 0; repetition < grid.config.repetitions; ++repetition)
+      if (shard.has(cell.number) && cell.skipped.empty() && done.count({cell.number, repetition}) == 0)
+        tasks.push_back({&cell, repetition});
+  return tasks;
+}
+
+/// What became of the process of a cell, as a result.
+CellResult result_of(const Task& task, IsolatedEnd end) {
+  using How = IsolatedEnd::How;
+  if (end.how == How::done) return from_json_line(end.text);
+  CellResult result{row_of(*task.cell, task.repetition), {}};
+  result.row.message = std::move(end.text);
+  switch (end.how) {
+    case How::timeout: result.row.outcome = outcome::kTimeout; break;
+    case How::memory: result.row.outcome = outcome::kMemory; break;
+    case How::crash: result.row.outcome = outcome::kCrash; break;
+    default: result.row.outcome = outcome::kError; break;
+  }
+  return result;
+}
+
+/// Whether a study was killed in this folder before it had a journal.
+bool barely_begun(const fs::path& folder) {
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    if (entry.path().stem() != "manifest" && entry.path().stem() != "manifest.json") return false;
+  return true;
+}
+
+/// Why the results of the request may not be put there; empty when they may.
+std::string refusal(const StudyRequest& request, const fs::path& folder) {
+  std::error_code error;
+  const bool holds_study = fs::exists(folder / "journal.jsonl", error);
+  if (request.resume && (holds_study || barely_begun(folder))) return "";
+  if (request.resume && fs::is_directory(folder, error))
+    return folder.string() + ": holds no study that could be resumed (no journal.jsonl)";
+  const std::string reason = output_refusal(folder, request.force);
+  return reason.empty() || !holds_study || request.force ? reason : reason + ", --resume goes on with the study in it";
+}
+
+/// A folder for a new study, or the one to go on in.
+fs::path prepare_folder(const StudyRequest& request, const StudyGrid& grid) {
+  std::error_code error;
+  fs::path folder = fs::weakly_canonical(fs::absolute(output_of(request, grid)), error);
+  if (!folder.has_filename()) folder = folder.parent_path();
+  if (error) throw OutputError(fmt::format("{}: {}", folder.string(), error.message()));
+  const std::string reason = refusal(request, folder);
+  if (!reason.empty()) throw OutputRefused(reason);
+  fs::create_directories(folder, error);
+  if (error) throw OutputError(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
+  return folder;
+}
+
+/// The folder of an earlier study or run, for a new one: everything in it is ours. The journal has been emptied.
+void clear(const fs::path& folder) {
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.path().filename() != "journal.jsonl" && entry.path().filename() != "manifest.json")
+      fs::remove(entry.path(), ignored);
+}
+
+std::vector<ManifestInput> inputs_of(const StudyGrid& grid, const StudyFacts& facts) {
+  std::vector<ManifestInput> inputs;
+  for (const fs::path& file : grid.inputs)
+    inputs.push_back({"configuration", fs::absolute(file).lexically_normal(), sha256_of_file(file)});
+  for (const auto& [file, hash] : facts.data)
+    inputs.push_back({"data", fs::absolute(grid.file.parent_path() / file).lexically_normal(), hash});
+  return inputs;
+}
+
+/// Runs the tasks; false when stopped.
+bool run_tasks(const StudyRequest& request, const StudyGrid& grid, const std::vector<Task>& tasks, Journal& journal,
+               JournalContent& content) {
+  StudyProgress progress{content.results.size(), content.results.size() + tasks.size(), nullptr};
+  const double limit = grid.config.max_seconds > 0 ? grid.config.max_seconds + grid.config.grace_seconds : 0;
+  IsolatedJobs jobs;
+  jobs.count = tasks.size();
+  jobs.parallel = request.parallel;
+  jobs.stop_requested = request.stop_requested;
+  jobs.job = [&](std::size_t i) {
+    const auto work = [&, i] {
+      journal.forget();
+      return to_json_line(request.run(*tasks[i].cell, tasks[i].repetition));
+    };
+    return IsolatedJob{work, limit, grid.config.max_memory};
+  };
+  jobs.ended = [&](std::size_t i, IsolatedEnd end) {
+    content.results.push_back(result_of(tasks[i], std::move(end)));
+    journal.append(content.results.back());
+    ++progress.finished;
+    progress.row = &content.results.back().row;
+    if (request.observe) request.observe(progress);
+  };
+  return run_isolated(jobs);
+}
+
+Journal open_journal(const StudyRequest& request, const StudyFacts& facts, StudyOutcome& outcome) {
+  const fs::path file = outcome.output / "journal.jsonl";
+  if (request.resume) return Journal::resume(file, facts, request.shard, outcome.journal);
+  Journal journal = Journal::create(file, facts, request.shard);
+  clear(outcome.output);
+  outcome.journal = {facts, request.shard, {}};
+  return journal;
+}
+
+}  // namespace
+
+fs::path output_of(const StudyRequest& request, const StudyGrid& grid) {
+  return request.output.empty() ? fs::path("results") / grid.name : request.output;
+}
+
+StudyOutcome run_study(const StudyRequest& request) {
+  ManifestFacts manifest;
+  manifest.kind = "study";
+  manifest.arguments = request.arguments;
+  manifest.started = std::chrono::system_clock::now();
+  const StudyGrid grid = load_grid(request.config_file, request.overrides);
+  const StudyFacts facts = facts_of(grid);
+  manifest.seed = facts.seed;
+  manifest.inputs = inputs_of(grid, facts);
+
+  StudyOutcome outcome;
+  outcome.output = prepare_folder(request, grid);
+  const auto write_manifest = [&] {
+    manifest.finished = std::chrono::system_clock::now();
+    write_whole_file(outcome.output / "manifest.json", manifest_json(manifest));
+  };
+  if (!fs::exists(outcome.output / "manifest.json")) write_manifest();  // from now on the folder is known as ours
+  Journal journal = open_journal(request, facts, outcome);
+  write_manifest();
+  write_whole_file(outcome.output / "study.resolved.yaml", resolved_study(grid, outcome.output));
+  const std::vector<Task> tasks = tasks_of(grid, request.shard, outcome.journal);
+  outcome.interrupted = !run_tasks(request, grid, tasks, journal, outcome.journal);
+  if (outcome.interrupted) return outcome;
+  write_manifest();
+  write_study_files(outcome.output, outcome.journal);
+  return outcome;
+}
+
+}  // namespace leastcost::app

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+
+// The commands study and merge inside the process: streams and exit codes; and what validate, describe and run say of studies.
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/cli/command_line.hpp"
+#include "tests/app/config_text.hpp"
+#include "tests/app/study_text.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/data.hpp"
+
+namespace leastcost::test {
+
+namespace fs = std::filesystem;
+using Catch::Contains;
+using Json = nlohmann::json;
+
+namespace {
+
+struct Called {
+  int exit;
+  std::string out, err;
+};
+
+Called call(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "leastcost");
+  std::ostringstream out, err;
+  const int exit = app::run_program(arguments, {out, err});
+  return {exit, out.str(), err.str()};
+}
+
+/// kStudy in a file.
+std::string study_in(const ScratchDir& dir, const std::string& more = "") {
+  std::ofstream(dir / "study.yaml") << kStudy << more;
+  return (dir / "study.yaml").string();
+}
+
+}  // namespace
+
+TEST_CASE("study command: a table on stdout, the files in the folder, exit 0") {
+  const ScratchDir dir;
+  const Called text = call({"study", study_in(dir), "-o", (dir / "a").string(), "-j", "2"});
+  CHECK(text.exit == 0);
+  CHECK(text.err == "");
+  CHECK_THAT(text.out, Contains("newton") && Contains("certified") && Contains("output: "));
+  CHECK(fs::exists(dir / "a/runs.csv"));
+  const Called json = call({"study", study_in(dir), "-o", (dir / "b").string(), "--format", "json"});
+  const Json summary = Json::parse(json.out);
+  CHECK(summary["runs"] == 8);
+  CHECK(summary["solvers"].size() == 2);
+  CHECK(summary["cells"].size() == 8);
+  CHECK(summary["output"] == (dir / "b").string());
+}
+
+TEST_CASE("study command: exit 7 when a part failed, with the reason on stderr") {
+  const ScratchDir dir;
+  const std::string study = study_in(dir);
+  const Called failed = call({"study", study, "-o", (dir / "a").string(), "--set", "solvers=[newton, georce]", "--set",
+                              "set.path={points: 8, ring: false}", "--set", "points=[8]", "--set",
+                              "problems.0.config.manifold={type: implicit, surface: sphere}", "--set",
+                              "problems.0.config.ends={source: {point: [1, 0, 0]}, target: {point: [0, 1, 0]}}"});
+  CHECK(failed.exit == 7);
+  CHECK_THAT(failed.err, Contains("cannot_solve: cell 1 (line, georce, expm1_square, 8 points): georce works in"));
+  CHECK_THAT(failed.out, Contains("failed: 1 of georce ended with cannot_solve"));
+}
+
+TEST_CASE("study command: a dry run prints the grid and makes nothing") {
+  const ScratchDir dir;
+  const std::string study = study_in(dir, "skip: [{solver: lbfgs, because: not today}]\n");
+  const Called text = call({"study", study, "-n", "-o", (dir / "a").string()});
+  CHECK(text.exit == 0);
+  CHECK_THAT(text.out, Contains("cell  problem, solver, kernel, points, seed") && Contains("(skipped: not today)") &&
+                           Contains("4 cells of 8 would be run, each 1 time, into"));
+  CHECK_FALSE(fs::exists(dir / "a"));
+  const Json grid = Json::parse(call({"study", study, "-n", "--shard", "1/2", "--format", "json"}).out);
+  CHECK(grid["cells"].size() == 4);
+  CHECK(grid["cells"][0]["points"] == "12");
+}
+
+TEST_CASE("study command: wrong usage is exit 2, a wrong study 3, none 4") {
+  const ScratchDir dir;
+  const std::string study = study_in(dir);
+  for (const char* shard : {"2/2", "1", "x/2", "0/0", "-1/2"}) {
+    const Called wrong = call({"study", study, "--shard", shard});
+    CHECK(wrong.exit == 2);
+    CHECK_THAT(wrong.err, Contains("must be i/N with i from 0 to N - 1"));
+  }
+  CHECK(call({"study", study, "-j", "0"}).exit == 2);
+  CHECK(call({"study", study, "--resume", "--force"}).exit == 2);
+  CHECK(call({"merge", "x"}).exit == 2);
+  CHECK(call({"study", study, "--timeout", "soon"}).exit == 3);
+  CHECK_THAT(call({"study", study, "--timeout", "soon"}).err, Contains("--timeout soon: error: 'max_seconds' must be"));
+  CHECK(call({"study", study, "--repetitions", "0"}).exit == 3);
+  CHECK(call({"study", (dir / "none.yaml").string()}).exit == 4);
+  CHECK(call({"merge", (dir / "none").string(), "-o", (dir / "m").string()}).exit == 4);
+  std::ofstream(dir / "run.yaml") << kPlane;
+  CHECK_THAT(call({"study", (dir / "run.yaml").string()}).err, Contains("missing key 'problems'"));
+  CHECK_THAT(call({"run", study}).err, Contains("'problems' makes this a study: leastcost study runs it"));
+}
+
+TEST_CASE("study command: what validate, describe and help say of studies") {
+  const ScratchDir dir;
+  const std::string study = study_in(dir);
+  CHECK(call({"validate", study}).out == study + ": valid\n");
+  const Called wrong = call({"validate", study_in(dir, "kernels: [cubic]\n")});
+  CHECK(wrong.exit == 3);
+  CHECK_THAT(wrong.err, Contains("study.yaml:15:11: error: unknown kernel 'cubic'"));
+  CHECK_THAT(call({"describe", "study"}).out,
+             Contains("repetitions") && Contains("block of options of a run with lists of values"));
+  CHECK_THAT(call({"study", "--help"}).out, Contains("sbatch --array") && Contains("parallel leastcost study"));
+}
+
+TEST_CASE("merge command: shards of a study as one, exit 7 while one is missing") {
+  const ScratchDir dir;
+  const std::string study = study_in(dir);
+  for (const char* shard : {"0", "1"})
+    CHECK(call({"study", study, "--shard", std::string(shard) + "/2", "-o", (dir / shard).string()}).exit == 0);
+  CHECK(call({"merge", (dir / "0").string(), (dir / "1").string(), "-o", (dir / "m").string()}).exit == 0);
+  CHECK(fs::exists(dir / "m/runs.csv"));
+  const Called part = call({"merge", (dir / "0").string(), "-o", (dir / "p").string(), "--format", "json"});
+  CHECK(part.exit == 7);
+  CHECK(Json::parse(part.out)["missing"].size() == 4);
+  CHECK(call({"merge", (dir / "0").string(), "-o", (dir / "m").string()}).exit == 2);  // not empty
+  CHECK(call({"merge", (dir / "0").string(), "-o", (dir / "m").string(), "--force"}).exit == 7);
+}
+
+}  // namespace leastcost::test
