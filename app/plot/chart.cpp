@@ -153,9 +153,10 @@ class Drawing {
       out += fmt::format("<path {} d=\"M{:.1f} {:.1f}V{:.1f}\" style=\"stroke-width:1\"/>", stroke_of(solid),
                          px(s.x[i]), py(s.low[i]), py(s.high[i]));
     }
-    const bool alone = s.x.size() == 1;
-    if (s.style.markers || alone)
-      for (std::size_t i = 0; i < s.x.size(); ++i)
+    const bool all = s.style.markers || s.x.size() == 1;
+    const std::size_t step = all ? 1 : s.marks > 0 ? std::max<std::size_t>(1, s.x.size() / (s.marks + 1)) : s.x.size();
+    if (all || s.marks > 0)
+      for (std::size_t i = all ? 0 : step; i < s.x.size(); i += step)
         if (visible(s.x[i], s.y[i])) out += marker(s.style, px(s.x[i]), py(s.y[i]), s.x.size() > 60 ? 2 : 3.2);
     return out + "\n";
   }
@@ -170,7 +171,7 @@ class Drawing {
         y = top_ + height_ + kBelow + 6 + static_cast<double>(k / per_row_) * kLegendRow;
       }
       if (s.style.line) out += fmt::format("<path {} d=\"M{:.1f} {:.1f}h{}\"/>", stroke_of(s.style), x, y, kSample);
-      if (s.style.markers) out += marker(s.style, x + kSample / 2, y);
+      if (s.style.markers || s.marks > 0) out += marker(s.style, x + kSample / 2, y);
       out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x + kSample + 6, y + 3.8, escaped(s.name));
     }
     return out;

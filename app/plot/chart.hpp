@@ -24,6 +24,7 @@ struct Series {
   LineStyle style = {};
   std::vector<double> low = {}, high = {};  ///< of vertical bars; empty: none
   bool steps = false;                       ///< y holds from one x to the next
+  std::size_t marks = 0;                    ///< with no markers in its style: so many of them, spread along the line
 };
 
 struct Axis {

@@ -18,12 +18,10 @@ std::string with_minus(std::string text) {
   return text;
 }
 
-/// 1, 2 or 5 times a power of ten, at least `least`.
-double round_step(double least) {
-  const double power = std::pow(10.0, std::floor(std::log10(least)));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (factor * power >= least * (1 - 1e-9)) return factor * power;
-  return 10 * power;
+/// 1, 2 or 5 times a power of ten, the nearest one.
+double round_step(double wanted) {
+  const double power = std::pow(10.0, std::floor(std::log10(wanted))), factor = wanted / power;
+  return power * (factor < 1.5 ? 1 : factor < 3.5 ? 2 : factor < 7.5 ? 5 : 10);
 }
 
 std::vector<Tick> linear_ticks(Range range, int wanted) {

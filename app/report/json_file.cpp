@@ -3,6 +3,7 @@
 #include "app/report/json_file.hpp"
 
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <sstream>
 
@@ -12,10 +13,10 @@ namespace leastcost::app {
 
 std::string text_of_file(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  if (!in || std::filesystem::is_directory(file) || !(text << in.rdbuf()))
-    throw InputError(file.string() + ": cannot be read");
-  return text.str();
+  if (!in || std::filesystem::is_directory(file)) throw InputError(file.string() + ": cannot be read");
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (in.bad()) throw InputError(file.string() + ": cannot be read to its end");
+  return text;
 }
 
 JsonFile::JsonFile(const std::filesystem::path& file) : name_(file.string()) {

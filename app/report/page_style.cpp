@@ -53,8 +53,9 @@ td:last-child,th:last-child{padding-right:0}
 td[title],th[title]{text-decoration:underline dotted var(--soft);text-underline-offset:3px;cursor:help}
 td.w{white-space:nowrap}
 td.good,td.bad{font-weight:600}
-.matrix{font-size:.8rem;line-height:1.25}.matrix td{white-space:pre-line;padding:.28rem .5rem;border-left:1px solid var(--rule);text-decoration:none;min-width:4.2rem}
-.matrix th{white-space:normal;padding:.28rem .5rem;font-size:.76rem}.matrix th:first-child,.matrix td:first-child{position:sticky;left:0;background:var(--paper);border-left:0;min-width:9rem;padding-left:0}
+.matrix{font-size:.74rem;line-height:1.25}.matrix td{white-space:pre;padding:.26rem .4rem;border-left:1px solid var(--rule);text-decoration:none}
+.matrix th{white-space:normal;padding:.26rem .4rem;font-size:.72rem;overflow-wrap:anywhere;min-width:3.4rem}
+.matrix th:first-child,.matrix td:first-child{position:sticky;left:0;background:var(--paper);border-left:0;padding-left:0;white-space:normal;min-width:8rem}
 .matrix td.good{background:color-mix(in srgb,var(--good) 9%,transparent);font-weight:400}.matrix td.bad{background:color-mix(in srgb,var(--bad) 14%,transparent);font-weight:400}
 .matrix td.other{background:color-mix(in srgb,var(--other) 12%,transparent)}.matrix td.mild{background:color-mix(in srgb,var(--mild) 12%,transparent)}
 details.sub{padding:.3rem 0;border-top:0}details.sub>summary{font-size:.95rem;margin:0}details.sub>summary::after{float:none;margin-left:.5rem}

@@ -105,16 +105,19 @@ Picture space_picture(const RunFiles& files) {
                     std::string(viewer_script()) + "</script>\n"};
 }
 
+bool holds_infinity(const Raster& raster) {
+  return std::any_of(raster.values.begin(), raster.values.end(), [](double value) { return std::isinf(value); });
+}
+
 }  // namespace
 
 Picture picture_of(const RunFiles& files) {
   if (files.scene.dimension == 3 && files.scene.lines.path.cols() > 0) return space_picture(files);
   if (files.scene.dimension == 2 && files.scene.lines.path.cols() > 0) {
-    const char* bands =
-        files.scene.cost
-            ? "Shading: cost per unit of length, mean over all directions, on a logarithmic scale; darker is dearer. "
-              "Hatched: not reachable."
-            : "";
+    std::string bands;
+    if (files.scene.cost)
+      bands = "Shading: cost per unit of length, mean over all directions, on a logarithmic scale; darker is dearer.";
+    if (files.scene.cost && holds_infinity(*files.scene.cost)) bands += " Hatched: not reachable.";
     return {"<figure>\n" + plane_svg(files) + legend_of(files, false) + caption_of(files, bands) + "</figure>\n", ""};
   }
   return {

@@ -18,7 +18,8 @@ namespace {
 /// As many digits as the bar leaves, and two more.
 std::string cost_text(double value, double bar) {
   if (!std::isfinite(value) || value == 0) return number_text(value);
-  if (!std::isfinite(bar) || bar <= 0) return fmt::format("{:.15g}", value);
+  if (!std::isfinite(bar)) return number_text(value, 9);
+  if (bar <= 0) return fmt::format("{:.15g}", value);
   const int before = static_cast<int>(std::floor(std::log10(std::abs(value))));
   const int decimals = 1 - static_cast<int>(std::floor(std::log10(bar)));
   return fmt::format("{:.{}g}", value, std::clamp(before + decimals + 1, 3, 15));
@@ -66,7 +67,7 @@ Headline headline_of(const JsonFile& result) {
     headline.verdict = status + ", " + result.text("scope");
     std::replace(headline.verdict.begin(), headline.verdict.end(), '_', ' ');
     headline.style = "good";
-  } else if (!result.flag("certificate.measured")) {
+  } else if (!result.flag("certificate.measured") && status != "collapsed") {
     headline.verdict += ", certificate not measured";
     headline.style = "mild";
   }

@@ -17,6 +17,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// A certified chain whose relative cost excess is larger is another minimum: the certificate allows 1e-10 on smooth domains, and 1e-6 on meshes.
 constexpr double kSameMinimum = 1e-5;
+constexpr double kRounding = 1e-9;  ///< of relative costs
 
 double or_nan(const std::optional<double>& value) { return value.value_or(std::nan("")); }
 
@@ -114,7 +115,7 @@ class Analysis {
     std::vector<double> seconds, evaluations;
     for (const RunRow* row : rows) {
       if (row->s_solve) seconds.push_back(*row->s_solve);
-      if (row->evaluations) evaluations.push_back(static_cast<double>(*row->evaluations));
+      if (row->evaluations) evaluations.push_back(work_of(*row->evaluations, row->iterations.value_or(0)));
       task.repetitions.push_back(descent_of(*row, best));
     }
     task.seconds = spread_of(std::move(seconds));
@@ -130,16 +131,35 @@ class Analysis {
     return task;
   }
 
+  /// The trace of a row, and at its end the delivered chain. A method with a functional of its own (georce) traces that: what lies below the energy that was
+  /// delivered cannot be an energy, and only the end counts.
   Descent descent_of(const RunRow& row, double best) const {
     Descent out;
+    const double delivered = or_nan(row.final_energy), slope = or_nan(row.energy_slope);
     const auto found = traces_.find({row.cell, row.repetition});
-    if (found == traces_.end()) return out;
-    for (const TraceRow* t : found->second) {
-      out.evaluations.push_back(static_cast<double>(t->evaluations));
-      out.seconds.push_back(t->seconds);
-      out.excess.push_back(excess(t->energy, best, row));
+    if (found != traces_.end()) {
+      const std::vector<const TraceRow*>& rows = found->second;
+      const bool own_functional = std::any_of(
+          rows.begin(), rows.end(), [&](const TraceRow* t) { return t->energy < delivered - kRounding * slope; });
+      for (const TraceRow* t : own_functional ? std::vector<const TraceRow*>() : rows)
+        add(out, work_of(t->evaluations, t->iteration), t->seconds, excess(t->energy, best, row));
     }
+    const double last = excess(delivered, best, row);
+    const bool reached = !out.excess.empty() && *std::min_element(out.excess.begin(), out.excess.end()) <= last;
+    if (std::isfinite(last) && !reached)
+      add(out, work_of(row.evaluations.value_or(0), row.iterations.value_or(0)), or_nan(row.s_solve), last);
     return out;
+  }
+
+  static void add(Descent& descent, double evaluations, double seconds, double excess) {
+    descent.evaluations.push_back(evaluations);
+    descent.seconds.push_back(seconds);
+    descent.excess.push_back(excess);
+  }
+
+  /// Evaluations of the whole path; an iteration is at least the work of one, also where a method evaluates something else.
+  static double work_of(long evaluations, long iterations) {
+    return static_cast<double>(std::max({evaluations, iterations, 1L}));
   }
 
   static Verdict verdict_of(const RunRow& row, double excess) {

@@ -24,6 +24,7 @@ Series steps_of(const std::string& name, const Profile& profile, double from, do
   }
   s.x.push_back(to);
   s.y.push_back(s.y.back());
+  s.marks = 3;
   return s;
 }
 
@@ -135,6 +136,7 @@ Series descent_series(const StudyAnalysis& study, const Group& group, std::size_
                       const std::vector<double>& excess) {
   constexpr double kZero = 1e-16, kTold = 1.15;
   Series series{study.solvers[s], {}, {}, {static_cast<int>(s)}};
+  series.marks = 2;
   if (group.tasks[s].verdict == Verdict::other_minimum) series.name += " (other minimum)";
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double y = std::max(excess[i], kZero);

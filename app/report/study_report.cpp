@@ -56,14 +56,14 @@ std::vector<KeyFigure> key_figures_of(const StudyAnalysis& study, const Counts& 
   const std::string fastest = most_often(study, Work::seconds, fastest_times),
                     fewest = most_often(study, Work::evaluations, fewest_times);
   const std::size_t groups = study.groups.size();
-  return {
-      {"problems", std::to_string(counts.problems), fmt::format("{} with all numbers of points and kernels", groups)},
-      {"solvers", std::to_string(study.solvers.size()), fmt::format("{} solves", counts.tasks)},
-      {"certified", std::to_string(counts[Verdict::certified]),
-       fmt::format("{} other minima, {} uncertified, {} failed", counts[Verdict::other_minimum],
-                   counts[Verdict::uncertified], counts[Verdict::failed])},
-      {"fastest", fastest, fmt::format("in {} of {}, to 1e-10", fastest_times, groups)},
-      {"fewest evaluations", fewest, fmt::format("in {} of {}, to 1e-10", fewest_times, groups)}};
+  return {{"problems", std::to_string(counts.problems),
+           groups == counts.problems ? "" : fmt::format("{} with all that varies", groups)},
+          {"solvers", std::to_string(study.solvers.size()), fmt::format("{} solves", counts.tasks)},
+          {"certified", std::to_string(counts[Verdict::certified]),
+           fmt::format("{} other minima, {} uncertified, {} failed", counts[Verdict::other_minimum],
+                       counts[Verdict::uncertified], counts[Verdict::failed])},
+          {"fastest", fastest, fmt::format("in {} of {}, to 1e-10", fastest_times, groups)},
+          {"fewest evaluations", fewest, fmt::format("in {} of {}, to 1e-10", fewest_times, groups)}};
 }
 
 Headline headline_of(const std::string& name, const StudyAnalysis& study, const Counts& counts) {

@@ -97,13 +97,13 @@ std::string solver_table(const StudyAnalysis& study) {
   Table table{{{"solver"},
                {"solved", true, "came within 1e-10 of the cost of the best chain that any solver found"},
                {"certified", true},
-               {"other minimum", true, "certified, but a locally least-cost path that costs more"},
+               {"other min.", true, "certified, but a locally least-cost path that costs more"},
                {"uncertified", true},
                {"failed", true},
                {"fastest", true, "number of problems which it solved in the least time"},
-               {"fewest evaluations", true, "number of problems which it solved with the fewest evaluations"},
+               {"fewest eval.", true, "number of problems which it solved with the fewest evaluations"},
                {"median time", true, "of its solves, whatever came out"},
-               {"median evaluations", true, "energies and gradients of its solves"}},
+               {"median eval.", true, "energies and gradients of its solves"}},
               {},
               ""};
   for (std::size_t s = 0; s < study.solvers.size(); ++s) {

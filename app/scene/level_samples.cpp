@@ -128,7 +128,7 @@ LevelSamples::Net LevelSamples::net() const {
 LevelRegion level_region(const ConstraintFunction& function, const Surroundings& path) {
   constexpr int kCoarse = 28;
   const Surroundings near = path.enlarged(0.45);
-  for (const double growth : {1.0, 2.0, 4.0}) {
+  for (const double growth : {1.0, 2.0, 4.0, 8.0}) {
     const Eigen::VectorXd half = growth * near.extent() / 2;
     // Towards a cube: a path around a closed surface may be flat.
     const Eigen::VectorXd reach = half.cwiseMax(0.6 * half.maxCoeff());

@@ -147,7 +147,8 @@ Scene make_scene(const Problem& problem, const Result& result, std::span<const F
   scene.lines.path = path_line(problem, result);
   scene.lines.first = chart_line(problem, result.first.path);
   for (const FamilyMember& member : others) scene.lines.others.push_back(path_line(member.problem, member.result));
-  const Points drawn = side_by_side(scene.lines.path, scene.lines.first);
+  Points drawn = side_by_side(scene.lines.path, scene.lines.first);
+  for (const Points& other : scene.lines.others) drawn = side_by_side(drawn, other);
   const Surroundings box = around(drawn);
   if (box.lower.allFinite() && box.extent().maxCoeff() > 0) draw_domain(problem, result, drawn, scene);
   return scene;

@@ -47,7 +47,7 @@ async function faults(file, viewer) {
   }
   const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
   if (wide > 1) found.push(`the page is ${wide} px wider than the window`);
-  await page.evaluate(() => document.querySelectorAll("details").forEach((part) => { part.open = true; }));
+  await page.evaluate(() => document.querySelectorAll("details:not(.sub)").forEach((part) => { part.open = true; }));
   await page.screenshot({ path: join(screenshots, `${basename(dirname(resolve(file)))}.png`), fullPage: true });
   await page.setViewportSize({ width: 400, height: 800 });
   const narrow = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <set>
+
+#include "app/plot/chart.hpp"
+#include "app/plot/contour.hpp"
+#include "app/plot/scale.hpp"
+#include "app/plot/text.hpp"
+#include "tests/support/catch.hpp"
+
+namespace leastcost::test {
+
+using namespace app;
+using Catch::Contains;
+
+namespace {
+
+std::vector<double> places(const std::vector<Tick>& ticks, bool labelled = false) {
+  std::vector<double> out;
+  for (const Tick& t : ticks)
+    if (!labelled || !t.label.empty()) out.push_back(t.at);
+  return out;
+}
+
+/// Area of all polygons of path data with absolute M, L, H, V and Z, by the shoelace formula.
+double area_of(const std::string& d) {
+  double area = 0, x = 0, y = 0, start_x = 0, start_y = 0;
+  const char* at = d.c_str();
+  const auto number = [&] {
+    char* end = nullptr;
+    const double value = std::strtod(at, &end);
+    at = end;
+    return value;
+  };
+  const auto to = [&](double to_x, double to_y) {
+    area += (x * to_y - to_x * y) / 2;
+    x = to_x, y = to_y;
+  };
+  while (*at != '\0') {
+    const char command = *at++;
+    if (command == 'M') {
+      x = start_x = number();
+      y = start_y = number();
+    } else if (command == 'L') {
+      const double to_x = number();
+      to(to_x, number());
+    } else if (command == 'H') {
+      to(number(), y);
+    } else if (command == 'V') {
+      to(x, number());
+    } else {
+      REQUIRE(command == 'Z');
+      to(start_x, start_y);
+    }
+  }
+  return area;
+}
+
+}  // namespace
+
+TEST_CASE("plot: what ends an element or an attribute is escaped") {
+  CHECK(escaped("a<b> & \"c\" 'd'") == "a&lt;b&gt; &amp; &quot;c&quot; &#39;d&#39;");
+  CHECK(escaped("</script><script>alert(1)</script>") == "&lt;/script&gt;&lt;script&gt;alert(1)&lt;/script&gt;");
+  CHECK(escaped("Möbius, 10⁻¹², 𝒮\n\t") == "Möbius, 10⁻¹², 𝒮\n\t");
+}
+
+TEST_CASE("plot: what is no text becomes the replacement character") {
+  const std::string r = "\xEF\xBF\xBD";
+  CHECK(escaped(std::string("a\0b", 3)) == "a" + r + "b");
+  CHECK(escaped("\x1b[31m") == r + "[31m");
+  CHECK(escaped("\xff\xfe") == r + r);
+  CHECK(escaped("\xc0\xbc") == r + r);          // an overlong form of <
+  CHECK(escaped("\xe0\x80\xbc") == r + r + r);  // another one
+  CHECK(escaped("\xed\xa0\x80") == r + r + r);  // half of a surrogate pair
+  CHECK(escaped("end \xe2\x82") == "end " + r + r);
+}
+
+TEST_CASE("plot: numbers for people") {
+  CHECK(number_text(0) == "0");
+  CHECK(number_text(1234.5678, 6) == "1234.57");
+  CHECK(number_text(0.05, 2) == "0.050");
+  CHECK(number_text(1.149e-30) == "1.15 × 10⁻³⁰");
+  CHECK(number_text(-2e7, 1) == "−2 × 10⁷");
+  CHECK(number_text(9.996e-4, 3) == "0.00100");  // rounding carries
+  CHECK(number_text(std::nan("")) == "n/a");
+  CHECK(number_text(-1.0 / 0.0) == "−∞");
+}
+
+TEST_CASE("plot: linear ticks are round, and within the range") {
+  CHECK(places(ticks(ScaleKind::linear, {0, 10}, 5)) == std::vector<double>{0, 2, 4, 6, 8, 10});
+  const std::vector<Tick> fine = ticks(ScaleKind::linear, {-0.12, 0.31}, 4);
+  REQUIRE(fine.size() == 5);
+  CHECK(fine[0].label == "−0.1");
+  CHECK(fine[1].label == "0.0");
+  CHECK(fine[4].label == "0.3");
+  const std::vector<Tick> tiny = ticks(ScaleKind::linear, {-1.1e-4, 1.3e-4}, 4);
+  CHECK(tiny.front().label == "−1.0·10⁻⁴");
+  const auto [least, largest] = GENERATE(table<double, double>({{0, 1}, {-3e5, 7e6}, {1e-9, 3e-9}, {0.9999, 1.0001}}));
+  for (const Tick& t : ticks(ScaleKind::linear, {least, largest}, 5)) {
+    CHECK(t.at >= least - 1e-9 * (largest - least));
+    CHECK(t.at <= largest + 1e-9 * (largest - least));
+  }
+  CHECK(ticks(ScaleKind::linear, {least, largest}, 5).size() >= 2);
+}
+
+TEST_CASE("plot: logarithmic ticks") {
+  CHECK(places(ticks(ScaleKind::log, {1, 1e4}, 6)) == std::vector<double>{1, 10, 100, 1e3, 1e4});
+  CHECK(places(ticks(ScaleKind::log, {20, 200}, 6)) == std::vector<double>{20, 50, 100, 200});
+  const std::vector<Tick> wide = ticks(ScaleKind::log, {1e-30, 1}, 4);
+  const std::vector<double> labelled = places(wide, true);
+  CHECK(labelled.size() == 4);
+  CHECK(labelled[0] == Approx(1e-30));
+  CHECK(wide.back().label == "10⁰");
+}
+
+TEST_CASE("plot: ranges leave out what a scale cannot show") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Range log = range_of({0, -1, std::nan(""), infinity, 1e-3, 10}, ScaleKind::log);
+  CHECK(log.least > 0);
+  CHECK(log.least < 1e-3);
+  CHECK(log.largest > 10);
+  const Range same = range_of({5, 5}, ScaleKind::linear);
+  CHECK(same.least < 5);
+  CHECK(same.largest > 5);
+  const Range none = range_of({}, ScaleKind::linear);
+  CHECK(none.least < none.largest);
+  CHECK(position_in(ScaleKind::log, {1, 100}, 10) == Approx(0.5));
+  CHECK(std::isnan(position_in(ScaleKind::log, {1, 100}, 0)));
+}
+
+TEST_CASE("plot: a chart says what it is, and leaves gaps where there is no value") {
+  Chart chart;
+  chart.title = "a < b";
+  chart.description = "one & two";
+  chart.x = {"x"};
+  chart.y = {"y", ScaleKind::log};
+  chart.series = {{"s<1>", {1, 2, 3, 4}, {1, 0, 10, 100}, {0, true, true}}};
+  const std::string text = svg(chart, true);
+  CHECK_THAT(text, Contains("<title>a &lt; b</title>") && Contains("<desc>one &amp; two</desc>") &&
+                       Contains("s&lt;1&gt;") && Contains("<style>"));
+  const std::string line = text.substr(text.find("<path class=\"s s0\" d=\""));
+  const std::string d = line.substr(0, line.find("/>"));
+  CHECK(std::count(d.begin(), d.end(), 'M') == 2);  // before and after the zero
+  CHECK(text.find("nan") == std::string::npos);
+  CHECK(text.find("inf") == std::string::npos);
+}
+
+TEST_CASE("plot: seven colours, then dashes; shapes differ as well") {
+  CHECK(stroke_of({0}) == "class=\"s s0\"");
+  CHECK_THAT(stroke_of({7}), Contains("s s0") && Contains("stroke-dasharray"));
+  std::set<std::string> looks;
+  for (int k = 0; k < 28; ++k) looks.insert(stroke_of({k}) + marker({k}, 0, 0));
+  CHECK(looks.size() == 28);
+}
+
+TEST_CASE("plot: the region above a level") {
+  const auto same = [](double v) { return 10 * v; };
+  Grid grid{5, 4, {}};
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 5; ++i) grid.values.push_back(i);
+  // f = x on [0, 4] x [0, 3]: above 1.5 lies 2.5 x 3, in units of the drawing 100 times as much.
+  CHECK(std::abs(area_of(region_above(grid, 1.5, same, same))) == Approx(750));
+  CHECK(std::abs(area_of(region_above(grid, -1, same, same))) == Approx(1200));
+  CHECK(region_above(grid, 9, same, same).empty());
+  for (int j = 0; j < 4; ++j) grid.values[static_cast<std::size_t>(5 * j)] = std::numeric_limits<double>::infinity();
+  CHECK(std::abs(area_of(region_infinite(grid, same, same))) == Approx(300));
+  CHECK(region_above(grid, 2.5, same, same).find("nan") == std::string::npos);
+}
+
+}  // namespace leastcost::test
