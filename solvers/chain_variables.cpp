@@ -4,12 +4,14 @@
 
 #include <Eigen/SVD>
 #include <algorithm>
+#include <cmath>
 
 #include "solvers/free_move.hpp"
 
 namespace leastcost {
 namespace {
 
+constexpr double kFirstMove = 0.1;    ///< of a segment
 constexpr double kDifference = 6e-6;  ///< of the extent: rounding and truncation of a central difference balance
 
 double extent(const Points& u) { return (u.rowwise().maxCoeff() - u.rowwise().minCoeff()).norm(); }
@@ -20,12 +22,25 @@ bool ChainVariables::centre(const CoordinatePath& path) {
   base_ = path;
   if (!model_.evaluate(energy_, base_)) return false;
   model_.solve(energy_, base_, HessianKind::gauss_newton);
+  if (scale_ == 0) scale_ = first_scale();
   return true;
+}
+
+double ChainVariables::first_scale() const {
+  const Index columns = base_.u.cols();
+  const double segment = (base_.u.rightCols(columns - 1) - base_.u.leftCols(columns - 1)).colwise().norm().mean();
+  const Index k = energy_.problem().manifold->dimensions().tangent;
+  const double longest = model_.tangent.reshaped(k, base_.free_count()).colwise().norm().maxCoeff();
+  const double scale = std::sqrt(kFirstMove * segment / longest);  // a step -S g in z is one of -S^2 g
+  return std::isfinite(scale) && scale > 0 ? scale : 1;
 }
 
 Points ChainVariables::steps(const Eigen::VectorXd& z) const {
   Eigen::VectorXd t = z;
-  if (scaling_ == Scaling::chain) model_.system.solve_upper(t);
+  if (scaling_ == Scaling::chain)
+    model_.system.solve_upper(t);
+  else
+    t *= scale_;
   Points step;
   energy_.from_tangent(model_.frames, t, step);
   return step;
@@ -38,7 +53,10 @@ bool ChainVariables::path_at(const Eigen::VectorXd& z, CoordinatePath& path) {
 
 void ChainVariables::pull_back(const Eigen::VectorXd& z, const Points& path_gradient, Eigen::VectorXd& gradient) {
   to_tangent(z, path_gradient, gradient);
-  if (scaling_ == Scaling::chain) model_.system.solve_lower(gradient);
+  if (scaling_ == Scaling::chain)
+    model_.system.solve_lower(gradient);
+  else
+    gradient *= scale_;
 }
 
 /// T' dR' g. In a flat space or a chart dR is the identity, on a polyhedron the frames at x0 stand for those of the piece; elsewhere dR by central

@@ -8,10 +8,11 @@ namespace leastcost {
 
 /// Unconstrained variables z around a path x0, for minimisers that know only a vector, a value and a gradient:
 ///
-///     x(z) = R(x0, T L^-T z),
+///     x(z) = R(x0, T S z),
 ///
-/// with the tangent frames T at x0, the domain's own retraction R, and for `chain` the Cholesky factor L of the Gauss-Newton chain Hessian there
-/// (NUMERICS Sec. 3: the energy is then about |z|^2 / 2 around its minimum, at every n), for `none` the identity. Directions that a bound blocks are
+/// with the tangent frames T at x0, the domain's own retraction R, and for `chain` S = L^-T, L the Cholesky factor of the Gauss-Newton chain Hessian there
+/// (NUMERICS Sec. 3: the energy is then about |z|^2 / 2 around its minimum, at every n), for `none` S a number, one for all rounds, that makes the
+/// first gradient a move of a tenth of a segment: back ends try a step of that size first. Directions that a bound blocks are
 /// left out of T: the variables are the free set of x0. Where a move goes beyond a bound that is not among them, there is no x(z).
 class ChainVariables {
  public:
@@ -24,6 +25,8 @@ class ChainVariables {
   const CoordinatePath& base() const { return base_; }
   const ChainModel& model() const { return model_; }  ///< at the centre, solved with the Gauss-Newton Hessian
   Index size() const { return model_.tangent.size(); }
+  /// S for `none`.
+  double scale() const { return scale_; }
 
   /// x(z), or the nearest feasible path; whether it is x(z) itself.
   bool path_at(const Eigen::VectorXd& z, CoordinatePath& path);
@@ -34,6 +37,7 @@ class ChainVariables {
   double turned(const CoordinatePath& path) const;
 
  private:
+  double first_scale() const;
   Points steps(const Eigen::VectorXd& z) const;
   void to_tangent(const Eigen::VectorXd& z, const Points& path_gradient, Eigen::VectorXd& gradient);
 
@@ -41,6 +45,7 @@ class ChainVariables {
   Scaling scaling_;
   CoordinatePath base_, plus_, minus_;
   ChainModel model_;
+  double scale_ = 0;  ///< S for `none`
 };
 
 }  // namespace leastcost

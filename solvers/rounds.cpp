@@ -17,6 +17,8 @@ namespace leastcost {
 namespace {
 
 constexpr double kMostTurned = 0.5;  ///< cosine of 60 degrees
+constexpr double kFloor = 10;        ///< rounding slacks left to gain when rounding has ended a solve
+constexpr double kPlainFloor = 1e4;  ///< the same where a step gains less than that by the condition number
 constexpr double kTiny = std::numeric_limits<double>::min();
 constexpr int kPatience = 2;  ///< rounds in a row without a lower energy
 constexpr int kIdle = 100;    ///< evaluations in a row without one, for one direction; then the round is over
@@ -58,7 +60,7 @@ class Rounds final : public RoundObjective {
   double typical_step() const override {
     const ChainModel& model = variables_.model();
     // With the chain z is -L^-1 g at the minimum of the model, of squared length g' H^-1 g.
-    const double size = chain_ ? std::sqrt(model.decrement) : model.step.norm();
+    const double size = chain_ ? std::sqrt(model.decrement) : model.step.norm() / variables_.scale();
     const double step = size / std::sqrt(static_cast<double>(model.step.size()));
     return step > 0 && std::isfinite(step) ? step : 1;
   }
@@ -155,7 +157,8 @@ class Rounds final : public RoundObjective {
   }
 
   SolveReport stuck() {
-    if (variables_.model().decrement / 2 <= 10 * rounding_slack(best_value_, path_.segment_count()))
+    const double gain = variables_.model().decrement / 2;  // that is left, by the chain's model
+    if (gain <= (chain_ ? kFloor : kPlainFloor) * rounding_slack(best_value_, path_.segment_count()))
       return finish(Termination::round_off);
     if (words_.empty()) words_ = "two rounds in a row have not lowered the energy";
     return finish(Termination::line_search_failed);

@@ -128,7 +128,7 @@ class GridBuilder {
     const ConfigEntry* entry = tree.find("solver");
     if (entry == nullptr) return "";
     const ConfigEntry* type = entry->value.find("type");
-    const std::string word = type != nullptr ? type->value.text : entry->value.text;
+    std::string word = type != nullptr ? type->value.text : entry->value.text;
     const PluginEntry* plugin = find_plugin(kind("solver"), word);
     if (plugin == nullptr || plugin->missing.empty()) return "";
     skipped = fmt::format("solver {} is not part of this build: {}", in_quotes(word), plugin->missing);

@@ -8,7 +8,7 @@
 
 namespace leastcost::app {
 
-/// What became of one repetition of one cell of a study. Everything but `ok` is a failure of that cell, not of a path.
+/// What became of one repetition of one cell of a study. `cannot_solve` is an answer; all others but `ok` are failures of the study.
 namespace outcome {
 inline constexpr const char* kOk = "ok";  ///< a path came back, certified or not
 inline constexpr const char* kConfigurationError = "configuration_error";

@@ -83,6 +83,7 @@ Json cell_json(const std::vector<const RunRow*>& rows, const std::vector<std::st
 Json solver_json(const SolverCount& s) {
   return {{"solver", s.solver},
           {"runs", s.runs()},
+          {"refused", s.refused()},
           {"failed", s.failed()},
           {"outcomes", s.outcomes},
           {"statuses", s.statuses},
@@ -105,7 +106,8 @@ Json skipped_json(const StudyFacts& facts) {
 }  // namespace
 
 long SolverCount::runs() const { return total(outcomes); }
-long SolverCount::failed() const { return runs() - count_of(outcomes, outcome::kOk); }
+long SolverCount::refused() const { return count_of(outcomes, outcome::kCannotSolve); }
+long SolverCount::failed() const { return runs() - refused() - count_of(outcomes, outcome::kOk); }
 
 Spread spread_of(std::vector<double> values) {
   if (values.empty()) return {};
@@ -170,18 +172,18 @@ std::string summary_text(const StudySummary& summary) {
   std::size_t width = 6;
   for (const SolverCount& s : summary.solvers) width = std::max(width, s.solver.size());
   std::string out =
-      fmt::format("{:<{}}  {:>6} {:>9} {:>11} {:>9} {:>11} {:>6}  {:>12} {:>9}\n", "solver", width, "runs", "certified",
-                  "uncertified", "collapsed", "interrupted", "failed", "evaluations", "solve");
+      fmt::format("{:<{}} {:>6} {:>10} {:>12} {:>10} {:>12} {:>8} {:>7} {:>12} {:>10}\n", "solver", width, "runs",
+                  "certified", "uncertified", "collapsed", "interrupted", "refused", "failed", "evaluations", "solve");
   for (const SolverCount& s : summary.solvers) {
-    out += fmt::format("{:<{}}  {:>6} {:>9} {:>11} {:>9} {:>11} {:>6}", s.solver, width, s.runs(),
+    out += fmt::format("{:<{}} {:>6} {:>10} {:>12} {:>10} {:>12} {:>8} {:>7}", s.solver, width, s.runs(),
                        count_of(s.statuses, "certified"), count_of(s.statuses, "uncertified"),
-                       count_of(s.statuses, "collapsed"), count_of(s.statuses, "interrupted"), s.failed());
-    if (s.seconds.count > 0) out += fmt::format("  {:>12.6g} {:>7.2g} s", s.evaluations.median, s.seconds.median);
+                       count_of(s.statuses, "collapsed"), count_of(s.statuses, "interrupted"), s.refused(), s.failed());
+    if (s.seconds.count > 0) out += fmt::format(" {:>12.6g} {:>8.2g} s", s.evaluations.median, s.seconds.median);
     out += '\n';
   }
   for (const SolverCount& s : summary.solvers)
     for (const auto& [name, count] : s.outcomes)
-      if (name != outcome::kOk) out += fmt::format("failed: {} of {} ended with {}\n", count, s.solver, name);
+      if (name != outcome::kOk) out += fmt::format("{}: {} of {}\n", name, count, s.solver);
   for (const auto& [reason, count] : summary.skipped)
     out += fmt::format("skipped: {} cell{}: {}\n", count, count == 1 ? "" : "s", reason);
   constexpr std::size_t kShown = 10;

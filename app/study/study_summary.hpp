@@ -25,7 +25,8 @@ struct SolverCount {
   std::map<std::string, long> statuses;  ///< of those that are ok
   Spread seconds, evaluations;           ///< of the solves that are ok
   long runs() const;
-  long failed() const;
+  long refused() const;  ///< the solver said beforehand that it cannot: an answer
+  long failed() const;   ///< neither a path nor such an answer
 };
 
 struct StudySummary {

@@ -54,16 +54,25 @@ TEST_CASE("study command: a table on stdout, the files in the folder, exit 0") {
   CHECK(summary["output"] == (dir / "b").string());
 }
 
-TEST_CASE("study command: exit 7 when a part failed, with the reason on stderr") {
+TEST_CASE("study command: exit 7 when a part failed, with the reason on stderr; a refusal is an answer") {
   const ScratchDir dir;
   const std::string study = study_in(dir);
-  const Called failed = call({"study", study, "-o", (dir / "a").string(), "--set", "solvers=[newton, georce]", "--set",
-                              "set.path={points: 8, ring: false}", "--set", "points=[8]", "--set",
-                              "problems.0.config.manifold={type: implicit, surface: sphere}", "--set",
-                              "problems.0.config.ends={source: {point: [1, 0, 0]}, target: {point: [0, 1, 0]}}"});
+  const Called failed =
+      call({"study", study, "-o", (dir / "a").string(), "--set", "points=[8]", "--set",
+            "problems.1.config.manifold={type: mesh, file: nowhere.obj}", "--set",
+            "problems.1.config.ends={source: {vertex: 0}, target: {vertex: 1}}", "--set", "set.cost=euclidean"});
   CHECK(failed.exit == 7);
-  CHECK_THAT(failed.err, Contains("cannot_solve: cell 1 (line, georce, expm1_square, 8 points): georce works in"));
-  CHECK_THAT(failed.out, Contains("failed: 1 of georce ended with cannot_solve"));
+  CHECK_THAT(failed.err,
+             Contains("input_error: cell 2 (chute, newton, expm1_square, 8 points)") && Contains("nowhere.obj"));
+  CHECK_THAT(failed.out, Contains("input_error: 1 of newton"));
+
+  const Called refused =
+      call({"study", study, "-o", (dir / "b").string(), "--set", "solvers=[georce]", "--set",
+            "problems.1.config.manifold={type: implicit, surface: sphere}", "--set", "problems.1.config.cost=euclidean",
+            "--set", "problems.1.config.ends={source: {point: [1, 0, 0]}, target: {point: [0, 1, 0]}}"});
+  CHECK(refused.exit == 0);
+  CHECK_THAT(refused.out, Contains("cannot_solve: 2 of georce"));
+  CHECK_THAT(content(dir / "b/runs.csv"), Contains("georce works in a chart"));
 }
 
 TEST_CASE("study command: a dry run prints the grid and makes nothing") {
