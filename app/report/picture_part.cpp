@@ -18,6 +18,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::size_t kDrawnTriangles = 3600;  ///< of the still picture
+constexpr std::size_t kLookTriangles = 1200;   ///< enough to choose a side from which to look
 
 Points ends_of(const RunFiles& files) {
   if (files.result.flag("ring") || files.points.cols() == 0) return Points(files.points.rows(), 0);
@@ -71,9 +72,9 @@ std::string viewer_data(const RunFiles& files, const SpaceView& view) {
   return safe;
 }
 
-/// For choosing a side from which to look at a cloud, some thousand points are enough.
+/// For choosing a side from which to look at a cloud, a thousand points are enough.
 TriangleSoup few_squares(const Surfels& surfels) {
-  const std::size_t step = surfels.positions.size() / 2000 + 1;
+  const std::size_t step = surfels.positions.size() / 1000 + 1;
   Surfels few;
   for (std::size_t i = 0; i < surfels.positions.size(); i += step) {
     few.positions.push_back(surfels.positions[i]);
@@ -87,7 +88,8 @@ Picture space_picture(const RunFiles& files) {
   const Scene& scene = files.scene;
   const TriangleSoup coarse = thinned(scene.surface, Points(3, 0), kDrawnTriangles);
   const SpaceView view =
-      choose_view(coarse.triangles.empty() ? few_squares(scene.surfels) : coarse, scene.lines.path, scene.up);
+      choose_view(coarse.triangles.empty() ? few_squares(scene.surfels) : thinned(coarse, Points(3, 0), kLookTriangles),
+                  scene.lines.path, scene.up);
   const std::string still = space_svg(scene, coarse, files.points, ends_of(files), view);
   const bool viewer = !viewer_script().empty();
   std::string part = "<figure>\n<div class=\"stage\" id=\"stage\">" + still + "</div>\n";

@@ -95,7 +95,7 @@ TriangleSoup squares(const Surfels& surfels) {
 }
 
 SpaceView choose_view(const TriangleSoup& surface, const Points& path, const Eigen::Vector3d& up) {
-  constexpr int kAround = 16, kPixels = 110;
+  constexpr int kAround = 14, kPixels = 96;
   const Eigen::Vector3d any = std::abs(up[0]) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
   const Eigen::Vector3d e1 = (any - any.dot(up) * up).normalized(), e2 = up.cross(e1);
   const Eigen::Vector3d extent = path.rowwise().maxCoeff() - path.rowwise().minCoeff();
@@ -103,7 +103,7 @@ SpaceView choose_view(const TriangleSoup& surface, const Points& path, const Eig
   const Index step = std::max<Index>(1, path.cols() / 80);
   SpaceView best;
   double best_score = -1;
-  for (const double elevation : {28.0, 50.0, 8.0, 72.0}) {
+  for (const double elevation : {28.0, 50.0, 8.0}) {
     for (int k = 0; k < kAround; ++k) {
       const double turn = 2 * std::numbers::pi * (k + 0.3) / kAround, rise = elevation * std::numbers::pi / 180;
       const SpaceView view =
