@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -18,6 +19,17 @@ SpaceView view_from(const Eigen::Vector3d& direction, const Eigen::Vector3d& up)
   view.axes.row(1) = direction.cross(right);
   view.axes.row(2) = direction;
   return view;
+}
+
+/// From the middle of the surface to that of the path, in sizes of the surface.
+Eigen::Vector3d lean(const TriangleSoup& surface, const Points& path) {
+  if (surface.vertices.empty()) return Eigen::Vector3d::Zero();
+  Eigen::Vector3d lower = surface.vertices[0], upper = lower;
+  for (const Eigen::Vector3d& x : surface.vertices) {
+    lower = lower.cwiseMin(x);
+    upper = upper.cwiseMax(x);
+  }
+  return (path.rowwise().mean() - (lower + upper) / 2) / std::max((upper - lower).norm(), 1e-300);
 }
 
 /// Diagonal of the path's picture; how large it is seen.
@@ -101,9 +113,12 @@ SpaceView choose_view(const TriangleSoup& surface, const Points& path, const Eig
   const Eigen::Vector3d extent = path.rowwise().maxCoeff() - path.rowwise().minCoeff();
   const double size = std::max(extent.norm(), 1e-300);
   const Index step = std::max<Index>(1, path.cols() / 80);
+  const Eigen::Vector3d towards_path = lean(surface, path);
   SpaceView best;
-  double best_score = -1;
-  for (const double elevation : {28.0, 50.0, 8.0}) {
+  double best_score = -1e300;
+  // Degrees above the horizon, and how much they are liked.
+  constexpr std::array<std::array<double, 2>, 3> kElevations = {{{28, 0.06}, {50, 0.03}, {8, 0}}};
+  for (const auto& [elevation, liking] : kElevations) {
     for (int k = 0; k < kAround; ++k) {
       const double turn = 2 * std::numbers::pi * (k + 0.3) / kAround, rise = elevation * std::numbers::pi / 180;
       const SpaceView view =
@@ -111,11 +126,9 @@ SpaceView choose_view(const TriangleSoup& surface, const Points& path, const Eig
       const DepthMap depths(surface, view, kPixels);
       double seen = 0, all = 0;
       for (Index i = 0; i < path.cols(); i += step, ++all) seen += depths.sees(path.col(i)) ? 1 : 0;
-      // What is seen counts most, then how large; a glance from the usual height is a little better than others.
-      const double score = seen / all + 0.5 * size_seen(view, path) / size +
-                           (elevation == 28   ? 0.06
-                            : elevation == 50 ? 0.03
-                                              : 0);
+      // What is seen counts most, then how large, and from which side of the surface.
+      const double score =
+          seen / all + 0.5 * size_seen(view, path) / size + 0.8 * towards_path.dot(view.direction()) + liking;
       if (score <= best_score) continue;
       best_score = score;
       best = view;

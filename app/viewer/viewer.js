@@ -21,8 +21,8 @@ const colours = {
   point: dark ? "#1c1c1b" : "#ffffff",
   box: dark ? "#7a7771" : "#8a867e",
 };
-// Lines are drawn a little nearer to the eye than they are, so that neither rounding nor the triangles hide them.
-const towardsEye = 0.004;
+// Lines are drawn a little nearer to the eye than they are, so that neither rounding nor triangles, nor the discs of a cloud, hide them.
+const towardsEye = { surface: 0.004, cloud: 0.02 };
 
 /** Centre and radius of the ball that the view has to show. */
 function ballAround(data) {
@@ -191,6 +191,7 @@ class Viewer {
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.canvas = this.renderer.domElement;
     Object.assign(this, build(data));
+    this.towardsEye = data.points ? towardsEye.cloud : towardsEye.surface;
     this.camera = new PerspectiveCamera(26, 1, 0.05, 60);
     this.camera.up.set(...data.view.up);
     this.home = new Vector3(...data.view.direction).normalize();
@@ -263,8 +264,8 @@ class Viewer {
 
   render() {
     // Scaled about the eye, the lines stay where they are on the screen and come nearer.
-    this.near.scale.setScalar(1 - towardsEye);
-    this.near.position.copy(this.camera.position).multiplyScalar(towardsEye);
+    this.near.scale.setScalar(1 - this.towardsEye);
+    this.near.position.copy(this.camera.position).multiplyScalar(this.towardsEye);
     this.renderer.render(this.scene, this.camera);
   }
 }
