@@ -49,7 +49,7 @@ std::string bar_text(const JsonFile& result) {
 std::vector<KeyFigure> key_figures_of(const JsonFile& result) {
   const double bar = result.flag("certificate.measured") ? result.number("cost.error_estimate") : std::nan("");
   return {{"cost", cost_text(result.number("cost.value"), bar) + " " + result.text("cost.unit"), bar_text(result)},
-          {"spacing", number_text(result.number("spacing")), "largest / smallest segment cost − 1"},
+          {"spacing", number_text(result.number("spacing")), "largest / smallest cost − 1"},
           {"points", result.text("points"), result.flag("ring") ? "of a closed path" : "between the ends"},
           {"solver", result.text("solver.name"),
            fmt::format("{} after {} iteration{}", result.text("solver.termination"), result.text("solver.iterations"),

@@ -58,6 +58,9 @@ struct Scene {
 /// Draws the domain of a problem around its result. `others`: more paths of its family. Takes some tens of milliseconds.
 Scene make_scene(const Problem& problem, const Result& result, std::span<const FamilyMember> others = {});
 
+/// Version of the layout of scene.json.
+inline constexpr int kSceneVersion = 1;
+
 /// scene.json: coordinates rounded to seven digits of the extent of the scene.
 std::string scene_json(const Scene& scene);
 /// The inverse. `name`: of the file, for messages. Throws InputError.

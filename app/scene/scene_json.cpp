@@ -7,7 +7,6 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "app/output/json_numbers.hpp"
 #include "app/scene/scene.hpp"
 #include "framework/errors.hpp"
 
@@ -193,7 +192,7 @@ Scene read(const Json& json) {
 
 std::string scene_json(const Scene& scene) {
   const Rounded rounded(extent_of(scene));
-  std::string text = fmt::format("{{\"schema_version\":{},\"dimension\":{},\"up\":[{},{},{}]", kSchemaVersion,
+  std::string text = fmt::format("{{\"schema_version\":{},\"dimension\":{},\"up\":[{},{},{}]", kSceneVersion,
                                  scene.dimension, scene.up[0], scene.up[1], scene.up[2]);
   if (scene.lines.path.size() > 0) text += lines_text(scene.lines, rounded);
   if (!scene.surface.triangles.empty())

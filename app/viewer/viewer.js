@@ -22,7 +22,7 @@ const colours = {
   box: dark ? "#7a7771" : "#8a867e",
 };
 // Lines are drawn a little nearer to the eye than they are, so that neither rounding nor triangles, nor the discs of a cloud, hide them.
-const towardsEye = { surface: 0.004, cloud: 0.02 };
+const towardsEye = { surface: 0.004, cloud: 0.012 };
 
 /** Centre and radius of the ball that the view has to show. */
 function ballAround(data) {
@@ -73,24 +73,30 @@ function surfaceMesh(surface, ball) {
   return new Mesh(geometry, material);
 }
 
-/** Points of a cloud: round discs, lit like the surfaces. */
+/** Points of a cloud: round discs in the tangent planes, lit like the surfaces. */
 function surfels(points, ball) {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(inBall(points.positions, ball), 3));
   geometry.setAttribute("normal", new BufferAttribute(new Float32Array(points.normals), 3));
   const material = new ShaderMaterial({
-    uniforms: { size: { value: 1.55 * points.spacing / ball.radius }, height: { value: 1 }, colour: { value: new Color(colours.surface) } },
-    vertexShader: `uniform float size, height; varying float light;
+    uniforms: { radius: { value: 0.85 * points.spacing / ball.radius }, height: { value: 1 }, colour: { value: new Color(colours.surface) } },
+    vertexShader: `uniform float radius, height; varying vec3 centre, facing;
       void main() {
         vec4 p = modelViewMatrix * vec4(position, 1.0);
-        vec3 n = normalize(normalMatrix * normal);
-        light = 0.42 + 0.58 * abs(dot(n, normalize(vec3(-0.35, 0.5, 1.0))));
+        centre = p.xyz;
+        facing = normalize(normalMatrix * normal);
         gl_Position = projectionMatrix * p;
-        gl_PointSize = max(1.5, size * height * projectionMatrix[1][1] / gl_Position.w);
+        gl_PointSize = max(2.0, 2.0 * radius * height * projectionMatrix[1][1] / gl_Position.w);
       }`,
-    fragmentShader: `uniform vec3 colour; varying float light;
+    fragmentShader: `uniform mat4 projectionMatrix; uniform vec3 colour; uniform float radius; varying vec3 centre, facing;
       void main() {
-        if (length(gl_PointCoord - 0.5) > 0.5) discard;
+        vec3 n = normalize(facing);
+        vec2 q = 2.0 * radius * (gl_PointCoord - 0.5) * vec2(1.0, -1.0);
+        float z = -dot(n.xy, q) / (sign(n.z + 1e-9) * max(abs(n.z), 0.2));
+        if (dot(q, q) + z * z > radius * radius) discard;
+        vec4 place = projectionMatrix * vec4(centre + vec3(q, z), 1.0);
+        gl_FragDepth = 0.5 + 0.5 * place.z / place.w;
+        float light = 0.42 + 0.58 * abs(dot(n, normalize(vec3(-0.35, 0.5, 1.0))));
         gl_FragColor = vec4(colour * light, 1.0);
         #include <colorspace_fragment>
       }`,
