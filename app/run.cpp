@@ -6,6 +6,7 @@
 
 #include "app/output/output_folder.hpp"
 #include "app/output/results.hpp"
+#include "app/report/report.hpp"
 
 namespace leastcost::app {
 namespace {
@@ -100,6 +101,8 @@ RunOutcome run(const RunRequest& request, const Monitor& monitor) {
   facts.finished = std::chrono::system_clock::now();
   try {
     write_results(outcome, prepared.loaded.folder, facts, folder);
+    // As `leastcost report` would make it: from the files alone.
+    for (const ReportFile& file : make_report(folder.staging())) folder.write(file.name, file.content);
     folder.commit();
   } catch (const OutputError& e) {
     outcome.output_error = e.what();

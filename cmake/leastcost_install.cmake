@@ -25,6 +25,7 @@ foreach(component IN LISTS components)
   # leastcost-problems.cmake: first what it needs, then its targets.
   get_target_property(needs ${target} LEASTCOST_NEEDS)
   get_target_property(finds ${target} LEASTCOST_FINDS)
+  get_target_property(links ${target} LEASTCOST_LINKS)
   set(lines "")
   set(requires "eigen3 >= 3.4")
   foreach(need IN LISTS needs)

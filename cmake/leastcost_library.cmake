@@ -1,11 +1,12 @@
 # One rule for the libraries: every .cpp of the folder is part of it, so that a plug-in is its source file alone.
 #
 #   leastcost_library(problems NEEDS framework)
-#   leastcost_library(ceres NEEDS solvers FINDS "Ceres 2.1")
+#   leastcost_library(ceres NEEDS solvers FINDS "Ceres 2.1" LINKS " -lceres -lglog")
 #   leastcost_library(solvers NEEDS framework EXCEPT nlopt ceres)
 #
 # NEEDS: components whose targets appear in our headers (they are linked and exported with the target).
 # EXCEPT: sub-folders that are components of their own.
+# LINKS: of a static build, for pkg-config.
 # FINDS: packages that a consumer has to find as well, the private ones of a static build included.
 include(GNUInstallDirs)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
@@ -21,7 +22,7 @@ function(leastcost_warnings target)
 endfunction()
 
 function(leastcost_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "NEEDS;FINDS;EXCEPT")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "NEEDS;FINDS;EXCEPT;LINKS")
   set(target leastcost_${name})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/*.hpp)
   foreach(folder IN LISTS arg_EXCEPT)
@@ -55,6 +56,7 @@ function(leastcost_library name)
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
     INSTALL_RPATH "$ORIGIN"
     LEASTCOST_HEADERS "${headers}"
+    LEASTCOST_LINKS "${arg_LINKS}"
     LEASTCOST_NEEDS "${arg_NEEDS}"
     LEASTCOST_FINDS "${arg_FINDS}")
   leastcost_warnings(${target})

@@ -53,26 +53,25 @@ std::optional<std::string> Solver::cannot_solve(const PathEnergy&, const Coordin
 
 SolveReport Solver::solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const {
   const auto start = Monitor::Clock::now();
-  SolveReport report;
   const Counters before = energy.counters();
   double initial = std::numeric_limits<double>::quiet_NaN();
-  if (const std::optional<std::string> reason = cannot_solve(energy, path)) {
-    report.termination = Termination::refused;
-    report.message = *reason;
-  } else {
-    report = guarded(energy, path, initial, monitor);
-  }
+  SolveReport report = guarded(energy, path, initial, monitor);
   report.initial_energy = initial;
   report.counters = energy.counters() - before;
   report.seconds = std::chrono::duration<double>(Monitor::Clock::now() - start).count();
   return report;
 }
 
-/// do_solve(), whatever the problem's parts throw. The path is then the last one that was accepted.
+/// After an exception the path is the last one that was accepted.
 SolveReport Solver::guarded(PathEnergy& energy, CoordinatePath& path, double& initial, const Monitor& monitor) const {
   const CoordinatePath start = path;
   SolveReport report;
   try {
+    if (const std::optional<std::string> reason = cannot_solve(energy, path)) {
+      report.termination = Termination::refused;
+      report.message = *reason;
+      return report;
+    }
     initial = energy.value(path);
     if (std::isfinite(initial)) return do_solve(energy, path, monitor);
     report.message = "the energy of the first path is not finite";

@@ -73,7 +73,7 @@ class Solver {
 
  private:
   virtual SolveReport do_solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const = 0;
-  /// `initial`: out, the energy of the path handed in.
+  /// do_solve(), unless it is refused, whatever the problem's parts throw. `initial`: out, the energy of the path handed in.
   SolveReport guarded(PathEnergy& energy, CoordinatePath& path, double& initial, const Monitor& monitor) const;
 };
 

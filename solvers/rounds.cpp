@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/rounds.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <limits>
@@ -16,8 +17,9 @@ namespace leastcost {
 namespace {
 
 constexpr double kMostTurned = 0.5;  ///< cosine of 60 degrees
-constexpr int kPatience = 2;         ///< rounds in a row without a lower energy
-constexpr int kIdle = 100;           ///< evaluations in a row without one, for one direction; then the round is over
+constexpr double kTiny = std::numeric_limits<double>::min();
+constexpr int kPatience = 2;  ///< rounds in a row without a lower energy
+constexpr int kIdle = 100;    ///< evaluations in a row without one, for one direction; then the round is over
 
 class Rounds final : public RoundObjective {
  public:
@@ -65,7 +67,7 @@ class Rounds final : public RoundObjective {
 
   double rise(const Eigen::VectorXd& z, Eigen::VectorXd* gradient) const override {
     const double predicted = std::abs(slope_.dot(z)) + rounding_slack(variables_.model().value, path_.segment_count());
-    if (gradient != nullptr) *gradient = 4 * predicted / z.squaredNorm() * z;
+    if (gradient != nullptr) *gradient = 4 * predicted / std::max(z.squaredNorm(), kTiny) * z;
     return variables_.model().value + 2 * predicted;
   }
 
@@ -95,7 +97,8 @@ class Rounds final : public RoundObjective {
   }
 
   double evaluate(const Eigen::VectorXd& z, Eigen::VectorXd* gradient) {
-    if (stop_ || !z.allFinite()) {
+    if (!z.allFinite()) stop_ = true;  // the back end has lost its way
+    if (stop_) {
       if (gradient != nullptr) gradient->setZero(size());
       return std::numeric_limits<double>::infinity();
     }

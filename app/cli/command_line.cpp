@@ -150,6 +150,12 @@ void add_validate(CLI::App& app, Values& v, const Streams& streams, Command& cho
   c.callback([&] { chosen = [&] { return validate_command(v.configs, v.overrides(), v.json(), streams); }; });
 }
 
+void add_report(CLI::App& app, Values& v, const Streams& streams, Command& chosen) {
+  CLI::App& c = *app.add_subcommand("report", "Make report.html again from the files of a run or a study");
+  c.add_option("folders", v.configs, "Folder of results")->required()->type_name("DIR...");
+  c.callback([&] { chosen = [&] { return report_command(v.configs, streams); }; });
+}
+
 void add_reference(CLI::App& app, Values& v, const Streams& streams, Command& chosen) {
   CLI::App& list = *app.add_subcommand("list", "What a configuration can name");
   list.add_option("kind", v.kind, "manifolds, costs, kernels, initializers, solvers, post_processors, formats")
@@ -232,6 +238,7 @@ Exit parse_and_run(const std::vector<std::string>& arguments, const Streams& str
   add_study(app, values, arguments, streams, chosen);
   add_merge(app, values, arguments, streams, chosen);
   add_validate(app, values, streams, chosen);
+  add_report(app, values, streams, chosen);
   add_reference(app, values, streams, chosen);
   add_helpers(app, values, streams, chosen);
 

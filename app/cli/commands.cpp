@@ -14,6 +14,7 @@
 #include "app/config/suggest.hpp"
 #include "app/output/json_numbers.hpp"
 #include "app/registry.hpp"
+#include "app/report/report.hpp"
 
 namespace leastcost::app {
 namespace {
@@ -101,6 +102,11 @@ Exit validate_command(const std::vector<std::string>& files, const std::vector<O
   if (json) streams.out << to_text({{"valid", all_valid}, {"files", report}});
   if (!all_readable) return Exit::input;
   return all_valid ? Exit::certified : Exit::configuration;
+}
+
+Exit report_command(const std::vector<std::string>& folders, const Streams& streams) {
+  for (const std::string& folder : folders) streams.out << write_report(folder).string() << '\n';
+  return Exit::certified;
 }
 
 Exit list_command(const std::string& kind, bool json, const Streams& streams) {

@@ -37,6 +37,8 @@ struct MergeArguments {
 Exit run_command(const RunArguments& arguments, const Streams& streams);
 Exit study_command(const StudyArguments& arguments, const Streams& streams);
 Exit merge_command(const MergeArguments& arguments, const Streams& streams);
+/// Makes the report of each folder again.
+Exit report_command(const std::vector<std::string>& folders, const Streams& streams);
 Exit validate_command(const std::vector<std::string>& files, const std::vector<Override>& overrides, bool json,
                       const Streams& streams);
 /// `kind`: empty for all kinds.

@@ -10,6 +10,7 @@
 #include "app/cli/study_progress.hpp"
 #include "app/output/json_numbers.hpp"
 #include "app/output/output_folder.hpp"
+#include "app/report/report.hpp"
 #include "app/study/study_summary.hpp"
 
 namespace leastcost::app {
@@ -56,11 +57,8 @@ std::string grid_json(const StudyRequest& request, const StudyGrid& grid) {
                   {"cells", cells}});
 }
 
-/// Files that other parts of the program derive from a finished study, beside those of app/study. The place of report.html.
-void derive_more(const StudyOutcome&) {}
-
 Exit finish(const StudyOutcome& outcome, bool json, const Streams& streams) {
-  derive_more(outcome);
+  if (!outcome.journal.results.empty()) write_report(outcome.output);
   const StudySummary summary = summarize(outcome.journal);
   if (json) {
     Json out = Json::parse(summary_json(outcome.journal));

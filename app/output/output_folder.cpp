@@ -38,24 +38,14 @@ std::string without_temporary(std::string name) {
   return name;
 }
 
-void write_file(const fs::path& file, const std::string& content) {
-  std::FILE* out = std::fopen(file.c_str(), "wb");
-  if (out == nullptr) throw OutputError(fmt::format("{}: cannot be made: {}", file.string(), last_error()));
-  const bool written = std::fwrite(content.data(), 1, content.size(), out) == content.size();
-  const int write_error = errno;
-  const bool closed = std::fclose(out) == 0;  // a full disk may show only here
-  if (written && closed) return;
-  const std::string reason = std::generic_category().message(written ? errno : write_error);
-  throw OutputError(fmt::format("{}: cannot be written: {}", file.string(), reason));
-}
-
 /// A file that no run of ours wrote, or an empty path: --force must not take it away.
 fs::path foreign_file(const fs::path& folder) {
   static const std::set<std::string> ours = {
-      "config.resolved.yaml", "curve.csv",   "history.csv", "journal.jsonl",
-      "manifest.json",        "path.csv",    "path.obj",    "path.vtp",
-      "report.html",          "result.json", "runs.csv",    "study.resolved.yaml",
-      "summary.json",         "traces.csv"};
+      "config.resolved.yaml", "curve.csv", "first_path.csv", "history.csv", "manifest.json", "path.csv", "path.obj",
+      "path.vtp", "report.html", "residuals.csv", "result.json", "scene.json",
+      // of studies
+      "journal.jsonl", "runs.csv", "study.resolved.yaml", "summary.json", "traces.csv", "accuracy.svg", "data.svg",
+      "evaluations.svg", "order.svg", "performance.svg", "seconds.svg"};
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (ours.count(without_temporary(entry.path().filename().string())) == 0) return entry.path();
   return {};
@@ -68,6 +58,18 @@ bool exchange(const fs::path& a, const fs::path& b) {
 #else
   return false;
 #endif
+}
+
+/// Writes a file to its end. `shown`: the name it has for the user. Throws OutputError.
+void write_file(const fs::path& file, const std::string& content, const fs::path& shown) {
+  std::FILE* out = std::fopen(file.c_str(), "wb");
+  if (out == nullptr) throw OutputError(fmt::format("{}: cannot be made: {}", shown.string(), last_error()));
+  const bool written = std::fwrite(content.data(), 1, content.size(), out) == content.size();
+  const int write_error = errno;
+  const bool closed = std::fclose(out) == 0;  // a full disk may show only here
+  if (written && closed) return;
+  const std::string reason = std::generic_category().message(written ? errno : write_error);
+  throw OutputError(fmt::format("{}: cannot be written: {}", shown.string(), reason));
 }
 
 }  // namespace
@@ -113,12 +115,12 @@ OutputFolder::~OutputFolder() {
 }
 
 void OutputFolder::write(const std::string& name, const std::string& content) {
-  write_file(temporary_ / name, content);
+  write_file(temporary_ / name, content, target_ / name);
 }
 
 void write_whole_file(const fs::path& file, const std::string& content) {
   const fs::path temporary = file.string() + std::string(kTemporary);
-  write_file(temporary, content);
+  write_file(temporary, content, file);
   std::error_code error;
   fs::rename(temporary, file, error);
   if (error) throw OutputError(fmt::format("{}: cannot be made: {}", file.string(), error.message()));

@@ -42,6 +42,8 @@ class OutputFolder {
 
   /// Where it will be, absolute.
   const std::filesystem::path& target() const { return target_; }
+  /// Where it is until commit(), for whoever makes a file out of others.
+  const std::filesystem::path& staging() const { return temporary_; }
   /// Adds a file. Throws OutputError when it could not be written to the end.
   void write(const std::string& name, const std::string& content);
   /// Puts the folder in its place. Throws OutputError.

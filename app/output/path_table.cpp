@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 #include "framework/path_energy.hpp"
 #include "problems/geometry/coordinate_names.hpp"
@@ -86,6 +87,44 @@ std::string csv_text(const PathTable& table) {
     text += '\n';
   }
   return text;
+}
+
+std::string first_path_csv(const Problem& problem, const FirstPath& first) {
+  const Points x = positions(*problem.manifold, first.path);
+  const bool chart = dynamic_cast<const HasChart*>(problem.manifold.get()) != nullptr;
+  std::string text =
+      fmt::format("index,{}{}\n", fmt::join(coordinate_names(static_cast<int>(x.rows())), ","), chart ? ",u,v" : "");
+  const auto out = std::back_inserter(text);
+  for (Index i = 0; i < x.cols(); ++i) {
+    fmt::format_to(out, "{}", i);
+    for (const double coordinate : x.col(i)) fmt::format_to(out, ",{:.17g}", coordinate);
+    if (chart)
+      for (const double coordinate : first.path.u.col(i)) fmt::format_to(out, ",{:.17g}", coordinate);
+    text += '\n';
+  }
+  return text;
+}
+
+std::string residuals_csv(const Problem& problem, const PathTable& curve) {
+  const ConstraintManifold& manifold = *problem.manifold;
+  if (manifold.shape() == Shape::flat || dynamic_cast<const HasChart*>(&manifold) != nullptr) return "";
+  const Index m = curve.x.cols() - 1;
+  if (m < 1) return "";
+  Points x(curve.x.rows(), 2 * m + 1);  // points and the middles after them
+  for (Index i = 0; i < m; ++i) {
+    x.col(2 * i) = curve.x.col(i);
+    x.col(2 * i + 1) = (curve.x.col(i) + curve.x.col(i + 1)) / 2;
+  }
+  x.col(2 * m) = curve.x.col(m);
+  CoordinatePath moved{x, {}, true};
+  const Projection projection = manifold.project(moved);
+  Eigen::VectorXd off = (moved.u - x).colwise().norm();
+  for (const Index failed : projection.failed) off[failed] = std::numeric_limits<double>::quiet_NaN();
+  std::string text = "cumulative_cost,at_point,between\n";
+  for (Index i = 0; i < m; ++i)
+    fmt::format_to(std::back_inserter(text), "{:.17g},{:.17g},{:.17g}\n", curve.cumulative_costs[i], off[2 * i],
+                   off[2 * i + 1]);
+  return text + fmt::format("{:.17g},{:.17g},\n", curve.cumulative_costs[m], off[2 * m]);
 }
 
 std::string history_csv(const std::vector<Iteration>& history) {

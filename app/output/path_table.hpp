@@ -30,6 +30,13 @@ PathTable delivered_curve(const Problem& problem, const Result& result);
 /// the barycentric coordinates b0 b1 b2, all numbered as in the file. All digits.
 std::string csv_text(const PathTable& table);
 
+/// first_path.csv: index, ambient coordinates, in a chart also u and v, of the first path as its initializer made it.
+std::string first_path_csv(const Problem& problem, const FirstPath& first);
+
+/// residuals.csv: cumulative_cost, at_point, between - how far the points of the delivered curve lie off the domain, and the middles
+/// of its segments; length units. Nothing where the question has no meaning: on flat domains and in charts.
+std::string residuals_csv(const Problem& problem, const PathTable& curve);
+
 /// VTK XML PolyData (ASCII): the points and, where it differs, the curve on the domain, as one polyline each, told
 /// apart by the cell array `line` (0: points, 1: curve). Above three dimensions the array `coordinates` has all of them.
 std::string vtp_text(const std::vector<PathTable>& lines);

@@ -52,7 +52,24 @@ Json levels(const Certificate& certificate) {
   return out;
 }
 
-Json certificate_json(const Certificate& c) {
+/// The thresholds of the configuration; docs/numerics.md says where others take their place.
+Json thresholds(const CertificateOptions& o) {
+  return {{"stationarity", o.stationarity},
+          {"residual", o.residual},
+          {"spacing", o.spacing},
+          {"doubling", o.doubling},
+          {"longest_segment", o.longest_segment}};
+}
+
+Json problem_json(const RunOutcome& run) {
+  const Dimensions d = run.parts.problem.manifold->dimensions();
+  return {{"manifold", run.config.manifold.plugin->type},
+          {"cost", run.config.cost.plugin->type},
+          {"kernel", run.config.kernel.plugin->type},
+          {"dimensions", {{"coordinate", d.coordinate}, {"ambient", d.ambient}, {"tangent", d.tangent}}}};
+}
+
+Json certificate_json(const Certificate& c, const CertificateOptions& options) {
   return {{"measured", c.measured},
           {"stationarity", number(c.stationarity)},
           {"residual", number(c.residual)},
@@ -68,7 +85,8 @@ Json certificate_json(const Certificate& c) {
           {"straightness", number(c.straightness)},
           {"asymmetry", number(c.asymmetry)},
           {"geometry_error", number(c.geometry_error)},
-          {"levels", levels(c)}};
+          {"levels", levels(c)},
+          {"thresholds", thresholds(options)}};
 }
 
 Json solver_json(const RunOutcome& run) {
@@ -125,6 +143,7 @@ std::string result_json(const RunOutcome& run) {
   Json out;
   out["schema_version"] = kSchemaVersion;
   out["name"] = run.config.name;
+  out["problem"] = problem_json(run);
   out["status"] = std::string(name(result.status));
   out["certified"] = result.status == Status::certified;
   out["failures"] = failures(result.certificate);
@@ -134,7 +153,7 @@ std::string result_json(const RunOutcome& run) {
       number(result.certificate.measured ? result.certificate.spacing : std::numeric_limits<double>::quiet_NaN());
   out["points"] = result.path.free_count();
   out["ring"] = run.config.ring;
-  out["certificate"] = certificate_json(result.certificate);
+  out["certificate"] = certificate_json(result.certificate, run.config.certificate);
   out["solver"] = solver_json(run);
   out["initializer"] = std::string(run.parts.initializer->name());
   out["seconds"] = {{"read", run.parts.read_seconds},

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/output/results.hpp"
 
+#include <span>
+
 #include "app/output/path_table.hpp"
+#include "app/scene/scene.hpp"
 
 namespace leastcost::app {
 namespace {
@@ -42,6 +45,12 @@ void write_results(const RunOutcome& outcome, const fs::path& folder_of_config, 
   folder.write("path.vtp", vtp_text(lines));
   folder.write("path.obj", obj_text(curve));
   folder.write("history.csv", history_csv(outcome.result.solve.history));
+  folder.write("first_path.csv", first_path_csv(outcome.parts.problem, outcome.result.first));
+  const std::string residuals = residuals_csv(outcome.parts.problem, curve);
+  if (!residuals.empty()) folder.write("residuals.csv", residuals);
+  const std::span<const FamilyMember> family = outcome.family;
+  folder.write("scene.json",
+               scene_json(make_scene(outcome.parts.problem, outcome.result, family.subspan(family.empty() ? 0 : 1))));
 }
 
 }  // namespace leastcost::app

@@ -16,12 +16,12 @@ namespace leastcost {
 struct ImplicitManifoldOptions {
   std::string surface;  ///< one of the types below
   double radius = 1;
-  Eigen::VectorXd axes;
+  Eigen::VectorXd axes = {};
   double major_radius = 2, minor_radius = 1;
   double period = 2 * std::numbers::pi;
-  std::string f;
+  std::string f = {};
   int dimension = 3;
-  std::map<std::string, double> parameters;
+  std::map<std::string, double> parameters = {};
   BoxOptions box = {};
   void fields(FieldVisitor& visit);
 };

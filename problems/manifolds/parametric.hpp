@@ -26,8 +26,8 @@ struct ParametricOptions {
   double curvature = 1;                             ///< paraboloid
   double half_width = 0.5;                          ///< moebius_strip
   double pitch = 1;                                 ///< spiral
-  std::string x, y, z;                              ///< formula
-  std::map<std::string, double> parameters;         ///< formula
+  std::string x = {}, y = {}, z = {};               ///< formula
+  std::map<std::string, double> parameters = {};    ///< formula
   double period_u = 0, period_v = 0;                ///< formula
   bool twisted = false;                             ///< formula
   BoxOptions box = {};

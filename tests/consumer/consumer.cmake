@@ -1,4 +1,4 @@
-# Builds and runs examples/hello as a stranger would. KIND:
+# Builds and runs the examples as a stranger would (compare_solvers where this build has both back ends). KIND:
 #   installed            this build is installed into SCRATCH/prefix; find_package, then pkg-config
 #   subdirectory_shared  add_subdirectory with shared libraries; then that build is installed, and found
 # Every variable comes from tests/consumer/CMakeLists.txt.
@@ -62,6 +62,10 @@ file(REMOVE_RECURSE ${prefix})
 if(KIND STREQUAL installed)
   run("install" ${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${prefix})
   find_package_consumer(${prefix} ${SCRATCH}/found)
+  if(BACK_ENDS)
+    configure_and_build(${SOURCE_DIR}/examples/compare_solvers ${SCRATCH}/compare -D CMAKE_PREFIX_PATH=${prefix})
+    run("run compare_solvers" ${SCRATCH}/compare/compare_solvers)
+  endif()
   unknown_component_is_refused(${prefix})
   pkg_config_consumer(${prefix})
 else()

@@ -31,5 +31,10 @@ TEST_CASE("solver contract: ceres, line search, precondition chain", "[contract]
 TEST_CASE("solver contract: ceres, line search, precondition none", "[contract]") {
   check_solver_contract(ceres("lbfgs", "none"), {.has_iterations = false});
 }
+TEST_CASE("solvers agree: newton and ceres", "[contract]") {
+  const char* algorithm = GENERATE("levenberg_marquardt", "dogleg", "lbfgs");
+  CAPTURE(algorithm);
+  check_agreement(Newton(), *ceres(algorithm)(1000, 1000000));
+}
 
 }  // namespace leastcost::test

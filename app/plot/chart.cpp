@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "app/plot/chart.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/plot/text.hpp"
+
+namespace leastcost::app {
+namespace {
+
+constexpr double kFont = 11, kTitle = 24, kBelow = 42, kRight = 14, kLegendRow = 16, kSample = 26;
+constexpr std::size_t kMostBelow = 4;  ///< entries of a legend below the chart; longer ones stand beside it
+
+std::vector<double> all_values(const Chart& chart, bool of_x) {
+  std::vector<double> out;
+  for (const Series& s : chart.series) {
+    const std::vector<double>& values = of_x ? s.x : s.y;
+    out.insert(out.end(), values.begin(), values.end());
+    if (of_x) continue;
+    out.insert(out.end(), s.low.begin(), s.low.end());
+    out.insert(out.end(), s.high.begin(), s.high.end());
+  }
+  return out;
+}
+
+Range shown(const Axis& axis, const std::vector<double>& values) {
+  Range range = range_of(values, axis.kind);
+  if (axis.least) range.least = *axis.least;
+  if (axis.largest) range.largest = *axis.largest;
+  if (!(range.largest > range.least)) range.largest = range.least + 1;
+  return range;
+}
+
+std::vector<const Series*> legend_of(const Chart& chart) {
+  std::vector<const Series*> named;
+  if (!chart.legend) return named;
+  for (const Series& s : chart.series)
+    if (!s.name.empty()) named.push_back(&s);
+  return named;
+}
+
+/// Draws one chart. Holds where the axes lie.
+class Drawing {
+ public:
+  explicit Drawing(const Chart& chart)
+      : chart_(chart),
+        x_range_(shown(chart.x, all_values(chart, true))),
+        y_range_(shown(chart.y, all_values(chart, false))),
+        legend_(legend_of(chart)) {
+    y_ticks_ = ticks(chart.y.kind, y_range_, static_cast<int>(chart.height / 42));
+    double label = 0;
+    for (const Tick& t : y_ticks_) label = std::max(label, text_width(t.label));
+    left_ = 30 + kFont * label;
+    top_ = kTitle;
+    width_ = chart.width - left_ - kRight;
+    height_ = chart.height - kTitle - kBelow;
+    total_height_ = chart.height;
+    place_legend();
+    x_ticks_ = ticks(chart.x.kind, x_range_, std::max(2, static_cast<int>(width_ / 48)));
+  }
+
+  double height() const { return total_height_; }
+
+  std::string draw(bool standalone) const {
+    std::string out = fmt::format("<text class=\"title\" x=\"0\" y=\"13\">{}</text>\n", escaped(chart_.title));
+    out += axes();
+    out += fmt::format("<g>\n");
+    for (const Series& s : chart_.series) out += series(s);
+    out += "</g>\n" + legend();
+    return svg_element(chart_.title, chart_.description, chart_.width, total_height_, out, standalone);
+  }
+
+ private:
+  void place_legend() {
+    if (legend_.empty()) return;
+    beside_ = legend_.size() > kMostBelow;
+    double widest = 0;
+    for (const Series* s : legend_) widest = std::max(widest, kFont * text_width(s->name));
+    column_ = kSample + 10 + widest + 12;
+    const double rows = static_cast<double>(legend_.size()) * kLegendRow;
+    if (beside_) {
+      width_ -= column_ + 4;
+      total_height_ = std::max(total_height_, kTitle + rows + 8);
+      return;
+    }
+    per_row_ = std::clamp<std::size_t>(static_cast<std::size_t>((chart_.width - left_) / column_), 1, legend_.size());
+    total_height_ += std::ceil(static_cast<double>(legend_.size()) / static_cast<double>(per_row_)) * kLegendRow + 2;
+  }
+
+  double px(double x) const { return left_ + width_ * position_in(chart_.x.kind, x_range_, x); }
+  double py(double y) const { return top_ + height_ * (1 - position_in(chart_.y.kind, y_range_, y)); }
+  bool visible(double x, double y) const {
+    const double a = position_in(chart_.x.kind, x_range_, x), b = position_in(chart_.y.kind, y_range_, y);
+    return a >= -1e-9 && a <= 1 + 1e-9 && b >= -1e-9 && b <= 1 + 1e-9;
+  }
+
+  std::string axes() const {
+    std::string out;
+    for (const Tick& t : y_ticks_) {
+      const double y = py(t.at);
+      out += fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}h{:.1f}\"/>", left_, y, width_);
+      if (!t.label.empty())
+        out +=
+            fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>\n", left_ - 6, y + 3.8, t.label);
+    }
+    for (const Tick& t : x_ticks_) {
+      const double x = px(t.at);
+      out += fmt::format("<path class=\"axis\" d=\"M{:.1f} {:.1f}v{}\"/>", x, top_ + height_, t.label.empty() ? 3 : 5);
+      if (!t.label.empty())
+        out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", x, top_ + height_ + 17,
+                           t.label);
+    }
+    out += fmt::format("<path class=\"axis\" d=\"M{:.1f} {:.1f}h{:.1f}\"/>\n", left_, top_ + height_, width_);
+    out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", left_ + width_ / 2,
+                       top_ + height_ + 33, escaped(chart_.x.title));
+    return out + fmt::format("<text transform=\"translate(11 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
+                             top_ + height_ / 2, escaped(chart_.y.title));
+  }
+
+  /// A path through the points that can be shown, with a gap where one cannot.
+  std::string line(const Series& s) const {
+    std::string d;
+    bool pen_down = false;
+    double last_y = 0;
+    for (std::size_t i = 0; i < s.x.size(); ++i) {
+      if (!visible(s.x[i], s.y[i])) {
+        pen_down = false;
+        continue;
+      }
+      const double x = px(s.x[i]), y = py(s.y[i]);
+      if (!pen_down)
+        d += fmt::format("M{:.1f} {:.1f}", x, y);
+      else if (s.steps)
+        d += fmt::format("L{:.1f} {:.1f}L{:.1f} {:.1f}", x, last_y, x, y);
+      else
+        d += fmt::format("L{:.1f} {:.1f}", x, y);
+      pen_down = true;
+      last_y = y;
+    }
+    return d.empty() ? "" : fmt::format("<path {} d=\"{}\"/>\n", stroke_of(s.style), d);
+  }
+
+  std::string series(const Series& s) const {
+    std::string out = s.style.line ? line(s) : "";
+    for (std::size_t i = 0; i < s.low.size(); ++i) {
+      if (!visible(s.x[i], s.low[i]) || !visible(s.x[i], s.high[i])) continue;
+      LineStyle solid = s.style;
+      solid.number %= 7;
+      out += fmt::format("<path {} d=\"M{:.1f} {:.1f}V{:.1f}\" style=\"stroke-width:1\"/>", stroke_of(solid),
+                         px(s.x[i]), py(s.low[i]), py(s.high[i]));
+    }
+    const bool alone = s.x.size() == 1;
+    if (s.style.markers || alone)
+      for (std::size_t i = 0; i < s.x.size(); ++i)
+        if (visible(s.x[i], s.y[i])) out += marker(s.style, px(s.x[i]), py(s.y[i]), s.x.size() > 60 ? 2 : 3.2);
+    return out + "\n";
+  }
+
+  std::string legend() const {
+    std::string out;
+    for (std::size_t k = 0; k < legend_.size(); ++k) {
+      const Series& s = *legend_[k];
+      double x = left_ + width_ + 14, y = top_ + 8 + static_cast<double>(k) * kLegendRow;
+      if (!beside_) {
+        x = left_ + static_cast<double>(k % per_row_) * column_;
+        y = top_ + height_ + kBelow + 6 + static_cast<double>(k / per_row_) * kLegendRow;
+      }
+      if (s.style.line) out += fmt::format("<path {} d=\"M{:.1f} {:.1f}h{}\"/>", stroke_of(s.style), x, y, kSample);
+      if (s.style.markers) out += marker(s.style, x + kSample / 2, y);
+      out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x + kSample + 6, y + 3.8, escaped(s.name));
+    }
+    return out;
+  }
+
+  const Chart& chart_;
+  Range x_range_, y_range_;
+  std::vector<const Series*> legend_;
+  std::vector<Tick> x_ticks_, y_ticks_;
+  double left_ = 0, top_ = 0, width_ = 0, height_ = 0, total_height_ = 0, column_ = 0;
+  std::size_t per_row_ = 1;
+  bool beside_ = false;
+};
+
+}  // namespace
+
+std::string svg(const Chart& chart, bool standalone) { return Drawing(chart).draw(standalone); }
+
+std::string panels_svg(const std::string& title, const std::string& description, const std::vector<Chart>& charts) {
+  constexpr double kMargin = 12, kGap = 22, kHeading = 30;
+  std::string out = fmt::format("<text class=\"title\" x=\"{0}\" y=\"24\">{1}</text>\n", kMargin, escaped(title));
+  double x = kMargin, height = 0;
+  for (const Chart& chart : charts) {
+    const Drawing drawing(chart);
+    out += fmt::format("<svg x=\"{:.0f}\" y=\"{:.0f}\"{}", x, kMargin + kHeading, drawing.draw(false).substr(4));
+    x += chart.width + kGap;
+    height = std::max(height, drawing.height());
+  }
+  return svg_element(title, description, x - kGap + kMargin, height + kHeading + 2 * kMargin, out, true);
+}
+
+}  // namespace leastcost::app

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+
+// Colours, dashes and markers. Colours: Okabe, Ito, "Color Universal Design" (2008), without its yellow, which is too light for lines.
+#include <fmt/format.h>
+
+#include <array>
+
+#include "app/plot/chart.hpp"
+#include "app/plot/text.hpp"
+
+namespace leastcost::app {
+namespace {
+
+constexpr int kColours = 7;
+constexpr std::array<const char*, 4> kDashes = {"", "6 3", "2 2.5", "8 3 2 3"};
+
+std::string polygon(std::initializer_list<std::array<double, 2>> corners, double x, double y, double r) {
+  std::string points;
+  for (const auto& [dx, dy] : corners)
+    points += fmt::format("{}{:.1f},{:.1f}", points.empty() ? "" : " ", x + r * dx, y + r * dy);
+  return fmt::format("<polygon points=\"{}\"/>", points);
+}
+
+std::string shape(int number, double x, double y, double r) {
+  switch (number % 6) {
+    case 0: return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"/>", x, y, r);
+    case 1: return polygon({{-0.9, -0.9}, {0.9, -0.9}, {0.9, 0.9}, {-0.9, 0.9}}, x, y, r);
+    case 2: return polygon({{0, -1.25}, {1.15, 0.8}, {-1.15, 0.8}}, x, y, r);
+    case 3: return polygon({{0, -1.3}, {1.3, 0}, {0, 1.3}, {-1.3, 0}}, x, y, r);
+    case 4: return polygon({{0, 1.25}, {1.15, -0.8}, {-1.15, -0.8}}, x, y, r);
+    default:
+      return polygon({{-1.1, -0.4},
+                      {-0.4, -0.4},
+                      {-0.4, -1.1},
+                      {0.4, -1.1},
+                      {0.4, -0.4},
+                      {1.1, -0.4},
+                      {1.1, 0.4},
+                      {0.4, 0.4},
+                      {0.4, 1.1},
+                      {-0.4, 1.1},
+                      {-0.4, 0.4},
+                      {-1.1, 0.4}},
+                     x, y, r);
+  }
+}
+
+}  // namespace
+
+std::string plot_style() {
+  return R"(.plot{--ink:#222;--soft:#6b6b6b;--rule:#e4e2dd;--faint:#f8f6f1;--paper:#fff;
+--c0:#0072B2;--c1:#D55E00;--c2:#009E73;--c3:#CC79A7;--c4:#E69F00;--c5:#56B4E9;--c6:#222;
+font-family:system-ui,-apple-system,"Segoe UI","Helvetica Neue",Helvetica,Arial,sans-serif;font-variant-numeric:tabular-nums}
+@media (prefers-color-scheme:dark){.plot{--ink:#e6e4df;--soft:#a19e97;--rule:#3a3936;--faint:#232322;--paper:#1c1c1b;
+--c0:#4aa3dc;--c1:#ef8244;--c2:#33bd93;--c3:#dc98bf;--c4:#efb02e;--c5:#86cbf3;--c6:#e6e4df}}
+.plot text{font-size:11px;fill:var(--soft)}.plot .title{font-size:12.5px;font-weight:600;fill:var(--ink)}
+.plot .axis{stroke:var(--soft);fill:none}.plot .grid{stroke:var(--rule);fill:none}
+.plot .s{fill:none;stroke-width:1.7;stroke-linejoin:round;stroke-linecap:round}.plot .bar{stroke-width:1.1}
+.plot .quiet{fill:none;stroke:var(--soft);stroke-width:1.2;stroke-dasharray:4 3}
+.plot .m{stroke:var(--paper);stroke-width:.8}.plot .m.quiet{fill:var(--soft);stroke:var(--paper)}
+.plot .path{fill:none;stroke:var(--c0);stroke-width:3.2;stroke-linejoin:round;stroke-linecap:round}
+.plot .first{fill:none;stroke:var(--ink);stroke-width:1.5;stroke-dasharray:6 4;opacity:.75}
+.plot .other{fill:none;stroke:var(--c2);stroke-width:1.8}.plot .hidden{stroke-width:1.2;opacity:.45}
+.plot .domain{fill:none;stroke:var(--soft);stroke-width:5;stroke-opacity:.35;stroke-linejoin:round}
+.plot .point{fill:var(--paper);stroke:var(--c0);stroke-width:1.2}.plot .end{fill:var(--c1);stroke:var(--paper);stroke-width:1.5}
+.plot .wall{fill:none;stroke:var(--ink);stroke-width:2}.plot .solid{stroke-width:.7;stroke-linejoin:round}
+.plot .band0{fill:var(--faint)}.plot .band{fill:var(--soft);fill-opacity:.06}
+.plot .out{fill:url(#hatch)}.plot .hatch{stroke:var(--soft);stroke-width:1.2;fill:none}
+.plot .s0{stroke:var(--c0)}.plot .s1{stroke:var(--c1)}.plot .s2{stroke:var(--c2)}.plot .s3{stroke:var(--c3)}
+.plot .s4{stroke:var(--c4)}.plot .s5{stroke:var(--c5)}.plot .s6{stroke:var(--c6)}
+.plot .f0{fill:var(--c0)}.plot .f1{fill:var(--c1)}.plot .f2{fill:var(--c2)}.plot .f3{fill:var(--c3)}
+.plot .f4{fill:var(--c4)}.plot .f5{fill:var(--c5)}.plot .f6{fill:var(--c6)}
+)";
+}
+
+std::string stroke_of(const LineStyle& style) {
+  if (style.quiet) return "class=\"quiet\"";
+  const char* dash = kDashes[static_cast<std::size_t>(style.number / kColours % 4)];
+  const std::string classes = fmt::format("class=\"s s{}\"", style.number % kColours);
+  return *dash == '\0' ? classes : fmt::format("{} stroke-dasharray=\"{}\"", classes, dash);
+}
+
+std::string marker(const LineStyle& style, double x, double y, double radius) {
+  const std::string classes = style.quiet ? "m quiet" : fmt::format("m f{}", style.number % kColours);
+  // The seven colours go through the six shapes out of step, so that no two of the first 42 share both.
+  return fmt::format("<g class=\"{}\">{}</g>", classes, shape(style.number, x, y, radius));
+}
+
+std::string svg_element(const std::string& title, const std::string& description, double width, double height,
+                        const std::string& content, bool standalone) {
+  std::string out = fmt::format(
+      "<svg class=\"plot\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
+      "height=\"{1:.0f}\" role=\"img\">\n<title>{2}</title>\n<desc>{3}</desc>\n",
+      width, height, escaped(title), escaped(description));
+  if (standalone)
+    out += fmt::format("<style>{}</style>\n<rect width=\"100%\" height=\"100%\" style=\"fill:var(--paper)\"/>\n",
+                       plot_style());
+  return out + content + "</svg>\n";
+}
+
+}  // namespace leastcost::app

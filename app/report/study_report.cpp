@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "app/report/study_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "app/plot/text.hpp"
+#include "app/report/json_file.hpp"
+#include "app/report/page.hpp"
+#include "app/report/provenance.hpp"
+#include "app/report/study_parts.hpp"
+
+namespace leastcost::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Counts {
+  std::size_t problems = 0, tasks = 0;
+  int of[5] = {};
+  int operator[](Verdict v) const { return of[static_cast<int>(v)]; }
+};
+
+Counts count(const StudyAnalysis& study) {
+  Counts counts;
+  std::set<std::string> problems;
+  for (const Group& g : study.groups) {
+    problems.insert(g.problem);
+    for (const Task& t : g.tasks) {
+      ++counts.of[static_cast<int>(t.verdict)];
+      counts.tasks += t.verdict != Verdict::absent ? 1 : 0;
+    }
+  }
+  counts.problems = problems.size();
+  return counts;
+}
+
+std::string most_often(const StudyAnalysis& study, Work kind, std::size_t& times) {
+  const WorkTable work = work_table(study, kind, kSolved);
+  std::vector<std::size_t> first(study.solvers.size(), 0);
+  for (const std::vector<double>& row : work) {
+    const auto best = std::min_element(row.begin(), row.end());
+    if (best != row.end() && std::isfinite(*best)) ++first[static_cast<std::size_t>(best - row.begin())];
+  }
+  const auto winner = std::max_element(first.begin(), first.end());
+  times = winner == first.end() ? 0 : *winner;
+  return winner == first.end() ? "" : study.solvers[static_cast<std::size_t>(winner - first.begin())];
+}
+
+std::vector<KeyFigure> key_figures_of(const StudyAnalysis& study, const Counts& counts) {
+  std::size_t fastest_times = 0, fewest_times = 0;
+  const std::string fastest = most_often(study, Work::seconds, fastest_times),
+                    fewest = most_often(study, Work::evaluations, fewest_times);
+  const std::size_t groups = study.groups.size();
+  return {
+      {"problems", std::to_string(counts.problems), fmt::format("{} with all numbers of points and kernels", groups)},
+      {"solvers", std::to_string(study.solvers.size()), fmt::format("{} solves", counts.tasks)},
+      {"certified", std::to_string(counts[Verdict::certified]),
+       fmt::format("{} other minima, {} uncertified, {} failed", counts[Verdict::other_minimum],
+                   counts[Verdict::uncertified], counts[Verdict::failed])},
+      {"fastest", fastest, fmt::format("in {} of {}, to 1e-10", fastest_times, groups)},
+      {"fewest evaluations", fewest, fmt::format("in {} of {}, to 1e-10", fewest_times, groups)}};
+}
+
+Headline headline_of(const std::string& name, const StudyAnalysis& study, const Counts& counts) {
+  Headline headline{"study", name, fmt::format("{} problems, {} solvers", counts.problems, study.solvers.size()), "",
+                    "good"};
+  headline.verdict = fmt::format("{} of {} solves certified", counts[Verdict::certified], counts.tasks);
+  if (counts[Verdict::failed] > 0)
+    headline.style = "bad";
+  else if (counts[Verdict::uncertified] > 0)
+    headline.style = "mild";
+  return headline;
+}
+
+std::string drawn(const StudyFigure& figure, const std::string& caption) {
+  std::vector<std::string> svgs;
+  for (const Chart& chart : figure.panels) svgs.push_back(svg(chart));
+  return figures(svgs, caption);
+}
+
+/// A section with a figure, and the figure as a file; nothing when the study has nothing to show there.
+void add_figure(const std::string& title, const StudyFigure& figure, const std::string& caption,
+                const std::string& more, std::string& body, std::vector<ReportFile>& files) {
+  if (figure.panels.empty()) return;
+  body += section(title, drawn(figure, caption) + more);
+  files.push_back({figure.file, panels_svg(figure.title, figure.description, figure.panels)});
+}
+
+std::string legend_of_success() {
+  return "<p class=\"soft\"><b class=\"good\">✓</b> certified, at the best chain that any solver found; <b "
+         "class=\"other\">○</b> certified, "
+         "another minimum; <b class=\"mild\">~</b> uncertified or stopped by a limit; <b class=\"bad\">×</b> no path. "
+         "Below each sign: "
+         "evaluations. Reasons on hover.</p>\n";
+}
+
+std::string fold(const std::string& title, const std::string& body) { return body.empty() ? "" : section(title, body); }
+
+}  // namespace
+
+std::vector<ReportFile> study_report(const fs::path& folder) {
+  const auto read = [&](const char* name) { return text_of_file(folder / name); };
+  const auto shown = [&](const char* name) { return (folder / name).string(); };
+  const JsonFile manifest(folder / "manifest.json"), summary(folder / "summary.json");
+  const RunTable runs = read_runs_csv(read("runs.csv"), shown("runs.csv"));
+  if (runs.rows.empty()) throw InputError(shown("runs.csv") + ": has no rows: nothing was run yet");
+  const StudyAnalysis study = analyse(runs, read_traces_csv(read("traces.csv"), shown("traces.csv")));
+  const Counts counts = count(study);
+  std::vector<ReportFile> files(1);
+  std::string body = key_figures(key_figures_of(study, counts));
+  body += section("Solvers", solver_table(study));
+  body += section("Which solver for which problem", success_table(study) + legend_of_success());
+  body += section("The best of each problem", winners_table(study), study.groups.size() <= 20);
+  add_figure(
+      "Work against the number of points", evaluations_figure(study),
+      "Evaluations (energies and gradients of the whole path) to a relative cost excess of 1e-10 over the best chain "
+      "of all solvers. A "
+      "solver whose work does not depend on the number of points is flat; where it never gets there, it has no marker.",
+      growth_table(study), body, files);
+  add_figure("Time against the number of points", seconds_figure(study), "Seconds to the same excess.", "", body,
+             files);
+  add_figure("Performance profiles", performance_figure(study),
+             "Dolan and Moré (2002): the share of problems that a solver solves to 1e-10 with at most so many times "
+             "the work of the best one. On the left "
+             "edge: how often it is the best. Failures, other minima and limits count as not solved.",
+             "", body, files);
+  add_figure("Data profiles", data_figure(study),
+             "Moré and Wild (2009), with evaluations as they are in place of simplex gradients: the share of problems "
+             "that are solved to the tolerance "
+             "within a budget.",
+             "", body, files);
+  if (const std::string accuracy = accuracy_svg(study, false); !accuracy.empty()) {
+    body += section(
+        "Accuracy",
+        figures({accuracy},
+                "Blue: the first solver of the study that certified; grey: the others; stroke: its error bar. An "
+                "error left of its stroke is covered."));
+    files.push_back({"accuracy.svg", accuracy_svg(study, true)});
+  }
+  add_figure("Order", order_figure(study), "The first solver that certified; in brackets the fitted slope.", "", body,
+             files);
+  body += fold("Convergence", convergence_charts(study));
+  body += section("Configuration", "<pre>" + escaped(read("study.resolved.yaml")) + "</pre>\n", false);
+  body += section("Provenance", provenance_part(manifest), false);
+  files[0] = {"report.html", page(headline_of(summary.text("name"), study, counts), body, "")};
+  return files;
+}
+
+}  // namespace leastcost::app

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+
+// One geodesic on a torus, every solver from the same first path, judged by the same stopping test and certificate.
+#include <cstdio>
+#include <memory>
+#include <vector>
+
+#include "framework/find_path.hpp"
+#include "problems/costs/euclidean.hpp"
+#include "problems/initializers/straight.hpp"
+#include "problems/kernels/kernels.hpp"
+#include "problems/manifolds/parametric.hpp"
+#include "solvers/ceres/ceres_solver.hpp"
+#include "solvers/lbfgs.hpp"
+#include "solvers/newton.hpp"
+#include "solvers/nlopt/nlopt_solver.hpp"
+
+int main() {
+  using namespace leastcost;
+  ParametricOptions torus;
+  torus.type = "torus";
+  Problem problem;
+  problem.manifold = make_parametric_manifold(torus);
+  problem.cost = make_euclidean_cost(3);
+  problem.kernel = make_kernel<Square>();
+  problem.source.u = Eigen::Vector2d(0, 0);
+  problem.target.u = Eigen::Vector2d(1, 2);
+
+  const Newton newton;
+  const Lbfgs lbfgs;
+  const Nlopt nlopt({.algorithm = "lbfgs"});
+  const Ceres ceres({.algorithm = "levenberg_marquardt"});
+  int uncertified = 0;
+  for (const Solver* solver : std::vector<const Solver*>{&newton, &lbfgs, &nlopt, &ceres}) {
+    const Result result = find_path(problem, StraightInitializer(), *solver, {.points = 200, .certifier = &newton});
+    const Counters& work = result.solve.counters;
+    std::printf("%-6s %-12s %-10s %.12f  %3ld evaluations, %.1f ms\n", std::string(solver->name()).c_str(),
+                std::string(name(result.status)).c_str(), std::string(name(result.solve.termination)).c_str(),
+                result.certificate.estimate.value, work.energies + work.gradients, 1e3 * result.solve.seconds);
+    if (!result.certificate.certified()) ++uncertified;
+  }
+  return uncertified;
+}

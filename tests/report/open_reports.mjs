@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+
+// open_reports.mjs CHROMIUM SCREENSHOTS REPORT[=VIEWER]...: opens reports from the disk in a browser without network and fails when one prints an error, asks for
+// anything but itself, breaks out of the width of the window, or, with VIEWER webgl, does not get its 3D view ready. Screenshots are for people.
+import { mkdirSync, mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { basename, dirname, join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+
+const [executablePath, screenshots, ...reports] = process.argv.slice(2);
+mkdirSync(screenshots, { recursive: true });
+const profile = mkdtempSync(join(tmpdir(), "leastcost-browser-"));
+const context = await chromium.launchPersistentContext(profile, {
+  executablePath,
+  headless: true,
+  viewport: { width: 1200, height: 900 },
+  colorScheme: process.env.LEASTCOST_COLOUR_SCHEME ?? "light",
+  args: [
+    "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync",
+    "--use-angle=swiftshader", "--use-gl=angle", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist",
+  ],
+});
+await context.setOffline(true);
+
+/** What is wrong with one report, as a list of sentences. */
+async function faults(file, viewer) {
+  const found = [], address = pathToFileURL(resolve(file)).href;
+  const page = await context.newPage();
+  page.on("console", (message) => { if (["error", "warning"].includes(message.type()) && !/GPU stall|software WebGL/.test(message.text())) found.push(`console: ${message.text()}`); });
+  page.on("pageerror", (error) => found.push(`exception: ${error}`));
+  page.on("request", (request) => { if (request.url() !== address && !request.url().startsWith("data:")) found.push(`request: ${request.url().slice(0, 200)}`); });
+  await page.goto(address, { waitUntil: "load" });
+  if (viewer === "webgl") {
+    await page.waitForFunction(() => document.documentElement.dataset.ready === "1", null, { timeout: 20000 }).catch(() => found.push("the ready flag was never set"));
+    const state = await page.evaluate(() => document.documentElement.dataset.viewer);
+    if (state !== "webgl") found.push(`the 3D view is '${state}', not 'webgl'`);
+    // Turned, it has to look different.
+    const canvas = page.locator("#stage canvas");
+    const before = await canvas.screenshot();
+    await canvas.focus();
+    for (let i = 0; i < 4; ++i) await page.keyboard.press("ArrowRight");
+    const after = await canvas.screenshot();
+    if (before.equals(after)) found.push("arrow keys do not turn the 3D view");
+    await page.keyboard.press("0");
+  }
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+  if (wide > 1) found.push(`the page is ${wide} px wider than the window`);
+  await page.evaluate(() => document.querySelectorAll("details").forEach((part) => { part.open = true; }));
+  await page.screenshot({ path: join(screenshots, `${basename(dirname(resolve(file)))}.png`), fullPage: true });
+  await page.setViewportSize({ width: 400, height: 800 });
+  const narrow = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+  if (narrow > 1) found.push(`on a narrow screen the page is ${narrow} px wider than the window`);
+  await page.close();
+  return found;
+}
+
+let failed = 0;
+for (const report of reports) {
+  const [file, viewer] = report.split("=");
+  const found = await faults(file, viewer);
+  console.log(`${file}: ${found.length === 0 ? "fine" : "\n  " + found.join("\n  ")}`);
+  failed += found.length;
+}
+await context.close();
+rmSync(profile, { recursive: true, force: true });
+process.exit(failed === 0 ? 0 : 1);
