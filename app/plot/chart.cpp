@@ -35,12 +35,18 @@ Range shown(const Axis& axis, const std::vector<double>& values) {
   return range;
 }
 
-std::vector<const Series*> legend_of(const Chart& chart) {
-  std::vector<const Series*> named;
-  if (!chart.legend) return named;
-  for (const Series& s : chart.series)
-    if (!s.name.empty()) named.push_back(&s);
-  return named;
+std::vector<const Series*> named(const std::vector<Series>& series) {
+  std::vector<const Series*> out;
+  for (const Series& s : series)
+    if (!s.name.empty()) out.push_back(&s);
+  return out;
+}
+
+/// Width of an entry of a legend: sample, name, room.
+double entry_width(const std::vector<const Series*>& legend) {
+  double widest = 0;
+  for (const Series* s : legend) widest = std::max(widest, kFont * text_width(s->name));
+  return kSample + 22 + widest;
 }
 
 /// Draws one chart. Holds where the axes lie.
@@ -50,7 +56,7 @@ class Drawing {
       : chart_(chart),
         x_range_(shown(chart.x, all_values(chart, true))),
         y_range_(shown(chart.y, all_values(chart, false))),
-        legend_(legend_of(chart)) {
+        legend_(chart.legend ? named(chart.series) : std::vector<const Series*>()) {
     y_ticks_ = ticks(chart.y.kind, y_range_, static_cast<int>(chart.height / 42));
     double label = 0;
     for (const Tick& t : y_ticks_) label = std::max(label, text_width(t.label));
@@ -78,9 +84,7 @@ class Drawing {
   void place_legend() {
     if (legend_.empty()) return;
     beside_ = legend_.size() > kMostBelow;
-    double widest = 0;
-    for (const Series* s : legend_) widest = std::max(widest, kFont * text_width(s->name));
-    column_ = kSample + 10 + widest + 12;
+    column_ = entry_width(legend_);
     const double rows = static_cast<double>(legend_.size()) * kLegendRow;
     if (beside_) {
       width_ -= column_ + 4;
@@ -168,7 +172,8 @@ class Drawing {
       double x = left_ + width_ + 14, y = top_ + 8 + static_cast<double>(k) * kLegendRow;
       if (!beside_) {
         x = left_ + static_cast<double>(k % per_row_) * column_;
-        y = top_ + height_ + kBelow + 6 + static_cast<double>(k / per_row_) * kLegendRow;
+        const std::size_t row = k / per_row_;
+        y = top_ + height_ + kBelow + 6 + static_cast<double>(row) * kLegendRow;
       }
       if (s.style.line) out += fmt::format("<path {} d=\"M{:.1f} {:.1f}h{}\"/>", stroke_of(s.style), x, y, kSample);
       if (s.style.markers || s.marks > 0) out += marker(s.style, x + kSample / 2, y);
@@ -187,6 +192,11 @@ class Drawing {
 };
 
 }  // namespace
+
+double legend_width(const std::vector<Series>& series) {
+  const std::vector<const Series*> legend = named(series);
+  return legend.size() > kMostBelow ? entry_width(legend) + 4 : 0;
+}
 
 std::string svg(const Chart& chart, bool standalone) { return Drawing(chart).draw(standalone); }
 

@@ -46,6 +46,9 @@ struct Chart {
 /// The chart as an SVG element. Values that its scales cannot show are left out. `standalone`: a file of its own, with its style in it.
 std::string svg(const Chart& chart, bool standalone = false);
 
+/// What a legend beside the chart takes off its width, px; zero where the legend stands below.
+double legend_width(const std::vector<Series>& series);
+
 /// Charts side by side, with a title above, as a file of its own.
 std::string panels_svg(const std::string& title, const std::string& description, const std::vector<Chart>& charts);
 

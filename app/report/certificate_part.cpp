@@ -17,6 +17,7 @@ class CertificateTable {
  public:
   explicit CertificateTable(const JsonFile& result) : result_(result) {
     table_.columns = {{"test"}, {"measured", true}, {"allowed", true}, {"verdict"}, {"what it asks"}};
+    table_.style = "tests";
     for (const JsonFile& f : result.objects("failures")) {
       failures_.push_back(f.text("name"));
       messages_.push_back(f.text("message"));
@@ -96,9 +97,12 @@ class CertificateTable {
     const double order = result_.number("cost.order");
     const std::vector<std::string> names = {"refinement", "not_asymptotic", "error_bar", "collapsed"};
     std::string words =
-        "The path is solved again with half, once and twice as many segments; the value and its bar follow from these "
-        "levels. Method: " +
-        method + ".";
+        "The value is the cost of the delivered curve itself; nothing was extrapolated. Method: " + method + ".";
+    if (!result_.objects("certificate.levels").empty())
+      words =
+          "The path is solved again with half, once and twice as many segments; the value and its bar follow from "
+          "these levels. Method: " +
+          method + ".";
     if (std::isfinite(order)) words += " The order is observed; smooth paths have 2.";
     row("refinement", std::isfinite(order) ? "order " + number_text(order) : method, "", names, words);
   }
@@ -129,10 +133,13 @@ class CertificateTable {
     const std::string verdict = result_.text("certificate.index.verdict");
     const std::vector<std::string> names = {"saddle", "degenerate", "index_not_applicable"};
     const bool not_applicable = verdict == "not_applicable";
-    row("index", not_applicable ? "not applicable" : verdict, not_applicable ? "" : "minimum", names,
-        fmt::format(
-            "Directions in which the energy falls, by the signs of the pivots of its Hessian: {}; flat ones: {}.",
-            result_.text("certificate.index.negatives"), result_.text("certificate.index.nullity")),
+    const std::string words =
+        not_applicable
+            ? "There is none here: a polyhedron has no second derivatives, and some energies are not finite."
+            : fmt::format(
+                  "Directions in which the energy falls, by the signs of the pivots of its Hessian: {}; flat ones: {}.",
+                  result_.text("certificate.index.negatives"), result_.text("certificate.index.nullity"));
+    row("index", not_applicable ? "not applicable" : verdict, not_applicable ? "" : "minimum", names, words,
         not_applicable);
   }
 

@@ -51,8 +51,8 @@ th{font-weight:600;border-bottom:1.5px solid var(--ink);white-space:nowrap;verti
 td.n,th.n{text-align:right;white-space:nowrap;padding-right:1.3rem}
 td:last-child,th:last-child{padding-right:0}
 td[title],th[title]{text-decoration:underline dotted var(--soft);text-underline-offset:3px;cursor:help}
-td.w{white-space:nowrap}
-td.good,td.bad{font-weight:600}
+td.w,.tests td:first-child{white-space:nowrap}
+td.good,td.bad{font-weight:600}td.plain{font-weight:400}
 .matrix{font-size:.74rem;line-height:1.25}.matrix td{white-space:pre;padding:.26rem .4rem;border-left:1px solid var(--rule);text-decoration:none}
 .matrix th{white-space:normal;padding:.26rem .4rem;font-size:.72rem;overflow-wrap:anywhere;min-width:3.4rem}
 .matrix th:first-child,.matrix td:first-child{position:sticky;left:0;background:var(--paper);border-left:0;padding-left:0;white-space:normal;min-width:8rem}

@@ -116,7 +116,9 @@ Picture picture_of(const RunFiles& files) {
   if (files.scene.dimension == 2 && files.scene.lines.path.cols() > 0) {
     std::string bands;
     if (files.scene.cost)
-      bands = "Shading: cost per unit of length, mean over all directions, on a logarithmic scale; darker is dearer.";
+      bands =
+          "Shading: cost per unit of length, mean over all directions, on a logarithmic scale; the stronger, the "
+          "dearer.";
     if (files.scene.cost && holds_infinity(*files.scene.cost)) bands += " Hatched: not reachable.";
     return {"<figure>\n" + plane_svg(files) + legend_of(files, false) + caption_of(files, bands) + "</figure>\n", ""};
   }

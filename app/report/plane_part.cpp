@@ -21,7 +21,7 @@ constexpr int kBands = 8;
 /// The part of the plane that is shown, and how it is mapped to the drawing.
 class Frame {
  public:
-  Frame(Eigen::Vector2d lower, Eigen::Vector2d upper) : lower_(lower), upper_(upper) {
+  Frame(const Eigen::Vector2d& lower, const Eigen::Vector2d& upper) : lower_(lower), upper_(upper) {
     const Eigen::Vector2d extent = upper - lower;
     scale_ = std::min((kMostWidth - kLeft - kRight) / extent[0], (kMostHeight - kTop - kBelow) / extent[1]);
   }
@@ -80,6 +80,7 @@ std::vector<double> levels_of(const Raster& raster) {
   std::sort(finite.begin(), finite.end());
   const double low = finite[finite.size() / 50], high = finite[finite.size() - 1 - finite.size() / 50];
   std::vector<double> levels;
+  levels.reserve(kBands);
   for (int k = 0; k < kBands; ++k) levels.push_back(low * std::pow(high / low, (k + 0.5) / kBands));
   return levels;
 }
@@ -96,8 +97,8 @@ std::string cost_bands(const Raster& raster, const Frame& frame) {
   std::string out =
       fmt::format("<rect class=\"band0\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n",
                   frame.x(raster.lower[0]), frame.y(raster.upper[1]), frame.width(), frame.height());
-  for (std::size_t k = 0; k < levels.size(); ++k)
-    out += fmt::format("<path class=\"band\" d=\"{}\"/>\n", region_above(grid, levels[k], x, y));
+  for (const double level : levels)
+    out += fmt::format("<path class=\"band\" d=\"{}\"/>\n", region_above(grid, level, x, y));
   return out + fmt::format("<path class=\"out\" d=\"{}\"/>\n", region_infinite(grid, x, y));
 }
 

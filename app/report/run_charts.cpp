@@ -19,6 +19,7 @@ Chart convergence_chart(const NumberTable& history, const std::string& column, c
   const std::vector<double>& energy = history["energy"];
   const double least = *std::min_element(energy.begin(), energy.end());
   std::vector<double> excess;
+  excess.reserve(energy.size());
   for (const double e : energy) excess.push_back((e - least) / std::max(std::abs(least), 1e-300));
   Chart chart;
   chart.title = "against " + title;

@@ -100,7 +100,7 @@ std::vector<Piece> discs(const Surfels& surfels, const Projector& projector, con
   constexpr std::size_t kMost = 4000;
   const std::size_t step = surfels.positions.size() / kMost + 1;
   const double radius =
-      std::clamp(0.45 * projector.scale() * surfels.spacing * std::sqrt(static_cast<double>(step)), 0.8, 6.0);
+      std::clamp(0.62 * projector.scale() * surfels.spacing * std::sqrt(static_cast<double>(step)), 0.8, 6.0);
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i < surfels.positions.size(); i += step) {
     const Eigen::Vector3d p = projector.place(surfels.positions[i]);

@@ -13,7 +13,18 @@
 namespace leastcost::app {
 namespace {
 
-constexpr double kPanel = 400, kLegend = 180;
+constexpr double kPage = 1008, kGap = 26;  ///< width of a page and between its figures, px
+
+/// Gives panels that share the legend of the last one the same width, so that they fill a line of the page: up to three in one.
+void share_width(std::vector<Chart>& panels) {
+  if (panels.empty()) return;
+  const double legend = legend_width(panels.back().series);
+  const auto columns = static_cast<double>(std::min<std::size_t>(panels.size(), 3));
+  for (Chart& chart : panels) {
+    chart.legend = &chart == &panels.back();
+    chart.width = std::floor((kPage - legend - (columns - 1) * kGap) / columns) + (chart.legend ? legend : 0);
+  }
+}
 
 /// Steps from the left edge of the chart to the right one.
 Series steps_of(const std::string& name, const Profile& profile, double from, double to, int number) {
@@ -29,7 +40,7 @@ Series steps_of(const std::string& name, const Profile& profile, double from, do
 }
 
 Chart profile_chart(const StudyAnalysis& study, const std::vector<Profile>& profiles, const std::string& title,
-                    const std::string& x, bool legend) {
+                    const std::string& x) {
   double most = 2;
   for (const Profile& p : profiles)
     if (!p.at.empty()) most = std::max(most, p.at.back());
@@ -40,8 +51,6 @@ Chart profile_chart(const StudyAnalysis& study, const std::vector<Profile>& prof
   chart.y = {"share of problems", ScaleKind::linear, 0.0, 1.02};
   for (std::size_t s = 0; s < profiles.size(); ++s)
     chart.series.push_back(steps_of(study.solvers[s], profiles[s], 1, 1.3 * most, static_cast<int>(s)));
-  chart.legend = legend;
-  chart.width = kPanel + (legend ? kLegend : 0);
   chart.height = 360;
   return chart;
 }
@@ -87,11 +96,10 @@ StudyFigure against_points(const StudyAnalysis& study, Work kind, const std::str
       }
       chart.series.push_back(std::move(series));
     }
-    chart.legend = name == names.back();
-    chart.width = 330 + (chart.legend ? kLegend : 0);
     chart.height = 400;
     figure.panels.push_back(std::move(chart));
   }
+  share_width(figure.panels);
   figure.title = what + " to a relative cost error of 1e-10, against the number of points";
   figure.description = figure.title + ", for every solver; a solver that never gets there has no point";
   return figure;
@@ -150,7 +158,7 @@ Series descent_series(const StudyAnalysis& study, const Group& group, std::size_
 }
 
 std::string descents(const StudyAnalysis& study, const Group& group) {
-  std::vector<std::string> drawn;
+  std::vector<Chart> panels;
   for (const bool of_time : {false, true}) {
     Chart chart;
     const std::string what = of_time ? "seconds" : "evaluations";
@@ -164,24 +172,30 @@ std::string descents(const StudyAnalysis& study, const Group& group) {
         chart.series.push_back(descent_series(study, group, s, of_time ? d.seconds : d.evaluations, d.excess));
     }
     if (chart.series.empty()) return "";
-    chart.legend = of_time;
-    chart.width = kPanel + (of_time ? kLegend + 20 : 0);
     chart.height = 330;
-    drawn.push_back(svg(chart));
+    panels.push_back(std::move(chart));
   }
-  return figures(drawn);
+  share_width(panels);
+  return figures({svg(panels[0]), svg(panels[1])});
+}
+
+/// Two profiles that share a legend.
+StudyFigure profile_figure(const std::string& file, const std::string& title, const std::string& description,
+                           Chart first, Chart second) {
+  StudyFigure figure{file, title, description, {std::move(first), std::move(second)}};
+  share_width(figure.panels);
+  return figure;
 }
 
 }  // namespace
 
 StudyFigure performance_figure(const StudyAnalysis& study) {
   const auto profiles = [&](Work work) { return performance_profiles(positive(work_table(study, work, kSolved))); };
-  return {
-      "performance.svg",
-      "Performance profiles",
+  return profile_figure(
+      "performance.svg", "Performance profiles",
       "The share of problems that each solver solves with at most so many times the work of the best solver of each",
-      {profile_chart(study, profiles(Work::seconds), "by time", "times the fastest", false),
-       profile_chart(study, profiles(Work::evaluations), "by evaluations", "times the fewest", true)}};
+      profile_chart(study, profiles(Work::seconds), "by time", "times the fastest"),
+      profile_chart(study, profiles(Work::evaluations), "by evaluations", "times the fewest"));
 }
 
 StudyFigure data_figure(const StudyAnalysis& study) {
@@ -189,11 +203,10 @@ StudyFigure data_figure(const StudyAnalysis& study) {
   const auto profiles = [&](double tau) {
     return data_profiles(positive(work_table(study, Work::evaluations, tau)), units);
   };
-  return {"data.svg",
-          "Data profiles",
-          "The share of problems that each solver solves with at most so many evaluations",
-          {profile_chart(study, profiles(1e-5), "to 10⁻⁵", "evaluations", false),
-           profile_chart(study, profiles(kSolved), "to 10⁻¹⁰", "evaluations", true)}};
+  return profile_figure("data.svg", "Data profiles",
+                        "The share of problems that each solver solves with at most so many evaluations",
+                        profile_chart(study, profiles(1e-5), "to 10⁻⁵", "evaluations"),
+                        profile_chart(study, profiles(kSolved), "to 10⁻¹⁰", "evaluations"));
 }
 
 StudyFigure evaluations_figure(const StudyAnalysis& study) {

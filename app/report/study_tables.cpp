@@ -80,6 +80,34 @@ std::string leaders(const StudyAnalysis& study, const std::vector<double>& row, 
   return out.empty() ? "none" : out;
 }
 
+/// A problem, and its groups with the fewest and the most points.
+struct Ends {
+  std::string name;
+  std::size_t least, most;
+};
+
+/// Of all problems with more than one number of points.
+std::vector<Ends> ends_of(const StudyAnalysis& study) {
+  std::vector<Ends> ends;
+  for (std::size_t g = 0; g < study.groups.size(); ++g) {
+    const Group& group = study.groups[g];
+    const std::string name = group.problem + (group.rest.empty() ? "" : ", " + group.rest);
+    auto found = std::find_if(ends.begin(), ends.end(), [&](const Ends& e) { return e.name == name; });
+    if (found == ends.end()) found = ends.insert(ends.end(), {name, g, g});
+    if (group.points < study.groups[found->least].points) found->least = g;
+    if (group.points > study.groups[found->most].points) found->most = g;
+  }
+  std::erase_if(ends, [](const Ends& e) { return e.least == e.most; });
+  return ends;
+}
+
+/// "13 → 21", good while it does not double.
+Cell growth_cell(double from, double to) {
+  const auto text = [](double n) { return std::isfinite(n) ? count_text(n) : std::string("not reached"); };
+  const bool flat = std::isfinite(from) && to <= 2 * from;
+  return {text(from) + " → " + text(to), flat ? "good" : "bad plain"};
+}
+
 }  // namespace
 
 std::string duration_text(double seconds) {
@@ -174,34 +202,19 @@ std::string winners_table(const StudyAnalysis& study) {
 
 std::string growth_table(const StudyAnalysis& study) {
   const WorkTable work = work_table(study, Work::evaluations, kSolved);
-  Table table{{{"problem"}, {"solver"}, {"fewest points", true}, {"most points", true}, {"growth", true}}, {}, ""};
-  std::vector<std::string> problems;
-  for (const Group& g : study.groups)
-    if (std::find(problems.begin(), problems.end(), g.problem + g.rest) == problems.end())
-      problems.push_back(g.problem + g.rest);
-  for (const std::string& problem : problems) {
-    std::size_t least = study.groups.size(), most = least;
-    for (std::size_t g = 0; g < study.groups.size(); ++g) {
-      if (study.groups[g].problem + study.groups[g].rest != problem) continue;
-      if (least == study.groups.size() || study.groups[g].points < study.groups[least].points) least = g;
-      if (most == study.groups.size() || study.groups[g].points > study.groups[most].points) most = g;
-    }
-    if (study.groups[least].points == study.groups[most].points) continue;
-    for (std::size_t s = 0; s < study.solvers.size(); ++s) {
-      const double a = work[least][s], b = work[most][s], growth = b / a;
-      const bool known = std::isfinite(a) && std::isfinite(b);
-      const std::string name =
-          study.groups[least].problem + (study.groups[least].rest.empty() ? "" : ", " + study.groups[least].rest);
-      table.rows.push_back({{name},
-                            {study.solvers[s]},
-                            {std::isfinite(a) ? fmt::format("{:.0f}", a) : "not reached"},
-                            {std::isfinite(b) ? fmt::format("{:.0f}", b) : "not reached"},
-                            {known ? fmt::format("{:.1f}", growth) : "", known && growth <= 2 ? "good"
-                                                                         : known              ? "bad"
-                                                                                              : ""}});
-    }
+  const std::vector<Ends> ends = ends_of(study);
+  if (ends.empty()) return "";
+  Table table{{{"solver"}}, {}, ""};
+  for (const Ends& e : ends)
+    table.columns.push_back(
+        {fmt::format("{}, n = {} to {}", e.name, study.groups[e.least].points, study.groups[e.most].points)});
+  for (std::size_t s = 0; s < study.solvers.size(); ++s) {
+    std::vector<Cell> row = {{study.solvers[s]}};
+    for (const Ends& e : ends) row.push_back(growth_cell(work[e.least][s], work[e.most][s]));
+    table.rows.push_back(std::move(row));
   }
-  return table.rows.empty() ? "" : html(table);
+  return "<h3>From the fewest points to the most</h3>\n" +
+         paragraph("Evaluations; bold where they stay within a factor of two.", "soft") + html(table);
 }
 
 }  // namespace leastcost::app
