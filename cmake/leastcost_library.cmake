@@ -1,10 +1,11 @@
 # One rule for the libraries: every .cpp of the folder is part of it, so that a plug-in is its source file alone.
 #
 #   leastcost_library(problems NEEDS framework)
-#   leastcost_library(ceres NEEDS solvers FINDS "Ceres 2.1" LINKS " -lceres -lglog")
+#   leastcost_library(ceres NEEDS solvers FINDS "Ceres 2.1" HEADERS ceres_solver.hpp LINKS " -lceres -lglog")
 #   leastcost_library(solvers NEEDS framework EXCEPT nlopt ceres)
 #
 # NEEDS: components whose targets appear in our headers (they are linked and exported with the target).
+# HEADERS: those that are installed; default: all.
 # EXCEPT: sub-folders that are components of their own.
 # LINKS: of a static build, for pkg-config.
 # FINDS: packages that a consumer has to find as well, the private ones of a static build included.
@@ -22,7 +23,7 @@ function(leastcost_warnings target)
 endfunction()
 
 function(leastcost_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "NEEDS;FINDS;EXCEPT;LINKS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "NEEDS;FINDS;EXCEPT;HEADERS;LINKS")
   set(target leastcost_${name})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/*.hpp)
   foreach(folder IN LISTS arg_EXCEPT)
@@ -30,6 +31,9 @@ function(leastcost_library name)
   endforeach()
   set(headers ${sources})
   list(FILTER headers INCLUDE REGEX "[.]hpp$")
+  if(arg_HEADERS)
+    list(TRANSFORM arg_HEADERS PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ OUTPUT_VARIABLE headers)
+  endif()
   add_library(${target} ${sources})
   add_library(leastcost::${name} ALIAS ${target})
 
