@@ -42,6 +42,8 @@ StudyFigure order_figure(const StudyAnalysis& study);
 
 /// How much the evaluations grow from the fewest points to the most.
 std::string growth_table(const StudyAnalysis& study);
+/// Times to kSolved as multiples of those of the first solver of the study, for every number of points.
+std::string ratio_table(const StudyAnalysis& study);
 /// A dot per solver and problem: distance from the true least cost. SVG; empty where no optimum is known.
 std::string accuracy_svg(const StudyAnalysis& study, bool standalone);
 /// Per group, all solvers: relative excess against evaluations and time.

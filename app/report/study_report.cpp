@@ -122,8 +122,8 @@ std::vector<ReportFile> study_report(const fs::path& folder) {
       "of all solvers. A "
       "solver whose work does not depend on the number of points is flat; where it never gets there, it has no marker.",
       growth_table(study), body, files);
-  add_figure("Time against the number of points", seconds_figure(study), "Seconds to the same excess.", "", body,
-             files);
+  add_figure("Time against the number of points", seconds_figure(study), "Seconds to the same excess.",
+             ratio_table(study), body, files);
   add_figure("Performance profiles", performance_figure(study),
              "Dolan and Moré (2002): the share of problems that a solver solves to 1e-10 with at most so many times "
              "the work of the best one. On the left "

@@ -108,6 +108,15 @@ Cell growth_cell(double from, double to) {
   return {text(from) + " → " + text(to), flat ? "good" : "bad plain"};
 }
 
+/// "12", or "≥ 300" where the solver spent so much without getting there.
+Cell ratio_cell(double seconds, const Task& task, double reference) {
+  if (!std::isfinite(reference) || task.verdict == Verdict::absent) return {""};
+  const auto text = [](double ratio) { return number_text(ratio, ratio < 10 ? 2 : 3); };
+  if (std::isfinite(seconds)) return {text(seconds / reference), "", duration_text(seconds)};
+  if (task.seconds.count == 0 || task.verdict == Verdict::other_minimum) return {"–", "mild", task.reason};
+  return {"≥ " + text(task.seconds.median / reference), "bad plain", "not reached: " + task.reason};
+}
+
 }  // namespace
 
 std::string duration_text(double seconds) {
@@ -215,6 +224,27 @@ std::string growth_table(const StudyAnalysis& study) {
   }
   return "<h3>From the fewest points to the most</h3>\n" +
          paragraph("Evaluations; bold where they stay within a factor of two.", "soft") + html(table);
+}
+
+std::string ratio_table(const StudyAnalysis& study) {
+  const WorkTable work = work_table(study, Work::seconds, kSolved);
+  Table table{{{"solver"}}, {}, ""};
+  std::vector<std::size_t> columns;
+  for (const Ends& e : ends_of(study))
+    for (std::size_t g = 0; g < study.groups.size(); ++g)
+      if (study.groups[g].problem == study.groups[e.least].problem &&
+          study.groups[g].rest == study.groups[e.least].rest)
+        columns.push_back(g);
+  if (columns.empty()) return "";
+  for (const std::size_t g : columns) table.columns.push_back({study.groups[g].label, true});
+  for (std::size_t s = 0; s < study.solvers.size(); ++s) {
+    std::vector<Cell> row = {{study.solvers[s]}};
+    for (const std::size_t g : columns) row.push_back(ratio_cell(work[g][s], study.groups[g].tasks[s], work[g][0]));
+    table.rows.push_back(std::move(row));
+  }
+  return "<h3>As multiples of " + escaped(study.solvers[0]) + "</h3>\n" +
+         paragraph("Time to the same excess; ≥ where a solver spent so much without getting there.", "soft") +
+         html(table);
 }
 
 }  // namespace leastcost::app

@@ -224,6 +224,8 @@ TEST_CASE("report: of a study, with its figures as files") {
   check_holds(page,
               {"a study", "torus &lt;b&gt;, n = 10", "3 of 4 solves certified", "Performance profiles", "timeout"});
   check_lacks(page, "<script");
+  // 9 evaluations at 10 points and at 100; the other solver never came back from 100.
+  check_holds(page, {">9 → 9<", ">400 → not reached<", "As multiples of newton"});
   check_stands_alone(page);
   for (const char* figure : {"evaluations.svg", "performance.svg", "data.svg", "accuracy.svg", "order.svg"}) {
     CAPTURE(figure);
