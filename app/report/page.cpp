@@ -26,7 +26,7 @@ std::size_t characters(std::string_view text) {
 /// Whether a cell of a number column holds a number; words stand on the left of it.
 bool is_number(const std::string& text) {
   return text.empty() || (text[0] >= '0' && text[0] <= '9') || text.starts_with("-") || text.starts_with("−") ||
-         text.starts_with("∞");
+         text.starts_with("∞") || text.starts_with("≥");
 }
 
 Parts parts_of(const std::string& text) {

@@ -228,7 +228,7 @@ std::string growth_table(const StudyAnalysis& study) {
 
 std::string ratio_table(const StudyAnalysis& study) {
   const WorkTable work = work_table(study, Work::seconds, kSolved);
-  Table table{{{"solver"}}, {}, ""};
+  Table table{{{"solver"}}, {}, "matrix"};
   std::vector<std::size_t> columns;
   for (const Ends& e : ends_of(study))
     for (std::size_t g = 0; g < study.groups.size(); ++g)
