@@ -51,6 +51,33 @@ struct Chute : TravelTimeBase<D> {
   Point<S, D> residual(const Point<S, D>& a, const Point<S, D>& b) const {
     return (b - a) * (S(2.0) / speed_sum<S>(a, b));
   }
+
+  /// By hand, because nested duals made two thirds of a Newton step: q = f(S) L with L = |b - a|^2, f = 4 / S^2 and S the sum of the speeds, which
+  /// depends on the two heights alone. An end at rest has infinite derivatives; they stay in its own rows and columns.
+  void hessian(const Point<double, D>& a, const Point<double, D>& b, Eigen::Ref<Points> h) const {
+    const Index d = a.size();
+    const Index height[] = {d - 1, 2 * d - 1};
+    const double g = this->energy.gravity;
+    const double speed[] = {std::sqrt(this->energy.squared_speed(a[d - 1])),
+                            std::sqrt(this->energy.squared_speed(b[d - 1]))};
+    const double sum = speed[0] + speed[1], f = 4 / (sum * sum), f1 = -2 * f / sum, f2 = -3 * f1 / sum;
+    const Point<double, D> u = b - a;
+    const double length2 = u.squaredNorm();
+    h.diagonal().array() += 2 * f;
+    h.topRightCorner(d, d).diagonal().array() -= 2 * f;
+    h.bottomLeftCorner(d, d).diagonal().array() -= 2 * f;
+    for (int e = 0; e < 2; ++e) {
+      const Index y = height[e];
+      const double slope = -g / speed[e];  // of S
+      for (Index i = 0; i < d; ++i) {
+        const double product = 2 * f1 * slope * u[i];  // of grad f and grad L
+        h(y, i) -= product, h(i, y) -= product;
+        h(y, d + i) += product, h(d + i, y) += product;
+      }
+      h(y, y) += length2 * (f2 * slope * slope - f1 * g * g / (speed[e] * speed[e] * speed[e]));
+      h(y, height[1 - e]) += length2 * f2 * slope * -g / speed[1 - e];
+    }
+  }
 };
 
 /// Speed at mid-height, VFCS Eqs. (21), (22). From rest it is not the time of the chute: see NUMERICS Sec. 2.
