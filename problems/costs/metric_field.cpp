@@ -141,6 +141,31 @@ struct MetricField {
     return residual<S>(a, b).squaredNorm();
   }
 
+  /// q = u' M(m) u with u = b - a and the middle m: the field is differentiated in m alone, half as many directions as both ends have.
+  void hessian(const Point<double, dim>& a, const Point<double, dim>& b, Eigen::Ref<Points> h) const {
+    if (is_average) return detail::hessian_nested(*this, {a, b}, h);
+    using Square = Tensor<double, dim>;
+    const Point<double, dim> u = b - a;
+    const Tensor<NestedDual, dim> m = metric_jet(0.5 * (a + b));
+    Square in_u = Square::Zero(), mixed = in_u, in_m = in_u;  // second derivatives of q; mixed: rows u, columns m
+    for (int i = 0; i < dim; ++i) {
+      for (int j = 0; j < dim; ++j) {
+        const NestedDual& entry = m(i, j);
+        in_u(i, j) = 2 * entry.value.value;
+        for (std::size_t k = 0; k < dim; ++k) {
+          mixed(i, static_cast<Index>(k)) += 2 * u[j] * entry.d[k].value;
+          for (std::size_t l = 0; l < dim; ++l)
+            in_m(static_cast<Index>(k), static_cast<Index>(l)) += u[i] * u[j] * entry.d[k].d[l];
+        }
+      }
+    }
+    const Square both = 0.5 * (mixed + mixed.transpose()), across = 0.5 * (mixed.transpose() - mixed);
+    h.topLeftCorner(dim, dim) = in_u - both + 0.25 * in_m;
+    h.bottomRightCorner(dim, dim) = in_u + both + 0.25 * in_m;
+    h.topRightCorner(dim, dim) = across - in_u + 0.25 * in_m;
+    h.bottomLeftCorner(dim, dim) = h.topRightCorner(dim, dim).transpose();
+  }
+
   double line_element(const Eigen::VectorXd& x, const Eigen::VectorXd& v) const {
     const Point<double, dim> p = x;
     if (!Field::inside(p)) return std::numeric_limits<double>::infinity();
@@ -150,6 +175,21 @@ struct MetricField {
   }
 
  private:
+  using NestedDual = Dual<Dual<double, dim>, dim>;
+
+  /// The metric at a place, with first and second derivatives.
+  Tensor<NestedDual, dim> metric_jet(const Point<double, dim>& place) const {
+    Point<NestedDual, dim> x;
+    for (int i = 0; i < dim; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      x[i] = NestedDual(place[i]);
+      x[i].value.d[k] = 1;
+      x[i].d[k] = Dual<double, dim>(1.0);
+    }
+    const Tensor<NestedDual, dim> t = field(x);
+    return is_root ? Tensor<NestedDual, dim>(t.transpose() * t) : t;
+  }
+
   template <class S>
   static bool inside(const Point<S, dim>& x) {
     Point<double, dim> p;
