@@ -36,7 +36,7 @@ class GeorceSolve {
     if (!std::isfinite(own_energy_)) return finish(Termination::non_finite, "the metric of the cost is not finite");
     double cost = best_.cost(), largest_move = 0;
     for (;;) {
-      loop_.record(own_energy_, std::numeric_limits<double>::quiet_NaN(), largest_move);
+      loop_.record(energy_.value(path_), std::numeric_limits<double>::quiet_NaN(), largest_move);  // ours: comparable
       if (const std::optional<Termination> end = loop_.must_end(path_)) return finish(*end, "");
       if (!propose()) return finish(Termination::non_finite, "the metric of the cost is not positive definite");
       const double before = own_energy_;

@@ -16,9 +16,10 @@
 namespace leastcost {
 namespace {
 
-constexpr double kMostTurned = 0.5;  ///< cosine of 60 degrees
-constexpr double kFloor = 10;        ///< rounding slacks left to gain when rounding has ended a solve
-constexpr double kPlainFloor = 1e4;  ///< the same where a step gains less than that by the condition number
+constexpr double kMostTurned = 0.5;     ///< cosine of 60 degrees
+constexpr double kFloor = 10;           ///< rounding slacks left to gain when rounding has ended a solve
+constexpr double kPlainFloor = 1e4;     ///< the same where a step gains less than that by the condition number
+constexpr double kShortestPart = 1e-3;  ///< of a step of the chain's model
 constexpr double kTiny = std::numeric_limits<double>::min();
 constexpr int kPatience = 2;  ///< rounds in a row without a lower energy
 constexpr int kIdle = 100;    ///< evaluations in a row without one, for one direction; then the round is over
@@ -37,9 +38,8 @@ class Rounds final : public RoundObjective {
 
   SolveReport run(RoundMinimiser& minimiser) {
     for (int idle = 0;;) {
-      if (!variables_.centre(path_))
-        return loop_.finish(Termination::non_finite, "the gradient is not finite",
-                            std::numeric_limits<double>::infinity());
+      if (!variables_.centre(path_)) return no_centre();
+      last_centre_ = path_;
       best_value_ = variables_.model().value;
       variables_.pull_back(Eigen::VectorXd::Zero(size()), variables_.model().gradient, slope_);
       if (loop_.iterations() == 0) loop_.record(best_value_, variables_.model().cost_error, 0);
@@ -47,6 +47,8 @@ class Rounds final : public RoundObjective {
       if (const std::optional<Termination> end = loop_.must_end(path_)) return finish(*end);
       const double before = best_value_;
       play(minimiser);
+      if (bound_met_ && !end_ && !thrown_ && before - best_value_ < kKinkedGain * variables_.model().decrement / 2)
+        step_along_bounds();
       if (thrown_) std::rethrow_exception(thrown_);
       if (end_) return finish(*end_);
       if (kinked_ && !(before - best_value_ > kKinkedGain * variables_.model().decrement / 2))
@@ -88,6 +90,7 @@ class Rounds final : public RoundObjective {
   /// One round: the back end from z = 0, then the best path it has seen.
   void play(RoundMinimiser& minimiser) {
     stop_ = false;
+    bound_met_ = false;
     evaluations_ = improved_ = 0;
     best_path_ = path_;
     try {
@@ -96,6 +99,20 @@ class Rounds final : public RoundObjective {
       words_ = error.what();
     }
     path_ = best_path_;
+  }
+
+  /// A round whose trials bounds have stopped may gain next to nothing, again and again. One step of the chain's model, cut off at the bounds and
+  /// shortened until it gains, finds those that hold the next round.
+  void step_along_bounds() {
+    const Points& moves = variables_.model().moves;
+    for (double part = 1; part > kShortestPart; part /= 2) {
+      energy_.retract(last_centre_, part * moves, trial_);
+      const double value = energy_.value_and_gradient(trial_, path_gradient_);
+      if (!(value < best_value_)) continue;
+      take(value);
+      path_ = best_path_;
+      return;
+    }
   }
 
   double evaluate(const Eigen::VectorXd& z, Eigen::VectorXd* gradient) {
@@ -115,8 +132,9 @@ class Rounds final : public RoundObjective {
 
   double at(const Eigen::VectorXd& z, Eigen::VectorXd* gradient) {
     if (!variables_.path_at(z, trial_)) {
+      bound_met_ = true;
       // Beyond a bound there is no x(z); but the path that stops at the bound may be the better centre of the next round, with the bound in it.
-      const double clamped = energy_.value(trial_);
+      const double clamped = energy_.value_and_gradient(trial_, path_gradient_);  // infinite for a bead at rest, say
       if (clamped < best_value_) take(clamped);
       if (gradient != nullptr) gradient->setZero(size());
       return std::numeric_limits<double>::infinity();
@@ -151,6 +169,15 @@ class Rounds final : public RoundObjective {
     return holds;
   }
 
+  /// A path of finite energy whose gradient is not: no round can begin there. The one before was better than that.
+  SolveReport no_centre() {
+    if (last_centre_.u.size() == 0)
+      return loop_.finish(Termination::non_finite, "the gradient is not finite", energy_.value(path_));
+    path_ = last_centre_;
+    words_ = "the search has run to a place where the gradient is not finite";
+    return finish(Termination::line_search_failed);
+  }
+
   SolveReport finish(Termination end) {
     loop_.set_cost_error(measured_cost_error(energy_, path_));
     return loop_.finish(end, words_, energy_.value(path_));
@@ -172,13 +199,13 @@ class Rounds final : public RoundObjective {
   ChainVariables variables_;
   RareTest test_;
   SolveLoop loop_;
-  CoordinatePath best_path_, trial_;
+  CoordinatePath best_path_, last_centre_, trial_;
   Points path_gradient_;
   Eigen::VectorXd slope_;  ///< the gradient at z = 0
   double best_value_ = 0;
   int evaluations_ = 0;  ///< of this round
   int improved_ = 0;     ///< the last of them that lowered the energy by more than rounding
-  bool stop_ = false;
+  bool stop_ = false, bound_met_ = false;
   std::optional<Termination> end_;
   std::exception_ptr thrown_;
   std::string words_;

@@ -15,10 +15,13 @@
 #include "app/output/json_numbers.hpp"
 #include "app/registry.hpp"
 #include "app/report/report.hpp"
+#include "app/study/journal.hpp"
+#include "app/study/study_files.hpp"
 
 namespace leastcost::app {
 namespace {
 
+namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 Json diagnostics_json(const Diagnostics& diagnostics) {
@@ -105,7 +108,14 @@ Exit validate_command(const std::vector<std::string>& files, const std::vector<O
 }
 
 Exit report_command(const std::vector<std::string>& folders, const Streams& streams) {
-  for (const std::string& folder : folders) streams.out << write_report(folder).string() << '\n';
+  for (const std::string& folder : folders) {
+    // What a study leaves is made from its journal, also of one that was killed.
+    if (const fs::path journal = fs::path(folder) / "journal.jsonl"; fs::exists(journal)) {
+      JournalContent content = read_journal(journal);
+      write_study_files(folder, content);
+    }
+    streams.out << write_report(folder).string() << '\n';
+  }
   return Exit::certified;
 }
 

@@ -3,16 +3,24 @@
 #include "app/cli/interrupt.hpp"
 
 #include <csignal>
+#include <ctime>
 
 namespace leastcost::app {
 namespace {
 
 volatile std::sig_atomic_t stop_flag = 0;
+std::time_t first_request = 0;
 
-extern "C" void on_interrupt(int) {
-  stop_flag = 1;
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+/// The first request asks for an orderly end, one made later insists. What follows at once is the same request: timeout(1) and some schedulers
+/// signal a process and then its whole group.
+extern "C" void on_interrupt(int signal) {
+  if (stop_flag == 0) {
+    stop_flag = 1;
+    first_request = std::time(nullptr);
+  } else if (std::time(nullptr) > first_request + 1) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
 }
 
 }  // namespace

@@ -86,6 +86,7 @@ Exit study_command(const StudyArguments& arguments, const Streams& streams) {
   const StudyOutcome outcome = run_study(request);
   progress.clear();
   if (!outcome.interrupted) return finish(outcome, arguments.json, streams);
+  if (!outcome.journal.results.empty()) write_report(outcome.output);
   const std::string message = fmt::format("{} results are in {}; the same command with --resume goes on",
                                           outcome.journal.results.size(), outcome.output.string());
   streams.err << "interrupted: " << message << '\n';

@@ -140,15 +140,8 @@ void check_points(LoadedConfig& loaded) {
 }
 
 void check_name(LoadedConfig& loaded) {
-  const std::string& name = loaded.config.name;
-  const bool harmless = std::none_of(name.begin(), name.end(), [](char c) {
-    return c == '/' || c == '\\' || static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-  });
-  constexpr std::size_t kLongestName = 200;  // file systems stop at 255 bytes
-  if (harmless && !name.empty() && name[0] != '.' && name.size() <= kLongestName) return;
-  loaded.errors.error(place_of(loaded.tree, "name"),
-                      "'name' becomes a folder: it must not be empty, begin with a dot, contain a slash "
-                      "or a control character, or be longer than 200 bytes");
+  const std::string fault = name_fault(loaded.config.name);
+  if (!fault.empty()) loaded.errors.error(place_of(loaded.tree, "name"), fault);
 }
 
 /// The program does not act on it; the tests do.
@@ -163,6 +156,16 @@ void check_expected_exit(LoadedConfig& loaded) {
 }
 
 }  // namespace
+
+std::string name_fault(const std::string& name) {
+  const bool harmless = std::none_of(name.begin(), name.end(), [](char c) {
+    return c == '/' || c == '\\' || static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+  });
+  constexpr std::size_t kLongestName = 200;  // file systems stop at 255 bytes
+  if (harmless && !name.empty() && name[0] != '.' && name.size() <= kLongestName) return "";
+  return "'name' becomes a folder: it must not be empty, begin with a dot, contain a slash or a control character, "
+         "or be longer than 200 bytes";
+}
 
 void check_and_complete(LoadedConfig& loaded) {
   complete(loaded.config);

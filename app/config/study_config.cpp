@@ -3,6 +3,7 @@
 #include "app/config/study_config.hpp"
 
 #include "app/config/options_reader.hpp"
+#include "app/config/run_checks.hpp"
 #include "app/config/run_config.hpp"
 #include "app/config/yaml_reader.hpp"
 #include "app/registry.hpp"
@@ -60,7 +61,8 @@ void StudyProblem::fields(RunVisitor& visit) {
   visit.tree(
       "config", config, TreeForm::run, nullptr,
       {.help = "The run: a configuration file relative to this one, or the configuration itself.", .required = true});
-  visit.field("optimum", optimum, {.help = "Its true least cost, if known.", .unit = "cost"});
+  visit.field("optimum", optimum,
+              {.help = "Its true least cost, if known.", .unit = "cost", .minimum = 0, .exclusive_minimum = true});
   visit.tree("set", set, TreeForm::options, nullptr, {.help = "Options of this problem only."});
   visit.field("optional", optional, {.help = "Skip it where one of its files does not exist."});
 }
@@ -119,6 +121,9 @@ LoadedStudy parse_study(std::string text, const std::string& file_name, const st
   OptionsReader reader(loaded.tree, "", {1, 1, 1, ""}, loaded.errors);
   loaded.config.fields(reader);
   reader.finish();
+  const ConfigEntry* name = loaded.tree.find("name");
+  const std::string fault = name_fault(loaded.config.name);
+  if (!fault.empty()) loaded.errors.error(name != nullptr ? name->value.place : Place{1, 1, 1, ""}, fault);
   return loaded;
 }
 

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <chrono>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <system_error>
@@ -59,8 +60,23 @@ void read_facts(const std::string& line, JournalContent& content) {
   content.shard = {json.at("shard").at(0), json.at("shard").at(1)};
 }
 
+/// A repetition of a cell of the study, and only once: twice the same line is one.
+void add_result(CellResult result, std::map<std::pair<long, long>, std::size_t>& places, JournalContent& content) {
+  const RunRow& row = result.row;
+  if (row.cell < 0 || row.cell >= content.facts.cells || row.repetition < 0 ||
+      row.repetition >= content.facts.repetitions)
+    throw InputError(fmt::format("the study has no cell {}, repetition {}", row.cell, row.repetition));
+  const auto [place, is_new] = places.try_emplace({row.cell, row.repetition}, content.results.size());
+  if (is_new)
+    content.results.push_back(std::move(result));
+  else if (to_json_line(content.results[place->second]) != to_json_line(result))
+    throw InputError(
+        fmt::format("cell {}, repetition {} is there already, with another result", row.cell, row.repetition));
+}
+
 JournalContent parse_journal(const std::string& text, const fs::path& file) {
   JournalContent content;
+  std::map<std::pair<long, long>, std::size_t> places;
   std::istringstream in(text);
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
@@ -68,7 +84,7 @@ JournalContent parse_journal(const std::string& text, const fs::path& file) {
       if (number == 1)
         read_facts(line, content);
       else
-        content.results.push_back(from_json_line(line));
+        add_result(from_json_line(line), places, content);
     } catch (const std::exception& e) {
       throw InputError(fmt::format("{}:{}: not a line of a study's journal: {}", file.string(), number, e.what()));
     }

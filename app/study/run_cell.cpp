@@ -53,11 +53,11 @@ void fill_result(const RunOutcome& run, RunRow& row) {
   row.status = name(result.status);
   row.failures = failures_of(certificate);
   row.points = static_cast<long>(result.path.free_count());
-  row.cost = certificate.measured ? certificate.estimate.value : result.curve.cost;
-  if (certificate.measured) {
-    row.cost_error_bar = certificate.estimate.error;
-    row.spacing = certificate.spacing;
-  }
+  // The estimate comes from chains that the certifier has solved: of a path that is not certified it says nothing.
+  const bool certified = result.status == Status::certified;
+  row.cost = certified ? certificate.estimate.value : result.curve.cost;
+  if (certified) row.cost_error_bar = certificate.estimate.error;
+  if (certificate.measured) row.spacing = certificate.spacing;
   row.chain_cost = result.costs.sum();
   if (row.optimum) row.optimum_error = std::abs(*row.cost - *row.optimum) / std::abs(*row.optimum);
   row.energy_slope = energy_slope(run.parts.problem, result);

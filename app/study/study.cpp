@@ -164,7 +164,6 @@ StudyOutcome run_study(const StudyRequest& request) {
   write_whole_file(outcome.output / "study.resolved.yaml", resolved_study(grid, outcome.output));
   const std::vector<Task> tasks = tasks_of(grid, request.shard, outcome.journal);
   outcome.interrupted = !run_tasks(request, grid, tasks, journal, outcome.journal);
-  if (outcome.interrupted) return outcome;
   write_manifest();
   write_study_files(outcome.output, outcome.journal);
   return outcome;

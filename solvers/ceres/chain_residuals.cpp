@@ -13,7 +13,8 @@ void ChainResiduals::PrepareForEvaluation(bool with_jacobians, bool new_point) {
   }
   stopped_ = usable_ = false;
   try {
-    const double value = energy_.value(path_);
+    Points gradient;  // a path without a finite one could not be the centre of a round
+    const double value = energy_.value_and_gradient(path_, gradient);
     if (!(value < stopped_energy_)) return;
     stopped_energy_ = value;
     stopped_path_ = path_;
