@@ -99,6 +99,7 @@ class NloptRounds final : public RoundMinimiser {
 
 void NloptOptions::fields(FieldVisitor& visit) {
   std::vector<std::string> names;
+  names.reserve(kMethods.size());
   for (const Method& m : kMethods) names.emplace_back(m.name);
   visit.choice("algorithm", algorithm, names,
                {.help = "Local optimiser of NLopt; those after slsqp need no gradients and are for few points."});
