@@ -201,12 +201,13 @@ StudyFigure performance_figure(const StudyAnalysis& study) {
 StudyFigure data_figure(const StudyAnalysis& study) {
   const std::vector<double> units(study.groups.size(), 1.0);
   const auto profiles = [&](double tau) {
-    return data_profiles(positive(work_table(study, Work::evaluations, tau)), units);
+    return data_profiles(positive(work_table(study, Work::evaluations, tau, Test::left)), units);
   };
-  return profile_figure("data.svg", "Data profiles",
-                        "The share of problems that each solver solves with at most so many evaluations",
-                        profile_chart(study, profiles(1e-5), "to 10⁻⁵", "evaluations"),
-                        profile_chart(study, profiles(kSolved), "to 10⁻¹⁰", "evaluations"));
+  return profile_figure(
+      "data.svg", "Data profiles",
+      "The share of problems on which each solver comes down to τ of its way with at most so many evaluations",
+      profile_chart(study, profiles(1e-5), "τ = 10⁻⁵", "evaluations"),
+      profile_chart(study, profiles(1e-10), "τ = 10⁻¹⁰", "evaluations"));
 }
 
 StudyFigure evaluations_figure(const StudyAnalysis& study) {

@@ -11,9 +11,6 @@
 
 namespace leastcost::app {
 
-/// The relative cost excess at which a problem counts as solved.
-inline constexpr double kSolved = 1e-10;
-
 /// "1.20 ms".
 std::string duration_text(double seconds);
 

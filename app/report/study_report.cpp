@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 struct Counts {
   std::size_t problems = 0, tasks = 0;
-  int of[5] = {};
+  int of[kVerdicts] = {};
   int operator[](Verdict v) const { return of[static_cast<int>(v)]; }
 };
 
@@ -40,12 +40,7 @@ Counts count(const StudyAnalysis& study) {
 }
 
 std::string most_often(const StudyAnalysis& study, Work kind, std::size_t& times) {
-  const WorkTable work = work_table(study, kind, kSolved);
-  std::vector<std::size_t> first(study.solvers.size(), 0);
-  for (const std::vector<double>& row : work) {
-    const auto best = std::min_element(row.begin(), row.end());
-    if (best != row.end() && std::isfinite(*best)) ++first[static_cast<std::size_t>(best - row.begin())];
-  }
+  const std::vector<std::size_t> first = firsts(work_table(study, kind, kSolved), kind, study.solvers.size());
   const auto winner = std::max_element(first.begin(), first.end());
   times = winner == first.end() ? 0 : *winner;
   return winner == first.end() ? "" : study.solvers[static_cast<std::size_t>(winner - first.begin())];
@@ -60,10 +55,10 @@ std::vector<KeyFigure> key_figures_of(const StudyAnalysis& study, const Counts& 
            groups == counts.problems ? "" : fmt::format("{} with all that varies", groups)},
           {"solvers", std::to_string(study.solvers.size()), fmt::format("{} solves", counts.tasks)},
           {"certified", std::to_string(counts[Verdict::certified]),
-           fmt::format("{} other minima, {} uncertified, {} failed", counts[Verdict::other_minimum],
-                       counts[Verdict::uncertified], counts[Verdict::failed])},
-          {"fastest", fastest, fmt::format("in {} of {}, to 1e-10", fastest_times, groups)},
-          {"fewest evaluations", fewest, fmt::format("in {} of {}, to 1e-10", fewest_times, groups)}};
+           fmt::format("{} other minima, {} uncertified, {} refused, {} failed", counts[Verdict::other_minimum],
+                       counts[Verdict::uncertified], counts[Verdict::refused], counts[Verdict::failed])},
+          {"fastest", fastest, fmt::format("in {} of {}, within 10 %", fastest_times, groups)},
+          {"fewest evaluations", fewest, fmt::format("in {} of {}, ties count", fewest_times, groups)}};
 }
 
 Headline headline_of(const std::string& name, const StudyAnalysis& study, const Counts& counts) {
@@ -92,11 +87,11 @@ void add_figure(const std::string& title, const StudyFigure& figure, const std::
 }
 
 std::string legend_of_success() {
-  return "<p class=\"soft\"><b class=\"good\">✓</b> certified, at the best chain that any solver found; <b "
-         "class=\"other\">○</b> certified, "
-         "another minimum; <b class=\"mild\">~</b> uncertified or stopped by a limit; <b class=\"bad\">×</b> no path. "
-         "Below each sign: "
-         "evaluations. Reasons on hover.</p>\n";
+  return "<p class=\"soft\"><b class=\"good\">✓</b> certified, at the least certified cost of the problem; <b "
+         "class=\"other\">○</b> certified, another minimum, which costs more; <b class=\"mild\">~</b> uncertified, "
+         "collapsed or interrupted; <b class=\"mild\">×</b> refused: the solver said beforehand that it cannot; <b "
+         "class=\"bad\">×</b> failed: no path. Time and evaluations are those of the whole solve. Reasons on "
+         "hover.</p>\n";
 }
 
 std::string fold(const std::string& title, const std::string& body) { return body.empty() ? "" : section(title, body); }
@@ -118,22 +113,29 @@ std::vector<ReportFile> study_report(const fs::path& folder) {
   body += section("The best of each problem", winners_table(study), study.groups.size() <= 20);
   add_figure(
       "Work against the number of points", evaluations_figure(study),
-      "Evaluations (energies and gradients of the whole path) to a relative cost excess of 1e-10 over the best chain "
-      "of all solvers. A "
+      "Evaluations to a relative cost excess of 1e-10 over the best chain of all solvers. An evaluation is an energy "
+      "or "
+      "a gradient of the whole path; Hessians and factorisations are counted apart (in runs.csv), so that time is the "
+      "fairer measure between methods of first and second order. A "
       "solver whose work does not depend on the number of points is flat; where it never gets there, it has no marker.",
       growth_table(study), body, files);
   add_figure("Time against the number of points", seconds_figure(study), "Seconds to the same excess.",
              ratio_table(study), body, files);
-  add_figure("Performance profiles", performance_figure(study),
-             "Dolan and Moré (2002): the share of problems that a solver solves to 1e-10 with at most so many times "
-             "the work of the best one. On the left "
-             "edge: how often it is the best. Failures, other minima and limits count as not solved.",
-             "", body, files);
-  add_figure("Data profiles", data_figure(study),
-             "Moré and Wild (2009), with evaluations as they are in place of simplex gradients: the share of problems "
-             "that are solved to the tolerance "
-             "within a budget.",
-             "", body, files);
+  add_figure(
+      "Performance profiles", performance_figure(study),
+      "Dolan and Moré (2002): the share of problems that a solver solves to 1e-10 with at most so many times "
+      "the work of the best one. On the left edge: how often it is the best. A solver solves a problem when it comes "
+      "within that relative cost excess of the best chain of all solvers at some time of its run, whatever ended "
+      "the run; or when it is certified at the least certified cost, at the latest at its end. Refusals, failures "
+      "and other minima are not solved.",
+      "", body, files);
+  add_figure(
+      "Data profiles", data_figure(study),
+      "Moré and Wild (2009), with evaluations as they are in place of simplex gradients: the share of problems on "
+      "which a solver comes down within a budget to E ≤ E* + τ (E₀ − E*), with E₀ the energy of its first path "
+      "and E* the least energy of all solvers, for τ = 10⁻⁵ and 10⁻¹⁰. Runs that are certified at the least "
+      "certified cost are there at the latest at their end.",
+      "", body, files);
   if (const std::string accuracy = accuracy_svg(study, false); !accuracy.empty()) {
     body += section(
         "Accuracy",

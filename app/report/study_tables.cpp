@@ -24,6 +24,7 @@ Look look_of(Verdict verdict) {
     case Verdict::certified: return {"✓", "good", "certified"};
     case Verdict::other_minimum: return {"○", "other", "other minimum"};
     case Verdict::uncertified: return {"~", "mild", "uncertified"};
+    case Verdict::refused: return {"×", "mild", "refused"};
     case Verdict::failed: return {"×", "bad", "failed"};
     case Verdict::absent: break;
   }
@@ -40,6 +41,7 @@ std::string hover_of(const Task& task) {
     text += fmt::format(" ({} to {}, {} repetitions)", duration_text(task.seconds.least),
                         duration_text(task.seconds.greatest), task.seconds.count);
   if (std::isfinite(task.excess)) text += "; above the best chain by " + number_text(task.excess, 2);
+  if (task.same_cost && task.excess > kSolved) text += ", at the same certified cost";
   if (std::isfinite(task.optimum_error)) text += "; off the optimum by " + number_text(task.optimum_error, 2);
   return text;
 }
@@ -47,19 +49,10 @@ std::string hover_of(const Task& task) {
 Cell cell_of(const Task& task) {
   const Look look = look_of(task.verdict);
   if (task.verdict == Verdict::absent) return {""};
-  if (task.verdict == Verdict::failed) return {look.sign, look.style, hover_of(task)};
+  if (task.verdict == Verdict::refused || task.verdict == Verdict::failed)
+    return {fmt::format("{} {}", look.sign, look.words), look.style, hover_of(task)};
   return {fmt::format("{} {}\n{}", look.sign, duration_text(task.seconds.median), count_text(task.evaluations.median)),
           look.style, hover_of(task)};
-}
-
-/// How often each solver comes first (ties: all of them).
-std::vector<int> firsts(const WorkTable& work, std::size_t solvers) {
-  std::vector<int> count(solvers, 0);
-  for (const std::vector<double>& row : work) {
-    const double best = row.empty() ? kInfinity : *std::min_element(row.begin(), row.end());
-    for (std::size_t s = 0; s < row.size(); ++s) count[s] += std::isfinite(best) && row[s] == best ? 1 : 0;
-  }
-  return count;
 }
 
 std::vector<std::size_t> order_of(const std::vector<double>& row) {
@@ -129,22 +122,26 @@ std::string duration_text(double seconds) {
 std::string solver_table(const StudyAnalysis& study) {
   const WorkTable evaluations = work_table(study, Work::evaluations, kSolved),
                   seconds = work_table(study, Work::seconds, kSolved);
-  const std::vector<int> fewest = firsts(evaluations, study.solvers.size()),
-                         fastest = firsts(seconds, study.solvers.size());
-  Table table{{{"solver"},
-               {"solved", true, "came within 1e-10 of the cost of the best chain that any solver found"},
-               {"certified", true},
-               {"other min.", true, "certified, but a locally least-cost path that costs more"},
-               {"uncertified", true},
-               {"failed", true},
-               {"fastest", true, "number of problems which it solved in the least time"},
-               {"fewest eval.", true, "number of problems which it solved with the fewest evaluations"},
-               {"median time", true, "of its solves, whatever came out"},
-               {"median eval.", true, "energies and gradients of its solves"}},
-              {},
-              ""};
+  const std::vector<std::size_t> fewest = firsts(evaluations, Work::evaluations, study.solvers.size()),
+                                 fastest = firsts(seconds, Work::seconds, study.solvers.size());
+  Table table{
+      {{"solver"},
+       {"solved", true,
+        "came within a relative cost excess of 1e-10 over the best chain of all solvers, at some time of its "
+        "run; or was certified at the least certified cost"},
+       {"certified", true},
+       {"other min.", true, "certified, but a locally least-cost path that costs more"},
+       {"uncertified", true, "also collapsed and interrupted ones"},
+       {"refused", true, "said beforehand that it cannot"},
+       {"failed", true, "no path"},
+       {"fastest", true, "number of problems which it solved in the least time; within 10 % is a tie, and counts"},
+       {"fewest eval.", true, "number of problems which it solved with the fewest evaluations; ties count"},
+       {"median time", true, "of its solves, whatever came out"},
+       {"median eval.", true, "energies and gradients of its solves"}},
+      {},
+      ""};
   for (std::size_t s = 0; s < study.solvers.size(); ++s) {
-    int solved = 0, counts[5] = {};
+    int solved = 0, counts[kVerdicts] = {};
     std::vector<double> times, work;
     for (std::size_t g = 0; g < study.groups.size(); ++g) {
       const Task& task = study.groups[g].tasks[s];
@@ -163,6 +160,7 @@ std::string solver_table(const StudyAnalysis& study) {
                           number(Verdict::certified, "good"),
                           number(Verdict::other_minimum, "other"),
                           number(Verdict::uncertified, "mild"),
+                          number(Verdict::refused, "mild"),
                           number(Verdict::failed, "bad"),
                           {std::to_string(fastest[s])},
                           {std::to_string(fewest[s])},
