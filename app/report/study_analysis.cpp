@@ -94,7 +94,7 @@ class Analysis {
       const std::string name = k == 2 ? "" : k == 3 ? "seed " : runs_.swept_keys[k - 4] + " ";
       group.rest += (group.rest.empty() ? "" : ", ") + name + key[k];
     }
-    group.label = group.problem + (varies[1] != 0 && !key[1].empty() ? ", n = " + key[1] : "");
+    group.label = group.problem + (varies[1] != 0 && !key[1].empty() ? ", n\u00a0=\u00a0" + key[1] : "");
     if (!group.rest.empty()) group.label += ", " + group.rest;
     const Best best = best_of(g);
     group.tasks.resize(out_.solvers.size());

@@ -34,8 +34,10 @@ StudyFigure data_figure(const StudyAnalysis& study);
 /// Evaluations to kSolved against the number of points, a panel per problem; empty unless the points vary.
 StudyFigure evaluations_figure(const StudyAnalysis& study);
 StudyFigure seconds_figure(const StudyAnalysis& study);
-/// Error of chain and reported value against the number of points, with fitted slopes.
+/// Error of chain and reported value against the number of segments, n + 1 as for open paths.
 StudyFigure order_figure(const StudyAnalysis& study);
+/// The slopes of its lines.
+std::string order_table(const StudyAnalysis& study);
 
 /// How much the evaluations grow from the fewest points to the most.
 std::string growth_table(const StudyAnalysis& study);

@@ -46,6 +46,11 @@ std::string most_often(const StudyAnalysis& study, Work kind, std::size_t& times
   return winner == first.end() ? "" : study.solvers[static_cast<std::size_t>(winner - first.begin())];
 }
 
+/// "1 solver", "2 solvers".
+std::string counted(std::size_t number, const char* what) {
+  return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+}
+
 std::vector<KeyFigure> key_figures_of(const StudyAnalysis& study, const Counts& counts) {
   std::size_t fastest_times = 0, fewest_times = 0;
   const std::string fastest = most_often(study, Work::seconds, fastest_times),
@@ -53,7 +58,7 @@ std::vector<KeyFigure> key_figures_of(const StudyAnalysis& study, const Counts& 
   const std::size_t groups = study.groups.size();
   return {{"problems", std::to_string(counts.problems),
            groups == counts.problems ? "" : fmt::format("{} with all that varies", groups)},
-          {"solvers", std::to_string(study.solvers.size()), fmt::format("{} solves", counts.tasks)},
+          {"solvers", std::to_string(study.solvers.size()), counted(counts.tasks, "solve")},
           {"certified", std::to_string(counts[Verdict::certified]),
            fmt::format("{} other minima, {} uncertified, {} refused, {} failed", counts[Verdict::other_minimum],
                        counts[Verdict::uncertified], counts[Verdict::refused], counts[Verdict::failed])},
@@ -61,13 +66,15 @@ std::vector<KeyFigure> key_figures_of(const StudyAnalysis& study, const Counts& 
           {"fewest evaluations", fewest, fmt::format("in {} of {}, ties count", fewest_times, groups)}};
 }
 
-Headline headline_of(const std::string& name, const StudyAnalysis& study, const Counts& counts) {
-  Headline headline{"study", name, fmt::format("{} problems, {} solvers", counts.problems, study.solvers.size()), "",
-                    "good"};
-  headline.verdict = fmt::format("{} of {} solves certified", counts[Verdict::certified], counts.tasks);
+/// `missing`: runs of the study that have no result (yet), as in a merge of some of its parts.
+Headline headline_of(const std::string& name, const StudyAnalysis& study, const Counts& counts, std::size_t missing) {
+  Headline headline{"study", name, counted(counts.problems, "problem") + ", " + counted(study.solvers.size(), "solver"),
+                    "", "good"};
+  headline.verdict = fmt::format("{} of {} certified", counts[Verdict::certified], counted(counts.tasks, "solve"));
+  if (missing > 0) headline.verdict = "incomplete, " + counted(missing, "run") + " missing: " + headline.verdict;
   if (counts[Verdict::failed] > 0)
     headline.style = "bad";
-  else if (counts[Verdict::uncertified] > 0)
+  else if (counts[Verdict::uncertified] > 0 || missing > 0)
     headline.style = "mild";
   return headline;
 }
@@ -90,8 +97,22 @@ std::string legend_of_success() {
   return "<p class=\"soft\"><b class=\"good\">✓</b> certified, at the least certified cost of the problem; <b "
          "class=\"other\">○</b> certified, another minimum, which costs more; <b class=\"mild\">~</b> uncertified, "
          "collapsed or interrupted; <b class=\"mild\">×</b> refused: the solver said beforehand that it cannot; <b "
-         "class=\"bad\">×</b> failed: no path. Time and evaluations are those of the whole solve. Reasons on "
-         "hover.</p>\n";
+         "class=\"bad\">×</b> failed: no path. Time and evaluations are those of the whole solve; bold: the fastest to "
+         "1e-10. A wide "
+         "table scrolls sideways. Reasons on hover.</p>\n";
+}
+
+/// Some methods do not stop where the discrete problem is solved; whoever compares them should know.
+std::string rules_of_their_own(const StudyAnalysis& study) {
+  const auto has = [&](const char* name) {
+    return std::any_of(study.solvers.begin(), study.solvers.end(),
+                       [&](const std::string& solver) { return solver.starts_with(name); });
+  };
+  if (!has("georce") && !has("string") && !has("vfcs")) return "";
+  return paragraph(
+      "vfcs stops by the rule of its paper; georce and string end at a fixed point of their own, which is not the "
+      "least energy of the chain: they may come to rest, and be certified, without coming within 1e-10 of the others.",
+      "soft");
 }
 
 std::string fold(const std::string& title, const std::string& body) { return body.empty() ? "" : section(title, body); }
@@ -108,9 +129,9 @@ std::vector<ReportFile> study_report(const fs::path& folder) {
   const Counts counts = count(study);
   std::vector<ReportFile> files(1);
   std::string body = key_figures(key_figures_of(study, counts));
-  body += section("Solvers", solver_table(study));
-  body += section("Which solver for which problem", success_table(study) + legend_of_success());
-  body += section("The best of each problem", winners_table(study), study.groups.size() <= 20);
+  body += section("Solvers", solver_table(study) + rules_of_their_own(study));
+  body += section("The best of each problem", winners_table(study));
+  body += section("Which solver for which problem", legend_of_success() + success_table(study));
   add_figure(
       "Work against the number of points", evaluations_figure(study),
       "Evaluations to a relative cost excess of 1e-10 over the best chain of all solvers. An evaluation is an energy "
@@ -141,15 +162,14 @@ std::vector<ReportFile> study_report(const fs::path& folder) {
         "Accuracy",
         figures({accuracy},
                 "Blue: the first solver of the study that certified; grey: the others; stroke: its error bar. An "
-                "error left of its stroke is covered."));
+                "error left of its stroke is covered. Errors of zero stand at 10⁻¹⁷."));
     files.push_back({"accuracy.svg", accuracy_svg(study, true)});
   }
-  add_figure("Order", order_figure(study), "The first solver that certified; in brackets the fitted slope.", "", body,
-             files);
+  add_figure("Order", order_figure(study), "Of the first solver that certified.", order_table(study), body, files);
   body += fold("Convergence", convergence_charts(study));
   body += section("Configuration", "<pre>" + escaped(read("study.resolved.yaml")) + "</pre>\n", false);
   body += section("Provenance", provenance_part(manifest), false);
-  files[0] = {"report.html", page(headline_of(summary.text("name"), study, counts), body, "")};
+  files[0] = {"report.html", page(headline_of(summary.text("name"), study, counts, summary.size("missing")), body, "")};
   return files;
 }
 

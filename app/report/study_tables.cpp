@@ -46,13 +46,14 @@ std::string hover_of(const Task& task) {
   return text;
 }
 
-Cell cell_of(const Task& task) {
+/// `best`: no other solver is faster.
+Cell cell_of(const Task& task, bool best) {
   const Look look = look_of(task.verdict);
   if (task.verdict == Verdict::absent) return {""};
   if (task.verdict == Verdict::refused || task.verdict == Verdict::failed)
     return {fmt::format("{} {}", look.sign, look.words), look.style, hover_of(task)};
   return {fmt::format("{} {}\n{}", look.sign, duration_text(task.seconds.median), count_text(task.evaluations.median)),
-          look.style, hover_of(task)};
+          look.style + std::string(best ? " best" : ""), hover_of(task)};
 }
 
 std::vector<std::size_t> order_of(const std::vector<double>& row) {
@@ -114,9 +115,9 @@ Cell ratio_cell(double seconds, const Task& task, double reference) {
 
 std::string duration_text(double seconds) {
   if (!std::isfinite(seconds)) return "n/a";
-  if (seconds < 1e-3) return number_text(1e6 * seconds, 2) + " µs";
-  if (seconds < 1) return number_text(1e3 * seconds, 2) + " ms";
-  return number_text(seconds, 2) + " s";
+  if (seconds < 1e-3) return number_text(1e6 * seconds, 2) + "\u00a0µs";
+  if (seconds < 1) return number_text(1e3 * seconds, 2) + "\u00a0ms";
+  return number_text(seconds, 2) + "\u00a0s";
 }
 
 std::string solver_table(const StudyAnalysis& study) {
@@ -164,7 +165,7 @@ std::string solver_table(const StudyAnalysis& study) {
                           number(Verdict::failed, "bad"),
                           {std::to_string(fastest[s])},
                           {std::to_string(fewest[s])},
-                          {time.count > 0 ? fmt::format("{:.2f} ms", 1e3 * time.median) : ""},
+                          {time.count > 0 ? fmt::format("{:.2f}\u00a0ms", 1e3 * time.median) : ""},
                           {count.count > 0 ? count_text(count.median) : ""}});
   }
   return html(table);
@@ -173,9 +174,12 @@ std::string solver_table(const StudyAnalysis& study) {
 std::string success_table(const StudyAnalysis& study) {
   Table table{{{"problem"}}, {}, "matrix"};
   for (const std::string& solver : study.solvers) table.columns.push_back({solver});
-  for (const Group& group : study.groups) {
-    std::vector<Cell> row = {{group.label}};
-    for (const Task& task : group.tasks) row.push_back(cell_of(task));
+  const WorkTable seconds = work_table(study, Work::seconds, kSolved);
+  for (std::size_t g = 0; g < study.groups.size(); ++g) {
+    const std::vector<std::size_t> order = order_of(seconds[g]);
+    std::vector<Cell> row = {{study.groups[g].label}};
+    for (std::size_t s = 0; s < study.solvers.size(); ++s)
+      row.push_back(cell_of(study.groups[g].tasks[s], !order.empty() && order[0] == s));
     table.rows.push_back(std::move(row));
   }
   return html(table);
@@ -214,7 +218,7 @@ std::string growth_table(const StudyAnalysis& study) {
   Table table{{{"solver"}}, {}, ""};
   for (const Ends& e : ends)
     table.columns.push_back(
-        {fmt::format("{}, n = {} to {}", e.name, study.groups[e.least].points, study.groups[e.most].points)});
+        {fmt::format("{}, n\u00a0=\u00a0{} to {}", e.name, study.groups[e.least].points, study.groups[e.most].points)});
   for (std::size_t s = 0; s < study.solvers.size(); ++s) {
     std::vector<Cell> row = {{study.solvers[s]}};
     for (const Ends& e : ends) row.push_back(growth_cell(work[e.least][s], work[e.most][s]));

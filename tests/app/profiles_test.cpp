@@ -142,7 +142,7 @@ TEST_CASE("study analysis: the best chain of a group, other minima, failures, an
   REQUIRE(study.groups.size() == 2);
   CHECK(study.solvers == std::vector<std::string>{"a", "b", "c", "d", "e"});
   const Group& group = study.groups[0];
-  CHECK(group.label == "p, n = 10");
+  CHECK(group.label == "p, n\u00a0=\u00a010");
   CHECK(group.tasks[0].verdict == Verdict::certified);
   CHECK(group.tasks[1].verdict == Verdict::certified);
   CHECK(group.tasks[1].excess == Approx(1e-11).epsilon(1e-3));
