@@ -52,6 +52,10 @@ td.n,th.n{text-align:right;white-space:nowrap;padding-right:1.3rem}
 td:last-child,th:last-child{padding-right:0}
 td[title],th[title]{text-decoration:underline dotted var(--soft);text-underline-offset:3px;cursor:help}
 .tests td:nth-child(3){text-align:right;padding-right:1.3rem;white-space:nowrap}.tests td:last-child{min-width:17rem}
+.counts th{white-space:normal}.counts th:first-child,.counts td:first-child{white-space:nowrap}.counts td.n,.counts th.n{padding-right:.7rem}
+.counts td.n:last-child,.counts th.n:last-child{padding-right:0}
+@media (max-width:700px){.tests,.tests thead,.tests tbody{display:block}.tests tr{display:grid;grid-template-columns:7.2rem 1fr 1fr 4rem;border-bottom:1px solid var(--rule)}
+.tests th,.tests td{border-bottom:0}.tests td:last-child{grid-column:1/-1;min-width:0;padding-top:0;color:var(--soft)}.tests th:last-child{display:none}}
 td.w,.tests td:first-child{white-space:nowrap}
 td.good,td.bad{font-weight:600}td.plain{font-weight:400}
 .matrix{font-size:.74rem;line-height:1.25}.matrix td{white-space:pre;padding:.26rem .4rem;border-left:1px solid var(--rule);text-decoration:none}

@@ -30,6 +30,7 @@ Chart convergence_chart(const NumberTable& history, const std::string& column, c
   chart.series = {{"energy above the final one", history[column], excess, {0, true, true}},
                   {"predicted cost error", history[column], history["cost_error"], {1, true, true}}};
   chart.width = 318;
+  chart.legend = column == "iteration";  // one for all three
   chart.height = 280;
   return chart;
 }

@@ -140,7 +140,7 @@ std::string solver_table(const StudyAnalysis& study) {
        {"median time", true, "of its solves, whatever came out"},
        {"median eval.", true, "energies and gradients of its solves"}},
       {},
-      ""};
+      "counts"};
   for (std::size_t s = 0; s < study.solvers.size(); ++s) {
     int solved = 0, counts[kVerdicts] = {};
     std::vector<double> times, work;

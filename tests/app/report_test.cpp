@@ -271,6 +271,8 @@ TEST_CASE("report: tables align numbers on their points") {
   const std::string text = app::html(table);
   CHECK_THAT(text, Contains("12.5\u2007\u2007<") && Contains("3\u2008\u2007\u2007\u2007<") && Contains(">0.125<") &&
                        Contains("<td class=\"w\">none<"));
+  const app::Table powers{{{"value", true}}, {{{"12.5"}}, {{"1.0 × 10⁻⁶"}}}, ""};
+  CHECK_THAT(app::html(powers), Contains(">12.5<"));
 }
 
 }  // namespace leastcost::test
