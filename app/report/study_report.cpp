@@ -97,8 +97,8 @@ std::string legend_of_success() {
   return "<p class=\"soft\"><b class=\"good\">✓</b> certified, at the least certified cost of the problem; <b "
          "class=\"other\">○</b> certified, another minimum, which costs more; <b class=\"mild\">~</b> uncertified, "
          "collapsed or interrupted; <b class=\"mild\">×</b> refused: the solver said beforehand that it cannot; <b "
-         "class=\"bad\">×</b> failed: no path. Time and evaluations are those of the whole solve; bold: the fastest to "
-         "1e-10. A wide "
+         "class=\"bad\">×</b> failed: no path. Time and evaluations are those of the whole solve; bold: the quickest "
+         "certified solve. A wide "
          "table scrolls sideways. Reasons on hover.</p>\n";
 }
 
@@ -112,6 +112,15 @@ std::string rules_of_their_own(const StudyAnalysis& study) {
   return paragraph(
       "vfcs stops by the rule of its paper; georce and string end at a fixed point of their own, which is not the "
       "least energy of the chain: they may come to rest, and be certified, without coming within 1e-10 of the others.",
+      "soft");
+}
+
+std::string meaning_of_solved() {
+  return paragraph(
+      "Solved: came within a relative cost excess of 1e-10 over the best chain of all solvers at some time of its run, "
+      "whatever ended it; or was certified at the least certified cost. Certified: the delivered path passed the tests "
+      "of "
+      "the framework. Times within 10 % are ties; ties count for each solver.",
       "soft");
 }
 
@@ -129,8 +138,13 @@ std::vector<ReportFile> study_report(const fs::path& folder) {
   const Counts counts = count(study);
   std::vector<ReportFile> files(1);
   std::string body = key_figures(key_figures_of(study, counts));
-  body += section("Solvers", solver_table(study) + rules_of_their_own(study));
-  body += section("The best of each problem", winners_table(study));
+  body += section("Solvers", solver_table(study) + meaning_of_solved() + rules_of_their_own(study));
+  body += section(
+      "The best of each problem",
+      winners_table(study) +
+          paragraph(
+              "Time and evaluations to a relative cost excess of 1e-10; the solve goes on until its own test stops it.",
+              "soft"));
   body += section("Which solver for which problem", legend_of_success() + success_table(study));
   add_figure(
       "Work against the number of points", evaluations_figure(study),
