@@ -263,7 +263,13 @@ std::string convergence_charts(const StudyAnalysis& study) {
     if (!drawn.empty())
       out += fmt::format("<details class=\"sub\"><summary>{}</summary>\n{}</details>\n", escaped(group.label), drawn);
   }
-  return out;
+  if (out.empty()) return "";
+  return paragraph(
+             "Relative cost excess over the best chain of all solvers, of the first repetition. On a mesh, chains of "
+             "one "
+             "and the same path may have different energies, and stay apart here.",
+             "soft") +
+         out;
 }
 
 }  // namespace leastcost::app
