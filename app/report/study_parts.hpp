@@ -13,6 +13,8 @@ namespace leastcost::app {
 
 /// "1.20 ms".
 std::string duration_text(double seconds);
+/// Of evaluations, which may be a median: "20004".
+std::string count_text(double count);
 
 /// One row per solver: how often it succeeded, what it needed.
 std::string solver_table(const StudyAnalysis& study);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "app/plot/text.hpp"
 #include "app/report/page.hpp"
@@ -12,59 +11,6 @@
 
 namespace leastcost::app {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-struct Look {
-  const char *sign, *style, *words;
-};
-
-Look look_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::certified: return {"✓", "good", "certified"};
-    case Verdict::other_minimum: return {"○", "other", "other minimum"};
-    case Verdict::uncertified: return {"~", "mild", "uncertified"};
-    case Verdict::refused: return {"×", "mild", "refused"};
-    case Verdict::failed: return {"×", "bad", "failed"};
-    case Verdict::absent: break;
-  }
-  return {"", "", "not tried"};
-}
-
-std::string count_text(double count) { return count < 1e6 ? fmt::format("{:.0f}", count) : number_text(count); }
-
-std::string hover_of(const Task& task) {
-  std::string text = task.reason;
-  if (task.evaluations.count > 0) text += fmt::format("; {} evaluations", count_text(task.evaluations.median));
-  if (task.seconds.count > 0) text += "; " + duration_text(task.seconds.median);
-  if (task.seconds.count > 1)
-    text += fmt::format(" ({} to {}, {} repetitions)", duration_text(task.seconds.least),
-                        duration_text(task.seconds.greatest), task.seconds.count);
-  if (std::isfinite(task.excess)) text += "; above the best chain by " + number_text(task.excess, 2);
-  if (task.same_cost && task.excess > kSolved) text += ", at the same certified cost";
-  if (std::isfinite(task.optimum_error)) text += "; off the optimum by " + number_text(task.optimum_error, 2);
-  return text;
-}
-
-/// Of the certified solves; null without one.
-const Task* quickest(const Group& group) {
-  const Task* best = nullptr;
-  for (const Task& task : group.tasks)
-    if (task.verdict == Verdict::certified && task.seconds.count > 0 &&
-        (best == nullptr || task.seconds.median < best->seconds.median))
-      best = &task;
-  return best;
-}
-
-/// `best`: the quickest certified solve of the problem.
-Cell cell_of(const Task& task, bool best) {
-  const Look look = look_of(task.verdict);
-  if (task.verdict == Verdict::absent) return {""};
-  if (task.verdict == Verdict::refused || task.verdict == Verdict::failed)
-    return {fmt::format("{} {}", look.sign, look.words), look.style, hover_of(task)};
-  return {fmt::format("{} {}\n{}", look.sign, duration_text(task.seconds.median), count_text(task.evaluations.median)),
-          look.style + std::string(best ? " best" : ""), hover_of(task)};
-}
 
 std::vector<std::size_t> order_of(const std::vector<double>& row) {
   std::vector<std::size_t> order;
@@ -123,6 +69,8 @@ Cell ratio_cell(double seconds, const Task& task, double reference) {
 
 }  // namespace
 
+std::string count_text(double count) { return count < 1e6 ? fmt::format("{:.0f}", count) : number_text(count); }
+
 std::string duration_text(double seconds) {
   if (!std::isfinite(seconds)) return "n/a";
   if (seconds < 1e-3) return number_text(1e6 * seconds, 2) + "\u00a0µs";
@@ -177,18 +125,6 @@ std::string solver_table(const StudyAnalysis& study) {
                           {std::to_string(fewest[s])},
                           {time.count > 0 ? fmt::format("{:.2f}\u00a0ms", 1e3 * time.median) : ""},
                           {count.count > 0 ? count_text(count.median) : ""}});
-  }
-  return html(table);
-}
-
-std::string success_table(const StudyAnalysis& study) {
-  Table table{{{"problem"}}, {}, "matrix"};
-  for (const std::string& solver : study.solvers) table.columns.push_back({solver});
-  for (const Group& group : study.groups) {
-    const Task* best = quickest(group);
-    std::vector<Cell> row = {{group.label}};
-    for (const Task& task : group.tasks) row.push_back(cell_of(task, &task == best));
-    table.rows.push_back(std::move(row));
   }
   return html(table);
 }
