@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/plot/text.hpp"
 
@@ -66,7 +67,7 @@ class Drawing {
     height_ = chart.height - kTitle - kBelow;
     total_height_ = chart.height;
     place_legend();
-    x_ticks_ = ticks(chart.x.kind, x_range_, std::max(2, static_cast<int>(width_ / 48)));
+    x_ticks_ = ticks_below();
   }
 
   double height() const { return total_height_; }
@@ -81,6 +82,45 @@ class Drawing {
   }
 
  private:
+  /// As many ticks as have room for their labels.
+  std::vector<Tick> ticks_below() const {
+    int wanted = std::max(2, static_cast<int>(width_ / 48));
+    if (chart_.x.whole) wanted = std::clamp(static_cast<int>(x_range_.largest - x_range_.least), 1, wanted);
+    std::vector<Tick> out = ticks(chart_.x.kind, x_range_, wanted);
+    while (wanted > 2 && !has_room(out)) out = ticks(chart_.x.kind, x_range_, --wanted);
+    if (!has_room(out)) thin(out);
+    return out;
+  }
+
+  /// The left and the right end of a label.
+  std::pair<double, double> extent(const Tick& t) const {
+    const double half = kFont * text_width(t.label) / 2 + 3;
+    return {px(t.at) - half, px(t.at) + half};
+  }
+
+  bool has_room(const std::vector<Tick>& all) const {
+    double end = -kFont;
+    for (const Tick& t : all) {
+      if (t.label.empty()) continue;
+      if (extent(t).first < end) return false;
+      end = extent(t).second;
+    }
+    return true;
+  }
+
+  /// Takes away the labels that would run into the one before.
+  void thin(std::vector<Tick>& all) const {
+    double end = -kFont;
+    for (Tick& t : all) {
+      if (t.label.empty()) continue;
+      const auto [from, to] = extent(t);
+      if (from < end)
+        t.label.clear();
+      else
+        end = to;
+    }
+  }
+
   void place_legend() {
     if (legend_.empty()) return;
     beside_ = legend_.size() > kMostBelow;

@@ -31,6 +31,7 @@ struct Axis {
   std::string title;
   ScaleKind kind = ScaleKind::linear;
   std::optional<double> least = {}, largest = {};  ///< instead of what the data asks for
+  bool whole = false;                              ///< counts something: no ticks at fractions
 };
 
 /// A line chart.

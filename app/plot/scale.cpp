@@ -42,11 +42,11 @@ std::vector<Tick> linear_ticks(Range range, int wanted) {
   return out;
 }
 
-/// 1, 2 and 5 times powers of ten.
-std::vector<Tick> log_steps(Range range) {
+/// So many multiples of powers of ten: 1, 2 and 5, or all digits.
+std::vector<Tick> log_steps(Range range, const std::vector<int>& factors) {
   std::vector<Tick> out;
   for (int e = static_cast<int>(std::floor(std::log10(range.least))); e <= std::log10(range.largest); ++e) {
-    for (const int factor : {1, 2, 5}) {
+    for (const int factor : factors) {
       const double at = factor * std::pow(10.0, e);
       if (at < range.least * (1 - 1e-9) || at > range.largest * (1 + 1e-9)) continue;
       const bool plain = e >= -3 && e < 5;
@@ -58,13 +58,27 @@ std::vector<Tick> log_steps(Range range) {
   return out;
 }
 
+/// At least two of them, also within a factor of two.
+std::vector<Tick> narrow_log_ticks(Range range) {
+  std::vector<Tick> out = log_steps(range, {1, 2, 5});
+  if (out.size() < 2) out = log_steps(range, {1, 2, 3, 4, 5, 6, 7, 8, 9});
+  return out.size() < 2 ? linear_ticks(range, 3) : out;
+}
+
+/// How many multiples of a step the exponents in a range hold.
+int powers_in(Range range, int step) {
+  const double least = std::ceil((std::log10(range.least) - 1e-9) / step),
+               last = std::floor((std::log10(range.largest) + 1e-9) / step);
+  return static_cast<int>(last - least) + 1;
+}
+
 std::vector<Tick> log_ticks(Range range, int wanted) {
   const double decades = std::log10(range.largest / range.least);
-  if (decades < 2) return log_steps(range);
+  if (decades < 2) return narrow_log_ticks(range);
   static constexpr int steps[] = {1, 2, 3, 4, 5, 10, 20, 50, 100};
-  int step = 100;
+  int step = 1;
   for (const int s : steps)
-    if (decades / s <= wanted) {
+    if (decades / s <= wanted && powers_in(range, s) >= 2) {
       step = s;
       break;
     }

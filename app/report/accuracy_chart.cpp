@@ -56,7 +56,7 @@ std::string accuracy_svg(const StudyAnalysis& study, bool standalone) {
   for (const Row& row : rows) {
     values.insert(values.end(), row.others.begin(), row.others.end());
     if (std::isfinite(row.bar)) values.push_back(row.bar);
-    label = std::max(label, 11 * text_width(row.label));
+    label = std::max(label, 12.5 * text_width(row.label));  // with room: widths are estimates
   }
   const Range range = range_of(values, ScaleKind::log);
   const double left = label + 14, height = kTop + kRow * static_cast<double>(rows.size()), width = left + kPlot + 20;

@@ -26,7 +26,7 @@ class CertificateTable {
 
   Table table() {
     simple("stationarity", "certificate.stationarity", "certificate.thresholds.stationarity",
-           "By how much, relatively, one more Newton step would still lower the cost.", {}, "1.0 × 10⁻⁶ on a mesh");
+           "By how much, relatively, one more Newton step would still lower the cost.", {}, "mesh: 1.0 × 10⁻⁶");
     simple("residual", "certificate.residual", "certificate.thresholds.residual",
            "How far the points lie off the domain, in diameters of the path.");
     simple(

@@ -92,6 +92,13 @@ std::vector<double> JsonFile::numbers(const std::string& key) const {
   return out;
 }
 
+std::size_t JsonFile::size(const std::string& key) const {
+  const nlohmann::json* value = find(key);
+  if (value == nullptr) return 0;
+  if (!value->is_array()) wrong(key, "a list");
+  return value->size();
+}
+
 std::vector<JsonFile> JsonFile::objects(const std::string& key) const {
   const nlohmann::json* list = find(key);
   if (list == nullptr) return {};

@@ -26,6 +26,8 @@ class JsonFile {
   bool flag(const std::string& key) const;
   std::vector<std::string> texts(const std::string& key) const;
   std::vector<double> numbers(const std::string& key) const;
+  /// Of a list, whatever is in it; a missing one has none.
+  std::size_t size(const std::string& key) const;
   /// The objects of a list; a missing list has none.
   std::vector<JsonFile> objects(const std::string& key) const;
   const std::string& name() const { return name_; }

@@ -46,6 +46,17 @@ std::string aligned(const std::string& text, std::size_t longest) {
   return out;
 }
 
+/// Of a column; zero with powers of ten in it, where points below each other would say nothing.
+std::size_t longest_fraction(const Table& table, std::size_t column) {
+  std::size_t longest = 0;
+  for (const std::vector<Cell>& row : table.rows) {
+    if (column >= row.size()) continue;
+    if (row[column].text.find("×") != std::string::npos) return 0;
+    longest = std::max(longest, parts_of(row[column].text).after);
+  }
+  return longest;
+}
+
 std::string attribute(const char* name, const std::string& value) {
   return value.empty() ? "" : fmt::format(" {}=\"{}\"", name, escaped(value));
 }
@@ -54,8 +65,7 @@ std::string attribute(const char* name, const std::string& value) {
 
 std::string html(const Table& table) {
   std::vector<std::size_t> fraction(table.columns.size(), 0);
-  for (const auto& row : table.rows)
-    for (std::size_t c = 0; c < row.size(); ++c) fraction[c] = std::max(fraction[c], parts_of(row[c].text).after);
+  for (std::size_t c = 0; c < table.columns.size(); ++c) fraction[c] = longest_fraction(table, c);
   std::string out = fmt::format("<div class=\"scroll\"><table{}>\n", attribute("class", table.style));
   const bool titled =
       std::any_of(table.columns.begin(), table.columns.end(), [](const Column& c) { return !c.title.empty(); });

@@ -51,17 +51,25 @@ th{font-weight:600;border-bottom:1.5px solid var(--ink);white-space:nowrap;verti
 td.n,th.n{text-align:right;white-space:nowrap;padding-right:1.3rem}
 td:last-child,th:last-child{padding-right:0}
 td[title],th[title]{text-decoration:underline dotted var(--soft);text-underline-offset:3px;cursor:help}
+.tests td:nth-child(3){text-align:right;padding-right:1.3rem;white-space:nowrap}.tests td:last-child{min-width:17rem}
+.counts th{white-space:normal}.counts th:first-child,.counts td:first-child{white-space:nowrap}.counts td.n,.counts th.n{padding-right:.7rem}
+.counts td.n:last-child,.counts th.n:last-child{padding-right:0}
+@media (max-width:700px){.tests,.tests thead,.tests tbody{display:block}.tests tr{display:grid;grid-template-columns:7.2rem 1fr 1fr 4rem;border-bottom:1px solid var(--rule)}
+.tests th,.tests td{border-bottom:0}.tests td:last-child{grid-column:1/-1;min-width:0;padding-top:0;color:var(--soft)}.tests th:last-child{display:none}}
 td.w,.tests td:first-child{white-space:nowrap}
 td.good,td.bad{font-weight:600}td.plain{font-weight:400}
 .matrix{font-size:.74rem;line-height:1.25}.matrix td{white-space:pre;padding:.26rem .4rem;border-left:1px solid var(--rule);text-decoration:none}
 .matrix th{white-space:normal;padding:.26rem .4rem;font-size:.72rem;overflow-wrap:anywhere;min-width:3.4rem}
 .matrix th:first-child,.matrix td:first-child{position:sticky;left:0;background:var(--paper);border-left:0;padding-left:0;white-space:normal;min-width:8rem}
 .matrix td.good{background:color-mix(in srgb,var(--good) 9%,transparent);font-weight:400}.matrix td.bad{background:color-mix(in srgb,var(--bad) 14%,transparent);font-weight:400}
+.matrix td.best{font-weight:700}
 .matrix td.other{background:color-mix(in srgb,var(--other) 12%,transparent)}.matrix td.mild{background:color-mix(in srgb,var(--mild) 12%,transparent)}
 details.sub{padding:.3rem 0;border-top:0}details.sub>summary{font-size:.95rem;margin:0}details.sub>summary::after{float:none;margin-left:.5rem}
 pre{background:var(--faint);border:1px solid var(--rule);padding:.8rem 1rem;overflow-x:auto;font:13px/1.45 ui-monospace,"SF Mono",Menlo,Consolas,"DejaVu Sans Mono",monospace}
 code,.hash{font-family:ui-monospace,"SF Mono",Menlo,Consolas,"DejaVu Sans Mono",monospace;font-size:.86em;overflow-wrap:anywhere}
-@media print{main{max-width:none;padding:0}.legend input{display:none}}
+@media print{main{max-width:none;padding:0}.legend input{display:none}.scroll{overflow:visible}table{font-size:8pt}
+.matrix,.matrix th{font-size:5pt}.matrix th,.matrix td{padding:1pt 2pt;min-width:0}.matrix th:first-child,.matrix td:first-child{position:static;min-width:0}
+details::details-content{content-visibility:visible;display:block;height:auto}details>summary::after,details[open]>summary::after{content:""}tr,figure svg{break-inside:avoid}}
 )";
 }
 

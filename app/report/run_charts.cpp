@@ -25,10 +25,12 @@ Chart convergence_chart(const NumberTable& history, const std::string& column, c
   chart.title = "against " + title;
   chart.description = "Convergence of the solver against " + title + ", logarithmic";
   chart.x = {title};
+  chart.x.whole = column != "seconds";
   chart.y = {"relative", ScaleKind::log};
   chart.series = {{"energy above the final one", history[column], excess, {0, true, true}},
                   {"predicted cost error", history[column], history["cost_error"], {1, true, true}}};
   chart.width = 318;
+  chart.legend = column == "iteration";  // one for all three
   chart.height = 280;
   return chart;
 }
@@ -66,6 +68,7 @@ std::string spacing_part(const RunFiles& files) {
   absolute.title = "Cost per segment";
   absolute.description = "Cost of each segment along the path, from zero";
   absolute.x = {"segment"};
+  absolute.x.whole = true;
   absolute.y = {files.result.text("cost.unit"), ScaleKind::linear, 0.0,
                 1.25 * *std::max_element(costs.begin(), costs.end())};
   absolute.series = {{"", number, costs, {0, !few, few}}};

@@ -112,31 +112,46 @@ const Task* first_certified(const Group& group) {
   return nullptr;
 }
 
-Chart order_chart(const StudyAnalysis& study, const std::string& title, double Task::*error, bool legend) {
+/// Errors of the first certified solver per number of segments; a row does not say whether it is a ring, so that this is n + 1.
+Series order_series(const StudyAnalysis& study, const std::string& name, const std::map<long, std::size_t>& by_points,
+                    double Task::*error) {
+  Series series{name, {}, {}};
+  for (const auto& [points, g] : by_points) {
+    const Task* task = first_certified(study.groups[g]);
+    if (task == nullptr || !(task->*error > 0)) continue;
+    series.x.push_back(static_cast<double>(points) + 1);
+    series.y.push_back(task->*error);
+  }
+  return series;
+}
+
+/// One line per problem, all of them in every panel: a problem has one colour.
+Chart order_chart(const StudyAnalysis& study, const std::string& title, double Task::*error) {
   Chart chart;
   chart.title = title;
-  chart.description = title + " against the number of points, relative to the true least cost";
-  chart.x = {"points n", ScaleKind::log};
+  chart.description = title + " against the number of segments, relative to the true least cost";
+  chart.x = {"segments n + 1", ScaleKind::log};
   chart.y = {"relative error", ScaleKind::log};
   std::vector<std::string> names;
   auto problems = by_points(study, names);
   for (const std::string& name : names) {
-    Series series{name, {}, {}, {static_cast<int>(chart.series.size()), true, true}};
-    for (const auto& [points, g] : problems[name]) {
-      const Task* task = first_certified(study.groups[g]);
-      if (task == nullptr || !(task->*error > 0)) continue;
-      series.x.push_back(static_cast<double>(points));
-      series.y.push_back(task->*error);
-    }
-    if (series.x.size() < 2) continue;
-    // Below this, rounding has its say.
-    if (const auto slope = log_log_slope(series.x, series.y, 1e-13)) series.name += fmt::format(" ({:.1f})", *slope);
-    chart.series.push_back(std::move(series));
+    chart.series.push_back(order_series(study, name, problems[name], error));
+    chart.series.back().style = {static_cast<int>(chart.series.size()) - 1, true, true};
   }
-  chart.legend = legend;
-  chart.width = 460;
   chart.height = 340;
   return chart;
+}
+
+bool shows_something(const Chart& chart) {
+  return std::any_of(chart.series.begin(), chart.series.end(), [](const Series& s) { return s.x.size() > 1; });
+}
+
+Cell slope_cell(const Series& series) {
+  constexpr double kRounding = 1e-13;  // below this, rounding has its say
+  if (series.x.size() < 2) return {"", ""};
+  if (const auto slope = log_log_slope(series.x, series.y, kRounding))
+    return {(*slope < 0 ? "−" : "") + fmt::format("{:.1f}", std::abs(*slope))};
+  return {"rounding", "mild", "fewer than two errors above 1e-13"};
 }
 
 /// The descent with the points left out that no one could tell from their neighbours.
@@ -201,12 +216,13 @@ StudyFigure performance_figure(const StudyAnalysis& study) {
 StudyFigure data_figure(const StudyAnalysis& study) {
   const std::vector<double> units(study.groups.size(), 1.0);
   const auto profiles = [&](double tau) {
-    return data_profiles(positive(work_table(study, Work::evaluations, tau)), units);
+    return data_profiles(positive(work_table(study, Work::evaluations, tau, Test::left)), units);
   };
-  return profile_figure("data.svg", "Data profiles",
-                        "The share of problems that each solver solves with at most so many evaluations",
-                        profile_chart(study, profiles(1e-5), "to 10⁻⁵", "evaluations"),
-                        profile_chart(study, profiles(kSolved), "to 10⁻¹⁰", "evaluations"));
+  return profile_figure(
+      "data.svg", "Data profiles",
+      "The share of problems on which each solver comes down to τ of its way with at most so many evaluations",
+      profile_chart(study, profiles(1e-5), "τ = 10⁻⁵", "evaluations"),
+      profile_chart(study, profiles(1e-10), "τ = 10⁻¹⁰", "evaluations"));
 }
 
 StudyFigure evaluations_figure(const StudyAnalysis& study) {
@@ -219,14 +235,25 @@ StudyFigure seconds_figure(const StudyAnalysis& study) {
 
 StudyFigure order_figure(const StudyAnalysis& study) {
   StudyFigure figure{"order.svg",
-                     "Error against the number of points",
-                     "Error of the chain and of the reported value, with fitted slopes",
+                     "Error against the number of segments",
+                     "Error of the chain and of the reported value, relative to the true least cost",
                      {}};
-  Chart chain = order_chart(study, "the chain's cost (slope)", &Task::chain_error, true);
-  Chart value = order_chart(study, "the reported value (slope)", &Task::optimum_error, true);
-  if (!chain.series.empty()) figure.panels.push_back(std::move(chain));
-  if (!value.series.empty()) figure.panels.push_back(std::move(value));
+  for (Chart chart : {order_chart(study, "the chain's cost", &Task::chain_error),
+                      order_chart(study, "the reported value", &Task::optimum_error)})
+    if (shows_something(chart)) figure.panels.push_back(std::move(chart));
+  share_width(figure.panels);
   return figure;
+}
+
+std::string order_table(const StudyAnalysis& study) {
+  std::vector<std::string> names;
+  auto problems = by_points(study, names);
+  Table table{{{"problem"}, {"slope of the chain's cost", true}, {"slope of the reported value", true}}, {}, ""};
+  for (const std::string& name : names)
+    table.rows.push_back({{name},
+                          slope_cell(order_series(study, name, problems[name], &Task::chain_error)),
+                          slope_cell(order_series(study, name, problems[name], &Task::optimum_error))});
+  return html(table);
 }
 
 std::string convergence_charts(const StudyAnalysis& study) {
@@ -236,7 +263,13 @@ std::string convergence_charts(const StudyAnalysis& study) {
     if (!drawn.empty())
       out += fmt::format("<details class=\"sub\"><summary>{}</summary>\n{}</details>\n", escaped(group.label), drawn);
   }
-  return out;
+  if (out.empty()) return "";
+  return paragraph(
+             "Relative cost excess over the best chain of all solvers, of the first repetition. On a mesh, chains of "
+             "one "
+             "and the same path may have different energies, and stay apart here.",
+             "soft") +
+         out;
 }
 
 }  // namespace leastcost::app

@@ -11,11 +11,10 @@
 
 namespace leastcost::app {
 
-/// The relative cost excess at which a problem counts as solved.
-inline constexpr double kSolved = 1e-10;
-
 /// "1.20 ms".
 std::string duration_text(double seconds);
+/// Of evaluations, which may be a median: "20004".
+std::string count_text(double count);
 
 /// One row per solver: how often it succeeded, what it needed.
 std::string solver_table(const StudyAnalysis& study);
@@ -37,8 +36,10 @@ StudyFigure data_figure(const StudyAnalysis& study);
 /// Evaluations to kSolved against the number of points, a panel per problem; empty unless the points vary.
 StudyFigure evaluations_figure(const StudyAnalysis& study);
 StudyFigure seconds_figure(const StudyAnalysis& study);
-/// Error of chain and reported value against the number of points, with fitted slopes.
+/// Error of chain and reported value against the number of segments, n + 1 as for open paths.
 StudyFigure order_figure(const StudyAnalysis& study);
+/// The slopes of its lines.
+std::string order_table(const StudyAnalysis& study);
 
 /// How much the evaluations grow from the fewest points to the most.
 std::string growth_table(const StudyAnalysis& study);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "app/plot/text.hpp"
 #include "app/report/page.hpp"
@@ -12,55 +11,6 @@
 
 namespace leastcost::app {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-struct Look {
-  const char *sign, *style, *words;
-};
-
-Look look_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::certified: return {"✓", "good", "certified"};
-    case Verdict::other_minimum: return {"○", "other", "other minimum"};
-    case Verdict::uncertified: return {"~", "mild", "uncertified"};
-    case Verdict::failed: return {"×", "bad", "failed"};
-    case Verdict::absent: break;
-  }
-  return {"", "", "not tried"};
-}
-
-std::string count_text(double count) { return count < 1e6 ? fmt::format("{:.0f}", count) : number_text(count); }
-
-std::string hover_of(const Task& task) {
-  std::string text = task.reason;
-  if (task.evaluations.count > 0) text += fmt::format("; {} evaluations", count_text(task.evaluations.median));
-  if (task.seconds.count > 0) text += "; " + duration_text(task.seconds.median);
-  if (task.seconds.count > 1)
-    text += fmt::format(" ({} to {}, {} repetitions)", duration_text(task.seconds.least),
-                        duration_text(task.seconds.greatest), task.seconds.count);
-  if (std::isfinite(task.excess)) text += "; above the best chain by " + number_text(task.excess, 2);
-  if (std::isfinite(task.optimum_error)) text += "; off the optimum by " + number_text(task.optimum_error, 2);
-  return text;
-}
-
-Cell cell_of(const Task& task) {
-  const Look look = look_of(task.verdict);
-  if (task.verdict == Verdict::absent) return {""};
-  if (task.verdict == Verdict::failed) return {look.sign, look.style, hover_of(task)};
-  return {fmt::format("{} {}\n{}", look.sign, duration_text(task.seconds.median), count_text(task.evaluations.median)),
-          look.style, hover_of(task)};
-}
-
-/// How often each solver comes first (ties: all of them).
-std::vector<int> firsts(const WorkTable& work, std::size_t solvers) {
-  std::vector<int> count(solvers, 0);
-  for (const std::vector<double>& row : work) {
-    const double best = row.empty() ? kInfinity : *std::min_element(row.begin(), row.end());
-    for (std::size_t s = 0; s < row.size(); ++s) count[s] += std::isfinite(best) && row[s] == best ? 1 : 0;
-  }
-  return count;
-}
 
 std::vector<std::size_t> order_of(const std::vector<double>& row) {
   std::vector<std::size_t> order;
@@ -119,32 +69,38 @@ Cell ratio_cell(double seconds, const Task& task, double reference) {
 
 }  // namespace
 
+std::string count_text(double count) { return count < 1e6 ? fmt::format("{:.0f}", count) : number_text(count); }
+
 std::string duration_text(double seconds) {
   if (!std::isfinite(seconds)) return "n/a";
-  if (seconds < 1e-3) return number_text(1e6 * seconds, 2) + " µs";
-  if (seconds < 1) return number_text(1e3 * seconds, 2) + " ms";
-  return number_text(seconds, 2) + " s";
+  if (seconds < 1e-3) return number_text(1e6 * seconds, 2) + "\u00a0µs";
+  if (seconds < 1) return number_text(1e3 * seconds, 2) + "\u00a0ms";
+  return number_text(seconds, 2) + "\u00a0s";
 }
 
 std::string solver_table(const StudyAnalysis& study) {
   const WorkTable evaluations = work_table(study, Work::evaluations, kSolved),
                   seconds = work_table(study, Work::seconds, kSolved);
-  const std::vector<int> fewest = firsts(evaluations, study.solvers.size()),
-                         fastest = firsts(seconds, study.solvers.size());
-  Table table{{{"solver"},
-               {"solved", true, "came within 1e-10 of the cost of the best chain that any solver found"},
-               {"certified", true},
-               {"other min.", true, "certified, but a locally least-cost path that costs more"},
-               {"uncertified", true},
-               {"failed", true},
-               {"fastest", true, "number of problems which it solved in the least time"},
-               {"fewest eval.", true, "number of problems which it solved with the fewest evaluations"},
-               {"median time", true, "of its solves, whatever came out"},
-               {"median eval.", true, "energies and gradients of its solves"}},
-              {},
-              ""};
+  const std::vector<std::size_t> fewest = firsts(evaluations, Work::evaluations, study.solvers.size()),
+                                 fastest = firsts(seconds, Work::seconds, study.solvers.size());
+  Table table{
+      {{"solver"},
+       {"solved", true,
+        "came within a relative cost excess of 1e-10 over the best chain of all solvers, at some time of its "
+        "run; or was certified at the least certified cost"},
+       {"certified", true},
+       {"other min.", true, "certified, but a locally least-cost path that costs more"},
+       {"uncertified", true, "also collapsed and interrupted ones"},
+       {"refused", true, "said beforehand that it cannot"},
+       {"failed", true, "no path"},
+       {"fastest", true, "number of problems which it solved in the least time; within 10 % is a tie, and counts"},
+       {"fewest eval.", true, "number of problems which it solved with the fewest evaluations; ties count"},
+       {"median time", true, "of its solves, whatever came out"},
+       {"median eval.", true, "energies and gradients of its solves"}},
+      {},
+      "counts"};
   for (std::size_t s = 0; s < study.solvers.size(); ++s) {
-    int solved = 0, counts[5] = {};
+    int solved = 0, counts[kVerdicts] = {};
     std::vector<double> times, work;
     for (std::size_t g = 0; g < study.groups.size(); ++g) {
       const Task& task = study.groups[g].tasks[s];
@@ -163,22 +119,12 @@ std::string solver_table(const StudyAnalysis& study) {
                           number(Verdict::certified, "good"),
                           number(Verdict::other_minimum, "other"),
                           number(Verdict::uncertified, "mild"),
+                          number(Verdict::refused, "mild"),
                           number(Verdict::failed, "bad"),
                           {std::to_string(fastest[s])},
                           {std::to_string(fewest[s])},
-                          {time.count > 0 ? fmt::format("{:.2f} ms", 1e3 * time.median) : ""},
+                          {time.count > 0 ? fmt::format("{:.2f}\u00a0ms", 1e3 * time.median) : ""},
                           {count.count > 0 ? count_text(count.median) : ""}});
-  }
-  return html(table);
-}
-
-std::string success_table(const StudyAnalysis& study) {
-  Table table{{{"problem"}}, {}, "matrix"};
-  for (const std::string& solver : study.solvers) table.columns.push_back({solver});
-  for (const Group& group : study.groups) {
-    std::vector<Cell> row = {{group.label}};
-    for (const Task& task : group.tasks) row.push_back(cell_of(task));
-    table.rows.push_back(std::move(row));
   }
   return html(table);
 }
@@ -216,7 +162,7 @@ std::string growth_table(const StudyAnalysis& study) {
   Table table{{{"solver"}}, {}, ""};
   for (const Ends& e : ends)
     table.columns.push_back(
-        {fmt::format("{}, n = {} to {}", e.name, study.groups[e.least].points, study.groups[e.most].points)});
+        {fmt::format("{}, n\u00a0=\u00a0{} to {}", e.name, study.groups[e.least].points, study.groups[e.most].points)});
   for (std::size_t s = 0; s < study.solvers.size(); ++s) {
     std::vector<Cell> row = {{study.solvers[s]}};
     for (const Ends& e : ends) row.push_back(growth_cell(work[e.least][s], work[e.most][s]));

@@ -117,6 +117,36 @@ TEST_CASE("plot: logarithmic ticks") {
   CHECK(wide.back().label == "10⁰");
 }
 
+TEST_CASE("plot: logarithmic axes have two labels at least, however narrow") {
+  const auto [least, largest, wanted] = GENERATE(table<double, double, int>(
+      {{210, 460, 6}, {4.2, 4.8, 4}, {0.99, 1.01, 2}, {3, 450, 2}, {2e-7, 3e-4, 2}, {5e-30, 5e30, 2}}));
+  CAPTURE(least, largest);
+  const std::vector<double> labelled = places(ticks(ScaleKind::log, {least, largest}, wanted), true);
+  CHECK(labelled.size() >= 2);
+  for (const double at : labelled) {
+    CHECK(at >= least * (1 - 1e-9));
+    CHECK(at <= largest * (1 + 1e-9));
+  }
+}
+
+TEST_CASE("plot: counts have no fractions, and labels have room") {
+  Chart chart;
+  chart.x = {"iterations"};
+  chart.x.whole = true;
+  chart.series = {{"", {0, 1, 2, 3}, {1, 2, 3, 4}}};
+  const std::string counts = svg(chart);
+  CHECK_THAT(counts, Contains("middle\">0<") && Contains("middle\">1<") && Contains("middle\">3<"));
+  CHECK(counts.find("middle\">0.5<") == std::string::npos);
+  chart.x = {"seconds"};
+  chart.width = 200;
+  chart.series[0].x = {0, 1e-4, 2e-4, 3.1e-4};
+  const std::string narrow = svg(chart);
+  std::size_t labels = 0;
+  for (std::size_t at = narrow.find("·10"); at != std::string::npos; at = narrow.find("·10", at + 1)) ++labels;
+  CHECK(labels >= 1);
+  CHECK(labels <= 3);  // some 130 px, 50 for each
+}
+
 TEST_CASE("plot: ranges leave out what a scale cannot show") {
   const double infinity = std::numeric_limits<double>::infinity();
   const Range log = range_of({0, -1, std::nan(""), infinity, 1e-3, 10}, ScaleKind::log);

@@ -132,6 +132,7 @@ TEST_CASE("study analysis: the best chain of a group, other minima, failures, an
   RunTable runs;
   runs.rows = {row(0, 0, "a", 50), row(1, 0, "b", 50 + 1e-9), row(2, 0, "c", 51), row(3, 0, "d", 50.5, "uncertified"),
                row(4, 0, "e", 0)};
+  runs.rows[2].cost = 2.02;
   runs.rows[4].outcome = outcome::kTimeout;
   runs.rows[4].message = "after 10 s";
   runs.rows[4].final_energy.reset();
@@ -141,7 +142,7 @@ TEST_CASE("study analysis: the best chain of a group, other minima, failures, an
   REQUIRE(study.groups.size() == 2);
   CHECK(study.solvers == std::vector<std::string>{"a", "b", "c", "d", "e"});
   const Group& group = study.groups[0];
-  CHECK(group.label == "p, n = 10");
+  CHECK(group.label == "p, n\u00a0=\u00a010");
   CHECK(group.tasks[0].verdict == Verdict::certified);
   CHECK(group.tasks[1].verdict == Verdict::certified);
   CHECK(group.tasks[1].excess == Approx(1e-11).epsilon(1e-3));
@@ -177,6 +178,7 @@ TEST_CASE("study analysis: a method that traces a functional of its own counts b
   RunTable runs;
   runs.rows = {row(0, 0, "energy", 50), row(1, 0, "own", 50), row(2, 0, "own, elsewhere", 80)};
   runs.rows[1].iterations = 7;
+  runs.rows[2].cost = 3;
   // Far below any energy there is: by the letter solved before it began.
   const std::vector<TraceRow> traces = {trace(0, 0, 0, 1, 0.1, 90), trace(0, 0, 1, 3, 0.2, 50),
                                         trace(1, 0, 0, 0, 0.001, 0.04), trace(1, 0, 1, 0, 0.002, 0.03),
@@ -185,6 +187,62 @@ TEST_CASE("study analysis: a method that traces a functional of its own counts b
   CHECK(work[0][0] == 3);
   CHECK(work[0][1] == 7);  // an iteration is the work of one evaluation at least
   CHECK(work[0][2] == kNever);
+}
+
+// Beside the kinks of a mesh chains of one and the same path have different energies.
+TEST_CASE("study analysis: certified at the least certified cost is solved, at the latest at the end of the run") {
+  RunTable runs;
+  runs.rows = {row(0, 0, "low", 50), row(1, 0, "high", 58), row(2, 0, "dearer", 58),
+               row(3, 0, "unsure", 58, "uncertified")};
+  for (RunRow& r : runs.rows) r.cost_error_bar = 1e-15;
+  runs.rows[2].cost = 2 + 1e-6;
+  const std::vector<TraceRow> traces = {trace(1, 0, 0, 1, 0.001, 90), trace(1, 0, 1, 4, 0.002, 58)};
+  const StudyAnalysis study = analyse(runs, traces);
+  const std::vector<Task>& tasks = study.groups[0].tasks;
+  CHECK(tasks[1].verdict == Verdict::certified);
+  CHECK(tasks[2].verdict == Verdict::other_minimum);
+  CHECK(tasks[3].verdict == Verdict::uncertified);
+  const WorkTable work = work_table(study, Work::evaluations, 1e-10);
+  CHECK(work[0] == std::vector<double>{5, 5, kNever, kNever});
+  CHECK(work_table(study, Work::seconds, 1e-10)[0][1] == Approx(0.01));
+}
+
+TEST_CASE("study analysis: a refusal is no failure, and no work") {
+  RunTable runs;
+  runs.rows = {row(0, 0, "a", 50), row(1, 0, "b", 0)};
+  RunRow& refusal = runs.rows[1];
+  refusal.outcome = outcome::kCannotSolve;
+  refusal.status = "";
+  refusal.message = "works in a chart";
+  refusal.evaluations = refusal.iterations = 0;
+  refusal.final_energy = refusal.initial_energy = std::nan("");
+  refusal.s_solve.reset();
+  const StudyAnalysis study = analyse(runs, {});
+  const Task& task = study.groups[0].tasks[1];
+  CHECK(task.verdict == Verdict::refused);
+  CHECK(task.reason == "refused: works in a chart");
+  CHECK(task.evaluations.count == 0);
+  CHECK(work_table(study, Work::evaluations, 1e-10)[0][1] == kNever);
+}
+
+// E0 - E* is 1 for the first and 40 for the second: what is left of the way is measured by it, whatever the slope of the energy.
+TEST_CASE("study analysis: the test of More and Wild goes by the way down") {
+  RunTable runs;
+  runs.rows = {row(0, 0, "near", 50), row(1, 0, "far", 50)};
+  runs.rows[0].initial_energy = 51;
+  runs.rows[1].initial_energy = 90;
+  const std::vector<TraceRow> traces = {trace(0, 0, 0, 1, 0.1, 51), trace(0, 0, 1, 2, 0.2, 50 + 2e-5),
+                                        trace(1, 0, 0, 1, 0.1, 90), trace(1, 0, 1, 2, 0.2, 50 + 2e-5)};
+  const StudyAnalysis study = analyse(runs, traces);
+  CHECK(work_table(study, Work::evaluations, 1e-5, Test::left)[0] == std::vector<double>{5, 2});
+  CHECK(work_table(study, Work::evaluations, 1e-5, Test::excess)[0] == std::vector<double>{2, 2});
+}
+
+TEST_CASE("study analysis: ties count for each; times tie within a tenth") {
+  const WorkTable work = {{10, 10, 10.9}, {kNever, kNever, kNever}, {5, 4, kNever}};
+  CHECK(firsts(work, Work::evaluations, 3) == std::vector<std::size_t>{1, 2, 0});
+  CHECK(firsts(work, Work::seconds, 3) == std::vector<std::size_t>{1, 2, 1});
+  CHECK(firsts({}, Work::seconds, 2) == std::vector<std::size_t>{0, 0});
 }
 
 TEST_CASE("study analysis: kernels, seeds and swept keys tell groups apart only where they vary") {

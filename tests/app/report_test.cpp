@@ -54,7 +54,7 @@ std::vector<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
-/// A study of two solvers on one problem with 10 and 100 points.
+/// A study of two solvers on one problem with 9 and 99 points: 10 and 100 segments.
 fs::path study_in(const fs::path& folder) {
   app::RunTable runs;
   std::vector<app::TraceRow> traces;
@@ -64,7 +64,7 @@ fs::path study_in(const fs::path& folder) {
     row.problem = "torus <b>";
     row.solver = cell % 2 == 0 ? "newton" : "plain";
     row.kernel = "square";
-    row.points = cell < 2 ? 10 : 100;
+    row.points = cell < 2 ? 9 : 99;
     row.outcome = cell == 3 ? app::outcome::kTimeout : app::outcome::kOk;
     if (cell < 3) {
       row.status = "certified";
@@ -74,8 +74,8 @@ fs::path study_in(const fs::path& folder) {
       row.final_energy = 50;
       row.energy_slope = 100;
       row.optimum = 3;
-      row.optimum_error = row.points == 10 ? 1e-4 : 1e-8;
-      row.chain_cost = row.points == 10 ? 2.97 : 2.9997;
+      row.optimum_error = row.points == 9 ? 1e-4 : 1e-8;
+      row.chain_cost = row.points == 9 ? 2.97 : 2.9997;
       row.cost_error_bar = 1e-3;
       traces.push_back({cell, 0, 0, 1, 0.0005, 90, 0.1, 0});
       traces.push_back({cell, 0, 1, *row.evaluations, *row.s_solve, 50, 1e-12, 0.1});
@@ -221,10 +221,10 @@ TEST_CASE("report: of a study, with its figures as files") {
   const fs::path folder = study_in(dir / "study");
   app::write_report(folder);
   const std::string page = content(folder / "report.html");
-  check_holds(page,
-              {"a study", "torus &lt;b&gt;, n = 10", "3 of 4 solves certified", "Performance profiles", "timeout"});
+  check_holds(page, {"a study", "torus &lt;b&gt;, n\u00a0=\u00a09", "3 of 4 solves certified", "Performance profiles",
+                     "timeout"});
   check_lacks(page, "<script");
-  // 9 evaluations at 10 points and at 100; the other solver never came back from 100.
+  // 9 evaluations at 9 points and at 99; the other solver never came back from 99.
   check_holds(page, {">9 → 9<", ">400 → not reached<", "As multiples of newton"});
   check_stands_alone(page);
   for (const char* figure : {"evaluations.svg", "performance.svg", "data.svg", "accuracy.svg", "order.svg"}) {
@@ -232,11 +232,25 @@ TEST_CASE("report: of a study, with its figures as files") {
     const std::string svg = content(folder / figure);
     check_holds(svg, {"<svg", "<title>", "</svg>", "<style>"});
   }
-  CHECK_THAT(content(folder / "order.svg"),
-             Contains("(−2.0)") || Contains("(-2.0)"));  // 1 % off at 10 points, a hundredth of that at 100
+  // 1 % off at 10 segments, a hundredth of that at 100.
+  check_holds(page, {">−2.0<", ">−4.0<", "the reported value", "whatever ended it"});
+  check_lacks(page, "incomplete");
   const std::string again = content(folder / "report.html");
   app::write_report(folder);
   CHECK(content(folder / "report.html") == again);
+}
+
+TEST_CASE("report: of a study with runs that are missing, and with solvers that stop by rules of their own") {
+  const ScratchDir dir;
+  const fs::path folder = study_in(dir / "study");
+  check_lacks(app::make_report(folder)[0].content, "of their own");
+  write(folder / "summary.json", R"({"name": "a part", "missing": [[4, 0], [5, 0]]})");
+  std::string runs = content(folder / "runs.csv");
+  for (std::size_t at = runs.find("plain"); at != std::string::npos; at = runs.find("plain"))
+    runs.replace(at, 5, "georce");
+  write(folder / "runs.csv", runs);
+  check_holds(app::make_report(folder)[0].content,
+              {"incomplete, 2 runs missing: 3 of 4 solves certified", "of their own"});
 }
 
 TEST_CASE("report: a damaged study is named") {
@@ -257,6 +271,8 @@ TEST_CASE("report: tables align numbers on their points") {
   const std::string text = app::html(table);
   CHECK_THAT(text, Contains("12.5\u2007\u2007<") && Contains("3\u2008\u2007\u2007\u2007<") && Contains(">0.125<") &&
                        Contains("<td class=\"w\">none<"));
+  const app::Table powers{{{"value", true}}, {{{"12.5"}}, {{"1.0 × 10⁻⁶"}}}, ""};
+  CHECK_THAT(app::html(powers), Contains(">12.5<"));
 }
 
 }  // namespace leastcost::test
