@@ -135,7 +135,8 @@ class CertificateTable {
     const bool not_applicable = verdict == "not_applicable";
     const std::string words =
         not_applicable
-            ? "There is none here: a polyhedron has no second derivatives, and some energies are not finite."
+            ? "Not defined here: the energy of a path on a polyhedron has kinks, and that under H = s has no curvature "
+              "along the path."
             : fmt::format(
                   "Directions in which the energy falls, by the signs of the pivots of its Hessian: {}; flat ones: {}.",
                   result_.text("certificate.index.negatives"), result_.text("certificate.index.nullity"));
