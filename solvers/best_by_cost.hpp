@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "framework/path_energy.hpp"
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "framework/stopping.hpp"
+#include "solvers/rare_test.hpp"
 
 namespace leastcost {
 
@@ -21,8 +26,20 @@ class BestByCost {
     }
     return cost;
   }
-  const CoordinatePath& path() const { return path_; }
   double cost() const { return cost_; }
+
+  /// The report of a method that has come to rest at a path of the given cost, which need not be the best it has met.
+  SolveReport at_rest(SolveLoop& loop, double cost) {
+    std::ostringstream out;
+    out.precision(12);
+    out << "at rest at the cost " << cost;
+    return finish(loop, Termination::fixed_point, out.str());
+  }
+  /// The report about the path that is kept, its relative cost error measured.
+  SolveReport finish(SolveLoop& loop, Termination end, std::string message) {
+    loop.set_cost_error(measured_cost_error(energy_, path_));
+    return loop.finish(end, std::move(message), energy_.value(path_));
+  }
 
  private:
   PathEnergy& energy_;

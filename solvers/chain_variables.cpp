@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solvers/first_move.hpp"
 #include "solvers/free_move.hpp"
 
 namespace leastcost {
 namespace {
 
-constexpr double kFirstMove = 0.1;    ///< of a segment
 constexpr double kDifference = 6e-6;  ///< of the extent: rounding and truncation of a central difference balance
 
 double extent(const Points& u) { return (u.rowwise().maxCoeff() - u.rowwise().minCoeff()).norm(); }
@@ -27,11 +27,9 @@ bool ChainVariables::centre(const CoordinatePath& path) {
 }
 
 double ChainVariables::first_scale() const {
-  const Index columns = base_.u.cols();
-  const double segment = (base_.u.rightCols(columns - 1) - base_.u.leftCols(columns - 1)).colwise().norm().mean();
   const Index k = energy_.problem().manifold->dimensions().tangent;
   const double longest = model_.tangent.reshaped(k, base_.free_count()).colwise().norm().maxCoeff();
-  const double scale = std::sqrt(kFirstMove * segment / longest);  // a step -S g in z is one of -S^2 g
+  const double scale = std::sqrt(kFirstMove * mean_segment(base_) / longest);  // a step -S g in z is one of -S^2 g
   return std::isfinite(scale) && scale > 0 ? scale : 1;
 }
 

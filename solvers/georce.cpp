@@ -5,13 +5,11 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <utility>
 
 #include "framework/stopping.hpp"
 #include "solvers/best_by_cost.hpp"
 #include "solvers/limit_fields.hpp"
-#include "solvers/rare_test.hpp"
 
 namespace leastcost {
 namespace {
@@ -33,17 +31,19 @@ class GeorceSolve {
 
   SolveReport run() {
     own_energy_ = own_energy(path_, metric_);
-    if (!std::isfinite(own_energy_)) return finish(Termination::non_finite, "the metric of the cost is not finite");
+    if (!std::isfinite(own_energy_))
+      return best_.finish(loop_, Termination::non_finite, "the metric of the cost is not finite");
     double cost = best_.cost(), largest_move = 0;
     for (;;) {
       loop_.record(energy_.value(path_), std::numeric_limits<double>::quiet_NaN(), largest_move);  // ours: comparable
-      if (const std::optional<Termination> end = loop_.must_end(path_)) return finish(*end, "");
-      if (!propose()) return finish(Termination::non_finite, "the metric of the cost is not positive definite");
+      if (const std::optional<Termination> end = loop_.must_end(path_)) return best_.finish(loop_, *end, "");
+      if (!propose())
+        return best_.finish(loop_, Termination::non_finite, "the metric of the cost is not positive definite");
       const double before = own_energy_;
-      if (!backtrack()) return finish(Termination::fixed_point, at_rest(cost));
+      if (!backtrack()) return best_.at_rest(loop_, cost);
       largest_move = largest_move_;
       cost = best_.consider(path_);
-      if (before - own_energy_ <= options_.tolerance * before) return finish(Termination::fixed_point, at_rest(cost));
+      if (before - own_energy_ <= options_.tolerance * before) return best_.at_rest(loop_, cost);
     }
   }
 
@@ -122,18 +122,6 @@ class GeorceSolve {
       return true;
     }
     return false;
-  }
-
-  std::string at_rest(double cost) const {
-    std::ostringstream out;
-    out.precision(12);
-    out << "at rest at the cost " << cost;
-    return out.str();
-  }
-
-  SolveReport finish(Termination end, std::string message) {
-    loop_.set_cost_error(measured_cost_error(energy_, best_.path()));
-    return loop_.finish(end, std::move(message), energy_.value(best_.path()));
   }
 
   PathEnergy& energy_;

@@ -6,6 +6,7 @@
 
 #include "framework/bundle.hpp"
 #include "framework/stopping.hpp"
+#include "solvers/first_move.hpp"
 #include "solvers/limit_fields.hpp"
 #include "solvers/rare_test.hpp"
 
@@ -28,7 +29,7 @@ class Descent {
     if (!model_.evaluate(energy_, path_))
       return loop_.finish(Termination::non_finite, "the gradient is not finite", model_.value);
     const double longest = steps(1).colwise().norm().maxCoeff();
-    step_ = longest > 0 ? kFirstMove * mean_segment() / longest : 1;
+    step_ = longest > 0 ? kFirstMove * mean_segment(path_) / longest : 1;
     for (int i = 0;; ++i) {
       const bool stationary = test_.due(i) && test_.holds(energy_, path_, model_, i);
       loop_.record(model_.value, test_.cost_error(), largest_move_);
@@ -43,17 +44,11 @@ class Descent {
   }
 
  private:
-  static constexpr double kFirstMove = 0.1;  ///< of a segment, before any scale is known
-
   /// -t g, in coordinates.
   Points& steps(double t) {
     direction_ = -t * model_.tangent;
     energy_.from_tangent(model_.frames, direction_, move_);
     return move_;
-  }
-
-  double mean_segment() const {
-    return (path_.u.rightCols(path_.u.cols() - 1) - path_.u.leftCols(path_.u.cols() - 1)).colwise().norm().mean();
   }
 
   bool search() {

@@ -11,6 +11,7 @@
 #include "framework/bundle.hpp"
 #include "framework/chain_model.hpp"
 #include "framework/stopping.hpp"
+#include "solvers/first_move.hpp"
 #include "solvers/lbfgs_history.hpp"
 #include "solvers/limit_fields.hpp"
 
@@ -69,15 +70,11 @@ class LbfgsSolve {
                                  .colwise()
                                  .norm()
                                  .maxCoeff();
-      const double scale = 0.1 * mean_segment() / longest;
+      const double scale = kFirstMove * mean_segment(path_) / longest;
       direction_ *= scale;
       slope_ *= scale;
     }
     energy_.from_tangent(model_.frames, direction_, step_);
-  }
-
-  double mean_segment() const {
-    return (path_.u.rightCols(path_.u.cols() - 1) - path_.u.leftCols(path_.u.cols() - 1)).colwise().norm().mean();
   }
 
   /// Relative cost error by the model that is at hand: the chain, or the quasi-Newton one.

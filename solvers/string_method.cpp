@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <utility>
 
 #include "framework/chain_model.hpp"
@@ -12,8 +11,8 @@
 #include "framework/spacing.hpp"
 #include "framework/stopping.hpp"
 #include "solvers/best_by_cost.hpp"
+#include "solvers/first_move.hpp"
 #include "solvers/limit_fields.hpp"
-#include "solvers/rare_test.hpp"
 
 namespace leastcost {
 namespace {
@@ -33,19 +32,15 @@ class String {
     double cost = best_.cost(), moved = 1;
     for (;;) {
       loop_.record(model_.value, std::numeric_limits<double>::quiet_NaN(), largest_move_);
-      if (moved <= options_.tolerance) return finish(Termination::fixed_point, at_rest(cost));
-      if (const std::optional<Termination> end = loop_.must_end(path_)) return finish(*end, "");
-      if (!step()) return finish(Termination::non_finite, "a step leaves the domain of the cost");
-      moved = largest_move_ / mean_segment();
+      if (moved <= options_.tolerance) return best_.at_rest(loop_, cost);
+      if (const std::optional<Termination> end = loop_.must_end(path_)) return best_.finish(loop_, *end, "");
+      if (!step()) return best_.finish(loop_, Termination::non_finite, "a step leaves the domain of the cost");
+      moved = largest_move_ / mean_segment(path_);
       cost = best_.consider(path_);
     }
   }
 
  private:
-  double mean_segment() const {
-    return (path_.u.rightCols(path_.u.cols() - 1) - path_.u.leftCols(path_.u.cols() - 1)).colwise().norm().mean();
-  }
-
   /// One step of every point normal to the path, and equal spacing again.
   bool step() {
     energy_.from_tangent(model_.frames, model_.tangent, force_);
@@ -69,18 +64,6 @@ class String {
     largest_move_ = (even.u - path_.u).colwise().norm().maxCoeff();
     path_ = std::move(even);
     return true;
-  }
-
-  std::string at_rest(double cost) const {
-    std::ostringstream out;
-    out.precision(12);
-    out << "at rest at the cost " << cost;
-    return out.str();
-  }
-
-  SolveReport finish(Termination end, std::string message) {
-    loop_.set_cost_error(measured_cost_error(energy_, best_.path()));
-    return loop_.finish(end, std::move(message), energy_.value(best_.path()));
   }
 
   static constexpr double kEven = 1e-12;

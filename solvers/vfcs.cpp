@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "framework/stopping.hpp"
+#include "solvers/first_move.hpp"
 #include "solvers/lbfgs_history.hpp"
 #include "solvers/limit_fields.hpp"
 #include "solvers/rare_test.hpp"
@@ -16,7 +17,6 @@ namespace {
 
 constexpr double kArmijo = 1e-4;
 constexpr int kMaxHalvings = 40;
-constexpr double kFirstMove = 0.1;  ///< of a segment, while there is no history
 
 /// Numbers in comments are the lines of Algorithm 1.
 class Algorithm1 {
@@ -69,10 +69,7 @@ class Algorithm1 {
     if (!(slope < 0)) return false;
     move_ = direction_.reshaped(gradient_.rows(), gradient_.cols());
     double t = 1;
-    if (history_.empty())
-      t = kFirstMove *
-          (path_.u.rightCols(path_.u.cols() - 1) - path_.u.leftCols(path_.u.cols() - 1)).colwise().norm().mean() /
-          move_.colwise().norm().maxCoeff();
+    if (history_.empty()) t = kFirstMove * mean_segment(path_) / move_.colwise().norm().maxCoeff();
     for (int i = 0; i < kMaxHalvings; ++i, t /= 2) {
       trial_move_ = t * move_;
       energy_.retract(path_, trial_move_, trial_);

@@ -10,6 +10,7 @@
 
 #include "app/cli/templates.hpp"
 #include "app/registry.hpp"
+#include "tests/app/called.hpp"
 #include "tests/app/config_text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
@@ -21,18 +22,6 @@ using Catch::Contains;
 using Json = nlohmann::json;
 
 namespace {
-
-struct Called {
-  int exit;
-  std::string out, err;
-};
-
-Called call(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), "leastcost");
-  std::ostringstream out, err;
-  const int exit = app::run_program(arguments, {out, err});
-  return {exit, out.str(), err.str()};
-}
 
 std::string write(const fs::path& file, const std::string& text) {
   std::ofstream(file) << text;

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "app/cli/command_line.hpp"
+#include "tests/app/called.hpp"
 #include "tests/app/config_text.hpp"
 #include "tests/app/study_text.hpp"
 #include "tests/support/catch.hpp"
@@ -18,18 +19,6 @@ using Catch::Contains;
 using Json = nlohmann::json;
 
 namespace {
-
-struct Called {
-  int exit;
-  std::string out, err;
-};
-
-Called call(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), "leastcost");
-  std::ostringstream out, err;
-  const int exit = app::run_program(arguments, {out, err});
-  return {exit, out.str(), err.str()};
-}
 
 /// kStudy in a file.
 std::string study_in(const ScratchDir& dir, const std::string& more = "") {

@@ -174,7 +174,8 @@ inline void check_ends_when_told(const StandardProblem& p, const MakeSolver& mak
     const SolveReport report = solver.solve(energy, path, monitor);
     CAPTURE(name(report.termination), name(expected), report.message);
     const bool limit = expected == Termination::iteration_limit || expected == Termination::evaluation_limit;
-    if (!(limit && report.termination == Termination::fixed_point)) CHECK(report.termination == expected);
+    const bool done_before = promise.own_rule && limit && report.termination == Termination::fixed_point;
+    if (!done_before) CHECK(report.termination == expected);
     check_report(report, energy, p.start, path, promise);
     return report;
   };
@@ -250,8 +251,9 @@ inline void check_refuses_infinite(const Solver& solver) {
   CoordinatePath path{(Points(2, 4) << 0, 0.5, 1, 2, 0, 0.5, -0.5, -1).finished(), {}, false};
   const Points before = path.u;
   PathEnergy energy(problem, 1);
+  const bool refuses = solver.cannot_solve(energy, path).has_value();
   const SolveReport report = solver.solve(energy, path, {});
-  CHECK((report.termination == Termination::non_finite || report.termination == Termination::refused));
+  CHECK(report.termination == (refuses ? Termination::refused : Termination::non_finite));
   CHECK_FALSE(report.message.empty());
   CHECK(path.u == before);
 }
