@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// Closest points on a mesh: the query that moving path points ask all the time. Mesh: $LEASTCOST_DATA/meshes/bunny_70k.obj,
-// else the same model as Debian's glmark2-data installs it.
+// Closest points on a mesh: the query that moving path points ask all the time. Mesh:
+// $LEASTCOST_DATA/meshes/bunny_70k.obj, else the same model as Debian's glmark2-data installs it.
 #include <benchmark/benchmark.h>
 
 #include <cstdlib>
@@ -9,8 +9,8 @@
 #include <random>
 #include <vector>
 
-#include "problems/geometry/closest_point.hpp"
-#include "problems/readers/mesh_reader.hpp"
+#include <leastcost/problems/mesh/closest_point.hpp>
+#include <leastcost/problems/readers/mesh_reader.hpp>
 
 namespace {
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// Projections onto the moving least squares surface of 100,000 points, the query that path points ask all the time: a sampled torus, and
-// $LEASTCOST_DATA/points/building_100k.ply where it is at hand. items_per_second is projections per second of processor time.
+// Projections onto the moving least squares surface of 100,000 points, the query that path points ask all the time: a
+// sampled torus, and $LEASTCOST_DATA/points/building_100k.ply where it is at hand. items_per_second is projections per
+// second of processor time.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -12,8 +13,8 @@
 #include <random>
 #include <vector>
 
-#include "problems/geometry/cloud_surface.hpp"
-#include "problems/readers/point_cloud_reader.hpp"
+#include <leastcost/problems/cloud/cloud_surface.hpp>
+#include <leastcost/problems/readers/point_cloud_reader.hpp>
 
 namespace {
 
@@ -58,8 +59,8 @@ const PointCloud* building_cloud() {
   return cloud.get();
 }
 
-/// Trial points as a solver makes them: paths of kPath points on the surface, a fifth of a spacing apart, each stepped along its tangent plane
-/// by a tenth of a spacing.
+/// Trial points as a solver makes them: paths of kPath points on the surface, a fifth of a spacing apart, each stepped
+/// along its tangent plane by a tenth of a spacing.
 std::vector<Vector3d> trial_points(const PointCloud& cloud) {
   std::mt19937_64 engine(kSeed);
   std::normal_distribution<double> normal;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// Making a signed-distance grid with 128 cells along the longest side, by phase, and what queries on it take, on one thread: from a mesh (the
-// file that is named, else $LEASTCOST_DATA/meshes/bunny_70k.obj), from a torus given by a formula, from 20,000 samples of it.
+// Making a signed-distance grid with 128 cells along the longest side, by phase, and what queries on it take, on one
+// thread: from a mesh (the file that is named, else $LEASTCOST_DATA/meshes/bunny_70k.obj), from a torus given by a
+// formula, from 20,000 samples of it.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -13,13 +14,13 @@
 #include <string>
 #include <vector>
 
-#include "problems/geometry/build_distance_grid.hpp"
-#include "problems/geometry/cloud_distance.hpp"
-#include "problems/geometry/formula_constraint.hpp"
-#include "problems/geometry/implicit_distance.hpp"
-#include "problems/geometry/mesh_distance.hpp"
-#include "problems/manifolds/signed_distance.hpp"
-#include "problems/readers/mesh_reader.hpp"
+#include <leastcost/problems/distance/build_distance_grid.hpp>
+#include <leastcost/problems/manifolds/signed_distance.hpp>
+#include <leastcost/problems/readers/mesh_reader.hpp>
+#include "problems/distance/cloud_distance.hpp"
+#include "problems/distance/implicit_distance.hpp"
+#include "problems/distance/mesh_distance.hpp"
+#include "problems/level_set/formula_constraint.hpp"
 
 namespace {
 

@@ -4,20 +4,20 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include <leastcost/problems/costs/euclidean.hpp>
+#include <leastcost/problems/costs/metric_field.hpp>
+#include <leastcost/problems/initializers/coordinate_circle.hpp>
+#include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/kernels/kernels.hpp>
+#include <leastcost/problems/manifolds/constraint.hpp>
+#include <leastcost/problems/manifolds/euclidean.hpp>
+#include <leastcost/problems/manifolds/implicit.hpp>
+#include <leastcost/problems/manifolds/parametric.hpp>
+#include <leastcost/problems/manifolds/point_cloud.hpp>
+#include <leastcost/problems/manifolds/signed_distance.hpp>
+#include <leastcost/solvers/lbfgs.hpp>
+#include <leastcost/solvers/newton.hpp>
 #include "benchmarks/measure.hpp"
-#include "problems/costs/euclidean.hpp"
-#include "problems/costs/metric_field.hpp"
-#include "problems/initializers/coordinate_circle.hpp"
-#include "problems/initializers/dijkstra.hpp"
-#include "problems/kernels/kernels.hpp"
-#include "problems/manifolds/constraint.hpp"
-#include "problems/manifolds/euclidean.hpp"
-#include "problems/manifolds/implicit.hpp"
-#include "problems/manifolds/parametric.hpp"
-#include "problems/manifolds/point_cloud.hpp"
-#include "problems/manifolds/signed_distance.hpp"
-#include "solvers/lbfgs.hpp"
-#include "solvers/newton.hpp"
 
 namespace {
 

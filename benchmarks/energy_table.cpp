@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// What the run-level interface costs: energy + gradient of 1000 segments against a fully templated loop, and allocations
-// per solver iteration.
+// What the run-level interface costs: energy + gradient of 1000 segments against a fully templated loop, and
+// allocations per solver iteration.
 #include <atomic>
 #include <chrono>
 #include <cstdio>
@@ -9,15 +9,15 @@
 #include <new>
 #include <numbers>
 
-#include "framework/path_energy.hpp"
-#include "framework/segment_cost_function.hpp"
+#include <leastcost/framework/path_energy.hpp>
+#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/problems/costs/travel_time.hpp>
+#include <leastcost/problems/initializers/straight.hpp>
+#include <leastcost/problems/kernels/kernels.hpp>
+#include <leastcost/problems/manifolds/euclidean.hpp>
+#include <leastcost/solvers/lbfgs.hpp>
+#include <leastcost/solvers/newton.hpp>
 #include "framework/spacing.hpp"
-#include "problems/costs/travel_time.hpp"
-#include "problems/initializers/straight.hpp"
-#include "problems/kernels/kernels.hpp"
-#include "problems/manifolds/euclidean.hpp"
-#include "solvers/lbfgs.hpp"
-#include "solvers/newton.hpp"
 
 namespace {
 std::atomic<long> allocations{0};

@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "problems/geometry/formula.hpp"
+#include "problems/formula/formula.hpp"
 
 namespace {
 

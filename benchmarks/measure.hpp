@@ -10,11 +10,11 @@
 #include <memory>
 #include <vector>
 
-#include "framework/initializer.hpp"
-#include "framework/path_energy.hpp"
-#include "framework/solver.hpp"
+#include <leastcost/framework/initializer.hpp>
+#include <leastcost/framework/path_energy.hpp>
+#include <leastcost/framework/solver.hpp>
+#include <leastcost/problems/initializers/straight.hpp>
 #include "framework/spacing.hpp"
-#include "problems/initializers/straight.hpp"
 
 /// What the tables of iterations share.
 namespace leastcost::bench {

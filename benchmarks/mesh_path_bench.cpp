@@ -10,9 +10,9 @@
 #include <map>
 #include <vector>
 
-#include "problems/geometry/geodesic.hpp"
-#include "problems/geometry/trace.hpp"
-#include "problems/readers/mesh_reader.hpp"
+#include <leastcost/problems/readers/mesh_reader.hpp>
+#include <leastcost/problems/straighten/geodesic.hpp>
+#include "problems/mesh/trace.hpp"
 
 namespace {
 

@@ -7,15 +7,15 @@
 #include <filesystem>
 #include <vector>
 
-#include "framework/find_path.hpp"
-#include "problems/costs/euclidean.hpp"
-#include "problems/geometry/path_tools.hpp"
-#include "problems/initializers/dijkstra.hpp"
-#include "problems/kernels/kernels.hpp"
-#include "problems/manifolds/mesh.hpp"
-#include "problems/post_processors/straighten.hpp"
-#include "problems/post_processors/trace.hpp"
-#include "solvers/lbfgs.hpp"
+#include <leastcost/framework/find_path.hpp>
+#include <leastcost/problems/costs/euclidean.hpp>
+#include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/kernels/kernels.hpp>
+#include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/mesh/path_tools.hpp>
+#include <leastcost/problems/post_processors/straighten.hpp>
+#include <leastcost/problems/post_processors/trace.hpp>
+#include <leastcost/solvers/lbfgs.hpp>
 
 namespace {
 

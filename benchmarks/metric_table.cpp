@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// Energy and gradient of a path on a torus under metrics of several makes: nanoseconds per segment, evaluations per second and how many times
-// the constant tensor. Tensors on data are interpolated from the 32,768 vertices of a mesh.
+// Energy and gradient of a path on a torus under metrics of several makes: nanoseconds per segment, evaluations per
+// second and how many times the constant tensor. Tensors on data are interpolated from the 32,768 vertices of a mesh.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -9,10 +9,10 @@
 #include <memory>
 #include <numbers>
 
-#include "problems/costs/metric_field.hpp"
-#include "problems/costs/metric_tensor.hpp"
-#include "problems/kernels/kernels.hpp"
-#include "problems/manifolds/mesh.hpp"
+#include <leastcost/problems/costs/metric_field.hpp>
+#include <leastcost/problems/costs/metric_tensor.hpp>
+#include <leastcost/problems/kernels/kernels.hpp>
+#include <leastcost/problems/manifolds/mesh.hpp>
 
 namespace {
 

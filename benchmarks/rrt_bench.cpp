@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// First paths by a random tree across the torus (radii 2 and 1): target below 0.2 s. The argument: steps per distance of the ends, a finer tree.
-// And the nearest of n points in space, by the tree that grows and by looking at each.
+// First paths by a random tree across the torus (radii 2 and 1): target below 0.2 s. The argument: steps per distance
+// of the ends, a finer tree. And the nearest of n points in space, by the tree that grows and by looking at each.
 #include <benchmark/benchmark.h>
 
 #include <random>
 
-#include "problems/costs/euclidean.hpp"
-#include "problems/geometry/growing_points.hpp"
-#include "problems/initializers/rrt.hpp"
-#include "problems/kernels/kernels.hpp"
-#include "problems/manifolds/implicit.hpp"
+#include <leastcost/problems/costs/euclidean.hpp>
+#include <leastcost/problems/initializers/rrt.hpp>
+#include <leastcost/problems/kernels/kernels.hpp>
+#include <leastcost/problems/manifolds/implicit.hpp>
+#include "problems/initializers/growing_points.hpp"
 
 namespace {
 

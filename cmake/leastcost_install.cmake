@@ -7,6 +7,30 @@ set(generated ${PROJECT_BINARY_DIR}/package)
 file(RELATIVE_PATH pc_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})  # relocatable
 get_property(components GLOBAL PROPERTY LEASTCOST_COMPONENTS)
 
+# What is public is what the public header of a component reaches through <leastcost/...>.
+set(public ${LEASTCOST_INCLUDE_DIR}/leastcost/leastcost.hpp)
+foreach(component IN LISTS components)
+  get_target_property(header leastcost_${component} LEASTCOST_PUBLIC)
+  file(RELATIVE_PATH header ${PROJECT_SOURCE_DIR} ${header})
+  list(APPEND public ${LEASTCOST_INCLUDE_DIR}/leastcost/${header})
+endforeach()
+set(reached "")
+while(public)
+  list(POP_FRONT public header)
+  list(APPEND reached ${header})
+  file(STRINGS ${header} includes REGEX "^#include <leastcost/")
+  list(TRANSFORM includes REPLACE "^#include <(.*)>.*" "${LEASTCOST_INCLUDE_DIR}/\\1")
+  list(REMOVE_ITEM includes ${reached} ${public})
+  list(REMOVE_DUPLICATES includes)
+  list(APPEND public ${includes})
+endwhile()
+foreach(header IN LISTS reached)
+  file(RELATIVE_PATH place ${LEASTCOST_INCLUDE_DIR} ${header})
+  get_filename_component(place ${place} DIRECTORY)
+  file(REAL_PATH ${header} header)
+  install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${place} COMPONENT development)
+endforeach()
+
 foreach(component IN LISTS components)
   set(target leastcost_${component})
   install(TARGETS ${target} EXPORT leastcost-${component}
@@ -15,12 +39,6 @@ foreach(component IN LISTS components)
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
   install(EXPORT leastcost-${component} NAMESPACE leastcost:: FILE leastcost-${component}-targets.cmake
     DESTINATION ${package_dir} COMPONENT development)
-  get_target_property(headers ${target} LEASTCOST_HEADERS)
-  foreach(header IN LISTS headers)
-    file(RELATIVE_PATH place ${PROJECT_SOURCE_DIR} ${header})
-    get_filename_component(place ${place} DIRECTORY)
-    install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/leastcost/${place} COMPONENT development)
-  endforeach()
 
   # leastcost-problems.cmake: first what it needs, then its targets.
   get_target_property(needs ${target} LEASTCOST_NEEDS)

@@ -1,16 +1,31 @@
 # One rule for the libraries: every .cpp of the folder is part of it, so that a plug-in is its source file alone.
 #
 #   leastcost_library(problems NEEDS framework)
-#   leastcost_library(ceres NEEDS solvers FINDS "Ceres 2.1" HEADERS ceres_solver.hpp LINKS " -lceres -lglog")
+#   leastcost_library(ceres NEEDS solvers FINDS "Ceres 2.1" PUBLIC ceres_solver.hpp LINKS " -lceres -lglog")
 #   leastcost_library(solvers NEEDS framework EXCEPT nlopt ceres)
 #
+# PUBLIC: the header from which all public ones are reached; default: <name>.hpp. Only these are installed.
 # NEEDS: components whose targets appear in our headers (they are linked and exported with the target).
-# HEADERS: those that are installed; default: all.
-# EXCEPT: sub-folders that are components of their own.
+# EXCEPT: files, and sub-folders that are components of their own.
 # LINKS: of a static build, for pkg-config.
 # FINDS: packages that a consumer has to find as well, the private ones of a static build included.
 include(GNUInstallDirs)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+
+# <leastcost/...> in the tree, as it will be installed: <leastcost/framework/path.hpp> is framework/path.hpp.
+set(LEASTCOST_INCLUDE_DIR ${PROJECT_BINARY_DIR}/include)
+file(MAKE_DIRECTORY ${LEASTCOST_INCLUDE_DIR}/leastcost)
+foreach(folder IN ITEMS framework problems solvers catalogue)
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${LEASTCOST_INCLUDE_DIR}/leastcost/${folder} SYMBOLIC)
+endforeach()
+foreach(header IN ITEMS leastcost.hpp version.hpp)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/${header}.in ${LEASTCOST_INCLUDE_DIR}/leastcost/${header} @ONLY)
+endforeach()
+
+# What is part of the project may also include internal headers, "framework/...", from the root of the tree.
+function(leastcost_internal target)
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
+endfunction()
 
 function(leastcost_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
@@ -23,23 +38,22 @@ function(leastcost_warnings target)
 endfunction()
 
 function(leastcost_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "NEEDS;FINDS;EXCEPT;HEADERS;LINKS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PUBLIC" "NEEDS;FINDS;EXCEPT;LINKS")
   set(target leastcost_${name})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/*.hpp)
-  foreach(folder IN LISTS arg_EXCEPT)
-    list(FILTER sources EXCLUDE REGEX "^${CMAKE_CURRENT_SOURCE_DIR}/${folder}/")
+  foreach(part IN LISTS arg_EXCEPT)
+    list(FILTER sources EXCLUDE REGEX "^${CMAKE_CURRENT_SOURCE_DIR}/${part}(/|$)")
   endforeach()
-  set(headers ${sources})
-  list(FILTER headers INCLUDE REGEX "[.]hpp$")
-  if(arg_HEADERS)
-    list(TRANSFORM arg_HEADERS PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ OUTPUT_VARIABLE headers)
+  if(NOT arg_PUBLIC)
+    set(arg_PUBLIC ${name}.hpp)
   endif()
   add_library(${target} ${sources})
   add_library(leastcost::${name} ALIAS ${target})
 
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_include_directories(${target} PUBLIC
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/leastcost>)
+    $<BUILD_INTERFACE:${LEASTCOST_INCLUDE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  leastcost_internal(${target})
   target_link_libraries(${target} PUBLIC Eigen3::Eigen)
   foreach(need IN LISTS arg_NEEDS)
     target_link_libraries(${target} PUBLIC leastcost::${need})
@@ -59,7 +73,7 @@ function(leastcost_library name)
     VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
     INSTALL_RPATH "$ORIGIN"
-    LEASTCOST_HEADERS "${headers}"
+    LEASTCOST_PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/${arg_PUBLIC}"
     LEASTCOST_LINKS "${arg_LINKS}"
     LEASTCOST_NEEDS "${arg_NEEDS}"
     LEASTCOST_FINDS "${arg_FINDS}")

@@ -37,8 +37,8 @@ class Bundle {
   }
 
  private:
-  /// `penalty`: by how much the linear piece of the energy with this gradient lies off the energy at the path. Without it gradients from
-  /// afar, which say nothing about the path, make a hull that contains 0.
+  /// `penalty`: by how much the linear piece of the energy with this gradient lies off the energy at the path. Without
+  /// it gradients from afar, which say nothing about the path, make a hull that contains 0.
   void add(const Eigen::VectorXd& gradient, double penalty) {
     gradients_.push_back(gradient);
     solved_.push_back(gradient);
@@ -58,8 +58,8 @@ class Bundle {
     decrement_ = w.dot(gram_ * w) + w.dot(penalties_);
   }
 
-  /// Energy decrease of the first step length that gives enough; otherwise 0, with a gradient collected whose slope along the
-  /// step shows the other side of the kink (it then shortens the aggregate).
+  /// Energy decrease of the first step length that gives enough; otherwise 0, with a gradient collected whose slope
+  /// along the step shows the other side of the kink (it then shortens the aggregate).
   double try_step() {
     energy_.from_tangent(model_.frames, step_, moves_);
     const double slack = rounding_slack(model_.value, path_.segment_count());
@@ -97,8 +97,8 @@ class Bundle {
   bool exhausted_ = false;  ///< no step length gave a decrease or a gradient
 };
 
-/// Moves w towards the minimum over the affine hull of its support, up to the first weight that vanishes, which leaves the support. True
-/// when the minimum itself was reached.
+/// Moves w towards the minimum over the affine hull of its support, up to the first weight that vanishes, which leaves
+/// the support. True when the minimum itself was reached.
 bool toward_affine_minimum(const Eigen::MatrixXd& gram, const Eigen::VectorXd& penalties, double ridge,
                            std::vector<Index>& support, Eigen::VectorXd& w) {
   const Index k = static_cast<Index>(support.size());

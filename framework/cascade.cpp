@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "framework/path_energy.hpp"
+#include <leastcost/framework/path_energy.hpp>
 #include "framework/spacing.hpp"
 
 namespace leastcost {

@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/certificate.hpp"
+#include <leastcost/framework/certificate.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
 
+#include <leastcost/framework/chain_model.hpp>
+#include <leastcost/framework/path_energy.hpp>
 #include "framework/bundle.hpp"
-#include "framework/chain_model.hpp"
 #include "framework/curve_value.hpp"
 #include "framework/geometry_error.hpp"
-#include "framework/path_energy.hpp"
 #include "framework/path_index.hpp"
 #include "framework/refinement.hpp"
 #include "framework/spacing.hpp"
@@ -107,8 +107,8 @@ class Certifier {
     c_.asymmetry = energy_.cost(back) / energy_.cost(path_.chain) - 1;
   }
 
-  /// It certifies itself: no angle beside it is below pi, so no path nearby is shorter. Nothing is said about the shortest path, nor about
-  /// the smooth surface behind the mesh.
+  /// It certifies itself: no angle beside it is below pi, so no path nearby is shorter. Nothing is said about the
+  /// shortest path, nor about the smooth surface behind the mesh.
   void certify_straightened() {
     c_.scope = "local_on_polyhedron";
     c_.straightness = path_.curve.straightness;
@@ -240,8 +240,8 @@ class Certifier {
                                   " times the chord: the path jumps over a part of the domain; use more points");
   }
 
-  /// On a curved domain with bounds that is not a chart: where the path between its points comes to rest on a bound that the points do not see,
-  /// the cost of the path with eight times as many points, projected onto the domain.
+  /// On a curved domain with bounds that is not a chart: where the path between its points comes to rest on a bound
+  /// that the points do not see, the cost of the path with eight times as many points, projected onto the domain.
   std::optional<double> cost_between_points() {
     constexpr Index kPieces = 8;
     const ConstraintManifold& manifold = *problem_.manifold;
@@ -282,8 +282,8 @@ class Certifier {
     }
   }
 
-  /// Exactly equal where the cost is additive along the path; elsewhere as unequal as the discretisation makes it, which falls at second
-  /// order.
+  /// Exactly equal where the cost is additive along the path; elsewhere as unequal as the discretisation makes it,
+  /// which falls at second order.
   void check_spacing() {
     if (c_.spacing <= options_.spacing) return;
     const bool additive = problem_.cost->traits().additive && problem_.manifold->shape() == Shape::flat && !hugs_bound_;
@@ -292,8 +292,8 @@ class Certifier {
     bool falls = s2 <= options_.spacing || (s1 / s2 >= kSpacingFall && s2 / s4 >= kSpacingFall);
     double second_order = s2;
     if (hugs_bound_) {
-      // Where the path meets the bound one segment is off by h^2 times a factor between 0 and a constant, which depends on where the points
-      // happen to be: the largest of the levels must show it, up to kBoundJitter.
+      // Where the path meets the bound one segment is off by h^2 times a factor between 0 and a constant, which depends
+      // on where the points happen to be: the largest of the levels must show it, up to kBoundJitter.
       second_order = kBoundJitter / 2 * std::max({s1 / 4, s2, 4 * s4});
       falls = s4 <= std::max(options_.spacing, kBoundJitter / 16 * std::max(s1, 4 * s2));
     }
@@ -304,8 +304,9 @@ class Certifier {
     if (c_.spacing > expected) fail_spacing(expected);
   }
 
-  /// The spread of the segments falls with the stiffness of the kernel along the path. The levels have s = 1 in the mean; the delivered chain has
-  /// less where its reference cost comes from a longer first path, and an exponential kernel is then up to three times less stiff.
+  /// The spread of the segments falls with the stiffness of the kernel along the path. The levels have s = 1 in the
+  /// mean; the delivered chain has less where its reference cost comes from a longer first path, and an exponential
+  /// kernel is then up to three times less stiff.
   double softer_than_levels() {
     const double s =
         energy_.cost(path_.chain) / static_cast<double>(path_.chain.segment_count()) / energy_.reference_cost();

@@ -8,11 +8,11 @@
 #include <string_view>
 #include <vector>
 
-#include "framework/monitor.hpp"
-#include "framework/options.hpp"
-#include "framework/post_processor.hpp"
-#include "framework/problem.hpp"
-#include "framework/solver.hpp"
+#include <leastcost/framework/monitor.hpp>
+#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/post_processor.hpp>
+#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/solver.hpp>
 
 namespace leastcost {
 
@@ -37,8 +37,8 @@ struct CertificateFailure {
 enum class IndexVerdict { not_applicable, minimum, saddle, degenerate };
 std::string_view name(IndexVerdict verdict);
 
-/// Morse index of the path by counting negative pivots of the exact chain Hessian H (Sylvester's law of inertia), and of
-/// H + tau P, H - tau P with P the Gauss-Newton Hessian.
+/// Morse index of the path by counting negative pivots of the exact chain Hessian H (Sylvester's law of inertia), and
+/// of H + tau P, H - tau P with P the Gauss-Newton Hessian.
 struct PathIndex {
   IndexVerdict verdict = IndexVerdict::not_applicable;
   int negatives = 0;     ///< of H
@@ -91,8 +91,8 @@ struct Certificate {
 using ToCurve = std::function<PostProcessed(const CoordinatePath&)>;
 
 /// Measures the delivered path: `path.chain` is what the caller gets, `path.curve` lies on the domain. `certifier`
-/// solves the refinement levels; it should be a chain solver (newton in smooth domains). Cancelling leaves a certificate
-/// that is not certified.
+/// solves the refinement levels; it should be a chain solver (newton in smooth domains). Cancelling leaves a
+/// certificate that is not certified.
 Certificate certify(const Problem& problem, double reference_cost, const PostProcessed& path, const ToCurve& to_curve,
                     const Solver& certifier, const CertificateOptions& options, const Monitor& monitor);
 

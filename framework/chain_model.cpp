@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/chain_model.hpp"
+#include <leastcost/framework/chain_model.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@
 namespace leastcost {
 namespace {
 
-/// A semidefinite Gauss-Newton Hessian (a ring that may drift, points that may slide) is lifted by a growing part of its
-/// own size.
+/// A semidefinite Gauss-Newton Hessian (a ring that may drift, points that may slide) is lifted by a growing part of
+/// its own size.
 void factor_lifted(PathEnergy& energy, ChainSystem& system) {
   double size = 0;
   for (Index i = 0; i < system.count(); ++i) size += system.diagonal(i).trace();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "framework/path_energy.hpp"
+#include <leastcost/framework/path_energy.hpp>
 
 namespace leastcost {
 
@@ -18,18 +18,19 @@ struct ChainModel {
   Eigen::VectorXd step;      ///< -H^-1 g in the frames
   Points moves;              ///< the same in coordinates, coordinate x n
   double decrement = 0;      ///< g' H^-1 g
-  double cost_error = 0;     ///< decrement / (2 sum H'(s_i) s_i), NUMERICS Sec. 3
+  double cost_error = 0;     ///< decrement / (2 sum H'(s_i) s_i), docs/numerics.md Sec. 3.1
   double spacing_error = 0;  ///< largest relative change of a segment by the step
 
   /// value, gradient, frames and tangent gradient at a path. False where the energy is not finite.
   bool evaluate(PathEnergy& energy, const CoordinatePath& path);
-  /// Factors the exact Hessian, or the Gauss-Newton one where that is not wanted or not positive definite, lifted until it
-  /// factors; fills step, decrement and the errors.
+  /// Factors the exact Hessian, or the Gauss-Newton one where that is not wanted or not positive definite, lifted until
+  /// it factors; fills step, decrement and the errors.
   void solve(PathEnergy& energy, const CoordinatePath& path, HessianKind wanted);
 };
 
-/// The Gauss-Newton Hessian does not see a ring drift, all points moved alike, which the exact one prices by the curvature of domain and cost:
-/// lifted by the stiffness of one wave around the ring, the model is as good there as elsewhere.
+/// The Gauss-Newton Hessian does not see a ring drift, all points moved alike, which the exact one prices by the
+/// curvature of domain and cost: lifted by the stiffness of one wave around the ring, the model is as good there as
+/// elsewhere.
 void lift_drift(ChainSystem& system);
 
 /// What rounding leaves undecided in an energy difference: 4 eps sqrt(N) |E|.

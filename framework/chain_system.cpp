@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/chain_system.hpp"
+#include <leastcost/framework/chain_system.hpp>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -178,7 +178,8 @@ ChainSystem::Elimination ChainSystem::eliminate() const {
   Elimination e;
   e.inverse.resize(static_cast<std::size_t>(n_));
   e.border.resize(static_cast<std::size_t>(n_));
-  // Counts the negative eigenvalues of a pivot and returns its inverse; an eigenvalue lost to rounding counts as positive.
+  // Counts the negative eigenvalues of a pivot and returns its inverse; an eigenvalue lost to rounding counts as
+  // positive.
   const auto invert = [&e](const Points& pivot, Index i) -> Points {
     const Eigen::SelfAdjointEigenSolver<Points> eigen(pivot);
     Eigen::VectorXd values = eigen.eigenvalues();

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "framework/path.hpp"
+#include <leastcost/framework/path.hpp>
 
 namespace leastcost {
 
@@ -18,7 +18,7 @@ namespace leastcost {
 ///          B_1' A_2  ...
 ///     B_{n-1}             A_{n-1}
 ///
-/// A ring is factored as the chain x_1 .. x_{n-1}, then the Schur complement of x_0 (NUMERICS Sec. 3).
+/// A ring is factored as the chain x_1 .. x_{n-1}, then the Schur complement of x_0 (docs/numerics.md Sec. 3.5).
 class ChainSystem {
  public:
   void resize(int block, Index count, bool ring);
@@ -41,8 +41,8 @@ class ChainSystem {
   bool factor();
   /// x := A^-1 x, after factor() returned true.
   void solve(Eigen::VectorXd& x) const;
-  /// x := L^-1 x and x := L^-T x for A = L L', the two halves of solve(): with z = L' x the quadratic x'Ax is |z|^2, which makes a change of
-  /// variables of them (NUMERICS Sec. 3).
+  /// x := L^-1 x and x := L^-T x for A = L L', the two halves of solve(): with z = L' x the quadratic x'Ax is |z|^2,
+  /// which makes a change of variables of them (docs/numerics.md Sec. 3.6).
   void solve_lower(Eigen::VectorXd& x) const;
   void solve_upper(Eigen::VectorXd& x) const;
   /// y := A x.

@@ -74,7 +74,8 @@ std::optional<double> smooth_curve_cost(const Problem& problem, const Coordinate
   double sum = 0;
   Eigen::Vector4d w, dw;
   Points four(path.u.rows(), 4);
-  // Where the cubic leaves the domain (it overshoots where the path comes to rest on a bound) the nearest curve inside takes its place.
+  // Where the cubic leaves the domain (it overshoots where the path comes to rest on a bound) the nearest curve inside
+  // takes its place.
   CoordinatePath ahead = point, behind = point;
   const auto inside = [&](double t, CoordinatePath& at) {
     cubic(t, w, dw);

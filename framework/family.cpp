@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/family.hpp"
+#include <leastcost/framework/family.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
 #include <utility>
 
-#include "framework/errors.hpp"
-#include "framework/path_energy.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/path_energy.hpp>
 
 namespace leastcost {
 namespace {

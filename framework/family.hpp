@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/find_path.hpp"
+#include <leastcost/framework/find_path.hpp>
 
 namespace leastcost {
 
@@ -29,12 +29,12 @@ struct Family {
   std::vector<std::string> notes;     ///< starts without a first path, and why
 };
 
-/// Whether two paths are the same: their costs agree to 0.1 % (twice around is not once around), and no point of one is farther from the
-/// other than three quarters of a segment.
+/// Whether two paths are the same: their costs agree to 0.1 % (twice around is not once around), and no point of one is
+/// farther from the other than three quarters of a segment.
 bool same_path(const Problem& problem, const CoordinatePath& a, const CoordinatePath& b);
 
-/// find_path() from every start. A start without a first path is a note; throws the InitializationError of the first one when none has any.
-/// Stops early, with what it has, when the monitor says so.
+/// find_path() from every start. A start without a first path is a note; throws the InitializationError of the first
+/// one when none has any. Stops early, with what it has, when the monitor says so.
 Family find_family(const std::vector<FamilyStart>& starts, const Solver& solver, const FindOptions& options,
                    const Monitor& monitor = {});
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/find_path.hpp"
+#include <leastcost/framework/find_path.hpp>
 
 #include <algorithm>
 #include <cassert>
@@ -8,11 +8,11 @@
 #include <limits>
 #include <utility>
 
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/path_energy.hpp>
 #include "framework/based_loop.hpp"
 #include "framework/cascade.hpp"
-#include "framework/errors.hpp"
 #include "framework/escape_saddle.hpp"
-#include "framework/path_energy.hpp"
 #include "framework/spacing.hpp"
 
 namespace leastcost {
@@ -68,7 +68,8 @@ bool has_collapsed(const Result& result, const PostProcessed& processed) {
   return processed.collapsed || (result.solve.termination == Termination::collapsed && !processed.curve.straightness);
 }
 
-/// The best path of a solve in which the cost, or another part of the problem, threw. It is not asked again: nothing is measured about the path.
+/// The best path of a solve in which the cost, or another part of the problem, threw. It is not asked again: nothing is
+/// measured about the path.
 Result unfinished(Result result, PathEnergy& energy) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   result.costs.setConstant(result.path.segment_count(), kUnknown);

@@ -5,12 +5,12 @@
 #include <string_view>
 #include <vector>
 
-#include "framework/certificate.hpp"
-#include "framework/initializer.hpp"
-#include "framework/monitor.hpp"
-#include "framework/post_processor.hpp"
-#include "framework/problem.hpp"
-#include "framework/solver.hpp"
+#include <leastcost/framework/certificate.hpp>
+#include <leastcost/framework/initializer.hpp>
+#include <leastcost/framework/monitor.hpp>
+#include <leastcost/framework/post_processor.hpp>
+#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/solver.hpp>
 
 namespace leastcost {
 
@@ -51,8 +51,8 @@ struct Result {
 };
 
 /// The library's front door; the command line and an embedder call this same function. Never prints, never exits;
-/// may run from several threads at once (one Monitor each). Throws InputError for a problem whose parts do not fit, InitializationError when
-/// there is no first path.
+/// may run from several threads at once (one Monitor each). Throws InputError for a problem whose parts do not fit,
+/// InitializationError when there is no first path.
 Result find_path(const Problem& problem, const Initializer& initializer, const Solver& solver,
                  const FindOptions& options, const Monitor& monitor = {});
 

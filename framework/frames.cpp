@@ -3,13 +3,13 @@
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 
-#include "framework/path_energy.hpp"
+#include <leastcost/framework/path_energy.hpp>
 
 namespace leastcost {
 namespace {
 
-/// Turns an orthonormal basis so that its last columns span `directions` (its first `count` columns, projected onto the basis);
-/// returns how many independent ones there are.
+/// Turns an orthonormal basis so that its last columns span `directions` (its first `count` columns, projected onto the
+/// basis); returns how many independent ones there are.
 int turn_to_end(Eigen::Ref<Points> basis, const Points& directions, int count) {
   const Index k = basis.cols();
   const Points inside = basis.transpose() * directions.leftCols(count);
@@ -25,8 +25,8 @@ int turn_to_end(Eigen::Ref<Points> basis, const Points& directions, int count) {
   return rank;
 }
 
-/// Keeps, among the active bounds with outward normals N, those that a descent along -g would push through: the least-squares
-/// multipliers of -g = N lambda, dropping the most negative one until all are positive.
+/// Keeps, among the active bounds with outward normals N, those that a descent along -g would push through: the
+/// least-squares multipliers of -g = N lambda, dropping the most negative one until all are positive.
 int keep_pushed(Points& normals, int count, const Eigen::VectorXd& descent) {
   while (count > 0) {
     const Eigen::VectorXd lambda = normals.leftCols(count).colPivHouseholderQr().solve(descent);
@@ -66,7 +66,7 @@ void PathEnergy::frames(const CoordinatePath& path, const Points& gradient, Fram
   for (const auto& [i, outward] : turned)
     out.blocked[static_cast<std::size_t>(i)] =
         turn_to_end(out.bases.middleCols(k * i, k), outward, static_cast<int>(outward.cols()));
-  // E is all but invariant under sliding every point of a ring along it: pin x_0 (NUMERICS Sec. 3).
+  // E is all but invariant under sliding every point of a ring along it: pin x_0 (docs/numerics.md Sec. 3.5).
   if (path.ring && n > 1 && out.blocked[0] < k) {
     const Points along = (path.column(1) - path.column(-1)).normalized();
     if (along.allFinite()) out.blocked[0] += turn_to_end(out.bases.leftCols(k - out.blocked[0]), along, 1);

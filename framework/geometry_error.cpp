@@ -7,8 +7,8 @@
 #include <memory>
 #include <utility>
 
-#include "framework/errors.hpp"
-#include "framework/path_energy.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/path_energy.hpp>
 
 namespace leastcost {
 namespace {
@@ -43,8 +43,8 @@ Solved solve_on(std::shared_ptr<const ConstraintManifold> manifold, const Proble
   return {energy.cost(path), ""};
 }
 
-/// How much the cost changes when each point alone moves to its foot on the coarser version, by central differences, without letting the points
-/// cancel each other.
+/// How much the cost changes when each point alone moves to its foot on the coarser version, by central differences,
+/// without letting the points cancel each other.
 double change_without_cancelling(const Problem& problem, const ConstraintManifold& manifold,
                                  const CoordinatePath& chain) {
   CoordinatePath moved = chain;

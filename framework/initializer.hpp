@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "framework/monitor.hpp"
-#include "framework/problem.hpp"
+#include <leastcost/framework/monitor.hpp>
+#include <leastcost/framework/problem.hpp>
 
 namespace leastcost {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/kernel.hpp"
+#include <leastcost/framework/kernel.hpp>
 
 namespace leastcost {
 namespace {

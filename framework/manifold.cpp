@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/manifold.hpp"
+#include <leastcost/framework/manifold.hpp>
 
 #include <algorithm>
 #include <limits>

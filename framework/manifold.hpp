@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/path.hpp"
+#include <leastcost/framework/path.hpp>
 
 namespace leastcost {
 
@@ -41,15 +41,16 @@ class ConstraintManifold {
   virtual void tangent_bases(const CoordinatePath& path, Points& bases) const = 0;
 
   /// to = R(from, step): the free columns moved by `step` (coordinate x free_count, tangent vectors) and back onto
-  /// the domain. R(x, 0) = x and dR(x, 0) = id; R agrees with the nearest point to second order. `to` has the size of `from`; may not alias it.
+  /// the domain. R(x, 0) = x and dR(x, 0) = id; R agrees with the nearest point to second order. `to` has the size of
+  /// `from`; may not alias it.
   virtual void retract(const CoordinatePath& from, const Points& step, CoordinatePath& to) const = 0;
 
   /// Worst distance of a column from the domain, length units.
   virtual double residual(const CoordinatePath& path) const = 0;
 };
 
-/// Ability: points are given in the coordinates of a chart x = x(u) (VFCS Eq. 12). The coordinates are the unknowns: retraction is
-/// addition, tangent bases are the identity. Without it coordinates are ambient positions.
+/// Ability: points are given in the coordinates of a chart x = x(u) (VFCS Eq. 12). The coordinates are the unknowns:
+/// retraction is addition, tangent bases are the identity. Without it coordinates are ambient positions.
 class HasChart {
  public:
   virtual ~HasChart() = default;
@@ -57,8 +58,8 @@ class HasChart {
   virtual void embed(const CoordinatePath& path, Points& x) const = 0;
   /// dx/du at all columns, side by side: ambient x (coordinate * columns).
   virtual void jacobians(const CoordinatePath& path, Points& j) const = 0;
-  /// sum_j w_j Hess x_j(u) at all columns, w the columns of `weights` (ambient x columns), side by side: coordinate x (coordinate *
-  /// columns).
+  /// sum_j w_j Hess x_j(u) at all columns, w the columns of `weights` (ambient x columns), side by side: coordinate x
+  /// (coordinate * columns).
   virtual void curvatures(const CoordinatePath& path, const Points& weights, Points& h) const = 0;
   /// Ways over a pole, where the chart goes on as another part of itself: on a sphere (u, v) is also (u + pi, pi - v).
   virtual const std::vector<SeamMap>& poles() const = 0;
@@ -76,8 +77,9 @@ class HasBounds {
   virtual int active_bounds(const CoordinatePath& path, Index column, Eigen::Ref<Points> normals) const = 0;
 };
 
-/// Ability: the domain is made of flat pieces, and its tangent bases are not theirs (smooth normals on a mesh). A retraction moves a point within
-/// its piece, so the slope of an energy along a tangent vector is that along the vector's part in the piece.
+/// Ability: the domain is made of flat pieces, and its tangent bases are not theirs (smooth normals on a mesh). A
+/// retraction moves a point within its piece, so the slope of an energy along a tangent vector is that along the
+/// vector's part in the piece.
 class HasPieces {
  public:
   virtual ~HasPieces() = default;
@@ -95,8 +97,8 @@ class ExplainsProjection {
 /// ": " and the reason why x cannot be projected, where the domain knows it; else nothing.
 std::string reason_for_failure(const ConstraintManifold& manifold, const Eigen::VectorXd& x);
 
-/// Ability: the domain stands for data that could be coarser (a sampled cloud, a grid). The certificate solves once more there, and the change of
-/// the cost says what the representation itself costs.
+/// Ability: the domain stands for data that could be coarser (a sampled cloud, a grid). The certificate solves once
+/// more there, and the change of the cost says what the representation itself costs.
 class HasCoarserVersion {
  public:
   virtual ~HasCoarserVersion() = default;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/monitor.hpp"
+#include <leastcost/framework/monitor.hpp>
 
 namespace leastcost {
 

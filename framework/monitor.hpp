@@ -16,9 +16,10 @@ std::string_view name(Stage stage);
 struct Iteration {
   int iteration = 0;
   double energy = 0;
-  double cost_error = 0;  ///< predicted relative cost error, NUMERICS Sec. 3; NaN where the method has none at hand
-  double step = 0;        ///< largest move of a point, length units
-  long evaluations = 0;   ///< energies + gradients so far
+  double cost_error =
+      0;            ///< predicted relative cost error, docs/numerics.md Sec. 3.1; NaN where the method has none at hand
+  double step = 0;  ///< largest move of a point, length units
+  long evaluations = 0;  ///< energies + gradients so far
   double seconds = 0;
 };
 

@@ -63,8 +63,8 @@ class FieldVisitor {
   virtual void file(std::string_view key, std::string& value, const FieldDoc& doc) = 0;
   /// A nested block with fields of its own.
   virtual void group(std::string_view key, const FieldDoc& doc, const std::function<void(FieldVisitor&)>& body) = 0;
-  /// A nested block whose `type` says which fields it has: {type: torus, major_radius: 2}, or the word alone. An empty type counts as
-  /// absent.
+  /// A nested block whose `type` says which fields it has: {type: torus, major_radius: 2}, or the word alone. An empty
+  /// type counts as absent.
   virtual void variant(std::string_view key, std::string& type, const std::vector<FieldVariant>& variants,
                        const FieldDoc& doc) = 0;
 };

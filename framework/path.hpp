@@ -33,8 +33,8 @@ struct SeamMap {
 
 /// What a solver moves: points in the coordinates of the manifold.
 /// Open: d x (n + 2), first and last column fixed (VFCS 3.2). Ring: d x n, all columns free, closed by the move from
-/// the last column to the image of the first under `closing`. `sites` has one entry per column, or none where the domain
-/// has no sites.
+/// the last column to the image of the first under `closing`. `sites` has one entry per column, or none where the
+/// domain has no sites.
 struct CoordinatePath {
   Points u;
   std::vector<Site> sites;

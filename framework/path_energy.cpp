@@ -1,18 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/path_energy.hpp"
+#include <leastcost/framework/path_energy.hpp>
 
 #include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "framework/smooth_bounds.hpp"
+#include <leastcost/framework/smooth_bounds.hpp>
 
 namespace leastcost {
 namespace {
 
-/// T' M S for the frames of two points in ambient coordinates (or M itself where they are the identity), added to `out`.
+/// T' M S for the frames of two points in ambient coordinates (or M itself where they are the identity), added to
+/// `out`.
 template <class Derived>
 void add_in_frames(const Frames& frames, int k, Index i, Index j, const Eigen::MatrixBase<Derived>& m,
                    Eigen::Block<Points> out) {
@@ -117,7 +118,8 @@ void PathEnergy::metrics(const CoordinatePath& path, Points& g) {
   Points three(d, 3);
   for (Index i = 0; i < columns; ++i) {
     three.colwise() = x.x.col(i);
-    // A move from x to x: half its second derivative in the free end, which is the middle of three (the others are constants).
+    // A move from x to x: half its second derivative in the free end, which is the middle of three (the others are
+    // constants).
     problem_->cost->chain_blocks({{three.data(), d, 3}, {}, false}, kernel, 1, HessianKind::exact, blocks_);
     const Points ambient_metric = blocks_.blocks.block(d, d, d, d) / 2;
     if (chart_)
@@ -184,8 +186,8 @@ void PathEnergy::chain_hessian(const CoordinatePath& path, const Points& gradien
 }
 
 /// The curvature of the domain in the Hessian of E along the retraction R: g' d2R(t, t), which for the nearest-point
-/// retraction is -P (sum_j lambda_j Hess F_j) P (NUMERICS Sec. 3). From second differences of g'R with g held fixed, two
-/// retractions of the whole path per pair of directions, so it works for every domain.
+/// retraction is -P (sum_j lambda_j Hess F_j) P (docs/numerics.md Sec. 3.3). From second differences of g'R with g held
+/// fixed, two retractions of the whole path per pair of directions, so it works for every domain.
 void PathEnergy::add_curvature(const CoordinatePath& path, const Points& gradient, const Frames& frames,
                                ChainSystem& system) {
   const int k = dims_.tangent;

@@ -4,15 +4,16 @@
 
 #include <vector>
 
-#include "framework/chain_system.hpp"
-#include "framework/problem.hpp"
-#include "framework/solver.hpp"
+#include <leastcost/framework/chain_system.hpp>
+#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/solver.hpp>
 
 namespace leastcost {
 
 /// Orthonormal tangent frames at the free points, with the directions that are not free to move turned to the end of
-/// each frame: outward at an active bound, along the path at the pinned point of a ring. All frames keep the same width, so
-/// the chain system keeps its block size; a blocked coordinate has gradient 0 and a decoupled row in the Hessian.
+/// each frame: outward at an active bound, along the path at the pinned point of a ring. All frames keep the same
+/// width, so the chain system keeps its block size; a blocked coordinate has gradient 0 and a decoupled row in the
+/// Hessian.
 struct Frames {
   bool identity = false;     ///< flat domain or chart, nothing blocked: every basis is the identity
   Points bases;              ///< coordinate x (tangent * n)
@@ -21,8 +22,9 @@ struct Frames {
 };
 
 /// The energy E = sum_i H(c_i / s0) of a path, VFCS Eq. (9), with what a chain solver needs: gradient, tangent frames,
-/// block-tridiagonal chain Hessian, retraction. Everything a solver may do to a path goes through here, so the counters are the same for
-/// all solvers. Holds workspaces: one object per solve, one thread at a time; no allocation after the first call.
+/// block-tridiagonal chain Hessian, retraction. Everything a solver may do to a path goes through here, so the counters
+/// are the same for all solvers. Holds workspaces: one object per solve, one thread at a time; no allocation after the
+/// first call.
 class PathEnergy {
  public:
   /// `problem` must outlive it. reference_cost: s0 > 0, units of the cost.
@@ -57,12 +59,13 @@ class PathEnergy {
   /// R(from, step), see ConstraintManifold::retract. `to` may not alias `from`.
   void retract(const CoordinatePath& from, const Points& step, CoordinatePath& to);
 
-  /// The residual form: r_i with |r_i|^2 = c_i^2, rows x N, and unless null the Jacobians over the coordinates of both ends of each segment, side by
-  /// side: rows x (2 coordinate N), zero for the ends of an open path. Counts as an energy, or as a gradient.
+  /// The residual form: r_i with |r_i|^2 = c_i^2, rows x N, and unless null the Jacobians over the coordinates of both
+  /// ends of each segment, side by side: rows x (2 coordinate N), zero for the ends of an open path. Counts as an
+  /// energy, or as a gradient.
   void residuals(const CoordinatePath& path, Points& r, Points* jacobians);
 
-  /// The metric G of the cost at every column of a path, q(x, x + v) = v' G v + o(|v|^2), side by side: coordinate x (coordinate * columns). For
-  /// methods that work with a metric instead of moves. Counts as an energy.
+  /// The metric G of the cost at every column of a path, q(x, x + v) = v' G v + o(|v|^2), side by side: coordinate x
+  /// (coordinate * columns). For methods that work with a metric instead of moves. Counts as an energy.
   void metrics(const CoordinatePath& path, Points& g);
 
   /// Work that a back end did by means of its own.
@@ -71,7 +74,7 @@ class PathEnergy {
   /// sum_i c_i.
   double cost(const CoordinatePath& path);
   Eigen::VectorXd costs(const CoordinatePath& path);
-  /// sum_i H'(s_i) s_i: an energy excess divided by it is a relative cost excess (NUMERICS Sec. 3).
+  /// sum_i H'(s_i) s_i: an energy excess divided by it is a relative cost excess (docs/numerics.md Sec. 3.1).
   double scale(const CoordinatePath& path);
 
   /// The path as the cost sees it. Valid until the next call or until `path` changes.

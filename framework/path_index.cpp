@@ -19,7 +19,8 @@ std::optional<ChainHessians> chain_hessians(PathEnergy& energy, const Coordinate
   if (!energy.has_exact_hessian() || !h.model.evaluate(energy, path)) return std::nullopt;
   energy.chain_hessian(path, h.model.gradient, h.model.frames, HessianKind::exact, h.exact);
   energy.chain_hessian(path, h.model.gradient, h.model.frames, HessianKind::gauss_newton, h.gauss_newton);
-  // A drift that costs nothing, around a cylinder say, has no share in either: rounding alone would decide about its sign.
+  // A drift that costs nothing, around a cylinder say, has no share in either: rounding alone would decide about its
+  // sign.
   if (path.ring) lift_drift(h.gauss_newton);
   return h;
 }

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "framework/initializer.hpp"
-#include "framework/monitor.hpp"
-#include "framework/problem.hpp"
+#include <leastcost/framework/initializer.hpp>
+#include <leastcost/framework/monitor.hpp>
+#include <leastcost/framework/problem.hpp>
 
 namespace leastcost {
 
@@ -18,8 +18,8 @@ struct Curve {
   Points x;                         ///< ambient, d x (m + 1)
   std::vector<Site> segment_sites;  ///< the piece (face) that carries each of the m segments; empty without sites
   double cost = 0;                  ///< its true cost: the sum of the segment costs
-  /// Smallest angle beside an interior point minus pi, measured on the curve by a checker that shares nothing with the method that made
-  /// it; set when the curve claims to be a locally shortest path of a polyhedron.
+  /// Smallest angle beside an interior point minus pi, measured on the curve by a checker that shares nothing with the
+  /// method that made it; set when the curve claims to be a locally shortest path of a polyhedron.
   std::optional<double> straightness;
 };
 
@@ -31,8 +31,8 @@ struct PostProcessed {
   bool collapsed = false;  ///< a ring that contracts to a point: there is no closed curve to deliver
 };
 
-/// Turns a solved chain into a curve on the domain (VFCS 4.4.3). Applied in the order given; each sees what the one before it
-/// made.
+/// Turns a solved chain into a curve on the domain (VFCS 4.4.3). Applied in the order given; each sees what the one
+/// before it made.
 class PostProcessor {
  public:
   virtual ~PostProcessor() = default;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/problem.hpp"
+#include <leastcost/framework/problem.hpp>
 
-#include "framework/errors.hpp"
+#include <leastcost/framework/errors.hpp>
 #include "framework/point_text.hpp"
 
 namespace leastcost {

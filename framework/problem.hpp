@@ -4,9 +4,9 @@
 
 #include <memory>
 
-#include "framework/kernel.hpp"
-#include "framework/manifold.hpp"
-#include "framework/segment_cost.hpp"
+#include <leastcost/framework/kernel.hpp>
+#include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/segment_cost.hpp>
 
 namespace leastcost {
 
@@ -24,16 +24,18 @@ struct Problem {
   std::shared_ptr<const Kernel> kernel;
   PathEnd source, target;
   bool ring = false;
-  /// A loop with a fixed point, where it may have a kink. With `ring`: `source` is that point, and find_path() cuts the first ring open
-  /// there. Without: an open path whose target is the source again, or an image of it across the seams of a chart.
+  /// A loop with a fixed point, where it may have a kink. With `ring`: `source` is that point, and find_path() cuts the
+  /// first ring open there. Without: an open path whose target is the source again, or an image of it across the seams
+  /// of a chart.
   bool based = false;
 };
 
-/// Projects a point onto the manifold. `moved` (if given) receives how far it moved. Throws InputError where there is no nearest point.
+/// Projects a point onto the manifold. `moved` (if given) receives how far it moved. Throws InputError where there is
+/// no nearest point.
 PathEnd project_end(const ConstraintManifold& manifold, const Eigen::VectorXd& point, double* moved = nullptr);
 
-/// Puts the ends of an open path exactly where the problem has them: the rounding of barycentric coordinates, say, may lift an end above the
-/// level of a bead at rest.
+/// Puts the ends of an open path exactly where the problem has them: the rounding of barycentric coordinates, say, may
+/// lift an end above the level of a bead at rest.
 void pin_ends(const Problem& problem, CoordinatePath& path);
 
 /// Throws InputError when the parts do not fit (dimensions, missing parts, ends that coincide).

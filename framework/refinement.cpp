@@ -7,9 +7,9 @@
 #include <limits>
 #include <string>
 
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/path_energy.hpp>
 #include "framework/curve_value.hpp"
-#include "framework/errors.hpp"
-#include "framework/path_energy.hpp"
 #include "framework/spacing.hpp"
 
 namespace leastcost {
@@ -43,9 +43,10 @@ void solve_coarser(const Problem& problem, const CoordinatePath& chain, int segm
   }
 }
 
-/// What the extrapolation R_k = (4 C_4M - C_2M) / 3 may be off. Its difference to R_{k-1} alone vanishes by chance now and then: the difference before
-/// that one, which is sixteen times larger where the cost is a series in h^2, and the spread of the segments, which is of the size of (h kappa)^2
-/// and hence of the part that the fourth order is of the second, must not say more.
+/// What the extrapolation R_k = (4 C_4M - C_2M) / 3 may be off. Its difference to R_{k-1} alone vanishes by chance now
+/// and then: the difference before that one, which is sixteen times larger where the cost is a series in h^2, and the
+/// spread of the segments, which is of the size of (h kappa)^2 and hence of the part that the fourth order is of the
+/// second, must not say more.
 double richardson_bar(const Refinement& refinement) {
   constexpr double kSafety = 3.0 / 15, kFall = 8, kTooCoarse = 4;
   const auto& l = refinement.levels;
@@ -147,8 +148,9 @@ CostEstimate estimate_cost(const Problem& problem, PathEnergy& energy, const Coo
   if (bracketed) quote(e, "bracket", *e.upper, *e.upper - *e.lower);
   if (bracketed && (hugs_bound || !second_order)) return e;
   if (hugs_bound) {
-    // The place where the path leaves the bound moves between the levels, an error of order 3 with any sign: no extrapolated value. But at
-    // second order the last difference is three times what is left, and by how much extrapolation disagrees with itself tells the rest.
+    // The place where the path leaves the bound moves between the levels, an error of order 3 with any sign: no
+    // extrapolated value. But at second order the last difference is three times what is left, and by how much
+    // extrapolation disagrees with itself tells the rest.
     const bool near_second = e.order && std::abs(*e.order - 2) <= kHuggingOrder;
     quote(e, "differences", c4,
           near_second ? std::max(std::abs(d24), std::abs(fine - c4) + std::abs(fine - coarse)) : 2 * largest);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/certificate.hpp"
+#include <leastcost/framework/certificate.hpp>
 
 namespace leastcost {
 
@@ -23,9 +23,11 @@ struct Refinement {
 Refinement refine_levels(const Problem& problem, const CoordinatePath& chain, const Solver& certifier,
                          const Monitor& monitor);
 
-/// Value and error bar of NUMERICS Sec. 6 from the levels, and from bounds where they exist. `energy` is that of the delivered
-/// chain, `index` its verdict: bounds from below hold at a minimum only. Where a point rests on a bound (`hugs_bound`) the place of contact
-/// moves between the levels and no extrapolation is regular: the bar is then that of the differences. Adds the failure not_asymptotic where the observed order is not 2.
+/// Value and error bar of docs/numerics.md Sec. 6.3 from the levels, and from bounds where they exist. `energy` is that
+/// of the delivered chain, `index` its verdict: bounds from below hold at a minimum only. Where a point rests on a
+/// bound
+/// (`hugs_bound`) the place of contact moves between the levels and no extrapolation is regular: the bar is then that
+/// of the differences. Adds the failure not_asymptotic where the observed order is not 2.
 CostEstimate estimate_cost(const Problem& problem, PathEnergy& energy, const CoordinatePath& chain,
                            const Refinement& refinement, const PathIndex& index, bool hugs_bound,
                            std::vector<CertificateFailure>& failures);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/segment_cost.hpp"
+#include <leastcost/framework/segment_cost.hpp>
 
 #include <cmath>
 

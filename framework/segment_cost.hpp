@@ -7,8 +7,8 @@
 #include <span>
 #include <string>
 
-#include "framework/kernel.hpp"
-#include "framework/path.hpp"
+#include <leastcost/framework/kernel.hpp>
+#include <leastcost/framework/path.hpp>
 
 namespace leastcost {
 
@@ -27,9 +27,9 @@ struct ChainBlocks {
   Points blocks;
 };
 
-/// The cost of straight moves along a path, through q = c^2 (NUMERICS: smooth where c is not). One virtual call per path;
-/// cost authors write a SegmentCostFunction (framework/segment_cost_function.hpp) and lift it. Values are >= 0 or
-/// +infinity outside the domain of the cost, never NaN. Immutable, hence shareable between threads.
+/// The cost of straight moves along a path, through q = c^2 (docs/numerics.md Sec. 1.1: smooth where c is not). One
+/// virtual call per path; cost authors write a SegmentCostFunction (framework/segment_cost_function.hpp) and lift it.
+/// Values are >= 0 or +infinity outside the domain of the cost, never NaN. Immutable, hence shareable between threads.
 ///
 /// Derivatives treat the ends of an open path as constants: their columns and blocks are zero.
 class SegmentCost {
@@ -49,8 +49,8 @@ class SegmentCost {
   virtual void chain_blocks(const AmbientPath& path, const Kernel& kernel, double s0, HessianKind kind,
                             ChainBlocks& out) const = 0;
 
-  /// The residual form of the energy, for least-squares solvers: r_i with |r_i|^2 = q_i, one column per segment (rows x N), and unless null its
-  /// Jacobians over (a, b), side by side: rows x 2dN, zero for the ends of an open path.
+  /// The residual form of the energy, for least-squares solvers: r_i with |r_i|^2 = q_i, one column per segment (rows x
+  /// N), and unless null its Jacobians over (a, b), side by side: rows x 2dN, zero for the ends of an open path.
   virtual void residuals(const AmbientPath& path, Points& r, Points* jacobians) const = 0;
 
   /// lim c(x, x + e v) / e for e -> 0+: the cost per unit of parameter of a curve through x with velocity v.
@@ -70,8 +70,8 @@ std::string reason_for_infinity(const SegmentCost& cost, const Eigen::VectorXd& 
 
 class ConstraintManifold;
 
-/// Ability: the cost is made from the data of the domain (tensors on the points of a cloud), so that on a coarser version of the domain it is another
-/// one. What the data costs the path is then part of the geometry error.
+/// Ability: the cost is made from the data of the domain (tensors on the points of a cloud), so that on a coarser
+/// version of the domain it is another one. What the data costs the path is then part of the geometry error.
 class FollowsDomain {
  public:
   virtual ~FollowsDomain() = default;

@@ -10,8 +10,8 @@
 #include <memory>
 #include <utility>
 
-#include "framework/segment_cost.hpp"
-#include "framework/segment_derivatives.hpp"
+#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/segment_derivatives.hpp>
 
 namespace leastcost {
 

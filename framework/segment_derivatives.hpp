@@ -9,9 +9,9 @@
 #include <concepts>
 #include <limits>
 
-#include "framework/dual.hpp"
-#include "framework/kernel.hpp"
-#include "framework/segment_cost.hpp"
+#include <leastcost/framework/dual.hpp>
+#include <leastcost/framework/kernel.hpp>
+#include <leastcost/framework/segment_cost.hpp>
 
 namespace leastcost {
 
@@ -248,7 +248,8 @@ void own_residual(const C& c, const SegmentEnds<C::dim>& e, SegmentResidual<C::d
   }
 }
 
-/// r = (c / |b - a|) (b - a), for costs without a residual of their own. Zero, its Jacobian too, where the ends coincide.
+/// r = (c / |b - a|) (b - a), for costs without a residual of their own. Zero, its Jacobian too, where the ends
+/// coincide.
 template <class C>
 void chord_residual(const C& c, const SegmentEnds<C::dim>& e, SegmentResidual<C::dim>& out) {
   const Index d = e.a.size();
@@ -276,8 +277,9 @@ void squared_cost_residual(const C& c, const SegmentEnds<C::dim>& e, SegmentResi
 }
 
 /// Positive semidefinite stand-in for the exact block. With a residual r: 2 phi' J'J + phi'' dq dq', which is
-/// semidefinite for every convex increasing H because dq = 2 J'r and q = |r|^2. Without one: the exact block with its negative
-/// eigenvalues lifted to zero. phi'' stays a little above the value at which H = s loses its stiffness along the path.
+/// semidefinite for every convex increasing H because dq = 2 J'r and q = |r|^2. Without one: the exact block with its
+/// negative eigenvalues lifted to zero. phi'' stays a little above the value at which H = s loses its stiffness along
+/// the path.
 template <class C>
 void gauss_newton_block(const C& c, const SegmentEnds<C::dim>& e, const Kernel& kernel, double s0,
                         Eigen::Ref<Points> h) {
@@ -305,7 +307,8 @@ void gauss_newton_block(const C& c, const SegmentEnds<C::dim>& e, const Kernel& 
   }
 }
 
-/// sqrt(v' q_bb v / 2) at a = b = x, from one second-order directional dual; right where q is twice differentiable there.
+/// sqrt(v' q_bb v / 2) at a = b = x, from one second-order directional dual; right where q is twice differentiable
+/// there.
 template <class C>
 double line_element_from_hessian(const C& c, const Point<double, C::dim>& x, const Point<double, C::dim>& v) {
   using S = detail::Dual11;

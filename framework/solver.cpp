@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/solver.hpp"
+#include <leastcost/framework/solver.hpp>
 
 #include <chrono>
 #include <cmath>
 
-#include "framework/path_energy.hpp"
+#include <leastcost/framework/path_energy.hpp>
 
 namespace leastcost {
 

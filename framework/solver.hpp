@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "framework/monitor.hpp"
-#include "framework/path.hpp"
+#include <leastcost/framework/monitor.hpp>
+#include <leastcost/framework/path.hpp>
 
 namespace leastcost {
 
@@ -17,7 +17,7 @@ class PathEnergy;
 
 /// Why a solve ended. Never a bool: a limit is not convergence.
 enum class Termination {
-  converged,    ///< the stopping test of NUMERICS Sec. 3 holds
+  converged,    ///< the stopping test of docs/numerics.md Sec. 3.1 holds
   fixed_point,  ///< a method with a functional of its own has come to rest
   round_off,    ///< no further decrease can be told from rounding
   iteration_limit,
@@ -60,8 +60,8 @@ struct SolveReport {
 /// Two solves, one after the other, as one: the counters add up, the end is that of the later one.
 SolveReport joined(const SolveReport& earlier, SolveReport later);
 
-/// Improves a path in place. Keeps the best iterate, never returns a higher energy than it was given (methods without an energy: a higher cost), and
-/// never throws: not for a numerical outcome, nor when a cost does.
+/// Improves a path in place. Keeps the best iterate, never returns a higher energy than it was given (methods without
+/// an energy: a higher cost), and never throws: not for a numerical outcome, nor when a cost does.
 class Solver {
  public:
   virtual ~Solver() = default;
@@ -73,7 +73,8 @@ class Solver {
 
  private:
   virtual SolveReport do_solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const = 0;
-  /// do_solve(), unless it is refused, whatever the problem's parts throw. `initial`: out, the energy of the path handed in.
+  /// do_solve(), unless it is refused, whatever the problem's parts throw. `initial`: out, the energy of the path
+  /// handed in.
   SolveReport guarded(PathEnergy& energy, CoordinatePath& path, double& initial, const Monitor& monitor) const;
 };
 

@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "framework/errors.hpp"
-#include "framework/path_energy.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/path_energy.hpp>
 
 namespace leastcost {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "framework/problem.hpp"
+#include <leastcost/framework/problem.hpp>
 
 namespace leastcost {
 
@@ -12,13 +12,14 @@ namespace leastcost {
 double spread(const Eigen::VectorXd& costs);
 
 /// Samples a polyline at n free points, equally spaced in cost: up to `passes` passes of O(n) until the spread is below
-/// `tolerance`. An exponential kernel overflows, and Newton needs 20 times as many iterations, from a path that is not (NUMERICS
-/// Sec. 1). The points are projected onto the manifold. Throws InitializationError when the cost stays infinite or the polyline has no length.
+/// `tolerance`. An exponential kernel overflows, and Newton needs 20 times as many iterations, from a path that is not
+/// (docs/numerics.md Sec. 1.3). The points are projected onto the manifold. Throws InitializationError when the cost
+/// stays infinite or the polyline has no length.
 CoordinatePath sample_equally(const Problem& problem, const CoordinatePath& polyline, int points,
                               double tolerance = 0.05, int passes = 8);
 
-/// Twice as many segments: a midpoint in each, by 4-point cubic interpolation (quadratic at the ends), projected onto the manifold.
-/// Where that lands outside the domain of the cost, linear midpoints.
+/// Twice as many segments: a midpoint in each, by 4-point cubic interpolation (quadratic at the ends), projected onto
+/// the manifold. Where that lands outside the domain of the cost, linear midpoints.
 CoordinatePath refine(const Problem& problem, const CoordinatePath& path);
 
 }  // namespace leastcost

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/stopping.hpp"
+#include <leastcost/framework/stopping.hpp>
 
 #include <chrono>
 #include <utility>

@@ -5,15 +5,15 @@
 #include <optional>
 #include <string>
 
-#include "framework/monitor.hpp"
-#include "framework/path_energy.hpp"
-#include "framework/solver.hpp"
+#include <leastcost/framework/monitor.hpp>
+#include <leastcost/framework/path_energy.hpp>
+#include <leastcost/framework/solver.hpp>
 
 namespace leastcost {
 
 /// The limits every solver shares.
 struct Limits {
-  double tolerance = 1e-14;  ///< relative cost error g' H^-1 g / (2 sum H'(s_i) s_i), NUMERICS Sec. 3
+  double tolerance = 1e-14;  ///< relative cost error g' H^-1 g / (2 sum H'(s_i) s_i), docs/numerics.md Sec. 3.1
   int max_iterations = 1000;
   int max_evaluations = 100000;  ///< energies + gradients
 };

@@ -6,13 +6,13 @@
 #include <string>
 #include <utility>
 
-#include "framework/stopping.hpp"
+#include <leastcost/framework/stopping.hpp>
 #include "solvers/rare_test.hpp"
 
 namespace leastcost {
 
-/// Keeps in a caller's path the one of least true cost that a method without an energy has met: what is handed back is never dearer than what was
-/// given, whenever and however the method ends.
+/// Keeps in a caller's path the one of least true cost that a method without an energy has met: what is handed back is
+/// never dearer than what was given, whenever and however the method ends.
 class BestByCost {
  public:
   BestByCost(PathEnergy& energy, CoordinatePath& path) : energy_(energy), path_(path), cost_(energy.cost(path)) {}

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "solvers/chain_variables.hpp"
+#include <leastcost/solvers/chain_variables.hpp>
 
 #include <Eigen/SVD>
 #include <algorithm>
@@ -57,8 +57,8 @@ void ChainVariables::pull_back(const Eigen::VectorXd& z, const Points& path_grad
     gradient *= scale_;
 }
 
-/// T' dR' g. In a flat space or a chart dR is the identity, on a polyhedron the frames at x0 stand for those of the piece; elsewhere dR by central
-/// differences along the tangent directions, all points at once.
+/// T' dR' g. In a flat space or a chart dR is the identity, on a polyhedron the frames at x0 stand for those of the
+/// piece; elsewhere dR by central differences along the tangent directions, all points at once.
 void ChainVariables::to_tangent(const Eigen::VectorXd& z, const Points& path_gradient, Eigen::VectorXd& gradient) {
   const ConstraintManifold& manifold = *energy_.problem().manifold;
   if (manifold.shape() != Shape::smooth || dynamic_cast<const HasChart*>(&manifold) != nullptr)

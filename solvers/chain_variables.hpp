@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "framework/chain_model.hpp"
+#include <leastcost/framework/chain_model.hpp>
 
 namespace leastcost {
 
@@ -10,10 +10,11 @@ namespace leastcost {
 ///
 ///     x(z) = R(x0, T S z),
 ///
-/// with the tangent frames T at x0, the domain's own retraction R, and for `chain` S = L^-T, L the Cholesky factor of the Gauss-Newton chain Hessian there
-/// (NUMERICS Sec. 3: the energy is then about |z|^2 / 2 around its minimum, at every n), for `none` S a number, one for all rounds, that makes the
-/// first gradient a move of a tenth of a segment: back ends try a step of that size first. Directions that a bound blocks are
-/// left out of T: the variables are the free set of x0. Where a move goes beyond a bound that is not among them, there is no x(z).
+/// with the tangent frames T at x0, the domain's own retraction R, and for `chain` S = L^-T, L the Cholesky factor of
+/// the Gauss-Newton chain Hessian there (docs/numerics.md Sec. 3.6: the energy is then about |z|^2 / 2 around its
+/// minimum, at every n), for `none` S a number, one for all rounds, that makes the first gradient a move of a tenth of
+/// a segment: back ends try a step of that size first. Directions that a bound blocks are left out of T: the variables
+/// are the free set of x0. Where a move goes beyond a bound that is not among them, there is no x(z).
 class ChainVariables {
  public:
   enum class Scaling { chain, none };
@@ -33,7 +34,8 @@ class ChainVariables {
   /// The gradient in z, from the gradient at x(z) in coordinates.
   void pull_back(const Eigen::VectorXd& z, const Points& path_gradient, Eigen::VectorXd& gradient);
 
-  /// Cosine of the largest angle by which a tangent plane at x(z) has turned from that at x0: far from 1 the variables are no longer good ones.
+  /// Cosine of the largest angle by which a tangent plane at x(z) has turned from that at x0: far from 1 the variables
+  /// are no longer good ones.
   double turned(const CoordinatePath& path) const;
 
  private:

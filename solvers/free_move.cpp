@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/free_move.hpp"
 
-#include "framework/smooth_bounds.hpp"
+#include <leastcost/framework/smooth_bounds.hpp>
 
 namespace leastcost {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "solvers/georce.hpp"
+#include <leastcost/solvers/georce.hpp>
 
 #include <Eigen/Cholesky>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "framework/stopping.hpp"
+#include <leastcost/framework/stopping.hpp>
 #include "solvers/best_by_cost.hpp"
 #include "solvers/limit_fields.hpp"
 
@@ -80,7 +80,8 @@ class GeorceSolve {
     }
   }
 
-  /// The moves that satisfy the conditions for the multipliers of the current ones. False where a metric cannot be inverted.
+  /// The moves that satisfy the conditions for the multipliers of the current ones. False where a metric cannot be
+  /// inverted.
   bool propose() {
     differentiate_metric();
     Points later = Points::Zero(d_, moves_);  // sum of nu_j, j > t

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "framework/options.hpp"
-#include "framework/solver.hpp"
+#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/solver.hpp>
 
 namespace leastcost {
 
@@ -14,10 +14,11 @@ struct GeorceOptions {
   void fields(FieldVisitor& visit);
 };
 
-/// GEORCE (arXiv 2505.05961): the discrete energy sum_t u_t' G(x_t) u_t of moves u_t = x_{t+1} - x_t in a chart, with the metric at the start of each move,
-/// minimised by alternating its optimality conditions with backtracking: O(n d^3) per iteration, iterations independent of n. G is the metric of
-/// the cost, half the second derivative of its square. Its functional is not ours (it is off by O(1/n), a chain of chords by O(1/n^2)): it ends at
-/// a fixed point of its own, and the path of least true cost met on the way is returned. Needs an open path in a chart: euclidean or
+/// GEORCE (arXiv 2505.05961): the discrete energy sum_t u_t' G(x_t) u_t of moves u_t = x_{t+1} - x_t in a chart, with
+/// the metric at the start of each move, minimised by alternating its optimality conditions with backtracking: O(n d^3)
+/// per iteration, iterations independent of n. G is the metric of the cost, half the second derivative of its square.
+/// Its functional is not ours (it is off by O(1/n), a chain of chords by O(1/n^2)): it ends at a fixed point of its
+/// own, and the path of least true cost met on the way is returned. Needs an open path in a chart: euclidean or
 /// parametric.
 class Georce final : public Solver {
  public:

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "solvers/gradient_descent.hpp"
+#include <leastcost/solvers/gradient_descent.hpp>
 
 #include <utility>
 
+#include <leastcost/framework/stopping.hpp>
 #include "framework/bundle.hpp"
-#include "framework/stopping.hpp"
 #include "solvers/first_move.hpp"
 #include "solvers/limit_fields.hpp"
 #include "solvers/rare_test.hpp"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "framework/options.hpp"
-#include "framework/solver.hpp"
+#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/solver.hpp>
 
 namespace leastcost {
 
@@ -14,8 +14,9 @@ struct GradientDescentOptions {
   void fields(FieldVisitor& visit);
 };
 
-/// Riemannian steepest descent: along the projected gradient (VFCS Eq. 11) and back onto the domain, Armijo by halving from twice the last
-/// step. The plainest method there is; its iterations grow with the square of the number of points, which is what it is here to show.
+/// Riemannian steepest descent: along the projected gradient (VFCS Eq. 11) and back onto the domain, Armijo by halving
+/// from twice the last step. The plainest method there is; its iterations grow with the square of the number of points,
+/// which is what it is here to show.
 class GradientDescent final : public Solver {
  public:
   explicit GradientDescent(GradientDescentOptions options = {}) : options_(options) {}

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "solvers/lbfgs.hpp"
+#include <leastcost/solvers/lbfgs.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include <leastcost/framework/chain_model.hpp>
+#include <leastcost/framework/stopping.hpp>
 #include "framework/bundle.hpp"
-#include "framework/chain_model.hpp"
-#include "framework/stopping.hpp"
 #include "solvers/first_move.hpp"
 #include "solvers/lbfgs_history.hpp"
 #include "solvers/limit_fields.hpp"
@@ -88,8 +88,8 @@ class LbfgsSolve {
     return kinked_ ? std::max(kKinkedTolerance, loop_.limits().tolerance) : loop_.limits().tolerance;
   }
 
-  /// The stopping test proper: with the exact Hessian where there is one. It is asked again only when the cheap estimate has
-  /// fallen by ten since it last said no.
+  /// The stopping test proper: with the exact Hessian where there is one. It is asked again only when the cheap
+  /// estimate has fallen by ten since it last said no.
   bool confirmed() {
     const bool smooth = energy_.has_exact_hessian();
     if (chain_ && (!smooth || model_.spacing_error > kSpacingTolerance)) return !smooth;
@@ -105,8 +105,8 @@ class LbfgsSolve {
     return false;
   }
 
-  /// Weak Wolfe by bisection, which needs no differentiability (Lewis, Overton). Where the predicted decrease drowns in rounding the
-  /// slopes alone decide.
+  /// Weak Wolfe by bisection, which needs no differentiability (Lewis, Overton). Where the predicted decrease drowns in
+  /// rounding the slopes alone decide.
   bool search() {
     const double slack = rounding_slack(model_.value, path_.segment_count());
     double low = 0, high = std::numeric_limits<double>::infinity(), t = 1;

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "framework/options.hpp"
-#include "framework/solver.hpp"
+#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/solver.hpp>
 
 namespace leastcost {
 
@@ -20,7 +20,7 @@ struct LbfgsOptions {
 
 /// Riemannian limited-memory BFGS: retraction, vector transport by projection, weak-Wolfe search by bisection that
 /// survives kinks (Lewis, Overton), H0 = inverse Gauss-Newton chain Hessian refactored every iteration
-/// (`precondition: chain`) or a multiple of the identity (`none`). VFCS 4.3.3 with NUMERICS Sec. 3.
+/// (`precondition: chain`) or a multiple of the identity (`none`). VFCS 4.3.3 with docs/numerics.md Sec. 3.4.
 class Lbfgs final : public Solver {
  public:
   explicit Lbfgs(LbfgsOptions options = {});

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "framework/path_energy.hpp"
+#include <leastcost/framework/path_energy.hpp>
 
 namespace leastcost {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "framework/options.hpp"
+#include <leastcost/framework/options.hpp>
 
 namespace leastcost {
 

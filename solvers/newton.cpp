@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "solvers/newton.hpp"
+#include <leastcost/solvers/newton.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include <leastcost/framework/chain_model.hpp>
+#include <leastcost/framework/stopping.hpp>
 #include "framework/bundle.hpp"
-#include "framework/chain_model.hpp"
-#include "framework/stopping.hpp"
 #include "solvers/limit_fields.hpp"
 
 namespace leastcost {
@@ -78,7 +78,8 @@ class NewtonSolve {
     return search();
   }
 
-  /// E cannot decide: the decrement does (strict Armijo refused the last step in 14 of 40 runs, NUMERICS Sec. 3).
+  /// E cannot decide: the decrement does (strict Armijo refused the last step in 14 of 40 runs, docs/numerics.md
+  /// Sec. 3.2).
   bool take_unit_step() {
     energy_.retract(path_, model_.moves, trial_);
     if (!next_.evaluate(energy_, trial_)) return false;

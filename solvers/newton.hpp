@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "framework/options.hpp"
-#include "framework/solver.hpp"
+#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/solver.hpp>
 
 namespace leastcost {
 
@@ -15,7 +15,7 @@ struct NewtonOptions {
 };
 
 /// Block-tridiagonal Newton on the chain: exact Hessian where it is positive definite, the Gauss-Newton one for that
-/// step otherwise, Armijo along the retraction with a slack for rounding. NUMERICS Sec. 3.
+/// step otherwise, Armijo along the retraction with a slack for rounding. docs/numerics.md Sec. 3.2.
 class Newton final : public Solver {
  public:
   explicit Newton(NewtonOptions options = {});

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include <leastcost/framework/stopping.hpp>
 #include "framework/bundle.hpp"
-#include "framework/stopping.hpp"
 
 namespace leastcost {
 

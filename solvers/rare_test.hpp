@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "framework/chain_model.hpp"
+#include <leastcost/framework/chain_model.hpp>
 
 namespace leastcost {
 
-/// The stopping test of methods that step without the chain Hessian: the same as everybody's, a relative cost error from the exact chain Hessian
-/// (NUMERICS Sec. 3), but asked for at the start and then ever more rarely, so that it costs little beside their own steps.
+/// The stopping test of methods that step without the chain Hessian: the same as everybody's, a relative cost error
+/// from the exact chain Hessian (docs/numerics.md Sec. 3.1), but asked for at the start and then ever more rarely, so
+/// that it costs little beside their own steps.
 class RareTest {
  public:
   explicit RareTest(double tolerance) : tolerance_(tolerance) {}
@@ -25,8 +26,8 @@ class RareTest {
   double cost_error_ = 0;
 };
 
-/// Relative cost error at a path by the exact chain Hessian, or the Gauss-Newton one where that is not positive definite; +infinity where
-/// the energy is not finite. What is said of methods that stop by a rule of their own.
+/// Relative cost error at a path by the exact chain Hessian, or the Gauss-Newton one where that is not positive
+/// definite; +infinity where the energy is not finite. What is said of methods that stop by a rule of their own.
 double measured_cost_error(PathEnergy& energy, const CoordinatePath& path);
 
 }  // namespace leastcost

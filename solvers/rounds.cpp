@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "solvers/rounds.hpp"
+#include <leastcost/solvers/rounds.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -101,8 +101,8 @@ class Rounds final : public RoundObjective {
     path_ = best_path_;
   }
 
-  /// A round whose trials bounds have stopped may gain next to nothing, again and again. One step of the chain's model, cut off at the bounds and
-  /// shortened until it gains, finds those that hold the next round.
+  /// A round whose trials bounds have stopped may gain next to nothing, again and again. One step of the chain's model,
+  /// cut off at the bounds and shortened until it gains, finds those that hold the next round.
   void step_along_bounds() {
     const Points& moves = variables_.model().moves;
     for (double part = 1; part > kShortestPart; part /= 2) {
@@ -133,7 +133,8 @@ class Rounds final : public RoundObjective {
   double at(const Eigen::VectorXd& z, Eigen::VectorXd* gradient) {
     if (!variables_.path_at(z, trial_)) {
       bound_met_ = true;
-      // Beyond a bound there is no x(z); but the path that stops at the bound may be the better centre of the next round, with the bound in it.
+      // Beyond a bound there is no x(z); but the path that stops at the bound may be the better centre of the next
+      // round, with the bound in it.
       const double clamped = energy_.value_and_gradient(trial_, path_gradient_);  // infinite for a bead at rest, say
       if (clamped < best_value_) take(clamped);
       if (gradient != nullptr) gradient->setZero(size());

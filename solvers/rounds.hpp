@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "framework/options.hpp"
-#include "framework/stopping.hpp"
-#include "solvers/chain_variables.hpp"
+#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/stopping.hpp>
+#include <leastcost/solvers/chain_variables.hpp>
 
 namespace leastcost {
 
@@ -19,8 +19,9 @@ struct RoundOptions {
   void fields(FieldVisitor& visit);
 };
 
-/// The energy as a function of the variables of one round, for a back end. Remembers the best path it was asked for, so that nothing a back end
-/// returns has to be believed, and says when to stop. Never throws: what a cost throws is kept, and thrown again after the back end has returned.
+/// The energy as a function of the variables of one round, for a back end. Remembers the best path it was asked for, so
+/// that nothing a back end returns has to be believed, and says when to stop. Never throws: what a cost throws is kept,
+/// and thrown again after the back end has returned.
 class RoundObjective {
  public:
   virtual ~RoundObjective() = default;
@@ -29,7 +30,8 @@ class RoundObjective {
   virtual double operator()(const Eigen::VectorXd& z, Eigen::VectorXd* gradient) = 0;
   /// Whether the back end has to return now: the round is over, a limit is reached, or somebody asked.
   virtual bool must_stop() const = 0;
-  /// A finite value above E(0), and a slope that points outward, in place of an infinite one: for back ends that interpolate between trials.
+  /// A finite value above E(0), and a slope that points outward, in place of an infinite one: for back ends that
+  /// interpolate between trials.
   virtual double rise(const Eigen::VectorXd& z, Eigen::VectorXd* gradient) const = 0;
   /// How far a component of z may be expected to move.
   virtual double typical_step() const = 0;
@@ -45,9 +47,10 @@ class RoundMinimiser {
   virtual std::string minimise(RoundObjective& objective) = 0;
 };
 
-/// Solves by rounds of a back end (NUMERICS Sec. 3): variables around the best path so far, so many evaluations, then again around the new best path,
-/// with a new factorisation (`precondition: chain`). Without it a round lasts as long as the tangent planes stay near those at its centre. The
-/// stopping test, limits, counters and the report are those of every solver.
+/// Solves by rounds of a back end (docs/numerics.md Sec. 3.6): variables around the best path so far, so many
+/// evaluations, then again around the new best path, with a new factorisation (`precondition: chain`). Without it a
+/// round lasts as long as the tangent planes stay near those at its centre. The stopping test, limits, counters and the
+/// report are those of every solver.
 SolveReport solve_by_rounds(PathEnergy& energy, CoordinatePath& path, const RoundOptions& options,
                             RoundMinimiser& minimiser, const Monitor& monitor);
 

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "solvers/string_method.hpp"
+#include <leastcost/solvers/string_method.hpp>
 
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "framework/chain_model.hpp"
-#include "framework/errors.hpp"
+#include <leastcost/framework/chain_model.hpp>
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/stopping.hpp>
 #include "framework/spacing.hpp"
-#include "framework/stopping.hpp"
 #include "solvers/best_by_cost.hpp"
 #include "solvers/first_move.hpp"
 #include "solvers/limit_fields.hpp"

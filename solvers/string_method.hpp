@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "framework/options.hpp"
-#include "framework/solver.hpp"
+#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/solver.hpp>
 
 namespace leastcost {
 
@@ -15,9 +15,10 @@ struct StringMethodOptions {
   void fields(FieldVisitor& visit);
 };
 
-/// The simplified string method (E, Ren, Vanden-Eijnden, J. Chem. Phys. 126:164103, 2007): every point moves by the part of the negative
-/// gradient that is normal to the path, in units of what it can bear, then the points are spaced equally in cost again by interpolation. There is no energy and no line search;
-/// the end is a fixed point of step and re-spacing, the path of least true cost met on the way is returned.
+/// The simplified string method (E, Ren, Vanden-Eijnden, J. Chem. Phys. 126:164103, 2007): every point moves by the
+/// part of the negative gradient that is normal to the path, in units of what it can bear, then the points are spaced
+/// equally in cost again by interpolation. There is no energy and no line search; the end is a fixed point of step and
+/// re-spacing, the path of least true cost met on the way is returned.
 class StringMethod final : public Solver {
  public:
   explicit StringMethod(StringMethodOptions options = {}) : options_(options) {}

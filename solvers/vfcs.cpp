@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "solvers/vfcs.hpp"
+#include <leastcost/solvers/vfcs.hpp>
 
 #include <limits>
 #include <sstream>
 #include <utility>
 
-#include "framework/stopping.hpp"
+#include <leastcost/framework/stopping.hpp>
 #include "solvers/first_move.hpp"
 #include "solvers/lbfgs_history.hpp"
 #include "solvers/limit_fields.hpp"

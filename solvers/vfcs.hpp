@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "framework/options.hpp"
-#include "framework/solver.hpp"
+#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/solver.hpp>
 
 namespace leastcost {
 
@@ -15,10 +15,11 @@ struct VfcsOptions {
   void fields(FieldVisitor& visit);
 };
 
-/// VFCS Algorithm 1 as printed, for comparison: L-BFGS on the points in their ambient coordinates, projected onto the domain after every
-/// step, gradients projected onto the tangent planes (Eq. 11), no vector transport, no preconditioner; ends when the norm of the projected
-/// gradient is at most 1e-8 (Sec. 4.3.3). That is no rule for "converged" (it depends on the number of points and the unit of the cost: NUMERICS
-/// Sec. 3), so the end is called fixed_point and the relative cost error is measured there. What the paper leaves open: ten stored pairs,
+/// VFCS Algorithm 1 as printed, for comparison: L-BFGS on the points in their ambient coordinates, projected onto the
+/// domain after every step, gradients projected onto the tangent planes (Eq. 11), no vector transport, no
+/// preconditioner; ends when the norm of the projected gradient is at most 1e-8 (Sec. 4.3.3). That is no rule for
+/// "converged" (it depends on the number of points and the unit of the cost: docs/numerics.md Sec. 3.1), so the end is
+/// called fixed_point and the relative cost error is measured there. What the paper leaves open: ten stored pairs,
 /// Armijo by halving, first step a tenth of a segment. Its energies are those of `reference_cost: 1`.
 class Vfcs final : public Solver {
  public:

@@ -10,11 +10,11 @@
 #include <optional>
 #include <ostream>
 
+#include <leastcost/catalogue/output/manifest.hpp>
 #include "app/cli/commands.hpp"
-#include "app/config/describe.hpp"
-#include "app/config/scalars.hpp"
-#include "app/config/suggest.hpp"
-#include "app/output/manifest.hpp"
+#include "app/reference/describe.hpp"
+#include "catalogue/yaml/scalars.hpp"
+#include "catalogue/yaml/suggest.hpp"
 
 namespace leastcost::app {
 namespace {

@@ -9,14 +9,14 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include <leastcost/catalogue/registry/registry.hpp>
 #include "app/cli/templates.hpp"
-#include "app/config/describe.hpp"
-#include "app/config/suggest.hpp"
-#include "app/output/json_numbers.hpp"
-#include "app/registry.hpp"
+#include "app/reference/describe.hpp"
 #include "app/report/report.hpp"
-#include "app/study/journal.hpp"
+#include "app/study/rows/journal.hpp"
 #include "app/study/study_files.hpp"
+#include "catalogue/output/json_numbers.hpp"
+#include "catalogue/yaml/suggest.hpp"
 
 namespace leastcost::app {
 namespace {
@@ -69,7 +69,8 @@ Json kind_json(const PluginKind& kind) {
   return out;
 }
 
-/// The errors of a configuration or a study. An unreadable file is one more error, so that the other files get their turn.
+/// The errors of a configuration or a study. An unreadable file is one more error, so that the other files get their
+/// turn.
 Diagnostics errors_in(const std::string& file, const std::vector<Override>& overrides, bool& readable) {
   try {
     if (is_study(config_text(file))) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/cli/streams.hpp"
-#include "app/run.hpp"
+#include "app/run/run.hpp"
 #include "app/study/merge.hpp"
 #include "app/study/study.hpp"
 

@@ -6,10 +6,10 @@
 #include <numbers>
 #include <ostream>
 
+#include <leastcost/problems/mesh/mesh_report.hpp>
+#include <leastcost/problems/readers/mesh_reader.hpp>
 #include "app/cli/commands.hpp"
-#include "app/output/json_numbers.hpp"
-#include "problems/geometry/mesh_report.hpp"
-#include "problems/readers/mesh_reader.hpp"
+#include "catalogue/output/json_numbers.hpp"
 
 namespace leastcost::app {
 namespace {

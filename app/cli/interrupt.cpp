@@ -11,8 +11,8 @@ namespace {
 volatile std::sig_atomic_t stop_flag = 0;
 std::time_t first_request = 0;
 
-/// The first request asks for an orderly end, one made later insists. What follows at once is the same request: timeout(1) and some schedulers
-/// signal a process and then its whole group.
+/// The first request asks for an orderly end, one made later insists. What follows at once is the same request:
+/// timeout(1) and some schedulers signal a process and then its whole group.
 extern "C" void on_interrupt(int signal) {
   if (stop_flag == 0) {
     stop_flag = 1;

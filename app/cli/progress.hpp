@@ -5,13 +5,14 @@
 #include <string>
 #include <string_view>
 
+#include <leastcost/framework/monitor.hpp>
 #include "app/cli/streams.hpp"
-#include "framework/monitor.hpp"
 
 namespace leastcost::app {
 
-/// Shows how far a run is: a bar on a terminal, elsewhere a plain line per 10 % or 30 s, nothing for runs shorter than a second.
-/// Percent of a solve is the way of the predicted cost error from its first value to the tolerance, in digits.
+/// Shows how far a run is: a bar on a terminal, elsewhere a plain line per 10 % or 30 s, nothing for runs shorter than
+/// a second. Percent of a solve is the way of the predicted cost error from its first value to the tolerance, in
+/// digits.
 class ProgressPrinter {
  public:
   ProgressPrinter(const Streams& streams, bool quiet) : streams_(streams), quiet_(quiet) {}

@@ -6,18 +6,18 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include <leastcost/catalogue/output/output_folder.hpp>
 #include "app/cli/commands.hpp"
 #include "app/cli/interrupt.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/summary.hpp"
-#include "app/output/json_numbers.hpp"
-#include "app/output/output_folder.hpp"
+#include "catalogue/output/json_numbers.hpp"
 
 namespace leastcost::app {
 namespace {
 
 Exit dry_run(const RunArguments& arguments, const Streams& streams) {
-  const Prepared prepared = prepare(arguments.request);
+  const Run prepared = load_run(arguments.request.config_file, arguments.request.overrides, arguments.request.building);
   streams.out << (arguments.json ? dry_run_json(arguments.request, prepared)
                                  : dry_run_text(arguments.request, prepared));
   return Exit::certified;
@@ -84,7 +84,7 @@ Exit run_command(const RunArguments& arguments, const Streams& streams) {
     progress.show_building(part, phase);
   };
   try {
-    const RunOutcome outcome = run(request, monitor);
+    const WrittenRun outcome = run(request, monitor);
     progress.clear();
     streams.out << (arguments.json ? summary_json(outcome)
                                    : summary_text(outcome, arguments.verbosity == Verbosity::verbose))

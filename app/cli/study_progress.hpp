@@ -9,8 +9,8 @@
 
 namespace leastcost::app {
 
-/// Shows how far a study is: one changing line on a terminal, elsewhere a plain line per 10 % or 30 s, nothing for studies shorter than a
-/// second. A cell that failed gets a line of its own.
+/// Shows how far a study is: one changing line on a terminal, elsewhere a plain line per 10 % or 30 s, nothing for
+/// studies shorter than a second. A cell that failed gets a line of its own.
 class StudyProgressPrinter {
  public:
   StudyProgressPrinter(const Streams& streams, bool quiet) : streams_(streams), quiet_(quiet) {}

@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "app/output/json_numbers.hpp"
-#include "app/output/output_folder.hpp"
-#include "app/output/results.hpp"
-#include "problems/geometry/has_mesh.hpp"
+#include <leastcost/catalogue/output/output_folder.hpp>
+#include <leastcost/catalogue/output/results.hpp>
+#include <leastcost/problems/mesh/has_mesh.hpp>
+#include "catalogue/output/json_numbers.hpp"
 
 namespace leastcost::app {
 namespace {
@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 std::string row(std::string_view label, const std::string& text) { return fmt::format("{:<11} {}\n", label, text); }
 
-std::string status_line(const RunOutcome& run) {
+std::string status_line(const WrittenRun& run) {
   const Certificate& c = run.result.certificate;
   std::string line(name(run.result.status));
   if (run.result.status == Status::certified) return line + fmt::format(" ({})", c.scope);
@@ -29,7 +29,7 @@ std::string status_line(const RunOutcome& run) {
   return line;
 }
 
-std::string cost_line(const RunOutcome& run) {
+std::string cost_line(const WrittenRun& run) {
   const Result& result = run.result;
   const std::string& unit = run.parts.problem.cost->traits().unit;
   const CostEstimate& estimate = result.certificate.estimate;
@@ -41,7 +41,7 @@ std::string cost_line(const RunOutcome& run) {
   return line;
 }
 
-std::string solver_line(const RunOutcome& run) {
+std::string solver_line(const WrittenRun& run) {
   const SolveReport& report = run.result.solve;
   std::string line =
       fmt::format("{}: {} after {} iterations", run.parts.solver->name(), name(report.termination), report.iterations);
@@ -49,13 +49,13 @@ std::string solver_line(const RunOutcome& run) {
   return line;
 }
 
-const char* shape_of(const RunOutcome& run) {
+const char* shape_of(const WrittenRun& run) {
   if (run.config.ring && run.config.source.given) return " (a loop with a fixed point, the source)";
   return run.result.path.ring ? " (ring)" : " and two ends";
 }
 
 /// One line per distinct path of the family.
-std::string family_rows(const RunOutcome& run) {
+std::string family_rows(const WrittenRun& run) {
   std::string out;
   for (const FamilyMember& m : run.family) {
     const Certificate& c = m.result.certificate;
@@ -66,7 +66,7 @@ std::string family_rows(const RunOutcome& run) {
   return out;
 }
 
-std::string time_line(const RunOutcome& run) {
+std::string time_line(const WrittenRun& run) {
   const StageSeconds& s = run.result.seconds;
   return fmt::format("read {:.3g} s, first path {:.3g} s, solve {:.3g} s, post-process {:.3g} s, certify {:.3g} s",
                      run.parts.read_seconds, s.initialize, s.solve, s.post_process, s.certify);
@@ -82,7 +82,7 @@ const TriangleMesh* mesh_of(const Composition& parts) {
   return domain == nullptr ? nullptr : &domain->mesh();
 }
 
-std::string steps(const Prepared& prepared) {
+std::string steps(const Run& prepared) {
   const Composition& parts = prepared.parts;
   std::string line = fmt::format("{}, {}", prepared.loaded.config.initializer.plugin->type, parts.solver->name());
   for (const auto& processor : parts.post_processors) line += fmt::format(", {}", processor->name());
@@ -95,7 +95,7 @@ std::string points_text(const RunConfig& config) {
 
 }  // namespace
 
-std::string summary_text(const RunOutcome& run, bool verbose) {
+std::string summary_text(const WrittenRun& run, bool verbose) {
   const Result& result = run.result;
   std::string out = row("status", status_line(run));
   for (const CertificateFailure& f : result.certificate.failures)
@@ -118,13 +118,13 @@ std::string summary_text(const RunOutcome& run, bool verbose) {
   return out;
 }
 
-std::string summary_json(const RunOutcome& run) {
+std::string summary_json(const WrittenRun& run) {
   Json out = Json::parse(result_json(run));
   out["output"] = run.output_error.empty() ? Json(run.output.string()) : Json(nullptr);
   return to_text(out);
 }
 
-std::string dry_run_text(const RunRequest& request, const Prepared& prepared) {
+std::string dry_run_text(const RunRequest& request, const Run& prepared) {
   const RunConfig& config = prepared.loaded.config;
   const Dimensions dims = prepared.parts.problem.manifold->dimensions();
   std::string domain =
@@ -151,7 +151,7 @@ std::string dry_run_text(const RunRequest& request, const Prepared& prepared) {
   return out;
 }
 
-std::string dry_run_json(const RunRequest& request, const Prepared& prepared) {
+std::string dry_run_json(const RunRequest& request, const Run& prepared) {
   const RunConfig& config = prepared.loaded.config;
   const Dimensions dims = prepared.parts.problem.manifold->dimensions();
   Json out = {{"schema_version", kSchemaVersion}, {"status", "dry_run"}, {"name", config.name}};

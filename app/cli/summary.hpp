@@ -4,17 +4,17 @@
 
 #include <string>
 
-#include "app/run.hpp"
+#include "app/run/run.hpp"
 
 namespace leastcost::app {
 
 /// A finished run for people: cost with its error, spacing, status with reasons, times, place of the files.
-std::string summary_text(const RunOutcome& outcome, bool verbose);
+std::string summary_text(const WrittenRun& outcome, bool verbose);
 /// The same for programs: result.json and the place of the files, one object.
-std::string summary_json(const RunOutcome& outcome);
+std::string summary_json(const WrittenRun& outcome);
 
 /// What a run would do.
-std::string dry_run_text(const RunRequest& request, const Prepared& prepared);
-std::string dry_run_json(const RunRequest& request, const Prepared& prepared);
+std::string dry_run_text(const RunRequest& request, const Run& prepared);
+std::string dry_run_json(const RunRequest& request, const Run& prepared);
 
 }  // namespace leastcost::app

@@ -10,8 +10,9 @@
 
 namespace leastcost::app {
 
-/// How a series is told from others: an Okabe-Ito colour, a dash pattern and a marker, all given by one number. The first seven differ in
-/// colour, so that a chart of few lines reads well; dashes and markers tell all of them apart in greyscale.
+/// How a series is told from others: an Okabe-Ito colour, a dash pattern and a marker, all given by one number. The
+/// first seven differ in colour, so that a chart of few lines reads well; dashes and markers tell all of them apart in
+/// greyscale.
 struct LineStyle {
   int number = 0;
   bool line = true, markers = false;
@@ -44,7 +45,8 @@ struct Chart {
   bool legend = true;
 };
 
-/// The chart as an SVG element. Values that its scales cannot show are left out. `standalone`: a file of its own, with its style in it.
+/// The chart as an SVG element. Values that its scales cannot show are left out. `standalone`: a file of its own, with
+/// its style in it.
 std::string svg(const Chart& chart, bool standalone = false);
 
 /// What a legend beside the chart takes off its width, px; zero where the legend stands below.

@@ -23,8 +23,8 @@ std::array<Corner, 4> corners_of(const Grid& grid, int i, int j) {
            {i + 0.0, j + 1.0, grid.at(i, j + 1)}}};
 }
 
-/// The part of a cell above the level: its boundary is walked once, and where it passes the level a corner is put in. (At a saddle the two
-/// parts are joined, which no one sees at this size.)
+/// The part of a cell above the level: its boundary is walked once, and where it passes the level a corner is put in.
+/// (At a saddle the two parts are joined, which no one sees at this size.)
 std::string part_above(const std::array<Corner, 4>& c, double level, const ToDrawing& x, const ToDrawing& y) {
   std::string d;
   const auto add = [&](double px, double py) {

@@ -20,8 +20,8 @@ struct Grid {
 /// From a place in units of cells to one of the drawing, along one axis.
 using ToDrawing = std::function<double(double)>;
 
-/// The region where the bilinear function between the nodes is at least `level`, as SVG path data: marching squares, cells that lie inside
-/// as a whole merged row by row. Infinite values are above every level.
+/// The region where the bilinear function between the nodes is at least `level`, as SVG path data: marching squares,
+/// cells that lie inside as a whole merged row by row. Infinite values are above every level.
 std::string region_above(const Grid& grid, double level, const ToDrawing& x, const ToDrawing& y);
 
 /// The cells with a node without value.

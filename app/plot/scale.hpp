@@ -19,8 +19,9 @@ struct Tick {
   std::string label;  ///< empty: a small tick
 };
 
-/// Ticks at round numbers within a range, about `wanted` with a label. Linear: steps of 1, 2 or 5 times a power of ten, the
-/// labels with as many decimals as the step has. Log: powers of ten, every k-th of them where there are many, 1-2-5 steps where there are few.
+/// Ticks at round numbers within a range, about `wanted` with a label. Linear: steps of 1, 2 or 5 times a power of ten,
+/// the labels with as many decimals as the step has. Log: powers of ten, every k-th of them where there are many, 1-2-5
+/// steps where there are few.
 std::vector<Tick> ticks(ScaleKind kind, Range range, int wanted);
 
 /// The smallest range around finite values (log: positive ones) with some room; a sensible one when there are none.

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 
-// Colours, dashes and markers. Colours: Okabe, Ito, "Color Universal Design" (2008), without its yellow, which is too light for lines.
+// Colours, dashes and markers. Colours: Okabe, Ito, "Color Universal Design" (2008), without its yellow, which is too
+// light for lines.
 #include <fmt/format.h>
 
 #include <array>

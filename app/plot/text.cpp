@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
-/// Bytes of the UTF-8 sequence that begins here, 0 where there is none: overlong forms, surrogates and what lies beyond U+10FFFF are none.
+/// Bytes of the UTF-8 sequence that begins here, 0 where there is none: overlong forms, surrogates and what lies beyond
+/// U+10FFFF are none.
 std::size_t sequence_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
   const auto continues = [&](std::size_t i) { return (byte(i) & 0xC0U) == 0x80U; };

@@ -7,7 +7,8 @@
 
 namespace leastcost::app {
 
-/// Text as it may stand in an element or a quoted attribute of HTML and SVG. Control characters, and bytes that are not UTF-8, become U+FFFD.
+/// Text as it may stand in an element or a quoted attribute of HTML and SVG. Control characters, and bytes that are not
+/// UTF-8, become U+FFFD.
 std::string escaped(std::string_view text);
 
 /// A number for people: `digits` significant ones, "1.2 × 10⁻⁷" below 1e-3 and from 1e6 on; "∞", "n/a" for NaN.

@@ -17,9 +17,9 @@ struct MergeRequest {
   std::vector<std::string> arguments;  ///< of the program, for the manifest
 };
 
-/// Joins the journals of shards and derives the same files as one run would have. Results that two of them hold must agree but for times.
-/// What is missing is missing in the outcome's journal: see summarize(). Throws InputError for folders that do not fit, OutputRefused,
-/// OutputError.
+/// Joins the journals of shards and derives the same files as one run would have. Results that two of them hold must
+/// agree but for times. What is missing is missing in the outcome's journal: see summarize(). Throws InputError for
+/// folders that do not fit, OutputRefused, OutputError.
 StudyOutcome merge_studies(const MergeRequest& request);
 
 }  // namespace leastcost::app

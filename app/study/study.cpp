@@ -8,10 +8,10 @@
 #include <set>
 #include <utility>
 
-#include "app/output/manifest.hpp"
-#include "app/output/output_folder.hpp"
-#include "app/study/isolation.hpp"
-#include "app/study/row_json.hpp"
+#include <leastcost/catalogue/output/manifest.hpp>
+#include <leastcost/catalogue/output/output_folder.hpp>
+#include "app/study/cell/isolation.hpp"
+#include "app/study/rows/row_json.hpp"
 #include "app/study/study_facts.hpp"
 #include "app/study/study_files.hpp"
 

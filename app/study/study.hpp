@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "app/study/grid.hpp"
-#include "app/study/journal.hpp"
+#include "app/study/cell/run_cell.hpp"
+#include "app/study/grid/grid.hpp"
+#include "app/study/rows/journal.hpp"
 
 namespace leastcost::app {
 
@@ -41,9 +42,9 @@ struct StudyOutcome {
 /// Where the results of a request go.
 std::filesystem::path output_of(const StudyRequest& request, const StudyGrid& grid);
 
-/// Runs the cells of a shard that the journal lacks, each in a process of its own, and writes the files that are derived from the journal.
-/// Results depend on the study alone, not on `parallel`, shards or interruptions; times do. Throws ConfigError, InputError,
-/// OutputRefused, OutputError.
+/// Runs the cells of a shard that the journal lacks, each in a process of its own, and writes the files that are
+/// derived from the journal. Results depend on the study alone, not on `parallel`, shards or interruptions; times do.
+/// Throws ConfigError, InputError, OutputRefused, OutputError.
 StudyOutcome run_study(const StudyRequest& request);
 
 }  // namespace leastcost::app

@@ -6,11 +6,11 @@
 
 #include <map>
 
-#include "app/config/options_writer.hpp"
-#include "app/config/yaml_reader.hpp"
-#include "app/output/manifest.hpp"
-#include "app/output/results.hpp"
-#include "framework/errors.hpp"
+#include <leastcost/catalogue/options/options_writer.hpp>
+#include <leastcost/catalogue/output/manifest.hpp>
+#include <leastcost/catalogue/output/results.hpp>
+#include <leastcost/framework/errors.hpp>
+#include "catalogue/yaml/yaml_reader.hpp"
 
 namespace leastcost::app {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <tuple>
 
-#include "app/output/output_folder.hpp"
-#include "app/study/run_table.hpp"
+#include <leastcost/catalogue/output/output_folder.hpp>
+#include "app/study/rows/run_table.hpp"
 #include "app/study/study_summary.hpp"
 
 namespace leastcost::app {

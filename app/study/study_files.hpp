@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "app/study/journal.hpp"
+#include "app/study/rows/journal.hpp"
 
 namespace leastcost::app {
 

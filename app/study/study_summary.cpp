@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/config/study_config.hpp"
-#include "app/output/json_numbers.hpp"
+#include "app/study/grid/study_config.hpp"
+#include "catalogue/output/json_numbers.hpp"
 
 namespace leastcost::app {
 namespace {

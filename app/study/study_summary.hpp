@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/study/journal.hpp"
+#include "app/study/rows/journal.hpp"
 
 namespace leastcost::app {
 

@@ -25,7 +25,7 @@ const pieces = script.match(/[\s\S]{1,12000}/g).map((piece) => `R"leastcost(${pi
 writeFileSync(
   output,
   `// Made by build.mjs out of viewer.js and three.js (MIT); do not edit.
-#include "app/report/viewer_script.hpp"
+#include "app/report/page/viewer_script.hpp"
 
 namespace leastcost::app {
 

@@ -6,15 +6,15 @@
 #include <memory>
 #include <vector>
 
-#include "framework/find_path.hpp"
-#include "problems/costs/euclidean.hpp"
-#include "problems/initializers/straight.hpp"
-#include "problems/kernels/kernels.hpp"
-#include "problems/manifolds/parametric.hpp"
-#include "solvers/ceres/ceres_solver.hpp"
-#include "solvers/lbfgs.hpp"
-#include "solvers/newton.hpp"
-#include "solvers/nlopt/nlopt_solver.hpp"
+#include <leastcost/framework/find_path.hpp>
+#include <leastcost/problems/costs/euclidean.hpp>
+#include <leastcost/problems/initializers/straight.hpp>
+#include <leastcost/problems/kernels/kernels.hpp>
+#include <leastcost/problems/manifolds/parametric.hpp>
+#include <leastcost/solvers/ceres/ceres_solver.hpp>
+#include <leastcost/solvers/lbfgs.hpp>
+#include <leastcost/solvers/newton.hpp>
+#include <leastcost/solvers/nlopt/nlopt_solver.hpp>
 
 int main() {
   using namespace leastcost;

@@ -5,13 +5,13 @@
 #include <cstdio>
 #include <numbers>
 
-#include "framework/find_path.hpp"
-#include "problems/costs/travel_time.hpp"
-#include "problems/initializers/straight.hpp"
-#include "problems/kernels/kernels.hpp"
-#include "problems/manifolds/euclidean.hpp"
-#include "solvers/lbfgs.hpp"
-#include "solvers/newton.hpp"
+#include <leastcost/framework/find_path.hpp>
+#include <leastcost/problems/costs/travel_time.hpp>
+#include <leastcost/problems/initializers/straight.hpp>
+#include <leastcost/problems/kernels/kernels.hpp>
+#include <leastcost/problems/manifolds/euclidean.hpp>
+#include <leastcost/solvers/lbfgs.hpp>
+#include <leastcost/solvers/newton.hpp>
 
 int main() {
   using namespace leastcost;

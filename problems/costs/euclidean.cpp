@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/costs/euclidean.hpp"
+#include <leastcost/problems/costs/euclidean.hpp>
 
-#include "framework/segment_cost_function.hpp"
-#include "problems/geometry/has_constant_metric.hpp"
+#include <leastcost/framework/has_constant_metric.hpp>
+#include <leastcost/framework/segment_cost_function.hpp>
 
 namespace leastcost {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "framework/segment_cost.hpp"
+#include <leastcost/framework/segment_cost.hpp>
 
 namespace leastcost {
 

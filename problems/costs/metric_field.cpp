@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/costs/metric_field.hpp"
+#include <leastcost/problems/costs/metric_field.hpp>
 
 #include <Eigen/Eigenvalues>
 #include <array>
@@ -10,11 +10,11 @@
 #include <string>
 #include <utility>
 
-#include "framework/errors.hpp"
-#include "framework/segment_cost_function.hpp"
-#include "problems/costs/sampled_tensors.hpp"
-#include "problems/geometry/coordinate_names.hpp"
-#include "problems/geometry/formula.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/problems/costs/sampled_tensors.hpp>
+#include "problems/formula/coordinate_names.hpp"
+#include "problems/formula/formula.hpp"
 
 namespace leastcost {
 namespace {
@@ -141,7 +141,8 @@ struct MetricField {
     return residual<S>(a, b).squaredNorm();
   }
 
-  /// q = u' M(m) u with u = b - a and the middle m: the field is differentiated in m alone, half as many directions as both ends have.
+  /// q = u' M(m) u with u = b - a and the middle m: the field is differentiated in m alone, half as many directions as
+  /// both ends have.
   void hessian(const Point<double, dim>& a, const Point<double, dim>& b, Eigen::Ref<Points> h) const {
     if (is_average) return detail::hessian_nested(*this, {a, b}, h);
     using Square = Tensor<double, dim>;

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/costs/metric_tensor.hpp"
+#include <leastcost/problems/costs/metric_tensor.hpp>
 
 #include <Eigen/Cholesky>
 #include <string>
 
-#include "framework/errors.hpp"
-#include "framework/segment_cost_function.hpp"
-#include "problems/geometry/has_constant_metric.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/has_constant_metric.hpp>
+#include <leastcost/framework/segment_cost_function.hpp>
 
 namespace leastcost {
 namespace {

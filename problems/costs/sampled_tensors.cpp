@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/costs/sampled_tensors.hpp"
+#include <leastcost/problems/costs/sampled_tensors.hpp>
 
 #include <utility>
 #include <vector>
 
-#include "framework/errors.hpp"
-#include "problems/geometry/curvature.hpp"
+#include <leastcost/framework/errors.hpp>
 #include "problems/readers/tensor_reader.hpp"
+#include "problems/tensor/curvature.hpp"
 
 namespace leastcost {
 namespace {

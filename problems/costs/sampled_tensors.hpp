@@ -6,10 +6,10 @@
 #include <memory>
 #include <string>
 
-#include "framework/manifold.hpp"
-#include "framework/options.hpp"
-#include "framework/segment_derivatives.hpp"
-#include "problems/geometry/tensor_samples.hpp"
+#include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/segment_derivatives.hpp>
+#include <leastcost/problems/tensor/tensor_samples.hpp>
 
 namespace leastcost {
 
@@ -27,15 +27,16 @@ struct CurvatureMetricOptions {
   void fields(FieldVisitor& visit);
 };
 
-/// Throw OptionError, by the names within the block `field`, where the domain is neither mesh nor cloud; InputError for bad files.
+/// Throw OptionError, by the names within the block `field`, where the domain is neither mesh nor cloud; InputError for
+/// bad files.
 std::shared_ptr<const TensorSamples> tensors_from_file(const TensorFileOptions& options,
                                                        const ConstraintManifold* domain,
                                                        const std::filesystem::path& folder);
 std::shared_ptr<const TensorSamples> tensors_from_curvature(const CurvatureMetricOptions& options,
                                                             const ConstraintManifold* domain);
 
-/// The field of a metric_field cost that interpolates samples. The derivatives are formed once and then lifted into the scalar by the chain
-/// rule: no dual number passes through the sums over the samples.
+/// The field of a metric_field cost that interpolates samples. The derivatives are formed once and then lifted into the
+/// scalar by the chain rule: no dual number passes through the sums over the samples.
 struct SampledTensors {
   static constexpr int dim = 3;
   std::shared_ptr<const TensorSamples> samples;

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/costs/travel_time.hpp"
+#include <leastcost/problems/costs/travel_time.hpp>
 
 #include <cmath>
 
-#include "framework/errors.hpp"
-#include "framework/segment_cost_function.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/segment_cost_function.hpp>
 
 namespace leastcost {
 namespace {
@@ -52,8 +52,9 @@ struct Chute : TravelTimeBase<D> {
     return (b - a) * (S(2.0) / speed_sum<S>(a, b));
   }
 
-  /// By hand, because nested duals made two thirds of a Newton step: q = f(S) L with L = |b - a|^2, f = 4 / S^2 and S the sum of the speeds, which
-  /// depends on the two heights alone. An end at rest has infinite derivatives; they stay in its own rows and columns.
+  /// By hand, because nested duals made two thirds of a Newton step: q = f(S) L with L = |b - a|^2, f = 4 / S^2 and S
+  /// the sum of the speeds, which depends on the two heights alone. An end at rest has infinite derivatives; they stay
+  /// in its own rows and columns.
   void hessian(const Point<double, D>& a, const Point<double, D>& b, Eigen::Ref<Points> h) const {
     const Index d = a.size();
     const Index height[] = {d - 1, 2 * d - 1};
@@ -80,7 +81,7 @@ struct Chute : TravelTimeBase<D> {
   }
 };
 
-/// Speed at mid-height, VFCS Eqs. (21), (22). From rest it is not the time of the chute: see NUMERICS Sec. 2.
+/// Speed at mid-height, VFCS Eqs. (21), (22). From rest it is not the time of the chute: see docs/numerics.md Sec. 2.1.
 template <int D>
 struct Midpoint : TravelTimeBase<D> {
   CostTraits traits() const { return {.unit = "s", .symmetric = true}; }

@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "framework/options.hpp"
-#include "framework/segment_cost.hpp"
+#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/segment_cost.hpp>
 
 namespace leastcost {
 
@@ -20,10 +20,10 @@ struct TravelTimeOptions {
   void fields(FieldVisitor& visit);
 };
 
-/// Time of a bead that slides without friction, seconds when lengths are metres. The last coordinate is height, up is positive;
-/// +infinity above the energy level. Rule "chute": 2 L / (v_a + v_b), exact for a straight chute;
-/// "midpoint": L / v at mid-height, VFCS Eqs. (21), (22). `source` gives the level unless the options state it (a ring
-/// must). Throws OptionError.
+/// Time of a bead that slides without friction, seconds when lengths are metres. The last coordinate is height, up is
+/// positive; +infinity above the energy level. Rule "chute": 2 L / (v_a + v_b), exact for a straight chute; "midpoint":
+/// L / v at mid-height, VFCS Eqs. (21), (22). `source` gives the level unless the options state it (a ring must).
+/// Throws OptionError.
 std::shared_ptr<const SegmentCost> make_travel_time_cost(const TravelTimeOptions& options, int dim,
                                                          const std::optional<Eigen::VectorXd>& source);
 

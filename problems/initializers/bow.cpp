@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/initializers/bow.hpp"
+#include <leastcost/problems/initializers/bow.hpp>
 
 #include <Eigen/QR>
 #include <cmath>
 #include <numbers>
 #include <string>
 
-#include "framework/errors.hpp"
+#include <leastcost/framework/errors.hpp>
 
 namespace leastcost {
 namespace {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "framework/initializer.hpp"
-#include "framework/options.hpp"
+#include <leastcost/framework/initializer.hpp>
+#include <leastcost/framework/options.hpp>
 
 namespace leastcost {
 
@@ -13,8 +13,8 @@ struct BowOptions {
   void fields(FieldVisitor& visit);
 };
 
-/// An arc from source to target beside the straight line, projected onto the domain: a start for another class of paths. In
-/// the plane and in charts angle 0 bows to the left, 180 to the right.
+/// An arc from source to target beside the straight line, projected onto the domain: a start for another class of
+/// paths. In the plane and in charts angle 0 bows to the left, 180 to the right.
 class BowInitializer final : public Initializer {
  public:
   explicit BowInitializer(BowOptions options = {}) : options_(options) {}

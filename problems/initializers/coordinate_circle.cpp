@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/initializers/coordinate_circle.hpp"
+#include <leastcost/problems/initializers/coordinate_circle.hpp>
 
 #include <string>
 #include <utility>
 
-#include "framework/errors.hpp"
-#include "problems/geometry/seams.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/chart/seams.hpp>
 
 namespace leastcost {
 namespace {

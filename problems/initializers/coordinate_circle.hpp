@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "framework/initializer.hpp"
-#include "framework/options.hpp"
+#include <leastcost/framework/initializer.hpp>
+#include <leastcost/framework/options.hpp>
 
 namespace leastcost {
 

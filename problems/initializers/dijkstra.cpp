@@ -1,19 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/initializers/dijkstra.hpp"
+#include <leastcost/problems/initializers/dijkstra.hpp>
 
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "framework/errors.hpp"
-#include "problems/geometry/away_from_routes.hpp"
-#include "problems/geometry/cloud_route.hpp"
-#include "problems/geometry/edge_graph.hpp"
-#include "problems/geometry/edge_route.hpp"
-#include "problems/geometry/geodesic.hpp"
-#include "problems/geometry/mesh_curve.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/mesh/edge_graph.hpp>
+#include <leastcost/problems/straighten/geodesic.hpp>
+#include "problems/cloud/cloud_route.hpp"
+#include "problems/initializers/away_from_routes.hpp"
+#include "problems/mesh/edge_route.hpp"
+#include "problems/mesh/mesh_curve.hpp"
 
 namespace leastcost {
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "framework/initializer.hpp"
-#include "framework/options.hpp"
+#include <leastcost/framework/initializer.hpp>
+#include <leastcost/framework/options.hpp>
 
 namespace leastcost {
 
@@ -13,10 +13,11 @@ struct DijkstraOptions {
   void fields(FieldVisitor& visit);
 };
 
-/// The least-cost path along mesh edges or along the neighbour graph of a point cloud, weighed by the run's own segment cost (VFCS 4.4.1), through Boost.Graph. With
-/// `routes: 2` the better of two straightened graph paths (GeodesicSearch): a better guess at the class of the shortest path, for costs
-/// with a constant metric. With `rank: k` the k-th of routes of which each keeps away from those before it: a start for another class of
-/// paths. Throws InputError where the domain has no graph (routes: 2: is no mesh) or the cost has no such metric.
+/// The least-cost path along mesh edges or along the neighbour graph of a point cloud, weighed by the run's own segment
+/// cost (VFCS 4.4.1), through Boost.Graph. With `routes: 2` the better of two straightened graph paths
+/// (GeodesicSearch): a better guess at the class of the shortest path, for costs with a constant metric. With `rank: k`
+/// the k-th of routes of which each keeps away from those before it: a start for another class of paths. Throws
+/// InputError where the domain has no graph (routes: 2: is no mesh) or the cost has no such metric.
 class DijkstraInitializer final : public Initializer {
  public:
   explicit DijkstraInitializer(DijkstraOptions options = {}) : options_(options) {}

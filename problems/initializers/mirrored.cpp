@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/initializers/mirrored.hpp"
+#include <leastcost/problems/initializers/mirrored.hpp>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <string>
 
-#include "framework/errors.hpp"
+#include <leastcost/framework/errors.hpp>
 
 namespace leastcost {
 namespace {

@@ -5,13 +5,14 @@
 #include <memory>
 #include <utility>
 
-#include "framework/initializer.hpp"
+#include <leastcost/framework/initializer.hpp>
 
 namespace leastcost {
 
-/// The mirror image of another initializer's first path, projected onto the domain: a start on the other side of what that path goes around. The
-/// mirror contains both ends: a line in the plane and in charts, a plane that also contains the mean normal at the ends on surfaces in space; in
-/// other spaces the path is turned by 180 degrees about the line. For families (family.mirrored).
+/// The mirror image of another initializer's first path, projected onto the domain: a start on the other side of what
+/// that path goes around. The mirror contains both ends: a line in the plane and in charts, a plane that also contains
+/// the mean normal at the ends on surfaces in space; in other spaces the path is turned by 180 degrees about the line.
+/// For families (family.mirrored).
 class MirroredInitializer final : public Initializer {
  public:
   explicit MirroredInitializer(std::shared_ptr<const Initializer> original) : original_(std::move(original)) {}

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/initializers/plane_cut.hpp"
+#include <leastcost/problems/initializers/plane_cut.hpp>
 
 #include <algorithm>
 #include <limits>
 #include <string>
 
-#include "framework/errors.hpp"
-#include "problems/geometry/mesh_curve.hpp"
-#include "problems/geometry/plane_section.hpp"
-#include "problems/geometry/smooth_section.hpp"
+#include <leastcost/framework/errors.hpp>
+#include "problems/mesh/mesh_curve.hpp"
+#include "problems/section/plane_section.hpp"
+#include "problems/section/smooth_section.hpp"
 
 namespace leastcost {
 namespace {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "framework/initializer.hpp"
-#include "framework/options.hpp"
+#include <leastcost/framework/initializer.hpp>
+#include <leastcost/framework/options.hpp>
 
 namespace leastcost {
 
@@ -13,9 +13,10 @@ struct PlaneCutOptions {
   void fields(FieldVisitor& visit);
 };
 
-/// A first ring (VFCS 6.1): the closed curve in which a plane cuts a surface in R^3; of several the one nearest to the given
-/// point, on a smooth surface one near to it (smooth_section). Vertices, edges and faces that lie in the plane are no trouble. Throws InitializationError where the plane
-/// misses the surface, touches it only, or cuts it in no closed curve, and where the path is no ring; InputError where the domain is no surface.
+/// A first ring (VFCS 6.1): the closed curve in which a plane cuts a surface in R^3; of several the one nearest to the
+/// given point, on a smooth surface one near to it (smooth_section). Vertices, edges and faces that lie in the plane
+/// are no trouble. Throws InitializationError where the plane misses the surface, touches it only, or cuts it in no
+/// closed curve, and where the path is no ring; InputError where the domain is no surface.
 class PlaneCutInitializer final : public Initializer {
  public:
   /// Throws OptionError for a point or normal that is not three finite numbers, and for a zero normal.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/initializers/rrt.hpp"
+#include <leastcost/problems/initializers/rrt.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "framework/errors.hpp"
-#include "problems/geometry/growing_points.hpp"
-#include "problems/geometry/projected_line.hpp"
+#include <leastcost/framework/errors.hpp>
+#include "problems/initializers/growing_points.hpp"
+#include "problems/section/projected_line.hpp"
 
 namespace leastcost {
 namespace {
@@ -71,7 +71,8 @@ class Tree {
     return nodes;
   }
 
-  /// Leaves out what lies between two nodes whose straight line projects to something shorter; then the whole path on the domain.
+  /// Leaves out what lies between two nodes whose straight line projects to something shorter; then the whole path on
+  /// the domain.
   std::vector<Vector> shortened(std::vector<Vector> nodes, const Monitor& monitor) {
     std::vector<std::vector<Vector>> pieces;  // piece i: from node i to node i + 1, without its first point
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
@@ -145,8 +146,8 @@ class Tree {
     return line(start, foot, edge_);
   }
 
-  /// The projection of a -> b in pieces of about half a step into `out`, which is empty; false where there is no continuous one or its
-  /// cost is infinite.
+  /// The projection of a -> b in pieces of about half a step into `out`, which is empty; false where there is no
+  /// continuous one or its cost is infinite.
   bool line(const Vector& a, const Vector& b, std::vector<Vector>& out) {
     const double distance = (b - a).norm();
     const int pieces = std::max(1, static_cast<int>(std::ceil(kPieces * distance / step_)));

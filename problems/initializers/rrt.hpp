@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "framework/initializer.hpp"
-#include "framework/options.hpp"
+#include <leastcost/framework/initializer.hpp>
+#include <leastcost/framework/options.hpp>
 
 namespace leastcost {
 
@@ -18,10 +18,10 @@ struct RrtOptions {
   void fields(FieldVisitor& visit);
 };
 
-/// A rapidly exploring random tree in the shell around a smooth domain, VFCS Sec. 4.2.1: from the tree's point nearest to a random sample one
-/// step towards it, then into the shell. Here the shell is what lies within a distance of the domain, on both sides, so that it needs nothing
-/// but a projection. Every edge has a continuous projection; the path is projected and shortened by random shortcuts. The same seed gives
-/// the same path.
+/// A rapidly exploring random tree in the shell around a smooth domain, VFCS Sec. 4.2.1: from the tree's point nearest
+/// to a random sample one step towards it, then into the shell. Here the shell is what lies within a distance of the
+/// domain, on both sides, so that it needs nothing but a projection. Every edge has a continuous projection; the path
+/// is projected and shortened by random shortcuts. The same seed gives the same path.
 class RrtInitializer final : public Initializer {
  public:
   explicit RrtInitializer(const RrtOptions& options = {}, int run_seed = 0);

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/initializers/straight.hpp"
+#include <leastcost/problems/initializers/straight.hpp>
 
 #include <cmath>
 
-#include "framework/errors.hpp"
-#include "framework/path_energy.hpp"
-#include "problems/geometry/projected_line.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/path_energy.hpp>
+#include "problems/section/projected_line.hpp"
 
 namespace leastcost {
 namespace {

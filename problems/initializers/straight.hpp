@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "framework/initializer.hpp"
+#include <leastcost/framework/initializer.hpp>
 
 namespace leastcost {
 
-/// The straight line between the ends (in coordinates; projected when it is sampled). Where the cost is infinite on it, it is bowed
-/// out of the way: below the energy level for a travel time.
+/// The straight line between the ends (in coordinates; projected when it is sampled). Where the cost is infinite on it,
+/// it is bowed out of the way: below the energy level for a travel time.
 class StraightInitializer final : public Initializer {
  public:
   std::string_view name() const override { return "straight"; }

@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/initializers/waypoints.hpp"
+#include <leastcost/problems/initializers/waypoints.hpp>
 
 #include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "framework/errors.hpp"
-#include "problems/geometry/edge_graph.hpp"
-#include "problems/geometry/edge_route.hpp"
-#include "problems/geometry/has_mesh.hpp"
-#include "problems/geometry/mesh_curve.hpp"
-#include "problems/geometry/seams.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/chart/seams.hpp>
+#include <leastcost/problems/mesh/edge_graph.hpp>
+#include <leastcost/problems/mesh/has_mesh.hpp>
+#include "problems/mesh/edge_route.hpp"
+#include "problems/mesh/mesh_curve.hpp"
 
 namespace leastcost {
 namespace {
@@ -61,7 +61,8 @@ CoordinatePath join_on_mesh(const Problem& problem, const TriangleMesh& mesh, co
   return path;
 }
 
-/// On a chart with seams the ring closes on the image of its first point that is nearest to the last one, which may also be given.
+/// On a chart with seams the ring closes on the image of its first point that is nearest to the last one, which may
+/// also be given.
 void close_across_seams(const HasSeams& domain, CoordinatePath& ring) {
   const Index last = ring.u.cols() - 1;
   const Eigen::VectorXi turns = nearest_image(domain.seams(), ring.u.col(0), ring.u.col(last));

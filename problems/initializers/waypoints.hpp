@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "framework/initializer.hpp"
-#include "framework/options.hpp"
+#include <leastcost/framework/initializer.hpp>
+#include <leastcost/framework/options.hpp>
 
 namespace leastcost {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/kernel.hpp"
+#include <leastcost/framework/kernel.hpp>
 
 namespace leastcost {
 
@@ -33,8 +33,9 @@ struct ExpSquare {
   }
 };
 
-/// phi(q) = f(sqrt q) from f, f', f'' at s = sqrt(q): phi' = f' / (2 s), phi'' = (f'' - f' / s) / (4 s^2). These kernels are not
-/// differentiable in q at 0; s is kept above a guard, below which phi' would overflow the chain Hessian.
+/// phi(q) = f(sqrt q) from f, f', f'' at s = sqrt(q): phi' = f' / (2 s), phi'' = (f'' - f' / s) / (4 s^2). These
+/// kernels are not differentiable in q at 0; s is kept above a guard, below which phi' would overflow the chain
+/// Hessian.
 inline Jet2 of_root(double s, double f, double f1, double f2) { return {f, f1 / (2 * s), (f2 - f1 / s) / (4 * s * s)}; }
 inline double guarded_root(double q) { return std::sqrt(std::max(q, 1e-24)); }
 

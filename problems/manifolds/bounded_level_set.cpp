@@ -70,8 +70,8 @@ int BoundedLevelSet::most_violated(const Eigen::VectorXd& x) const {
   return by > 0 ? static_cast<int>(worst) : -1;
 }
 
-/// The held coordinate whose bound holds x back from `outside` the most: with outside - x = J' lambda + sum mu_j n_j, the least mu_j < 0; or
-/// -1. Those that are kept do not count.
+/// The held coordinate whose bound holds x back from `outside` the most: with outside - x = J' lambda + sum mu_j n_j,
+/// the least mu_j < 0; or -1. Those that are kept do not count.
 int BoundedLevelSet::most_pulling(const Eigen::VectorXd& outside, const Eigen::VectorXd& x, const Held& held,
                                   const Held& kept) const {
   const int k = function().outputs();

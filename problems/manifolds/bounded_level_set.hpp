@@ -5,16 +5,17 @@
 #include <array>
 #include <memory>
 
-#include "framework/segment_derivatives.hpp"
-#include "framework/smooth_bounds.hpp"
-#include "problems/geometry/box.hpp"
-#include "problems/manifolds/level_set.hpp"
+#include <leastcost/framework/segment_derivatives.hpp>
+#include <leastcost/framework/smooth_bounds.hpp>
+#include <leastcost/problems/manifolds/box.hpp>
+#include <leastcost/problems/manifolds/level_set.hpp>
 
 namespace leastcost {
 
-/// The part of a level set that lies in a box of its space. The nearest point of it is found by an active set: Newton steps on F with the
-/// coordinates held whose bounds are active, until no bound is violated and none pulls. A point that lies on a bound stays on it where it moves
-/// along it, so that its retraction is that of the curve in which the bound cuts the level set.
+/// The part of a level set that lies in a box of its space. The nearest point of it is found by an active set: Newton
+/// steps on F with the coordinates held whose bounds are active, until no bound is violated and none pulls. A point
+/// that lies on a bound stays on it where it moves along it, so that its retraction is that of the curve in which the
+/// bound cuts the level set.
 class BoundedLevelSet final : public LevelSet, public GoesBeyondBounds {
  public:
   /// Throws InputError as LevelSet does.

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/manifolds/constraint.hpp"
+#include <leastcost/problems/manifolds/constraint.hpp>
 
-#include "framework/errors.hpp"
-#include "problems/geometry/coordinate_names.hpp"
-#include "problems/geometry/formula_constraint.hpp"
-#include "problems/geometry/has_images.hpp"
-#include "problems/geometry/named_surfaces.hpp"
+#include <leastcost/framework/errors.hpp>
+#include "problems/chart/has_images.hpp"
+#include "problems/formula/coordinate_names.hpp"
+#include "problems/level_set/formula_constraint.hpp"
+#include "problems/level_set/named_surfaces.hpp"
 
 namespace leastcost {
 namespace {

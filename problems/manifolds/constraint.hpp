@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "framework/options.hpp"
-#include "problems/manifolds/level_set.hpp"
+#include <leastcost/framework/options.hpp>
+#include <leastcost/problems/manifolds/level_set.hpp>
 
 namespace leastcost {
 
@@ -22,8 +22,9 @@ struct ConstraintManifoldOptions {
   void fields(FieldVisitor& visit);
 };
 
-/// The solutions of equations in x0 .. x{n-1}, or a set with a name: the sphere in R^n, or the rotations of space, SO(3), as unit quaternions
-/// (w, x, y, z) with q and -q identified. Euclidean length between quaternions is half the angle of rotation. Throws OptionError.
+/// The solutions of equations in x0 .. x{n-1}, or a set with a name: the sphere in R^n, or the rotations of space,
+/// SO(3), as unit quaternions (w, x, y, z) with q and -q identified. Euclidean length between quaternions is half the
+/// angle of rotation. Throws OptionError.
 std::shared_ptr<const LevelSet> make_constraint_manifold(const ConstraintManifoldOptions& options);
 
 }  // namespace leastcost

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/manifolds/euclidean.hpp"
+#include <leastcost/problems/manifolds/euclidean.hpp>
 
 #include <string>
 
-#include "framework/errors.hpp"
-#include "framework/segment_derivatives.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/segment_derivatives.hpp>
 
 namespace leastcost {
 namespace {

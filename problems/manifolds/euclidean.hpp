@@ -4,9 +4,9 @@
 
 #include <memory>
 
-#include "framework/manifold.hpp"
-#include "framework/options.hpp"
-#include "problems/geometry/box.hpp"
+#include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/options.hpp>
+#include <leastcost/problems/manifolds/box.hpp>
 
 namespace leastcost {
 

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/manifolds/implicit.hpp"
+#include <leastcost/problems/manifolds/implicit.hpp>
 
 #include <utility>
 
-#include "framework/errors.hpp"
-#include "problems/geometry/coordinate_names.hpp"
-#include "problems/geometry/formula_constraint.hpp"
-#include "problems/geometry/named_surfaces.hpp"
+#include <leastcost/framework/errors.hpp>
+#include "problems/formula/coordinate_names.hpp"
+#include "problems/level_set/formula_constraint.hpp"
+#include "problems/level_set/named_surfaces.hpp"
 #include "problems/manifolds/bounded_level_set.hpp"
 
 namespace leastcost {

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <string>
 
-#include "framework/options.hpp"
-#include "problems/geometry/box.hpp"
-#include "problems/manifolds/level_set.hpp"
+#include <leastcost/framework/options.hpp>
+#include <leastcost/problems/manifolds/box.hpp>
+#include <leastcost/problems/manifolds/level_set.hpp>
 
 namespace leastcost {
 
@@ -26,7 +26,8 @@ struct ImplicitManifoldOptions {
   void fields(FieldVisitor& visit);
 };
 
-/// A surface f(x, y, z) = 0 in space or a curve f(x, y) = 0 in the plane, VFCS 4.4.2, or the part of it in a box. Throws OptionError.
+/// A surface f(x, y, z) = 0 in space or a curve f(x, y) = 0 in the plane, VFCS 4.4.2, or the part of it in a box.
+/// Throws OptionError.
 std::shared_ptr<const LevelSet> make_implicit_manifold(const ImplicitManifoldOptions& options);
 
 }  // namespace leastcost

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/manifolds/level_set.hpp"
+#include <leastcost/problems/manifolds/level_set.hpp>
 
 #include <Eigen/Geometry>
 #include <Eigen/QR>
@@ -10,7 +10,7 @@
 #include <sstream>
 #include <utility>
 
-#include "framework/errors.hpp"
+#include <leastcost/framework/errors.hpp>
 #include "framework/point_text.hpp"
 
 namespace leastcost {
@@ -52,8 +52,8 @@ struct State {
   }
 };
 
-/// Whether F still changes along the step at the trial point as it did before it, by a tenth at least: a step that goes over a hill of |F|
-/// would end on another sheet.
+/// Whether F still changes along the step at the trial point as it did before it, by a tenth at least: a step that goes
+/// over a hill of |F| would end on another sheet.
 template <int N, int K>
 bool keeps_falling(const State<N, K>& state, const State<N, K>& trial, const Vector<N>& step) {
   constexpr double kLeast = 0.1;

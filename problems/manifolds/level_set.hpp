@@ -5,16 +5,18 @@
 #include <memory>
 #include <string>
 
-#include "framework/manifold.hpp"
-#include "problems/geometry/constraint_function.hpp"
-#include "problems/geometry/has_level_set.hpp"
+#include <leastcost/framework/manifold.hpp>
+#include <leastcost/problems/level_set/constraint_function.hpp>
+#include <leastcost/problems/level_set/has_level_set.hpp>
 
 namespace leastcost {
 
-/// The zeros of F: R^n -> R^k as a domain. Projection: Gauss-Newton steps x -= J^+ F(x) (VFCS Eq. 15 for k = 1), damped so that |F| falls,
-/// until rounding; tangent spaces: the null space of the Jacobian J. No heap in either for k = 1 and n = 2, 3, 4.
+/// The zeros of F: R^n -> R^k as a domain. Projection: Gauss-Newton steps x -= J^+ F(x) (VFCS Eq. 15 for k = 1), damped
+/// so that |F| falls, until rounding; tangent spaces: the null space of the Jacobian J. No heap in either for k = 1 and
+/// n = 2, 3, 4.
 ///
-/// The point that is found differs from the nearest one by O(d^2) at distance d, so that the retraction of a tangent step h does by O(h^4).
+/// The point that is found differs from the nearest one by O(d^2) at distance d, so that the retraction of a tangent
+/// step h does by O(h^4).
 class LevelSet : public EmbeddedManifold, public ExplainsProjection, public HasLevelSet {
  public:
   /// Throws InputError for k >= n or n beyond the largest dimension of a cost.

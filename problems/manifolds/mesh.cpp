@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/manifolds/mesh.hpp"
+#include <leastcost/problems/manifolds/mesh.hpp>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <utility>
 
-#include "problems/geometry/path_tools.hpp"
-#include "problems/readers/mesh_reader.hpp"
+#include <leastcost/problems/mesh/path_tools.hpp>
+#include <leastcost/problems/readers/mesh_reader.hpp>
 
 namespace leastcost {
 namespace {

@@ -6,9 +6,9 @@
 #include <memory>
 #include <string>
 
-#include "framework/manifold.hpp"
-#include "framework/options.hpp"
-#include "problems/geometry/has_mesh.hpp"
+#include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/options.hpp>
+#include <leastcost/problems/mesh/has_mesh.hpp>
 
 namespace leastcost {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/manifolds/parametric.hpp"
+#include <leastcost/problems/manifolds/parametric.hpp>
 
 #include <utility>
 

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "framework/manifold.hpp"
-#include "framework/options.hpp"
-#include "problems/geometry/box.hpp"
-#include "problems/geometry/chart_map.hpp"
-#include "problems/geometry/seams.hpp"
+#include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/options.hpp>
+#include <leastcost/problems/chart/seams.hpp>
+#include <leastcost/problems/manifolds/box.hpp>
+#include <leastcost/problems/manifolds/chart_map.hpp>
 
 namespace leastcost {
 
@@ -34,8 +34,9 @@ struct ParametricOptions {
   void fields(FieldVisitor& visit);
 };
 
-/// A surface x(u, v) in R^3 (VFCS 4.4.1, Eq. 12). The chart's coordinates are the unknowns; they lie on the universal cover, so that paths
-/// cross seams and poles and keep their winding. The edges of the chart (an apex, a rim) are bounds.
+/// A surface x(u, v) in R^3 (VFCS 4.4.1, Eq. 12). The chart's coordinates are the unknowns; they lie on the universal
+/// cover, so that paths cross seams and poles and keep their winding. The edges of the chart (an apex, a rim) are
+/// bounds.
 class ParametricManifold final : public ConstraintManifold, public HasChart, public HasBounds, public HasSeams {
  public:
   ParametricManifold(std::shared_ptr<const ChartMap> map, Box box, std::vector<Seam> seams,

@@ -9,10 +9,10 @@
 #include <string>
 #include <utility>
 
-#include "framework/errors.hpp"
-#include "problems/geometry/chart_surfaces.hpp"
-#include "problems/geometry/formula.hpp"
-#include "problems/manifolds/parametric.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/manifolds/parametric.hpp>
+#include "problems/formula/formula.hpp"
+#include "problems/manifolds/chart_surfaces.hpp"
 
 namespace leastcost {
 namespace {
@@ -48,7 +48,8 @@ const std::vector<SeamMap> kTwoPoles = {pole(kPi / 2), pole(-kPi / 2)};
 const std::array<Eigen::Vector2d, 3> kSamples = {Eigen::Vector2d(0.3, 0.2), Eigen::Vector2d(1.1, -0.7),
                                                  Eigen::Vector2d(2.3, 0.9)};
 
-/// Formulas of one combination of u and v only describe a curve or a point, on which the coordinates of a path mean nothing.
+/// Formulas of one combination of u and v only describe a curve or a point, on which the coordinates of a path mean
+/// nothing.
 void check_rank(const ChartMap& map) {
   constexpr double kParallel = 1e-9;
   bool looked = false;

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/manifolds/point_cloud.hpp"
+#include <leastcost/problems/manifolds/point_cloud.hpp>
 
 #include <Eigen/Geometry>
 #include <sstream>
 #include <utility>
 
-#include "framework/errors.hpp"
-#include "problems/readers/point_cloud_reader.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/readers/point_cloud_reader.hpp>
 
 namespace leastcost {
 

@@ -6,9 +6,9 @@
 #include <memory>
 #include <string>
 
-#include "framework/manifold.hpp"
-#include "framework/options.hpp"
-#include "problems/geometry/has_point_cloud.hpp"
+#include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/options.hpp>
+#include <leastcost/problems/cloud/has_point_cloud.hpp>
 
 namespace leastcost {
 
@@ -18,9 +18,10 @@ struct PointCloudManifoldOptions {
   void fields(FieldVisitor& visit);
 };
 
-/// The smooth surface that moving least squares lay through a point cloud (VFCS 4.4.4; problems/geometry/cloud_surface). Projection is along
-/// the gradient of the implicit form, tangent planes are those of the surface itself. Where the samples end (the border of a
-/// partial scan, holes wider than a support) there is no surface, and a path cannot rest against that border.
+/// The smooth surface that moving least squares lay through a point cloud (VFCS 4.4.4;
+/// problems/geometry/cloud_surface). Projection is along the gradient of the implicit form, tangent planes are those of
+/// the surface itself. Where the samples end (the border of a partial scan, holes wider than a support) there is no
+/// surface, and a path cannot rest against that border.
 class PointCloudManifold final : public EmbeddedManifold, public HasPointCloud, public HasCoarserVersion {
  public:
   explicit PointCloudManifold(PointCloud cloud);

@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/manifolds/signed_distance.hpp"
+#include <leastcost/problems/manifolds/signed_distance.hpp>
 
 #include <Eigen/Geometry>
 #include <sstream>
 #include <utility>
 
-#include "framework/errors.hpp"
-#include "problems/geometry/build_distance_grid.hpp"
-#include "problems/geometry/cloud_distance.hpp"
-#include "problems/geometry/implicit_distance.hpp"
-#include "problems/geometry/mesh_distance.hpp"
-#include "problems/readers/mesh_reader.hpp"
-#include "problems/readers/point_cloud_reader.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/distance/build_distance_grid.hpp>
+#include <leastcost/problems/readers/mesh_reader.hpp>
+#include <leastcost/problems/readers/point_cloud_reader.hpp>
+#include "problems/distance/cloud_distance.hpp"
+#include "problems/distance/implicit_distance.hpp"
+#include "problems/distance/mesh_distance.hpp"
 #include "problems/readers/sdf_reader.hpp"
 
 namespace leastcost {

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "problems/geometry/box.hpp"
-#include "problems/geometry/build_distance_grid.hpp"
-#include "problems/geometry/has_distance_grid.hpp"
-#include "problems/manifolds/implicit.hpp"
-#include "problems/manifolds/level_set.hpp"
-#include "problems/manifolds/point_cloud.hpp"
+#include <leastcost/problems/distance/build_distance_grid.hpp>
+#include <leastcost/problems/distance/has_distance_grid.hpp>
+#include <leastcost/problems/manifolds/box.hpp>
+#include <leastcost/problems/manifolds/implicit.hpp>
+#include <leastcost/problems/manifolds/level_set.hpp>
+#include <leastcost/problems/manifolds/point_cloud.hpp>
 
 namespace leastcost {
 
@@ -32,13 +32,15 @@ struct SignedDistanceOptions {
   void fields(FieldVisitor& visit);
 };
 
-/// The zeros of a signed distance that is sampled on a regular grid, with a twice differentiable tricubic interpolant. The domain is the surface
-/// that was sampled; what the grid makes of it is the geometry error, of order 4 in the cell where the surface is smooth.
+/// The zeros of a signed distance that is sampled on a regular grid, with a twice differentiable tricubic interpolant.
+/// The domain is the surface that was sampled; what the grid makes of it is the geometry error, of order 4 in the cell
+/// where the surface is smooth.
 ///
-/// Limits. The edges of a polyhedron are rounded on the scale of a cell (order 1 to 2 there). With cells below the edge length the rounded edges are
-/// what a chain has to resolve: with segments no longer than about a cell Newton needs 5 to 9 iterations and certifies, with longer ones it
-/// converges as well, but the certificate finds no second order. Sheets nearer than about two cells merge; the making says where, and refuses
-/// when a twentieth of the surface is lost. Paths cannot leave the grid.
+/// Limits. The edges of a polyhedron are rounded on the scale of a cell (order 1 to 2 there). With cells below the edge
+/// length the rounded edges are what a chain has to resolve: with segments no longer than about a cell Newton needs 5
+/// to 9 iterations and certifies, with longer ones it converges as well, but the certificate finds no second order.
+/// Sheets nearer than about two cells merge; the making says where, and refuses when a twentieth of the surface is
+/// lost. Paths cannot leave the grid.
 class SignedDistanceManifold final : public LevelSet, public HasCoarserVersion, public HasDistanceGrid {
  public:
   /// A grid with nothing behind it.
@@ -48,9 +50,10 @@ class SignedDistanceManifold final : public LevelSet, public HasCoarserVersion, 
 
   const DistanceGrid& grid() const override { return *grid_; }
   const std::vector<std::string>& notes() const override { return notes_; }
-  /// First every second node, which is the same source sampled with cells twice as large; the version after it is the same moved by four times
-  /// the mean miss of the grid, for details of the source between its nodes, which neither of the two grids sees. Where the source is a
-  /// cloud: half of it, and a quarter of it, with cells twice as large. Then none (null).
+  /// First every second node, which is the same source sampled with cells twice as large; the version after it is the
+  /// same moved by four times the mean miss of the grid, for details of the source between its nodes, which neither of
+  /// the two grids sees. Where the source is a cloud: half of it, and a quarter of it, with cells twice as large. Then
+  /// none (null).
   std::shared_ptr<const ConstraintManifold> coarser() const override;
   std::string why_not_projected(const Eigen::VectorXd& x) const override;
 
@@ -67,8 +70,8 @@ class SignedDistanceManifold final : public LevelSet, public HasCoarserVersion, 
   mutable std::shared_ptr<const ConstraintManifold> coarser_;
 };
 
-/// Reads (relative to `folder`), samples, builds. `progress` is first called when all options have been checked, and nothing read yet. Throws
-/// OptionError, InputError.
+/// Reads (relative to `folder`), samples, builds. `progress` is first called when all options have been checked, and
+/// nothing read yet. Throws OptionError, InputError.
 std::shared_ptr<const SignedDistanceManifold> make_signed_distance_manifold(const SignedDistanceOptions& options,
                                                                             const std::filesystem::path& folder,
                                                                             const BuildProgress& progress = {});

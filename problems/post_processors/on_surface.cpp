@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/post_processors/on_surface.hpp"
+#include <leastcost/problems/post_processors/on_surface.hpp>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "framework/errors.hpp"
-#include "framework/segment_cost.hpp"
-#include "problems/geometry/plane_station.hpp"
-#include "problems/geometry/projected_line.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/segment_cost.hpp>
+#include "problems/section/plane_station.hpp"
+#include "problems/section/projected_line.hpp"
 
 namespace leastcost {
 namespace {
@@ -21,7 +21,8 @@ constexpr double kOfExtent = 1e-6;
 constexpr double kMargin = 0.8;  ///< of the tolerance: the deviation is measured in three places only
 constexpr int kDeepest = 20;     ///< bisections of a segment
 
-/// The curves on a surface in space in which the planes of VFCS Eq. (16) cut it: each holds a chord and the mean of the normals at its ends.
+/// The curves on a surface in space in which the planes of VFCS Eq. (16) cut it: each holds a chord and the mean of the
+/// normals at its ends.
 class CuttingPlanes {
  public:
   CuttingPlanes(const ConstraintManifold& manifold, const CoordinatePath& chain) : manifold_(manifold), chain_(chain) {
@@ -29,7 +30,8 @@ class CuttingPlanes {
     if (d.ambient == 3 && d.tangent == 2) manifold.tangent_bases(chain, bases_);
   }
 
-  /// The plane of segment i, where there is one: in space, unless chord and normals are parallel or the normals opposite.
+  /// The plane of segment i, where there is one: in space, unless chord and normals are parallel or the normals
+  /// opposite.
   std::optional<StationFinder> of_segment(Index i) const {
     if (bases_.size() == 0) return std::nullopt;
     const Index next = (i + 1) % chain_.u.cols();

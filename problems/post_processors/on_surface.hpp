@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "framework/options.hpp"
-#include "framework/post_processor.hpp"
+#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/post_processor.hpp>
 
 namespace leastcost {
 
@@ -12,9 +12,10 @@ struct OnSurfaceOptions {
   void fields(FieldVisitor& visit);
 };
 
-/// The chain as a polyline that lies on a smooth domain to a tolerance: wherever a chord is further off the domain than that, a point of the domain
-/// over its middle is put in, and so on with the halves. On a surface in space these points lie in the cutting plane of the segment, VFCS Eq. (16);
-/// elsewhere, and where there is no such plane, they are the nearest ones. The chain stays as it is.
+/// The chain as a polyline that lies on a smooth domain to a tolerance: wherever a chord is further off the domain than
+/// that, a point of the domain over its middle is put in, and so on with the halves. On a surface in space these points
+/// lie in the cutting plane of the segment, VFCS Eq. (16); elsewhere, and where there is no such plane, they are the
+/// nearest ones. The chain stays as it is.
 class OnSurfacePostProcessor final : public PostProcessor {
  public:
   explicit OnSurfacePostProcessor(const OnSurfaceOptions& options = {}) : options_(options) {}

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/post_processors/straighten.hpp"
+#include <leastcost/problems/post_processors/straighten.hpp>
 
 #include <string>
 #include <utility>
 
-#include "framework/errors.hpp"
-#include "problems/geometry/mesh_curve.hpp"
-#include "problems/geometry/straighten.hpp"
-#include "problems/geometry/straighten_ring.hpp"
-#include "problems/geometry/trace.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/straighten/straighten.hpp>
+#include "problems/mesh/mesh_curve.hpp"
+#include "problems/mesh/trace.hpp"
+#include "problems/straighten/straighten_ring.hpp"
 
 namespace leastcost {
 namespace {
@@ -35,8 +35,8 @@ struct Outcome {
   const char* note = nullptr;  ///< where the solved path was not taken
 };
 
-/// The solve may have slid into a longer class: its result is kept only where it is no longer than the first path's. Of a loop with a fixed
-/// point (`based`) nothing may be left: see straighten_closed().
+/// The solve may have slid into a longer class: its result is kept only where it is no longer than the first path's. Of
+/// a loop with a fixed point (`based`) nothing may be left: see straighten_closed().
 Outcome straighten_open(const TriangleMesh& mesh, const SurfacePath& first, const SurfacePath& solved, bool based,
                         const StraightenOptions& options) {
   constexpr double kNothing = 1e-9;  // of the first loop

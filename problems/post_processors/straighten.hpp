@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "framework/post_processor.hpp"
+#include <leastcost/framework/post_processor.hpp>
 
 namespace leastcost {
 

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/post_processors/trace.hpp"
+#include <leastcost/problems/post_processors/trace.hpp>
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
-#include "framework/errors.hpp"
-#include "problems/geometry/mesh_curve.hpp"
-#include "problems/geometry/trace.hpp"
+#include <leastcost/framework/errors.hpp>
+#include "problems/mesh/mesh_curve.hpp"
+#include "problems/mesh/trace.hpp"
 
 namespace leastcost {
 namespace {

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "framework/errors.hpp"
+#include <leastcost/framework/errors.hpp>
 
 namespace leastcost {
 

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <system_error>
 
-#include "framework/errors.hpp"
+#include <leastcost/framework/errors.hpp>
 
 namespace leastcost {
 

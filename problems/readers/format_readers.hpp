@@ -7,12 +7,12 @@
 #include <string>
 #include <string_view>
 
-#include "problems/geometry/triangle_mesh.hpp"
+#include <leastcost/problems/mesh/triangle_mesh.hpp>
 
 namespace leastcost {
 
-// One reader per format. `content` is the whole file, `file` its name for messages; each throws InputError as read_mesh()
-// describes. Every vertex number in the result is in range. The result may have no polygon.
+// One reader per format. `content` is the whole file, `file` its name for messages; each throws InputError as
+// read_mesh() describes. Every vertex number in the result is in range. The result may have no polygon.
 PolygonSoup read_obj(std::string_view content, const std::string& file);
 PolygonSoup read_off(std::string_view content, const std::string& file);
 PolygonSoup read_ply(std::string_view content, const std::string& file);

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/readers/mesh_reader.hpp"
+#include <leastcost/problems/readers/mesh_reader.hpp>
 
 #include <algorithm>
 #include <array>
 #include <string>
 
-#include "framework/errors.hpp"
+#include <leastcost/framework/errors.hpp>
 #include "problems/readers/file_content.hpp"
 #include "problems/readers/format_readers.hpp"
 #include "problems/readers/text_scanner.hpp"

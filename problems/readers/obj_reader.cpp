@@ -24,7 +24,8 @@ bool contains(const List& list, std::string_view word) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-/// How many elements of one kind there are, and the highest number used: an element may come after the face that uses it.
+/// How many elements of one kind there are, and the highest number used: an element may come after the face that uses
+/// it.
 struct Numbering {
   const char* name;
   std::int64_t count = 0;

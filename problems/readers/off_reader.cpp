@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// Object File Format (Geomview), as text: [ST][C][N]OFF. Normals, colours and texture coordinates are checked and left out.
+// Object File Format (Geomview), as text: [ST][C][N]OFF. Normals, colours and texture coordinates are checked and left
+// out.
 #include <algorithm>
 #include <string>
 

@@ -15,7 +15,8 @@
 #include "problems/readers/format_readers.hpp"
 #include "problems/readers/ply_header.hpp"
 
-/// The body of a PLY file, value by value, as text or binary behind one interface. Shared by the readers of meshes and clouds.
+/// The body of a PLY file, value by value, as text or binary behind one interface. Shared by the readers of meshes and
+/// clouds.
 namespace leastcost {
 
 /// The values of the body as text: one line per element.
@@ -106,7 +107,8 @@ void skip_property(Values& values, const PlyProperty& p) {
   for (std::int64_t k = 0; k < count; ++k) values.skip(p.type);
 }
 
-/// Calls read(values) with the values of the body in the format that the header states; the scanner is on the header's last line.
+/// Calls read(values) with the values of the body in the format that the header states; the scanner is on the header's
+/// last line.
 template <class Read>
 auto with_ply_values(TextScanner& scanner, const PlyHeader& header, std::string_view content, const std::string& file,
                      Read read) {

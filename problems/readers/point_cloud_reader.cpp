@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/readers/point_cloud_reader.hpp"
+#include <leastcost/problems/readers/point_cloud_reader.hpp>
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "framework/errors.hpp"
+#include <leastcost/framework/errors.hpp>
 #include "problems/readers/file_content.hpp"
 #include "problems/readers/ply_values.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// STL, text and binary. Normals and attributes are left out; corners with equal positions become one vertex, numbered by
-// first appearance, because the format cannot say that triangles share vertices.
+// STL, text and binary. Normals and attributes are left out; corners with equal positions become one vertex, numbered
+// by first appearance, because the format cannot say that triangles share vertices.
 #include <algorithm>
 #include <bit>
 #include <cctype>
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "problems/geometry/weld.hpp"
+#include "problems/mesh/weld.hpp"
 #include "problems/readers/byte_reader.hpp"
 #include "problems/readers/format_readers.hpp"
 #include "problems/readers/text_scanner.hpp"

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "framework/errors.hpp"
+#include <leastcost/framework/errors.hpp>
 #include "problems/readers/file_content.hpp"
 #include "problems/readers/text_scanner.hpp"
 

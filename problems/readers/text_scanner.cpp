@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "framework/errors.hpp"
+#include <leastcost/framework/errors.hpp>
 
 namespace leastcost {
 namespace {

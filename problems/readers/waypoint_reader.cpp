@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "framework/errors.hpp"
+#include <leastcost/framework/errors.hpp>
 
 namespace leastcost {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "framework/solver.hpp"
-#include "solvers/rounds.hpp"
+#include <leastcost/framework/solver.hpp>
+#include <leastcost/solvers/rounds.hpp>
 
 namespace leastcost {
 
@@ -16,10 +16,10 @@ struct CeresOptions {
   void fields(FieldVisitor& visit);
 };
 
-/// The minimisers of Ceres 2.1. Trust region (levenberg_marquardt, dogleg): the residual form with the kernel as loss, one parameter block per point,
-/// its tangent plane and retraction as a ceres::Manifold, sparse Cholesky. Line search (lbfgs, bfgs, nonlinear conjugate gradients): in
-/// the variables of solvers/chain_variables, round by round. What Ceres says of its own success is only quoted: the best path it has visited is
-/// judged like that of every solver.
+/// The minimisers of Ceres 2.1. Trust region (levenberg_marquardt, dogleg): the residual form with the kernel as loss,
+/// one parameter block per point, its tangent plane and retraction as a ceres::Manifold, sparse Cholesky. Line search
+/// (lbfgs, bfgs, nonlinear conjugate gradients): in the variables of solvers/chain_variables, round by round. What
+/// Ceres says of its own success is only quoted: the best path it has visited is judged like that of every solver.
 class Ceres final : public Solver {
  public:
   explicit Ceres(CeresOptions options = {});

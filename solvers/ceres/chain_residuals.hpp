@@ -7,7 +7,7 @@
 
 #include <exception>
 
-#include "framework/path_energy.hpp"
+#include <leastcost/framework/path_energy.hpp>
 
 namespace leastcost {
 
@@ -20,7 +20,8 @@ class ChainResiduals final : public ceres::EvaluationCallback {
   const CoordinatePath& path() const { return path_; }
   /// To be set where a move was stopped by a bound: the path is then not where the step leads, and is rejected.
   bool& stopped() { return stopped_; }
-  /// Of the best path that was rejected for that reason; +infinity: there was none. It may be the better centre of the next round.
+  /// Of the best path that was rejected for that reason; +infinity: there was none. It may be the better centre of the
+  /// next round.
   double stopped_energy() const { return stopped_energy_; }
   const CoordinatePath& stopped_path() const { return stopped_path_; }
   /// What the problem's parts threw, if they did.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "framework/solver.hpp"
-#include "solvers/ceres/ceres_solver.hpp"
+#include <leastcost/framework/solver.hpp>
+#include <leastcost/solvers/ceres/ceres_solver.hpp>
 
 namespace leastcost {
 

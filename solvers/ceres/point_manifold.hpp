@@ -4,15 +4,16 @@
 
 #include <ceres/manifold.h>
 
-#include "framework/manifold.hpp"
+#include <leastcost/framework/manifold.hpp>
 
 namespace leastcost {
 
-/// One point of a path on the domain, for Ceres: its tangent plane and the domain's own retraction, on a path of one column. A point with blocked
-/// directions moves in the others: those of `free`, turned along with the tangent plane.
+/// One point of a path on the domain, for Ceres: its tangent plane and the domain's own retraction, on a path of one
+/// column. A point with blocked directions moves in the others: those of `free`, turned along with the tangent plane.
 class PointManifold final : public ceres::Manifold {
  public:
-  /// free: orthonormal, coordinate x m; without columns: every direction of the tangent plane. stopped: set by a move that a bound has stopped.
+  /// free: orthonormal, coordinate x m; without columns: every direction of the tangent plane. stopped: set by a move
+  /// that a bound has stopped.
   PointManifold(const ConstraintManifold& manifold, Points free, bool& stopped);
 
   int AmbientSize() const override { return dims_.coordinate; }

@@ -38,7 +38,8 @@ class KernelLoss final : public ceres::LossFunction {
   double scale_;
 };
 
-/// Ceres from one path on, round by round: within a round the blocked directions are those of its first path. Without bounds there is one round.
+/// Ceres from one path on, round by round: within a round the blocked directions are those of its first path. Without
+/// bounds there is one round.
 class TrustRegion final : public ceres::IterationCallback {
  public:
   TrustRegion(PathEnergy& energy, CoordinatePath& path, const CeresOptions& options, const Monitor& monitor)

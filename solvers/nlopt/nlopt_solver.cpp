@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "solvers/nlopt/nlopt_solver.hpp"
+#include <leastcost/solvers/nlopt/nlopt_solver.hpp>
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,8 @@ struct Method {
   const char* name;
   nlopt::algorithm algorithm;
   bool gradient;
-  int most_variables;  ///< beyond it a solve would take minutes: dense algebra, or evaluations in proportion to the square of the variables
+  int most_variables;  ///< beyond it a solve would take minutes: dense algebra, or evaluations in proportion to the
+                       ///< square of the variables
 };
 
 constexpr int kAny = std::numeric_limits<int>::max();

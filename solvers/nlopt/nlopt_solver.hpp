@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "framework/solver.hpp"
-#include "solvers/rounds.hpp"
+#include <leastcost/framework/solver.hpp>
+#include <leastcost/solvers/rounds.hpp>
 
 namespace leastcost {
 
@@ -16,8 +16,8 @@ struct NloptOptions {
   void fields(FieldVisitor& visit);
 };
 
-/// The local optimisers of NLopt 2.7 in the variables of solvers/chain_variables, round by round. What NLopt says of its own success is only quoted:
-/// the best path it has asked for is judged like that of every solver.
+/// The local optimisers of NLopt 2.7 in the variables of solvers/chain_variables, round by round. What NLopt says of
+/// its own success is only quoted: the best path it has asked for is judged like that of every solver.
 class Nlopt final : public Solver {
  public:
   explicit Nlopt(NloptOptions options = {});

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "app/ends.hpp"
+#include "catalogue/run/ends.hpp"
 
-#include "framework/errors.hpp"
-#include "problems/manifolds/point_cloud.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/manifolds/point_cloud.hpp>
 #include "tests/app/config_text.hpp"
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/support/catch.hpp"
@@ -15,20 +15,20 @@ TEST_CASE("ends on a cloud: by the number in the file, or as a point that may be
   for (std::int32_t i = 0; i < 1000; ++i) samples.in_file.push_back(2 * i);  // every other point was a repetition
   const Eigen::Vector3d seventh = samples.positions[7];
   const PointCloudManifold sphere(PointCloud(std::move(samples), {}));
-  app::EndOptions end;
+  EndOptions end;
   end.vertex = 14;
-  const app::PlacedEnd placed = app::place_end(sphere, end, "ends.source");
+  const PlacedEnd placed = place_end(sphere, end, "ends.source");
   CHECK((placed.end.u - seventh).norm() <= 1e-3);  // onto the surface, third order in the spacing of 0.1
   CHECK(placed.moved == Approx((placed.end.u - seventh).norm()));
   for (const int missing : {15, 2000}) {
     end.vertex = missing;
-    CHECK_THROWS_AS(app::place_end(sphere, end, "ends.source"), OptionError);
+    CHECK_THROWS_AS(place_end(sphere, end, "ends.source"), OptionError);
   }
   end = {};
   end.point = 1.01 * seventh;
-  CHECK((app::place_end(sphere, end, "ends.source").end.u - seventh).norm() <= 2e-3);
+  CHECK((place_end(sphere, end, "ends.source").end.u - seventh).norm() <= 2e-3);
   end.point = 1.2 * seventh;  // more than 1 % of the diameter
-  CHECK_THROWS_AS(app::place_end(sphere, end, "ends.source"), OptionError);
+  CHECK_THROWS_AS(place_end(sphere, end, "ends.source"), OptionError);
 }
 
 TEST_CASE("config: points of a cloud have numbers, faces it has none") {

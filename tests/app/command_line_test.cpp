@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include <leastcost/catalogue/registry/registry.hpp>
 #include "app/cli/templates.hpp"
-#include "app/registry.hpp"
 #include "tests/app/called.hpp"
 #include "tests/app/config_text.hpp"
 #include "tests/support/catch.hpp"
@@ -137,7 +137,7 @@ TEST_CASE("command line: list and describe, singular and plural") {
   CHECK_THAT(call({"list"}).out, Contains("expm1_square") && Contains("dijkstra") && Contains("formats"));
   CHECK(call({"list", "kernels"}).out == call({"list", "kernel"}).out);
   const Json solvers = Json::parse(call({"list", "solvers", "--format", "json"}).out)["solvers"];
-  CHECK(solvers.size() == app::kind("solver").entries.size());
+  CHECK(solvers.size() == kind("solver").entries.size());
   const Called wrong = call({"list", "kernles"});
   CHECK(wrong.exit == 2);
   CHECK_THAT(wrong.err, Contains("did you mean 'kernels'?"));

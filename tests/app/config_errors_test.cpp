@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 // What a user reads when a configuration is wrong, to the letter.
-#include "app/config/suggest.hpp"
-#include "app/registry.hpp"
+#include <leastcost/catalogue/registry/registry.hpp>
+#include "catalogue/yaml/suggest.hpp"
 #include "tests/app/config_text.hpp"
 #include "tests/support/catch.hpp"
 
@@ -28,7 +28,7 @@ TEST_CASE("config errors: an unknown key that resembles none lists the valid one
 }
 
 /// What an error lists: it grows with every plug-in.
-static std::string all_manifolds() { return app::joined(app::types_of(app::kind("manifold"))); }
+static std::string all_manifolds() { return joined(types_of(kind("manifold"))); }
 
 TEST_CASE("config errors: unknown type") {
   CHECK(errors_of("manifold: euclidan\ncost: euclidean\nends: {source: {point: [0, 0]}, target: {point: [1, 1]}}\n") ==

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/compose.hpp"
-#include "app/config/run_config.hpp"
+#include <leastcost/catalogue/run/compose.hpp>
+#include <leastcost/catalogue/run/run_config.hpp>
 
 namespace leastcost::test {
 
@@ -18,17 +18,17 @@ ends:
   target: {point: [3, 4]}
 )";
 
-inline app::LoadedConfig parse(const std::string& text, const std::vector<std::string>& set = {}) {
-  std::vector<app::Override> overrides;
+inline LoadedConfig parse(const std::string& text, const std::vector<std::string>& set = {}) {
+  std::vector<Override> overrides;
   overrides.reserve(set.size());
-  for (const std::string& assignment : set) overrides.push_back(app::set_option(assignment));
-  return app::parse_config(text, "a.yaml", ".", overrides);
+  for (const std::string& assignment : set) overrides.push_back(set_option(assignment));
+  return parse_config(text, "a.yaml", ".", overrides);
 }
 
 /// All errors as the program prints them, those of constructors included.
 inline std::string errors_of(const std::string& text, const std::vector<std::string>& set = {}) {
-  app::LoadedConfig loaded = parse(text, set);
-  if (loaded.errors.empty()) app::check_constructors(loaded);
+  LoadedConfig loaded = parse(text, set);
+  if (loaded.errors.empty()) check_constructors(loaded);
   return loaded.errors.render();
 }
 

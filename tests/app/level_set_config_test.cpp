@@ -43,9 +43,9 @@ TEST_CASE("level sets in a configuration: errors at their places") {
 }
 
 TEST_CASE("level sets in a configuration: described with every type of surface") {
-  const app::LoadedConfig loaded =
+  const LoadedConfig loaded =
       parse(on("  type: implicit\n  surface: {type: ellipsoid, axes: [1, 2, 3]}\n", "[1, 0, 0]", "[0, 2, 0]"));
-  CHECK_THAT(app::resolved_yaml(loaded.config), Contains("  surface:\n    type: ellipsoid\n    axes: [1, 2, 3]\n"));
+  CHECK_THAT(resolved_yaml(loaded.config), Contains("  surface:\n    type: ellipsoid\n    axes: [1, 2, 3]\n"));
 }
 
 TEST_CASE("distance grids in a configuration: checked without reading or sampling anything") {

@@ -4,8 +4,8 @@
 // Metrics given on the data of a domain, in a configuration: where what is wrong shows.
 #include <fstream>
 
-#include "app/run.hpp"
-#include "framework/errors.hpp"
+#include <leastcost/framework/errors.hpp>
+#include "app/run/run.hpp"
 #include "tests/app/config_text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
@@ -32,7 +32,7 @@ std::string with(const std::string& field, int rows, const std::string& more = "
       << "path: {points: 9}\n"
       << more;
   try {
-    const app::Prepared prepared = app::prepare({folder / "a.yaml", {}, {}, false, {}});
+    const Run prepared = load_run(folder / "a.yaml");
     const auto& parts = prepared.parts;
     find_path(parts.problem, *parts.initializer, *parts.solver, parts.options);
   } catch (const std::exception& error) {

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 
 // One field list serves reading, writing, describing: shown on options that have every kind of field.
-#include "app/config/field_list.hpp"
-#include "app/config/options_reader.hpp"
-#include "app/config/options_writer.hpp"
-#include "app/config/scalars.hpp"
-#include "app/config/suggest.hpp"
-#include "app/config/yaml_reader.hpp"
+#include <leastcost/catalogue/options/options_writer.hpp>
+#include "app/reference/field_list.hpp"
+#include "catalogue/options/options_reader.hpp"
+#include "catalogue/yaml/scalars.hpp"
+#include "catalogue/yaml/suggest.hpp"
+#include "catalogue/yaml/yaml_reader.hpp"
 #include "tests/support/catch.hpp"
 
 namespace leastcost::test {
@@ -59,18 +59,18 @@ struct EveryField {
 };
 
 std::string read(const std::string& text, EveryField& options) {
-  app::Diagnostics errors("a.yaml", text);
-  const app::ConfigNode node = app::read_yaml(text, errors);
-  app::OptionsReader reader(node, "it", {1, 1, 1, ""}, errors);
+  Diagnostics errors("a.yaml", text);
+  const ConfigNode node = read_yaml(text, errors);
+  OptionsReader reader(node, "it", {1, 1, 1, ""}, errors);
   options.fields(reader);
   reader.finish();
   return errors.render();
 }
 
-std::string written(EveryField& options, const app::RenameFile& rename = {}) {
-  app::OptionsWriter writer(rename);
+std::string written(EveryField& options, const RenameFile& rename = {}) {
+  OptionsWriter writer(rename);
   options.fields(writer);
-  return app::to_yaml(writer.take());
+  return to_yaml(writer.take());
 }
 
 const char* const kAll = R"(flag: true
@@ -146,7 +146,7 @@ TEST_CASE("options: a wrong value leaves the default and the others alone") {
 }
 
 TEST_CASE("options: the same list describes them") {
-  app::OptionsOf<EveryField> options;
+  OptionsOf<EveryField> options;
   const std::vector<app::FieldInfo> fields = app::fields_of(options);
   REQUIRE(fields.size() == 14);
   CHECK(fields[1].type_in_words() == "whole number, at least 1 and at most 9");
@@ -195,22 +195,22 @@ TEST_CASE("options: numbers by name and lists of texts, right and wrong") {
 }
 
 TEST_CASE("suggestions: near words only") {
-  CHECK(app::edit_distance("kitten", "sitting") == 3);
-  CHECK(app::edit_distance("ab", "ba") == 1);
-  CHECK(app::edit_distance("", "abc") == 3);
+  CHECK(edit_distance("kitten", "sitting") == 3);
+  CHECK(edit_distance("ab", "ba") == 1);
+  CHECK(edit_distance("", "abc") == 3);
   const std::vector<std::string> words = {"euclidean", "metric_tensor", "travel_time"};
-  CHECK(app::nearest_word("euclidian", words) == "euclidean");
-  CHECK(app::nearest_word("Travel_Time", words) == "travel_time");
-  CHECK(app::nearest_word("metric", words) == "metric_tensor");
-  CHECK(app::nearest_word("potato", words) == "");
-  CHECK(app::nearest_word("", words) == "");
-  CHECK(app::nearest_word(std::string(100000, 'x'), words) == "");
+  CHECK(nearest_word("euclidian", words) == "euclidean");
+  CHECK(nearest_word("Travel_Time", words) == "travel_time");
+  CHECK(nearest_word("metric", words) == "metric_tensor");
+  CHECK(nearest_word("potato", words) == "");
+  CHECK(nearest_word("", words) == "");
+  CHECK(nearest_word(std::string(100000, 'x'), words) == "");
 }
 
 TEST_CASE("numbers: shortest text that reads back") {
   for (const double x : {0.1, 1.0 / 3, 1e-300, 5e-324, 1e22, -2.5, 0.0, 1e-6, 123456789.123456789}) {
-    const app::Parsed<double> parsed = app::parse_double(app::scalar_node(app::number_text(x)));
-    CAPTURE(x, app::number_text(x), parsed.fault);
+    const Parsed<double> parsed = parse_double(scalar_node(number_text(x)));
+    CAPTURE(x, number_text(x), parsed.fault);
     CHECK(parsed.value == x);
   }
 }

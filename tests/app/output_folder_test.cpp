@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "app/output/output_folder.hpp"
+#include <leastcost/catalogue/output/output_folder.hpp>
 
 #include <fstream>
 #include <sstream>
 
-#include "app/output/manifest.hpp"
+#include <leastcost/catalogue/output/manifest.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
 
@@ -37,7 +37,7 @@ void write(const fs::path& file, const std::string& text) {
 TEST_CASE("output folder: appears complete, parents made, nothing left beside it") {
   const ScratchDir dir;
   {
-    app::OutputFolder folder(dir / "a/b/run", false);
+    OutputFolder folder(dir / "a/b/run", false);
     folder.write("x.txt", "hello");
     CHECK_FALSE(fs::exists(dir / "a/b/run"));
     folder.commit();
@@ -48,7 +48,7 @@ TEST_CASE("output folder: appears complete, parents made, nothing left beside it
 
 TEST_CASE("output folder: without commit nothing remains") {
   const ScratchDir dir;
-  { app::OutputFolder(dir / "run", false).write("x.txt", "hello"); }
+  { OutputFolder(dir / "run", false).write("x.txt", "hello"); }
   CHECK(entries(dir.path()) == 0);
 }
 
@@ -56,12 +56,12 @@ TEST_CASE("output folder: an empty folder is taken, a full one refused") {
   const ScratchDir dir;
   fs::create_directories(dir / "empty");
   {
-    app::OutputFolder folder(dir / "empty", false);
+    OutputFolder folder(dir / "empty", false);
     folder.write("x.txt", "new");
     folder.commit();
   }
   CHECK(content(dir / "empty/x.txt") == "new");
-  CHECK_THROWS_AS(app::OutputFolder(dir / "empty", false), app::OutputRefused);
+  CHECK_THROWS_AS(OutputFolder(dir / "empty", false), OutputRefused);
   CHECK(content(dir / "empty/x.txt") == "new");
 }
 
@@ -73,19 +73,19 @@ TEST_CASE("output folder: --force replaces only what is ours") {
   write(dir / "file", "precious");
   for (const char* name : {"theirs", "plain", "broken", "file"}) {
     CAPTURE(name);
-    CHECK_THROWS_AS(app::OutputFolder(dir / name, true), app::OutputRefused);
+    CHECK_THROWS_AS(OutputFolder(dir / name, true), OutputRefused);
   }
   CHECK(content(dir / "plain/file") == "precious");
 
   write(dir / "ours/manifest.json", "{\"program\": \"leastcost\"}");
   write(dir / "ours/path.csv", "old");
-  CHECK_THROWS_WITH(app::OutputFolder(dir / "ours", false), Contains("--force replaces it"));
+  CHECK_THROWS_WITH(OutputFolder(dir / "ours", false), Contains("--force replaces it"));
   write(dir / "ours/notes.txt", "precious");  // of the user, in a folder of ours
-  CHECK_THROWS_WITH(app::OutputFolder(dir / "ours", true), Contains("notes.txt") && Contains("move it away"));
+  CHECK_THROWS_WITH(OutputFolder(dir / "ours", true), Contains("notes.txt") && Contains("move it away"));
   CHECK(content(dir / "ours/notes.txt") == "precious");
   fs::remove(dir / "ours/notes.txt");
   {
-    app::OutputFolder folder(dir / "ours", true);
+    OutputFolder folder(dir / "ours", true);
     folder.write("new.txt", "new");
     CHECK(content(dir / "ours/path.csv") == "old");
     folder.commit();
@@ -98,8 +98,8 @@ TEST_CASE("output folder: --force replaces only what is ours") {
 TEST_CASE("output folder: a place that cannot be written is found out at once") {
   const ScratchDir dir;
   write(dir / "file", "x");
-  CHECK_THROWS_AS(app::OutputFolder(dir / "file/run", false), app::OutputError);
-  CHECK_THROWS_AS(app::OutputFolder("/proc/leastcost/run", false), app::OutputError);
+  CHECK_THROWS_AS(OutputFolder(dir / "file/run", false), OutputError);
+  CHECK_THROWS_AS(OutputFolder("/proc/leastcost/run", false), OutputError);
 }
 
 TEST_CASE("output folder: links and odd paths") {
@@ -107,14 +107,14 @@ TEST_CASE("output folder: links and odd paths") {
   fs::create_directories(dir / "real");
   fs::create_directory_symlink(dir / "real", dir / "link");
   {
-    app::OutputFolder folder(dir / "link", false);
+    OutputFolder folder(dir / "link", false);
     folder.write("x", "1");
     folder.commit();
   }
   CHECK(content(dir / "real/x") == "1");
   CHECK(fs::is_symlink(dir / "link"));
   {
-    app::OutputFolder folder((dir / "slash").string() + "/", false);
+    OutputFolder folder((dir / "slash").string() + "/", false);
     folder.write("x", "1");
     folder.commit();
   }
@@ -122,15 +122,15 @@ TEST_CASE("output folder: links and odd paths") {
 }
 
 TEST_CASE("manifest: SHA-256 of known texts") {
-  CHECK(app::sha256_of_text("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-  CHECK(app::sha256_of_text("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  CHECK(sha256_of_text("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  CHECK(sha256_of_text("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   const ScratchDir dir;
   write(dir / "million", std::string(1000000, 'a'));
-  CHECK(app::sha256_of_file(dir / "million") == "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+  CHECK(sha256_of_file(dir / "million") == "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
 TEST_CASE("manifest: times are UTC") {
-  CHECK(app::utc_text(std::chrono::system_clock::time_point{std::chrono::milliseconds{1234567890123}}) ==
+  CHECK(utc_text(std::chrono::system_clock::time_point{std::chrono::milliseconds{1234567890123}}) ==
         "2009-02-13T23:31:30.123Z");
 }
 

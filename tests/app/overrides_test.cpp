@@ -17,18 +17,18 @@ TEST_CASE("override: replaces, adds, and makes blocks on the way") {
 }
 
 TEST_CASE("override: a type given as a word becomes a block") {
-  app::LoadedConfig loaded = parse(kPlane, {"cost=travel_time", "cost.gravity=1"});
+  LoadedConfig loaded = parse(kPlane, {"cost=travel_time", "cost.gravity=1"});
   CHECK(loaded.errors.empty());
-  CHECK_THAT(app::resolved_yaml(loaded.config), Contains("type: travel_time") && Contains("gravity: 1\n"));
+  CHECK_THAT(resolved_yaml(loaded.config), Contains("type: travel_time") && Contains("gravity: 1\n"));
 }
 
 TEST_CASE("override: the last one wins") { CHECK(parse(kPlane, {"seed=1", "seed=2"}).config.seed == 2); }
 
 TEST_CASE("override: positions in a list") {
-  app::LoadedConfig loaded =
+  LoadedConfig loaded =
       parse(kPlane + "initializer: {type: waypoints, points: [[1, 1], [2, 2]]}\n", {"initializer.points.1.0=5"});
   CHECK(loaded.errors.empty());
-  CHECK_THAT(app::resolved_yaml(loaded.config), Contains("points: [[1, 1], [5, 2]]"));
+  CHECK_THAT(resolved_yaml(loaded.config), Contains("points: [[1, 1], [5, 2]]"));
   CHECK_THAT(
       errors_of(kPlane + "post_process: []\n", {"post_process.0=trace"}),
       Contains("--set post_process.0=trace: error: the list has 0 entries, counted from 0; '0' is none of them\n"));

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "app/report/profiles.hpp"
+#include "app/report/study/profiles.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "app/report/study_analysis.hpp"
+#include "app/report/study/study_analysis.hpp"
 #include "tests/support/catch.hpp"
 
 namespace leastcost::test {
@@ -225,7 +225,8 @@ TEST_CASE("study analysis: a refusal is no failure, and no work") {
   CHECK(work_table(study, Work::evaluations, 1e-10)[0][1] == kNever);
 }
 
-// E0 - E* is 1 for the first and 40 for the second: what is left of the way is measured by it, whatever the slope of the energy.
+// E0 - E* is 1 for the first and 40 for the second: what is left of the way is measured by it, whatever the slope of
+// the energy.
 TEST_CASE("study analysis: the test of More and Wild goes by the way down") {
   RunTable runs;
   runs.rows = {row(0, 0, "near", 50), row(1, 0, "far", 50)};

@@ -36,7 +36,8 @@ struct Child {
   }
 };
 
-/// Starts the program with its streams in files of `dir`. `file_limit`: bytes that one of its files may have; 0: no limit.
+/// Starts the program with its streams in files of `dir`. `file_limit`: bytes that one of its files may have; 0: no
+/// limit.
 Child start(const ScratchDir& dir, std::vector<std::string> arguments, rlim_t file_limit = 0) {
   Child child{-1, dir / "stdout", dir / "stderr"};
   arguments.insert(arguments.begin(), program().string());

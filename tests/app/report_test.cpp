@@ -6,12 +6,12 @@
 #include <fstream>
 #include <sstream>
 
-#include "app/output/manifest.hpp"
-#include "app/report/page.hpp"
-#include "app/report/viewer_script.hpp"
-#include "app/run.hpp"
-#include "app/study/run_table.hpp"
-#include "framework/errors.hpp"
+#include <leastcost/catalogue/output/manifest.hpp>
+#include <leastcost/framework/errors.hpp>
+#include "app/report/page/page.hpp"
+#include "app/report/page/viewer_script.hpp"
+#include "app/run/run.hpp"
+#include "app/study/rows/run_table.hpp"
 #include "tests/app/config_text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
@@ -41,7 +41,7 @@ void write(const fs::path& file, const std::string& text) { std::ofstream(file, 
 
 fs::path run_of(const ScratchDir& dir, const std::string& config, const std::string& name = "run") {
   write(dir / (name + ".yaml"), config);
-  const app::RunOutcome outcome = app::run({dir / (name + ".yaml"), {}, dir / name, false, {"leastcost", "run"}}, {});
+  const app::WrittenRun outcome = app::run({dir / (name + ".yaml"), {}, dir / name, false, {"leastcost", "run"}}, {});
   REQUIRE(outcome.output_error == "");
   return dir / name;
 }
@@ -87,9 +87,9 @@ fs::path study_in(const fs::path& folder) {
   write(folder / "traces.csv", app::traces_csv(traces));
   write(folder / "summary.json", R"({"name": "a study"})");
   write(folder / "study.resolved.yaml", "name: a study\n");
-  app::ManifestFacts facts;
+  ManifestFacts facts;
   facts.kind = "study";
-  write(folder / "manifest.json", app::manifest_json(facts));
+  write(folder / "manifest.json", manifest_json(facts));
   return folder;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "app/config/run_config.hpp"
+#include <leastcost/catalogue/run/run_config.hpp>
 
+#include <leastcost/catalogue/registry/registry.hpp>
 #include "app/cli/templates.hpp"
-#include "app/registry.hpp"
 #include "tests/app/config_text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
@@ -14,16 +14,16 @@ using Catch::Contains;
 
 namespace {
 
-std::vector<std::string> types(const app::PluginList& list) {
+std::vector<std::string> types(const PluginList& list) {
   std::vector<std::string> out;
-  for (const app::PluginChoice& choice : list.choices) out.push_back(choice.plugin->type);
+  for (const PluginChoice& choice : list.choices) out.push_back(choice.plugin->type);
   return out;
 }
 
 }  // namespace
 
 TEST_CASE("run config: defaults in free space") {
-  const app::RunConfig c = parse(kPlane).config;
+  const RunConfig c = parse(kPlane).config;
   CHECK(c.name == "a");
   CHECK(c.kernel.plugin->type == "expm1_square");
   CHECK(c.initializer.plugin->type == "straight");
@@ -36,17 +36,16 @@ TEST_CASE("run config: defaults in free space") {
 
 TEST_CASE("run config: defaults on a mesh") {
   const std::string ends = "ends: {source: {vertex: 0}, target: {vertex: 1}}\n";
-  const app::RunConfig c = parse("manifold: {type: mesh, file: m.obj}\ncost: euclidean\n" + ends).config;
+  const RunConfig c = parse("manifold: {type: mesh, file: m.obj}\ncost: euclidean\n" + ends).config;
   CHECK(c.initializer.plugin->type == "dijkstra");
   CHECK(c.solver.plugin->type == "lbfgs");
   CHECK(types(c.post_process) == std::vector<std::string>{"trace", "straighten"});
-  const app::RunConfig tensor =
+  const RunConfig tensor =
       parse("manifold: {type: mesh, file: m.obj}\ncost: {type: metric_tensor, matrix: [[1]]}\n" + ends).config;
   CHECK(types(tensor.post_process) == std::vector<std::string>{"trace", "straighten"});
-  const app::RunConfig time = parse("manifold: {type: mesh, file: m.obj}\ncost: travel_time\n" + ends).config;
+  const RunConfig time = parse("manifold: {type: mesh, file: m.obj}\ncost: travel_time\n" + ends).config;
   CHECK(types(time.post_process) == std::vector<std::string>{"trace"});
-  const app::RunConfig off =
-      parse("manifold: {type: mesh, file: m.obj}\ncost: euclidean\npost_process: []\n" + ends).config;
+  const RunConfig off = parse("manifold: {type: mesh, file: m.obj}\ncost: euclidean\npost_process: []\n" + ends).config;
   CHECK(types(off.post_process).empty());
 }
 
@@ -60,14 +59,14 @@ TEST_CASE("run config: every shipped configuration is valid, and so is what it r
   for (const auto& entry : std::filesystem::directory_iterator(project_dir() / "configs")) {
     if (entry.path().extension() != ".yaml") continue;
     ++count;
-    app::LoadedConfig loaded = app::load_config(entry.path(), {});
-    if (loaded.errors.empty()) app::check_constructors(loaded);
+    LoadedConfig loaded = load_config(entry.path(), {});
+    if (loaded.errors.empty()) check_constructors(loaded);
     CHECK(loaded.errors.render() == "");
-    const std::string resolved = app::resolved_yaml(loaded.config);
-    app::LoadedConfig again = app::parse_config(resolved, "resolved.yaml", loaded.folder);
-    if (again.errors.empty()) app::check_constructors(again);
+    const std::string resolved = resolved_yaml(loaded.config);
+    LoadedConfig again = parse_config(resolved, "resolved.yaml", loaded.folder);
+    if (again.errors.empty()) check_constructors(again);
     CHECK(again.errors.render() == "");
-    CHECK(app::resolved_yaml(again.config) == resolved);
+    CHECK(resolved_yaml(again.config) == resolved);
   }
   CHECK(count >= 15);
 }
@@ -76,7 +75,7 @@ TEST_CASE("run config: every shipped configuration begins with two lines of comm
   for (const auto& entry : std::filesystem::directory_iterator(project_dir() / "configs")) {
     if (entry.path().extension() != ".yaml") continue;
     CAPTURE(entry.path());
-    const std::string text = app::load_config(entry.path(), {}).text;
+    const std::string text = load_config(entry.path(), {}).text;
     CHECK(text.rfind("# ", 0) == 0);
     CHECK(text.substr(text.find('\n') + 1).rfind("# ", 0) == 0);
   }
@@ -90,16 +89,16 @@ TEST_CASE("run config: every template is valid") {
 }
 
 TEST_CASE("run config: files it names") {
-  const app::LoadedConfig loaded = parse(
+  const LoadedConfig loaded = parse(
       "manifold: {type: mesh, file: m.obj}\ncost: euclidean\n"
       "initializer: {type: file, file: way.csv}\nends: {source: {vertex: 0}, target: {vertex: 1}}\n");
   CHECK(loaded.errors.empty());
-  CHECK(app::files_of(loaded.config) == std::vector<std::string>{"m.obj", "way.csv"});
+  CHECK(files_of(loaded.config) == std::vector<std::string>{"m.obj", "way.csv"});
 }
 
 TEST_CASE("run config: unreadable files are input errors") {
-  CHECK_THROWS_AS(app::load_config("/nonexistent/a.yaml", {}), InputError);
-  CHECK_THROWS_AS(app::load_config(project_dir(), {}), InputError);
+  CHECK_THROWS_AS(load_config("/nonexistent/a.yaml", {}), InputError);
+  CHECK_THROWS_AS(load_config(project_dir(), {}), InputError);
 }
 
 }  // namespace leastcost::test

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: MIT
 
 // Whole runs inside the process, and their files read back.
-#include "app/run.hpp"
+#include "app/run/run.hpp"
 
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
 
-#include "app/config/yaml_reader.hpp"
-#include "app/output/manifest.hpp"
+#include <leastcost/catalogue/output/manifest.hpp>
+#include "catalogue/yaml/yaml_reader.hpp"
 #include "problems/readers/waypoint_reader.hpp"
 #include "tests/app/config_text.hpp"
 #include "tests/support/catch.hpp"
@@ -53,7 +53,7 @@ fs::path write(const fs::path& file, const std::string& text) {
   return file;
 }
 
-app::RunOutcome run_file(const fs::path& config, const fs::path& output, const Monitor& monitor = {}) {
+app::WrittenRun run_file(const fs::path& config, const fs::path& output, const Monitor& monitor = {}) {
   return app::run({config, {}, output, false, {"leastcost", "run"}}, monitor);
 }
 
@@ -74,7 +74,7 @@ std::vector<std::vector<std::string>> csv(const fs::path& file) {
 
 TEST_CASE("run: every promised file, and result.json with every promised key") {
   const ScratchDir dir;
-  const app::RunOutcome outcome = run_file(write(dir / "chute.yaml", kChute), dir / "out");
+  const app::WrittenRun outcome = run_file(write(dir / "chute.yaml", kChute), dir / "out");
   CHECK(outcome.output_error == "");
   for (const char* name : {"config.resolved.yaml", "manifest.json", "result.json", "path.csv", "curve.csv", "path.vtp",
                            "path.obj", "history.csv"})
@@ -97,7 +97,7 @@ TEST_CASE("run: every promised file, and result.json with every promised key") {
 
 TEST_CASE("run: path.csv holds the path to the last bit and starts another run") {
   const ScratchDir dir;
-  const app::RunOutcome outcome = run_file(write(dir / "chute.yaml", kChute), dir / "out");
+  const app::WrittenRun outcome = run_file(write(dir / "chute.yaml", kChute), dir / "out");
   const auto rows = csv(dir / "out/path.csv");
   REQUIRE(rows.size() == 18);
   CHECK(rows[0] == std::vector<std::string>{"index", "x", "y", "segment_cost", "cumulative_cost"});
@@ -136,7 +136,7 @@ TEST_CASE("run: the resolved configuration repeats the run exactly, wherever it 
 TEST_CASE("run: on a mesh, path.csv speaks of the file's faces and vertices") {
   const ScratchDir dir;
   write(dir / "pyramid.obj", kPyramid);
-  const app::RunOutcome outcome = run_file(write(dir / "mesh.yaml", kOnPyramid), dir / "out");
+  const app::WrittenRun outcome = run_file(write(dir / "mesh.yaml", kOnPyramid), dir / "out");
   const std::vector<Eigen::Vector3d> vertices = {{0, 0, 1}, {1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}};
   for (const char* name : {"path.csv", "curve.csv"}) {
     const auto rows = csv(dir / "out" / name);
@@ -193,8 +193,8 @@ TEST_CASE("run: the manifest names the inputs by content") {
   const Json m = Json::parse(content(dir / "out/manifest.json"));
   CHECK(m["program"] == "leastcost");
   REQUIRE(m["inputs"].size() == 2);
-  CHECK(m["inputs"][0]["sha256"] == app::sha256_of_text(kOnPyramid));
-  CHECK(m["inputs"][1]["sha256"] == app::sha256_of_text(kPyramid));
+  CHECK(m["inputs"][0]["sha256"] == sha256_of_text(kOnPyramid));
+  CHECK(m["inputs"][1]["sha256"] == sha256_of_text(kPyramid));
   CHECK(m["arguments"] == Json({"leastcost", "run"}));
   for (const char* key : {"version", "build", "machine", "threads", "seed", "started", "finished"})
     CHECK(m.contains(key));
@@ -205,7 +205,7 @@ TEST_CASE("run: a stop request keeps the best path; a time budget too") {
   int asked = 0;
   Monitor monitor;
   monitor.stop_requested = [&] { return ++asked > 3; };
-  const app::RunOutcome stopped = run_file(write(dir / "chute.yaml", kChute), dir / "out", monitor);
+  const app::WrittenRun stopped = run_file(write(dir / "chute.yaml", kChute), dir / "out", monitor);
   CHECK(stopped.result.status == Status::interrupted);
   CHECK(app::exit_of(stopped.result.status) == app::Exit::interrupted);
   CHECK(result_of(dir / "out")["status"] == "interrupted");
@@ -258,9 +258,9 @@ TEST_CASE("run: ends are placed or refused with their position") {
         write(dir / "m.yaml", "manifold: {type: mesh, file: pyramid.obj}\ncost: euclidean\nends:\n  source: " + end +
                                   "\n  target: {vertex: 3}\npath: {points: 4}\n");
     try {
-      const app::Prepared prepared = app::prepare({file, {}, {}, false, {}});
+      const Run prepared = load_run(file);
       return "moved " + std::to_string(prepared.parts.source.moved);
-    } catch (const app::ConfigError& e) {
+    } catch (const ConfigError& e) {
       return std::string(e.what());
     }
   };
@@ -279,9 +279,9 @@ TEST_CASE("run: ends are placed or refused with their position") {
 TEST_CASE("run: missing and broken data are input errors") {
   const ScratchDir dir;
   const fs::path file = write(dir / "m.yaml", kOnPyramid);
-  CHECK_THROWS_AS(app::prepare({file, {}, {}, false, {}}), InputError);
+  CHECK_THROWS_AS(load_run(file), InputError);
   write(dir / "pyramid.obj", "v 0 0 zero\n");
-  CHECK_THROWS_AS(app::prepare({file, {}, {}, false, {}}), InputError);
+  CHECK_THROWS_AS(load_run(file), InputError);
   CHECK_FALSE(fs::exists(dir / "results"));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "app/scene/scene.hpp"
+#include "catalogue/scene/scene.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,18 +8,17 @@
 #include <limits>
 #include <map>
 
-#include "app/scene/domain_shapes.hpp"
-#include "app/scene/thinned.hpp"
-#include "framework/errors.hpp"
-#include "problems/geometry/named_surfaces.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/manifolds/parametric.hpp>
+#include "catalogue/scene/domain_shapes.hpp"
+#include "catalogue/scene/thinned.hpp"
+#include "problems/level_set/named_surfaces.hpp"
 #include "problems/manifolds/bounded_level_set.hpp"
-#include "problems/manifolds/parametric.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 
 namespace leastcost::test {
 
-using namespace app;
 using Catch::Contains;
 
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 
-// The JSON schema against a small validator of the part of draft 7 that it uses: it accepts every shipped configuration, and
-// refuses what the program refuses.
+// The JSON schema against a small validator of the part of draft 7 that it uses: it accepts every shipped
+// configuration, and refuses what the program refuses.
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "app/config/describe.hpp"
-#include "app/config/scalars.hpp"
-#include "app/config/yaml_reader.hpp"
+#include "app/reference/describe.hpp"
 #include "app/study/study_facts.hpp"
+#include "catalogue/yaml/scalars.hpp"
+#include "catalogue/yaml/yaml_reader.hpp"
 #include "tests/app/config_text.hpp"
 #include "tests/app/study_text.hpp"
 #include "tests/support/catch.hpp"
@@ -20,18 +20,18 @@ namespace {
 
 using Json = nlohmann::json;
 
-Json to_json(const app::ConfigNode& node) {
+Json to_json(const ConfigNode& node) {
   Json out;
   if (node.is_list()) {
     out = Json::array();
-    for (const app::ConfigNode& item : node.items) out.push_back(to_json(item));
+    for (const ConfigNode& item : node.items) out.push_back(to_json(item));
   } else if (node.is_block()) {
     out = Json::object();
-    for (const app::ConfigEntry& e : node.entries) out[e.key] = to_json(e.value);
+    for (const ConfigEntry& e : node.entries) out[e.key] = to_json(e.value);
   } else if (node.is_scalar()) {
-    if (const auto b = app::parse_bool(node).value) return *b;
-    if (const auto i = app::parse_int(node).value) return *i;
-    if (const auto d = app::parse_double(node).value) return *d;
+    if (const auto b = parse_bool(node).value) return *b;
+    if (const auto i = parse_int(node).value) return *i;
+    if (const auto d = parse_double(node).value) return *d;
     return node.text;
   }
   return out;
@@ -120,8 +120,8 @@ class Validator {
 };
 
 Json yaml(const std::string& text) {
-  app::Diagnostics errors("a.yaml", text);
-  const app::ConfigNode node = app::read_yaml(text, errors);
+  Diagnostics errors("a.yaml", text);
+  const ConfigNode node = read_yaml(text, errors);
   REQUIRE(errors.empty());
   return to_json(node);
 }
@@ -135,9 +135,9 @@ TEST_CASE("schema: draft 7, and every shipped configuration fits, also resolved"
   for (const auto& entry : std::filesystem::directory_iterator(project_dir() / "configs")) {
     if (entry.path().extension() != ".yaml") continue;
     CAPTURE(entry.path());
-    const app::LoadedConfig loaded = app::load_config(entry.path(), {});
+    const LoadedConfig loaded = load_config(entry.path(), {});
     CHECK(validator.valid(to_json(loaded.tree)));
-    CHECK(validator.valid(yaml(app::resolved_yaml(loaded.config))));
+    CHECK(validator.valid(yaml(resolved_yaml(loaded.config))));
   }
 }
 

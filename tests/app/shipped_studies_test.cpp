@@ -4,7 +4,7 @@
 // Every study of configs/studies is valid, says how it is run, and does, in a small form, what it promises.
 #include <cmath>
 
-#include "app/config/describe.hpp"
+#include "app/reference/describe.hpp"
 #include "app/study/study_facts.hpp"
 #include "app/study/study_summary.hpp"
 #include "tests/app/study_text.hpp"
@@ -29,7 +29,7 @@ std::vector<fs::path> shipped() {
 app::RunTable run_reduced(const ScratchDir& dir, const char* study, const std::vector<std::string>& set) {
   app::StudyRequest request;
   request.config_file = project_dir() / "configs/studies" / study;
-  for (const std::string& assignment : set) request.overrides.push_back(app::set_option(assignment));
+  for (const std::string& assignment : set) request.overrides.push_back(set_option(assignment));
   request.output = dir / "out";
   request.parallel = 2;
   const app::StudyOutcome outcome = app::run_study(request);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 
-// The commands study and merge inside the process: streams and exit codes; and what validate, describe and run say of studies.
+// The commands study and merge inside the process: streams and exit codes; and what validate, describe and run say of
+// studies.
 #include <nlohmann/json.hpp>
 #include <sstream>
 

@@ -78,16 +78,16 @@ TEST_CASE("study grid: what a problem sets is its own; limits reach every cell")
   CHECK(grid.cells[2].config.points.count == 10);
   CHECK(grid.cells[2].config.certificate.spacing == 0.5);
   CHECK(grid.cells[1].config.max_seconds == 9);
-  CHECK_THAT(app::resolved_yaml(grid.cells[0].config), Contains("max_evaluations: 77"));
-  CHECK_THAT(app::resolved_yaml(grid.cells[1].config), Contains("max_evaluations: 5"));
+  CHECK_THAT(resolved_yaml(grid.cells[0].config), Contains("max_evaluations: 77"));
+  CHECK_THAT(resolved_yaml(grid.cells[1].config), Contains("max_evaluations: 5"));
 }
 
 TEST_CASE("study grid: options of solvers that are set hold for each that does not say otherwise") {
   std::string text = kStudy;
   text.replace(text.find("lbfgs"), 5, "{type: lbfgs, max_iterations: 5}");
   const app::StudyGrid grid = good_grid(text + "set: {solver.max_iterations: 7}\n");
-  CHECK_THAT(app::resolved_yaml(grid.cells[0].config), Contains("max_iterations: 7"));
-  CHECK_THAT(app::resolved_yaml(grid.cells[2].config), Contains("max_iterations: 5"));
+  CHECK_THAT(resolved_yaml(grid.cells[0].config), Contains("max_iterations: 7"));
+  CHECK_THAT(resolved_yaml(grid.cells[2].config), Contains("max_iterations: 5"));
 }
 
 TEST_CASE("study grid: cells are left out with a reason, and keep their numbers") {
@@ -180,14 +180,14 @@ TEST_CASE("study: resolved, it is the same study") {
 
 TEST_CASE("study: --set may narrow an axis that a skip speaks of") {
   app::LoadedStudy study = app::parse_study(kStudy + "skip: [{solver: lbfgs, points: [12], because: x}]\n", "a.yaml",
-                                            ".", {app::set_option("solvers=[newton]")});
+                                            ".", {set_option("solvers=[newton]")});
   CHECK(app::make_grid(study).cells.size() == 4);
   CHECK(study.errors.render() == "");
 }
 
 TEST_CASE("study: --set reaches the study's own keys and the paths of its set and sweep") {
-  const std::vector<app::Override> overrides = {app::set_option("set.path.points=5"), app::set_option("repetitions=3"),
-                                                app::set_option("sweep.path.cascade=[true]"), app::seed_option("4")};
+  const std::vector<Override> overrides = {set_option("set.path.points=5"), set_option("repetitions=3"),
+                                           set_option("sweep.path.cascade=[true]"), seed_option("4")};
   app::LoadedStudy study = app::parse_study(kStudy.substr(0, kStudy.find("points: [")), "a.yaml", ".", overrides);
   const app::StudyGrid grid = app::make_grid(study);
   REQUIRE(study.errors.render() == "");

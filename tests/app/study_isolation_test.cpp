@@ -9,7 +9,7 @@
 #include <new>
 #include <thread>
 
-#include "app/study/isolation.hpp"
+#include "app/study/cell/isolation.hpp"
 #include "tests/support/catch.hpp"
 
 namespace leastcost::test {

@@ -12,9 +12,9 @@
 #include <random>
 #include <thread>
 
-#include "app/output/output_folder.hpp"
+#include <leastcost/catalogue/output/output_folder.hpp>
 #include "app/study/merge.hpp"
-#include "app/study/row_json.hpp"
+#include "app/study/rows/row_json.hpp"
 #include "app/study/study_summary.hpp"
 #include "tests/app/study_text.hpp"
 #include "tests/support/catch.hpp"
@@ -82,10 +82,11 @@ TEST_CASE("study: one row per cell and repetition, the same for any number of pr
 }
 
 TEST_CASE("study: the energy slope is the unit of the energy") {
-  // Where all costs grow by a part e the energy grows by e times the slope; for H = s^2 on the line at the mean cost: 2 per segment.
+  // Where all costs grow by a part e the energy grows by e times the slope; for H = s^2 on the line at the mean cost: 2
+  // per segment.
   const ScratchDir dir;
   app::StudyRequest request = request_in(dir, "a", 1);
-  request.overrides = {app::set_option("kernels=[square]")};
+  request.overrides = {set_option("kernels=[square]")};
   app::run_study(request);
   const app::RunTable table = app::read_runs_csv(content(dir / "a/runs.csv"), "runs.csv");
   CHECK(table.rows[0].energy_slope.value() == Approx(2 * 9).epsilon(1e-12));
@@ -95,8 +96,8 @@ TEST_CASE("study: the energy slope is the unit of the energy") {
 TEST_CASE("study: crash, hang, exception, memory and configuration are outcomes with their reasons") {
   const ScratchDir dir;
   app::StudyRequest request = request_in(dir, "a", 1);
-  request.overrides = {app::set_option("max_seconds=0.1"), app::set_option("grace_seconds=0.1"),
-                       app::set_option("problems.1.config.ends.target.tolerance=0.5")};
+  request.overrides = {set_option("max_seconds=0.1"), set_option("grace_seconds=0.1"),
+                       set_option("problems.1.config.ends.target.tolerance=0.5")};
   request.parallel = 4;
   request.run = [](const app::StudyCell& cell, long repetition) -> app::CellResult {
     switch (cell.number) {
@@ -232,9 +233,9 @@ TEST_CASE("study: a folder is not resumed by another study, shard or process, no
   CHECK_THROWS_WITH(app::run_study(request), Contains("--force replaces it") && Contains("--resume"));
   request.resume = true;
   app::StudyRequest changed = request;
-  changed.overrides = {app::set_option("set.certificate.spacing=0.3")};
+  changed.overrides = {set_option("set.certificate.spacing=0.3")};
   CHECK_THROWS_WITH(app::run_study(changed), Contains("the options of its cells"));
-  changed.overrides = {app::set_option("repetitions=3")};
+  changed.overrides = {set_option("repetitions=3")};
   CHECK_THROWS_WITH(app::run_study(changed), Contains("it had 2 repetitions and now has 3"));
   app::StudyRequest shard = request;
   shard.shard = {1, 2};
@@ -249,10 +250,10 @@ TEST_CASE("study: a folder is not resumed by another study, shard or process, no
   fs::create_directories(dir / "other");
   std::ofstream(dir / "other/mine.txt") << "x";
   request.output = dir / "other";
-  CHECK_THROWS_AS(app::run_study(request), app::OutputRefused);
+  CHECK_THROWS_AS(app::run_study(request), OutputRefused);
   request.resume = false;
   request.force = true;
-  CHECK_THROWS_AS(app::run_study(request), app::OutputRefused);
+  CHECK_THROWS_AS(app::run_study(request), OutputRefused);
   CHECK(fs::exists(dir / "other/mine.txt"));
   request.output = dir / "a";
   CHECK_FALSE(app::run_study(request).interrupted);

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "app/study/csv_text.hpp"
-#include "app/study/run_table.hpp"
-#include "framework/errors.hpp"
+#include <leastcost/framework/errors.hpp>
+#include "app/study/rows/csv_text.hpp"
+#include "app/study/rows/run_table.hpp"
 #include "tests/support/catch.hpp"
 
 namespace leastcost::test {

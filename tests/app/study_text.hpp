@@ -7,9 +7,9 @@
 #include <sstream>
 #include <string>
 
-#include "app/study/csv_text.hpp"
-#include "app/study/grid.hpp"
-#include "app/study/run_table.hpp"
+#include "app/study/grid/grid.hpp"
+#include "app/study/rows/csv_text.hpp"
+#include "app/study/rows/run_table.hpp"
 #include "app/study/study.hpp"
 
 namespace leastcost::test {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "app/config/yaml_reader.hpp"
+#include "catalogue/yaml/yaml_reader.hpp"
 
 #include <random>
 
@@ -9,21 +9,19 @@
 
 namespace leastcost::test {
 
-using app::ConfigNode;
-using app::Diagnostics;
 using Catch::Contains;
 
 namespace {
 
 std::string yaml_errors(const std::string& text) {
   Diagnostics errors("a.yaml", text);
-  app::read_yaml(text, errors);
+  read_yaml(text, errors);
   return errors.render();
 }
 
 ConfigNode tree(const std::string& text) {
   Diagnostics errors("a.yaml", text);
-  ConfigNode node = app::read_yaml(text, errors);
+  ConfigNode node = read_yaml(text, errors);
   INFO(errors.render());
   REQUIRE(errors.empty());
   return node;
@@ -50,9 +48,9 @@ TEST_CASE("yaml: a tree with places") {
   CHECK(root.find("b")->value.items[1].place.line == 4);
   CHECK(root.find("b")->value.items[1].place.column == 5);
   CHECK(root.find("b")->value.items[1].place.length == 5);
-  CHECK(app::place_of(root, "c.d.1").column == 12);
-  CHECK(app::place_of(root, "c.missing").line == 5);
-  CHECK(app::place_of(root, "c.d.9").column == 8);
+  CHECK(place_of(root, "c.d.1").column == 12);
+  CHECK(place_of(root, "c.missing").line == 5);
+  CHECK(place_of(root, "c.d.9").column == 8);
 }
 
 TEST_CASE("yaml: duplicate keys are errors at the second one") {
@@ -129,7 +127,7 @@ TEST_CASE("yaml: what is written reads back as the same tree") {
                            "f: ../some/file.obj\ng: /abs/file.obj\n"}) {
     CAPTURE(text);
     const ConfigNode first = tree(text);
-    CHECK(same(first, tree(app::to_yaml(first))));
+    CHECK(same(first, tree(to_yaml(first))));
   }
 }
 

@@ -24,11 +24,14 @@ namespace fs = std::filesystem;
 struct Include {
   std::string file;  ///< relative to the root, '/' between folders
   int line = 0;
-  std::string target;   ///< as written
-  bool quoted = false;  ///< "..." rather than <...>
+  std::string target;  ///< without the leading "leastcost/" of our own
+  bool own = false;    ///< a file of the tree: "folder/file.hpp" or <leastcost/folder/file.hpp>
+  bool open = false;   ///< written <leastcost/...>: installed
 };
 
-constexpr std::array<std::string_view, 4> kLayers = {"framework", "problems", "solvers", "app"};
+constexpr std::array<std::string_view, 5> kLayers = {"framework", "problems", "solvers", "catalogue", "app"};
+
+constexpr std::string_view kPublic = "leastcost/";
 
 bool starts_with(std::string_view text, std::string_view prefix) { return text.substr(0, prefix.size()) == prefix; }
 
@@ -51,7 +54,10 @@ std::vector<Include> includes_of(const fs::path& root, const fs::path& file) {
   std::smatch match;
   for (int line = 1; std::getline(in, text); ++line) {
     if (!std::regex_search(text, match, pattern)) continue;
-    found.push_back({fs::relative(file, root).generic_string(), line, match[2].str(), match[1].str() == "\""});
+    const std::string target = match[2].str();
+    const bool open = match[1].str() == "<" && starts_with(target, kPublic);
+    found.push_back({fs::relative(file, root).generic_string(), line, open ? target.substr(kPublic.size()) : target,
+                     open || match[1].str() == "\"", open});
   }
   return found;
 }
@@ -77,12 +83,62 @@ std::vector<Include> all_includes(const fs::path& root) {
   return all;
 }
 
+using Arrows = std::map<std::string, std::set<std::string>>;
+
 /// A layer may include itself and the layers listed here.
-const std::map<std::string, std::set<std::string>>& arrows() {
-  static const std::map<std::string, std::set<std::string>> table = {{"framework", {}},
-                                                                     {"problems", {"framework"}},
-                                                                     {"solvers", {"framework"}},
-                                                                     {"app", {"framework", "problems", "solvers"}}};
+const Arrows& layers() {
+  static const Arrows table = {{"framework", {}},
+                               {"problems", {"framework"}},
+                               {"solvers", {"framework"}},
+                               {"catalogue", {"framework", "problems", "solvers"}},
+                               {"app", {"framework", "problems", "solvers", "catalogue"}}};
+  return table;
+}
+
+/// A room inside a layer may include itself, what is below it, and the rooms listed here. docs/design.md says what each
+/// is for. Rooms that are not listed here may not exist.
+const Arrows& rooms() {
+  static const std::set<std::string> subjects = {
+      "problems/chart", "problems/cloud",   "problems/distance", "problems/formula",    "problems/level_set",
+      "problems/mesh",  "problems/readers", "problems/section",  "problems/straighten", "problems/tensor"};
+  static const Arrows table = {
+      {"problems/chart", {}},
+      {"problems/cloud", {}},
+      {"problems/formula", {}},
+      {"problems/mesh", {}},
+      {"problems/level_set", {"problems/formula"}},
+      {"problems/distance", {"problems/cloud", "problems/level_set", "problems/mesh"}},
+      {"problems/section", {"problems/chart", "problems/cloud", "problems/mesh"}},
+      {"problems/straighten", {"problems/mesh"}},
+      {"problems/tensor", {"problems/cloud", "problems/mesh"}},
+      {"problems/readers", {"problems/cloud", "problems/distance", "problems/mesh"}},
+      {"problems/kernels", {}},
+      {"problems/costs", subjects},
+      {"problems/initializers", subjects},
+      {"problems/manifolds", subjects},
+      {"problems/post_processors", subjects},
+      {"solvers/nlopt", {"solvers"}},
+      {"solvers/ceres", {"solvers"}},
+      {"catalogue/yaml", {}},
+      {"catalogue/plugins", {}},
+      {"catalogue/back_ends", {"catalogue/plugins"}},
+      {"catalogue/registry", {"catalogue/plugins", "catalogue/back_ends"}},
+      {"catalogue/options", {"catalogue/yaml", "catalogue/plugins", "catalogue/registry"}},
+      {"catalogue/run", {"catalogue/yaml", "catalogue/plugins", "catalogue/registry", "catalogue/options"}},
+      {"catalogue/scene", {}},
+      {"catalogue/output", {"catalogue/run", "catalogue/scene"}},
+      {"app/plot", {}},
+      {"app/report/page", {"app/plot"}},
+      {"app/report/run", {"app/report/page", "app/plot", "app/study/rows"}},
+      {"app/report/study", {"app/report/page", "app/plot", "app/study", "app/study/rows"}},
+      {"app/report", {"app/report/page", "app/report/run", "app/report/study"}},
+      {"app/run", {"app/report"}},
+      {"app/study/grid", {}},
+      {"app/study/rows", {}},
+      {"app/study/cell", {"app/study/grid", "app/study/rows"}},
+      {"app/study", {"app/study/cell", "app/study/grid", "app/study/rows"}},
+      {"app/reference", {"app/study/grid"}},
+      {"app/cli", {"app/reference", "app/report", "app/run", "app/study", "app/study/rows"}}};
   return table;
 }
 
@@ -101,34 +157,37 @@ std::string third_party_fault(const Include& include) {
     return starts_with(file, "solvers/nlopt/") && file != "solvers/nlopt/nlopt_solver.hpp"
                ? ""
                : "only solvers/nlopt uses NLopt, and not in its installed header";
-  if (!starts_with(file, "app/") && is_header(file)) return "an installed header includes no third party but Eigen";
-  if (starts_with(target, "boost/") || target == "nanoflann.hpp") {
-    return starts_with(file, "problems/geometry/") ? ""
-                                                   : "only .cpp files of problems/geometry use Boost and nanoflann";
-  }
-  if (starts_with(target, "yaml-cpp/")) return starts_with(file, "app/config/") ? "" : "only app/config uses yaml-cpp";
-  return starts_with(file, "app/") ? "" : "framework, problems and solvers know no such third party";
+  const bool program = starts_with(file, "catalogue/") || starts_with(file, "app/");
+  if (!program && is_header(file)) return "a header of the library includes no third party but Eigen";
+  if (starts_with(target, "boost/") || target == "nanoflann.hpp")
+    return starts_with(file, "problems/") ? "" : "only .cpp files of problems use Boost and nanoflann";
+  if (starts_with(target, "yaml-cpp/"))
+    return starts_with(file, "catalogue/yaml/") && !is_header(file) ? ""
+                                                                    : "only .cpp files of catalogue/yaml use yaml-cpp";
+  if (starts_with(target, "CLI/")) return starts_with(file, "app/cli/") ? "" : "only app/cli uses CLI11";
+  return program ? "" : "framework, problems and solvers know no such third party";
 }
 
+std::string folder_of(const std::string& file) { return file.substr(0, file.rfind('/')); }
+
 std::string own_fault(const Include& include) {
-  const std::string from = first_folders(include.file, 1);
-  const std::string to = first_folders(include.target, 1);
-  if (arrows().count(to) == 0) return "is no folder of the tree; includes are written from the root";
-  if (from != to && arrows().at(from).count(to) == 0) return from + " must not include " + to;
-  if (from != "problems" || to != "problems") return "";
-  const std::string from_part = first_folders(include.file, 2);
-  const std::string to_part = first_folders(include.target, 2);
-  // geometry stands alone, the readers stand on it, plug-ins on both.
-  const bool base = from_part == "problems/geometry" || from_part == "problems/readers";
-  if (from_part == to_part || to_part == "problems/geometry" || (to_part == "problems/readers" && !base)) return "";
-  return from_part + " must not include " + to_part + ": what they share lies in problems/geometry";
+  const std::string from = first_folders(include.file, 1), to = first_folders(include.target, 1);
+  if (layers().count(to) == 0) return "is no folder of the tree; includes are written from the root";
+  if (from != to && layers().at(from).count(to) == 0) return from + " must not include " + to;
+  const std::string room = folder_of(include.file), other = folder_of(include.target);
+  // The header of a layer stands above its rooms; main.cpp above all.
+  if (from != to || room == other || room == from) return "";
+  if (rooms().count(room) == 0) return room + " is not in the table of rooms";
+  return rooms().at(room).count(other) == 1 ? "" : room + " must not include " + other;
 }
 
 std::string fault(const Include& include) {
-  if (include.quoted) return own_fault(include);
+  if (include.own) return own_fault(include);
   const bool standard = include.target.find_first_of("/.") == std::string::npos;
   const bool posix = starts_with(include.target, "sys/") || include.target == "unistd.h" || include.target == "fcntl.h";
-  return standard || (posix && starts_with(include.file, "app/")) ? "" : third_party_fault(include);
+  return standard || (posix && (starts_with(include.file, "app/") || starts_with(include.file, "catalogue/")))
+             ? ""
+             : third_party_fault(include);
 }
 
 /// A cycle among the files of the tree as "a -> b -> a", or nothing.
@@ -136,7 +195,7 @@ class CycleSearch {
  public:
   explicit CycleSearch(const std::vector<Include>& includes) {
     for (const Include& include : includes) {
-      if (include.quoted) graph_[include.file].push_back(include.target);
+      if (include.own) graph_[include.file].push_back(include.target);
     }
   }
 
@@ -173,18 +232,74 @@ class CycleSearch {
   std::string cycle_;
 };
 
+/// The headers that are installed: those that the public headers of the components reach through <leastcost/...>.
+std::set<std::string> public_headers(const std::vector<Include>& includes) {
+  std::multimap<std::string, std::string> reaches;
+  for (const Include& include : includes)
+    if (include.open) reaches.emplace(include.file, include.target);
+  std::vector<std::string> open = {
+      "framework/framework.hpp",        "problems/problems.hpp",          "solvers/solvers.hpp",
+      "solvers/nlopt/nlopt_solver.hpp", "solvers/ceres/ceres_solver.hpp", "catalogue/catalogue.hpp"};
+  std::set<std::string> found;
+  while (!open.empty()) {
+    const std::string header = open.back();
+    open.pop_back();
+    if (!found.insert(header).second) continue;
+    const auto [begin, end] = reaches.equal_range(header);
+    for (auto it = begin; it != end; ++it) open.push_back(it->second);
+  }
+  return found;
+}
+
+/// One spelling for every header: <leastcost/...> for what is installed, "..." for what is internal. An installed
+/// header sees installed ones only.
+std::string spelling_fault(const Include& include, const std::set<std::string>& installed) {
+  if (!include.own) return "";
+  const bool is_public = installed.count(include.target) == 1;
+  if (installed.count(include.file) == 1 && !include.open)
+    return "an installed header must not include an internal one";
+  if (include.open && !is_public) return "is not reached from a public header: write it in quotes";
+  return !include.open && is_public ? "is installed: write <leastcost/...>" : "";
+}
+
+/// A folder with more than a fifth of the lines of its layer in files of its own should be divided.
+std::string size_faults(const fs::path& root, std::string_view layer) {
+  std::map<std::string, long> lines;
+  long all = 0;
+  for (const fs::path& file : sources_below(root / layer)) {
+    std::ifstream in(file);
+    const long count = std::count(std::istreambuf_iterator<char>(in), {}, '\n');
+    lines[fs::relative(file.parent_path(), root).generic_string()] += count;
+    all += count;
+  }
+  std::ostringstream report;
+  for (const auto& [folder, count] : lines)
+    if (5 * count > all) report << folder << ": " << count << " of the " << all << " lines of " << layer << '\n';
+  return report.str();
+}
+
 /// Every fault of the tree below `root`, one per line, in compiler style; empty when the layers are clean.
 std::string layer_faults(const fs::path& root) {
   std::ostringstream report;
   const std::vector<Include> includes = all_includes(root);
+  const std::set<std::string> installed = public_headers(includes);
   for (const Include& include : includes) {
-    const std::string reason = fault(include);
-    if (!reason.empty())
-      report << include.file << ':' << include.line << ": " << include.target << ": " << reason << '\n';
+    for (const std::string& reason : {fault(include), spelling_fault(include, installed)}) {
+      if (!reason.empty())
+        report << include.file << ':' << include.line << ": " << include.target << ": " << reason << '\n';
+    }
   }
   const std::string cycle = CycleSearch(includes).find();
   if (!cycle.empty()) report << "include cycle: " << cycle << '\n';
   return report.str();
+}
+
+/// A circle among the rooms of the table itself, as CycleSearch finds it.
+std::string circle_of_rooms(const Arrows& table) {
+  std::vector<Include> arrows;
+  for (const auto& [from, targets] : table)
+    for (const std::string& to : targets) arrows.push_back({from, 0, to, true, false});
+  return CycleSearch(arrows).find();
 }
 
 void write(const fs::path& file, const std::string& text) {
@@ -199,6 +314,21 @@ TEST_CASE("layers: no include outside the table of the design") {
   CHECK(layer_faults(project_dir()) == "");
 }
 
+TEST_CASE("layers: the tables have no circle") {
+  CHECK(circle_of_rooms(rooms()) == "");
+  CHECK(circle_of_rooms(layers()) == "");
+  CHECK(circle_of_rooms({{"a", {"b"}}, {"b", {"c"}}, {"c", {"a"}}}) == "a -> b -> c -> a");
+}
+
+TEST_CASE("layers: no folder holds more than a fifth of its layer undivided") {
+  CHECK(size_faults(project_dir(), "problems") == "");
+  CHECK(size_faults(project_dir(), "app") == "");
+  const ScratchDir tree;
+  write(tree / "app/big/a.cpp", "\n\n\n\n");
+  write(tree / "app/small/a.cpp", "\n");
+  CHECK_THAT(size_faults(tree.path(), "app"), Catch::Contains("app/big: 4 of the 5 lines"));
+}
+
 TEST_CASE("layers: every wrong arrow is caught") {
   struct Wrong {
     const char* file;
@@ -206,25 +336,36 @@ TEST_CASE("layers: every wrong arrow is caught") {
     const char* reason;
   };
   const Wrong wrong = GENERATE(
-      Wrong{"framework/a.hpp", "#include \"problems/geometry/b.hpp\"", "framework must not include problems"},
+      Wrong{"framework/a.hpp", "#include \"problems/mesh/b.hpp\"", "framework must not include problems"},
+      Wrong{"framework/a.hpp", "#include <leastcost/problems/mesh/b.hpp>", "framework must not include problems"},
       Wrong{"framework/a.hpp", "#include \"solvers/b.hpp\"", "framework must not include solvers"},
       Wrong{"framework/a.hpp", "#include <boost/graph/graph_traits.hpp>", "framework uses Eigen"},
       Wrong{"framework/a.cpp", "#include <fmt/format.h>", "framework uses Eigen"},
       Wrong{"solvers/a.cpp", "#include \"problems/costs/b.hpp\"", "solvers must not include problems"},
       Wrong{"problems/costs/a.cpp", "#include \"solvers/b.hpp\"", "problems must not include solvers"},
       Wrong{"problems/costs/a.cpp", "  #  include \"app/b.hpp\"", "problems must not include app"},
+      Wrong{"problems/costs/a.cpp", "#include \"catalogue/b.hpp\"", "problems must not include catalogue"},
+      Wrong{"catalogue/run/a.cpp", "#include \"app/b.hpp\"", "catalogue must not include app"},
+      Wrong{"catalogue/options/a.cpp", "#include \"catalogue/run/b.hpp\"", "must not include catalogue/run"},
+      Wrong{"app/report/run/a.cpp", "#include \"app/cli/b.hpp\"", "must not include app/cli"},
       Wrong{"problems/costs/a.cpp", "#include \"problems/manifolds/b.hpp\"", "must not include problems/manifolds"},
-      Wrong{"problems/geometry/a.cpp", "#include \"problems/readers/b.hpp\"", "must not include problems/readers"},
+      Wrong{"problems/mesh/a.cpp", "#include \"problems/readers/b.hpp\"", "must not include problems/readers"},
+      Wrong{"problems/mesh/a.cpp", "#include \"problems/straighten/b.hpp\"", "must not include problems/straighten"},
+      Wrong{"problems/attic/a.cpp", "#include \"problems/mesh/b.hpp\"", "not in the table of rooms"},
       Wrong{"problems/costs/a.cpp", "#include \"b.hpp\"", "written from the root"},
-      Wrong{"problems/costs/a.cpp", "#include <boost/graph/astar_search.hpp>", "problems/geometry"},
-      Wrong{"problems/geometry/a.hpp", "#include <boost/graph/astar_search.hpp>", "installed header"},
-      Wrong{"problems/readers/a.cpp", "#include <yaml-cpp/yaml.h>", "app/config"},
-      Wrong{"app/run.cpp", "#include <yaml-cpp/yaml.h>", "app/config"},
+      Wrong{"solvers/a.cpp", "#include <boost/graph/astar_search.hpp>", "only .cpp files of problems"},
+      Wrong{"problems/mesh/a.hpp", "#include <boost/graph/astar_search.hpp>", "a header of the library"},
+      Wrong{"problems/readers/a.cpp", "#include <yaml-cpp/yaml.h>", "catalogue/yaml"},
+      Wrong{"app/run/run.cpp", "#include <yaml-cpp/yaml.h>", "catalogue/yaml"},
+      Wrong{"catalogue/run/a.cpp", "#include <CLI/CLI.hpp>", "only app/cli"},
       Wrong{"solvers/lbfgs.cpp", "#include <ceres/ceres.h>", "only solvers/ceres"},
       Wrong{"solvers/ceres/ceres_solver.hpp", "#include <ceres/ceres.h>", "installed header"},
       Wrong{"solvers/lbfgs.cpp", "#include <nlopt.hpp>", "only solvers/nlopt"},
       Wrong{"solvers/nlopt/nlopt_solver.hpp", "#include <nlopt.hpp>", "installed header"},
       Wrong{"problems/costs/a.cpp", "#include <fmt/format.h>", "no such third party"},
+      Wrong{"framework/framework.hpp", "#include \"framework/b.hpp\"", "must not include an internal one"},
+      Wrong{"framework/a.cpp", "#include <leastcost/framework/b.hpp>", "not reached from a public header"},
+      Wrong{"framework/a.cpp", "#include \"framework/framework.hpp\"", "write <leastcost/...>"},
       Wrong{"framework/a.hpp", "#include \"framework/a.hpp\"", "include cycle: framework/a.hpp -> framework/a.hpp"});
   const ScratchDir tree;
   write(tree / wrong.file, std::string("#include <vector>\n") + wrong.line + "\n");
@@ -234,16 +375,18 @@ TEST_CASE("layers: every wrong arrow is caught") {
 
 TEST_CASE("layers: a cycle through several files is caught, allowed arrows are not") {
   const ScratchDir tree;
+  write(tree / "framework/framework.hpp", "#include <leastcost/framework/path.hpp>\n");
   write(tree / "framework/path.hpp", "#include <Eigen/Core>\n#include <vector>\n");
-  write(tree / "problems/geometry/graph.cpp", "#include <boost/graph/graph_traits.hpp>\n");
-  write(tree / "problems/costs/cost.hpp", "#include \"framework/path.hpp\"\n#include \"problems/geometry/mesh.hpp\"\n");
-  write(tree / "problems/geometry/mesh.hpp", "#include \"framework/path.hpp\"\n");
-  write(tree / "solvers/solver.cpp", "#include \"framework/path.hpp\"\n");
-  write(tree / "app/config/read.cpp", "#include <yaml-cpp/yaml.h>\n#include \"problems/costs/cost.hpp\"\n");
+  write(tree / "problems/cloud/graph.cpp", "#include <boost/graph/graph_traits.hpp>\n");
+  write(tree / "problems/costs/cost.hpp",
+        "#include <leastcost/framework/path.hpp>\n#include \"problems/mesh/mesh.hpp\"\n");
+  write(tree / "problems/mesh/mesh.hpp", "#include <leastcost/framework/path.hpp>\n");
+  write(tree / "solvers/solver.cpp", "#include <leastcost/framework/path.hpp>\n");
+  write(tree / "catalogue/yaml/read.cpp", "#include <yaml-cpp/yaml.h>\n#include \"problems/costs/cost.hpp\"\n");
   CHECK(layer_faults(tree.path()) == "");
 
-  write(tree / "framework/path.hpp", "#include \"framework/problem.hpp\"\n");
-  write(tree / "framework/problem.hpp", "#include \"framework/path.hpp\"\n");
+  write(tree / "framework/path.hpp", "#include <leastcost/framework/problem.hpp>\n");
+  write(tree / "framework/problem.hpp", "#include <leastcost/framework/path.hpp>\n");
   CHECK_THAT(layer_faults(tree.path()), Catch::Contains("include cycle: framework/path.hpp -> framework/problem.hpp"));
 }
 

@@ -3,7 +3,8 @@
 
 // A plug-in is its source file, one registration line, one config and one contract line. The registry knows them all;
 // here it is checked that the last two exist:
-//   * some configs/*.yaml, with its defaults filled in, has the type under the key of its kind (`cost: {type: travel_time}`),
+//   * some configs/*.yaml, with its defaults filled in, has the type under the key of its kind (`cost: {type:
+//   travel_time}`),
 //   * some tests/contracts/*.cpp holds TEST_CASE("<kind> contract: <type>...").
 #include <yaml-cpp/yaml.h>
 
@@ -13,8 +14,8 @@
 #include <sstream>
 #include <string>
 
-#include "app/config/run_config.hpp"
-#include "app/registry.hpp"
+#include <leastcost/catalogue/registry/registry.hpp>
+#include <leastcost/catalogue/run/run_config.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
 
@@ -23,9 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string key_in_config(const app::PluginKind& kind) {
-  return kind.name == "post_processor" ? "post_process" : kind.name;
-}
+std::string key_in_config(const PluginKind& kind) { return kind.name == "post_processor" ? "post_process" : kind.name; }
 
 /// The types that `value` of a kind's key names: `exp`, `{type: exp}`, or a list of either.
 void add_types(const YAML::Node& value, std::set<std::string>& types) {
@@ -40,10 +39,10 @@ std::set<std::string> types_in_configs(const fs::path& folder, const std::string
   std::set<std::string> types;
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() != ".yaml") continue;
-    const app::LoadedConfig loaded = app::load_config(entry.path(), {});
+    const LoadedConfig loaded = load_config(entry.path(), {});
     INFO(loaded.errors.render());
     REQUIRE(loaded.errors.empty());
-    const YAML::Node config = YAML::Load(app::resolved_yaml(loaded.config));
+    const YAML::Node config = YAML::Load(resolved_yaml(loaded.config));
     if (config[key]) add_types(config[key], types);
   }
   return types;
@@ -64,9 +63,9 @@ bool has_contract(const std::string& texts, const std::string& kind, const std::
 }  // namespace
 
 TEST_CASE("plug-ins: every registered type has a config") {
-  for (const app::PluginKind& kind : app::plugin_kinds()) {
+  for (const PluginKind& kind : plugin_kinds()) {
     const std::set<std::string> named = types_in_configs(project_dir() / "configs", key_in_config(kind));
-    for (const std::string& type : app::types_of(kind)) {
+    for (const std::string& type : types_of(kind)) {
       INFO(kind.name << " '" << type << "': no file of configs/ names it");
       CHECK(named.count(type) == 1);
     }
@@ -75,8 +74,8 @@ TEST_CASE("plug-ins: every registered type has a config") {
 
 TEST_CASE("plug-ins: every registered type has a contract line") {
   const std::string texts = contract_texts(project_dir() / "tests/contracts");
-  for (const app::PluginKind& kind : app::plugin_kinds()) {
-    for (const std::string& type : app::types_of(kind)) {
+  for (const PluginKind& kind : plugin_kinds()) {
+    for (const std::string& type : types_of(kind)) {
       INFO("no TEST_CASE(\"" << kind.name << " contract: " << type << "\") in tests/contracts");
       CHECK(has_contract(texts, kind.name, type));
     }

@@ -1,20 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 
-// Every domain with bounds: paths that must rest on one, against closed forms. What counts as an active bound is tested in
-// manifold_contract.hpp, which of them hold in framework/frames_test.cpp.
+// Every domain with bounds: paths that must rest on one, against closed forms. What counts as an active bound is tested
+// in manifold_contract.hpp, which of them hold in framework/frames_test.cpp.
 #include <cmath>
 #include <numbers>
 
-#include "framework/errors.hpp"
-#include "problems/costs/metric_field.hpp"
-#include "problems/initializers/coordinate_circle.hpp"
-#include "problems/initializers/dijkstra.hpp"
-#include "problems/manifolds/implicit.hpp"
-#include "problems/manifolds/mesh.hpp"
-#include "problems/manifolds/parametric.hpp"
-#include "problems/post_processors/straighten.hpp"
-#include "problems/post_processors/trace.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/costs/metric_field.hpp>
+#include <leastcost/problems/initializers/coordinate_circle.hpp>
+#include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/manifolds/implicit.hpp>
+#include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/manifolds/parametric.hpp>
+#include <leastcost/problems/post_processors/straighten.hpp>
+#include <leastcost/problems/post_processors/trace.hpp>
 #include "tests/contracts/manifold_contract.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/compose.hpp"
@@ -23,7 +23,7 @@ namespace leastcost::test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-/// Two tangents and an arc around the unit disc from (-2, 0) to (2, 0), ORACLES D5.
+/// Two tangents and an arc around the unit disc from (-2, 0) to (2, 0), docs/oracles.md D5.
 const double kAroundDisc = 2 * std::sqrt(3.0) + kPi / 3;
 
 /// A certified path that rests on bounds: the bar covers the true error and is not wider than `widest` of the length.
@@ -148,8 +148,8 @@ TEST_CASE("bounds contract: parametric, rings along an edge of the chart", "[con
 }
 
 TEST_CASE("bounds contract: euclidean, a metric that pushes the path against the wall", "[contract]") {
-  // The half-plane metric above y = 1/2 with a ceiling at y = 1.2, under the semicircle between (-1, 1) and (1, 1), whose top is sqrt 2: two
-  // arcs of circles about the axis that touch the ceiling, and the piece of it between them.
+  // The half-plane metric above y = 1/2 with a ceiling at y = 1.2, under the semicircle between (-1, 1) and (1, 1),
+  // whose top is sqrt 2: two arcs of circles about the axis that touch the ceiling, and the piece of it between them.
   MetricFieldOptions metric;
   metric.type = "half_plane";
   const Problem problem = between(box(Eigen::Vector2d(-9, 0.5), Eigen::Vector2d(9, 1.2)),
@@ -163,7 +163,8 @@ TEST_CASE("bounds contract: euclidean, a metric that pushes the path against the
 }
 
 TEST_CASE("bounds contract: implicit, an obstacle cut out of a sphere", "[contract]") {
-  // Without the cap above latitude 0.6: arcs of great circles that touch its edge, and the piece of the edge between them.
+  // Without the cap above latitude 0.6: arcs of great circles that touch its edge, and the piece of the edge between
+  // them.
   const double edge = 0.6, latitude = 0.2, apart = 3.0;
   const auto at = [](double u, double v) -> Eigen::VectorXd {
     return Eigen::Vector3d(std::cos(v) * std::cos(u), std::cos(v) * std::sin(u), std::sin(v));
@@ -180,7 +181,8 @@ TEST_CASE("bounds contract: implicit, an obstacle cut out of a sphere", "[contra
 }
 
 TEST_CASE("bounds contract: implicit, the plane without a half-space", "[contract]") {
-  // A wall on the saddle z = x y: the ruling x = 0.2 is a straight line of the surface, and shorter than any path beyond it.
+  // A wall on the saddle z = x y: the ruling x = 0.2 is a straight line of the surface, and shorter than any path
+  // beyond it.
   const auto saddle = boxed("z - x*y", Eigen::Vector3d(0.2, -9, -9), {});
   const Problem problem =
       between(saddle, make_euclidean_cost(3), Eigen::Vector3d(0.2, -1, -0.2), Eigen::Vector3d(0.2, 1, 0.2));

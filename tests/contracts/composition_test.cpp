@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// Every cost on every domain it fits, through one find_path(); and a kernel, a cost and a manifold of ten lines each that solve with no
-// other file touched.
+// Every cost on every domain it fits, through one find_path(); and a kernel, a cost and a manifold of ten lines each
+// that solve with no other file touched.
 #include <Eigen/Geometry>
 
-#include "framework/segment_cost_function.hpp"
-#include "problems/costs/metric_tensor.hpp"
-#include "problems/initializers/dijkstra.hpp"
-#include "problems/manifolds/mesh.hpp"
-#include "problems/post_processors/straighten.hpp"
-#include "problems/post_processors/trace.hpp"
+#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/problems/costs/metric_tensor.hpp>
+#include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/post_processors/straighten.hpp>
+#include <leastcost/problems/post_processors/trace.hpp>
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/chute_chain.hpp"
@@ -153,7 +153,7 @@ TEST_CASE("composition: a bead on a tilted mesh plane is a bead in R^2 with less
 TEST_CASE("composition: a kernel, a cost and a manifold from this file alone", "[contract]") {
   const Eigen::Vector3d source(1, 0, 0), target(std::cos(2.0), std::sin(2.0), 3);
   const auto cylinder = std::make_shared<Cylinder>();
-  SECTION("kernel and manifold: the cylinder's helix, ORACLES D1") {
+  SECTION("kernel and manifold: the cylinder's helix, docs/oracles.md D1") {
     const int n = GENERATE(8, 64);
     const Result result = find(between(cylinder, make_euclidean_cost(3), source, target, make_kernel<Cosh>()), n - 1);
     CHECK(result.status == Status::certified);

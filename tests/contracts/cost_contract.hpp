@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "framework/segment_cost.hpp"
-#include "problems/kernels/kernels.hpp"
+#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/problems/kernels/kernels.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/slopes.hpp"
@@ -45,8 +45,8 @@ inline void check_cost_values(const CostCase& c, const Eigen::VectorXd& a, const
 /// An AmbientPath over the columns; in a ring the last column is the first again.
 inline AmbientPath view(const Points& x, bool ring) { return {{x.data(), x.rows(), x.cols()}, {}, ring}; }
 
-/// Gradient by Taylor slope 2, exact chain blocks by slope 3, on a path through four random points, open (the ends are constants) and
-/// as a ring (nothing is).
+/// Gradient by Taylor slope 2, exact chain blocks by slope 3, on a path through four random points, open (the ends are
+/// constants) and as a ring (nothing is).
 inline void check_cost_derivatives(const CostCase& c, const Kernel& kernel, const Points& x, bool ring,
                                    Random& random) {
   const Index d = x.rows(), columns = x.cols();

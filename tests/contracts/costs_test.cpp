@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include <fstream>
 
-#include "framework/errors.hpp"
-#include "problems/costs/euclidean.hpp"
-#include "problems/costs/metric_field.hpp"
-#include "problems/costs/metric_tensor.hpp"
-#include "problems/costs/travel_time.hpp"
-#include "problems/manifolds/mesh.hpp"
-#include "problems/manifolds/point_cloud.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/costs/euclidean.hpp>
+#include <leastcost/problems/costs/metric_field.hpp>
+#include <leastcost/problems/costs/metric_tensor.hpp>
+#include <leastcost/problems/costs/travel_time.hpp>
+#include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/manifolds/point_cloud.hpp>
 #include "tests/contracts/cost_contract.hpp"
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/problems/sample_meshes.hpp"

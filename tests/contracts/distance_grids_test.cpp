@@ -4,11 +4,11 @@
 // Signed-distance grids from every kind of source: the contract of a manifold.
 #include <fstream>
 
-#include "framework/errors.hpp"
-#include "framework/problem.hpp"
-#include "problems/geometry/build_distance_grid.hpp"
-#include "problems/geometry/mesh_distance.hpp"
-#include "problems/manifolds/signed_distance.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/problem.hpp>
+#include <leastcost/problems/distance/build_distance_grid.hpp>
+#include <leastcost/problems/manifolds/signed_distance.hpp>
+#include "problems/distance/mesh_distance.hpp"
 #include "tests/contracts/manifold_contract.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/data.hpp"

@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: MIT
 #include <fstream>
 
-#include "framework/errors.hpp"
-#include "problems/initializers/bow.hpp"
-#include "problems/initializers/coordinate_circle.hpp"
-#include "problems/initializers/dijkstra.hpp"
-#include "problems/initializers/mirrored.hpp"
-#include "problems/initializers/plane_cut.hpp"
-#include "problems/initializers/rrt.hpp"
-#include "problems/manifolds/implicit.hpp"
-#include "problems/manifolds/mesh.hpp"
-#include "problems/manifolds/parametric.hpp"
-#include "problems/manifolds/point_cloud.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/initializers/bow.hpp>
+#include <leastcost/problems/initializers/coordinate_circle.hpp>
+#include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/initializers/mirrored.hpp>
+#include <leastcost/problems/initializers/plane_cut.hpp>
+#include <leastcost/problems/initializers/rrt.hpp>
+#include <leastcost/problems/manifolds/implicit.hpp>
+#include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/manifolds/parametric.hpp>
+#include <leastcost/problems/manifolds/point_cloud.hpp>
 #include "problems/readers/waypoint_reader.hpp"
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/problems/sample_meshes.hpp"
@@ -167,7 +167,8 @@ double longest_move(const CoordinatePath& path) {
 
 TEST_CASE("initializer contract: straight, on smooth surfaces", "[contract]") {
   for (const Problem& problem : problems_on_surfaces(false)) check_initializer_contract(StraightInitializer(), problem);
-  // Through the middle there is no continuous projection, whatever the number of points: an error, never a path with a jump.
+  // Through the middle there is no continuous projection, whatever the number of points: an error, never a path with a
+  // jump.
   const auto refused = [](const std::shared_ptr<const LevelSet>& domain, const Eigen::Vector3d& a,
                           const Eigen::Vector3d& b) {
     try {

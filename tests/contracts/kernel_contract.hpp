@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "framework/kernel.hpp"
+#include <leastcost/framework/kernel.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/slopes.hpp"

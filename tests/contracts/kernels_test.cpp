@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/kernels/kernels.hpp"
+#include <leastcost/problems/kernels/kernels.hpp>
 #include "tests/contracts/kernel_contract.hpp"
 
 namespace leastcost::test {

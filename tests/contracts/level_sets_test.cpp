@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 
 // The domains that are given by equations: contract, and the errors of what is no domain.
-#include "framework/errors.hpp"
-#include "framework/problem.hpp"
-#include "problems/geometry/has_images.hpp"
-#include "problems/manifolds/constraint.hpp"
-#include "problems/manifolds/implicit.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/problem.hpp>
+#include <leastcost/problems/manifolds/constraint.hpp>
+#include <leastcost/problems/manifolds/implicit.hpp>
+#include "problems/chart/has_images.hpp"
 #include "tests/contracts/manifold_contract.hpp"
 
 namespace leastcost::test {

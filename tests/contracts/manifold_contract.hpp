@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "framework/manifold.hpp"
-#include "problems/geometry/has_mesh.hpp"
+#include <leastcost/framework/manifold.hpp>
+#include <leastcost/problems/mesh/has_mesh.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/slopes.hpp"
@@ -54,8 +54,8 @@ inline void check_bases(const ManifoldCase& c, const CoordinatePath& path) {
   }
 }
 
-/// A random direction in which column i may move: in the tangent space, or in the plane of its face on a mesh (whose bases are those of
-/// smooth normals); on a bound, inwards.
+/// A random direction in which column i may move: in the tangent space, or in the plane of its face on a mesh (whose
+/// bases are those of smooth normals); on a bound, inwards.
 inline Eigen::VectorXd feasible_direction(const ManifoldCase& c, const CoordinatePath& path, Index i, Random& random) {
   const Dimensions dims = c.manifold->dimensions();
   Points basis;

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/errors.hpp"
-#include "problems/manifolds/euclidean.hpp"
-#include "problems/manifolds/mesh.hpp"
-#include "problems/manifolds/parametric.hpp"
-#include "problems/manifolds/point_cloud.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/manifolds/euclidean.hpp>
+#include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/manifolds/parametric.hpp>
+#include <leastcost/problems/manifolds/point_cloud.hpp>
 #include "tests/contracts/manifold_contract.hpp"
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/problems/sample_meshes.hpp"
@@ -47,7 +47,8 @@ ManifoldCase box_case(int d) {
   return c;
 }
 
-/// Points on the torus with radii 20 and 10, lifted off it by less than a tenth of a support; nearly degenerate: on a sample and beside it.
+/// Points on the torus with radii 20 and 10, lifted off it by less than a tenth of a support; nearly degenerate: on a
+/// sample and beside it.
 ManifoldCase cloud_case() {
   const auto manifold = std::make_shared<PointCloudManifold>(PointCloud(torus_cloud(3000, 10), {}));
   const auto near = [](Random& random) -> Eigen::VectorXd {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "solvers/nlopt/nlopt_solver.hpp"
+#include <leastcost/solvers/nlopt/nlopt_solver.hpp>
 
 #include "tests/contracts/solver_contract.hpp"
 

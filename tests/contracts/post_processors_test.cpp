@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/errors.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/costs/metric_tensor.hpp>
+#include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/initializers/plane_cut.hpp>
+#include <leastcost/problems/manifolds/implicit.hpp>
+#include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/post_processors/on_surface.hpp>
+#include <leastcost/problems/post_processors/straighten.hpp>
+#include <leastcost/problems/post_processors/trace.hpp>
 #include "framework/spacing.hpp"
-#include "problems/costs/metric_tensor.hpp"
-#include "problems/initializers/dijkstra.hpp"
-#include "problems/initializers/plane_cut.hpp"
-#include "problems/manifolds/implicit.hpp"
-#include "problems/manifolds/mesh.hpp"
-#include "problems/post_processors/on_surface.hpp"
-#include "problems/post_processors/straighten.hpp"
-#include "problems/post_processors/trace.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"

@@ -11,13 +11,13 @@
 #include <string>
 #include <vector>
 
+#include <leastcost/framework/chain_model.hpp>
+#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/problems/costs/metric_tensor.hpp>
+#include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/manifolds/mesh.hpp>
 #include "framework/bundle.hpp"
-#include "framework/chain_model.hpp"
-#include "framework/segment_cost_function.hpp"
 #include "framework/spacing.hpp"
-#include "problems/costs/metric_tensor.hpp"
-#include "problems/initializers/dijkstra.hpp"
-#include "problems/manifolds/mesh.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
@@ -62,8 +62,8 @@ inline StandardProblem standard(const char* name, const Problem& problem,
           kinked ? kKinkedTolerance : 1e-14};
 }
 
-/// One problem per ability a solver meets: singular cost, curved metric, anisotropy in R^7, curved domain, active bounds,
-/// ring, kinks.
+/// One problem per ability a solver meets: singular cost, curved metric, anisotropy in R^7, curved domain, active
+/// bounds, ring, kinks.
 inline std::vector<StandardProblem> standard_problems() {
   const Eigen::Vector2d left(0, 1), right(2, 1);
   const auto hyperbolic = make_segment_cost(HyperbolicPlane{});
@@ -122,8 +122,9 @@ inline PathEnergy energy_at_mean(const StandardProblem& p) {
   return PathEnergy(p.problem, PathEnergy(p.problem, 1).cost(p.start) / static_cast<double>(p.start.segment_count()));
 }
 
-/// What two energies may differ by when both are solved to the relative cost error they claim, with room for rounding: an excess of the
-/// cost by e is one of the energy by e scale. (Costs alone may differ more, where the segments are not exactly equal at the minimum.)
+/// What two energies may differ by when both are solved to the relative cost error they claim, with room for rounding:
+/// an excess of the cost by e is one of the energy by e scale. (Costs alone may differ more, where the segments are not
+/// exactly equal at the minimum.)
 inline double energy_tolerance(const StandardProblem& p, PathEnergy& energy, const CoordinatePath& path) {
   return 10 * p.tolerance * energy.scale(path);
 }
@@ -275,8 +276,8 @@ inline void check_solver_contract(const MakeSolver& make, const Promise& promise
   check_survives_faults(*solver);
 }
 
-/// Two solvers give the same energy to the digits they claim. (On a mesh each may come to rest in a kink of its own: within a hundred times
-/// that.)
+/// Two solvers give the same energy to the digits they claim. (On a mesh each may come to rest in a kink of its own:
+/// within a hundred times that.)
 inline void check_agreement(const Solver& one, const Solver& other) {
   for (const StandardProblem& p : standard_problems()) {
     CAPTURE(one.name(), other.name(), p.name);

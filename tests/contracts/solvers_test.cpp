@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "solvers/georce.hpp"
-#include "solvers/gradient_descent.hpp"
-#include "solvers/lbfgs.hpp"
-#include "solvers/newton.hpp"
-#include "solvers/string_method.hpp"
-#include "solvers/vfcs.hpp"
+#include <leastcost/solvers/georce.hpp>
+#include <leastcost/solvers/gradient_descent.hpp>
+#include <leastcost/solvers/lbfgs.hpp>
+#include <leastcost/solvers/newton.hpp>
+#include <leastcost/solvers/string_method.hpp>
+#include <leastcost/solvers/vfcs.hpp>
 #include "tests/contracts/solver_contract.hpp"
 
 namespace leastcost::test {

@@ -4,7 +4,7 @@
 
 #include <Eigen/Dense>
 
-#include "framework/segment_cost_function.hpp"
+#include <leastcost/framework/segment_cost_function.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/random.hpp"
@@ -12,8 +12,8 @@
 namespace leastcost::test {
 namespace {
 
-/// Squared norm of the shortest element of the hull of the columns, by trying every subset of them: the shortest element of the affine
-/// hull of a subset counts where its weights are not negative.
+/// Squared norm of the shortest element of the hull of the columns, by trying every subset of them: the shortest
+/// element of the affine hull of a subset counts where its weights are not negative.
 double shortest_by_subsets(const Eigen::MatrixXd& g) {
   double best = std::numeric_limits<double>::infinity();
   for (int set = 1; set < (1 << g.cols()); ++set) {

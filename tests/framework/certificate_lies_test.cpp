@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// The certificate against lies: doctored chains are handed to certify() directly, and each is refused for its own reason. Chains that
-// are right, made by a formula and not by a solver, pass.
+// The certificate against lies: doctored chains are handed to certify() directly, and each is refused for its own
+// reason. Chains that are right, made by a formula and not by a solver, pass.
 #include <numbers>
 
-#include "framework/segment_cost_function.hpp"
-#include "problems/geometry/mesh_curve.hpp"
-#include "problems/geometry/straighten.hpp"
-#include "problems/initializers/dijkstra.hpp"
-#include "problems/manifolds/mesh.hpp"
-#include "problems/post_processors/straighten.hpp"
-#include "problems/post_processors/trace.hpp"
+#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/post_processors/straighten.hpp>
+#include <leastcost/problems/post_processors/trace.hpp>
+#include <leastcost/problems/straighten/straighten.hpp>
+#include "problems/mesh/mesh_curve.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/chain_system.hpp"
+#include <leastcost/framework/chain_system.hpp>
 
 #include <Eigen/Dense>
 
@@ -10,7 +10,8 @@
 namespace leastcost::test {
 namespace {
 
-/// The matrix in full. In a ring of one the coupling joins x_0 with itself, in a ring of two both couplings join the same pair.
+/// The matrix in full. In a ring of one the coupling joins x_0 with itself, in a ring of two both couplings join the
+/// same pair.
 Eigen::MatrixXd dense(const ChainSystem& system) {
   const int k = system.block();
   const Index n = system.count();

@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "framework/segment_cost_function.hpp"
+#include <leastcost/framework/segment_cost_function.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/sample_domains.hpp"
@@ -73,7 +73,8 @@ TEST_CASE("where the smooth curve overshoots a bound, it follows the bound", "[f
   const Problem boxed = between(box(Eigen::Vector2d(-9, -9), Eigen::Vector2d(9, 1)), make_euclidean_cost(2),
                                 Eigen::Vector2d(0, 0), Eigen::Vector2d(3, 0));
   const CoordinatePath plateau{(Points(2, 4) << 0, 1, 2, 3, 0, 1, 1, 0).finished(), {}, false};
-  // y = t (3 - t) / 2 up to the lid at y = 1: two arcs of a parabola whose slopes run from 3/2 to 1/2, and a straight piece.
+  // y = t (3 - t) / 2 up to the lid at y = 1: two arcs of a parabola whose slopes run from 3/2 to 1/2, and a straight
+  // piece.
   const auto arc = [](double slope) { return (slope * std::hypot(1, slope) + std::asinh(slope)) / 2; };
   const std::optional<double> cost = smooth_curve_cost(boxed, plateau);
   REQUIRE(cost);

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/family.hpp"
+#include <leastcost/framework/family.hpp>
 
 #include <numbers>
 
-#include "framework/errors.hpp"
-#include "problems/initializers/bow.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/initializers/bow.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/hill.hpp"

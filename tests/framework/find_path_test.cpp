@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/find_path.hpp"
+#include <leastcost/framework/find_path.hpp>
 
 #include <chrono>
 #include <limits>
@@ -8,7 +8,7 @@
 #include <set>
 #include <thread>
 
-#include "framework/errors.hpp"
+#include <leastcost/framework/errors.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/sample_domains.hpp"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "framework/errors.hpp"
+#include <leastcost/framework/errors.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/sample_domains.hpp"
@@ -49,7 +49,8 @@ GeometryError measured(const std::shared_ptr<const ConstraintManifold>& sphere) 
 }  // namespace
 
 // Lengths are proportional to 1 + error: differences (factor - 1) e and (factor^2 - factor) e / 2, doubled.
-// Moving every point of an arc outwards by d changes its length by d times its angle, to first order: here as much as |C - C_1|.
+// Moving every point of an arc outwards by d changes its length by d times its angle, to first order: here as much as
+// |C - C_1|.
 TEST_CASE("geometry error: twice the largest of what coarser versions show") {
   const double e = 1e-4, chords = 32 * std::sin(std::acos(-1.0) / 4 / 16);
   const GeometryError fourth = measured(std::make_shared<RoughSphere>(e, 4, 5));

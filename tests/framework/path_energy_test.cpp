@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/path_energy.hpp"
+#include <leastcost/framework/path_energy.hpp>
 
-#include "framework/chain_model.hpp"
-#include "framework/segment_cost_function.hpp"
-#include "problems/manifolds/mesh.hpp"
+#include <leastcost/framework/chain_model.hpp>
+#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/problems/manifolds/mesh.hpp>
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "framework/spacing.hpp"
 
-#include "framework/errors.hpp"
-#include "framework/segment_cost_function.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/segment_cost_function.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/sample_domains.hpp"

@@ -5,12 +5,12 @@
 // levels of the certificate, so the bar must not come from an extrapolation.
 #include <numbers>
 
-#include "framework/find_path.hpp"
-#include "problems/costs/travel_time.hpp"
-#include "problems/initializers/straight.hpp"
-#include "problems/kernels/kernels.hpp"
-#include "problems/manifolds/euclidean.hpp"
-#include "solvers/newton.hpp"
+#include <leastcost/framework/find_path.hpp>
+#include <leastcost/problems/costs/travel_time.hpp>
+#include <leastcost/problems/initializers/straight.hpp>
+#include <leastcost/problems/kernels/kernels.hpp>
+#include <leastcost/problems/manifolds/euclidean.hpp>
+#include <leastcost/solvers/newton.hpp>
 #include "tests/support/catch.hpp"
 
 namespace {

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "framework/errors.hpp"
-#include "problems/initializers/coordinate_circle.hpp"
-#include "problems/initializers/plane_cut.hpp"
-#include "problems/manifolds/implicit.hpp"
-#include "problems/manifolds/mesh.hpp"
-#include "problems/manifolds/parametric.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/initializers/coordinate_circle.hpp>
+#include <leastcost/problems/initializers/plane_cut.hpp>
+#include <leastcost/problems/manifolds/implicit.hpp>
+#include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/manifolds/parametric.hpp>
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
@@ -44,9 +44,10 @@ void check_length(const Result& result, double length, double relative) {
   CHECK(std::abs(e.value - length) <= relative * length);
 }
 
-/// The geodesic of the torus with radii 2 and 1 that leaves a point at tube angle `v0` towards the inner equator, turns back at tube angle
-/// `turn` > v0 and is back at v0 after one turn about the axis, by Clairaut's relation r sin(angle) = c with c = r(turn): du = c dv / (r
-/// sqrt(r^2 - c^2)), ds = r dv / sqrt(r^2 - c^2), r = 2 + cos v. With v = turn - (turn - v0) t^2 the integrands are smooth.
+/// The geodesic of the torus with radii 2 and 1 that leaves a point at tube angle `v0` towards the inner equator, turns
+/// back at tube angle `turn` > v0 and is back at v0 after one turn about the axis, by Clairaut's relation r sin(angle)
+/// = c with c = r(turn): du = c dv / (r sqrt(r^2 - c^2)), ds = r dv / sqrt(r^2 - c^2), r = 2 + cos v. With v = turn -
+/// (turn - v0) t^2 the integrands are smooth.
 struct Clairaut {
   double v0 = 0;
   std::pair<double, double> half(double turn) const {  // angle about the axis and length of half of the loop

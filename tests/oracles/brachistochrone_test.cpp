@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// Least times of a bead, ORACLES D4. Depths there are heights below the source here.
+// Least times of a bead, docs/oracles.md D4. Depths there are heights below the source here.
 #include <cmath>
 #include <numbers>
 

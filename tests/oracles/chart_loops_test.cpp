@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// ORACLES D2 in charts: rings that close on another image of their first point.
+// docs/oracles.md D2 in charts: rings that close on another image of their first point.
 #include <numbers>
 
-#include "problems/initializers/coordinate_circle.hpp"
-#include "problems/manifolds/parametric.hpp"
+#include <leastcost/problems/initializers/coordinate_circle.hpp>
+#include <leastcost/problems/manifolds/parametric.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: MIT
 
 // Geodesics of the sphere and the torus on grids made from their equation, from a mesh and from a cloud.
-#include "problems/geometry/build_distance_grid.hpp"
-#include "problems/geometry/cloud_distance.hpp"
-#include "problems/geometry/implicit_distance.hpp"
-#include "problems/geometry/mesh_distance.hpp"
-#include "problems/geometry/named_surfaces.hpp"
-#include "problems/initializers/dijkstra.hpp"
-#include "problems/manifolds/mesh.hpp"
-#include "problems/manifolds/signed_distance.hpp"
-#include "problems/post_processors/straighten.hpp"
+#include <leastcost/problems/distance/build_distance_grid.hpp>
+#include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/manifolds/signed_distance.hpp>
+#include <leastcost/problems/post_processors/straighten.hpp>
+#include "problems/distance/cloud_distance.hpp"
+#include "problems/distance/implicit_distance.hpp"
+#include "problems/distance/mesh_distance.hpp"
+#include "problems/level_set/named_surfaces.hpp"
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
@@ -33,7 +33,7 @@ std::shared_ptr<const DistanceSource> implicit_torus() {
   return make_implicit_distance(make_torus_function(2, 1), {Vector3d(-3, -3, -1), Vector3d(3, 3, 1)});
 }
 
-/// Points of ORACLES torus-a, whose geodesic has the length 3.00530920550149849.
+/// Points of docs/oracles.md D1 torus-a, whose geodesic has the length 3.00530920550149849.
 constexpr double kTorusLength = 3.00530920550149849;
 Result torus_a(const std::shared_ptr<const SignedDistanceManifold>& torus) {
   const auto at = [](double u, double v) {
@@ -93,8 +93,8 @@ TEST_CASE("distance grid oracle: torus-a from 6000 samples") {
   CHECK(covered_error(c) <= 0.02);
 }
 
-// The domain of a grid made from a mesh is that mesh, whose geodesic between the same points is found by straightening; edges of 0.1 against
-// cells above and below that.
+// The domain of a grid made from a mesh is that mesh, whose geodesic between the same points is found by straightening;
+// edges of 0.1 against cells above and below that.
 TEST_CASE("distance grid oracle: random paths on a polyhedron") {
   const TriangleMesh mesh{sphere(4)};
   const auto polyhedron = std::make_shared<MeshManifold>(mesh);

@@ -1,17 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// Shortest geodesics on ellipsoids of revolution from the tables of the data set (GeodTest and exact integrals), in a chart and as
-// an implicit surface. From the straight start most pairs end on the shortest path; the family finds the others.
+// Shortest geodesics on ellipsoids of revolution from the tables of the data set (GeodTest and exact integrals), in a
+// chart and as an implicit surface. From the straight start most pairs end on the shortest path; the family finds the
+// others.
 #include <cstdio>
 #include <fstream>
 #include <numbers>
 #include <sstream>
 
-#include "framework/family.hpp"
-#include "problems/geometry/wound.hpp"
-#include "problems/initializers/bow.hpp"
-#include "problems/manifolds/implicit.hpp"
-#include "problems/manifolds/parametric.hpp"
+#include <leastcost/framework/family.hpp>
+#include <leastcost/problems/chart/wound.hpp>
+#include <leastcost/problems/initializers/bow.hpp>
+#include <leastcost/problems/manifolds/implicit.hpp>
+#include <leastcost/problems/manifolds/parametric.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/data.hpp"

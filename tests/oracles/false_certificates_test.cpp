@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// Problems on which the certificate once believed what was not so: bars that a lucky difference made too small, chains that jump
-// around a hole, a neck or an apex in one segment, boxes that chords ignore, saddles that few points hide.
+// Problems on which the certificate once believed what was not so: bars that a lucky difference made too small, chains
+// that jump around a hole, a neck or an apex in one segment, boxes that chords ignore, saddles that few points hide.
 #include <cmath>
 #include <numbers>
 
-#include "problems/manifolds/implicit.hpp"
-#include "problems/manifolds/parametric.hpp"
+#include <leastcost/problems/manifolds/implicit.hpp>
+#include <leastcost/problems/manifolds/parametric.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 
@@ -89,8 +89,9 @@ TEST_CASE("under a lid on a sphere the value is covered at few points", "[oracle
 TEST_CASE("two equal levels by luck do not make a small bar", "[oracle]") {
   ParametricOptions torus;
   torus.type = "torus";
-  const auto [target, truth] = GENERATE(std::pair(Vector2d(1, 2), 3.00530920550149849),  // ORACLES D1, torus a and b
-                                        std::pair(Vector2d(0.5, 3), 3.11354377379390939));
+  const auto [target, truth] =
+      GENERATE(std::pair(Vector2d(1, 2), 3.00530920550149849),  // docs/oracles.md D1, torus a and b
+               std::pair(Vector2d(0.5, 3), 3.11354377379390939));
   const auto kernel = GENERATE(make_kernel<Square>(), make_kernel<Expm1Square>());
   int certified = 0;
   for (int n = 3; n <= 40; ++n) {
@@ -124,7 +125,8 @@ TEST_CASE("a ring around an elliptic neck is covered at every number of points",
 }
 
 TEST_CASE("an equator beyond its conjugate point is a saddle however few the points", "[oracle]") {
-  // Along the equator of an ellipsoid 1:1:1.3 the curvature is 1 / 1.3^2: conjugate at 1.3 pi, and the path is a little longer.
+  // Along the equator of an ellipsoid 1:1:1.3 the curvature is 1 / 1.3^2: conjugate at 1.3 pi, and the path is a little
+  // longer.
   ParametricOptions options{.type = "ellipsoid", .axes = Eigen::Vector3d(1, 1, 1.3)};
   const int n = GENERATE(range(2, 8));
   const Result result = on_chart(options, {0, 0}, {1.003 * 1.3 * kPi, 0}, n);

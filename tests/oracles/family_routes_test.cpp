@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "framework/family.hpp"
-#include "problems/initializers/dijkstra.hpp"
-#include "problems/manifolds/mesh.hpp"
-#include "problems/manifolds/point_cloud.hpp"
-#include "problems/post_processors/straighten.hpp"
-#include "problems/post_processors/trace.hpp"
+#include <leastcost/framework/family.hpp>
+#include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/manifolds/point_cloud.hpp>
+#include <leastcost/problems/post_processors/straighten.hpp>
+#include <leastcost/problems/post_processors/trace.hpp>
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// ORACLES D3: a hill n = 1 + 2 exp(-r^2) between two points. Two mirror minima; the straight line over the top is a saddle.
+// docs/oracles.md D3: a hill n = 1 + 2 exp(-r^2) between two points. Two mirror minima; the straight line over the top
+// is a saddle.
 #include <cmath>
 #include <numbers>
 

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 
-// Geodesics of surfaces that are given as f(x, y, z) = 0 and of sets F(x) = 0: ORACLES D1 and D3. The reported value is
-// within 1e-8 (relative) of the closed form, and within its own error bar.
+// Geodesics of surfaces that are given as f(x, y, z) = 0 and of sets F(x) = 0: docs/oracles.md D1 and D3. The reported
+// value is within 1e-8 (relative) of the closed form, and within its own error bar.
 #include <cmath>
 #include <numbers>
 
-#include "problems/costs/metric_tensor.hpp"
-#include "problems/manifolds/constraint.hpp"
-#include "problems/manifolds/implicit.hpp"
+#include <leastcost/problems/costs/metric_tensor.hpp>
+#include <leastcost/problems/manifolds/constraint.hpp>
+#include <leastcost/problems/manifolds/implicit.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/sample_domains.hpp"

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "problems/geometry/geodesic.hpp"
-#include "problems/readers/mesh_reader.hpp"
+#include <leastcost/problems/readers/mesh_reader.hpp>
+#include <leastcost/problems/straighten/geodesic.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
 

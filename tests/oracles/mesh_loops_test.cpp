@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "problems/geometry/plane_section.hpp"
-#include "problems/geometry/straighten_ring.hpp"
-#include "problems/initializers/plane_cut.hpp"
-#include "problems/manifolds/mesh.hpp"
-#include "problems/readers/mesh_reader.hpp"
+#include <leastcost/problems/initializers/plane_cut.hpp>
+#include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/readers/mesh_reader.hpp>
+#include "problems/section/plane_section.hpp"
+#include "problems/straighten/straighten_ring.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/data.hpp"

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// Metrics with a closed form, ORACLES D3 and D4, each a cost of a few lines that is defined here and nowhere else.
+// Metrics with a closed form, docs/oracles.md D3 and D4, each a cost of a few lines that is defined here and nowhere
+// else.
 #include <cmath>
 
-#include "framework/segment_cost_function.hpp"
-#include "problems/costs/metric_field.hpp"
-#include "problems/costs/metric_tensor.hpp"
+#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/problems/costs/metric_field.hpp>
+#include <leastcost/problems/costs/metric_tensor.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/random.hpp"
@@ -54,7 +55,7 @@ struct GravityTunnel {
   }
 };
 
-struct Wind {  // air speed 1, wind (0.4, 0.3): Zermelo, ORACLES D5
+struct Wind {  // air speed 1, wind (0.4, 0.3): Zermelo, docs/oracles.md D5
   static constexpr int dim = 2;
   CostTraits traits() const { return {.unit = "s", .symmetric = false, .additive = true, .below_curves = true}; }
   template <class S>

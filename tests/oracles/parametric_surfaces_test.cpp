@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include <numbers>
 
-#include "problems/manifolds/parametric.hpp"
+#include <leastcost/problems/manifolds/parametric.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 
-// ORACLES D1 and D2 in charts. The reported value is that of a cubic curve through the points on the surface, order 4 in the step: at
-// these n at most 1e-8 (relative), where the chain alone has 1e-5.
+// docs/oracles.md D1 and D2 in charts. The reported value is that of a cubic curve through the points on the surface,
+// order 4 in the step: at these n at most 1e-8 (relative), where the chain alone has 1e-5.
 namespace leastcost::test {
 namespace {
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// Geodesics on sampled surfaces: certified where there is a surface in the cloud, with the error of the sampling told apart; scans that have holes and
-// sharp edges end in a path or in a clear reason.
+// Geodesics on sampled surfaces: certified where there is a surface in the cloud, with the error of the sampling told
+// apart; scans that have holes and sharp edges end in a path or in a clear reason.
 #include <cstdio>
 
-#include "framework/errors.hpp"
-#include "problems/initializers/dijkstra.hpp"
-#include "problems/manifolds/point_cloud.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/manifolds/point_cloud.hpp>
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"

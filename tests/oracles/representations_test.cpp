@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// One surface, several representations: the same cost, kernel, solver and certificate, and what each of them costs. Prints the table of the
-// README.
+// One surface, several representations: the same cost, kernel, solver and certificate, and what each of them costs.
+// Prints the table of the README.
 #include <cstdio>
 #include <string>
 
-#include "problems/initializers/dijkstra.hpp"
-#include "problems/manifolds/implicit.hpp"
-#include "problems/manifolds/mesh.hpp"
-#include "problems/manifolds/parametric.hpp"
-#include "problems/manifolds/point_cloud.hpp"
-#include "problems/manifolds/signed_distance.hpp"
+#include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/manifolds/implicit.hpp>
+#include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/manifolds/parametric.hpp>
+#include <leastcost/problems/manifolds/point_cloud.hpp>
+#include <leastcost/problems/manifolds/signed_distance.hpp>
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
@@ -27,7 +27,7 @@ using Eigen::Vector3d;
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr int kPoints = 127;
 
-/// A surface with a geodesic of known length (ORACLES D1).
+/// A surface with a geodesic of known length (docs/oracles.md D1).
 struct Surface {
   const char* name;
   Vector2d source, target;  ///< in the chart

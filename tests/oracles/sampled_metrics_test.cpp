@@ -6,12 +6,12 @@
 #include <fstream>
 #include <numbers>
 
-#include "problems/costs/metric_field.hpp"
-#include "problems/costs/metric_tensor.hpp"
-#include "problems/initializers/dijkstra.hpp"
-#include "problems/manifolds/mesh.hpp"
-#include "problems/manifolds/point_cloud.hpp"
-#include "problems/post_processors/trace.hpp"
+#include <leastcost/problems/costs/metric_field.hpp>
+#include <leastcost/problems/costs/metric_tensor.hpp>
+#include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/manifolds/point_cloud.hpp>
+#include <leastcost/problems/post_processors/trace.hpp>
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
@@ -116,7 +116,8 @@ TEST_CASE("tensors from a file: half-plane on a mesh, second order in the spacin
   CHECK(std::abs(errors[2]) < 2e-4);
 }
 
-/// A cylinder of radius r unrolls under the isophotic metric as well: ds^2 = dz^2 + (1 + w^2 / r^2) r^2 dphi^2, straight lines.
+/// A cylinder of radius r unrolls under the isophotic metric as well: ds^2 = dz^2 + (1 + w^2 / r^2) r^2 dphi^2,
+/// straight lines.
 TEST_CASE("isophotic metric: a cylinder as a mesh, second order", "[oracle]") {
   const double r = 0.5, w = 0.8, phi = 2, dz = 1.2, exact = std::hypot(dz, std::hypot(r, w) * phi);
   std::vector<double> errors;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// Geodesics and loops on smooth surfaces that are defined in the tests, ORACLES D1 and D2.
+// Geodesics and loops on smooth surfaces that are defined in the tests, docs/oracles.md D1 and D2.
 #include <cmath>
 #include <numbers>
 

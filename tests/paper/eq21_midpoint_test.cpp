@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// VFCS Eqs. (21), (22): the speed at mid-height is not the time of a straight chute from rest (NUMERICS Sec. 2). Reproduced, and
-// its error made visible.
+// VFCS Eqs. (21), (22): the speed at mid-height is not the time of a straight chute from rest (docs/numerics.md
+// Sec. 2.1). Reproduced, and its error made visible.
 #include <cmath>
 #include <cstdio>
 #include <numbers>

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// VFCS Eq. (3), Sec. 3.1: any H with H' > 0, H'' >= 0 has the critical points of the length. All six kernels find one path.
+// VFCS Eq. (3), Sec. 3.1: any H with H' > 0, H'' >= 0 has the critical points of the length. All six kernels find one
+// path.
 #include "tests/support/catch.hpp"
 #include "tests/support/chute_chain.hpp"
 #include "tests/support/compose.hpp"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// VFCS Eq. (8) and Sec. 4.2.2: what doubling the points does to the energy, by the kind of kernel; and the sinkhole it detects.
+// VFCS Eq. (8) and Sec. 4.2.2: what doubling the points does to the energy, by the kind of kernel; and the sinkhole it
+// detects.
 #include <cstdio>
 
 #include "framework/spacing.hpp"

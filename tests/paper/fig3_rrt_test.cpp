@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "problems/geometry/named_surfaces.hpp"
-#include "problems/initializers/rrt.hpp"
-#include "problems/manifolds/implicit.hpp"
+#include <leastcost/problems/initializers/rrt.hpp>
+#include <leastcost/problems/manifolds/implicit.hpp>
+#include "problems/level_set/named_surfaces.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 
@@ -30,7 +30,8 @@ Result from_tree(const Problem& problem, int points, int seed) {
   return find(problem, points, RrtInitializer(options));
 }
 
-/// Runs along the curve f = 0 from `from` (fourth-order Runge-Kutta in the arc length) until it passes `to`; the way so far.
+/// Runs along the curve f = 0 from `from` (fourth-order Runge-Kutta in the arc length) until it passes `to`; the way so
+/// far.
 double arc_length(const ConstraintFunction& f, const Eigen::Vector2d& from, const Eigen::Vector2d& to, double sense) {
   const auto tangent = [&](const Eigen::Vector2d& x) {
     Eigen::VectorXd value(1);

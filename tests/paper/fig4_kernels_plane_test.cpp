@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// VFCS Fig. 4: H = s, s^2, exp(s^2) - 1 on the plane with 200 points by plain L-BFGS. The paper compares at s0 = 1 in its own units; here all
-// three have s0 = the mean segment of the start, which takes the units out of it (NUMERICS Sec. 2).
+// VFCS Fig. 4: H = s, s^2, exp(s^2) - 1 on the plane with 200 points by plain L-BFGS. The paper compares at s0 = 1 in
+// its own units; here all three have s0 = the mean segment of the start, which takes the units out of it
+// (docs/numerics.md Sec. 2.2).
 #include <algorithm>
 #include <cstdio>
 #include <numbers>
@@ -70,7 +71,8 @@ TEST_CASE("Fig. 4: kernels on the plane by plain L-BFGS, at equal s0", "[paper]"
   CHECK(exponential.errors.back() < 1e-8);
   CHECK(square.spread < 1e-3);
   CHECK(exponential.spread < 1e-3);
-  // H = s shortens the path as well but has no unique minimiser: the spacing it was given is gone and does not come back.
+  // H = s shortens the path as well but has no unique minimiser: the spacing it was given is gone and does not come
+  // back.
   CHECK(s.errors.back() < 0.01);
   CHECK(s.spread > 1);
 }

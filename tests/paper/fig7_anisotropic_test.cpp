@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// VFCS Fig. 7: two paths between the same ends of a closed model, under the normal metric and under an anisotropic one. Each is the cheaper one under
-// its own metric.
+// VFCS Fig. 7: two paths between the same ends of a closed model, under the normal metric and under an anisotropic one.
+// Each is the cheaper one under its own metric.
 #include <cstdio>
 
-#include "app/run.hpp"
+#include "app/run/run.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/data.hpp"
@@ -18,10 +18,8 @@ struct Found {
 };
 
 Found run_config(const char* name) {
-  app::RunRequest request;
-  request.config_file = project_dir() / "configs" / name;
-  app::Prepared prepared = app::prepare(request);
-  const app::Composition& parts = prepared.parts;
+  const Run prepared = load_run(project_dir() / "configs" / name);
+  const Composition& parts = prepared.parts;
   return {parts.problem, find_path(parts.problem, *parts.initializer, *parts.solver, parts.options)};
 }
 

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// VFCS Table 1: iterations to a relative accuracy of 1e-3 for three kernels on meshes, from the Dijkstra path, as many points as it has
-// vertices. Measured at equal s0; what the paper prints for its own models is 212 / 101 / 80 on the duck.
+// VFCS Table 1: iterations to a relative accuracy of 1e-3 for three kernels on meshes, from the Dijkstra path, as many
+// points as it has vertices. Measured at equal s0; what the paper prints for its own models is 212 / 101 / 80 on the
+// duck.
 #include <cstdio>
 
-#include "problems/initializers/dijkstra.hpp"
-#include "problems/manifolds/mesh.hpp"
-#include "problems/readers/mesh_reader.hpp"
+#include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/readers/mesh_reader.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/data.hpp"

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/geometry/closest_point.hpp"
+#include <leastcost/problems/mesh/closest_point.hpp>
 
 #include <Eigen/Geometry>
 #include <limits>
 #include <random>
 
-#include "problems/readers/mesh_reader.hpp"
+#include <leastcost/problems/readers/mesh_reader.hpp>
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
@@ -48,7 +48,8 @@ double brute_force(const TriangleMesh& mesh, const Vector3d& p) {
   return least;
 }
 
-/// That the answer is a point of the surface, as far away as it says, and at the given distance. `tolerance` is a length.
+/// That the answer is a point of the surface, as far away as it says, and at the given distance. `tolerance` is a
+/// length.
 void check_answer(const TriangleMesh& mesh, const Vector3d& p, const ClosestPoint& answer, double distance,
                   double tolerance) {
   REQUIRE(answer.where.face >= 0);
@@ -66,7 +67,8 @@ Vector3d random_vector(std::mt19937_64& engine) {
   return {x, y, z};
 }
 
-/// Points on, near, around and far from the surface, each asked without a hint, with the right one and with a wrong one.
+/// Points on, near, around and far from the surface, each asked without a hint, with the right one and with a wrong
+/// one.
 void check_mesh(const TriangleMesh& mesh, int points) {
   std::mt19937_64 engine(kSeed);
   const ClosestPointTree tree(mesh);

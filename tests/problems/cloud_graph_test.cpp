@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/geometry/cloud_graph.hpp"
+#include <leastcost/problems/cloud/cloud_graph.hpp>
 
 #include <algorithm>
 
-#include "framework/errors.hpp"
-#include "problems/geometry/cloud_route.hpp"
-#include "problems/manifolds/point_cloud.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/manifolds/point_cloud.hpp>
+#include "problems/cloud/cloud_route.hpp"
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
@@ -58,7 +58,8 @@ TEST_CASE("parts of a cloud are counted, and ends in different parts named with 
   }
 }
 
-// The graph does not jump, and neither does the path, between sheets from three spacings on. Closer ones look like noise.
+// The graph does not jump, and neither does the path, between sheets from three spacings on. Closer ones look like
+// noise.
 TEST_CASE("a path stays on its sheet where another one is a few spacings away") {
   const int count = 1600;
   const double spacing = 1.0 / 40, apart = GENERATE(3.0, 4.5) * spacing;

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/geometry/cloud_surface.hpp"
+#include <leastcost/problems/cloud/cloud_surface.hpp>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "framework/errors.hpp"
+#include <leastcost/framework/errors.hpp>
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/random.hpp"
@@ -36,7 +36,8 @@ double error_on_torus(int count) {
 }  // namespace
 
 TEST_CASE("how much of the cloud a support holds") {
-  // On 1000 samples of 4 pi^2 R r = 79 the spacing is 0.28: a disc of radius 6 spacings is 11 % of the torus, one of 30 all of it.
+  // On 1000 samples of 4 pi^2 R r = 79 the spacing is 0.28: a disc of radius 6 spacings is 11 % of the torus, one of 30
+  // all of it.
   CHECK(PointCloud(torus_cloud(1000), {.radius = 6}).share_of_support() == Approx(0.11).epsilon(0.3));
   CHECK(PointCloud(torus_cloud(1000), {.radius = 30}).share_of_support() > 0.9);
 }
@@ -64,7 +65,8 @@ TEST_CASE("neighbour search agrees with looking at every point") {
   CHECK(found.size() == points.size());
 }
 
-// Algebraic spheres reproduce a sphere, also through normals that were estimated by quadratic fits (which are exact on no sphere).
+// Algebraic spheres reproduce a sphere, also through normals that were estimated by quadratic fits (which are exact on
+// no sphere).
 TEST_CASE("a sampled sphere is met at third order, and does not depend on where it lies") {
   double coarse = 0;
   for (const int count : {1000, 8000}) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/geometry/curvature.hpp"
+#include "problems/tensor/curvature.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

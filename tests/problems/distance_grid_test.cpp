@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/geometry/distance_grid.hpp"
+#include <leastcost/problems/distance/distance_grid.hpp>
 
 #include <limits>
 
-#include "framework/errors.hpp"
+#include <leastcost/framework/errors.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/random.hpp"
 
@@ -41,7 +41,8 @@ std::string refusal(const GridShape& shape, std::vector<double> values) {
 
 }  // namespace
 
-// A spline of degree three with clamped ends whose slopes are exact for cubics reproduces every tricubic polynomial, up to the border.
+// A spline of degree three with clamped ends whose slopes are exact for cubics reproduces every tricubic polynomial, up
+// to the border.
 TEST_CASE("distance grid: tricubic polynomials are reproduced") {
   const auto cubic = [](const Vector3d& x) {
     return 1 + x[0] * x[0] * x[0] * x[1] - 2 * x[1] * x[1] * x[1] * x[2] * x[2] +
@@ -81,7 +82,8 @@ TEST_CASE("distance grid: order 4 in value and 3 in gradient, border included") 
   }
 }
 
-// The value 2^-20 of a cell before and behind a face of the cells: with two continuous derivatives the third difference there is O(cell^-3) h^3.
+// The value 2^-20 of a cell before and behind a face of the cells: with two continuous derivatives the third difference
+// there is O(cell^-3) h^3.
 TEST_CASE("distance grid: two continuous derivatives across the faces of the cells") {
   Random random;
   const GridShape shape = cube(9);

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 
 // Distances sampled from meshes, implicit surfaces and clouds, and the grids made of them.
-#include "framework/errors.hpp"
-#include "problems/geometry/build_distance_grid.hpp"
-#include "problems/geometry/cloud_distance.hpp"
-#include "problems/geometry/formula_constraint.hpp"
-#include "problems/geometry/implicit_distance.hpp"
-#include "problems/geometry/mesh_distance.hpp"
-#include "problems/geometry/named_surfaces.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/distance/build_distance_grid.hpp>
+#include "problems/distance/cloud_distance.hpp"
+#include "problems/distance/implicit_distance.hpp"
+#include "problems/distance/mesh_distance.hpp"
+#include "problems/level_set/formula_constraint.hpp"
+#include "problems/level_set/named_surfaces.hpp"
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/geometry/edge_graph.hpp"
+#include <leastcost/problems/mesh/edge_graph.hpp>
 
 #include <cmath>
 #include <limits>
 #include <queue>
 #include <vector>
 
-#include "problems/geometry/path_tools.hpp"
-#include "problems/readers/mesh_reader.hpp"
+#include <leastcost/problems/mesh/path_tools.hpp>
+#include <leastcost/problems/readers/mesh_reader.hpp>
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/geometry/formula.hpp"
-#include "problems/geometry/coordinate_names.hpp"
+#include "problems/formula/formula.hpp"
+#include "problems/formula/coordinate_names.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/geometry/growing_points.hpp"
+#include "problems/initializers/growing_points.hpp"
 
 #include "tests/support/catch.hpp"
 #include "tests/support/random.hpp"

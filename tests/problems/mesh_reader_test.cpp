@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/readers/mesh_reader.hpp"
+#include <leastcost/problems/readers/mesh_reader.hpp>
 
 #include <algorithm>
 #include <array>
@@ -12,8 +12,8 @@
 #include <sstream>
 #include <string>
 
-#include "framework/errors.hpp"
-#include "problems/geometry/mesh_report.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/mesh/mesh_report.hpp>
 #include "problems/readers/format_readers.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/geometry/mesh_report.hpp"
+#include <leastcost/problems/mesh/mesh_report.hpp>
 
 #include <numbers>
 #include <numeric>
 
-#include "problems/readers/mesh_reader.hpp"
+#include <leastcost/problems/readers/mesh_reader.hpp>
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/readers/point_cloud_reader.hpp"
+#include <leastcost/problems/readers/point_cloud_reader.hpp>
 
 #include <bit>
 #include <cstring>
 #include <fstream>
 
-#include "framework/errors.hpp"
+#include <leastcost/framework/errors.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
 

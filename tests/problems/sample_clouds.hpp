@@ -7,9 +7,10 @@
 #include <numbers>
 #include <utility>
 
-#include "problems/geometry/point_samples.hpp"
+#include <leastcost/problems/cloud/point_samples.hpp>
 
-/// Clouds with a known surface behind them: quasi-random points (the additive sequence of the plastic number), uniform by area.
+/// Clouds with a known surface behind them: quasi-random points (the additive sequence of the plastic number), uniform
+/// by area.
 namespace leastcost::test {
 
 /// Point i of the sequence in the unit square.

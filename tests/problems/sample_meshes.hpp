@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "problems/geometry/triangle_mesh.hpp"
+#include <leastcost/problems/mesh/triangle_mesh.hpp>
 
 /// Small surfaces with known facts, for tests.
 namespace leastcost::test {
@@ -85,8 +85,9 @@ PolygonSoup sheet(int m, int n, Position position) {
 
 enum class Closing { kOpen, kRound, kTwisted };
 
-/// A grid of m x n quads whose columns close as u says (kTwisted: v reversed) and whose rows close or not. Positions are
-/// those of a torus, of a band around it with half twists; a Klein bottle crosses itself, which adjacency must not mind.
+/// A grid of m x n quads whose columns close as u says (kTwisted: v reversed) and whose rows close or not. Positions
+/// are those of a torus, of a band around it with half twists; a Klein bottle crosses itself, which adjacency must not
+/// mind.
 inline PolygonSoup grid(int m, int n, Closing u, bool v_closes) {
   PolygonSoup soup;
   const int columns = u == Closing::kOpen ? m + 1 : m;

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: MIT
 
 // Plane cuts of smooth surfaces, however they are given.
-#include "problems/geometry/smooth_section.hpp"
+#include "problems/section/smooth_section.hpp"
 
 #include <cmath>
 #include <numbers>
 
-#include "framework/errors.hpp"
-#include "problems/initializers/plane_cut.hpp"
-#include "problems/manifolds/implicit.hpp"
-#include "problems/manifolds/parametric.hpp"
-#include "problems/manifolds/point_cloud.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/initializers/plane_cut.hpp>
+#include <leastcost/problems/manifolds/implicit.hpp>
+#include <leastcost/problems/manifolds/parametric.hpp>
+#include <leastcost/problems/manifolds/point_cloud.hpp>
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"

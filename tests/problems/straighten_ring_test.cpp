@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/geometry/straighten_ring.hpp"
+#include "problems/straighten/straighten_ring.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "framework/errors.hpp"
-#include "problems/geometry/plane_section.hpp"
-#include "problems/geometry/trace.hpp"
+#include <leastcost/framework/errors.hpp>
+#include "problems/mesh/trace.hpp"
+#include "problems/section/plane_section.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/random.hpp"

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/geometry/straighten.hpp"
+#include <leastcost/problems/straighten/straighten.hpp>
 
 #include <cmath>
 #include <numbers>
 #include <set>
 
-#include "framework/errors.hpp"
-#include "problems/geometry/edge_graph.hpp"
-#include "problems/geometry/geodesic.hpp"
-#include "problems/geometry/trace.hpp"
-#include "problems/readers/mesh_reader.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/mesh/edge_graph.hpp>
+#include <leastcost/problems/readers/mesh_reader.hpp>
+#include <leastcost/problems/straighten/geodesic.hpp>
+#include "problems/mesh/trace.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/geometry/tensor_samples.hpp"
+#include <leastcost/problems/tensor/tensor_samples.hpp>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

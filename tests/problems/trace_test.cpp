@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/geometry/trace.hpp"
+#include "problems/mesh/trace.hpp"
 
 #include <numbers>
 
-#include "framework/errors.hpp"
-#include "problems/geometry/edge_graph.hpp"
-#include "problems/geometry/path_tools.hpp"
-#include "problems/readers/mesh_reader.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/mesh/edge_graph.hpp>
+#include <leastcost/problems/mesh/path_tools.hpp>
+#include <leastcost/problems/readers/mesh_reader.hpp>
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"

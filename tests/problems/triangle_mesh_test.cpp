@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/geometry/triangle_mesh.hpp"
+#include <leastcost/problems/mesh/triangle_mesh.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -8,9 +8,9 @@
 #include <random>
 #include <set>
 
-#include "framework/errors.hpp"
-#include "problems/geometry/polygon_triangulation.hpp"
-#include "problems/readers/mesh_reader.hpp"
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/readers/mesh_reader.hpp>
+#include "problems/mesh/polygon_triangulation.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/geometry/winding_number.hpp"
+#include "problems/distance/winding_number.hpp"
 
-#include "problems/geometry/orient_faces.hpp"
+#include "problems/distance/orient_faces.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/random.hpp"

@@ -7,8 +7,8 @@
 
 namespace leastcost::test {
 
-/// Least time of N straight chutes from rest, X across and Y down: T_N of ORACLES D4. The speeds are C sin(i Phi / N), and Phi solves
-/// X / Y = (2 N sin(Phi / N) - sin 2 Phi) / (2 sin^2 Phi).
+/// Least time of N straight chutes from rest, X across and Y down: T_N of docs/oracles.md D4. The speeds are C sin(i
+/// Phi / N), and Phi solves X / Y = (2 N sin(Phi / N) - sin 2 Phi) / (2 sin^2 Phi).
 inline double chute_chain_time(double x, double y, double gravity, int segments) {
   const double n = segments;
   double low = 1e-9, high = std::numbers::pi - 1e-9;

@@ -5,17 +5,17 @@
 #include <memory>
 #include <utility>
 
-#include "framework/find_path.hpp"
-#include "framework/path_energy.hpp"
+#include <leastcost/framework/find_path.hpp>
+#include <leastcost/framework/path_energy.hpp>
+#include <leastcost/problems/costs/euclidean.hpp>
+#include <leastcost/problems/costs/travel_time.hpp>
+#include <leastcost/problems/initializers/straight.hpp>
+#include <leastcost/problems/initializers/waypoints.hpp>
+#include <leastcost/problems/kernels/kernels.hpp>
+#include <leastcost/problems/manifolds/euclidean.hpp>
+#include <leastcost/solvers/lbfgs.hpp>
+#include <leastcost/solvers/newton.hpp>
 #include "framework/spacing.hpp"
-#include "problems/costs/euclidean.hpp"
-#include "problems/costs/travel_time.hpp"
-#include "problems/initializers/straight.hpp"
-#include "problems/initializers/waypoints.hpp"
-#include "problems/kernels/kernels.hpp"
-#include "problems/manifolds/euclidean.hpp"
-#include "solvers/lbfgs.hpp"
-#include "solvers/newton.hpp"
 
 /// Composing problems in one line each.
 namespace leastcost::test {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "problems/costs/metric_field.hpp"
-#include "problems/manifolds/parametric.hpp"
+#include <leastcost/problems/costs/metric_field.hpp>
+#include <leastcost/problems/manifolds/parametric.hpp>
 #include "tests/support/compose.hpp"
 
 namespace leastcost::test {
@@ -24,7 +24,8 @@ inline std::vector<std::pair<std::string, Problem>> growth_problems() {
                                                    Eigen::Vector2d(0, 0.1), Eigen::Vector2d(2, 0.1))}};
 }
 
-/// Energies and gradients until the path is within a relative excess of cost of 1e-10 of the best chain of n points, which newton finds. 0: never.
+/// Energies and gradients until the path is within a relative excess of cost of 1e-10 of the best chain of n points,
+/// which newton finds. 0: never.
 inline long evaluations_to_solve(const Problem& problem, int n, const Solver& solver) {
   const CoordinatePath start = sample_equally(problem, StraightInitializer().first_path(problem, {}).path, n);
   const double s0 = PathEnergy(problem, 1).cost(start) / static_cast<double>(start.segment_count());

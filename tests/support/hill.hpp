@@ -4,12 +4,12 @@
 
 #include <cmath>
 
-#include "framework/segment_cost_function.hpp"
+#include <leastcost/framework/segment_cost_function.hpp>
 
 namespace leastcost::test {
 
-/// ORACLES D3: a hill of the refractive index, n = 1 + 2 exp(-r^2). Between ends on opposite sides: two mirror minima around it, a saddle
-/// over its top.
+/// docs/oracles.md D3: a hill of the refractive index, n = 1 + 2 exp(-r^2). Between ends on opposite sides: two mirror
+/// minima around it, a saddle over its top.
 struct Hill {
   static constexpr int dim = 2;
   CostTraits traits() const { return {.unit = "weighted length"}; }

@@ -9,10 +9,10 @@
 
 namespace leastcost::test {
 
-/// Order at which error(h) falls when h is halved: the median of the last four slopes above the floor of rounding, or of the four before
-/// those (a change of sign can spoil one window). +infinity where the errors vanish: an exact derivative of a polynomial, a clamp that is
-/// no longer reached. A derivative is right when the Taylor error of degree p falls at order p + 1; one finite difference would only say that
-/// it is not grossly wrong.
+/// Order at which error(h) falls when h is halved: the median of the last four slopes above the floor of rounding, or
+/// of the four before those (a change of sign can spoil one window). +infinity where the errors vanish: an exact
+/// derivative of a polynomial, a clamp that is no longer reached. A derivative is right when the Taylor error of degree
+/// p falls at order p + 1; one finite difference would only say that it is not grossly wrong.
 template <class Error>
 double observed_order(Error error, double first_step, double floor, int halvings = 20) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "problems/post_processors/straighten.hpp"
-#include "problems/post_processors/trace.hpp"
+#include <leastcost/problems/post_processors/straighten.hpp>
+#include <leastcost/problems/post_processors/trace.hpp>
 #include "tests/support/compose.hpp"
 
 namespace leastcost::test {

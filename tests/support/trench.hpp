@@ -9,7 +9,8 @@
 
 namespace leastcost::test {
 
-/// The graph z = -depth exp(-(x / width)^2): flat land with a trench along y. Points are projected along z, which is a retraction.
+/// The graph z = -depth exp(-(x / width)^2): flat land with a trench along y. Points are projected along z, which is a
+/// retraction.
 class TrenchManifold final : public EmbeddedManifold {
  public:
   TrenchManifold(double depth, double width) : EmbeddedManifold({3, 3, 2}), depth_(depth), width_(width) {}
@@ -31,8 +32,8 @@ class TrenchManifold final : public EmbeddedManifold {
   double depth_, width_;
 };
 
-/// Paths from one side of the trench to the other: the right one goes down and up its steep walls; the other stops at the rims and jumps, held
-/// there by the land behind (VFCS Fig. 2 b).
+/// Paths from one side of the trench to the other: the right one goes down and up its steep walls; the other stops at
+/// the rims and jumps, held there by the land behind (VFCS Fig. 2 b).
 struct Trench {
   Trench(double depth, double w) : width(w), manifold(std::make_shared<TrenchManifold>(depth, w)) {}
   double width, reach = 4;

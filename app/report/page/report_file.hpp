@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace leastcost::app {
+
+struct ReportFile {
+  std::string name;  ///< relative to the folder of the results
+  std::string content;
+};
+
+}  // namespace leastcost::app

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/plot/text.hpp"
+#include "app/report/page/page.hpp"
+#include "app/report/run/run_parts.hpp"
+
+namespace leastcost::app {
+namespace {
+
+/// The table of tests, row by row.
+class CertificateTable {
+ public:
+  explicit CertificateTable(const JsonFile& result) : result_(result) {
+    table_.columns = {{"test"}, {"measured", true}, {"allowed", true}, {"verdict"}, {"what it asks"}};
+    table_.style = "tests";
+    for (const JsonFile& f : result.objects("failures")) {
+      failures_.push_back(f.text("name"));
+      messages_.push_back(f.text("message"));
+    }
+  }
+
+  Table table() {
+    simple("stationarity", "certificate.stationarity", "certificate.thresholds.stationarity",
+           "By how much, relatively, one more Newton step would still lower the cost.", {}, "mesh: 1.0 × 10⁻⁶");
+    simple("residual", "certificate.residual", "certificate.thresholds.residual",
+           "How far the points lie off the domain, in diameters of the path.");
+    simple(
+        "spacing", "certificate.spacing", "certificate.thresholds.spacing",
+        "Largest over smallest cost of a segment, minus 1; or, where the cost is not additive, that it falls at second "
+        "order when segments are halved.",
+        {}, "or falling");
+    value();
+    bracket();
+    doubling();
+    simple("longest segment", "certificate.longest_segment", "certificate.thresholds.longest_segment",
+           "Costliest piece of the curve between two points over the mean.", {"longest_segment"});
+    index();
+    simple(
+        "straightness", "certificate.straightness", "",
+        "Smallest angle beside a point of the straightened path minus π, measured by a checker of its own; radians.");
+    simple("asymmetry", "certificate.asymmetry", "", "Cost of the way back over that of the way there, minus 1.");
+    simple("domain", "certificate.geometry_error", "",
+           "What the samples or the grid that stand for the domain cost, found by solving on coarser ones; not part of "
+           "the "
+           "error bar.",
+           {"geometry_error"});
+    return std::move(table_);
+  }
+
+ private:
+  bool failed(const std::vector<std::string>& names) const {
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+      return std::find(failures_.begin(), failures_.end(), name) != failures_.end();
+    });
+  }
+
+  std::string reasons(const std::vector<std::string>& names) const {
+    std::string all;
+    for (std::size_t i = 0; i < failures_.size(); ++i)
+      if (std::find(names.begin(), names.end(), failures_[i]) != names.end())
+        all += (all.empty() ? "" : "; ") + messages_[i];
+    return all;
+  }
+
+  void row(const std::string& test, const std::string& measured, const std::string& allowed,
+           const std::vector<std::string>& names, const std::string& words, bool informs = false) {
+    Cell verdict{informs ? "–" : "passed", informs ? "mild" : "good"};
+    if (failed(names)) verdict = {"failed", "bad", reasons(names)};
+    table_.rows.push_back({{test}, {measured}, {allowed}, verdict, {words}});
+  }
+
+  /// A number with a threshold (key may be empty: it informs); left out where it was not measured.
+  void simple(const std::string& test, const std::string& key, const std::string& threshold, const std::string& words,
+              std::vector<std::string> names = {}, const std::string& otherwise = "") {
+    const double measured = result_.number(key);
+    if (names.empty()) names = {test};
+    if (std::isnan(measured) && !failed(names)) return;
+    const bool has_threshold = !threshold.empty() && result_.has(threshold);
+    const double allowed = has_threshold ? result_.number(threshold) : std::nan("");
+    // A larger value may pass: docs/numerics.md names the domains and costs where another rule takes the threshold's
+    // place.
+    const bool other_rule = has_threshold && measured > allowed && !failed(names);
+    row(test, number_text(measured),
+        !has_threshold ? ""
+        : other_rule   ? otherwise
+                       : number_text(allowed, 2),
+        names, words, !has_threshold);
+  }
+
+  void value() {
+    const std::string method = result_.text("cost.method");
+    if (method.empty()) return;
+    const double order = result_.number("cost.order");
+    const std::vector<std::string> names = {"refinement", "not_asymptotic", "error_bar", "collapsed"};
+    std::string words =
+        "The value is the cost of the delivered curve itself; nothing was extrapolated. Method: " + method + ".";
+    if (!result_.objects("certificate.levels").empty())
+      words =
+          "The path is solved again with half, once and twice as many segments; the value and its bar follow from "
+          "these levels. Method: " +
+          method + ".";
+    if (std::isfinite(order)) words += " The order is observed; smooth paths have 2.";
+    row("refinement", std::isfinite(order) ? "order " + number_text(order) : method, "", names, words);
+  }
+
+  void bracket() {
+    const double lower = result_.number("cost.lower"), upper = result_.number("cost.upper");
+    if (!std::isfinite(lower) || !std::isfinite(upper)) return;
+    row("bracket", "width " + number_text(upper - lower, 2), "", {},
+        fmt::format(
+            "The least cost lies between the bound of the chords, {:.12g}, and the cost of a feasible curve, {:.12g}.",
+            lower, upper),
+        true);
+  }
+
+  void doubling() {
+    const double measured = result_.number("certificate.doubling"),
+                 expected = result_.number("certificate.doubling_expected");
+    if (!std::isfinite(measured) && !failed({"doubling"})) return;
+    const double allowed = result_.number("certificate.thresholds.doubling");
+    row("doubling", number_text(std::abs(measured / expected - 1)), number_text(allowed, 2), {"doubling"},
+        fmt::format(
+            "Energy over that of twice as many segments, {}, against {} for an evenly spaced path (VFCS Eq. 8); "
+            "relative deviation.",
+            number_text(measured, 6), number_text(expected, 6)));
+  }
+
+  void index() {
+    const std::string verdict = result_.text("certificate.index.verdict");
+    const std::vector<std::string> names = {"saddle", "degenerate", "index_not_applicable"};
+    const bool not_applicable = verdict == "not_applicable";
+    const std::string words =
+        not_applicable
+            ? "Not defined here: the energy of a path on a polyhedron has kinks, and that under H = s has no curvature "
+              "along the path."
+            : fmt::format(
+                  "Directions in which the energy falls, by the signs of the pivots of its Hessian: {}; flat ones: {}.",
+                  result_.text("certificate.index.negatives"), result_.text("certificate.index.nullity"));
+    row("index", not_applicable ? "not applicable" : verdict, not_applicable ? "" : "minimum", names, words,
+        not_applicable);
+  }
+
+  const JsonFile& result_;
+  std::vector<std::string> failures_, messages_;
+  Table table_;
+};
+
+std::string levels(const JsonFile& result) {
+  const std::vector<JsonFile> levels = result.objects("certificate.levels");
+  if (levels.empty()) return "";
+  Table table{{{"segments", true}, {"cost", true}, {"change", true}, {"spacing", true}, {"iterations", true}}, {}, ""};
+  double before = std::nan("");
+  for (const JsonFile& level : levels) {
+    const double cost = level.number("cost");
+    table.rows.push_back({{level.text("segments")},
+                          {fmt::format("{:.12g}", cost)},
+                          {std::isnan(before) ? "" : number_text(cost - before)},
+                          {number_text(level.number("spacing"))},
+                          {level.text("iterations")}});
+    before = cost;
+  }
+  return "<h3>Levels of the refinement</h3>\n" + html(table);
+}
+
+}  // namespace
+
+std::string certificate_part(const JsonFile& result) {
+  if (!result.flag("certificate.measured"))
+    return paragraph("The certificate was not measured: it is switched off, or the run was interrupted.");
+  return paragraph(
+             "Measured by the framework after the solve, independently of the solver. Scope: " + result.text("scope") +
+             ". A certificate is about this path and its neighbours; it never says that no better path exists "
+             "elsewhere.") +
+         html(CertificateTable(result).table()) + levels(result);
+}
+
+}  // namespace leastcost::app

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/plot/text.hpp"
+#include "app/report/page/page.hpp"
+#include "app/report/page/viewer_script.hpp"
+#include "app/report/run/run_parts.hpp"
+#include "app/report/run/space_view.hpp"
+#include "catalogue/scene/thinned.hpp"
+
+namespace leastcost::app {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t kDrawnTriangles = 3600;  ///< of the still picture
+constexpr std::size_t kLookTriangles = 1200;   ///< enough to choose a side from which to look
+
+Points ends_of(const RunFiles& files) {
+  if (files.result.flag("ring") || files.points.cols() == 0) return Points(files.points.rows(), 0);
+  Points ends(files.points.rows(), 2);
+  ends << files.points.leftCols(1), files.points.rightCols(1);
+  return ends;
+}
+
+/// One entry of a legend: a sample of what is drawn, its name; with a layer of the 3D view a box to switch it.
+std::string entry(const std::string& sample, const std::string& name, const char* layer) {
+  const std::string drawn =
+      fmt::format("<svg class=\"plot\" width=\"30\" height=\"12\" aria-hidden=\"true\">{}</svg>", sample);
+  if (layer == nullptr) return fmt::format("<span>{} {}</span>\n", drawn, name);
+  return fmt::format("<label><input type=\"checkbox\" data-layer=\"{}\" checked>{} {}</label>\n", layer, drawn, name);
+}
+
+std::string legend_of(const RunFiles& files, bool layers) {
+  const auto line = [](const char* name) { return fmt::format("<path class=\"{}\" d=\"M1 6h28\"/>", name); };
+  std::string out = "<div class=\"legend\">\n" + entry(line("path"), "path", nullptr);
+  out += entry("<circle class=\"point\" cx=\"15\" cy=\"6\" r=\"3\"/>", "its points, equally spaced in cost",
+               layers ? "points" : nullptr);
+  out += entry(line("first"), "first path", layers ? "first" : nullptr);
+  if (!files.scene.lines.others.empty())
+    out += entry(line("other"), "other paths of the family", layers ? "others" : nullptr);
+  if (!files.result.flag("ring")) out += entry("<circle class=\"end\" cx=\"15\" cy=\"6\" r=\"4.5\"/>", "ends", nullptr);
+  return out + "</div>\n";
+}
+
+std::string caption_of(const RunFiles& files, const std::string& before) {
+  std::string text = before;
+  for (const std::string& note : files.scene.notes) text += (text.empty() ? "" : " ") + ("Note: " + note + ".");
+  return text.empty() ? "" : fmt::format("<figcaption>{}</figcaption>\n", escaped(text));
+}
+
+Json flat(const Points& x) { return std::vector<double>(x.data(), x.data() + x.size()); }
+
+/// What the 3D view gets: the scene as it is in its file, and what only the report knows.
+std::string viewer_data(const RunFiles& files, const SpaceView& view) {
+  const Scene& scene = files.scene;
+  Json extra = {{"markers", flat(files.points)},
+                {"ends", flat(ends_of(files))},
+                {"view",
+                 {{"direction", {view.axes(2, 0), view.axes(2, 1), view.axes(2, 2)}},
+                  {"up", {scene.up[0], scene.up[1], scene.up[2]}}}}};
+  std::string text = scene_json(scene);
+  const std::string more = extra.dump();
+  text.replace(text.rfind('}'), 1, "," + more.substr(1));
+  // A script element ends at the first "</script" whatever it holds.
+  std::string safe;
+  for (const char c : text) c == '<' ? safe += "\\u003c" : safe += c;
+  return safe;
+}
+
+/// For choosing a side from which to look at a cloud, a thousand points are enough.
+TriangleSoup few_squares(const Surfels& surfels) {
+  const std::size_t step = surfels.positions.size() / 1000 + 1;
+  Surfels few;
+  for (std::size_t i = 0; i < surfels.positions.size(); i += step) {
+    few.positions.push_back(surfels.positions[i]);
+    few.normals.push_back(surfels.normals[i]);
+  }
+  few.spacing = surfels.spacing * std::sqrt(static_cast<double>(step));
+  return squares(few);
+}
+
+Picture space_picture(const RunFiles& files) {
+  const Scene& scene = files.scene;
+  const TriangleSoup coarse = thinned(scene.surface, Points(3, 0), kDrawnTriangles);
+  const SpaceView view =
+      choose_view(coarse.triangles.empty() ? few_squares(scene.surfels) : thinned(coarse, Points(3, 0), kLookTriangles),
+                  scene.lines.path, scene.up);
+  const std::string still = space_svg(scene, coarse, files.points, ends_of(files), view);
+  const bool viewer = !viewer_script().empty();
+  std::string part = "<figure>\n<div class=\"stage\" id=\"stage\">" + still + "</div>\n";
+  part += legend_of(files, viewer);
+  if (viewer)
+    part += "<p class=\"soft\" id=\"no-webgl\" hidden>This browser offers no WebGL: the picture stands still.</p>\n";
+  part += caption_of(
+      files,
+      viewer
+          ? "Drag to turn, scroll or pinch to zoom after a click, double click to come back; keys: arrows, +, −, 0."
+          : "This leastcost was built without npm, and so without its 3D view; path.vtp and path.obj open in viewers.");
+  part += "</figure>\n";
+  if (!viewer) return {part, ""};
+  return {part, "<script type=\"application/json\" id=\"scene\">" + viewer_data(files, view) + "</script>\n<script>" +
+                    std::string(viewer_script()) + "</script>\n"};
+}
+
+bool holds_infinity(const Raster& raster) {
+  return std::any_of(raster.values.begin(), raster.values.end(), [](double value) { return std::isinf(value); });
+}
+
+}  // namespace
+
+Picture picture_of(const RunFiles& files) {
+  if (files.scene.dimension == 3 && files.scene.lines.path.cols() > 0) return space_picture(files);
+  if (files.scene.dimension == 2 && files.scene.lines.path.cols() > 0) {
+    std::string bands;
+    if (files.scene.cost)
+      bands =
+          "Shading: cost per unit of length, mean over all directions, on a logarithmic scale; the stronger, the "
+          "dearer.";
+    if (files.scene.cost && holds_infinity(*files.scene.cost)) bands += " Hatched: not reachable.";
+    return {"<figure>\n" + plane_svg(files) + legend_of(files, false) + caption_of(files, bands) + "</figure>\n", ""};
+  }
+  return {
+      figures({coordinates_svg(files)}, "A space of this dimension has no picture: its coordinates along the path."),
+      ""};
+}
+
+}  // namespace leastcost::app

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+
+// The plane, drawn to scale: cost as bands, box, the domain where it is a curve, first path, path, points and ends.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/plot/chart.hpp"
+#include "app/plot/contour.hpp"
+#include "app/plot/text.hpp"
+#include "app/report/run/run_parts.hpp"
+
+namespace leastcost::app {
+namespace {
+
+constexpr double kMostWidth = 860, kMostHeight = 560, kLeft = 58, kBelow = 64, kTop = 12, kRight = 14;
+constexpr int kBands = 8;
+
+/// The part of the plane that is shown, and how it is mapped to the drawing.
+class Frame {
+ public:
+  Frame(const Eigen::Vector2d& lower, const Eigen::Vector2d& upper) : lower_(lower), upper_(upper) {
+    const Eigen::Vector2d extent = upper - lower;
+    scale_ = std::min((kMostWidth - kLeft - kRight) / extent[0], (kMostHeight - kTop - kBelow) / extent[1]);
+  }
+  double x(double value) const { return kLeft + scale_ * (value - lower_[0]); }
+  double y(double value) const { return kTop + scale_ * (upper_[1] - value); }
+  double width() const { return scale_ * (upper_[0] - lower_[0]); }
+  double height() const { return scale_ * (upper_[1] - lower_[1]); }
+  Range range(Index i) const { return {lower_[i], upper_[i]}; }
+  bool contains(const Eigen::VectorXd& p) const {
+    return (p.array() >= lower_.array()).all() && (p.array() <= upper_.array()).all();
+  }
+
+ private:
+  Eigen::Vector2d lower_, upper_;
+  double scale_ = 1;
+};
+
+Frame frame_of(const RunFiles& files) {
+  const Scene& scene = files.scene;
+  if (scene.cost) return {scene.cost->lower, scene.cost->upper};
+  Eigen::Vector2d lower = files.points.col(0), upper = lower;
+  const auto grow = [&](const Points& x) {
+    for (const auto p : x.colwise()) {
+      if (!p.allFinite()) continue;
+      lower = lower.cwiseMin(p);
+      upper = upper.cwiseMax(p);
+    }
+  };
+  grow(files.points);
+  grow(scene.lines.path);
+  grow(scene.lines.first);
+  for (const Points& curve : scene.curves) grow(curve);
+  const double longest = std::max((upper - lower).maxCoeff(), 1e-12);
+  const Eigen::Vector2d missing = ((0.35 * longest - (upper - lower).array()) / 2).max(0.0) + 0.08 * longest;
+  return {lower - missing, upper + missing};
+}
+
+std::string points_of(const Points& line, const Frame& frame) {
+  std::string d;
+  for (const auto p : line.colwise())
+    if (p.allFinite())
+      fmt::format_to(std::back_inserter(d), "{}{:.2f} {:.2f}", d.empty() ? "M" : "L", frame.x(p[0]), frame.y(p[1]));
+  return d;
+}
+
+std::string stroke(const Points& line, const Frame& frame, const char* classes) {
+  return fmt::format("<path class=\"{}\" d=\"{}\"/>\n", classes, points_of(line, frame));
+}
+
+/// Levels between which the bands lie: evenly in the logarithm, where the middle 96 % of the values are.
+std::vector<double> levels_of(const Raster& raster) {
+  std::vector<double> finite;
+  for (const double value : raster.values)
+    if (std::isfinite(value) && value > 0) finite.push_back(value);
+  if (finite.empty()) return {};
+  std::sort(finite.begin(), finite.end());
+  const double low = finite[finite.size() / 50], high = finite[finite.size() - 1 - finite.size() / 50];
+  std::vector<double> levels;
+  levels.reserve(kBands);
+  for (int k = 0; k < kBands; ++k) levels.push_back(low * std::pow(high / low, (k + 0.5) / kBands));
+  return levels;
+}
+
+std::string cost_bands(const Raster& raster, const Frame& frame) {
+  const std::vector<double> levels = levels_of(raster);
+  const Grid grid{raster.columns, raster.rows, raster.values};
+  const auto x = [&](double i) {
+    return frame.x(raster.lower[0] + (raster.upper[0] - raster.lower[0]) * i / (raster.columns - 1));
+  };
+  const auto y = [&](double j) {
+    return frame.y(raster.lower[1] + (raster.upper[1] - raster.lower[1]) * j / (raster.rows - 1));
+  };
+  std::string out =
+      fmt::format("<rect class=\"band0\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n",
+                  frame.x(raster.lower[0]), frame.y(raster.upper[1]), frame.width(), frame.height());
+  for (const double level : levels)
+    out += fmt::format("<path class=\"band\" d=\"{}\"/>\n", region_above(grid, level, x, y));
+  return out + fmt::format("<path class=\"out\" d=\"{}\"/>\n", region_infinite(grid, x, y));
+}
+
+std::string axes(const Frame& frame) {
+  std::string out = fmt::format("<rect class=\"axis\" x=\"{}\" y=\"{}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n", kLeft,
+                                kTop, frame.width(), frame.height());
+  const double bottom = kTop + frame.height();
+  for (const Tick& t : ticks(ScaleKind::linear, frame.range(0), std::max(2, static_cast<int>(frame.width() / 80))))
+    out += fmt::format(
+        "<path class=\"axis\" d=\"M{0:.1f} {1:.1f}v5\"/><text x=\"{0:.1f}\" y=\"{2:.1f}\" "
+        "text-anchor=\"middle\">{3}</text>\n",
+        frame.x(t.at), bottom, bottom + 18, t.label);
+  for (const Tick& t : ticks(ScaleKind::linear, frame.range(1), std::max(2, static_cast<int>(frame.height() / 60))))
+    out += fmt::format(
+        "<path class=\"axis\" d=\"M{0} {1:.1f}h-5\"/><text x=\"{2}\" y=\"{3:.1f}\" text-anchor=\"end\">{4}</text>\n",
+        kLeft, frame.y(t.at), kLeft - 8, frame.y(t.at) + 3.8, t.label);
+  out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">x</text>\n", kLeft + frame.width() / 2,
+                     bottom + 34);
+  return out + fmt::format("<text x=\"12\" y=\"{:.1f}\">y</text>\n", kTop + frame.height() / 2);
+}
+
+/// The sides of the box that lie within the frame.
+std::string box_sides(const Scene& scene, const Frame& frame) {
+  if (scene.lower.size() == 0) return "";
+  std::string d;
+  for (const double x : {scene.lower[0], scene.upper[0]})
+    if (x >= frame.range(0).least && x <= frame.range(0).largest)
+      d += fmt::format("M{:.1f} {:.1f}v{:.1f}", frame.x(x), kTop, frame.height());
+  for (const double y : {scene.lower[1], scene.upper[1]})
+    if (y >= frame.range(1).least && y <= frame.range(1).largest)
+      d += fmt::format("M{} {:.1f}h{:.1f}", kLeft, frame.y(y), frame.width());
+  return d.empty() ? "" : fmt::format("<path class=\"wall\" d=\"{}\"/>\n", d);
+}
+
+std::string path_marks(const RunFiles& files, const Frame& frame) {
+  std::string out;
+  const double radius = files.points.cols() > 120 ? 1.5 : 2.4;
+  if (files.points.cols() <= 400)
+    for (const auto p : files.points.colwise())
+      out += fmt::format("<circle class=\"point\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{}\"/>", frame.x(p[0]), frame.y(p[1]),
+                         radius);
+  if (files.result.flag("ring")) return out;
+  for (const Index end : {Index(0), files.points.cols() - 1})
+    out += fmt::format("<circle class=\"end\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"5.5\"/>", frame.x(files.points(0, end)),
+                       frame.y(files.points(1, end)));
+  return out + "\n";
+}
+
+}  // namespace
+
+std::string plane_svg(const RunFiles& files) {
+  const Frame frame = frame_of(files);
+  const Scene& scene = files.scene;
+  std::string inside;
+  if (scene.cost) inside += cost_bands(*scene.cost, frame);
+  for (const Points& curve : scene.curves) inside += stroke(curve, frame, "domain");
+  inside += box_sides(scene, frame);
+  inside += stroke(scene.lines.first, frame, "first");
+  for (const Points& other : scene.lines.others) inside += stroke(other, frame, "other");
+  inside += stroke(scene.lines.path, frame, "path");
+  std::string out = fmt::format(
+      "<defs><clipPath id=\"inside\"><rect x=\"{}\" y=\"{}\" width=\"{:.1f}\" height=\"{:.1f}\"/></clipPath><pattern "
+      "id=\"hatch\" width=\"7\" "
+      "height=\"7\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\"><path class=\"hatch\" d=\"M0 "
+      "0v7\"/></pattern></defs>\n",
+      kLeft, kTop, frame.width(), frame.height());
+  out += fmt::format("<g clip-path=\"url(#inside)\">\n{}</g>\n{}{}", inside, axes(frame), path_marks(files, frame));
+  return svg_element("The path in the plane", "The path, its points, its ends and the first path, drawn to scale",
+                     kLeft + frame.width() + kRight, kTop + frame.height() + kBelow - 20, out, false);
+}
+
+}  // namespace leastcost::app

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "app/report/run/run_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/plot/text.hpp"
+#include "app/report/page/page.hpp"
+#include "app/report/page/provenance.hpp"
+#include "app/report/run/run_parts.hpp"
+
+namespace leastcost::app {
+namespace {
+
+/// As many digits as the bar leaves, and two more.
+std::string cost_text(double value, double bar) {
+  if (!std::isfinite(value) || value == 0) return number_text(value);
+  if (!std::isfinite(bar)) return number_text(value, 9);
+  if (bar <= 0) return fmt::format("{:.15g}", value);
+  const int before = static_cast<int>(std::floor(std::log10(std::abs(value))));
+  const int decimals = 1 - static_cast<int>(std::floor(std::log10(bar)));
+  return fmt::format("{:.{}g}", value, std::clamp(before + decimals + 1, 3, 15));
+}
+
+std::string duration(double seconds) {
+  if (seconds < 1e-3) return number_text(1e6 * seconds) + " µs";
+  if (seconds < 1) return number_text(1e3 * seconds) + " ms";
+  return number_text(seconds) + " s";
+}
+
+double total_seconds(const JsonFile& result) {
+  double sum = 0;
+  for (const char* stage : {"read", "initialize", "solve", "post_process", "certify"})
+    sum += result.number(std::string("seconds.") + stage);
+  return sum;
+}
+
+std::string bar_text(const JsonFile& result) {
+  if (!result.flag("certificate.measured")) return "error not measured";
+  const double bar = result.number("cost.error_estimate"), geometry = result.number("certificate.geometry_error");
+  std::string text = std::isfinite(bar) ? "± " + number_text(bar, 2) : "error unknown";
+  if (std::isfinite(geometry)) text += "; domain ± " + number_text(geometry, 2);
+  return text + " (" + result.text("cost.method") + ")";
+}
+
+std::vector<KeyFigure> key_figures_of(const JsonFile& result) {
+  const double bar = result.flag("certificate.measured") ? result.number("cost.error_estimate") : std::nan("");
+  return {{"cost", cost_text(result.number("cost.value"), bar) + " " + result.text("cost.unit"), bar_text(result)},
+          {"spacing", number_text(result.number("spacing")), "largest / smallest cost − 1"},
+          {"points", result.text("points"), result.flag("ring") ? "of a closed path" : "between the ends"},
+          {"solver", result.text("solver.name"),
+           fmt::format("{} after {} iteration{}", result.text("solver.termination"), result.text("solver.iterations"),
+                       result.text("solver.iterations") == "1" ? "" : "s")},
+          {"time", duration(total_seconds(result)), duration(result.number("seconds.solve")) + " of it in the solver"}};
+}
+
+Headline headline_of(const JsonFile& result) {
+  const std::string status = result.text("status");
+  Headline headline{"run", result.text("name"),
+                    fmt::format("{} manifold, {} cost, kernel {}, first path {}", result.text("problem.manifold"),
+                                result.text("problem.cost"), result.text("problem.kernel"), result.text("initializer")),
+                    status, "bad"};
+  if (result.flag("certified")) {
+    headline.verdict = status + ", " + result.text("scope");
+    std::replace(headline.verdict.begin(), headline.verdict.end(), '_', ' ');
+    headline.style = "good";
+  } else if (!result.flag("certificate.measured") && status != "collapsed") {
+    headline.verdict += ", certificate not measured";
+    headline.style = "mild";
+  }
+  return headline;
+}
+
+std::string failures_of(const JsonFile& result) {
+  std::string items;
+  for (const JsonFile& f : result.objects("failures"))
+    items += fmt::format("<li><strong>{}</strong>: {}</li>\n", escaped(f.text("name")), escaped(f.text("message")));
+  return items.empty() ? "" : "<div class=\"why\">Why it is not certified:<ul>\n" + items + "</ul></div>\n";
+}
+
+std::string family_of(const JsonFile& result) {
+  const std::vector<JsonFile> members = result.objects("family");
+  if (members.empty()) return "";
+  Table table{{{"cost", true}, {"bar", true}, {"status"}, {"index"}, {"iterations", true}, {"from"}}, {}, ""};
+  for (const JsonFile& m : members) {
+    std::string from, why;
+    for (const std::string& origin : m.texts("from")) from += (from.empty() ? "" : "; ") + origin;
+    for (const JsonFile& f : m.objects("failures")) why += (why.empty() ? "" : "; ") + f.text("message");
+    const std::string status = m.text("status");
+    table.rows.push_back({{fmt::format("{:.12g}", m.number("cost"))},
+                          {number_text(m.number("error_estimate"), 2)},
+                          {status, status == "certified" ? "good" : "bad", why},
+                          {m.text("index")},
+                          {m.text("iterations")},
+                          {from}});
+  }
+  return section(
+      "Family",
+      paragraph("The distinct locally least-cost paths that were found, by cost; the first one was delivered.") +
+          html(table));
+}
+
+std::string notes_of(const JsonFile& result) {
+  std::string items;
+  for (const std::string& note : result.texts("notes")) items += "<li>" + escaped(note) + "</li>\n";
+  return items.empty() ? "" : section("Notes", "<ul>\n" + items + "</ul>\n");
+}
+
+std::string work_of(const JsonFile& result) {
+  Table table{{{"stage"}, {"time", true}}, {}, ""};
+  const std::pair<const char*, const char*> stages[] = {{"read", "read the domain"},
+                                                        {"initialize", "first path"},
+                                                        {"solve", "solve"},
+                                                        {"post_process", "post-process"},
+                                                        {"certify", "certify"}};
+  for (const auto& [key, name] : stages)
+    table.rows.push_back({{name}, {fmt::format("{:.3f} ms", 1e3 * result.number(std::string("seconds.") + key))}});
+  Table counters{{{"counted"}, {"number", true}}, {}, ""};
+  for (const char* key : {"energies", "gradients", "hessians", "projections", "linear_solves"}) {
+    std::string name = key;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    counters.rows.push_back({{name}, {result.text(std::string("solver.counters.") + key)}});
+  }
+  return "<div class=\"row\">" + html(table) + html(counters) + "</div>\n";
+}
+
+}  // namespace
+
+std::string run_report(const std::filesystem::path& folder) {
+  const RunFiles files = read_run_files(folder);
+  const JsonFile& result = files.result;
+  const Picture picture = picture_of(files);
+  std::string body = failures_of(result) + key_figures(key_figures_of(result)) + picture.part;
+  body += family_of(result);
+  body += notes_of(result);
+  body += section("Certificate", certificate_part(result));
+  body += section("Convergence", convergence_part(files));
+  body += section("Spacing", spacing_part(files));
+  body += residual_part(files);
+  body += section("Work", work_of(result), false);
+  body += section("Configuration", "<pre>" + escaped(files.configuration) + "</pre>\n", false);
+  body += section("Provenance", provenance_part(files.manifest), false);
+  return page(headline_of(result), body, picture.script);
+}
+
+}  // namespace leastcost::app

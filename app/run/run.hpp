@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <leastcost/catalogue/run/run.hpp>
+
+namespace leastcost::app {
+
+/// Exit codes of the program. That of a finished run follows from its status alone.
+enum class Exit {
+  certified = 0,
+  internal = 1,
+  usage = 2,
+  configuration = 3,
+  input = 4,
+  uncertified = 5,
+  no_path = 6,
+  study_failed = 7,  ///< part of a study
+  interrupted = 130
+};
+Exit exit_of(Status status);
+
+struct RunRequest {
+  std::filesystem::path config_file;
+  std::vector<Override> overrides;
+  std::filesystem::path output;  ///< empty: that of the configuration, or results/<name>
+  bool force = false;
+  std::vector<std::string> arguments;  ///< of the program, for the manifest
+  BuildProgress building = {};         ///< told how far domains are that take a while to make; may throw StoppedEarly
+};
+
+/// A run whose results, and the report made from them, are on disk.
+struct WrittenRun : RunOutcome {
+  std::filesystem::path output;  ///< where it was written, absolute
+  std::string output_error;      ///< why it could not be written; the result stands all the same
+};
+
+/// Where the results of a request go.
+std::filesystem::path output_of(const RunRequest& request, const RunConfig& config);
+
+/// load_run(), solve(), write results and report. Throws ConfigError, InputError, InitializationError, and OutputError
+/// when the output folder cannot be used from the start.
+WrittenRun run(const RunRequest& request, const Monitor& monitor);
+
+}  // namespace leastcost::app

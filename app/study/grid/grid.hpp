@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <leastcost/catalogue/run/run_config.hpp>
+#include "app/study/grid/study_config.hpp"
+
+namespace leastcost::app {
+
+/// One cell of a study: a run that is ready to be composed.
+struct StudyCell {
+  long number = 0;                  ///< in the full grid, from 0
+  std::vector<std::string> values;  ///< of the axes of the grid: problem, solver, kernel, points, seed, swept keys
+  RunConfig config;                 ///< with everything given; not usable where it is skipped for want of its solver
+  std::filesystem::path folder;     ///< files of the configuration are relative to it
+  double optimum = StudyProblem::kUnknown;
+  std::string skipped;  ///< why it is left out; empty: it is run
+};
+
+/// All cells of a study in their order: the last axis runs fastest. Does not depend on what a machine, a shard or a
+/// limit makes of it.
+struct StudyGrid {
+  std::string name;
+  StudyConfig config;
+  std::filesystem::path file;
+  std::vector<std::filesystem::path> inputs;  ///< configuration files, the study's own first
+  std::vector<std::string> swept_keys;
+  std::vector<StudyCell> cells;
+};
+
+/// Makes and checks every cell. Errors of configurations are added to `study.errors` at their place in the study, or
+/// with that in the file of the problem; the grid is usable only when there are none.
+StudyGrid make_grid(LoadedStudy& study);
+
+/// load_study() and make_grid(). Throws ConfigError, or InputError when the file cannot be read.
+StudyGrid load_grid(const std::filesystem::path& file, const std::vector<Override>& overrides);
+
+}  // namespace leastcost::app

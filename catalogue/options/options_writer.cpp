@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/catalogue/options/options_writer.hpp>
+
+#include "catalogue/yaml/scalars.hpp"
+
+namespace leastcost {
+namespace {
+
+ConfigNode number_node(double value) { return scalar_node(number_text(value)); }
+
+template <class Row>
+ConfigNode list_node(const Row& row) {
+  ConfigNode list;
+  list.kind = ConfigNode::Kind::list;
+  for (Eigen::Index i = 0; i < row.size(); ++i) list.items.push_back(number_node(row[i]));
+  return list;
+}
+
+}  // namespace
+
+void OptionsWriter::add(std::string_view key, ConfigNode value) {
+  block_.entries.push_back({std::string(key), {}, std::move(value)});
+}
+
+void OptionsWriter::field(std::string_view key, bool& value, const FieldDoc&) {
+  add(key, scalar_node(value ? "true" : "false"));
+}
+
+void OptionsWriter::field(std::string_view key, int& value, const FieldDoc& doc) {
+  if (!stands_for_absent(value, doc)) add(key, scalar_node(std::to_string(value)));
+}
+
+void OptionsWriter::field(std::string_view key, double& value, const FieldDoc& doc) {
+  if (!stands_for_absent(value, doc)) add(key, number_node(value));
+}
+
+void OptionsWriter::field(std::string_view key, std::string& value, const FieldDoc&) {
+  if (!value.empty()) add(key, text_node(value));
+}
+
+void OptionsWriter::field(std::string_view key, Eigen::VectorXd& value, const FieldDoc&) {
+  if (value.size() > 0) add(key, list_node(value));
+}
+
+void OptionsWriter::field(std::string_view key, Eigen::MatrixXd& value, const FieldDoc&) {
+  if (value.size() == 0) return;
+  ConfigNode rows;
+  rows.kind = ConfigNode::Kind::list;
+  for (Eigen::Index i = 0; i < value.rows(); ++i) rows.items.push_back(list_node(value.row(i)));
+  add(key, std::move(rows));
+}
+
+void OptionsWriter::field(std::string_view key, std::map<std::string, double>& value, const FieldDoc&) {
+  if (value.empty()) return;
+  ConfigNode named;
+  named.kind = ConfigNode::Kind::block;
+  for (const auto& [name, number] : value) named.entries.push_back({name, {}, number_node(number)});
+  add(key, std::move(named));
+}
+
+void OptionsWriter::field(std::string_view key, std::vector<std::string>& value, const FieldDoc&) {
+  if (value.empty()) return;
+  ConfigNode list;
+  list.kind = ConfigNode::Kind::list;
+  for (const std::string& text : value) list.items.push_back(text_node(text));
+  add(key, std::move(list));
+}
+
+void OptionsWriter::choice(std::string_view key, std::string& value, const std::vector<std::string>&, const FieldDoc&) {
+  add(key, text_node(value));
+}
+
+void OptionsWriter::file(std::string_view key, std::string& value, const FieldDoc&) {
+  if (!value.empty()) add(key, text_node(rename_ ? rename_(value) : value));
+}
+
+void OptionsWriter::group(std::string_view key, const FieldDoc& doc, const std::function<void(FieldVisitor&)>& body) {
+  block(key, doc, body);
+}
+
+void OptionsWriter::variant(std::string_view key, std::string& type, const std::vector<FieldVariant>& variants,
+                            const FieldDoc&) {
+  if (type.empty()) return;
+  OptionsWriter inner(rename_);
+  inner.add("type", text_node(type));
+  for (const FieldVariant& v : variants)
+    if (v.type == type && v.fields) v.fields(inner);
+  add(key, inner.take());
+}
+
+void OptionsWriter::block(std::string_view key, const FieldDoc&, const std::function<void(RunVisitor&)>& body) {
+  OptionsWriter inner(rename_);
+  body(inner);
+  ConfigNode node = inner.take();
+  if (!node.entries.empty()) add(key, std::move(node));
+}
+
+void OptionsWriter::blocks(std::string_view key, const BlockList& list, const FieldDoc&) {
+  ConfigNode node;
+  node.kind = ConfigNode::Kind::list;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    OptionsWriter inner(rename_);
+    list.fields(i, inner);
+    node.items.push_back(inner.take());
+  }
+  if (!node.items.empty()) add(key, std::move(node));
+}
+
+void OptionsWriter::tree(std::string_view key, ConfigNode& value, TreeForm, const PluginKind*, const FieldDoc&) {
+  if (value.kind != ConfigNode::Kind::nothing) add(key, value);
+}
+
+void OptionsWriter::points(std::string_view key, PointCount& value, const FieldDoc&) {
+  add(key, scalar_node(value.automatic ? "auto" : std::to_string(value.count)));
+}
+
+void OptionsWriter::end(std::string_view key, EndOptions& value, const FieldDoc&) {
+  if (!value.given) return;
+  OptionsWriter inner(rename_);
+  value.fields(inner);
+  add(key, inner.take());
+}
+
+ConfigNode OptionsWriter::written(const PluginChoice& choice) const {
+  OptionsWriter inner(rename_);
+  inner.add("type", text_node(choice.plugin->type));
+  choice.options->fields(inner);
+  return inner.take();
+}
+
+void OptionsWriter::plugin(std::string_view key, PluginChoice& value, const PluginKind&, const FieldDoc&) {
+  if (value) add(key, written(value));
+}
+
+void OptionsWriter::plugins(std::string_view key, PluginList& value, const PluginKind&, const FieldDoc&) {
+  if (!value.given) return;
+  ConfigNode list;
+  list.kind = ConfigNode::Kind::list;
+  for (const PluginChoice& choice : value.choices) {
+    ConfigNode node = written(choice);
+    list.items.push_back(node.entries.size() == 1 ? node.entries.front().value : std::move(node));
+  }
+  add(key, std::move(list));
+}
+
+}  // namespace leastcost

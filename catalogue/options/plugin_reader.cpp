@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+
+// The part of OptionsReader that reads plug-ins, variants and ends.
+#include <fmt/format.h>
+
+#include <leastcost/catalogue/registry/registry.hpp>
+#include "catalogue/options/options_reader.hpp"
+#include "catalogue/yaml/scalars.hpp"
+#include "catalogue/yaml/suggest.hpp"
+
+namespace leastcost {
+
+const PluginEntry* OptionsReader::find_type(const ConfigNode& node, const Place& place, const std::string& path,
+                                            const PluginKind& kind) {
+  const std::vector<std::string> types = types_of(kind);
+  const ConfigNode* type = &node;
+  if (node.is_block()) {
+    const ConfigEntry* e = node.find("type");
+    if (e == nullptr) {
+      errors_.error(place, fmt::format("missing key 'type' in {}: one of {}", path, joined(types)));
+      return nullptr;
+    }
+    type = &e->value;
+  }
+  if (!type->is_scalar()) {
+    errors_.error(type->place, fmt::format("'{}' must be a type or a block with a type, like {{type: {}}} ({})", path,
+                                           types.front(), found(*type)));
+    return nullptr;
+  }
+  const PluginEntry* plugin = find_plugin(kind, type->text);
+  if (plugin == nullptr) {
+    errors_.error(type->place, fmt::format("unknown {} {}{}; valid types: {}", kind.name, in_quotes(type->text),
+                                           did_you_mean(type->text, types), joined(types)));
+  } else if (!plugin->missing.empty()) {
+    errors_.error(type->place, fmt::format("{} {} is not part of this build: {}", kind.name, in_quotes(type->text),
+                                           plugin->missing));
+    return nullptr;
+  }
+  return plugin;
+}
+
+PluginChoice OptionsReader::read_plugin(const ConfigNode& node, const Place& place, const std::string& path,
+                                        const PluginKind& kind) {
+  const PluginEntry* plugin = find_type(node, place, path, kind);
+  if (plugin == nullptr) return {};
+  PluginChoice choice = choose(*plugin, path);
+  ConfigNode options = node;
+  if (!node.is_block()) {  // the word alone: all options keep their defaults
+    options = ConfigNode{};
+    options.kind = ConfigNode::Kind::block;
+  }
+  OptionsReader reader(options, path, place, errors_);
+  choice.options->fields(reader);
+  reader.known_.emplace_back("type");
+  reader.finish();
+  return choice;
+}
+
+void OptionsReader::plugin(std::string_view key, PluginChoice& value, const PluginKind& kind, const FieldDoc& doc) {
+  const ConfigEntry* e = entry(key, doc);
+  if (e != nullptr) value = read_plugin(e->value, e->place, path(key), kind);
+}
+
+void OptionsReader::plugins(std::string_view key, PluginList& value, const PluginKind& kind, const FieldDoc& doc) {
+  const ConfigEntry* e = entry(key, doc);
+  if (e == nullptr) return;
+  if (!e->value.is_list())
+    return fault(key, e->value.place,
+                 fmt::format("must be a list, like [{}] ({})", types_of(kind).front(), found(e->value)));
+  value.given = true;
+  for (std::size_t i = 0; i < e->value.items.size(); ++i) {
+    const ConfigNode& item = e->value.items[i];
+    value.choices.push_back(read_plugin(item, item.place, fmt::format("{}.{}", path(key), i), kind));
+  }
+}
+
+const FieldVariant* OptionsReader::find_variant(const ConfigEntry& e, const std::string& path,
+                                                const std::vector<FieldVariant>& variants) {
+  std::vector<std::string> types;
+  types.reserve(variants.size());
+  for (const FieldVariant& v : variants) types.push_back(v.type);
+  const ConfigNode* type = &e.value;
+  if (e.value.is_block()) {
+    const ConfigEntry* named = e.value.find("type");
+    if (named == nullptr) {
+      errors_.error(e.place, fmt::format("missing key 'type' in {}: one of {}", path, joined(types)));
+      return nullptr;
+    }
+    type = &named->value;
+  }
+  if (!type->is_scalar()) {
+    errors_.error(type->place, fmt::format("'{}' must be a type or a block with a type, like {{type: {}}} ({})", path,
+                                           types.front(), found(*type)));
+    return nullptr;
+  }
+  for (const FieldVariant& v : variants)
+    if (v.type == type->text) return &v;
+  errors_.error(type->place, fmt::format("unknown type {} of {}{}; valid types: {}", in_quotes(type->text), path,
+                                         did_you_mean(type->text, types), joined(types)));
+  return nullptr;
+}
+
+void OptionsReader::variant(std::string_view key, std::string& type, const std::vector<FieldVariant>& variants,
+                            const FieldDoc& doc) {
+  const ConfigEntry* e = entry(key, doc);
+  const FieldVariant* chosen = e == nullptr ? nullptr : find_variant(*e, path(key), variants);
+  if (chosen == nullptr) return;
+  type = chosen->type;
+  ConfigNode options = e->value;
+  if (!options.is_block()) {  // the word alone
+    options = ConfigNode{};
+    options.kind = ConfigNode::Kind::block;
+  }
+  OptionsReader reader(options, path(key), e->place, errors_);
+  if (chosen->fields) chosen->fields(reader);
+  reader.known_.emplace_back("type");
+  reader.finish();
+}
+
+void OptionsReader::end(std::string_view key, EndOptions& value, const FieldDoc& doc) {
+  const ConfigEntry* e = entry(key, doc);
+  if (e == nullptr) return;
+  const std::size_t before = errors_.size();
+  OptionsReader reader(e->value, path(key), e->place, errors_);
+  value.fields(reader);
+  reader.finish();
+  value.given = true;
+  if (errors_.size() > before) return;
+  const auto has = [&](std::string_view name) { return e->value.find(name) != nullptr; };
+  const int ways = (has("vertex") ? 1 : 0) + (has("face") || has("barycentric") ? 1 : 0) + (has("point") ? 1 : 0);
+  if (ways != 1)
+    fault(key, e->place, "must have exactly one of: vertex; face and barycentric; point");
+  else if (has("face") != has("barycentric"))
+    fault(key, e->place, "needs both face and barycentric, like {face: 12, barycentric: [0.2, 0.3, 0.5]}");
+  else if (has("barycentric") && value.barycentric.size() != 3)
+    fault("barycentric", e->value.find("barycentric")->value.place, "must have three numbers");
+  else if (has("tolerance") && !has("point"))
+    fault("tolerance", e->value.find("tolerance")->place, "is for an end given as a point; the others need none");
+}
+
+}  // namespace leastcost

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+
+#include <leastcost/catalogue/output/results.hpp>
+#include "catalogue/output/json_numbers.hpp"
+
+namespace leastcost {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json list(const Eigen::VectorXd& x) {
+  Json out = Json::array();
+  for (const double value : x) out.push_back(number(value));
+  return out;
+}
+
+Json failures(const Certificate& certificate) {
+  Json out = Json::array();
+  for (const CertificateFailure& f : certificate.failures) out.push_back({{"name", f.name}, {"message", f.message}});
+  return out;
+}
+
+Json cost(const RunOutcome& run) {
+  const Result& result = run.result;
+  const CostEstimate& estimate = result.certificate.estimate;
+  const bool measured = result.certificate.measured;
+  Json out;
+  out["value"] = number(measured ? estimate.value : result.curve.cost);
+  out["unit"] = run.parts.problem.cost->traits().unit;
+  out["error_estimate"] = measured ? number(estimate.error) : Json(nullptr);
+  out["initial"] = number(result.initial_cost);
+  out["method"] = measured ? Json(estimate.method) : Json(nullptr);
+  out["lower"] = number(estimate.lower);
+  out["upper"] = number(estimate.upper);
+  out["order"] = number(estimate.order);
+  out["chain"] = number(result.costs.sum());
+  out["curve"] = number(result.curve.cost);
+  out["reference"] = number(result.reference_cost);
+  return out;
+}
+
+Json levels(const Certificate& certificate) {
+  Json out = Json::array();
+  for (const RefinementLevel& l : certificate.levels)
+    out.push_back({{"segments", l.segments},
+                   {"cost", number(l.cost)},
+                   {"energy", number(l.energy)},
+                   {"spacing", number(l.spacing)},
+                   {"iterations", l.iterations}});
+  return out;
+}
+
+/// The thresholds of the configuration; docs/numerics.md says where others take their place.
+Json thresholds(const CertificateOptions& o) {
+  return {{"stationarity", o.stationarity},
+          {"residual", o.residual},
+          {"spacing", o.spacing},
+          {"doubling", o.doubling},
+          {"longest_segment", o.longest_segment}};
+}
+
+Json problem_json(const RunOutcome& run) {
+  const Dimensions d = run.parts.problem.manifold->dimensions();
+  return {{"manifold", run.config.manifold.plugin->type},
+          {"cost", run.config.cost.plugin->type},
+          {"kernel", run.config.kernel.plugin->type},
+          {"dimensions", {{"coordinate", d.coordinate}, {"ambient", d.ambient}, {"tangent", d.tangent}}}};
+}
+
+Json certificate_json(const Certificate& c, const CertificateOptions& options) {
+  return {{"measured", c.measured},
+          {"stationarity", number(c.stationarity)},
+          {"residual", number(c.residual)},
+          {"spacing", number(c.spacing)},
+          {"doubling", number(c.doubling)},
+          {"doubling_expected", number(c.doubling_expected)},
+          {"longest_segment", number(c.longest_segment)},
+          {"index",
+           {{"verdict", std::string(name(c.index.verdict))},
+            {"negatives", c.index.negatives},
+            {"saddle_order", c.index.saddle_order},
+            {"nullity", c.index.nullity}}},
+          {"straightness", number(c.straightness)},
+          {"asymmetry", number(c.asymmetry)},
+          {"geometry_error", number(c.geometry_error)},
+          {"levels", levels(c)},
+          {"thresholds", thresholds(options)}};
+}
+
+Json solver_json(const RunOutcome& run) {
+  const SolveReport& report = run.result.solve;
+  const Counters& n = report.counters;
+  return {{"name", std::string(run.parts.solver->name())},
+          {"termination", std::string(name(report.termination))},
+          {"message", report.message},
+          {"iterations", report.iterations},
+          {"counters",
+           {{"energies", n.energies},
+            {"gradients", n.gradients},
+            {"hessians", n.hessians},
+            {"projections", n.projections},
+            {"linear_solves", n.linear_solves}}},
+          {"initial_energy", number(report.initial_energy)},
+          {"final_energy", number(report.final_energy)},
+          {"cost_error", number(report.cost_error)}};
+}
+
+Json end_json(const PlacedEnd& end) {
+  return {{"given", list(end.given)}, {"placed", list(end.end.u)}, {"moved", number(end.moved)}};
+}
+
+Json family(const RunOutcome& run) {
+  Json out = Json::array();
+  for (const FamilyMember& m : run.family) {
+    const Certificate& c = m.result.certificate;
+    Json item;
+    item["status"] = std::string(name(m.result.status));
+    item["cost"] = number(c.measured ? c.estimate.value : m.result.curve.cost);
+    item["error_estimate"] = c.measured ? number(c.estimate.error) : Json(nullptr);
+    item["index"] = std::string(name(c.index.verdict));
+    item["failures"] = failures(c);
+    item["iterations"] = m.result.solve.iterations;
+    item["from"] = m.origins;
+    out.push_back(std::move(item));
+  }
+  return out;
+}
+
+Json notes(const RunOutcome& run) {
+  Json out = Json::array();
+  for (const std::string& note : run.parts.notes) out.push_back(note);
+  for (const std::string& note : run.result.notes) out.push_back(note);
+  return out;
+}
+
+}  // namespace
+
+std::string result_json(const RunOutcome& run) {
+  const Result& result = run.result;
+  const StageSeconds& s = result.seconds;
+  Json out;
+  out["schema_version"] = kSchemaVersion;
+  out["name"] = run.config.name;
+  out["problem"] = problem_json(run);
+  out["status"] = std::string(name(result.status));
+  out["certified"] = result.status == Status::certified;
+  out["failures"] = failures(result.certificate);
+  out["scope"] = result.certificate.measured ? Json(result.certificate.scope) : Json(nullptr);
+  out["cost"] = cost(run);
+  out["spacing"] =
+      number(result.certificate.measured ? result.certificate.spacing : std::numeric_limits<double>::quiet_NaN());
+  out["points"] = result.path.free_count();
+  out["ring"] = run.config.ring;
+  out["certificate"] = certificate_json(result.certificate, run.config.certificate);
+  out["solver"] = solver_json(run);
+  out["initializer"] = std::string(run.parts.initializer->name());
+  out["seconds"] = {{"read", run.parts.read_seconds},
+                    {"initialize", s.initialize},
+                    {"solve", s.solve},
+                    {"post_process", s.post_process},
+                    {"certify", s.certify}};
+  const bool based = run.config.ring && run.config.source.given;
+  out["ends"] = run.config.ring ? Json(nullptr)
+                                : Json{{"source", end_json(run.parts.source)}, {"target", end_json(run.parts.target)}};
+  if (based) out["ends"] = {{"source", end_json(run.parts.source)}};
+  if (!run.family.empty()) out["family"] = family(run);
+  out["notes"] = notes(run);
+  return to_text(out);
+}
+
+}  // namespace leastcost

@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/catalogue/registry/registry.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include <leastcost/problems/costs/euclidean.hpp>
+#include <leastcost/problems/costs/metric_field.hpp>
+#include <leastcost/problems/costs/metric_tensor.hpp>
+#include <leastcost/problems/costs/travel_time.hpp>
+#include <leastcost/problems/initializers/bow.hpp>
+#include <leastcost/problems/initializers/coordinate_circle.hpp>
+#include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/initializers/plane_cut.hpp>
+#include <leastcost/problems/initializers/rrt.hpp>
+#include <leastcost/problems/initializers/straight.hpp>
+#include <leastcost/problems/initializers/waypoints.hpp>
+#include <leastcost/problems/kernels/kernels.hpp>
+#include <leastcost/problems/manifolds/constraint.hpp>
+#include <leastcost/problems/manifolds/euclidean.hpp>
+#include <leastcost/problems/manifolds/implicit.hpp>
+#include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/manifolds/parametric.hpp>
+#include <leastcost/problems/manifolds/point_cloud.hpp>
+#include <leastcost/problems/manifolds/signed_distance.hpp>
+#include <leastcost/problems/post_processors/on_surface.hpp>
+#include <leastcost/problems/post_processors/straighten.hpp>
+#include <leastcost/problems/post_processors/trace.hpp>
+#include <leastcost/solvers/georce.hpp>
+#include <leastcost/solvers/gradient_descent.hpp>
+#include <leastcost/solvers/lbfgs.hpp>
+#include <leastcost/solvers/newton.hpp>
+#include <leastcost/solvers/string_method.hpp>
+#include <leastcost/solvers/vfcs.hpp>
+#include "catalogue/back_ends/back_ends.hpp"
+#include "catalogue/plugins/kinds.hpp"
+#include "catalogue/plugins/registration.hpp"
+#include "problems/readers/waypoint_reader.hpp"
+
+namespace leastcost {
+namespace {
+
+template <class Function>
+KernelPlugin kernel(const char* type, const char* summary) {
+  return plugin<KernelPlugin, NoOptions>(type, summary,
+                                         [](const NoOptions&, const BuildContext&) { return make_kernel(Function{}); });
+}
+
+const auto& kernels() {
+  static const std::vector<KernelPlugin> all = {
+      kernel<Linear>("linear", "H(s) = s: the plain cost. Points may slide along the path, so it certifies nothing."),
+      kernel<Square>("square", "H(s) = s^2: the smoothest start."),
+      kernel<Expm1Square>("expm1_square", "H(s) = exp(s^2) - 1: the choice of VFCS, equal spacing held most stiffly."),
+      kernel<Exp>("exp", "H(s) = exp(s)."),
+      kernel<Expm1>("expm1", "H(s) = exp(s) - 1."),
+      kernel<ExpSquare>("exp_square", "H(s) = exp(s^2)."),
+  };
+  return all;
+}
+
+const auto& costs() {
+  using O = const BuildContext&;
+  static const std::vector<CostPlugin> all = {
+      plugin<CostPlugin, NoOptions>("euclidean", "Length: c(a, b) = |b - a|.",
+                                    [](const NoOptions&, O c) { return make_euclidean_cost(c.dimension); })
+          .providing(std::string(kConstantMetric)),
+      plugin<CostPlugin, MetricTensorOptions>(
+          "metric_tensor", "Length under a constant metric tensor M: c(a, b) = sqrt((b - a)' M (b - a)).",
+          [](const MetricTensorOptions& o, O c) { return make_metric_tensor_cost(o, c.dimension); })
+          .providing(std::string(kConstantMetric)),
+      plugin<CostPlugin, MetricFieldOptions>(
+          "metric_field",
+          "Length under a metric tensor that depends on the place: by name, formulas, a file, or curvature.",
+          [](const MetricFieldOptions& o, O c) -> std::shared_ptr<const SegmentCost> {
+            if (o.needs_domain() && !c.manifold) return nullptr;  // the mesh or cloud has not been read yet
+            return make_metric_field_cost(o, c.dimension, c.manifold.get(), c.folder);
+          }),
+      plugin<CostPlugin, TravelTimeOptions>(
+          "travel_time", "Time of a bead that slides without friction under gravity; the last coordinate is height.",
+          [](const TravelTimeOptions& o, O c) { return make_travel_time_cost(o, c.dimension, c.source); }),
+  };
+  return all;
+}
+
+const auto& manifolds() {
+  static const std::vector<ManifoldPlugin> all = {
+      made_of<ManifoldPlugin, EuclideanManifold, EuclideanManifoldOptions>("euclidean", "R^d, or a box in it."),
+      plugin<ManifoldPlugin, MeshManifoldOptions>(
+          "mesh", "A triangle mesh in R^3, read from an OBJ, OFF, PLY or STL file.",
+          [](const MeshManifoldOptions& o, const BuildContext& c) { return make_mesh_manifold(o, c.folder); })
+          .providing(std::string(kMesh))
+          .providing(std::string(kSurface))
+          .providing(std::string(kGraph)),
+      plugin<ManifoldPlugin, ParametricOptions>(
+          "parametric", "A surface x(u, v) in R^3, by name or by formulas; points are given in u and v.",
+          [](const ParametricOptions& o, const BuildContext&) { return make_parametric_manifold(o); })
+          .providing(std::string(kSurface))
+          .providing(std::string(kSeams)),
+      plugin<ManifoldPlugin, ImplicitManifoldOptions>(
+          "implicit", "A surface f(x, y, z) = 0, or a curve f(x, y) = 0: by name or as a formula.",
+          [](const ImplicitManifoldOptions& o, const BuildContext&) { return make_implicit_manifold(o); })
+          .providing(std::string(kSurface))
+          .providing(std::string(kEmbedded)),
+      plugin<ManifoldPlugin, ConstraintManifoldOptions>(
+          "constraint", "The solutions of equations in R^n: formulas, the n-sphere, the rotations SO(3).",
+          [](const ConstraintManifoldOptions& o, const BuildContext&) { return make_constraint_manifold(o); })
+          .providing(std::string(kEmbedded)),
+      plugin<ManifoldPlugin, PointCloudManifoldOptions>(
+          "point_cloud", "The smooth surface through a point cloud in R^3, read from a PLY or XYZ file.",
+          [](const PointCloudManifoldOptions& o, const BuildContext& c) {
+            return make_point_cloud_manifold(o, c.folder);
+          })
+          .providing(std::string(kSurface))
+          .providing(std::string(kGraph)),
+      plugin<ManifoldPlugin, SignedDistanceOptions>(
+          "signed_distance",
+          "A surface as the zeros of a signed-distance grid, made from a mesh, a cloud or a formula, or read.",
+          [](const SignedDistanceOptions& o, const BuildContext& c) {
+            return make_signed_distance_manifold(o, c.folder, c.progress);
+          })
+          .providing(std::string(kEmbedded))
+          .providing(std::string(kSurface))
+          .providing(std::string(kGrid)),
+  };
+  return all;
+}
+
+const auto& initializers() {
+  static const std::vector<InitializerPlugin> all = {
+      made_of<InitializerPlugin, StraightInitializer>(
+          "straight", "The straight line between the ends, bowed out of the way where its cost is infinite."),
+      made_of<InitializerPlugin, BowInitializer, BowOptions>("bow",
+                                                             "An arc beside the straight line, to a given side."),
+      made_of<InitializerPlugin, DijkstraInitializer, DijkstraOptions>(
+          "dijkstra", "The least-cost path along the edges of the mesh, or the neighbour graph of the cloud.")
+          .needing(std::string(kGraph)),
+      made_of<InitializerPlugin, PlaneCutInitializer, PlaneCutOptions>(
+          "plane_cut", "The closed curve in which a plane cuts the surface, for a ring.")
+          .needing(std::string(kSurface))
+          .providing(std::string(kRing)),
+      plugin<InitializerPlugin, RrtOptions>(
+          "rrt", "A random tree in the shell around a smooth domain, shortened.",
+          [](const RrtOptions& o, const BuildContext& c) { return std::make_shared<const RrtInitializer>(o, c.seed); }),
+      plugin<InitializerPlugin, WaypointsOptions>("waypoints", "A path through the given points, in order.",
+                                                  [](const WaypointsOptions& o, const BuildContext&) {
+                                                    return std::make_shared<const WaypointsInitializer>(
+                                                        o.points.transpose());
+                                                  })
+          .providing(std::string(kRing)),
+      made_of<InitializerPlugin, CoordinateCircleInitializer, CoordinateCircleOptions>(
+          "coordinate_circle", "A ring on which one coordinate of a chart runs around.")
+          .needing(std::string(kSeams))
+          .providing(std::string(kRing)),
+      plugin<InitializerPlugin, FileInitializerOptions>(
+          "file", "A path through the points of a text file, such as the path.csv of an earlier run.",
+          [](const FileInitializerOptions& o, const BuildContext& c) {
+            return std::make_shared<const WaypointsInitializer>(read_waypoints(c.folder / o.file, c.coordinates));
+          })
+          .providing(std::string(kRing)),
+  };
+  return all;
+}
+
+const auto& solvers() {
+  static const std::vector<SolverPlugin> all = {
+      made_of<SolverPlugin, Newton, NewtonOptions>("newton", "Block-tridiagonal Newton on the chain."),
+      made_of<SolverPlugin, Lbfgs, LbfgsOptions>("lbfgs", "Riemannian L-BFGS, preconditioned by the chain Hessian."),
+      made_of<SolverPlugin, GradientDescent, GradientDescentOptions>("gradient_descent",
+                                                                     "Riemannian steepest descent."),
+      made_of<SolverPlugin, Vfcs, VfcsOptions>("vfcs", "Algorithm 1 of VFCS as printed, its stopping rule included."),
+      made_of<SolverPlugin, Georce, GeorceOptions>(
+          "georce", "GEORCE (arXiv 2505.05961): optimality conditions of a discrete energy in a chart, in turn."),
+      made_of<SolverPlugin, StringMethod, StringMethodOptions>(
+          "string", "The string method: steps normal to the path, then equal spacing; no energy."),
+      nlopt_plugin(),
+      ceres_plugin(),
+  };
+  return all;
+}
+
+const auto& post_processors() {
+  static const std::vector<PostProcessorPlugin> all = {
+      made_of<PostProcessorPlugin, TracePostProcessor>("trace", "The solved path as a polyline on the mesh.")
+          .needing(std::string(kMesh)),
+      made_of<PostProcessorPlugin, StraightenPostProcessor>(
+          "straighten", "The exact locally shortest path on the mesh, of the same class as the solved one.")
+          .needing(std::string(kMesh))
+          .needing(std::string(kConstantMetric)),
+      made_of<PostProcessorPlugin, OnSurfacePostProcessor, OnSurfaceOptions>(
+          "on_surface", "The solved path as a polyline that lies on a smooth domain to a tolerance.")
+          .needing(std::string(kEmbedded)),
+  };
+  return all;
+}
+
+template <class P>
+PluginKind kind_of(std::string name, std::string plural, std::string summary, const std::vector<P>& plugins) {
+  PluginKind out{std::move(name), std::move(plural), std::move(summary), {}};
+  for (const P& p : plugins) out.entries.push_back(&p);
+  return out;
+}
+
+}  // namespace
+
+const std::vector<PluginKind>& plugin_kinds() {
+  static const std::vector<PluginKind> all = {
+      kind_of("manifold", "manifolds", "where points may be", manifolds()),
+      kind_of("cost", "costs", "what a move from a to b costs", costs()),
+      kind_of("kernel", "kernels", "the convex H of the energy sum H(c / s0)", kernels()),
+      kind_of("initializer", "initializers", "how the first path is found", initializers()),
+      kind_of("solver", "solvers", "how the path is improved", solvers()),
+      kind_of("post_processor", "post_processors", "what happens after the solve", post_processors()),
+  };
+  return all;
+}
+
+const PluginKind* find_kind(std::string_view name) {
+  const auto& all = plugin_kinds();
+  const auto it =
+      std::find_if(all.begin(), all.end(), [&](const PluginKind& k) { return k.name == name || k.plural == name; });
+  return it == all.end() ? nullptr : &*it;
+}
+
+const PluginKind& kind(std::string_view name) {
+  const PluginKind* found = find_kind(name);
+  if (found == nullptr) std::abort();  // a name in our own sources
+  return *found;
+}
+
+const PluginEntry* find_plugin(const PluginKind& kind, std::string_view type) {
+  const auto it =
+      std::find_if(kind.entries.begin(), kind.entries.end(), [&](const PluginEntry* e) { return e->type == type; });
+  return it == kind.entries.end() ? nullptr : *it;
+}
+
+std::vector<std::string> types_of(const PluginKind& kind) {
+  std::vector<std::string> types;
+  for (const PluginEntry* e : kind.entries) types.push_back(e->type);
+  return types;
+}
+
+}  // namespace leastcost

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include <leastcost/catalogue/plugins/plugin.hpp>
+
+namespace leastcost {
+
+/// Everything that a configuration can name: one registration line per plug-in, in registry.cpp.
+const std::vector<PluginKind>& plugin_kinds();
+
+/// The kind with this name or plural; null when there is none.
+const PluginKind* find_kind(std::string_view name);
+/// The same for a name that is known to exist.
+const PluginKind& kind(std::string_view name);
+/// The plug-in of a kind, null when there is none.
+const PluginEntry* find_plugin(const PluginKind& kind, std::string_view type);
+/// All types of a kind, in the order of registration.
+std::vector<std::string> types_of(const PluginKind& kind);
+
+}  // namespace leastcost

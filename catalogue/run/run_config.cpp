@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/catalogue/run/run_config.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include <leastcost/catalogue/registry/registry.hpp>
+#include "catalogue/options/options_reader.hpp"
+#include "catalogue/run/run_checks.hpp"
+#include "catalogue/yaml/scalars.hpp"
+#include "catalogue/yaml/yaml_reader.hpp"
+
+namespace leastcost {
+
+void EndOptions::fields(FieldVisitor& visit) {
+  visit.field(
+      "vertex", vertex,
+      {.help = "Vertex of the mesh, or point of the cloud, numbered from 0 in the order of the file.", .minimum = 0});
+  visit.field("face", face, {.help = "Face of the mesh, numbered from 0 in the order of the file.", .minimum = 0});
+  visit.field("barycentric", barycentric,
+              {.help = "Where on the face: three weights of its corners, with sum 1.", .minimum = 0});
+  visit.field("point", point, {.help = "Coordinates; moved to the nearest point of the manifold.", .unit = "length"});
+  visit.field("tolerance", tolerance,
+              {.help = "How far `point` may be moved; default: 1 % of the diameter of a mesh, a cloud or the box of a "
+                       "grid, elsewhere rounding.",
+               .unit = "length",
+               .minimum = 0});
+}
+
+void FamilyOptions::fields(RunVisitor& visit) {
+  visit.field(
+      "windings", windings,
+      {.help = "Chart with seams: also images of the target up to so many turns on.", .minimum = 0, .maximum = 8});
+  visit.field("bows", bows,
+              {.help = "Also first paths bowed to so many sides of the straight line.", .minimum = 0, .maximum = 64});
+  visit.field("bow_height", bow_height, {.help = "Height of the bows over the distance of the ends.", .minimum = 0});
+  visit.field("routes", routes,
+              {.help = "Mesh or cloud: so many graph routes, each keeping away from those before it, as first paths.",
+               .minimum = 1,
+               .maximum = 32});
+  visit.field("mirrored", mirrored, {.help = "Also the mirror image of the first path, at the line between the ends."});
+  visit.plugins("initializers", initializers, kind("initializer"), {.help = "Also these first paths."});
+}
+
+void RunConfig::fields(RunVisitor& visit) {
+  visit.field("name", name, {.help = "Name of the run and of its output folder; default: that of the file."});
+  visit.field("seed", seed, {.help = "Master seed of everything random.", .minimum = 0});
+  visit.plugin("manifold", manifold, kind("manifold"), {.help = "Where points may be.", .required = true});
+  visit.plugin("cost", cost, kind("cost"), {.help = "What a move from a to b costs.", .required = true});
+  visit.plugin("kernel", kernel, kind("kernel"), {.help = "The convex H of the energy; default: expm1_square."});
+  visit.block("ends", {.help = "Where the path begins and ends; none in a ring, or the source alone: its fixed point."},
+              [&](RunVisitor& ends) {
+                ends.end("source", source,
+                         {.help = "Where the path begins; of a ring: its fixed point.", .required = true});
+                ends.end("target", target, {.help = "Where the path ends; none in a ring."});
+              });
+  visit.block("path", {.help = "The discrete path."}, [&](RunVisitor& path) {
+    path.points(
+        "points", points,
+        {.help = "Free points n; auto: as many as the first edge path has, at least 8.", .minimum = 1, .maximum = 1e7});
+    path.field("ring", ring, {.help = "A closed path without ends."});
+    path.field("reference_cost", reference_cost,
+               {.help = "s0 of the energy sum H(c / s0); 0: the mean segment cost of the first path.",
+                .unit = "cost",
+                .minimum = 0});
+    path.field("cascade", cascade, {.help = "Solve coarse first, then with twice the segments until all are there."});
+    path.field("escape_saddle", escape_saddle, {.help = "Leave a saddle to its lower side and solve again."});
+  });
+  visit.plugin("initializer", initializer, kind("initializer"),
+               {.help = "The first path; default: dijkstra on a mesh or cloud, else straight."});
+  visit.block("family",
+              {.help = "More first paths: lists the distinct locally least-cost paths, the least one is delivered."},
+              [&](RunVisitor& v) { family.fields(v); });
+  visit.plugin("solver", solver, kind("solver"),
+               {.help = "How the path is improved; default: lbfgs on a mesh, else newton."});
+  visit.field("max_seconds", max_seconds,
+              {.help = "Time budget of the search, from the first path to the certificate; 0: none.",
+               .unit = "s",
+               .minimum = 0,
+               .maximum = 1e9});
+  visit.block("certificate", {.help = "What a path must fulfil to be certified."},
+              [&](RunVisitor& v) { certificate.fields(v); });
+  visit.plugins(
+      "post_process", post_process, kind("post_processor"),
+      {.help =
+           "After the solve, in this order; default: trace, and straighten where the metric is constant, on a mesh."});
+  visit.block("output", {.help = "Where results go."}, [&](RunVisitor& v) {
+    v.field("folder", output_folder, {.help = "Output folder, relative to the current one; default: results/<name>."});
+  });
+}
+
+void LoadedConfig::add_error(const std::string& key, const std::string& message) {
+  const std::size_t dot = key.rfind('.');
+  const std::string what =
+      dot == std::string::npos ? in_quotes(key) : in_quotes(key.substr(dot + 1)) + " in " + key.substr(0, dot);
+  errors.error(place_of(tree, key), what + ": " + message);
+}
+
+LoadedConfig parse_config(std::string text, const std::string& file_name, const std::filesystem::path& folder,
+                          const std::vector<Override>& overrides) {
+  LoadedConfig loaded{{}, folder, std::move(text), {}, {1, 1, 1, ""}, {}, {file_name, ""}};
+  loaded.errors = Diagnostics(file_name, loaded.text);
+  loaded.tree = read_yaml(loaded.text, loaded.errors);
+  const bool readable = loaded.errors.empty();
+  apply_overrides(overrides, loaded.tree, loaded.errors);
+  // A text that is no YAML gives one error, not one more for every key that was never reached.
+  if (!readable && !loaded.tree.is_block()) return loaded;
+  const std::string stem = std::filesystem::path(file_name).stem().string();
+  read_tree(loaded, stem.empty() ? "run" : stem);
+  return loaded;
+}
+
+void read_tree(LoadedConfig& loaded, const std::string& name) {
+  if (const ConfigEntry* problems = loaded.tree.find("problems"))
+    return loaded.errors.error(problems->place, "'problems' makes this a study: leastcost study runs it");
+  loaded.config.name = name;
+  OptionsReader reader(loaded.tree, "", loaded.place, loaded.errors);
+  loaded.config.fields(reader);
+  reader.finish();
+  check_and_complete(loaded);
+}
+
+std::string config_text(const std::filesystem::path& file) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error))
+    throw InputError(file.string() + ": is a folder, not a configuration file");
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw InputError(file.string() + ": cannot be opened: " + std::generic_category().message(errno));
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (in.bad()) throw InputError(file.string() + ": cannot be read");
+  return text.str();
+}
+
+LoadedConfig load_config(const std::filesystem::path& file, const std::vector<Override>& overrides) {
+  LoadedConfig loaded = parse_config(config_text(file), file.string(), file.parent_path(), overrides);
+  loaded.file = file;
+  return loaded;
+}
+
+std::string resolved_yaml(const RunConfig& config, const RenameFile& rename) {
+  RunConfig copy = config;
+  OptionsWriter writer(rename);
+  copy.fields(writer);
+  return to_yaml(writer.take());
+}
+
+std::vector<std::string> files_of(const RunConfig& config) {
+  std::vector<std::string> files;
+  resolved_yaml(config, [&](const std::string& file) { return files.push_back(file), file; });
+  return files;
+}
+
+}  // namespace leastcost

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <leastcost/catalogue/options/options_writer.hpp>
+#include <leastcost/catalogue/options/run_visitor.hpp>
+#include <leastcost/catalogue/yaml/config_node.hpp>
+#include <leastcost/catalogue/yaml/overrides.hpp>
+#include <leastcost/framework/certificate.hpp>
+
+namespace leastcost {
+
+/// More first paths, for other locally least-cost paths.
+struct FamilyOptions {
+  int windings = 0;
+  int bows = 0;
+  int routes = 1;
+  bool mirrored = false;
+  double bow_height = 0.5;
+  PluginList initializers;
+  void fields(RunVisitor& visit);
+  bool wanted() const { return windings > 0 || bows > 0 || routes > 1 || mirrored || !initializers.choices.empty(); }
+};
+
+/// One run as its configuration describes it. Everything typed, checked and with its default in place; nothing read
+/// from the disk and nothing computed yet.
+struct RunConfig {
+  std::string name;  ///< default: the name of the configuration file
+  int seed = 0;
+  double max_seconds = 0;  ///< time budget of the search; 0: none
+  PluginChoice manifold, cost, kernel;
+  EndOptions source, target;  ///< not given in a ring, or the source alone: its fixed point
+  PointCount points;
+  bool ring = false;
+  bool cascade = false;
+  bool escape_saddle = false;
+  double reference_cost = 0;  ///< s0; 0: the mean segment cost of the first path
+  PluginChoice initializer, solver;
+  FamilyOptions family;
+  CertificateOptions certificate;
+  PluginList post_process;
+  std::string output_folder;  ///< relative to the current folder; empty: results/<name>
+
+  void fields(RunVisitor& visit);
+};
+
+/// A configuration file after reading.
+struct LoadedConfig {
+  std::filesystem::path file;    ///< empty for a text without a file
+  std::filesystem::path folder;  ///< files of the configuration are relative to it
+  std::string text;
+  ConfigNode tree;           ///< overrides included: where each option stands
+  Place place{1, 1, 1, ""};  ///< of the tree as a whole: where missing keys are reported
+  RunConfig config;
+  Diagnostics errors;  ///< what was found so far; config is usable only while it is empty
+
+  /// An error of an object made from the configuration (key: its path, "cost.matrix") at its place.
+  void add_error(const std::string& key, const std::string& message);
+};
+
+/// Reads and checks. All errors are in `errors`; throws InputError only when the file cannot be read.
+LoadedConfig load_config(const std::filesystem::path& file, const std::vector<Override>& overrides);
+LoadedConfig parse_config(std::string text, const std::string& file_name, const std::filesystem::path& folder,
+                          const std::vector<Override>& overrides = {});
+
+/// Reads `tree` into `config` and checks it. Done by the two above; `name`: of a run that has none.
+void read_tree(LoadedConfig& loaded, const std::string& name);
+/// The text of a configuration file. Throws InputError.
+std::string config_text(const std::filesystem::path& file);
+
+/// The configuration with every default, as YAML that reads back as the same one.
+std::string resolved_yaml(const RunConfig& config, const RenameFile& rename = {});
+
+/// Files that the configuration names, as they are written there.
+std::vector<std::string> files_of(const RunConfig& config);
+
+}  // namespace leastcost

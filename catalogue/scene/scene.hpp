@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <leastcost/framework/family.hpp>
+#include <leastcost/framework/find_path.hpp>
+#include <leastcost/framework/problem.hpp>
+
+namespace leastcost {
+
+/// Triangles in space, for drawing only.
+struct TriangleSoup {
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<std::array<int, 3>> triangles;
+};
+
+/// Points of a surface in space that are drawn as small discs.
+struct Surfels {
+  std::vector<Eigen::Vector3d> positions, normals;
+  double spacing = 0;  ///< typical distance of neighbours, length units
+};
+
+/// A function of the plane, sampled on a regular grid over a rectangle, the corners included.
+struct Raster {
+  int columns = 0, rows = 0;
+  Eigen::Vector2d lower = Eigen::Vector2d::Zero(), upper = Eigen::Vector2d::Zero();
+  std::vector<double> values;  ///< x runs fastest, from below; +infinity where the cost is
+};
+
+/// Polylines on the domain, d x m each; a closed one ends where it begins.
+struct SceneLines {
+  Points path, first;
+  std::vector<Points> others;  ///< of the family of the path
+};
+
+/// A path and what surrounds it, ready to be drawn: the domain, as far as its abilities show it. Above three dimensions
+/// nothing is drawn, and everything but the dimension is empty.
+struct Scene {
+  int dimension = 0;  ///< of the ambient space
+  SceneLines lines;
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  TriangleSoup surface;            ///< of a two-dimensional domain in space
+  Surfels surfels;                 ///< of a point cloud
+  std::vector<Points> curves;      ///< of a domain that is a curve in the plane: polylines, 2 x m
+  Eigen::VectorXd lower, upper;    ///< of a box in the ambient space, entries may be infinite; empty: none
+  std::optional<Raster> cost;      ///< of the plane: cost per unit of length, the mean over all directions
+  std::vector<std::string> notes;  ///< what is not shown as it is
+};
+
+/// Draws the domain of a problem around its result. `others`: more paths of its family. Takes some tens of
+/// milliseconds.
+Scene make_scene(const Problem& problem, const Result& result, std::span<const FamilyMember> others = {});
+
+/// Version of the layout of scene.json.
+inline constexpr int kSceneVersion = 1;
+
+/// scene.json: coordinates rounded to seven digits of the extent of the scene.
+std::string scene_json(const Scene& scene);
+/// The inverse. `name`: of the file, for messages. Throws InputError.
+Scene read_scene(std::string_view text, const std::string& name);
+
+}  // namespace leastcost

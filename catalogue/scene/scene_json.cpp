@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include <leastcost/framework/errors.hpp>
+#include "catalogue/scene/scene.hpp"
+
+namespace leastcost {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Writes numbers rounded to a fixed number of decimals, the shortest text that says them.
+class Rounded {
+ public:
+  /// Seven digits of `extent`.
+  explicit Rounded(double extent) {
+    const double power = extent > 0 && std::isfinite(extent) ? 6 - std::floor(std::log10(extent)) : 6;
+    scale_ = std::pow(10.0, std::clamp(power, -200.0, 200.0));
+  }
+  void add(std::string& text, double value) const {
+    const double rounded = std::round(value * scale_) / scale_;
+    if (std::isfinite(rounded))
+      fmt::format_to(std::back_inserter(text), "{}", rounded == 0 ? 0.0 : rounded);
+    else
+      text += "null";
+  }
+
+ private:
+  double scale_;
+};
+
+template <class Range>
+std::string vectors(const Range& range, const Rounded& rounded) {
+  std::string text = "[";
+  for (const auto& x : range)
+    for (const double value : x) {
+      if (text.size() > 1) text += ',';
+      rounded.add(text, value);
+    }
+  return text + "]";
+}
+
+std::string triangles(const std::vector<std::array<int, 3>>& all) {
+  std::string text = "[";
+  for (const auto& [a, b, c] : all)
+    fmt::format_to(std::back_inserter(text), "{}{},{},{}", text.size() > 1 ? "," : "", a, b, c);
+  return text + "]";
+}
+
+double extent_of(const Scene& scene) {
+  double extent = 0;
+  const auto grow = [&](const std::vector<Eigen::Vector3d>& points) {
+    for (const Eigen::Vector3d& x : points) extent = std::max(extent, (x - points.front()).norm());
+  };
+  grow(scene.surface.vertices);
+  grow(scene.surfels.positions);
+  std::vector<Points> lines = scene.curves;
+  lines.push_back(scene.lines.path);
+  for (const Points& c : lines)
+    if (c.size() > 0) extent = std::max(extent, (c.rowwise().maxCoeff() - c.rowwise().minCoeff()).norm());
+  return extent;
+}
+
+std::string list_of(const std::vector<Points>& lines, const Rounded& rounded) {
+  std::string text = "[";
+  for (const Points& line : lines) text += (text.size() > 1 ? ",\n" : "") + vectors(line.colwise(), rounded);
+  return text + "]";
+}
+
+std::string lines_text(const SceneLines& lines, const Rounded& rounded) {
+  return fmt::format(",\n\"lines\":{{\"path\":{},\n\"first\":{},\n\"others\":{}}}",
+                     vectors(lines.path.colwise(), rounded), vectors(lines.first.colwise(), rounded),
+                     list_of(lines.others, rounded));
+}
+
+std::string raster_text(const Raster& raster) {
+  std::string values = "[";
+  for (const double value : raster.values) {
+    if (values.size() > 1) values += ',';
+    if (std::isfinite(value))
+      fmt::format_to(std::back_inserter(values), "{:.4g}", value);
+    else
+      values += "null";
+  }
+  return fmt::format(R"({{"columns":{},"rows":{},"lower":[{},{}],"upper":[{},{}],"values":{}]}})", raster.columns,
+                     raster.rows, raster.lower[0], raster.lower[1], raster.upper[0], raster.upper[1], values);
+}
+
+/// One side of a box; null: infinite.
+std::string side(const Eigen::VectorXd& x) {
+  std::string text = "[";
+  for (const double value : x)
+    text += fmt::format("{}{}", text.size() > 1 ? "," : "", std::isfinite(value) ? fmt::format("{}", value) : "null");
+  return text + "]";
+}
+
+// --- reading -----------------------------------------------------------------------------------------------------
+
+std::vector<Eigen::Vector3d> read_vectors(const Json& flat) {
+  const auto numbers = flat.get<std::vector<double>>();
+  if (numbers.size() % 3 != 0) throw InputError("a list of points whose length is no multiple of 3");
+  std::vector<Eigen::Vector3d> out;
+  for (std::size_t i = 0; i < numbers.size(); i += 3) out.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+  return out;
+}
+
+TriangleSoup read_surface(const Json& json) {
+  TriangleSoup out;
+  out.vertices = read_vectors(json.at("vertices"));
+  const auto corners = json.at("triangles").get<std::vector<int>>();
+  if (corners.size() % 3 != 0) throw InputError("a list of triangles whose length is no multiple of 3");
+  for (const int corner : corners)
+    if (corner < 0 || static_cast<std::size_t>(corner) >= out.vertices.size())
+      throw InputError(fmt::format("a triangle names the vertex {} of {}", corner, out.vertices.size()));
+  for (std::size_t i = 0; i < corners.size(); i += 3)
+    out.triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
+  return out;
+}
+
+Surfels read_surfels(const Json& json) {
+  Surfels out{read_vectors(json.at("positions")), read_vectors(json.at("normals")), json.at("spacing").get<double>()};
+  if (out.normals.size() != out.positions.size()) throw InputError("not one normal per point");
+  return out;
+}
+
+Eigen::VectorXd read_side(const Json& json, double none) {
+  Eigen::VectorXd out(static_cast<Index>(json.size()));
+  for (std::size_t i = 0; i < json.size(); ++i)
+    out[static_cast<Index>(i)] = json[i].is_null() ? none : json[i].get<double>();
+  return out;
+}
+
+Points read_line(const Json& json, int dimension) {
+  std::vector<double> numbers;
+  for (const Json& value : json) numbers.push_back(value.is_null() ? std::nan("") : value.get<double>());
+  if (numbers.size() % static_cast<std::size_t>(dimension) != 0)
+    throw InputError("a line whose length is no multiple of the dimension");
+  return Eigen::Map<const Points>(numbers.data(), dimension, static_cast<Index>(numbers.size()) / dimension);
+}
+
+SceneLines read_lines(const Json& json, int dimension) {
+  SceneLines lines{read_line(json.at("path"), dimension), read_line(json.at("first"), dimension), {}};
+  for (const Json& other : json.at("others")) lines.others.push_back(read_line(other, dimension));
+  return lines;
+}
+
+Raster read_raster(const Json& json) {
+  Raster out;
+  out.columns = json.at("columns").get<int>();
+  out.rows = json.at("rows").get<int>();
+  for (Index i = 0; i < 2; ++i) {
+    out.lower[i] = json.at("lower").at(static_cast<std::size_t>(i)).get<double>();
+    out.upper[i] = json.at("upper").at(static_cast<std::size_t>(i)).get<double>();
+  }
+  for (const Json& value : json.at("values"))
+    out.values.push_back(value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>());
+  const bool fits = out.columns > 1 && out.rows > 1 && (out.upper.array() > out.lower.array()).all() &&
+                    out.values.size() == static_cast<std::size_t>(out.columns) * static_cast<std::size_t>(out.rows);
+  if (!fits) throw InputError("a raster whose values do not fill it");
+  return out;
+}
+
+Scene read(const Json& json) {
+  Scene scene;
+  scene.dimension = json.at("dimension").get<int>();
+  if (scene.dimension < 1) throw InputError("a dimension below 1");
+  if (json.contains("lines")) scene.lines = read_lines(json.at("lines"), scene.dimension);
+  for (std::size_t i = 0; i < 3; ++i) scene.up[static_cast<Index>(i)] = json.at("up").at(i).get<double>();
+  if (json.contains("surface")) scene.surface = read_surface(json.at("surface"));
+  if (json.contains("points")) scene.surfels = read_surfels(json.at("points"));
+  if (json.contains("curves"))
+    for (const Json& curve : json.at("curves")) scene.curves.push_back(read_line(curve, scene.dimension));
+  if (json.contains("box")) {
+    const double infinity = std::numeric_limits<double>::infinity();
+    scene.lower = read_side(json.at("box").at("lower"), -infinity);
+    scene.upper = read_side(json.at("box").at("upper"), infinity);
+    if (scene.lower.size() != scene.dimension || scene.upper.size() != scene.dimension)
+      throw InputError("a box that does not fit the dimension");
+  }
+  if (json.contains("cost")) scene.cost = read_raster(json.at("cost"));
+  for (const Json& note : json.at("notes")) scene.notes.push_back(note.get<std::string>());
+  return scene;
+}
+
+}  // namespace
+
+std::string scene_json(const Scene& scene) {
+  const Rounded rounded(extent_of(scene));
+  std::string text = fmt::format("{{\"schema_version\":{},\"dimension\":{},\"up\":[{},{},{}]", kSceneVersion,
+                                 scene.dimension, scene.up[0], scene.up[1], scene.up[2]);
+  if (scene.lines.path.size() > 0) text += lines_text(scene.lines, rounded);
+  if (!scene.surface.triangles.empty())
+    text += fmt::format(",\n\"surface\":{{\"vertices\":{},\n\"triangles\":{}}}",
+                        vectors(scene.surface.vertices, rounded), triangles(scene.surface.triangles));
+  if (!scene.surfels.positions.empty())
+    text += fmt::format(",\n\"points\":{{\"spacing\":{:.6g},\"positions\":{},\n\"normals\":{}}}", scene.surfels.spacing,
+                        vectors(scene.surfels.positions, rounded), vectors(scene.surfels.normals, Rounded(1e4)));
+  if (!scene.curves.empty()) text += ",\n\"curves\":" + list_of(scene.curves, rounded);
+  if (scene.lower.size() > 0)
+    text += fmt::format(",\n\"box\":{{\"lower\":{},\"upper\":{}}}", side(scene.lower), side(scene.upper));
+  if (scene.cost) text += ",\n\"cost\":" + raster_text(*scene.cost);
+  return text + ",\n\"notes\":" + Json(scene.notes).dump(-1, ' ', false, Json::error_handler_t::replace) + "}\n";
+}
+
+Scene read_scene(std::string_view text, const std::string& name) {
+  try {
+    return read(Json::parse(text));
+  } catch (const Json::exception& e) {
+    throw InputError(name + ": not a scene of leastcost: " + e.what());
+  } catch (const InputError& e) {
+    throw InputError(name + ": not a scene of leastcost: " + e.what());
+  }
+}
+
+}  // namespace leastcost

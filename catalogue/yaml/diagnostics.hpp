@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <leastcost/framework/errors.hpp>
+
+namespace leastcost {
+
+/// A place in a configuration file or in an argument of the command line.
+struct Place {
+  int line = 0;        ///< from 1; 0: the input as a whole
+  int column = 0;      ///< from 1, bytes
+  int length = 1;      ///< bytes to underline
+  std::string origin;  ///< the argument ("--set a.b=v"); empty: the file
+};
+
+struct Diagnostic {
+  Place place;
+  std::string message;
+};
+
+/// The errors of one configuration, collected so that a user sees all of them at once, in compiler style:
+///
+///     torus.yaml:12:5: error: unknown key 'max_iter' in solver (did you mean 'max_iterations'?)
+///        12 |     max_iter: 200
+///           |     ^~~~~~~~
+class Diagnostics {
+ public:
+  /// `file`: the name to print; `text`: its content, for the source lines.
+  Diagnostics(std::string file, std::string_view text);
+
+  void error(const Place& place, std::string message);
+  bool empty() const { return errors_.empty(); }
+  std::size_t size() const { return errors_.size(); }
+  const std::string& file() const { return file_; }
+  /// In the order of the file; what came from the command line last.
+  std::vector<Diagnostic> sorted() const;
+  /// All errors with their source lines, without the count.
+  std::string render(bool color = false) const;
+  /// "2 errors in torus.yaml".
+  std::string count() const;
+
+ private:
+  std::string where(const Place& place) const;
+  std::string excerpt(const Place& place) const;
+
+  std::string file_;
+  std::vector<std::string> lines_;
+  std::vector<Diagnostic> errors_;
+};
+
+/// The configuration is not valid. what() is the rendered list with its count.
+class ConfigError : public Error {
+ public:
+  explicit ConfigError(Diagnostics diagnostics)
+      : Error(diagnostics.render() + diagnostics.count()), diagnostics_(std::move(diagnostics)) {}
+  const Diagnostics& diagnostics() const { return diagnostics_; }
+
+ private:
+  Diagnostics diagnostics_;
+};
+
+/// `text` in single quotes, shortened, control characters made visible: safe to print on a terminal.
+std::string in_quotes(std::string_view text);
+
+}  // namespace leastcost

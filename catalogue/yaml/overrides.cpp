@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/catalogue/yaml/overrides.hpp>
+
+#include <algorithm>
+
+#include "catalogue/yaml/scalars.hpp"
+#include "catalogue/yaml/yaml_reader.hpp"
+
+namespace leastcost {
+namespace {
+
+std::vector<std::string> split_path(const std::string& path) {
+  std::vector<std::string> parts(1);
+  for (const char c : path) {
+    if (c == '.')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  return parts;
+}
+
+bool is_path(const std::vector<std::string>& parts) {
+  const auto harmless = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  };
+  return std::all_of(parts.begin(), parts.end(), [&](const std::string& part) {
+    return !part.empty() && std::all_of(part.begin(), part.end(), harmless);
+  });
+}
+
+/// The node that `key` names in `node`, made when missing; null (with an error) where a list has no such position.
+ConfigNode* step_into(ConfigNode& node, const std::string& key, const Place& place, Diagnostics& errors) {
+  if (node.is_list()) {
+    const std::optional<std::size_t> index = list_index(key);
+    if (index && *index < node.items.size()) return &node.items[*index];
+    errors.error(place, "the list has " + std::to_string(node.items.size()) + " entries, counted from 0; " +
+                            in_quotes(key) + " is none of them");
+    return nullptr;
+  }
+  if (!node.is_block()) {
+    ConfigNode block;
+    block.kind = ConfigNode::Kind::block;
+    block.place = node.place;
+    if (node.is_scalar()) block.entries.push_back({"type", node.place, node});
+    node = std::move(block);
+  }
+  if (ConfigEntry* entry = node.find(key)) return &entry->value;
+  node.entries.push_back({key, place, {}});
+  node.entries.back().value.place = place;
+  return &node.entries.back().value;
+}
+
+void apply(const Override& override, ConfigNode& root, Diagnostics& errors) {
+  const Place place{0, 0, 1, override.origin};
+  const std::size_t equals = override.assignment.find('=');
+  const std::string path = override.assignment.substr(0, equals);
+  if (equals == std::string::npos || !is_path(split_path(path)))
+    return errors.error(place, "must have the form key=value or block.key=value, like solver.max_iterations=50");
+  const std::size_t before = errors.size();
+  ConfigNode value = read_yaml_value(override.assignment.substr(equals + 1), override.origin, errors);
+  if (errors.size() > before) return;
+  value.place = place;
+  put_option(path, std::move(value), place, root, errors);
+}
+
+}  // namespace
+
+Override set_option(const std::string& assignment) { return {assignment, "--set " + assignment}; }
+Override seed_option(const std::string& number) { return {"seed=" + number, "--seed " + number}; }
+
+void apply_overrides(const std::vector<Override>& overrides, ConfigNode& root, Diagnostics& errors) {
+  for (const Override& override : overrides) apply(override, root, errors);
+}
+
+void put_option(const std::string& path, ConfigNode value, const Place& place, ConfigNode& root, Diagnostics& errors) {
+  const std::vector<std::string> keys = split_path(path);
+  if (!is_path(keys))
+    return errors.error(place, in_quotes(path) + " is no option: it must have the form key or block.key");
+  ConfigNode* node = &root;
+  for (const std::string& key : keys) {
+    node = step_into(*node, key, place, errors);
+    if (node == nullptr) return;
+  }
+  *node = std::move(value);
+}
+
+}  // namespace leastcost

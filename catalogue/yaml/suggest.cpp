@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "catalogue/yaml/suggest.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace leastcost {
+namespace {
+
+std::string lower_case(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return out;
+}
+
+bool contains(std::string_view whole, std::string_view part) {
+  return part.size() >= 3 && whole.find(part) != std::string_view::npos;
+}
+
+/// An abbreviation (max_iter), a mistyped one (max_itr) or a fuller name (mesh_file): far by edits, plain to a reader.
+bool is_form_of(std::string_view word, std::string_view candidate) {
+  if (contains(candidate, word) || contains(word, candidate)) return true;
+  return word.size() >= 5 && candidate.size() > word.size() &&
+         edit_distance(word, candidate.substr(0, word.size())) <= 1;
+}
+
+}  // namespace
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t differs = a[i - 1] == b[j - 1] ? 0 : 1;
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + differs});
+      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
+    }
+    before.swap(last);
+    last.swap(row);
+  }
+  return last[b.size()];
+}
+
+std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates) {
+  constexpr std::size_t kLongestWord = 60;  // the distance is quadratic, and nobody mistypes more than this
+  if (word.empty() || word.size() > kLongestWord) return "";
+  const std::string wanted = lower_case(word);
+  std::string best, other_form;
+  std::size_t least = std::max<std::size_t>(1, wanted.size() / 3) + 1;
+  for (const std::string& candidate : candidates) {
+    const std::size_t distance = edit_distance(wanted, lower_case(candidate));
+    if (distance < least) {
+      least = distance;
+      best = candidate;
+    }
+    if (other_form.empty() && is_form_of(wanted, candidate)) other_form = candidate;
+  }
+  return best.empty() ? other_form : best;
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
+  const std::string best = nearest_word(word, candidates);
+  return best.empty() ? "" : " (did you mean '" + best + "'?)";
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
+  return all;
+}
+
+}  // namespace leastcost

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// What a least-cost path is: path, cost, manifold, kernel, energy, solver, certificate, find_path(). What this header
+/// reaches is public and installed; everything else in the folder is internal.
+
+#include <leastcost/framework/chain_model.hpp>
+#include <leastcost/framework/family.hpp>
+#include <leastcost/framework/find_path.hpp>
+#include <leastcost/framework/has_constant_metric.hpp>
+#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/smooth_bounds.hpp>
+#include <leastcost/framework/stopping.hpp>

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/problems/chart/wound.hpp>
+
+#include <leastcost/problems/chart/seams.hpp>
+
+namespace leastcost {
+
+std::vector<WoundProblem> wound_problems(const Problem& problem, int turns) {
+  std::vector<WoundProblem> all;
+  const auto* domain = dynamic_cast<const HasSeams*>(problem.manifold.get());
+  if (domain == nullptr || problem.ring) return all;
+  const std::vector<Seam>& seams = domain->seams();
+  const auto* chart = dynamic_cast<const HasChart*>(problem.manifold.get());
+  const std::vector<SeamMap> poles = chart != nullptr ? chart->poles() : std::vector<SeamMap>();
+  const auto count = static_cast<Index>(seams.size());
+  Eigen::VectorXi winding = Eigen::VectorXi::Constant(count, -turns);
+  const auto next = [&] {  // counts through all of -turns .. turns
+    for (Index s = 0; s < count; ++s) {
+      if (++winding[s] <= turns) return true;
+      winding[s] = -turns;
+    }
+    return false;
+  };
+  do {
+    std::string name;  // empty on a chart without seams
+    for (Index i = 0; i < count; ++i) name += (i ? ", " : "(") + std::to_string(winding[i]);
+    if (count > 0) name += ")";
+    const SeamMap map = seam_map(seams, static_cast<int>(problem.target.u.size()), winding);
+    const auto add = [&](const Eigen::VectorXd& target, const std::string& where, bool given) {
+      WoundProblem wound{problem, name + where};
+      wound.problem.target.u = map.apply(target);
+      all.insert(given ? all.begin() : all.end(), std::move(wound));
+    };
+    add(problem.target.u, "", winding.isZero());
+    for (std::size_t i = 0; i < poles.size(); ++i)
+      add(poles[i].apply(problem.target.u), " over pole " + std::to_string(i + 1), false);
+  } while (next());
+  return all;
+}
+
+}  // namespace leastcost

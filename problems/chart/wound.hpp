@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <leastcost/framework/problem.hpp>
+
+namespace leastcost {
+
+/// A problem whose target is another image of the same point.
+struct WoundProblem {
+  Problem problem;
+  std::string winding;  ///< turns across each seam, "(1, 0)" or "(1, 0) over pole 1"
+};
+
+/// The images of the target up to `turns` turns either way across each seam of a chart and over its poles, the given
+/// one first. Empty where the domain has no seams, and for rings.
+std::vector<WoundProblem> wound_problems(const Problem& problem, int turns);
+
+}  // namespace leastcost

@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/cloud/cloud_route.hpp"
+
+#include <algorithm>
+#include <boost/graph/compressed_sparse_row_graph.hpp>
+#include <boost/graph/dijkstra_shortest_paths.hpp>
+#include <boost/property_map/function_property_map.hpp>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+#include <utility>
+
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/segment_cost.hpp>
+
+namespace leastcost {
+namespace {
+
+using Graph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
+                                                 boost::no_property, std::int32_t, std::int32_t>;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kRounds = 200;        // searches, each around the gaps found so far
+constexpr int kStopInterval = 256;  // settled samples between two questions to the monitor
+
+struct TargetSettled {};
+struct StopRequested {};
+struct Exhausted {};
+
+/// The samples as nodes 0 .. n-1, the source n, the target n + 1.
+class RouteQuery {
+ public:
+  RouteQuery(const Problem& problem, const HasPointCloud& domain, const Monitor& monitor)
+      : problem_(problem),
+        domain_(domain),
+        monitor_(monitor),
+        samples_(domain.cloud().size()),
+        state_(static_cast<std::size_t>(samples_), State::unknown),
+        position_(static_cast<std::size_t>(samples_)) {}
+
+  CloudRoute run() {
+    const std::vector<std::int32_t> from = links(problem_.source.u), to = links(problem_.target.u);
+    check_components(from, to);
+    const Graph graph = build(from, to);
+    for (int round = 0;; ++round) {
+      CloudRoute route = shortest(graph);
+      if (!block_gaps() || round == kRounds) return route;
+    }
+  }
+
+ private:
+  CloudRoute shortest(const Graph& graph) {
+    settled_ = 0;
+    const auto nodes = static_cast<std::size_t>(samples_) + 2;
+    std::vector<std::int32_t> predecessor(nodes);
+    distance_.assign(nodes, kInfinity);
+    const auto cost = [&](const Graph::edge_descriptor& edge) {
+      return move(boost::source(edge, graph), boost::target(edge, graph));
+    };
+    try {
+      boost::dijkstra_shortest_paths(
+          graph, source(),
+          boost::visitor(Visitor{this})
+              .predecessor_map(boost::make_iterator_property_map(predecessor.begin(), get(boost::vertex_index, graph)))
+              .distance_map(boost::make_iterator_property_map(distance_.begin(), get(boost::vertex_index, graph)))
+              .distance_inf(kInfinity)
+              .weight_map(boost::make_function_property_map<Graph::edge_descriptor, double>(cost)));
+    } catch (const TargetSettled&) {
+      return path_found(predecessor);
+    } catch (const StopRequested&) {
+      throw InitializationError("the search was stopped after " + std::to_string(settled_) + " samples");
+    } catch (const Exhausted&) {  // said below
+    }
+    throw InitializationError("no route along the neighbour graph: " + std::to_string(settled_ - 1) + " of " +
+                              std::to_string(part_size_) + " samples can be reached, " + std::to_string(no_surface_) +
+                              " beside them are on a border or off the surface, elsewhere the cost is infinite");
+  }
+
+  enum class State : std::uint8_t { unknown, on_surface, none };
+
+  struct Visitor : boost::default_dijkstra_visitor {
+    RouteQuery* query;
+    explicit Visitor(RouteQuery* q) : query(q) {}
+    void examine_vertex(std::int32_t node, const Graph&) const { query->examine(node); }
+  };
+
+  std::int32_t source() const { return samples_; }
+  std::int32_t target() const { return samples_ + 1; }
+
+  /// Boost also queues nodes that it could not relax; the first of them means that the rest is out of reach.
+  void examine(std::int32_t node) {
+    if (!(distance_[static_cast<std::size_t>(node)] < kInfinity)) throw Exhausted{};
+    if (node == target()) throw TargetSettled{};
+    if (++settled_ % kStopInterval == 0 && monitor_.interrupted()) throw StopRequested{};
+  }
+
+  /// Samples that an end is joined to: the nearest one and its neighbours.
+  std::vector<std::int32_t> links(const Eigen::Vector3d& end) const {
+    std::vector<Neighbour> near;
+    domain_.cloud().search().nearest(end - domain_.cloud().centre(), domain_.cloud().neighbour_count(), near);
+    std::vector<std::int32_t> out;
+    for (const Neighbour& n : near) {
+      if (!(domain_.cloud().sample(n.index).trust > 0)) continue;
+      if (out.empty() || domain_.graph().component(n.index) == domain_.graph().component(out[0]))
+        out.push_back(n.index);
+    }
+    if (out.empty()) throw InitializationError("an end lies among points that take no part in the surface");
+    return out;
+  }
+
+  void check_components(const std::vector<std::int32_t>& from, const std::vector<std::int32_t>& to) {
+    const CloudGraph& graph = domain_.graph();
+    const std::int32_t a = graph.component(from[0]), b = graph.component(to[0]);
+    part_size_ = graph.component_sizes()[static_cast<std::size_t>(a)];
+    if (a == b) return;
+    throw InitializationError("the ends lie in different parts of the cloud, of " + std::to_string(part_size_) +
+                              " and " + std::to_string(graph.component_sizes()[static_cast<std::size_t>(b)]) +
+                              " points; a larger max_edge joins what is farther apart");
+  }
+
+  Graph build(const std::vector<std::int32_t>& from, const std::vector<std::int32_t>& to) const {
+    std::vector<std::pair<std::int32_t, std::int32_t>> edges;
+    std::vector<char> at_target(static_cast<std::size_t>(samples_), 0);
+    for (const std::int32_t i : to) at_target[static_cast<std::size_t>(i)] = 1;
+    const CloudGraph& graph = domain_.graph();
+    for (std::int32_t i = 0; i < samples_; ++i) {
+      for (const std::int32_t* j = graph.begin(i); j != graph.end(i); ++j) edges.emplace_back(i, *j);
+      if (at_target[static_cast<std::size_t>(i)] != 0) edges.emplace_back(i, target());
+    }
+    for (const std::int32_t i : from) edges.emplace_back(source(), i);
+    if (std::find(from.begin(), from.end(), to[0]) != from.end()) edges.emplace_back(source(), target());
+    return {boost::edges_are_sorted, edges.begin(), edges.end(), samples_ + 2};
+  }
+
+  /// The place of a node on the surface; null where it has none. Projected when it is first asked for.
+  const Eigen::Vector3d* place(std::int32_t node) {
+    if (node >= samples_) {
+      end_ = node == source() ? problem_.source.u : problem_.target.u;
+      return &end_;
+    }
+    State& state = state_[static_cast<std::size_t>(node)];
+    Eigen::Vector3d& x = position_[static_cast<std::size_t>(node)];
+    if (state == State::unknown) {
+      x = domain_.cloud().sample(node).position + domain_.cloud().centre();
+      state = domain_.surface().project(x) ? State::on_surface : State::none;
+      if (state == State::none) ++no_surface_;
+    }
+    return state == State::on_surface ? &x : nullptr;
+  }
+
+  double move(std::int32_t from, std::int32_t to) {
+    if (!gaps_.empty() && gaps_.count(std::minmax(from, to)) > 0) return kInfinity;
+    Eigen::Matrix<double, 3, 2> ends;
+    const Eigen::Vector3d* a = place(from);
+    if (a == nullptr) return kInfinity;
+    ends.col(0) = *a;
+    const Eigen::Vector3d* b = place(to);
+    if (b == nullptr) return kInfinity;
+    ends.col(1) = *b;
+    double q = 0;
+    problem_.cost->squared_costs({{ends.data(), 3, 2}, {}, false}, {&q, 1});
+    return std::sqrt(q);
+  }
+
+  /// Blocks the moves of the path whose middle has no projection (they lead over a hole or along a border); true when
+  /// there are any.
+  bool block_gaps() {
+    bool any = false;
+    for (std::size_t i = 1; i < nodes_.size(); ++i) {
+      const Eigen::Vector3d a = *place(nodes_[i - 1]), b = *place(nodes_[i]);
+      for (const double t : {0.25, 0.5, 0.75}) {
+        Eigen::Vector3d x = (1 - t) * a + t * b;
+        if (domain_.surface().project(x)) continue;
+        any = gaps_.insert(std::minmax(nodes_[i - 1], nodes_[i])).second || any;
+        break;
+      }
+    }
+    return any;
+  }
+
+  CloudRoute path_found(const std::vector<std::int32_t>& predecessor) {
+    CloudRoute route;
+    nodes_.assign(1, target());
+    while (nodes_.back() != source()) nodes_.push_back(predecessor[static_cast<std::size_t>(nodes_.back())]);
+    std::reverse(nodes_.begin(), nodes_.end());
+    for (const std::int32_t node : nodes_) route.points.push_back(*place(node));
+    route.vertices = static_cast<int>(route.points.size()) - 2;
+    return route;
+  }
+
+  const Problem& problem_;
+  const HasPointCloud& domain_;
+  const Monitor& monitor_;
+  std::int32_t samples_, settled_ = 0, part_size_ = 0, no_surface_ = 0;
+  std::vector<State> state_;
+  std::vector<double> distance_;
+  std::vector<Eigen::Vector3d> position_;
+  Eigen::Vector3d end_;
+  std::vector<std::int32_t> nodes_;                       // of the path found last
+  std::set<std::pair<std::int32_t, std::int32_t>> gaps_;  // smaller node first
+};
+
+}  // namespace
+
+CloudRoute cloud_route(const Problem& problem, const HasPointCloud& domain, const Monitor& monitor) {
+  return RouteQuery(problem, domain, monitor).run();
+}
+
+}  // namespace leastcost

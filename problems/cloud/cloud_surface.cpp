@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/problems/cloud/cloud_surface.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace leastcost {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr int kMaxSteps = 30;
+constexpr double kConverged =
+    1e-8;                        ///< supports: the step after one this small is below rounding (quadratic convergence)
+constexpr double kSlack = 0.15;  ///< supports that x may move before its samples are gathered again
+constexpr double kFarthest = 1.0;     ///< supports between x and the tangent plane of its nearest sample
+constexpr double kOneSided = 0.3;     ///< supports from the foot to the mean of its samples: 0.23 on a straight border
+constexpr double kOtherSheet = -0.5;  ///< cosine of 120 degrees
+constexpr int kFewest = 6;            ///< samples with a say
+constexpr double kFlattest = 1e-12;   ///< spread of the samples, in squared supports, below which no sphere is seen
+
+/// Value and gradient of f, and where its samples lie.
+struct Field {
+  double value = 0;
+  Vector3d gradient = Vector3d::Zero();
+  Vector3d mean = Vector3d::Zero();  ///< of the samples, relative to x
+};
+
+/// f near one place, from samples gathered once.
+class LocalField {
+ public:
+  LocalField(const PointCloud& cloud, std::vector<Neighbour>& buffer) : cloud_(cloud), found_(buffer) {}
+
+  /// Makes ready for points within `slack_` of x; x relative to the cloud's centre.
+  void gather(const Vector3d& x) {
+    const Neighbour nearest = cloud_.search().nearest(x);
+    nearest_ = nearest.index;
+    distance_ = std::sqrt(nearest.squared_distance);
+    slack_ = kSlack * support();
+    gathered_at_ = x;
+    cloud_.search().within(x, cloud_.reach(nearest_, distance_ + slack_) + slack_, found_);
+  }
+  bool covers(const Vector3d& x) const { return (x - gathered_at_).squaredNorm() <= slack_ * slack_; }
+  double support() const { return cloud_.radius(nearest_); }
+  double distance() const { return distance_; }
+  const CloudSample& nearest() const { return cloud_.sample(nearest_); }
+
+  /// False where too few samples reach x.
+  bool evaluate(const Vector3d& x, Field& out) const;
+
+ private:
+  const PointCloud& cloud_;
+  std::vector<Neighbour>& found_;
+  Vector3d gathered_at_ = Vector3d::Zero();
+  std::int32_t nearest_ = -1;
+  double distance_ = 0, slack_ = 0;
+};
+
+/// Weighted sums over the samples and, where a w appears, over the gradients of their weights. q = p - x, n the normal.
+struct Moments {
+  double weight = 0, q_n = 0, q_q = 0;
+  Vector3d q = Vector3d::Zero(), n = Vector3d::Zero();
+  Vector3d w = Vector3d::Zero(), w_qn = Vector3d::Zero(), w_qq = Vector3d::Zero();
+  Matrix3d w_q = Matrix3d::Zero(), w_n = Matrix3d::Zero();  ///< column k: the gradient of component k
+};
+
+/// The algebraic sphere of the moments at its own origin, with the gradient of that value with respect to x, by the
+/// chain rule.
+bool sphere_value(const Moments& m, double support, Field& out) {
+  const double s = 1 / m.weight;
+  const Vector3d q = s * m.q;
+  const double spread = m.q_q - m.q.dot(q);
+  if (!(spread > kFlattest * m.weight * support * support)) return false;
+  const double sum = m.q_n - m.n.dot(q);
+  const double u4 = sum / (2 * spread);
+  const Vector3d ul = s * m.n - 2 * u4 * q;
+  out.value = -ul.dot(q) - s * u4 * m.q_q;
+  out.mean = q;
+
+  // Gradients of the moments: of the weights, and of q = p - x itself.
+  const Vector3d d_weight = m.w;
+  Matrix3d d_q = m.w_q;
+  d_q.diagonal().array() -= m.weight;
+  const Vector3d d_qn = m.w_qn - m.n, d_qq = m.w_qq - 2 * m.q;
+  const Matrix3d mean_q = s * (d_q - d_weight * q.transpose());            // of q / weight
+  const Matrix3d mean_n = s * (m.w_n - d_weight * (s * m.n).transpose());  // of n / weight
+  const Vector3d d_sum = d_qn - m.w_n * q - mean_q * m.n;
+  const Vector3d d_spread = d_qq - d_q * q - mean_q * m.q;
+  const Vector3d d_u4 = (d_sum - 2 * u4 * d_spread) / (2 * spread);
+  const Matrix3d d_ul = mean_n - 2 * (d_u4 * q.transpose() + u4 * mean_q);
+  const Vector3d mean_qq = s * (d_qq - s * m.q_q * d_weight);
+  out.gradient = -(d_ul * q + mean_q * ul) - s * m.q_q * d_u4 - u4 * mean_qq;
+  return out.gradient.squaredNorm() > 0;
+}
+
+bool LocalField::evaluate(const Vector3d& x, Field& out) const {
+  Moments m;
+  int count = 0;
+  const Vector3d& side = nearest().normal;
+  for (const Neighbour& near : found_) {
+    const CloudSample& sample = cloud_.sample(near.index);
+    const Vector3d q = sample.position - x;
+    const double d2 = q.squaredNorm(), t = 1 - d2 * sample.inverse_radius2;
+    if (!(t > 0) || side.dot(sample.normal) < kOtherSheet) continue;
+    const Vector3d& n = sample.normal;
+    const double t3 = sample.trust * t * t * t, w = t3 * t, qn = q.dot(n);
+    const Vector3d dw = (8 * t3 * sample.inverse_radius2) * q;  // gradient of the weight with respect to x
+    m.weight += w;
+    m.q += w * q;
+    m.n += w * n;
+    m.q_n += w * qn;
+    m.q_q += w * d2;
+    m.w += dw;
+    m.w_qn += qn * dw;
+    m.w_qq += d2 * dw;
+    m.w_q += dw * q.transpose();
+    m.w_n += dw * n.transpose();
+    if (sample.trust > 0) ++count;
+  }
+  return count >= kFewest && m.weight > 0 && sphere_value(m, support(), out);
+}
+
+/// All samples on one side of the foot, along the surface.
+bool one_sided(const Field& f, double support) {
+  const Vector3d n = f.gradient.normalized();
+  const Vector3d along = f.mean - n.dot(f.mean) * n;
+  return along.squaredNorm() > kOneSided * kOneSided * support * support;
+}
+
+std::vector<Neighbour>& buffer() {
+  thread_local std::vector<Neighbour> instance;
+  return instance;
+}
+
+}  // namespace
+
+bool CloudSurface::project(Eigen::Ref<Vector3d> x) const {
+  if (!x.allFinite()) return false;
+  Vector3d y = x - cloud_->centre();
+  LocalField field(*cloud_, buffer());
+  field.gather(y);
+  if (field.distance() > field.support()) {  // a start on the tangent plane of the nearest sample, if that is below
+    const CloudSample& near = field.nearest();
+    y -= near.normal.dot(y - near.position) * near.normal;
+    if ((y - near.position).squaredNorm() > kFarthest * kFarthest * field.support() * field.support()) return false;
+    field.gather(y);
+  }
+  Field f;
+  double last = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kMaxSteps; ++i) {
+    if (!field.covers(y)) field.gather(y);
+    if (!field.evaluate(y, f)) return false;
+    Vector3d step = -f.value / f.gradient.squaredNorm() * f.gradient;
+    const double length = step.norm(), support = field.support();
+    if (!(length < last || length <= kConverged * support)) step *= 0.5;
+    last = length;
+    if (length > 0.5 * support) step *= 0.5 * support / length;
+    y += step;
+    if (length > kConverged * support) continue;
+    if (one_sided(f, support)) return false;
+    x = y + cloud_->centre();
+    return true;
+  }
+  return false;
+}
+
+std::optional<Vector3d> CloudSurface::normal(const Vector3d& x) const {
+  if (!x.allFinite()) return std::nullopt;
+  const Vector3d y = x - cloud_->centre();
+  LocalField field(*cloud_, buffer());
+  field.gather(y);
+  Field f;
+  if (!field.evaluate(y, f)) return std::nullopt;
+  return f.gradient.normalized();
+}
+
+}  // namespace leastcost

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include <leastcost/problems/cloud/point_cloud.hpp>
+
+namespace leastcost {
+
+/// The smooth surface of a cloud: the zero set of algebraic moving least squares (APSS: Guennebaud, Gross, SIGGRAPH
+/// 2007; the closed form with normals of Guennebaud, Germann, Gross 2008). At every x the algebraic sphere u_c + u_l .
+/// y + u_4 |y|^2 whose gradients fit the normals and whose values fit the samples near x has a value at y = x, and that
+/// value is f(x). The weights trust (1 - d^2 / h^2)^4 make f three times differentiable; its gradient is formed
+/// exactly, so that projections are reproducible to rounding and tangent planes are those of the surface itself.
+///
+/// Samples whose normal turns more than 120 degrees from that of the nearest sample belong to another sheet and do not
+/// count.
+class CloudSurface {
+ public:
+  /// The cloud must outlive the surface.
+  explicit CloudSurface(const PointCloud& cloud) : cloud_(&cloud) {}
+
+  /// Moves x (in the coordinates of the file) along the gradients of f onto f = 0; on leaving, f is zero to rounding.
+  /// False, and x is left alone, where there is no surface: too far from the samples or with all of them on one side
+  /// (beyond the border of a scan).
+  bool project(Eigen::Ref<Eigen::Vector3d> x) const;
+
+  /// Unit normal of the level set of f through x, on the side of the samples' normals; nothing where f is not defined.
+  std::optional<Eigen::Vector3d> normal(const Eigen::Vector3d& x) const;
+
+ private:
+  const PointCloud* cloud_;
+};
+
+}  // namespace leastcost

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/cloud/orient_normals.hpp"
+
+#include <algorithm>
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/kruskal_min_spanning_tree.hpp>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+
+namespace leastcost {
+namespace {
+
+using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
+                                    boost::property<boost::edge_weight_t, double>>;
+using TreeLinks = std::vector<std::vector<std::int32_t>>;
+
+TreeLinks spanning_tree(const std::vector<std::pair<std::int32_t, std::int32_t>>& edges,
+                        const std::vector<Eigen::Vector3d>& normals) {
+  std::vector<double> weights;
+  weights.reserve(edges.size());
+  for (const auto& [a, b] : edges)
+    weights.push_back(1 - std::abs(normals[static_cast<std::size_t>(a)].dot(normals[static_cast<std::size_t>(b)])));
+  const Graph graph(edges.begin(), edges.end(), weights.begin(), normals.size());
+  std::vector<boost::graph_traits<Graph>::edge_descriptor> chosen;
+  boost::kruskal_minimum_spanning_tree(graph, std::back_inserter(chosen));
+  TreeLinks links(normals.size());
+  for (const auto& edge : chosen) {
+    const auto a = boost::source(edge, graph), b = boost::target(edge, graph);
+    links[a].push_back(static_cast<std::int32_t>(b));
+    links[b].push_back(static_cast<std::int32_t>(a));
+  }
+  return links;
+}
+
+}  // namespace
+
+void orient_normals(const std::vector<Eigen::Vector3d>& positions,
+                    const std::vector<std::pair<std::int32_t, std::int32_t>>& edges,
+                    std::vector<Eigen::Vector3d>& normals) {
+  const TreeLinks links = spanning_tree(edges, normals);
+  std::vector<std::int32_t> by_height(positions.size()), open;
+  std::iota(by_height.begin(), by_height.end(), 0);
+  std::stable_sort(by_height.begin(), by_height.end(), [&](std::int32_t a, std::int32_t b) {
+    return positions[static_cast<std::size_t>(a)].z() > positions[static_cast<std::size_t>(b)].z();
+  });
+  std::vector<char> done(positions.size(), 0);
+  for (const std::int32_t highest : by_height) {
+    const auto top = static_cast<std::size_t>(highest);
+    if (done[top] != 0) continue;
+    done[top] = 1;
+    if (normals[top].z() < 0) normals[top] = -normals[top];
+    open.assign(1, highest);
+    while (!open.empty()) {
+      const auto from = static_cast<std::size_t>(open.back());
+      open.pop_back();
+      for (const std::int32_t next : links[from]) {
+        const auto to = static_cast<std::size_t>(next);
+        if (done[to] != 0) continue;
+        done[to] = 1;
+        if (normals[from].dot(normals[to]) < 0) normals[to] = -normals[to];
+        open.push_back(next);
+      }
+    }
+  }
+}
+
+}  // namespace leastcost

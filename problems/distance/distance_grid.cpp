@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/problems/distance/distance_grid.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <leastcost/framework/errors.hpp>
+
+namespace leastcost {
+namespace {
+
+using Eigen::Vector3d;
+using Row = Eigen::Map<Eigen::ArrayXd>;
+
+/// B-spline coefficients c_-1 .. c_n of lines of n values, `width` lines side by side; value i of line w is first[i *
+/// stride + w]. Solves (c_i-1 + 4 c_i + c_i+1) / 6 = f_i with (c_1 - c_-1) / 2 and (c_n - c_n-2) / 2 the slopes at the
+/// ends (times the cell), which are those of the cubic through the four nodes there.
+void to_coefficients(double* first, int n, std::size_t stride, std::size_t width) {
+  const auto row = [&](int i) {
+    return Row(first + static_cast<std::ptrdiff_t>(stride) * i, static_cast<Eigen::Index>(width));
+  };
+  Row before = row(-1), after = row(n);
+  before = (-11 * row(0) + 18 * row(1) - 9 * row(2) + 2 * row(3)) / 3;  // twice the slope
+  after = (11 * row(n - 1) - 18 * row(n - 2) + 9 * row(n - 3) - 2 * row(n - 4)) / 3;
+  std::vector<double> above(static_cast<std::size_t>(n), 0.0);  // of the eliminated matrix
+  row(0) = (6 * row(0) + before) / 4;
+  above[0] = 0.5;
+  for (int i = 1; i < n; ++i) {
+    const double below = i == n - 1 ? 2 : 1, pivot = 1 / (4 - below * above[static_cast<std::size_t>(i) - 1]);
+    above[static_cast<std::size_t>(i)] = pivot;
+    if (i == n - 1) row(i) -= after / 6;
+    row(i) = (6 * row(i) - below * row(i - 1)) * pivot;
+  }
+  for (int i = n - 2; i >= 0; --i) row(i) -= above[static_cast<std::size_t>(i)] * row(i + 1);
+  before = row(1) - before;
+  after = row(n - 2) + after;
+}
+
+/// Weights of the four coefficients around a place `u` of the way from one node to the next, and their derivatives.
+struct Weights {
+  double w[4], d[4];
+  explicit Weights(double u) {
+    const double v = 1 - u;
+    w[0] = v * v * v / 6;
+    w[1] = (3 * u - 6) * u * u / 6 + 2.0 / 3;
+    w[2] = (3 * v - 6) * v * v / 6 + 2.0 / 3;
+    w[3] = u * u * u / 6;
+    d[0] = -v * v / 2;
+    d[1] = (1.5 * u - 2) * u;
+    d[2] = -(1.5 * v - 2) * v;
+    d[3] = u * u / 2;
+  }
+};
+
+}  // namespace
+
+DistanceGrid::DistanceGrid(const GridShape& shape, std::vector<double> values)
+    : shape_(shape),
+      row_(static_cast<std::size_t>(shape.count[0]) + 2),
+      rows_(static_cast<std::size_t>(shape.count[1]) + 2) {
+  if (*std::min_element(shape.count.begin(), shape.count.end()) < GridShape::kFewest)
+    throw InputError("a distance grid needs at least " + std::to_string(GridShape::kFewest) +
+                     " nodes along every axis, this one has " + std::to_string(shape.count[0]) + " x " +
+                     std::to_string(shape.count[1]) + " x " + std::to_string(shape.count[2]));
+  if (values.size() != shape.nodes())
+    throw InputError(std::to_string(values.size()) + " values for a grid of " + std::to_string(shape.nodes()) +
+                     " nodes");
+  if (!std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }))
+    throw InputError("a distance grid with a value that is not finite");
+  coefficients_.resize(row_ * rows_ * (static_cast<std::size_t>(shape.count[2]) + 2));
+  for (int k = 0; k < shape.count[2]; ++k)
+    for (int j = 0; j < shape.count[1]; ++j)
+      std::copy_n(values.data() + shape.index(0, j, k), shape.count[0], &coefficients_[padded(1, j + 1, k + 1)]);
+  values = {};
+  filter();
+}
+
+void DistanceGrid::filter() {
+  const auto& n = shape_.count;
+  for (int k = 1; k <= n[2]; ++k) {
+    for (int j = 1; j <= n[1]; ++j) to_coefficients(&coefficients_[padded(1, j, k)], n[0], 1, 1);
+    to_coefficients(&coefficients_[padded(0, 1, k)], n[1], row_, row_);
+  }
+  to_coefficients(&coefficients_[padded(0, 0, 1)], n[2], row_ * rows_, row_ * rows_);
+}
+
+double DistanceGrid::evaluate(const Vector3d& x, Vector3d& gradient) const {
+  const Vector3d t = (x - shape_.origin) / shape_.cell;
+  int from[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    const int last = shape_.count[static_cast<std::size_t>(axis)] - 1;
+    if (!(t[axis] >= 0 && t[axis] <= last)) {
+      gradient.setConstant(std::numeric_limits<double>::quiet_NaN());
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+    from[axis] = std::min(static_cast<int>(t[axis]), last - 1);
+  }
+  const Weights wx(t[0] - from[0]), wy(t[1] - from[1]), wz(t[2] - from[2]);
+  double value = 0, dx = 0, dy = 0, dz = 0;
+  for (int k = 0; k < 4; ++k) {
+    const double* c = &coefficients_[padded(from[0], from[1], from[2] + k)];
+    double plane = 0, plane_x = 0, plane_y = 0;
+    for (int j = 0; j < 4; ++j, c += row_) {
+      const double line = wx.w[0] * c[0] + wx.w[1] * c[1] + wx.w[2] * c[2] + wx.w[3] * c[3];
+      const double line_x = wx.d[0] * c[0] + wx.d[1] * c[1] + wx.d[2] * c[2] + wx.d[3] * c[3];
+      plane += wy.w[j] * line;
+      plane_x += wy.w[j] * line_x;
+      plane_y += wy.d[j] * line;
+    }
+    value += wz.w[k] * plane;
+    dx += wz.w[k] * plane_x;
+    dy += wz.w[k] * plane_y;
+    dz += wz.d[k] * plane;
+  }
+  gradient = Vector3d(dx, dy, dz) / shape_.cell;
+  return value;
+}
+
+void DistanceGrid::evaluate(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> value,
+                            Eigen::Ref<Points> gradients) const {
+  Vector3d gradient;
+  value[0] = evaluate(Vector3d(x), gradient);
+  gradients.col(0) = gradient;
+}
+
+double DistanceGrid::at_node(int i, int j, int k) const {
+  constexpr double kWeights[3] = {1.0 / 6, 2.0 / 3, 1.0 / 6};
+  double value = 0;
+  for (int c = 0; c < 3; ++c)
+    for (int b = 0; b < 3; ++b)
+      for (int a = 0; a < 3; ++a)
+        value += kWeights[a] * kWeights[b] * kWeights[c] * coefficients_[padded(i + a, j + b, k + c)];
+  return value;
+}
+
+DistanceGrid DistanceGrid::every_second() const {
+  GridShape half = shape_;
+  half.cell *= 2;
+  for (int& count : half.count) count = (count + 1) / 2;
+  if (*std::min_element(half.count.begin(), half.count.end()) < GridShape::kFewest)
+    throw InputError("the distance grid is too small for a coarser version of it: " + text(shape_));
+  std::vector<double> values;
+  values.reserve(half.nodes());
+  for (int k = 0; k < half.count[2]; ++k)
+    for (int j = 0; j < half.count[1]; ++j)
+      for (int i = 0; i < half.count[0]; ++i) values.push_back(at_node(2 * i, 2 * j, 2 * k));
+  return DistanceGrid(half, std::move(values));
+}
+
+DistanceGrid DistanceGrid::raised(double rise) const {
+  DistanceGrid result = *this;
+  for (double& c : result.coefficients_) c += rise;  // the weights of the coefficients add up to 1
+  return result;
+}
+
+}  // namespace leastcost

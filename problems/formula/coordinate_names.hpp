@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <leastcost/framework/manifold.hpp>
+
+namespace leastcost {
+
+/// The names of the coordinates of R^n: x, y, z up to three, else x0 .. x{n-1}.
+std::vector<std::string> coordinate_names(int dimension);
+/// x0 .. x{n-1}.
+std::vector<std::string> numbered_names(const std::string& name, int count);
+/// The names of the coordinates in which points of a domain are given: u, v in a chart, elsewhere those of its space.
+std::vector<std::string> point_coordinates(const ConstraintManifold& manifold);
+
+}  // namespace leastcost

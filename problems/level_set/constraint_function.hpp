@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <memory>
+#include <utility>
+
+#include <leastcost/framework/dual.hpp>
+#include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/segment_derivatives.hpp>
+
+namespace leastcost {
+
+/// F: R^n -> R^k, k < n, whose zeros are a domain: a surface in space for n = 3, k = 1. Twice differentiable with a
+/// Jacobian of full rank on the zeros. Immutable, hence shareable between threads.
+class ConstraintFunction {
+ public:
+  virtual ~ConstraintFunction() = default;
+  virtual int inputs() const = 0;   ///< n
+  virtual int outputs() const = 0;  ///< k
+  /// F(x), k numbers, and the gradients of its components, n x k (the transposed Jacobian).
+  virtual void evaluate(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> value,
+                        Eigen::Ref<Points> gradients) const = 0;
+};
+
+/// Lifts a struct that knows its value; gradients by dual numbers:
+///
+///     struct Sphere {
+///       static constexpr int inputs = 3, outputs = 1;
+///       template <class S> S value(const Point<S, 3>& x) const { return x.squaredNorm() - 1.0; }
+///     };
+///
+/// With more than one output, `value` returns a Point<S, outputs>.
+template <class F>
+class ConstraintFunctionOf final : public ConstraintFunction {
+ public:
+  static constexpr int n = F::inputs, k = F::outputs;
+
+  explicit ConstraintFunctionOf(F function) : function_(std::move(function)) {}
+  int inputs() const override { return n; }
+  int outputs() const override { return k; }
+  void evaluate(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> value,
+                Eigen::Ref<Points> gradients) const override {
+    using S = Dual<double, n>;
+    Point<S, n> at;
+    for (int i = 0; i < n; ++i) {
+      at[i] = S(x[i]);
+      at[i].d[static_cast<std::size_t>(i)] = 1;
+    }
+    Point<S, k> f;
+    if constexpr (k == 1)
+      f[0] = function_.template value<S>(at);
+    else
+      f = function_.template value<S>(at);
+    for (int j = 0; j < k; ++j) {
+      value[j] = f[j].value;
+      for (int i = 0; i < n; ++i) gradients(i, j) = f[j].d[static_cast<std::size_t>(i)];
+    }
+  }
+
+ private:
+  F function_;
+};
+
+template <class F>
+std::shared_ptr<const ConstraintFunction> make_constraint_function(F function) {
+  return std::make_shared<ConstraintFunctionOf<F>>(std::move(function));
+}
+
+}  // namespace leastcost

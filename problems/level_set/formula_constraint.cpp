@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/level_set/formula_constraint.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace leastcost {
+namespace {
+
+/// Gradients by dual numbers of width W: in one sweep for n = W, else in sweeps of W coordinates each.
+template <int W>
+class FormulaConstraint final : public ConstraintFunction {
+ public:
+  explicit FormulaConstraint(Formulas formulas) : formulas_(std::move(formulas)) {}
+  int inputs() const override { return formulas_.inputs(); }
+  int outputs() const override { return formulas_.outputs(); }
+
+  void evaluate(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> value,
+                Eigen::Ref<Points> gradients) const override {
+    using S = Dual<double, W>;
+    const auto n = static_cast<std::size_t>(inputs()), k = static_cast<std::size_t>(outputs());
+    std::array<S, kMaxDimension> at, f;
+    for (std::size_t i = 0; i < n; ++i) at[i] = S(x[static_cast<Index>(i)]);
+    for (std::size_t begin = 0; begin < n; begin += W) {
+      const std::size_t count = std::min<std::size_t>(W, n - begin);
+      for (std::size_t c = 0; c < count; ++c) at[begin + c].d[c] = 1;
+      formulas_.evaluate<S>(std::span<const S>(at.data(), n), std::span<S>(f.data(), k));
+      for (std::size_t j = 0; j < k; ++j) {
+        value[static_cast<Index>(j)] = f[j].value;
+        for (std::size_t c = 0; c < count; ++c)
+          gradients(static_cast<Index>(begin + c), static_cast<Index>(j)) = f[j].d[c];
+      }
+      for (std::size_t c = 0; c < count; ++c) at[begin + c].d[c] = 0;
+    }
+  }
+
+ private:
+  Formulas formulas_;
+};
+
+}  // namespace
+
+std::shared_ptr<const ConstraintFunction> make_formula_constraint(Formulas formulas) {
+  switch (formulas.inputs()) {
+    case 1:
+    case 2: return std::make_shared<FormulaConstraint<2>>(std::move(formulas));
+    case 3: return std::make_shared<FormulaConstraint<3>>(std::move(formulas));
+    default: return std::make_shared<FormulaConstraint<4>>(std::move(formulas));
+  }
+}
+
+}  // namespace leastcost

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <leastcost/problems/level_set/constraint_function.hpp>
+
+namespace leastcost {
+
+/// Ability: the domain is the set of zeros of a function of its ambient space.
+class HasLevelSet {
+ public:
+  virtual ~HasLevelSet() = default;
+  virtual const ConstraintFunction& function() const = 0;
+};
+
+}  // namespace leastcost

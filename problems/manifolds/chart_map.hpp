@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <utility>
+
+#include <leastcost/framework/dual.hpp>
+#include <leastcost/framework/path.hpp>
+
+namespace leastcost {
+
+/// The embedding x(u, v) of a surface in R^3 with its derivatives, VFCS Eq. (12). Immutable.
+class ChartMap {
+ public:
+  virtual ~ChartMap() = default;
+  virtual Eigen::Vector3d position(const Eigen::Vector2d& u) const = 0;
+  /// Columns dx/du, dx/dv.
+  virtual Eigen::Matrix<double, 3, 2> jacobian(const Eigen::Vector2d& u) const = 0;
+  /// Hessian of w . x(u, v).
+  virtual Eigen::Matrix2d curvature(const Eigen::Vector2d& u, const Eigen::Vector3d& w) const = 0;
+};
+
+/// Lifts a struct with `template <class S> Eigen::Matrix<S, 3, 1> operator()(const S& u, const S& v) const`; the
+/// derivatives come from dual numbers.
+template <class Function>
+class ChartMapOf final : public ChartMap {
+ public:
+  explicit ChartMapOf(Function function) : function_(std::move(function)) {}
+
+  Eigen::Vector3d position(const Eigen::Vector2d& u) const override { return function_(u[0], u[1]); }
+
+  Eigen::Matrix<double, 3, 2> jacobian(const Eigen::Vector2d& u) const override {
+    using S = Dual<double, 2>;
+    const Eigen::Matrix<S, 3, 1> x = function_(S(u[0], {1, 0}), S(u[1], {0, 1}));
+    Eigen::Matrix<double, 3, 2> j;
+    for (int i = 0; i < 3; ++i) j.row(i) << x[i].d[0], x[i].d[1];
+    return j;
+  }
+
+  Eigen::Matrix2d curvature(const Eigen::Vector2d& u, const Eigen::Vector3d& w) const override {
+    using Inner = Dual<double, 2>;
+    using S = Dual<Inner, 2>;
+    const S first(Inner(u[0], {1, 0}), {Inner(1.0), Inner(0.0)}), second(Inner(u[1], {0, 1}), {Inner(0.0), Inner(1.0)});
+    const Eigen::Matrix<S, 3, 1> x = function_(first, second);
+    Eigen::Matrix2d h = Eigen::Matrix2d::Zero();
+    for (int i = 0; i < 3; ++i)
+      for (std::size_t p = 0; p < 2; ++p)
+        for (std::size_t q = 0; q < 2; ++q) h(static_cast<Index>(p), static_cast<Index>(q)) += w[i] * x[i].d[p].d[q];
+    return h;
+  }
+
+ private:
+  Function function_;
+};
+
+template <class Function>
+std::shared_ptr<const ChartMap> make_chart_map(Function function) {
+  return std::make_shared<ChartMapOf<Function>>(std::move(function));
+}
+
+}  // namespace leastcost

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <leastcost/problems/mesh/closest_point.hpp>
+#include <leastcost/problems/mesh/triangle_mesh.hpp>
+
+namespace leastcost {
+
+/// Ability: the domain is a triangle mesh, so paths can be traced, straightened and searched along edges, and ends
+/// can be given as vertices or faces. Sites are its faces.
+class HasMesh {
+ public:
+  virtual ~HasMesh() = default;
+  virtual const TriangleMesh& mesh() const = 0;
+  virtual const ClosestPointTree& tree() const = 0;
+};
+
+}  // namespace leastcost

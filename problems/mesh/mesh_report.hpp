@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <leastcost/problems/mesh/triangle_mesh.hpp>
+
+namespace leastcost {
+
+/// What is true of a mesh, good and bad. Lists name the first few offenders by the numbers of the file (-1 for a vertex
+/// made by subdivision); the counts are complete.
+struct MeshReport {
+  static constexpr std::size_t kNamed = 8;  ///< length of the lists of offenders
+
+  struct Component {
+    std::int32_t vertices = 0;
+    std::int32_t edges = 0;
+    std::int32_t faces = 0;
+    std::int32_t boundary_loops = 0;
+    std::int32_t border_edges = 0;
+    std::int32_t euler_characteristic = 0;  ///< vertices - edges + faces
+    bool manifold = true;                   ///< no non-manifold edge or vertex
+    bool orientable = true;                 ///< its faces can be turned so that all neighbours agree
+    /// Handles of an orientable surface, cross-caps of a non-orientable one, boundary loops filled; empty when not
+    /// manifold.
+    std::optional<std::int32_t> genus;
+  };
+
+  std::int32_t vertices = 0, edges = 0, faces = 0;
+  std::vector<Component> components;  ///< numbered as by TriangleMesh::component()
+  std::int32_t boundary_loops = 0;    ///< connected sets of border edges
+  std::int32_t border_edges = 0;      ///< edges with one face
+  bool orientable = true;
+
+  std::int32_t non_manifold_edges = 0;  ///< edges with three or more faces
+  std::vector<std::array<std::int32_t, 2>> named_non_manifold_edges;
+  std::int32_t non_manifold_vertices = 0;  ///< vertices whose faces do not hang together through edges
+  std::vector<std::int32_t> named_non_manifold_vertices;
+  std::int32_t flipped_edges = 0;  ///< edges whose two faces run through them in the same direction
+  std::vector<std::array<std::int32_t, 2>> named_flipped_edges;
+  std::int32_t degenerate_faces = 0;  ///< corners collinear to rounding
+  std::vector<std::int32_t> named_degenerate_faces;
+  std::int32_t duplicate_faces = 0;  ///< same three vertices as an earlier face, in any order
+  std::vector<std::int32_t> named_duplicate_faces;
+  std::int32_t duplicate_positions = 0;  ///< vertices at the position of an earlier one
+  std::vector<std::int32_t> named_duplicate_positions;
+  std::int32_t unreferenced_vertices = 0;  ///< vertices of the file that no face uses
+
+  double area = 0;                    ///< length units squared
+  double min_angle = 0;               ///< smallest corner angle, radians
+  double min_edge = 0, max_edge = 0;  ///< length units
+};
+
+/// O(n log n).
+MeshReport inspect(const TriangleMesh& mesh);
+
+}  // namespace leastcost

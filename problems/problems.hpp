@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// Kernels, costs, manifolds, initializers, post-processors and readers. What this header reaches is public and
+/// installed; everything else in the folder is internal.
+
+#include <leastcost/problems/chart/wound.hpp>
+#include <leastcost/problems/costs/euclidean.hpp>
+#include <leastcost/problems/costs/metric_field.hpp>
+#include <leastcost/problems/costs/metric_tensor.hpp>
+#include <leastcost/problems/costs/travel_time.hpp>
+#include <leastcost/problems/initializers/bow.hpp>
+#include <leastcost/problems/initializers/coordinate_circle.hpp>
+#include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/initializers/mirrored.hpp>
+#include <leastcost/problems/initializers/plane_cut.hpp>
+#include <leastcost/problems/initializers/rrt.hpp>
+#include <leastcost/problems/initializers/straight.hpp>
+#include <leastcost/problems/initializers/waypoints.hpp>
+#include <leastcost/problems/kernels/kernels.hpp>
+#include <leastcost/problems/manifolds/constraint.hpp>
+#include <leastcost/problems/manifolds/euclidean.hpp>
+#include <leastcost/problems/manifolds/implicit.hpp>
+#include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/manifolds/parametric.hpp>
+#include <leastcost/problems/manifolds/point_cloud.hpp>
+#include <leastcost/problems/manifolds/signed_distance.hpp>
+#include <leastcost/problems/mesh/mesh_report.hpp>
+#include <leastcost/problems/post_processors/on_surface.hpp>
+#include <leastcost/problems/post_processors/straighten.hpp>
+#include <leastcost/problems/post_processors/trace.hpp>
+#include <leastcost/problems/readers/mesh_reader.hpp>
+#include <leastcost/problems/readers/point_cloud_reader.hpp>
+#include <leastcost/problems/straighten/geodesic.hpp>

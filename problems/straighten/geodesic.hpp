@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <leastcost/problems/mesh/edge_graph.hpp>
+#include <leastcost/problems/straighten/straighten.hpp>
+
+namespace leastcost {
+
+struct GeodesicOptions {
+  MetricRoot metric;   ///< lengths |A d|; none: Euclidean
+  StopPredicate stop;  ///< true: return the best so far; empty: never
+  /// First paths tried, each straightened and the shortest result kept. 1: over edges and diagonals; 2: over edges
+  /// alone as well (mean excess over the shortest path halved, twice the time).
+  int routes = 2;
+  bool flips = true;  ///< StraightenOptions::flips
+};
+
+struct Geodesic {
+  EdgePath first;       ///< of the route that was kept; its outcome tells why when no path was found
+  Straightened result;  ///< empty path unless found()
+  bool found() const { return first.found(); }
+};
+
+/// Short geodesics between two points: graph paths as first guesses, straightened exactly, the best kept. Locally
+/// shortest always; that it is the shortest of all is likely, never proven. Reusable: a query costs what it visits. One
+/// object per thread; the mesh must outlive it. Throws InputError as straighten() does.
+class GeodesicSearch {
+ public:
+  explicit GeodesicSearch(const TriangleMesh& mesh) : mesh_(&mesh), graph_(mesh) {}
+
+  Geodesic shortest(const SurfacePoint& source, const SurfacePoint& target, const GeodesicOptions& options = {});
+
+ private:
+  const TriangleMesh* mesh_;
+  EdgeGraphSearch graph_;
+};
+
+}  // namespace leastcost
