@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 namespace leastcost {
 namespace {
@@ -43,58 +43,19 @@ CloudGraph::CloudGraph(const PointCloud& cloud) {
       edges.emplace_back(j, i);
     }
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  first_.assign(static_cast<std::size_t>(n) + 1, 0);
-  links_.reserve(edges.size());
-  for (const auto& [a, b] : edges) {
-    ++first_[static_cast<std::size_t>(a) + 1];
-    links_.push_back(b);
-  }
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  find_components(n);
-}
-
-void CloudGraph::find_components(std::int32_t count) {
-  component_.assign(static_cast<std::size_t>(count), -1);
-  std::vector<std::int32_t> sizes, open;
-  for (std::int32_t start = 0; start < count; ++start) {
-    if (component(start) >= 0) continue;
-    const auto number = static_cast<std::int32_t>(sizes.size());
-    sizes.push_back(0);
-    open.assign(1, start);
-    component_[static_cast<std::size_t>(start)] = number;
-    while (!open.empty()) {
-      const std::int32_t i = open.back();
-      open.pop_back();
-      ++sizes.back();
-      for (const std::int32_t* j = begin(i); j != end(i); ++j) {
-        if (component(*j) >= 0) continue;
-        component_[static_cast<std::size_t>(*j)] = number;
-        open.push_back(*j);
-      }
-    }
-  }
-  std::vector<std::int32_t> order(sizes.size()), rank(sizes.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
-    return sizes[static_cast<std::size_t>(a)] > sizes[static_cast<std::size_t>(b)];
-  });
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    rank[static_cast<std::size_t>(order[k])] = static_cast<std::int32_t>(k);
-    component_sizes_.push_back(sizes[static_cast<std::size_t>(order[k])]);
-  }
-  for (std::int32_t& c : component_) c = rank[static_cast<std::size_t>(c)];
+  edges_ = SparseGraph(n, std::move(edges));
+  components_ = connected_components(edges_);
 }
 
 std::vector<std::string> CloudGraph::notes() const {
   std::vector<std::string> notes;
-  if (component_sizes_.size() > 1) {
+  const std::vector<std::int32_t>& parts = component_sizes();
+  if (parts.size() > 1) {
     std::string sizes;
-    for (std::size_t k = 0; k < std::min<std::size_t>(component_sizes_.size(), 5); ++k)
-      sizes += (k == 0 ? "" : ", ") + std::to_string(component_sizes_[k]);
-    notes.push_back("the neighbour graph has " + std::to_string(component_sizes_.size()) + " parts, of " + sizes +
-                    (component_sizes_.size() > 5 ? ", ... points" : " points"));
+    for (std::size_t k = 0; k < std::min<std::size_t>(parts.size(), 5); ++k)
+      sizes += (k == 0 ? "" : ", ") + std::to_string(parts[k]);
+    notes.push_back("the neighbour graph has " + std::to_string(parts.size()) + " parts, of " + sizes +
+                    (parts.size() > 5 ? ", ... points" : " points"));
   }
   if (long_edges_ + steep_edges_ > 0)
     notes.push_back("left out of the neighbour graph: " + std::to_string(long_edges_) + " long and " +

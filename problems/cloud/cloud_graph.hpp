@@ -3,11 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <leastcost/problems/cloud/point_cloud.hpp>
+#include <leastcost/problems/graph/sparse_graph.hpp>
 
 namespace leastcost {
 
@@ -19,12 +20,12 @@ class CloudGraph {
  public:
   explicit CloudGraph(const PointCloud& cloud);
 
-  /// Neighbours of sample i.
-  const std::int32_t* begin(std::int32_t i) const { return links_.data() + first_[static_cast<std::size_t>(i)]; }
-  const std::int32_t* end(std::int32_t i) const { return links_.data() + first_[static_cast<std::size_t>(i) + 1]; }
-  std::int32_t component(std::int32_t i) const { return component_[static_cast<std::size_t>(i)]; }
+  const SparseGraph& edges() const { return edges_; }
+  /// Neighbours of sample i, in ascending order.
+  std::span<const std::int32_t> neighbours(std::int32_t i) const { return edges_.successors(i); }
+  std::int32_t component(std::int32_t i) const { return components_.of[static_cast<std::size_t>(i)]; }
   /// Samples of each connected component, largest first.
-  const std::vector<std::int32_t>& component_sizes() const { return component_sizes_; }
+  const std::vector<std::int32_t>& component_sizes() const { return components_.sizes; }
   /// Edges left out because they were too long, or too steep.
   std::int32_t long_edges() const { return long_edges_; }
   std::int32_t steep_edges() const { return steep_edges_; }
@@ -32,10 +33,8 @@ class CloudGraph {
   std::vector<std::string> notes() const;
 
  private:
-  void find_components(std::int32_t count);
-
-  std::vector<std::size_t> first_;
-  std::vector<std::int32_t> links_, component_, component_sizes_;
+  SparseGraph edges_;
+  Components components_;
   std::int32_t long_edges_ = 0, steep_edges_ = 0;
 };
 

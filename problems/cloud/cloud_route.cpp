@@ -3,9 +3,6 @@
 #include "problems/cloud/cloud_route.hpp"
 
 #include <algorithm>
-#include <boost/graph/compressed_sparse_row_graph.hpp>
-#include <boost/graph/dijkstra_shortest_paths.hpp>
-#include <boost/property_map/function_property_map.hpp>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -14,21 +11,13 @@
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/segment_cost.hpp>
+#include "problems/graph/shortest_route.hpp"
 
 namespace leastcost {
 namespace {
 
-using Graph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
-                                                 boost::no_property, std::int32_t, std::int32_t>;
-
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kRounds = 200;        // searches, each around the gaps found so far
-constexpr int kStopInterval = 256;  // settled samples between two questions to the monitor
-
-struct TargetSettled {};
-struct StopRequested {};
-struct Exhausted {};
-
+constexpr int kRounds = 200;  // searches, each around the gaps found so far
 /// The samples as nodes 0 .. n-1, the source n, the target n + 1.
 class RouteQuery {
  public:
@@ -43,7 +32,7 @@ class RouteQuery {
   CloudRoute run() {
     const std::vector<std::int32_t> from = links(problem_.source.u), to = links(problem_.target.u);
     check_components(from, to);
-    const Graph graph = build(from, to);
+    const SparseGraph graph = build(from, to);
     for (int round = 0;; ++round) {
       CloudRoute route = shortest(graph);
       if (!block_gaps() || round == kRounds) return route;
@@ -51,50 +40,25 @@ class RouteQuery {
   }
 
  private:
-  CloudRoute shortest(const Graph& graph) {
-    settled_ = 0;
-    const auto nodes = static_cast<std::size_t>(samples_) + 2;
-    std::vector<std::int32_t> predecessor(nodes);
-    distance_.assign(nodes, kInfinity);
-    const auto cost = [&](const Graph::edge_descriptor& edge) {
-      return move(boost::source(edge, graph), boost::target(edge, graph));
-    };
-    try {
-      boost::dijkstra_shortest_paths(
-          graph, source(),
-          boost::visitor(Visitor{this})
-              .predecessor_map(boost::make_iterator_property_map(predecessor.begin(), get(boost::vertex_index, graph)))
-              .distance_map(boost::make_iterator_property_map(distance_.begin(), get(boost::vertex_index, graph)))
-              .distance_inf(kInfinity)
-              .weight_map(boost::make_function_property_map<Graph::edge_descriptor, double>(cost)));
-    } catch (const TargetSettled&) {
-      return path_found(predecessor);
-    } catch (const StopRequested&) {
-      throw InitializationError("the search was stopped after " + std::to_string(settled_) + " samples");
-    } catch (const Exhausted&) {  // said below
+  CloudRoute shortest(const SparseGraph& graph) {
+    const GraphRoute route = shortest_route(
+        graph, source(), target(), [this](std::int32_t from, std::int32_t to) { return move(from, to); },
+        [this] { return monitor_.interrupted(); });
+    switch (route.outcome) {
+      case RouteOutcome::found: return path_along(route.nodes);
+      case RouteOutcome::stopped:
+        throw InitializationError("the search was stopped after " + std::to_string(route.settled) + " samples");
+      case RouteOutcome::unreachable: break;
     }
-    throw InitializationError("no route along the neighbour graph: " + std::to_string(settled_ - 1) + " of " +
+    throw InitializationError("no route along the neighbour graph: " + std::to_string(route.settled - 1) + " of " +
                               std::to_string(part_size_) + " samples can be reached, " + std::to_string(no_surface_) +
                               " beside them are on a border or off the surface, elsewhere the cost is infinite");
   }
 
   enum class State : std::uint8_t { unknown, on_surface, none };
 
-  struct Visitor : boost::default_dijkstra_visitor {
-    RouteQuery* query;
-    explicit Visitor(RouteQuery* q) : query(q) {}
-    void examine_vertex(std::int32_t node, const Graph&) const { query->examine(node); }
-  };
-
   std::int32_t source() const { return samples_; }
   std::int32_t target() const { return samples_ + 1; }
-
-  /// Boost also queues nodes that it could not relax; the first of them means that the rest is out of reach.
-  void examine(std::int32_t node) {
-    if (!(distance_[static_cast<std::size_t>(node)] < kInfinity)) throw Exhausted{};
-    if (node == target()) throw TargetSettled{};
-    if (++settled_ % kStopInterval == 0 && monitor_.interrupted()) throw StopRequested{};
-  }
 
   /// Samples that an end is joined to: the nearest one and its neighbours.
   std::vector<std::int32_t> links(const Eigen::Vector3d& end) const {
@@ -120,18 +84,14 @@ class RouteQuery {
                               " points; a larger max_edge joins what is farther apart");
   }
 
-  Graph build(const std::vector<std::int32_t>& from, const std::vector<std::int32_t>& to) const {
-    std::vector<std::pair<std::int32_t, std::int32_t>> edges;
-    std::vector<char> at_target(static_cast<std::size_t>(samples_), 0);
-    for (const std::int32_t i : to) at_target[static_cast<std::size_t>(i)] = 1;
-    const CloudGraph& graph = domain_.graph();
-    for (std::int32_t i = 0; i < samples_; ++i) {
-      for (const std::int32_t* j = graph.begin(i); j != graph.end(i); ++j) edges.emplace_back(i, *j);
-      if (at_target[static_cast<std::size_t>(i)] != 0) edges.emplace_back(i, target());
-    }
+  SparseGraph build(const std::vector<std::int32_t>& from, const std::vector<std::int32_t>& to) const {
+    std::vector<SparseGraph::Edge> edges;
+    for (std::int32_t i = 0; i < samples_; ++i)
+      for (const std::int32_t j : domain_.graph().neighbours(i)) edges.emplace_back(i, j);
     for (const std::int32_t i : from) edges.emplace_back(source(), i);
+    for (const std::int32_t i : to) edges.emplace_back(i, target());
     if (std::find(from.begin(), from.end(), to[0]) != from.end()) edges.emplace_back(source(), target());
-    return {boost::edges_are_sorted, edges.begin(), edges.end(), samples_ + 2};
+    return {samples_ + 2, std::move(edges)};
   }
 
   /// The place of a node on the surface; null where it has none. Projected when it is first asked for.
@@ -180,11 +140,9 @@ class RouteQuery {
     return any;
   }
 
-  CloudRoute path_found(const std::vector<std::int32_t>& predecessor) {
+  CloudRoute path_along(const std::vector<std::int32_t>& nodes) {
+    nodes_ = nodes;
     CloudRoute route;
-    nodes_.assign(1, target());
-    while (nodes_.back() != source()) nodes_.push_back(predecessor[static_cast<std::size_t>(nodes_.back())]);
-    std::reverse(nodes_.begin(), nodes_.end());
     for (const std::int32_t node : nodes_) route.points.push_back(*place(node));
     route.vertices = static_cast<int>(route.points.size()) - 2;
     return route;
@@ -193,9 +151,8 @@ class RouteQuery {
   const Problem& problem_;
   const HasPointCloud& domain_;
   const Monitor& monitor_;
-  std::int32_t samples_, settled_ = 0, part_size_ = 0, no_surface_ = 0;
+  std::int32_t samples_, part_size_ = 0, no_surface_ = 0;
   std::vector<State> state_;
-  std::vector<double> distance_;
   std::vector<Eigen::Vector3d> position_;
   Eigen::Vector3d end_;
   std::vector<std::int32_t> nodes_;                       // of the path found last

@@ -17,10 +17,10 @@ struct CloudRoute {
   int vertices = 0;                     ///< samples among them
 };
 
-/// The least-cost path of the problem along the neighbour graph under its own segment cost (Dijkstra, Boost.Graph; ends
-/// at the target). The ends are joined to their nearest samples. Moves of infinite cost, samples that have no
-/// projection onto the surface (borders, outliers) and moves over a hole are not passed. Throws InitializationError
-/// where there is no path, with the sizes of the parts or what was reached.
+/// The least-cost path of the problem along the neighbour graph under its own segment cost. The ends are joined to
+/// their nearest samples. Moves of infinite cost, samples that have no projection onto the surface (borders, outliers)
+/// and moves over a hole are not passed. Throws InitializationError where there is no path, with the sizes of the parts
+/// or what was reached.
 CloudRoute cloud_route(const Problem& problem, const HasPointCloud& domain, const Monitor& monitor);
 
 }  // namespace leastcost

@@ -3,33 +3,25 @@
 #include "problems/cloud/orient_normals.hpp"
 
 #include <algorithm>
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/kruskal_min_spanning_tree.hpp>
 #include <cmath>
-#include <iterator>
 #include <numeric>
+
+#include <leastcost/problems/graph/sparse_graph.hpp>
 
 namespace leastcost {
 namespace {
 
-using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
-                                    boost::property<boost::edge_weight_t, double>>;
 using TreeLinks = std::vector<std::vector<std::int32_t>>;
 
-TreeLinks spanning_tree(const std::vector<std::pair<std::int32_t, std::int32_t>>& edges,
-                        const std::vector<Eigen::Vector3d>& normals) {
+TreeLinks spanning_tree(const std::vector<SparseGraph::Edge>& edges, const std::vector<Eigen::Vector3d>& normals) {
   std::vector<double> weights;
   weights.reserve(edges.size());
   for (const auto& [a, b] : edges)
     weights.push_back(1 - std::abs(normals[static_cast<std::size_t>(a)].dot(normals[static_cast<std::size_t>(b)])));
-  const Graph graph(edges.begin(), edges.end(), weights.begin(), normals.size());
-  std::vector<boost::graph_traits<Graph>::edge_descriptor> chosen;
-  boost::kruskal_minimum_spanning_tree(graph, std::back_inserter(chosen));
   TreeLinks links(normals.size());
-  for (const auto& edge : chosen) {
-    const auto a = boost::source(edge, graph), b = boost::target(edge, graph);
-    links[a].push_back(static_cast<std::int32_t>(b));
-    links[b].push_back(static_cast<std::int32_t>(a));
+  for (const auto& [a, b] : minimum_spanning_forest(static_cast<std::int32_t>(normals.size()), edges, weights)) {
+    links[static_cast<std::size_t>(a)].push_back(b);
+    links[static_cast<std::size_t>(b)].push_back(a);
   }
   return links;
 }

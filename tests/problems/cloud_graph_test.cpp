@@ -36,9 +36,12 @@ TEST_CASE("the neighbour graph of a closed cloud is one part with links both way
   const CloudGraph graph(cloud);
   REQUIRE(graph.component_sizes() == std::vector<std::int32_t>{2000});
   for (std::int32_t i = 0; i < cloud.size(); ++i) {
-    CHECK(graph.end(i) - graph.begin(i) >= cloud.neighbour_count());
-    for (const std::int32_t* j = graph.begin(i); j != graph.end(i); ++j)
-      CHECK(std::count(graph.begin(*j), graph.end(*j), i) == 1);
+    const std::span<const std::int32_t> neighbours = graph.neighbours(i);
+    CHECK(neighbours.size() >= static_cast<std::size_t>(cloud.neighbour_count()));
+    for (const std::int32_t j : neighbours) {
+      const std::span<const std::int32_t> back = graph.neighbours(j);
+      CHECK(std::count(back.begin(), back.end(), i) == 1);
+    }
   }
   CHECK(graph.notes().empty());
 }
