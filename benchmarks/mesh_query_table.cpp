@@ -12,7 +12,7 @@
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
 #include <leastcost/problems/manifolds/mesh.hpp>
-#include <leastcost/problems/mesh/path_tools.hpp>
+#include <leastcost/problems/mesh/surface_path.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>
 #include <leastcost/problems/post_processors/trace.hpp>
 #include <leastcost/solvers/lbfgs.hpp>

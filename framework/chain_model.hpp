@@ -36,4 +36,7 @@ void lift_drift(ChainSystem& system);
 /// What rounding leaves undecided in an energy difference: 4 eps sqrt(N) |E|.
 double rounding_slack(double value, Index segments);
 
+/// Sufficient decrease: a step t along a slope must gain kArmijo t |slope| (Nocedal & Wright, Eq. 3.4).
+inline constexpr double kArmijo = 1e-4;
+
 }  // namespace leastcost

@@ -14,4 +14,11 @@ std::string point_text(const Eigen::Ref<const Eigen::VectorXd>& x, int digits) {
   return out.str();
 }
 
+std::string short_number(double x) {
+  std::ostringstream out;
+  out.precision(3);
+  out << x;
+  return out.str();
+}
+
 }  // namespace leastcost

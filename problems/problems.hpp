@@ -6,7 +6,7 @@
 /// Kernels, costs, manifolds, initializers, post-processors and readers. What this header reaches is public and
 /// installed; everything else in the folder is internal.
 
-#include <leastcost/problems/chart/wound.hpp>
+#include <leastcost/problems/chart/target_images.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>

@@ -13,7 +13,6 @@
 namespace leastcost {
 namespace {
 
-constexpr double kArmijo = 1e-4;
 constexpr int kMaxHalvings = 60;
 
 class Descent {

@@ -18,7 +18,6 @@
 namespace leastcost {
 namespace {
 
-constexpr double kArmijo = 1e-4;
 constexpr double kCurvature = 0.9;
 constexpr int kMaxTrials = 40;
 constexpr int kMaxKinkedTrials = 6;  ///< bisection cannot find a slope that a kink leaves out

@@ -14,7 +14,6 @@
 namespace leastcost {
 namespace {
 
-constexpr double kArmijo = 1e-4;
 constexpr int kMaxHalvings = 40;
 
 class NewtonSolve {

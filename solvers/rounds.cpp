@@ -46,7 +46,7 @@ class Rounds final : public RoundObjective {
       if (stationary()) return finish(Termination::converged);
       if (const std::optional<Termination> end = loop_.must_end(path_)) return finish(*end);
       const double before = best_value_;
-      play(minimiser);
+      run_round(minimiser);
       if (bound_met_ && !end_ && !thrown_ && before - best_value_ < kKinkedGain * variables_.model().decrement / 2)
         step_along_bounds();
       if (thrown_) std::rethrow_exception(thrown_);
@@ -69,7 +69,7 @@ class Rounds final : public RoundObjective {
   int evaluations_left() const override { return chain_ ? restart_ - evaluations_ : std::numeric_limits<int>::max(); }
   bool must_stop() const override { return stop_; }
 
-  double rise(const Eigen::VectorXd& z, Eigen::VectorXd* gradient) const override {
+  double finite_excess(const Eigen::VectorXd& z, Eigen::VectorXd* gradient) const override {
     const double predicted = std::abs(slope_.dot(z)) + rounding_slack(variables_.model().value, path_.segment_count());
     if (gradient != nullptr) *gradient = 4 * predicted / std::max(z.squaredNorm(), kTiny) * z;
     return variables_.model().value + 2 * predicted;
@@ -88,7 +88,7 @@ class Rounds final : public RoundObjective {
 
  private:
   /// One round: the back end from z = 0, then the best path it has seen.
-  void play(RoundMinimiser& minimiser) {
+  void run_round(RoundMinimiser& minimiser) {
     stop_ = false;
     bound_met_ = false;
     evaluations_ = improved_ = 0;

@@ -32,7 +32,7 @@ class RoundObjective {
   virtual bool must_stop() const = 0;
   /// A finite value above E(0), and a slope that points outward, in place of an infinite one: for back ends that
   /// interpolate between trials.
-  virtual double rise(const Eigen::VectorXd& z, Eigen::VectorXd* gradient) const = 0;
+  virtual double finite_excess(const Eigen::VectorXd& z, Eigen::VectorXd* gradient) const = 0;
   /// How far a component of z may be expected to move.
   virtual double typical_step() const = 0;
   /// Evaluations that are left in this round.

@@ -15,7 +15,6 @@
 namespace leastcost {
 namespace {
 
-constexpr double kArmijo = 1e-4;
 constexpr int kMaxHalvings = 40;
 
 /// Numbers in comments are the lines of Algorithm 1.

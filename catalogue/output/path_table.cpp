@@ -10,7 +10,7 @@
 
 #include <leastcost/framework/path_energy.hpp>
 #include <leastcost/problems/mesh/has_mesh.hpp>
-#include <leastcost/problems/mesh/path_tools.hpp>
+#include <leastcost/problems/mesh/surface_path.hpp>
 #include "problems/formula/coordinate_names.hpp"
 
 namespace leastcost {

@@ -9,7 +9,7 @@
 
 #include <leastcost/catalogue/registry/registry.hpp>
 #include <leastcost/framework/errors.hpp>
-#include <leastcost/problems/chart/wound.hpp>
+#include <leastcost/problems/chart/target_images.hpp>
 #include <leastcost/problems/cloud/has_point_cloud.hpp>
 #include <leastcost/problems/distance/has_distance_grid.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
@@ -93,12 +93,12 @@ void add_family(const RunConfig& config, const BuildContext& context, Compositio
                       std::make_shared<const DijkstraInitializer>(DijkstraOptions{.routes = 1, .rank = rank}));
   for (const PluginChoice& choice : family.initializers.choices)
     ways.emplace_back(choice.path, make<std::shared_ptr<const Initializer>>(choice, context));
-  std::vector<WoundProblem> problems = wound_problems(out.problem, family.windings);
+  std::vector<TargetImage> problems = target_images(out.problem, family.windings);
   if (problems.empty()) problems.push_back({out.problem, ""});
-  for (const WoundProblem& wound : problems)
+  for (const TargetImage& image : problems)
     for (const auto& [name, initializer] : ways)
-      out.family.push_back({wound.winding.empty() ? name : fmt::format("{}, winding {}", name, wound.winding),
-                            wound.problem, initializer});
+      out.family.push_back({image.winding.empty() ? name : fmt::format("{}, winding {}", name, image.winding),
+                            image.problem, initializer});
 }
 
 /// Runs one step of the check; its OptionError goes to the list, so that the next steps can add theirs.

@@ -10,7 +10,7 @@
 #include <leastcost/problems/cloud/has_point_cloud.hpp>
 #include <leastcost/problems/distance/has_distance_grid.hpp>
 #include <leastcost/problems/mesh/has_mesh.hpp>
-#include <leastcost/problems/mesh/path_tools.hpp>
+#include <leastcost/problems/mesh/surface_path.hpp>
 
 namespace leastcost {
 namespace {

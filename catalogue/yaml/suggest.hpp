@@ -9,9 +9,6 @@
 
 namespace leastcost {
 
-/// Edit distance with insertions, deletions, substitutions and swaps of neighbours, one each.
-std::size_t edit_distance(std::string_view a, std::string_view b);
-
 /// The candidate that `word` was probably meant to be, or an empty string when none is near enough.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates);
 

@@ -2,16 +2,17 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/cloud/point_cloud.hpp>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 #include <queue>
-#include <sstream>
 #include <utility>
 
 #include <leastcost/framework/errors.hpp>
+#include "framework/point_text.hpp"
 #include "problems/cloud/local_fit.hpp"
 #include "problems/cloud/orient_normals.hpp"
 
@@ -27,13 +28,6 @@ constexpr double kOutlier = 6;            ///< standard deviations off the local
 constexpr double kScaleFloor = 0.01;      ///< of the support: below it a deviation is curvature, not noise
 constexpr double kCrowded = 0.1;          ///< part of the neighbours that is another sheet
 constexpr double kAgreement = 0.985;      ///< median |cos| of given and estimated normals (10 degrees)
-
-std::string text(double x) {
-  std::ostringstream out;
-  out.precision(3);
-  out << x;
-  return out.str();
-}
 
 /// Bits of a 21-bit number spread to every third bit.
 std::uint64_t spread_bits(std::uint64_t x) {
@@ -88,15 +82,12 @@ void PointCloud::place(const PointSamples& samples) {
   if (all.size() < fewest)
     throw InputError(source_ + ": " + std::to_string(all.size()) + " points, at least " + std::to_string(fewest) +
                      " are needed to fit surfaces to " + std::to_string(settings_.neighbours) + " neighbours");
-  Eigen::Vector3d low = all[0], high = all[0];
-  for (const Eigen::Vector3d& p : all) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  centre_ = low + (high - low) / 2;
-  diameter_ = (high - low).norm();
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : all) box.extend(p);
+  centre_ = box.min() + box.sizes() / 2;
+  diameter_ = box.diagonal().norm();
   if (!std::isfinite(diameter_)) throw InputError(source_ + ": the points are too far apart for double precision");
-  order_ = spatial_order(all, low, (high - low).maxCoeff());
+  order_ = spatial_order(all, box.min(), box.sizes().maxCoeff());
   samples_.resize(all.size());
   in_file_.resize(all.size());
   count_in_file_ = samples.count_in_file > 0 ? samples.count_in_file : static_cast<std::int32_t>(all.size());
@@ -183,8 +174,8 @@ void PointCloud::choose_radius() {
   }
   if (settings_.radius > kRadius)
     notes_.push_back("the cloud is noisy, or has sheets closer than two spacings: supports widened from " +
-                     text(kRadius) + " to " + text(settings_.radius) + " spacings (noise " +
-                     text(noise * settings_.radius) + " spacings)");
+                     short_number(kRadius) + " to " + short_number(settings_.radius) + " spacings (noise " +
+                     short_number(noise * settings_.radius) + " spacings)");
 }
 
 /// radius x spacing, lowered where it would change faster than kRadiusSlope per length: the smallest propagate

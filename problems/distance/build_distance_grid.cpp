@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include <leastcost/framework/errors.hpp>
 #include "framework/point_text.hpp"
@@ -21,13 +20,6 @@ constexpr std::size_t kMostPlaces = 5000;
 constexpr double kOffsetCells = 3;  ///< cells that an offset must have: nearer, the kink at the sheet itself is felt
 constexpr double kLargest = 0.25;   ///< part of the longest side of the surface that a cell may be
 constexpr int kMostRefinements = 8;
-
-std::string number(double x) {
-  std::ostringstream out;
-  out.precision(3);
-  out << x;
-  return out.str();
-}
 
 /// Centres of cells beside nodes that are next to the surface, evenly thinned.
 std::vector<Vector3d> centres_near_surface(const GridShape& shape, const std::vector<double>& values) {
@@ -119,13 +111,13 @@ Sampled sample_to_accuracy(const DistanceSource& source, const Eigen::AlignedBox
     try {
       grid_around(box, cell, s.margin, s.memory);
     } catch (const InputError& error) {
-      throw InputError("the accuracy of " + number(s.accuracy) + " is out of reach: a cell of " + number(last_cell) +
-                       " gives " + number(miss) + " (worst at " + point_text(sampled.misses.worst_at) + "), and " +
-                       error.what());
+      throw InputError("the accuracy of " + short_number(s.accuracy) + " is out of reach: a cell of " +
+                       short_number(last_cell) + " gives " + short_number(miss) + " (worst at " +
+                       point_text(sampled.misses.worst_at) + "), and " + error.what());
     }
   }
-  throw InputError("the accuracy of " + number(s.accuracy) + " was not reached: a cell of " + number(last_cell) +
-                   " gives " + number(last_miss));
+  throw InputError("the accuracy of " + short_number(s.accuracy) + " was not reached: a cell of " +
+                   short_number(last_cell) + " gives " + short_number(last_miss));
 }
 
 }  // namespace
@@ -152,10 +144,10 @@ SampledDistance build_distance_grid(const DistanceSource& source, const Distance
                       : settings.offset > 0 ? std::min(size / kCells, settings.offset / kOffsetCells)
                                             : size / kCells;
   if (cell > kLargest * size)
-    throw OptionError("cell", "a cell of " + number(cell) + " is more than a quarter of the surface, which is " +
-                                  number(size) + " long");
+    throw OptionError("cell", "a cell of " + short_number(cell) + " is more than a quarter of the surface, which is " +
+                                  short_number(size) + " long");
   if (settings.offset > 0 && settings.offset < kOffsetCells * cell * (1 - 1e-9))
-    throw OptionError("offset", "must be at least 3 cells (" + number(kOffsetCells * cell) +
+    throw OptionError("offset", "must be at least 3 cells (" + short_number(kOffsetCells * cell) +
                                     "), or the kink of an unsigned distance at the surface spoils the grid");
   Sampled sampled = settings.accuracy > 0 ? sample_to_accuracy(source, box, settings, progress)
                                           : sample(source, box, settings, cell, progress);
@@ -163,15 +155,15 @@ SampledDistance build_distance_grid(const DistanceSource& source, const Distance
   const double used = sampled.grid.shape().cell;
   if (m.places == 0) throw InputError("the grid has no zero near the surface: " + text(sampled.grid.shape()));
   if (static_cast<double>(m.lost) > kMostLost * static_cast<double>(m.places))
-    throw InputError("a cell of " + number(used) + " is too large for this surface: " + std::to_string(m.lost) +
+    throw InputError("a cell of " + short_number(used) + " is too large for this surface: " + std::to_string(m.lost) +
                      " of " + std::to_string(m.places) +
                      " places on it are more than a quarter of a cell from the surface of the grid, the worst " +
                      point_text(m.worst_at) +
                      " (sheets thinner than a cell merge or vanish, as do parts inside others): a smaller cell");
   SampledDistance result{std::move(sampled.grid), settings.offset, m.worst, m.mean, source.notes()};
-  result.notes.push_back("distance grid: " + text(result.grid.shape()) + "; its surface is within " + number(m.worst) +
-                         " (mean " + number(m.mean) + ") of the one it was made from, at " + std::to_string(m.places) +
-                         " places");
+  result.notes.push_back("distance grid: " + text(result.grid.shape()) + "; its surface is within " +
+                         short_number(m.worst) + " (mean " + short_number(m.mean) +
+                         ") of the one it was made from, at " + std::to_string(m.places) + " places");
   if (m.lost > 0)
     result.notes.push_back(std::to_string(m.lost) +
                            " of these places are more than a quarter of a cell off, the worst " +

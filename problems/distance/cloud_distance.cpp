@@ -8,7 +8,7 @@
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/cloud/cloud_surface.hpp>
 #include "problems/distance/distance_signs.hpp"
-#include "problems/distance/foot_field.hpp"
+#include "problems/distance/foot_points.hpp"
 
 namespace leastcost {
 namespace {
@@ -46,7 +46,7 @@ class CloudDistance final : public DistanceSource {
   }
 
   std::vector<double> sample(const GridShape& shape, double exact, const BuildProgress& progress) const override {
-    FootField field(shape);
+    FootPointGrid field(shape);
     fill_band(
         field, samples_, exact, [this](const Vector3d& x, std::int32_t) { return nearest(x); }, progress);
     spread_feet(field, progress);

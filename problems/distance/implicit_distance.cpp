@@ -10,7 +10,7 @@
 #include <leastcost/framework/errors.hpp>
 #include "framework/point_text.hpp"
 #include "problems/distance/distance_signs.hpp"
-#include "problems/distance/foot_field.hpp"
+#include "problems/distance/foot_points.hpp"
 
 namespace leastcost {
 namespace {
@@ -102,7 +102,7 @@ class ImplicitDistance final : public DistanceSource {
     return 16;
   }  // cheap, and the coarser grids of the geometry error have cells twice as large
   std::vector<double> sample(const GridShape& shape, double exact, const BuildProgress& progress) const override {
-    FootField field(shape);
+    FootPointGrid field(shape);
     std::vector<std::int8_t> signs(shape.nodes());
     start(field, signs, progress);
     spread_feet(field, progress);
@@ -124,7 +124,7 @@ class ImplicitDistance final : public DistanceSource {
   }
 
   /// Signs everywhere, feet near the surface.
-  void start(FootField& field, std::vector<std::int8_t>& signs, const BuildProgress& progress) const {
+  void start(FootPointGrid& field, std::vector<std::int8_t>& signs, const BuildProgress& progress) const {
     constexpr double kNear = 2, kFarthest = 4;  // cells
     bool any = false;
     for_slabs(field.shape, progress, "feet near the surface", [&](std::size_t node, const Vector3d& x) {
@@ -143,7 +143,7 @@ class ImplicitDistance final : public DistanceSource {
                        " (the surface lies outside the box, or between the nodes: a smaller cell)");
   }
 
-  void refine(FootField& field, double exact, const BuildProgress& progress) const {
+  void refine(FootPointGrid& field, double exact, const BuildProgress& progress) const {
     for_slabs(field.shape, progress, "distances from the surface", [&](std::size_t node, const Vector3d& x) {
       if (!(field.distance[node] <= exact + field.shape.cell)) return;  // what was handed on is an upper bound
       const std::optional<Vector3d> y = nearest_from(*f_, x, field.foot(node), field.shape.cell);

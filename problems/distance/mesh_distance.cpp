@@ -11,7 +11,7 @@
 #include <leastcost/problems/mesh/mesh_report.hpp>
 #include "framework/point_text.hpp"
 #include "problems/distance/distance_signs.hpp"
-#include "problems/distance/foot_field.hpp"
+#include "problems/distance/foot_points.hpp"
 #include "problems/distance/orient_faces.hpp"
 #include "problems/distance/winding_number.hpp"
 
@@ -63,7 +63,7 @@ class MeshDistance final : public DistanceSource {
   std::optional<Vector3d> foot(const Vector3d& x) const override { return tree_.nearest(x).position; }
 
   std::vector<double> sample(const GridShape& shape, double exact, const BuildProgress& progress) const override {
-    FootField field(shape);
+    FootPointGrid field(shape);
     const auto nearest = [this](const Vector3d& x, std::int32_t hint) -> std::optional<Foot> {
       const ClosestPoint point = tree_.nearest(x, hint);
       return Foot{point.position, point.where.face};

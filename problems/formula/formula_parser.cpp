@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <utility>
+#include "problems/formula/edit_distance.hpp"
 
 namespace leastcost {
 namespace {
@@ -49,20 +50,6 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
 std::string in_quotes(std::string_view word) { return std::string("'").append(word).append("'"); }
-
-/// Insertions, deletions and substitutions from one word to the other.
-std::size_t edits(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i);
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, replaced}));
-    }
-  }
-  return row[b.size()];
-}
 
 std::string listed(const std::vector<std::string>& words) {
   std::string all;
@@ -258,7 +245,7 @@ class Parser {
     std::string hint;
     std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
     for (const std::string& candidate : candidates) {
-      const std::size_t distance = word.size() > kLongest ? least : edits(word, candidate);
+      const std::size_t distance = word.size() > kLongest ? least : edit_distance(word, candidate);
       if (distance >= least || candidate.size() == 1) continue;
       least = distance;
       hint = " (did you mean '" + candidate + "'?)";

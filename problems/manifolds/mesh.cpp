@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <leastcost/problems/mesh/path_tools.hpp>
+#include <leastcost/problems/mesh/surface_path.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
 
 namespace leastcost {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include <leastcost/problems/mesh/path_tools.hpp>
+#include <leastcost/problems/mesh/surface_path.hpp>
 
 namespace leastcost {
 namespace {

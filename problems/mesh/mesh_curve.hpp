@@ -7,7 +7,6 @@
 
 #include <leastcost/framework/post_processor.hpp>
 #include <leastcost/problems/mesh/has_mesh.hpp>
-#include <leastcost/problems/mesh/path_tools.hpp>
 #include <leastcost/problems/mesh/surface_path.hpp>
 
 namespace leastcost {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Construction of TriangleMesh: from polygons to triangles, welding, subdivision. The tables that follow from the
 // triangles alone are made in triangle_mesh_adjacency.cpp.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -244,13 +245,9 @@ void TriangleMesh::subdivide_once() {
 }
 
 void TriangleMesh::measure_diameter() {
-  Eigen::Vector3d lower = positions_.front();
-  Eigen::Vector3d upper = positions_.front();
-  for (const Eigen::Vector3d& p : positions_) {
-    lower = lower.cwiseMin(p).eval();
-    upper = upper.cwiseMax(p).eval();
-  }
-  diameter_ = (upper - lower).norm();
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : positions_) box.extend(p);
+  diameter_ = box.diagonal().norm();
 }
 
 }  // namespace leastcost

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <functional>
 
-#include <leastcost/problems/mesh/path_tools.hpp>
 #include <leastcost/problems/mesh/surface_path.hpp>
 #include <leastcost/problems/mesh/triangle_mesh.hpp>
 

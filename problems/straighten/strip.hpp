@@ -9,10 +9,13 @@
 #include <span>
 #include <vector>
 
-#include <leastcost/problems/mesh/path_tools.hpp>
+#include <leastcost/problems/mesh/surface_path.hpp>
 #include <leastcost/problems/mesh/triangle_mesh.hpp>
 
 namespace leastcost {
+
+/// Twice the signed area of the triangle 0, a, b.
+inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// An end of a straight piece of path: a vertex, or a point inside an edge or a face.
 struct StripEnd {

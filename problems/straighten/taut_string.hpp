@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <vector>
 
-#include <leastcost/problems/mesh/path_tools.hpp>
 #include <leastcost/problems/mesh/surface_path.hpp>
 #include <leastcost/problems/mesh/triangle_mesh.hpp>
 #include "problems/straighten/funnel.hpp"

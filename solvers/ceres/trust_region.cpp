@@ -58,7 +58,7 @@ class TrustRegion final : public ceres::IterationCallback {
       if (!model_.evaluate(energy_, path_))
         return loop_.finish(Termination::non_finite, "the gradient is not finite", model_.value);
       best_value_ = model_.value;
-      play();
+      run_round();
       if (end_ || kinked_ || !bounded_) break;
       idle = model_.value - best_value_ > rounding_slack(model_.value, path_.segment_count()) ? 0 : idle + 1;
     }
@@ -78,7 +78,7 @@ class TrustRegion final : public ceres::IterationCallback {
   static constexpr double kMayBeDone = 1e-9;  ///< relative gain of a step
   static constexpr int kPatience = 2;         ///< rounds in a row without a lower energy
 
-  void play() {
+  void run_round() {
     ChainResiduals residuals(energy_, path_);
     residuals_ = &residuals;
     residuals.evaluate(true);

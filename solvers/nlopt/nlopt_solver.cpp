@@ -87,7 +87,7 @@ class NloptRounds final : public RoundMinimiser {
     const Eigen::Map<const Eigen::VectorXd> at(z.data(), static_cast<Index>(z.size()));
     Eigen::VectorXd* g = gradient.empty() ? nullptr : &context.gradient;
     double value = context.objective(at, g);
-    if (!std::isfinite(value)) value = context.objective.rise(at, g);
+    if (!std::isfinite(value)) value = context.objective.finite_excess(at, g);
     if (!gradient.empty()) std::copy(context.gradient.begin(), context.gradient.end(), gradient.begin());
     if (context.objective.must_stop()) context.optimiser.force_stop();
     return value;

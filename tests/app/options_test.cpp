@@ -8,6 +8,7 @@
 #include "catalogue/yaml/scalars.hpp"
 #include "catalogue/yaml/suggest.hpp"
 #include "catalogue/yaml/yaml_reader.hpp"
+#include "problems/formula/edit_distance.hpp"
 #include "tests/support/catch.hpp"
 
 namespace leastcost::test {

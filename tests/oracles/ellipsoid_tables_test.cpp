@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include <leastcost/framework/family.hpp>
-#include <leastcost/problems/chart/wound.hpp>
+#include <leastcost/problems/chart/target_images.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
@@ -102,11 +102,11 @@ void solve_pair(const std::vector<FamilyStart>& starts, double truth, bool near_
 /// Straight lines and bows to every image of the target, the given one first.
 std::vector<FamilyStart> starts_in_chart(const Problem& problem) {
   std::vector<FamilyStart> starts;
-  for (const WoundProblem& wound : wound_problems(problem, 1)) {
-    if (std::abs(wound.problem.target.u[0] - problem.source.u[0]) > 2 * std::numbers::pi) continue;
-    starts.push_back({"straight", wound.problem, std::make_shared<const StraightInitializer>()});
+  for (const TargetImage& image : target_images(problem, 1)) {
+    if (std::abs(image.problem.target.u[0] - problem.source.u[0]) > 2 * std::numbers::pi) continue;
+    starts.push_back({"straight", image.problem, std::make_shared<const StraightInitializer>()});
     for (const double angle : {0.0, 180.0})
-      starts.push_back({"bow", wound.problem, std::make_shared<const BowInitializer>(BowOptions{0.3, angle})});
+      starts.push_back({"bow", image.problem, std::make_shared<const BowInitializer>(BowOptions{0.3, angle})});
   }
   return starts;
 }
@@ -145,9 +145,9 @@ TEST_CASE("oracles: the ellipsoid tables, in a chart and as an implicit surface"
     const double angle =
         std::acos(std::clamp(on_unit_sphere(from[1], from[0]).dot(on_unit_sphere(to[1], to[0])), -1.0, 1.0));
     const bool near_antipodal = angle > std::numbers::pi - 3 * kDegree;
-    const Problem wound = between(in_chart, make_euclidean_cost(3), from, to);
+    const Problem image = between(in_chart, make_euclidean_cost(3), from, to);
     const Points a = positions(*in_chart, {from, {}, true}), b = positions(*in_chart, {to, {}, true});
-    solve_pair(implicit ? starts_in_space(between(in_space, make_euclidean_cost(3), a, b)) : starts_in_chart(wound),
+    solve_pair(implicit ? starts_in_space(between(in_space, make_euclidean_cost(3), a, b)) : starts_in_chart(image),
                p.length / scale, near_antipodal, count);
   }
   std::printf("  %-32s %-10s straight start %d of %d, with the family %d; near-antipodal %d of %d\n", table.file,

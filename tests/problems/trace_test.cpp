@@ -6,7 +6,7 @@
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/mesh/edge_graph.hpp>
-#include <leastcost/problems/mesh/path_tools.hpp>
+#include <leastcost/problems/mesh/surface_path.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"

@@ -4,6 +4,7 @@
 // The plane, drawn to scale: cost as bands, box, the domain where it is a curve, first path, path, points and ends.
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -42,21 +43,18 @@ class Frame {
 Frame frame_of(const RunFiles& files) {
   const Scene& scene = files.scene;
   if (scene.cost) return {scene.cost->lower, scene.cost->upper};
-  Eigen::Vector2d lower = files.points.col(0), upper = lower;
+  Eigen::AlignedBox2d box(Eigen::Vector2d(files.points.col(0)));
   const auto grow = [&](const Points& x) {
-    for (const auto p : x.colwise()) {
-      if (!p.allFinite()) continue;
-      lower = lower.cwiseMin(p);
-      upper = upper.cwiseMax(p);
-    }
+    for (const auto p : x.colwise())
+      if (p.allFinite()) box.extend(Eigen::Vector2d(p));
   };
   grow(files.points);
   grow(scene.lines.path);
   grow(scene.lines.first);
   for (const Points& curve : scene.curves) grow(curve);
-  const double longest = std::max((upper - lower).maxCoeff(), 1e-12);
-  const Eigen::Vector2d missing = ((0.35 * longest - (upper - lower).array()) / 2).max(0.0) + 0.08 * longest;
-  return {lower - missing, upper + missing};
+  const double longest = std::max(box.sizes().maxCoeff(), 1e-12);
+  const Eigen::Vector2d missing = ((0.35 * longest - box.sizes().array()) / 2).max(0.0) + 0.08 * longest;
+  return {box.min() - missing, box.max() + missing};
 }
 
 std::string points_of(const Points& line, const Frame& frame) {

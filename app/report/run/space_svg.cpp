@@ -21,19 +21,17 @@ constexpr int kShades = 20;
 class Projector {
  public:
   Projector(const Scene& scene, const SpaceView& view) : view_(view) {
-    Eigen::Vector2d lower = Eigen::Vector2d::Constant(1e300), upper = -lower;
+    Eigen::AlignedBox2d box;
     const auto grow = [&](const Eigen::Vector3d& x) {
-      if (!x.allFinite()) return;
-      lower = lower.cwiseMin((view.axes * x).head<2>());
-      upper = upper.cwiseMax((view.axes * x).head<2>());
+      if (x.allFinite()) box.extend(Eigen::Vector2d((view.axes * x).head<2>()));
     };
     for (const auto& x : scene.surface.vertices) grow(x);
     for (const auto& x : scene.surfels.positions) grow(x);
     for (const auto x : scene.lines.path.colwise()) grow(x);
     for (const auto x : scene.lines.first.colwise()) grow(x);
-    const Eigen::Vector2d extent = (upper - lower).cwiseMax(1e-300);
+    const Eigen::Vector2d extent = box.diagonal().cwiseMax(1e-300);
     scale_ = std::min((kWidth - 2 * kMargin) / extent[0], (kHeight - 2 * kMargin) / extent[1]);
-    middle_ = (lower + upper) / 2;
+    middle_ = box.center();
     half_ = scale_ * extent / 2;
   }
   double width() const { return 2 * (half_[0] + kMargin); }

@@ -24,12 +24,9 @@ SpaceView view_from(const Eigen::Vector3d& direction, const Eigen::Vector3d& up)
 /// From the middle of the surface to that of the path, in sizes of the surface.
 Eigen::Vector3d lean(const TriangleSoup& surface, const Points& path) {
   if (surface.vertices.empty()) return Eigen::Vector3d::Zero();
-  Eigen::Vector3d lower = surface.vertices[0], upper = lower;
-  for (const Eigen::Vector3d& x : surface.vertices) {
-    lower = lower.cwiseMin(x);
-    upper = upper.cwiseMax(x);
-  }
-  return (path.rowwise().mean() - (lower + upper) / 2) / std::max((upper - lower).norm(), 1e-300);
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& x : surface.vertices) box.extend(x);
+  return (path.rowwise().mean() - box.center()) / std::max(box.diagonal().norm(), 1e-300);
 }
 
 /// Diagonal of the path's picture; how large it is seen.
@@ -48,14 +45,13 @@ DepthMap::DepthMap(const TriangleSoup& surface, const SpaceView& view, int pixel
   if (surface.triangles.empty()) return;
   std::vector<Eigen::Vector3d> seen;
   seen.reserve(surface.vertices.size());
-  Eigen::Vector3d lower = view.axes * surface.vertices[0], upper = lower;
+  Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& x : surface.vertices) {
     seen.emplace_back(view.axes * x);
-    lower = lower.cwiseMin(seen.back());
-    upper = upper.cwiseMax(seen.back());
+    box.extend(seen.back());
   }
-  origin_ = lower;
-  pixel_ = std::max((upper - lower).head<2>().maxCoeff() / (pixels - 1), 1e-300);
+  origin_ = box.min();
+  pixel_ = std::max(box.diagonal().head<2>().maxCoeff() / (pixels - 1), 1e-300);
   for (const auto& [a, b, c] : surface.triangles)
     draw(seen[static_cast<std::size_t>(a)], seen[static_cast<std::size_t>(b)], seen[static_cast<std::size_t>(c)]);
 }

@@ -254,7 +254,7 @@ WorkTable work_table(const StudyAnalysis& study, Work work, double tau, Test tes
   return table;
 }
 
-std::vector<std::size_t> firsts(const WorkTable& work, Work kind, std::size_t solvers) {
+std::vector<std::size_t> problems_won(const WorkTable& work, Work kind, std::size_t solvers) {
   std::vector<std::size_t> count(solvers, 0);
   for (const std::vector<double>& row : work) {
     const double best = row.empty() ? kInfinity : *std::min_element(row.begin(), row.end());

@@ -84,6 +84,6 @@ WorkTable work_table(const StudyAnalysis& study, Work work, double tau, Test tes
 
 /// How often each solver comes first: ties count for each of them. Times within 10 % of the least are ties, that much
 /// is noise.
-std::vector<std::size_t> firsts(const WorkTable& work, Work kind, std::size_t solvers);
+std::vector<std::size_t> problems_won(const WorkTable& work, Work kind, std::size_t solvers);
 
 }  // namespace leastcost::app

@@ -41,7 +41,7 @@ Counts count(const StudyAnalysis& study) {
 }
 
 std::string most_often(const StudyAnalysis& study, Work kind, std::size_t& times) {
-  const std::vector<std::size_t> first = firsts(work_table(study, kind, kSolved), kind, study.solvers.size());
+  const std::vector<std::size_t> first = problems_won(work_table(study, kind, kSolved), kind, study.solvers.size());
   const auto winner = std::max_element(first.begin(), first.end());
   times = winner == first.end() ? 0 : *winner;
   return winner == first.end() ? "" : study.solvers[static_cast<std::size_t>(winner - first.begin())];

@@ -81,8 +81,8 @@ std::string duration_text(double seconds) {
 std::string solver_table(const StudyAnalysis& study) {
   const WorkTable evaluations = work_table(study, Work::evaluations, kSolved),
                   seconds = work_table(study, Work::seconds, kSolved);
-  const std::vector<std::size_t> fewest = firsts(evaluations, Work::evaluations, study.solvers.size()),
-                                 fastest = firsts(seconds, Work::seconds, study.solvers.size());
+  const std::vector<std::size_t> fewest = problems_won(evaluations, Work::evaluations, study.solvers.size()),
+                                 fastest = problems_won(seconds, Work::seconds, study.solvers.size());
   Table table{
       {{"solver"},
        {"solved", true,

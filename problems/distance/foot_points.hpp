@@ -15,8 +15,8 @@
 namespace leastcost {
 
 /// Unsigned distances at the nodes of a grid, with the points of the surface that they are measured to.
-struct FootField {
-  explicit FootField(const GridShape& grid);
+struct FootPointGrid {
+  explicit FootPointGrid(const GridShape& grid);
   /// The foot of a node, to the seven digits that it is kept with.
   Eigen::Vector3d foot(std::size_t node) const { return shape.origin + feet[node].cast<double>(); }
   bool known(std::size_t node) const { return distance[node] < std::numeric_limits<double>::infinity(); }
@@ -39,13 +39,13 @@ struct Foot {
 /// Finds the feet of all nodes that hang together with the cells around the `seeds` (points of the surface) and are
 /// nearer than `band` (length units), each by `nearest(x, hint)` with the hint of a neighbour. They become exact; nodes
 /// without a foot stay unknown.
-void fill_band(FootField& field, const std::vector<Eigen::Vector3d>& seeds, double band,
+void fill_band(FootPointGrid& field, const std::vector<Eigen::Vector3d>& seeds, double band,
                const std::function<std::optional<Foot>(const Eigen::Vector3d& x, std::int32_t hint)>& nearest,
                const BuildProgress& progress);
 
 /// Hands feet on from node to node (Danielsson's vector distance transform, all 26 neighbours): each node that is not
 /// exact gets the nearest of the feet that arrive. Off by less than a hundredth of a cell beyond some cells from exact
 /// nodes.
-void spread_feet(FootField& field, const BuildProgress& progress);
+void spread_feet(FootPointGrid& field, const BuildProgress& progress);
 
 }  // namespace leastcost

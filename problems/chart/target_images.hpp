@@ -10,13 +10,13 @@
 namespace leastcost {
 
 /// A problem whose target is another image of the same point.
-struct WoundProblem {
+struct TargetImage {
   Problem problem;
   std::string winding;  ///< turns across each seam, "(1, 0)" or "(1, 0) over pole 1"
 };
 
 /// The images of the target up to `turns` turns either way across each seam of a chart and over its poles, the given
 /// one first. Empty where the domain has no seams, and for rings.
-std::vector<WoundProblem> wound_problems(const Problem& problem, int turns);
+std::vector<TargetImage> target_images(const Problem& problem, int turns);
 
 }  // namespace leastcost

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/distance/foot_field.hpp"
+#include "problems/distance/foot_points.hpp"
 
 #include <algorithm>
 #include <array>
@@ -37,7 +37,7 @@ void for_corners(const GridShape& shape, const Vector3d& x, Visit visit) {
 }
 
 /// One pass in memory order (forward) or against it: feet come from the 13 neighbours that the pass has been to.
-void pass(FootField& field, bool forward, const BuildProgress& progress, double done, double share) {
+void pass(FootPointGrid& field, bool forward, const BuildProgress& progress, double done, double share) {
   const auto& n = field.shape.count;
   const int sign = forward ? -1 : 1;
   const auto row = [&](int i, int j, int k) {
@@ -72,19 +72,19 @@ void pass(FootField& field, bool forward, const BuildProgress& progress, double 
 
 }  // namespace
 
-FootField::FootField(const GridShape& grid)
+FootPointGrid::FootPointGrid(const GridShape& grid)
     : shape(grid),
       distance(grid.nodes(), std::numeric_limits<double>::infinity()),
       feet(grid.nodes(), Eigen::Vector3f::Zero()),
       side(grid.nodes(), 0),
       exact(grid.nodes(), 0) {}
 
-void FootField::set(std::size_t node, const Vector3d& where, double how_far) {
+void FootPointGrid::set(std::size_t node, const Vector3d& where, double how_far) {
   feet[node] = (where - shape.origin).cast<float>();
   distance[node] = how_far;
 }
 
-void fill_band(FootField& field, const std::vector<Vector3d>& seeds, double band,
+void fill_band(FootPointGrid& field, const std::vector<Vector3d>& seeds, double band,
                const std::function<std::optional<Foot>(const Vector3d& x, std::int32_t hint)>& nearest,
                const BuildProgress& progress) {
   const GridShape& shape = field.shape;
@@ -116,7 +116,7 @@ void fill_band(FootField& field, const std::vector<Vector3d>& seeds, double band
   }
 }
 
-void spread_feet(FootField& field, const BuildProgress& progress) {
+void spread_feet(FootPointGrid& field, const BuildProgress& progress) {
   constexpr int kRounds = 2;
   for (int round = 0; round < kRounds; ++round) {
     pass(field, true, progress, 0.5 * round, 0.25);

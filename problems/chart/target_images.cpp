@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/problems/chart/wound.hpp>
+#include <leastcost/problems/chart/target_images.hpp>
 
 #include <leastcost/problems/chart/seams.hpp>
 
 namespace leastcost {
 
-std::vector<WoundProblem> wound_problems(const Problem& problem, int turns) {
-  std::vector<WoundProblem> all;
+std::vector<TargetImage> target_images(const Problem& problem, int turns) {
+  std::vector<TargetImage> all;
   const auto* domain = dynamic_cast<const HasSeams*>(problem.manifold.get());
   if (domain == nullptr || problem.ring) return all;
   const std::vector<Seam>& seams = domain->seams();
@@ -28,9 +28,9 @@ std::vector<WoundProblem> wound_problems(const Problem& problem, int turns) {
     if (count > 0) name += ")";
     const SeamMap map = seam_map(seams, static_cast<int>(problem.target.u.size()), winding);
     const auto add = [&](const Eigen::VectorXd& target, const std::string& where, bool given) {
-      WoundProblem wound{problem, name + where};
-      wound.problem.target.u = map.apply(target);
-      all.insert(given ? all.begin() : all.end(), std::move(wound));
+      TargetImage image{problem, name + where};
+      image.problem.target.u = map.apply(target);
+      all.insert(given ? all.begin() : all.end(), std::move(image));
     };
     add(problem.target.u, "", winding.isZero());
     for (std::size_t i = 0; i < poles.size(); ++i)

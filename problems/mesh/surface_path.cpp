@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/problems/mesh/path_tools.hpp>
+#include <leastcost/problems/mesh/surface_path.hpp>
 
 #include <Eigen/Geometry>
 #include <algorithm>
