@@ -14,23 +14,12 @@
 #include <leastcost/solvers/newton.hpp>
 #include "benchmarks/measure.hpp"
 #include "framework/cascade.hpp"
+#include "tests/support/half_plane.hpp"
 
 namespace {
 
 using namespace leastcost;
 using namespace leastcost::bench;
-
-/// Upper half-plane, |b - a| over the height at the middle: a cost as a user would write it.
-struct HalfPlane {
-  static constexpr int dim = 2;
-  CostTraits traits() const { return {.unit = "length"}; }
-  template <class S>
-  S value(const Point<S, 2>& a, const Point<S, 2>& b) const {
-    const S y = (a[1] + b[1]) * 0.5;
-    if (!(innermost(y) > 0)) return S(std::numeric_limits<double>::infinity());
-    return (b - a).squaredNorm() / (y * y);
-  }
-};
 
 Problem in_plane(Eigen::Vector2d source, Eigen::Vector2d target, std::shared_ptr<const SegmentCost> cost) {
   Problem problem;
@@ -98,7 +87,7 @@ void against_plain(std::vector<Case>& cases) {
 int main() {
   std::vector<Case> cases = {{"chute, rest", chute(0, {std::numbers::pi, -2})},
                              {"chute, moving", chute(1, {1, -1})},
-                             {"half-plane", in_plane({0, 1}, {2, 3}, make_segment_cost(HalfPlane{}))}};
+                             {"half-plane", in_plane({0, 1}, {2, 3}, make_segment_cost(test::HalfPlane{}))}};
   table(cases);
   against_plain(cases);
 }

@@ -7,23 +7,10 @@
 #include <leastcost/framework/segment_cost_function.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/half_plane.hpp"
 #include "tests/support/sample_domains.hpp"
 
 namespace leastcost::test {
-namespace {
-
-struct HalfPlane {
-  static constexpr int dim = 2;
-  CostTraits traits() const { return {}; }
-  template <class S>
-  S value(const Point<S, 2>& a, const Point<S, 2>& b) const {
-    const S y = (a[1] + b[1]) * 0.5;
-    return (b - a).squaredNorm() / (y * y);
-  }
-};
-
-}  // namespace
-
 TEST_CASE("the smooth curve through points of a geodesic: order 4 where the chain has 2", "[framework]") {
   const Problem problem =
       between(space(2), make_segment_cost(HalfPlane{}), Eigen::Vector2d(-1, 1), Eigen::Vector2d(1, 1));

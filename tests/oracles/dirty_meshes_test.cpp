@@ -47,6 +47,13 @@ std::string outcome(const std::shared_ptr<const MeshManifold>& domain, std::int3
     const Points& edges = result.first.path.u;
     const Index m = edges.cols() - 1;
     CHECK(result.curve.cost <= (edges.rightCols(m) - edges.leftCols(m)).colwise().norm().sum() * (1 + 1e-12));
+    // What is certified is straight by the independent checker; what is not says why.
+    if (result.status == Status::certified) {
+      REQUIRE(result.curve.straightness);
+      CHECK(*result.curve.straightness >= -1e-9);
+    } else {
+      CHECK_FALSE(result.certificate.failures.empty());
+    }
     return std::string(name(result.status));
   } catch (const InputError& error) {
     return error.what();

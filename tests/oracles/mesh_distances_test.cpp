@@ -84,8 +84,9 @@ TEST_CASE("geodesics between 160 pairs of vertices against exact distances") {
   if (all.count == 0) return;
   std::printf("  all: exactly the shortest %d of %d, mean excess %.4f %%, worst %.3f %%\n", all.exact, all.count,
               100 * all.mean / all.count, 100 * all.worst);
-  CHECK(2 * all.exact >= all.count);
-  CHECK(all.mean / all.count <= 0.003);
+  // What the defaults reached on these meshes when they were chosen (153 of 160, 0.09 %), with room for a pair or two.
+  CHECK(all.exact >= all.count - 10);
+  CHECK(all.mean / all.count <= 0.0015);
 }
 
 }  // namespace leastcost
