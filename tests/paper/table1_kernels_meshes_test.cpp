@@ -3,7 +3,9 @@
 // VFCS Table 1: iterations to a relative accuracy of 1e-3 for three kernels on meshes, from the Dijkstra path, as many
 // points as it has vertices. Measured at equal s0; what the paper prints for its own models is 212 / 101 / 80 on the
 // duck.
+#include <algorithm>
 #include <cstdio>
+#include <string_view>
 
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/manifolds/mesh.hpp>
@@ -73,9 +75,13 @@ TEST_CASE("Table 1: kernels on meshes", "[paper][slow]") {
     }
     // The strictly convex kernels agree on the length where they end in one class, to what is left of chords and kinks.
     CHECK(outcomes[1].length == Approx(outcomes[2].length).epsilon(0.02));
-    // The verdict of docs/paper.md: H = s is the slow one by far, exp(s^2) - 1 is no faster than s^2.
-    CHECK(outcomes[0].iterations > 10 * outcomes[1].iterations);
-    CHECK(outcomes[2].iterations >= outcomes[1].iterations);
+    // docs/paper.md: with the chain both strictly convex kernels are quick, H = s is not, and the choice no longer
+    // matters.
+    if (std::string_view(precondition) == "chain") {
+      const int slower = std::max(outcomes[1].iterations, outcomes[2].iterations);
+      CHECK(slower <= 16);
+      CHECK(outcomes[0].iterations >= 4 * slower);
+    }
     CHECK(outcomes[1].spread < outcomes[0].spread);
     CHECK(outcomes[2].spread < outcomes[0].spread);
   }
