@@ -66,7 +66,7 @@ void against_plain(std::vector<Case>& cases) {
       "\nAgainst plain L-BFGS at n = 1000, same tolerance (relative cost error 1e-14, confirmed by the chain "
       "Hessian)\n");
   LbfgsOptions options;
-  options.precondition = "none";
+  options.precondition = Preconditioner::none;
   options.max_iterations = 20000;
   options.max_evaluations = 100000;
   for (Case& c : cases) {

@@ -98,8 +98,8 @@ void row(const char* title, const DistanceSource& source, double cells = kCells)
   const double seconds = seconds_since(start);
   phases.end();
   std::printf("  %-32s %7.2f s; %s\n", "together", seconds, text(built.grid.shape()).c_str());
-  std::printf("  %-32s %.3g of a cell, mean %.3g\n", "surface of the grid off by", built.worst / settings.cell,
-              built.mean / settings.cell);
+  std::printf("  %-32s %.3g of a cell, mean %.3g\n", "surface of the grid off by", built.worst / *settings.cell,
+              built.mean / *settings.cell);
   queries(built.grid);
 }
 

@@ -36,15 +36,13 @@ Case between(const char* name, std::shared_ptr<const ConstraintManifold> manifol
   return c;
 }
 
-Case parametric(const char* name, const char* type, const Vector2d& source, const Vector2d& target) {
-  ParametricOptions options;
-  options.type = type;
-  return between(name, make_parametric_manifold(options), source, target);
+Case in_chart(const char* name, const parametric::Surface& surface, const Vector2d& source, const Vector2d& target) {
+  return between(name, make_parametric_manifold({.surface = surface}), source, target);
 }
 
 /// A ring at the waist of a hyperboloid, from a circle above it.
 Case waist() {
-  Case c = parametric("hyperboloid, ring", "hyperboloid", {0, 0}, {1, 1});
+  Case c = in_chart("hyperboloid, ring", parametric::Hyperboloid{}, {0, 0}, {1, 1});
   c.problem.ring = true;
   CoordinateCircleOptions circle;
   circle.through = Vector2d(0, 0.7);
@@ -54,31 +52,27 @@ Case waist() {
 
 /// On the outside of the torus, from the far left to the right.
 Case implicit_torus() {
-  ImplicitManifoldOptions options;
-  options.surface = "torus";
+  const ImplicitManifoldOptions options{.surface = implicit::Torus{}};
   return between("implicit torus", make_implicit_manifold(options), Vector3d(3, 0, 0), Vector3d(1.2, 2, 0.9));
 }
 
 Case distance_grid() {
   SignedDistanceOptions options;
-  options.source = "implicit";
-  options.implicit.surface = "torus";
+  options.source = distance_source::Implicit{.surface = {.surface = implicit::Torus{}}};
   options.cell = 0.1;
   return between("grid, torus", make_signed_distance_manifold(options, ""), Vector3d(3, 0, 0), Vector3d(1.2, 2, 0.9));
 }
 
 Case rotations() {
   ConstraintManifoldOptions options;
-  options.set = "so3";
+  options.set = constraint::Rotations{};
   return between("SO(3)", make_constraint_manifold(options), Eigen::Vector4d(1, 0, 0, 0),
                  Eigen::Vector4d(0.3, 0.6, -0.5, 0.4));
 }
 
-Case field(const char* name, const char* type, const Vector2d& source, const Vector2d& target) {
+Case field(const char* name, const metric::Field& tensor, const Vector2d& source, const Vector2d& target) {
   Case c = between(name, std::make_shared<EuclideanManifold>(EuclideanManifoldOptions{}), source, target);
-  MetricFieldOptions options;
-  options.type = type;
-  c.problem.cost = make_metric_field_cost(options, 2);
+  c.problem.cost = make_metric_field_cost({.field = tensor}, 2);
   return c;
 }
 
@@ -95,14 +89,14 @@ Case cloud() {
 
 int main() {
   std::vector<Case> cases = {
-      parametric("torus", "torus", {0, 0}, {1, 2}),
-      parametric("triaxial ellipsoid", "ellipsoid", {0.17, 0.35}, {1.2, -0.5}),
-      parametric("Klein bottle", "klein_bottle", {5, 0.4}, {7.2, 1.1}),
+      in_chart("torus", parametric::Torus{}, {0, 0}, {1, 2}),
+      in_chart("triaxial ellipsoid", parametric::Ellipsoid{}, {0.17, 0.35}, {1.2, -0.5}),
+      in_chart("Klein bottle", parametric::KleinBottle{}, {5, 0.4}, {7.2, 1.1}),
       waist(),
       implicit_torus(),
       rotations(),
-      field("half-plane", "half_plane", {0, 1}, {2, 3}),
-      field("Poincare disc", "poincare_disc", {0.9, 0}, {-0.5, 0.7}),
+      field("half-plane", metric::HalfPlane{}, {0, 1}, {2, 3}),
+      field("Poincare disc", metric::PoincareDisc{}, {0.9, 0}, {-0.5, 0.7}),
       distance_grid(),
       cloud(),
   };

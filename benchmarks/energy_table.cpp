@@ -124,6 +124,7 @@ int main() {
   interface_cost();
   allocations_per_iteration("newton", [](int n) { return Newton(NewtonOptions{.max_iterations = n}); });
   allocations_per_iteration("lbfgs chain", [](int n) { return Lbfgs(LbfgsOptions{.max_iterations = n}); });
-  allocations_per_iteration("lbfgs none",
-                            [](int n) { return Lbfgs(LbfgsOptions{.max_iterations = n, .precondition = "none"}); });
+  allocations_per_iteration("lbfgs none", [](int n) {
+    return Lbfgs(LbfgsOptions{.max_iterations = n, .precondition = Preconditioner::none});
+  });
 }

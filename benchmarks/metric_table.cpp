@@ -56,13 +56,9 @@ double measure(const SegmentCost& cost, const Points& x) {
   return best;
 }
 
-std::shared_ptr<const SegmentCost> field(const char* type, const char* rule, const ConstraintManifold& domain) {
-  MetricFieldOptions options;
-  options.type = type;
-  options.rule = rule;
-  options.entries = {"2 + sin(x)", "0.3 * cos(y)", "0", "1 + 0.2 * x^2", "0.1 * z", "1"};
-  options.curvature.weight = 0.5;
-  return make_metric_field_cost(options, 3, &domain);
+std::shared_ptr<const SegmentCost> field(const metric::Field& field, TensorRule rule,
+                                         const ConstraintManifold& domain) {
+  return make_metric_field_cost({.field = field, .rule = rule}, 3, &domain);
 }
 
 }  // namespace
@@ -79,8 +75,10 @@ int main() {
     std::printf("| %-28s | %14.0f | %18.2f | %5.0f |\n", what, ns, 1e3 / ns, ns / base);
   };
   row("constant tensor", base);
-  row("formula, midpoint", measure(*field("formula", "midpoint", *mesh), x));
-  row("formula, average", measure(*field("formula", "average", *mesh), x));
-  row("tensors on data, midpoint", measure(*field("curvature", "midpoint", *mesh), x));
-  row("tensors on data, average", measure(*field("curvature", "average", *mesh), x));
+  const metric::Formula formula{.entries = {"2 + sin(x)", "0.3 * cos(y)", "0", "1 + 0.2 * x^2", "0.1 * z", "1"}};
+  const CurvatureMetricOptions curvature{.weight = 0.5};
+  row("formula, midpoint", measure(*field(formula, TensorRule::midpoint, *mesh), x));
+  row("formula, average", measure(*field(formula, TensorRule::average, *mesh), x));
+  row("tensors on data, midpoint", measure(*field(curvature, TensorRule::midpoint, *mesh), x));
+  row("tensors on data, average", measure(*field(curvature, TensorRule::average, *mesh), x));
 }

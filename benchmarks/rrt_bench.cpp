@@ -17,8 +17,7 @@ namespace {
 using namespace leastcost;
 
 void across_torus(benchmark::State& state) {
-  ImplicitManifoldOptions torus;
-  torus.surface = "torus";
+  const ImplicitManifoldOptions torus{.surface = implicit::Torus{}};
   Problem problem{make_implicit_manifold(torus), make_euclidean_cost(3), make_kernel<Expm1Square>(), {}, {}, false};
   problem.source.u = Eigen::Vector3d(3, 0, 0);
   problem.target.u = Eigen::Vector3d(-3, 0, 0);

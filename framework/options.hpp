@@ -3,12 +3,19 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <concepts>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace leastcost {
@@ -22,6 +29,31 @@ struct FieldDoc {
   bool exclusive_minimum = false;  ///< the minimum itself is not allowed
   bool required = false;
 };
+
+/// A value of a choice and its word in a configuration.
+template <class Enum>
+struct Word {
+  Enum value;
+  std::string_view word;
+};
+
+/// Every value of a choice once, in the order in which people read them.
+template <class Enum>
+using Words = std::span<const Word<Enum>>;
+
+/// An enum with words: `Words<Rule> words(Rule)` stands beside it. The argument only says which enum is meant.
+template <class Enum>
+concept Choice = std::is_enum_v<Enum> && requires(Enum e) {
+  { words(e) } -> std::same_as<Words<Enum>>;
+};
+
+/// The word of a value; empty for a number that is none of them.
+template <Choice Enum>
+std::string_view word_of(Enum value) {
+  for (const Word<Enum>& w : words(value))
+    if (w.value == value) return w.word;
+  return "";
+}
 
 class FieldVisitor;
 
@@ -40,33 +72,117 @@ struct FieldVariant {
 ///     };
 ///
 /// and that one list serves reading (with range and unknown-key checks), writing, `describe`, the JSON schema and
-/// the reference page. The default is the value the struct holds before the visit.
+/// the reference page. The default is the value the struct holds before the visit. A choice is an enum, "not given" a
+/// std::optional, options of which one set excludes the others a std::variant of structs:
+///
+///     enum class Rule { chute, midpoint };
+///     Words<Rule> words(Rule);                               // {Rule::chute, "chute"}, {Rule::midpoint, "midpoint"}
+///     visit.choice("rule", rule, doc);                       // rule: midpoint
+///
+///     std::optional<double> level;
+///     visit.field("level", level, doc);                      // level: 2.5, or no such key
+///
+///     struct Torus {
+///       static constexpr std::string_view kType = "torus", kHelp = "Around the z axis.";
+///       double radius = 2;
+///       void fields(FieldVisitor& visit);                    // a form without options has none
+///     };
+///     std::variant<Plane, Torus> surface;
+///     visit.variant("surface", surface, doc);                // surface: plane, or {type: torus, radius: 3}
 class FieldVisitor {
  public:
   virtual ~FieldVisitor() = default;
   virtual void field(std::string_view key, bool& value, const FieldDoc& doc) = 0;
   virtual void field(std::string_view key, int& value, const FieldDoc& doc) = 0;
   virtual void field(std::string_view key, double& value, const FieldDoc& doc) = 0;
+  /// A text. An empty one is a required text that is still missing.
   virtual void field(std::string_view key, std::string& value, const FieldDoc& doc) = 0;
-  /// A vector: a list of numbers. An empty one counts as absent.
+  /// A vector: a list of numbers. An empty one is a required vector that is still missing.
   virtual void field(std::string_view key, Eigen::VectorXd& value, const FieldDoc& doc) = 0;
-  /// A matrix: a list of rows of equal length. An empty one counts as absent.
+  /// A matrix: a list of rows of equal length. An empty one is a required matrix that is still missing.
   virtual void field(std::string_view key, Eigen::MatrixXd& value, const FieldDoc& doc) = 0;
   /// Numbers by name, {a: 2, b: 1}: the parameters of a formula. The names are free.
   virtual void field(std::string_view key, std::map<std::string, double>& value, const FieldDoc& doc) = 0;
   /// Texts: a list, or a single one. An empty list counts as absent.
   virtual void field(std::string_view key, std::vector<std::string>& value, const FieldDoc& doc) = 0;
-  /// One word out of `choices`.
-  virtual void choice(std::string_view key, std::string& value, const std::vector<std::string>& choices,
-                      const FieldDoc& doc) = 0;
   /// A path to a file, relative to the folder of the configuration.
   virtual void file(std::string_view key, std::string& value, const FieldDoc& doc) = 0;
   /// A nested block with fields of its own.
   virtual void group(std::string_view key, const FieldDoc& doc, const std::function<void(FieldVisitor&)>& body) = 0;
-  /// A nested block whose `type` says which fields it has: {type: torus, major_radius: 2}, or the word alone. An empty
-  /// type counts as absent.
-  virtual void variant(std::string_view key, std::string& type, const std::vector<FieldVariant>& variants,
-                       const FieldDoc& doc) = 0;
+
+  /// What may be left out: without its key it keeps its default, or has no value.
+  template <class T>
+  void field(std::string_view key, std::optional<T>& value, const FieldDoc& doc) {
+    bool given = value.has_value();
+    T inner = given ? *value : T{};
+    optional_field(key, given, [&] { field(key, inner, doc); });
+    value = given ? std::optional<T>(std::move(inner)) : std::nullopt;
+  }
+
+  /// A number that a configuration writes as 0 where it is not given, as in {radius: 0}.
+  template <class Number>
+  void field_or_zero(std::string_view key, std::optional<Number>& value, const FieldDoc& doc) {
+    Number number = value.value_or(Number(0));
+    field(key, number, doc);
+    value = number == 0 ? std::nullopt : std::optional<Number>(number);
+  }
+
+  /// One value of an enum, by its word.
+  template <Choice Enum>
+  void choice(std::string_view key, Enum& value, const FieldDoc& doc) {
+    const Words<Enum> all = words(value);
+    std::vector<std::string> list;
+    std::size_t chosen = 0;
+    for (const Word<Enum>& w : all) {
+      if (w.value == value) chosen = list.size();
+      list.emplace_back(w.word);
+    }
+    choice_of(key, chosen, list, doc);
+    value = all[chosen].value;
+  }
+
+  /// A nested block whose `type` says which fields it has: {type: torus, major_radius: 2}, or the word alone.
+  template <class... Forms>
+  void variant(std::string_view key, std::variant<Forms...>& value, const FieldDoc& doc) {
+    std::optional<std::variant<Forms...>> given(value);
+    variant(key, given, doc);
+    value = *given;
+  }
+  /// The same, which may be left out.
+  template <class... Forms>
+  void variant(std::string_view key, std::optional<std::variant<Forms...>>& value, const FieldDoc& doc) {
+    std::tuple<Forms...> forms;  // that of the value, the others with their defaults
+    std::optional<std::size_t> chosen;
+    if (value) {
+      chosen = value->index();
+      std::visit([&]<class Form>(const Form& form) { std::get<Form>(forms) = form; }, *value);
+    }
+    variant_of(key, chosen, {described(std::get<Forms>(forms))...}, doc);
+    if (!chosen) return value.reset();
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      ((*chosen == I ? (value.emplace(std::in_place_index<I>, std::get<I>(forms)), 0) : 0), ...);
+    }
+    (std::index_sequence_for<Forms...>());
+  }
+
+ protected:
+  /// A field that may be absent; `given`: whether it is there. `field` visits it as one that is.
+  virtual void optional_field(std::string_view key, bool& given, const std::function<void()>& field) = 0;
+  /// One of several words, by its position.
+  virtual void choice_of(std::string_view key, std::size_t& chosen, const std::vector<std::string>& choices,
+                         const FieldDoc& doc) = 0;
+  /// One of several forms, by its position; none: absent.
+  virtual void variant_of(std::string_view key, std::optional<std::size_t>& chosen,
+                          const std::vector<FieldVariant>& variants, const FieldDoc& doc) = 0;
+
+ private:
+  template <class Form>
+  static FieldVariant described(Form& form) {
+    FieldVariant out{std::string(Form::kType), Form::kHelp};
+    if constexpr (requires(FieldVisitor & visit) { form.fields(visit); })
+      out.fields = [&form](FieldVisitor& visit) { form.fields(visit); };
+    return out;
+  }
 };
 
 /// Options of a plug-in that has none.

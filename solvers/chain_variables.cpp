@@ -35,7 +35,7 @@ double ChainVariables::first_scale() const {
 
 Points ChainVariables::steps(const Eigen::VectorXd& z) const {
   Eigen::VectorXd t = z;
-  if (scaling_ == Scaling::chain)
+  if (scaling_ == Preconditioner::chain)
     model_.system.solve_upper(t);
   else
     t *= scale_;
@@ -51,7 +51,7 @@ bool ChainVariables::path_at(const Eigen::VectorXd& z, CoordinatePath& path) {
 
 void ChainVariables::pull_back(const Eigen::VectorXd& z, const Points& path_gradient, Eigen::VectorXd& gradient) {
   to_tangent(z, path_gradient, gradient);
-  if (scaling_ == Scaling::chain)
+  if (scaling_ == Preconditioner::chain)
     model_.system.solve_lower(gradient);
   else
     gradient *= scale_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <leastcost/framework/chain_model.hpp>
+#include <leastcost/solvers/preconditioner.hpp>
 
 namespace leastcost {
 
@@ -17,9 +18,7 @@ namespace leastcost {
 /// are the free set of x0. Where a move goes beyond a bound that is not among them, there is no x(z).
 class ChainVariables {
  public:
-  enum class Scaling { chain, none };
-
-  ChainVariables(PathEnergy& energy, Scaling scaling) : energy_(energy), scaling_(scaling) {}
+  ChainVariables(PathEnergy& energy, Preconditioner scaling) : energy_(energy), scaling_(scaling) {}
 
   /// Centres the variables at a path, z = 0 there. False where the energy is not finite.
   bool centre(const CoordinatePath& path);
@@ -44,7 +43,7 @@ class ChainVariables {
   void to_tangent(const Eigen::VectorXd& z, const Points& path_gradient, Eigen::VectorXd& gradient);
 
   PathEnergy& energy_;
-  Scaling scaling_;
+  Preconditioner scaling_;
   CoordinatePath base_, plus_, minus_;
   ChainModel model_;
   double scale_ = 0;  ///< S for `none`

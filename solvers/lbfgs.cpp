@@ -27,7 +27,7 @@ class LbfgsSolve {
   LbfgsSolve(PathEnergy& energy, CoordinatePath& path, const LbfgsOptions& options, const Monitor& monitor)
       : energy_(energy),
         path_(path),
-        chain_(options.precondition == "chain"),
+        chain_(options.precondition == Preconditioner::chain),
         kinked_(energy.problem().manifold->shape() == Shape::polyhedral),
         history_(options.memory),
         loop_(energy, path, {options.tolerance, options.max_iterations, options.max_evaluations}, monitor) {}
@@ -191,7 +191,7 @@ void LbfgsOptions::fields(FieldVisitor& visit) {
   limit_fields(visit, max_iterations, max_evaluations);
   visit.field("memory", memory, {.help = "Stored pairs.", .minimum = 1, .maximum = 1000});
   visit.choice(
-      "precondition", precondition, {"chain", "none"},
+      "precondition", precondition,
       {.help =
            "Initial inverse Hessian: the chain's own (iterations independent of n) or a multiple of the identity."});
 }

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
-
 #include <leastcost/framework/options.hpp>
 #include <leastcost/framework/solver.hpp>
+#include <leastcost/solvers/preconditioner.hpp>
 
 namespace leastcost {
 
@@ -14,7 +13,7 @@ struct LbfgsOptions {
   int max_iterations = 1000;
   int max_evaluations = 100000;
   int memory = 10;
-  std::string precondition = "chain";
+  Preconditioner precondition = Preconditioner::chain;
   void fields(FieldVisitor& visit);
 };
 

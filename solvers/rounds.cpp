@@ -29,10 +29,10 @@ class Rounds final : public RoundObjective {
   Rounds(PathEnergy& energy, CoordinatePath& path, const RoundOptions& options, const Monitor& monitor)
       : energy_(energy),
         path_(path),
-        chain_(options.precondition == "chain"),
+        chain_(options.precondition == Preconditioner::chain),
         restart_(options.restart),
         kinked_(energy.problem().manifold->shape() == Shape::polyhedral),
-        variables_(energy, chain_ ? ChainVariables::Scaling::chain : ChainVariables::Scaling::none),
+        variables_(energy, options.precondition),
         test_(options.tolerance),
         loop_(energy, path, {options.tolerance, std::numeric_limits<int>::max(), options.max_evaluations}, monitor) {}
 
@@ -217,7 +217,7 @@ class Rounds final : public RoundObjective {
 void RoundOptions::fields(FieldVisitor& visit) {
   tolerance_field(visit, tolerance);
   visit.field("max_evaluations", max_evaluations, {.help = "Limit on energy and gradient evaluations.", .minimum = 1});
-  visit.choice("precondition", precondition, {"chain", "none"},
+  visit.choice("precondition", precondition,
                {.help = "Variables in which the energy is about |z|^2 / 2, by the chain's own Hessian (evaluations "
                         "independent of n), or the tangent coordinates as they are."});
   visit.field("restart", restart,

@@ -7,6 +7,7 @@
 #include <leastcost/framework/options.hpp>
 #include <leastcost/framework/stopping.hpp>
 #include <leastcost/solvers/chain_variables.hpp>
+#include <leastcost/solvers/preconditioner.hpp>
 
 namespace leastcost {
 
@@ -14,7 +15,7 @@ namespace leastcost {
 struct RoundOptions {
   double tolerance = 1e-14;  ///< relative cost error
   int max_evaluations = 20000;
-  std::string precondition = "chain";
+  Preconditioner precondition = Preconditioner::chain;
   int restart = 20;  ///< evaluations between two factorisations
   void fields(FieldVisitor& visit);
 };

@@ -50,7 +50,7 @@ std::string solver_line(const WrittenRun& run) {
 }
 
 const char* shape_of(const WrittenRun& run) {
-  if (run.config.ring && run.config.source.given) return " (a loop with a fixed point, the source)";
+  if (run.config.ring && run.config.source) return " (a loop with a fixed point, the source)";
   return run.result.path.ring ? " (ring)" : " and two ends";
 }
 
@@ -90,7 +90,7 @@ std::string steps(const Run& prepared) {
 }
 
 std::string points_text(const RunConfig& config) {
-  return config.points.automatic ? "as many as the first edge path" : std::to_string(config.points.count);
+  return config.points ? std::to_string(*config.points) : "as many as the first edge path";
 }
 
 }  // namespace
@@ -105,10 +105,9 @@ std::string summary_text(const WrittenRun& run, bool verbose) {
     out += row("spacing", fmt::format("{:.3g} (largest / smallest segment cost - 1)", result.certificate.spacing));
   out += row("points", fmt::format("{}{}", result.path.free_count(), shape_of(run)));
   out += row("solver", solver_line(run));
-  if (!run.config.ring || run.config.source.given) {
-    if (verbose || run.config.source.point.size() > 0) out += row("source", end_line(run.parts.source));
-    if (!run.config.ring && (verbose || run.config.target.point.size() > 0))
-      out += row("target", end_line(run.parts.target));
+  if (!run.config.ring || run.config.source) {
+    if (verbose || run.config.source->point) out += row("source", end_line(run.parts.source));
+    if (!run.config.ring && (verbose || run.config.target->point)) out += row("target", end_line(run.parts.target));
   }
   out += family_rows(run);
   for (const std::string& note : run.parts.notes) out += row("note", note);
@@ -138,7 +137,7 @@ std::string dry_run_text(const RunRequest& request, const Run& prepared) {
   out += row("kernel", config.kernel.plugin->type);
   if (!config.ring)
     out += row("source", end_line(prepared.parts.source)) + row("target", end_line(prepared.parts.target));
-  else if (config.source.given)
+  else if (config.source)
     out += row("fixed point", end_line(prepared.parts.source));
   for (const std::string& note : prepared.parts.notes) out += row("note", note);
   for (const FamilyStart& start : prepared.parts.family)
@@ -160,7 +159,7 @@ std::string dry_run_json(const RunRequest& request, const Run& prepared) {
     out["mesh"] = {{"vertices", mesh->vertex_count()},
                    {"faces", mesh->face_count()},
                    {"components", mesh->component_sizes().size()}};
-  out["points"] = config.points.automatic ? Json("auto") : Json(config.points.count);
+  out["points"] = config.points ? Json(*config.points) : Json("auto");
   if (!config.ring)
     out["moved"] = {{"source", number(prepared.parts.source.moved)}, {"target", number(prepared.parts.target.moved)}};
   if (!prepared.parts.family.empty()) out["family"] = Json::array();

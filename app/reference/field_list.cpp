@@ -39,45 +39,24 @@ class FieldCollector final : public RunVisitor {
   void field(std::string_view key, std::vector<std::string>& value, const FieldDoc& doc) override {
     plain(key, value, FieldType::texts, doc);
   }
-  void choice(std::string_view key, std::string& value, const std::vector<std::string>& choices,
-              const FieldDoc& doc) override {
-    FieldInfo& info = add(key, FieldType::choice, doc);
-    info.choices = choices;
-    info.default_value = value;
-  }
   void file(std::string_view key, std::string&, const FieldDoc& doc) override { add(key, FieldType::file, doc); }
   void group(std::string_view key, const FieldDoc& doc, const std::function<void(FieldVisitor&)>& body) override {
     block(key, doc, body);
   }
 
-  void variant(std::string_view key, std::string& type, const std::vector<FieldVariant>& variants,
-               const FieldDoc& doc) override {
-    FieldInfo& info = add(key, FieldType::variant, doc);
-    if (!doc.required) info.default_value = type;
-    for (const FieldVariant& v : variants) {
-      FieldCollector inner;
-      if (v.fields) v.fields(inner);
-      FieldInfo& form = info.children.emplace_back();
-      form.key = v.type;
-      form.type = FieldType::block;
-      form.help = v.help;
-      form.children = inner.take();
-      info.choices.push_back(v.type);
-    }
+  void points(std::string_view key, std::optional<int>& value, const FieldDoc& doc) override {
+    add(key, FieldType::points, doc).default_value = value ? std::to_string(*value) : "auto";
   }
-
-  void points(std::string_view key, PointCount& value, const FieldDoc& doc) override {
-    add(key, FieldType::points, doc).default_value = std::to_string(value.count);
-  }
-  void end(std::string_view key, EndOptions& value, const FieldDoc& doc) override {
+  void end(std::string_view key, std::optional<EndOptions>& value, const FieldDoc& doc) override {
     FieldCollector inner;
-    value.fields(inner);
+    EndOptions end = value.value_or(EndOptions{});
+    end.fields(inner);
     add(key, FieldType::end, doc).children = inner.take();
   }
   void plugin(std::string_view key, PluginChoice&, const PluginKind& kind, const FieldDoc& doc) override {
     add(key, FieldType::plugin, doc).kind = &kind;
   }
-  void plugins(std::string_view key, PluginList&, const PluginKind& kind, const FieldDoc& doc) override {
+  void plugins(std::string_view key, std::optional<PluginList>&, const PluginKind& kind, const FieldDoc& doc) override {
     add(key, FieldType::plugins, doc).kind = &kind;
   }
   void block(std::string_view key, const FieldDoc& doc, const std::function<void(RunVisitor&)>& body) override {
@@ -98,6 +77,33 @@ class FieldCollector final : public RunVisitor {
     info.kind = kind;
   }
 
+ protected:
+  void optional_field(std::string_view, bool& given, const std::function<void()>& field) override {
+    field();
+    if (!given) fields_.back().default_value.clear();
+  }
+  void choice_of(std::string_view key, std::size_t& chosen, const std::vector<std::string>& choices,
+                 const FieldDoc& doc) override {
+    FieldInfo& info = add(key, FieldType::choice, doc);
+    info.choices = choices;
+    info.default_value = choices[chosen];
+  }
+  void variant_of(std::string_view key, std::optional<std::size_t>& chosen, const std::vector<FieldVariant>& variants,
+                  const FieldDoc& doc) override {
+    FieldInfo& info = add(key, FieldType::variant, doc);
+    if (chosen && !doc.required) info.default_value = variants[*chosen].type;
+    for (const FieldVariant& v : variants) {
+      FieldCollector inner;
+      if (v.fields) v.fields(inner);
+      FieldInfo& form = info.children.emplace_back();
+      form.key = v.type;
+      form.type = FieldType::block;
+      form.help = v.help;
+      form.children = inner.take();
+      info.choices.push_back(v.type);
+    }
+  }
+
  private:
   FieldInfo& add(std::string_view key, FieldType type, const FieldDoc& doc) {
     FieldInfo& info = fields_.emplace_back();
@@ -112,7 +118,7 @@ class FieldCollector final : public RunVisitor {
     return info;
   }
 
-  /// The default is what the writer makes of it: the same text, and nothing where it stands for "not given".
+  /// The default is what the writer makes of it: the same text, and nothing where there is none.
   template <class T>
   void plain(std::string_view key, T& value, FieldType type, const FieldDoc& doc) {
     OptionsWriter writer;

@@ -35,7 +35,7 @@ Exit exit_of(Status status) {
 
 std::filesystem::path output_of(const RunRequest& request, const RunConfig& config) {
   if (!request.output.empty()) return request.output;
-  if (!config.output_folder.empty()) return config.output_folder;
+  if (config.output_folder) return *config.output_folder;
   return std::filesystem::path("results") / config.name;
 }
 

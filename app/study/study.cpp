@@ -105,7 +105,7 @@ std::vector<ManifestInput> inputs_of(const StudyGrid& grid, const StudyFacts& fa
 bool run_tasks(const StudyRequest& request, const StudyGrid& grid, const std::vector<Task>& tasks, Journal& journal,
                JournalContent& content) {
   StudyProgress progress{content.results.size(), content.results.size() + tasks.size(), nullptr};
-  const double limit = grid.config.max_seconds > 0 ? grid.config.max_seconds + grid.config.grace_seconds : 0;
+  const double limit = grid.config.max_seconds ? *grid.config.max_seconds + grid.config.grace_seconds : 0;
   IsolatedJobs jobs;
   jobs.count = tasks.size();
   jobs.parallel = request.parallel;
@@ -115,7 +115,7 @@ bool run_tasks(const StudyRequest& request, const StudyGrid& grid, const std::ve
       journal.forget();
       return to_json_line(request.run(*tasks[i].cell, tasks[i].repetition));
     };
-    return IsolatedJob{work, limit, grid.config.max_memory};
+    return IsolatedJob{work, limit, grid.config.max_memory.value_or(0)};
   };
   jobs.ended = [&](std::size_t i, IsolatedEnd end) {
     content.results.push_back(result_of(tasks[i], std::move(end)));

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <map>
 
 #include <leastcost/catalogue/options/options_writer.hpp>
@@ -63,15 +64,16 @@ StudyFacts facts_of(const StudyGrid& grid) {
   facts.repetitions = grid.config.repetitions;
   facts.swept_keys = grid.swept_keys;
   DataFiles data(grid.file);
-  std::string all =
-      fmt::format("{} cells, {} repetitions, {} MB\n", facts.cells, facts.repetitions, grid.config.max_memory);
+  std::string all = fmt::format("{} cells, {} repetitions, {} MB\n", facts.cells, facts.repetitions,
+                                grid.config.max_memory.value_or(0));
   for (const StudyCell& cell : grid.cells) {
     if (!cell.skipped.empty()) {
       facts.skipped.push_back({cell.number, cell.values, cell.skipped});
       continue;
     }
     const auto content = [&](const std::string& file) { return data.hash(cell.folder, file); };
-    all += fmt::format("cell {}: {}\noptimum {:.17g}\n{}", cell.number, fmt::join(cell.values, ", "), cell.optimum,
+    all += fmt::format("cell {}: {}\noptimum {:.17g}\n{}", cell.number, fmt::join(cell.values, ", "),
+                       cell.optimum.value_or(std::numeric_limits<double>::quiet_NaN()),
                        resolved_yaml(cell.config, content));
   }
   facts.data = data.all();

@@ -157,13 +157,20 @@ void OptionsReader::field(std::string_view key, std::vector<std::string>& value,
   value = std::move(texts);
 }
 
-void OptionsReader::choice(std::string_view key, std::string& value, const std::vector<std::string>& choices,
-                           const FieldDoc& doc) {
+void OptionsReader::optional_field(std::string_view key, bool& given, const std::function<void()>& field) {
+  const std::size_t before = errors_.size();
+  field();
+  if (block_.find(key) != nullptr && errors_.size() == before) given = true;
+}
+
+void OptionsReader::choice_of(std::string_view key, std::size_t& chosen, const std::vector<std::string>& choices,
+                              const FieldDoc& doc) {
   const ConfigEntry* e = entry(key, doc);
   if (e == nullptr) return;
   const ConfigNode& node = e->value;
-  if (node.is_scalar() && std::count(choices.begin(), choices.end(), node.text) > 0) {
-    value = node.text;
+  const auto found_at = node.is_scalar() ? std::find(choices.begin(), choices.end(), node.text) : choices.end();
+  if (found_at != choices.end()) {
+    chosen = static_cast<std::size_t>(found_at - choices.begin());
     return;
   }
   const std::string hint = node.is_scalar() ? did_you_mean(node.text, choices) : "";
@@ -184,17 +191,17 @@ void OptionsReader::block(std::string_view key, const FieldDoc& doc, const std::
   inner.finish();
 }
 
-void OptionsReader::points(std::string_view key, PointCount& value, const FieldDoc& doc) {
+void OptionsReader::points(std::string_view key, std::optional<int>& value, const FieldDoc& doc) {
   const ConfigEntry* e = entry(key, doc);
   if (e == nullptr) return;
   if (e->value.is_scalar() && !e->value.quoted && e->value.text == "auto") {
-    value.automatic = true;
+    value.reset();
     return;
   }
   const Parsed<int> parsed = parse_int(e->value);
   if (!parsed.value) return fault(key, e->value.place, "must be a whole number or auto (" + found(e->value) + ")");
-  value.count = *parsed.value;
-  check_range(key, e->value, value.count, doc);
+  value = *parsed.value;
+  check_range(key, e->value, *value, doc);
 }
 
 void OptionsReader::finish() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,17 +34,14 @@ class OptionsReader final : public RunVisitor {
   void field(std::string_view key, Eigen::MatrixXd& value, const FieldDoc& doc) override;
   void field(std::string_view key, std::map<std::string, double>& value, const FieldDoc& doc) override;
   void field(std::string_view key, std::vector<std::string>& value, const FieldDoc& doc) override;
-  void choice(std::string_view key, std::string& value, const std::vector<std::string>& choices,
-              const FieldDoc& doc) override;
   void file(std::string_view key, std::string& value, const FieldDoc& doc) override;
   void group(std::string_view key, const FieldDoc& doc, const std::function<void(FieldVisitor&)>& body) override;
-  void variant(std::string_view key, std::string& type, const std::vector<FieldVariant>& variants,
-               const FieldDoc& doc) override;
 
-  void points(std::string_view key, PointCount& value, const FieldDoc& doc) override;
-  void end(std::string_view key, EndOptions& value, const FieldDoc& doc) override;
+  void points(std::string_view key, std::optional<int>& value, const FieldDoc& doc) override;
+  void end(std::string_view key, std::optional<EndOptions>& value, const FieldDoc& doc) override;
   void plugin(std::string_view key, PluginChoice& value, const PluginKind& kind, const FieldDoc& doc) override;
-  void plugins(std::string_view key, PluginList& value, const PluginKind& kind, const FieldDoc& doc) override;
+  void plugins(std::string_view key, std::optional<PluginList>& value, const PluginKind& kind,
+               const FieldDoc& doc) override;
   void block(std::string_view key, const FieldDoc& doc, const std::function<void(RunVisitor&)>& body) override;
   void blocks(std::string_view key, const BlockList& list, const FieldDoc& doc) override;
   void tree(std::string_view key, ConfigNode& value, TreeForm form, const PluginKind* kind,
@@ -52,14 +50,21 @@ class OptionsReader final : public RunVisitor {
   /// Reports the keys that no field asked for.
   void finish();
 
+ protected:
+  void optional_field(std::string_view key, bool& given, const std::function<void()>& field) override;
+  void choice_of(std::string_view key, std::size_t& chosen, const std::vector<std::string>& choices,
+                 const FieldDoc& doc) override;
+  void variant_of(std::string_view key, std::optional<std::size_t>& chosen, const std::vector<FieldVariant>& variants,
+                  const FieldDoc& doc) override;
+
  private:
   const ConfigEntry* entry(std::string_view key, const FieldDoc& doc);
   void fault(std::string_view key, const Place& place, const std::string& message);
   bool check_form(std::string_view key, const ConfigNode& node, TreeForm form);
   void check_range(std::string_view key, const ConfigNode& node, double value, const FieldDoc& doc);
   bool read_numbers(std::string_view key, const ConfigNode& list, bool infinite, std::vector<double>& out);
-  const FieldVariant* find_variant(const ConfigEntry& e, const std::string& path,
-                                   const std::vector<FieldVariant>& variants);
+  std::optional<std::size_t> find_variant(const ConfigEntry& e, const std::string& path,
+                                          const std::vector<FieldVariant>& variants);
   PluginChoice read_plugin(const ConfigNode& node, const Place& place, const std::string& path, const PluginKind& kind);
   const PluginEntry* find_type(const ConfigNode& node, const Place& place, const std::string& path,
                                const PluginKind& kind);

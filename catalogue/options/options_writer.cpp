@@ -27,13 +27,11 @@ void OptionsWriter::field(std::string_view key, bool& value, const FieldDoc&) {
   add(key, scalar_node(value ? "true" : "false"));
 }
 
-void OptionsWriter::field(std::string_view key, int& value, const FieldDoc& doc) {
-  if (!stands_for_absent(value, doc)) add(key, scalar_node(std::to_string(value)));
+void OptionsWriter::field(std::string_view key, int& value, const FieldDoc&) {
+  add(key, scalar_node(std::to_string(value)));
 }
 
-void OptionsWriter::field(std::string_view key, double& value, const FieldDoc& doc) {
-  if (!stands_for_absent(value, doc)) add(key, number_node(value));
-}
+void OptionsWriter::field(std::string_view key, double& value, const FieldDoc&) { add(key, number_node(value)); }
 
 void OptionsWriter::field(std::string_view key, std::string& value, const FieldDoc&) {
   if (!value.empty()) add(key, text_node(value));
@@ -67,8 +65,13 @@ void OptionsWriter::field(std::string_view key, std::vector<std::string>& value,
   add(key, std::move(list));
 }
 
-void OptionsWriter::choice(std::string_view key, std::string& value, const std::vector<std::string>&, const FieldDoc&) {
-  add(key, text_node(value));
+void OptionsWriter::optional_field(std::string_view, bool& given, const std::function<void()>& field) {
+  if (given) field();
+}
+
+void OptionsWriter::choice_of(std::string_view key, std::size_t& chosen, const std::vector<std::string>& choices,
+                              const FieldDoc&) {
+  add(key, text_node(choices[chosen]));
 }
 
 void OptionsWriter::file(std::string_view key, std::string& value, const FieldDoc&) {
@@ -79,13 +82,13 @@ void OptionsWriter::group(std::string_view key, const FieldDoc& doc, const std::
   block(key, doc, body);
 }
 
-void OptionsWriter::variant(std::string_view key, std::string& type, const std::vector<FieldVariant>& variants,
-                            const FieldDoc&) {
-  if (type.empty()) return;
+void OptionsWriter::variant_of(std::string_view key, std::optional<std::size_t>& chosen,
+                               const std::vector<FieldVariant>& variants, const FieldDoc&) {
+  if (!chosen) return;
+  const FieldVariant& form = variants[*chosen];
   OptionsWriter inner(rename_);
-  inner.add("type", text_node(type));
-  for (const FieldVariant& v : variants)
-    if (v.type == type && v.fields) v.fields(inner);
+  inner.add("type", text_node(form.type));
+  if (form.fields) form.fields(inner);
   add(key, inner.take());
 }
 
@@ -111,14 +114,14 @@ void OptionsWriter::tree(std::string_view key, ConfigNode& value, TreeForm, cons
   if (value.kind != ConfigNode::Kind::nothing) add(key, value);
 }
 
-void OptionsWriter::points(std::string_view key, PointCount& value, const FieldDoc&) {
-  add(key, scalar_node(value.automatic ? "auto" : std::to_string(value.count)));
+void OptionsWriter::points(std::string_view key, std::optional<int>& value, const FieldDoc&) {
+  add(key, scalar_node(value ? std::to_string(*value) : "auto"));
 }
 
-void OptionsWriter::end(std::string_view key, EndOptions& value, const FieldDoc&) {
-  if (!value.given) return;
+void OptionsWriter::end(std::string_view key, std::optional<EndOptions>& value, const FieldDoc&) {
+  if (!value) return;
   OptionsWriter inner(rename_);
-  value.fields(inner);
+  value->fields(inner);
   add(key, inner.take());
 }
 
@@ -133,11 +136,12 @@ void OptionsWriter::plugin(std::string_view key, PluginChoice& value, const Plug
   if (value) add(key, written(value));
 }
 
-void OptionsWriter::plugins(std::string_view key, PluginList& value, const PluginKind&, const FieldDoc&) {
-  if (!value.given) return;
+void OptionsWriter::plugins(std::string_view key, std::optional<PluginList>& value, const PluginKind&,
+                            const FieldDoc&) {
+  if (!value) return;
   ConfigNode list;
   list.kind = ConfigNode::Kind::list;
-  for (const PluginChoice& choice : value.choices) {
+  for (const PluginChoice& choice : *value) {
     ConfigNode node = written(choice);
     list.items.push_back(node.entries.size() == 1 ? node.entries.front().value : std::move(node));
   }

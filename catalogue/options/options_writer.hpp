@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace leastcost {
 using RenameFile = std::function<std::string(const std::string&)>;
 
 /// Writes the fields of an options object as a block, defaults included, so that it reads back as the same object.
-/// Fields whose value stands for "not given" are left out.
+/// Fields without a value are left out.
 class OptionsWriter final : public RunVisitor {
  public:
   explicit OptionsWriter(RenameFile rename = {}) : rename_(std::move(rename)) { block_.kind = ConfigNode::Kind::block; }
@@ -30,21 +31,25 @@ class OptionsWriter final : public RunVisitor {
   void field(std::string_view key, Eigen::MatrixXd& value, const FieldDoc& doc) override;
   void field(std::string_view key, std::map<std::string, double>& value, const FieldDoc& doc) override;
   void field(std::string_view key, std::vector<std::string>& value, const FieldDoc& doc) override;
-  void choice(std::string_view key, std::string& value, const std::vector<std::string>& choices,
-              const FieldDoc& doc) override;
   void file(std::string_view key, std::string& value, const FieldDoc& doc) override;
   void group(std::string_view key, const FieldDoc& doc, const std::function<void(FieldVisitor&)>& body) override;
-  void variant(std::string_view key, std::string& type, const std::vector<FieldVariant>& variants,
-               const FieldDoc& doc) override;
 
-  void points(std::string_view key, PointCount& value, const FieldDoc& doc) override;
-  void end(std::string_view key, EndOptions& value, const FieldDoc& doc) override;
+  void points(std::string_view key, std::optional<int>& value, const FieldDoc& doc) override;
+  void end(std::string_view key, std::optional<EndOptions>& value, const FieldDoc& doc) override;
   void plugin(std::string_view key, PluginChoice& value, const PluginKind& kind, const FieldDoc& doc) override;
-  void plugins(std::string_view key, PluginList& value, const PluginKind& kind, const FieldDoc& doc) override;
+  void plugins(std::string_view key, std::optional<PluginList>& value, const PluginKind& kind,
+               const FieldDoc& doc) override;
   void block(std::string_view key, const FieldDoc& doc, const std::function<void(RunVisitor&)>& body) override;
   void blocks(std::string_view key, const BlockList& list, const FieldDoc& doc) override;
   void tree(std::string_view key, ConfigNode& value, TreeForm form, const PluginKind* kind,
             const FieldDoc& doc) override;
+
+ protected:
+  void optional_field(std::string_view key, bool& given, const std::function<void()>& field) override;
+  void choice_of(std::string_view key, std::size_t& chosen, const std::vector<std::string>& choices,
+                 const FieldDoc& doc) override;
+  void variant_of(std::string_view key, std::optional<std::size_t>& chosen, const std::vector<FieldVariant>& variants,
+                  const FieldDoc& doc) override;
 
  private:
   void add(std::string_view key, ConfigNode value);

@@ -62,21 +62,22 @@ void OptionsReader::plugin(std::string_view key, PluginChoice& value, const Plug
   if (e != nullptr) value = read_plugin(e->value, e->place, path(key), kind);
 }
 
-void OptionsReader::plugins(std::string_view key, PluginList& value, const PluginKind& kind, const FieldDoc& doc) {
+void OptionsReader::plugins(std::string_view key, std::optional<PluginList>& value, const PluginKind& kind,
+                            const FieldDoc& doc) {
   const ConfigEntry* e = entry(key, doc);
   if (e == nullptr) return;
   if (!e->value.is_list())
     return fault(key, e->value.place,
                  fmt::format("must be a list, like [{}] ({})", types_of(kind).front(), found(e->value)));
-  value.given = true;
+  value.emplace();
   for (std::size_t i = 0; i < e->value.items.size(); ++i) {
     const ConfigNode& item = e->value.items[i];
-    value.choices.push_back(read_plugin(item, item.place, fmt::format("{}.{}", path(key), i), kind));
+    value->push_back(read_plugin(item, item.place, fmt::format("{}.{}", path(key), i), kind));
   }
 }
 
-const FieldVariant* OptionsReader::find_variant(const ConfigEntry& e, const std::string& path,
-                                                const std::vector<FieldVariant>& variants) {
+std::optional<std::size_t> OptionsReader::find_variant(const ConfigEntry& e, const std::string& path,
+                                                       const std::vector<FieldVariant>& variants) {
   std::vector<std::string> types;
   types.reserve(variants.size());
   for (const FieldVariant& v : variants) types.push_back(v.type);
@@ -85,57 +86,56 @@ const FieldVariant* OptionsReader::find_variant(const ConfigEntry& e, const std:
     const ConfigEntry* named = e.value.find("type");
     if (named == nullptr) {
       errors_.error(e.place, fmt::format("missing key 'type' in {}: one of {}", path, joined(types)));
-      return nullptr;
+      return std::nullopt;
     }
     type = &named->value;
   }
   if (!type->is_scalar()) {
     errors_.error(type->place, fmt::format("'{}' must be a type or a block with a type, like {{type: {}}} ({})", path,
                                            types.front(), found(*type)));
-    return nullptr;
+    return std::nullopt;
   }
-  for (const FieldVariant& v : variants)
-    if (v.type == type->text) return &v;
+  for (std::size_t i = 0; i < variants.size(); ++i)
+    if (variants[i].type == type->text) return i;
   errors_.error(type->place, fmt::format("unknown type {} of {}{}; valid types: {}", in_quotes(type->text), path,
                                          did_you_mean(type->text, types), joined(types)));
-  return nullptr;
+  return std::nullopt;
 }
 
-void OptionsReader::variant(std::string_view key, std::string& type, const std::vector<FieldVariant>& variants,
-                            const FieldDoc& doc) {
+void OptionsReader::variant_of(std::string_view key, std::optional<std::size_t>& chosen,
+                               const std::vector<FieldVariant>& variants, const FieldDoc& doc) {
   const ConfigEntry* e = entry(key, doc);
-  const FieldVariant* chosen = e == nullptr ? nullptr : find_variant(*e, path(key), variants);
-  if (chosen == nullptr) return;
-  type = chosen->type;
+  const std::optional<std::size_t> at = e == nullptr ? std::nullopt : find_variant(*e, path(key), variants);
+  if (!at) return;
+  chosen = at;
   ConfigNode options = e->value;
   if (!options.is_block()) {  // the word alone
     options = ConfigNode{};
     options.kind = ConfigNode::Kind::block;
   }
   OptionsReader reader(options, path(key), e->place, errors_);
-  if (chosen->fields) chosen->fields(reader);
+  if (variants[*at].fields) variants[*at].fields(reader);
   reader.known_.emplace_back("type");
   reader.finish();
 }
 
-void OptionsReader::end(std::string_view key, EndOptions& value, const FieldDoc& doc) {
+void OptionsReader::end(std::string_view key, std::optional<EndOptions>& value, const FieldDoc& doc) {
   const ConfigEntry* e = entry(key, doc);
   if (e == nullptr) return;
   const std::size_t before = errors_.size();
   OptionsReader reader(e->value, path(key), e->place, errors_);
-  value.fields(reader);
+  EndOptions& end = value.emplace();
+  end.fields(reader);
   reader.finish();
-  value.given = true;
   if (errors_.size() > before) return;
-  const auto has = [&](std::string_view name) { return e->value.find(name) != nullptr; };
-  const int ways = (has("vertex") ? 1 : 0) + (has("face") || has("barycentric") ? 1 : 0) + (has("point") ? 1 : 0);
+  const int ways = (end.vertex ? 1 : 0) + (end.face || end.barycentric ? 1 : 0) + (end.point ? 1 : 0);
   if (ways != 1)
     fault(key, e->place, "must have exactly one of: vertex; face and barycentric; point");
-  else if (has("face") != has("barycentric"))
+  else if (end.face.has_value() != end.barycentric.has_value())
     fault(key, e->place, "needs both face and barycentric, like {face: 12, barycentric: [0.2, 0.3, 0.5]}");
-  else if (has("barycentric") && value.barycentric.size() != 3)
+  else if (end.barycentric && end.barycentric->size() != 3)
     fault("barycentric", e->value.find("barycentric")->value.place, "must have three numbers");
-  else if (has("tolerance") && !has("point"))
+  else if (end.tolerance && !end.point)
     fault("tolerance", e->value.find("tolerance")->place, "is for an end given as a point; the others need none");
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -13,27 +14,17 @@
 
 namespace leastcost {
 
-/// A number of points, or `auto`: as many as the first edge path has.
-struct PointCount {
-  int count = 64;
-  bool automatic = false;
-};
-
 /// Where an end of the path is: exactly one of vertex, face + barycentric, point.
 struct EndOptions {
-  bool given = false;
-  int vertex = -1;              ///< of the file; negative: not given
-  int face = -1;                ///< of the file; negative: not given
-  Eigen::VectorXd barycentric;  ///< three numbers
-  Eigen::VectorXd point;
-  double tolerance = -1;  ///< length units; negative: the default of the manifold
+  std::optional<int> vertex = {};                   ///< of the file
+  std::optional<int> face = {};                     ///< of the file
+  std::optional<Eigen::VectorXd> barycentric = {};  ///< three numbers
+  std::optional<Eigen::VectorXd> point = {};
+  std::optional<double> tolerance = {};  ///< of a point, length units; else the default of the manifold
   void fields(FieldVisitor& visit);
 };
 
-struct PluginList {
-  bool given = false;
-  std::vector<PluginChoice> choices;
-};
+using PluginList = std::vector<PluginChoice>;
 
 class RunVisitor;
 
@@ -63,11 +54,20 @@ enum class TreeForm {
 /// A field visitor that also knows what only a whole run, or a study of runs, has.
 class RunVisitor : public FieldVisitor {
  public:
-  virtual void points(std::string_view key, PointCount& value, const FieldDoc& doc) = 0;
-  virtual void end(std::string_view key, EndOptions& value, const FieldDoc& doc) = 0;
+  /// A number of points, or `auto`: none.
+  virtual void points(std::string_view key, std::optional<int>& value, const FieldDoc& doc) = 0;
+  virtual void end(std::string_view key, std::optional<EndOptions>& value, const FieldDoc& doc) = 0;
   /// {type: x, options...}, or just the word x.
   virtual void plugin(std::string_view key, PluginChoice& value, const PluginKind& kind, const FieldDoc& doc) = 0;
-  virtual void plugins(std::string_view key, PluginList& value, const PluginKind& kind, const FieldDoc& doc) = 0;
+  virtual void plugins(std::string_view key, std::optional<PluginList>& value, const PluginKind& kind,
+                       const FieldDoc& doc) = 0;
+  /// A list that may be empty.
+  void plugins(std::string_view key, PluginList& value, const PluginKind& kind, const FieldDoc& doc) {
+    std::optional<PluginList> given;
+    if (!value.empty()) given = value;
+    plugins(key, given, kind, doc);
+    value = given.value_or(PluginList{});
+  }
   /// A nested block whose fields need this visitor.
   virtual void block(std::string_view key, const FieldDoc& doc, const std::function<void(RunVisitor&)>& body) = 0;
   /// A list of such blocks.

@@ -161,7 +161,7 @@ std::string result_json(const RunOutcome& run) {
                     {"solve", s.solve},
                     {"post_process", s.post_process},
                     {"certify", s.certify}};
-  const bool based = run.config.ring && run.config.source.given;
+  const bool based = run.config.ring && run.config.source;
   out["ends"] = run.config.ring ? Json(nullptr)
                                 : Json{{"source", end_json(run.parts.source)}, {"target", end_json(run.parts.target)}};
   if (based) out["ends"] = {{"source", end_json(run.parts.source)}};

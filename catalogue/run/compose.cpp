@@ -37,12 +37,12 @@ void take_nearest_image(Composition& out) {
 
 void place_ends(const RunConfig& config, Composition& out) {
   out.problem.ring = config.ring;
-  out.problem.based = config.ring && config.source.given;
+  out.problem.based = config.ring && config.source;
   if (config.ring && !out.problem.based) return;
-  out.source = place_end(*out.problem.manifold, config.source, "ends.source");
+  out.source = place_end(*out.problem.manifold, config.source.value_or(EndOptions{}), "ends.source");
   out.problem.source = out.source.end;
   if (config.ring) return;
-  out.target = place_end(*out.problem.manifold, config.target, "ends.target");
+  out.target = place_end(*out.problem.manifold, config.target.value_or(EndOptions{}), "ends.target");
   take_nearest_image(out);
   out.problem.target = out.target.end;
   if (out.problem.source.u == out.problem.target.u)
@@ -59,13 +59,13 @@ void make_parts(const RunConfig& config, const BuildContext& context, Compositio
   out.initializer = make<std::shared_ptr<const Initializer>>(config.initializer, context);
   out.solver = make<std::shared_ptr<const Solver>>(config.solver, context);
   out.certifier = std::make_shared<const Newton>();
-  for (const PluginChoice& choice : config.post_process.choices)
+  for (const PluginChoice& choice : config.post_process.value_or(PluginList{}))
     out.post_processors.push_back(make<std::shared_ptr<const PostProcessor>>(choice, context));
 }
 
 void fill_options(const RunConfig& config, Composition& out) {
-  out.options.points = config.points.automatic ? 0 : config.points.count;
-  out.options.reference_cost = config.reference_cost;
+  out.options.points = config.points.value_or(0);
+  out.options.reference_cost = config.reference_cost.value_or(0);
   out.options.cascade = config.cascade;
   out.options.escape_saddle = config.escape_saddle;
   out.options.certificate = config.certificate;
@@ -91,7 +91,7 @@ void add_family(const RunConfig& config, const BuildContext& context, Compositio
   for (int rank = 2; rank <= family.routes; ++rank)
     ways.emplace_back(fmt::format("route {}", rank),
                       std::make_shared<const DijkstraInitializer>(DijkstraOptions{.routes = 1, .rank = rank}));
-  for (const PluginChoice& choice : family.initializers.choices)
+  for (const PluginChoice& choice : family.initializers)
     ways.emplace_back(choice.path, make<std::shared_ptr<const Initializer>>(choice, context));
   std::vector<TargetImage> problems = target_images(out.problem, family.windings);
   if (problems.empty()) problems.push_back({out.problem, ""});
@@ -131,7 +131,7 @@ void check_options_of_grid(LoadedConfig& loaded) {
 std::optional<BuildContext> context_without_files(LoadedConfig& loaded) {
   const RunConfig& config = loaded.config;
   BuildContext context{loaded.folder, 3, Eigen::VectorXd::Zero(3), coordinate_names(3)};
-  if (config.ring && !config.source.given) context.source.reset();
+  if (config.ring && !config.source) context.source.reset();
   if (config.manifold.provides(std::string(kGraph))) return context;
   if (config.manifold.provides(std::string(kGrid))) {
     check_options_of_grid(loaded);
@@ -193,10 +193,10 @@ void check_constructors(LoadedConfig& loaded) {
   checked(loaded, [&] { make<std::shared_ptr<const Kernel>>(config.kernel, *context); });
   if (!reads_files(config.initializer))
     checked(loaded, [&] { make<std::shared_ptr<const Initializer>>(config.initializer, *context); });
-  for (const PluginChoice& choice : config.family.initializers.choices)
+  for (const PluginChoice& choice : config.family.initializers)
     if (!reads_files(choice)) checked(loaded, [&] { make<std::shared_ptr<const Initializer>>(choice, *context); });
   checked(loaded, [&] { make<std::shared_ptr<const Solver>>(config.solver, *context); });
-  for (const PluginChoice& choice : config.post_process.choices)
+  for (const PluginChoice& choice : config.post_process.value_or(PluginList{}))
     checked(loaded, [&] { make<std::shared_ptr<const PostProcessor>>(choice, *context); });
 }
 

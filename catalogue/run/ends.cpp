@@ -21,7 +21,7 @@ PlacedEnd on_mesh(const TriangleMesh& mesh, const SurfacePoint& p) {
 }
 
 PlacedEnd at_vertex(const TriangleMesh& mesh, int vertex, const std::string& path) {
-  if (vertex >= mesh.file_vertex_count())
+  if (vertex < 0 || vertex >= mesh.file_vertex_count())
     throw OptionError(path + ".vertex",
                       fmt::format("the mesh has vertices 0 to {}, not {}", mesh.file_vertex_count() - 1, vertex));
   const std::int32_t here = mesh.vertex_of_file(vertex);
@@ -29,16 +29,18 @@ PlacedEnd at_vertex(const TriangleMesh& mesh, int vertex, const std::string& pat
   return on_mesh(mesh, vertex_point(mesh, here));
 }
 
-PlacedEnd on_face(const TriangleMesh& mesh, const EndOptions& options, const std::string& path) {
-  if (options.face >= mesh.file_face_count())
+PlacedEnd on_face(const TriangleMesh& mesh, int face, const std::optional<Eigen::VectorXd>& barycentric,
+                  const std::string& path) {
+  if (face < 0 || face >= mesh.file_face_count())
     throw OptionError(path + ".face",
-                      fmt::format("the mesh has faces 0 to {}, not {}", mesh.file_face_count() - 1, options.face));
-  const double sum = options.barycentric.sum();
+                      fmt::format("the mesh has faces 0 to {}, not {}", mesh.file_face_count() - 1, face));
+  if (!barycentric || barycentric->size() != 3) throw OptionError(path + ".barycentric", "must have three numbers");
+  const double sum = barycentric->sum();
   constexpr double kRounding = 1e-6;  // what locate() forgives
   if (!(std::abs(sum - 1) <= kRounding))
     throw OptionError(path + ".barycentric", fmt::format("the three weights must have the sum 1, not {}", sum));
   try {
-    return on_mesh(mesh, mesh.locate(options.face, options.barycentric));
+    return on_mesh(mesh, mesh.locate(face, *barycentric));
   } catch (const InputError& e) {
     throw OptionError(path + ".face", e.what());
   }
@@ -69,17 +71,18 @@ double default_tolerance(const ConstraintManifold& manifold, const Eigen::Vector
 
 PlacedEnd at_point(const ConstraintManifold& manifold, const EndOptions& options, const std::string& path) {
   const int wanted = manifold.dimensions().coordinate;
-  if (options.point.size() != wanted)
+  const Eigen::VectorXd point = options.point.value_or(Eigen::VectorXd());
+  if (point.size() != wanted)
     throw OptionError(path + ".point",
-                      fmt::format("{} coordinates, points of the manifold have {}", options.point.size(), wanted));
-  if (!options.point.allFinite()) throw OptionError(path + ".point", "coordinates must be finite");
-  PlacedEnd placed{options.point, {}, 0};
+                      fmt::format("{} coordinates, points of the manifold have {}", point.size(), wanted));
+  if (!point.allFinite()) throw OptionError(path + ".point", "coordinates must be finite");
+  PlacedEnd placed{point, {}, 0};
   try {
-    placed.end = project_end(manifold, options.point, &placed.moved);
+    placed.end = project_end(manifold, point, &placed.moved);
   } catch (const InputError& e) {
     throw OptionError(path + ".point", e.what());
   }
-  const double tolerance = options.tolerance >= 0 ? options.tolerance : default_tolerance(manifold, options.point);
+  const double tolerance = options.tolerance ? *options.tolerance : default_tolerance(manifold, point);
   if (placed.moved > tolerance) {
     throw OptionError(path + ".point",
                       fmt::format("the nearest point of the manifold is {:.6g} away, the tolerance is {:.6g} "
@@ -93,13 +96,13 @@ PlacedEnd at_point(const ConstraintManifold& manifold, const EndOptions& options
 
 PlacedEnd place_end(const ConstraintManifold& manifold, const EndOptions& options, const std::string& path) {
   const auto* mesh = dynamic_cast<const HasMesh*>(&manifold);
-  const bool needs_mesh = options.vertex >= 0 || options.face >= 0;
+  const bool needs_mesh = options.vertex || options.face;
   const auto* cloud = dynamic_cast<const HasPointCloud*>(&manifold);
-  if (cloud != nullptr && options.vertex >= 0) return at_sample(manifold, cloud->cloud(), options.vertex, path);
+  if (cloud != nullptr && options.vertex) return at_sample(manifold, cloud->cloud(), *options.vertex, path);
   if (needs_mesh && mesh == nullptr)
     throw OptionError(path, "vertices and faces are ends on a mesh only: give {point: [..]}");
-  if (options.vertex >= 0) return at_vertex(mesh->mesh(), options.vertex, path);
-  if (options.face >= 0) return on_face(mesh->mesh(), options, path);
+  if (options.vertex) return at_vertex(mesh->mesh(), *options.vertex, path);
+  if (options.face) return on_face(mesh->mesh(), *options.face, options.barycentric, path);
   return at_point(manifold, options, path);
 }
 

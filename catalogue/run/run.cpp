@@ -3,17 +3,18 @@
 #include <leastcost/catalogue/run/run.hpp>
 
 #include <chrono>
+#include <optional>
 #include <utility>
 
 namespace leastcost {
 namespace {
 
 /// The monitor of the caller with the time budget of the configuration, which starts now.
-Monitor with_budget(const Monitor& monitor, double max_seconds) {
+Monitor with_budget(const Monitor& monitor, std::optional<double> max_seconds) {
   Monitor limited = monitor;
-  if (max_seconds > 0)
-    limited.deadline = Monitor::Clock::now() +
-                       std::chrono::duration_cast<Monitor::Clock::duration>(std::chrono::duration<double>(max_seconds));
+  if (max_seconds)
+    limited.deadline = Monitor::Clock::now() + std::chrono::duration_cast<Monitor::Clock::duration>(
+                                                   std::chrono::duration<double>(*max_seconds));
   return limited;
 }
 

@@ -25,13 +25,13 @@ void complete(RunConfig& config) {
   if (!config.initializer && !config.ring)
     config.initializer = default_plugin("initializer", graph ? "dijkstra" : "straight", "initializer");
   if (!config.solver) config.solver = default_plugin("solver", mesh ? "lbfgs" : "newton", "solver");
-  if (config.post_process.given) return;
-  config.post_process.given = true;
+  if (config.post_process) return;
+  PluginList& steps = config.post_process.emplace();
   if (config.manifold.provides(std::string(kEmbedded)))
-    config.post_process.choices.push_back(default_plugin("post_processor", "on_surface", "post_process.0"));
-  if (mesh) config.post_process.choices.push_back(default_plugin("post_processor", "trace", "post_process.0"));
+    steps.push_back(default_plugin("post_processor", "on_surface", "post_process.0"));
+  if (mesh) steps.push_back(default_plugin("post_processor", "trace", "post_process.0"));
   if (mesh && config.cost.provides(std::string(kConstantMetric)))
-    config.post_process.choices.push_back(default_plugin("post_processor", "straighten", "post_process.1"));
+    steps.push_back(default_plugin("post_processor", "straighten", "post_process.1"));
 }
 
 void check_needs(LoadedConfig& loaded, const PluginChoice& choice) {
@@ -61,15 +61,15 @@ void check_ends(LoadedConfig& loaded) {
   }
   if (!config.manifold || config.manifold.provides(std::string(kMesh))) return;
   for (const char* path : {"ends.source", "ends.target"}) {
-    const EndOptions& end = std::string_view(path) == "ends.source" ? config.source : config.target;
-    const std::string key = std::string(path) + (end.vertex >= 0 ? ".vertex" : ".face");
-    if (end.vertex < 0 && end.face < 0) continue;
+    const std::optional<EndOptions>& end = std::string_view(path) == "ends.source" ? config.source : config.target;
+    if (!end || (!end->vertex && !end->face)) continue;
+    const std::string key = std::string(path) + (end->vertex ? ".vertex" : ".face");
     const bool has_samples = config.manifold.provides(std::string(kGraph));  // a point of a cloud
-    if (end.face < 0 && has_samples) continue;
+    if (!end->face && has_samples) continue;
     loaded.errors.error(
         place_of(loaded.tree, key),
         fmt::format("'{}' has no {}; an end on it is {{point: [..]}}{}", config.manifold.plugin->type,
-                    end.face < 0 ? "vertices" : "faces", has_samples ? " or {vertex: .., a sample of the file}" : ""));
+                    end->face ? "faces" : "vertices", has_samples ? " or {vertex: .., a sample of the file}" : ""));
   }
 }
 
@@ -105,7 +105,7 @@ void check_family(LoadedConfig& loaded) {
   if (config.family.mirrored && config.ring)
     refuse("mirrored", "mirrors a path at its ends, and a ring has none: give other first rings (family.initializers)");
   if (!config.ring) return;
-  for (const PluginChoice& choice : config.family.initializers.choices)
+  for (const PluginChoice& choice : config.family.initializers)
     if (choice && !choice.provides(std::string(kRing)))
       loaded.errors.error(place_of(loaded.tree, choice.path),
                           fmt::format("'{}' joins two ends and a ring has none: use {}", choice.plugin->type,
@@ -131,9 +131,9 @@ void check_points(LoadedConfig& loaded) {
   const RunConfig& config = loaded.config;
   const Place place = place_of(loaded.tree, "path.points");
   constexpr int kFewestInRing = 3;
-  if (config.ring && !config.points.automatic && config.points.count < kFewestInRing)
+  if (config.ring && config.points.value_or(kFewestInRing) < kFewestInRing)
     loaded.errors.error(place, fmt::format("a ring needs at least {} points", kFewestInRing));
-  if (!config.points.automatic || !config.manifold || config.manifold.provides(std::string(kGraph))) return;
+  if (config.points || !config.manifold || config.manifold.provides(std::string(kGraph))) return;
   loaded.errors.error(
       place, fmt::format("'auto' takes the number of points from the first path along edges, and '{}' has none: "
                          "give a number",
@@ -178,8 +178,8 @@ void check_and_complete(LoadedConfig& loaded) {
   check_points(loaded);
   check_needs(loaded, loaded.config.initializer);
   check_needs(loaded, loaded.config.solver);
-  for (const PluginChoice& choice : loaded.config.family.initializers.choices) check_needs(loaded, choice);
-  for (const PluginChoice& choice : loaded.config.post_process.choices) check_needs(loaded, choice);
+  for (const PluginChoice& choice : loaded.config.family.initializers) check_needs(loaded, choice);
+  for (const PluginChoice& choice : loaded.config.post_process.value_or(PluginList{})) check_needs(loaded, choice);
 }
 
 }  // namespace leastcost

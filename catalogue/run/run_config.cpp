@@ -63,10 +63,10 @@ void RunConfig::fields(RunVisitor& visit) {
         "points", points,
         {.help = "Free points n; auto: as many as the first edge path has, at least 8.", .minimum = 1, .maximum = 1e7});
     path.field("ring", ring, {.help = "A closed path without ends."});
-    path.field("reference_cost", reference_cost,
-               {.help = "s0 of the energy sum H(c / s0); 0: the mean segment cost of the first path.",
-                .unit = "cost",
-                .minimum = 0});
+    path.field_or_zero("reference_cost", reference_cost,
+                       {.help = "s0 of the energy sum H(c / s0); 0: the mean segment cost of the first path.",
+                        .unit = "cost",
+                        .minimum = 0});
     path.field("cascade", cascade, {.help = "Solve coarse first, then with twice the segments until all are there."});
     path.field("escape_saddle", escape_saddle, {.help = "Leave a saddle to its lower side and solve again."});
   });
@@ -77,11 +77,11 @@ void RunConfig::fields(RunVisitor& visit) {
               [&](RunVisitor& v) { family.fields(v); });
   visit.plugin("solver", solver, kind("solver"),
                {.help = "How the path is improved; default: lbfgs on a mesh, else newton."});
-  visit.field("max_seconds", max_seconds,
-              {.help = "Time budget of the search, from the first path to the certificate; 0: none.",
-               .unit = "s",
-               .minimum = 0,
-               .maximum = 1e9});
+  visit.field_or_zero("max_seconds", max_seconds,
+                      {.help = "Time budget of the search, from the first path to the certificate; 0: none.",
+                       .unit = "s",
+                       .minimum = 0,
+                       .maximum = 1e9});
   visit.block("certificate", {.help = "What a path must fulfil to be certified."},
               [&](RunVisitor& v) { certificate.fields(v); });
   visit.plugins(

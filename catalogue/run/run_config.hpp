@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,7 +25,7 @@ struct FamilyOptions {
   double bow_height = 0.5;
   PluginList initializers;
   void fields(RunVisitor& visit);
-  bool wanted() const { return windings > 0 || bows > 0 || routes > 1 || mirrored || !initializers.choices.empty(); }
+  bool wanted() const { return windings > 0 || bows > 0 || routes > 1 || mirrored || !initializers.empty(); }
 };
 
 /// One run as its configuration describes it. Everything typed, checked and with its default in place; nothing read
@@ -32,19 +33,19 @@ struct FamilyOptions {
 struct RunConfig {
   std::string name;  ///< default: the name of the configuration file
   int seed = 0;
-  double max_seconds = 0;  ///< time budget of the search; 0: none
+  std::optional<double> max_seconds;  ///< time budget of the search
   PluginChoice manifold, cost, kernel;
-  EndOptions source, target;  ///< not given in a ring, or the source alone: its fixed point
-  PointCount points;
+  std::optional<EndOptions> source, target;  ///< none in a ring, or the source alone: its fixed point
+  std::optional<int> points = 64;            ///< free points n; none: as many as the first edge path has
   bool ring = false;
   bool cascade = false;
   bool escape_saddle = false;
-  double reference_cost = 0;  ///< s0; 0: the mean segment cost of the first path
+  std::optional<double> reference_cost;  ///< s0; else the mean segment cost of the first path
   PluginChoice initializer, solver;
   FamilyOptions family;
   CertificateOptions certificate;
-  PluginList post_process;
-  std::string output_folder;  ///< relative to the current folder; empty: results/<name>
+  std::optional<PluginList> post_process;    ///< none: those of the manifold
+  std::optional<std::string> output_folder;  ///< relative to the current folder; else results/<name>
 
   void fields(RunVisitor& visit);
 };

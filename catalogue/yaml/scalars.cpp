@@ -137,10 +137,6 @@ std::string range_fault(double value, const FieldDoc& doc) {
   return "must be " + range_in_words(doc);
 }
 
-bool stands_for_absent(double value, const FieldDoc& doc) {
-  return std::isnan(value) || !range_fault(value, doc).empty();
-}
-
 std::string number_text(double value) {
   if (std::isinf(value)) return value > 0 ? ".inf" : "-.inf";
   std::string text = fmt::format("{}", value);

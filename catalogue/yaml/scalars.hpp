@@ -31,8 +31,6 @@ Parsed<std::string> parse_text(const ConfigNode& node);
 std::string range_fault(double value, const FieldDoc& doc);
 /// The range in words, "at least 1"; empty where everything is allowed.
 std::string range_in_words(const FieldDoc& doc);
-/// Whether the default of an option stands for "not given": it lies outside its own range, or is NaN.
-bool stands_for_absent(double value, const FieldDoc& doc);
 
 /// What a node is, for "(found ...)".
 std::string found(const ConfigNode& node);

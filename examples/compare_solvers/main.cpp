@@ -18,10 +18,8 @@
 
 int main() {
   using namespace leastcost;
-  ParametricOptions torus;
-  torus.type = "torus";
   Problem problem;
-  problem.manifold = make_parametric_manifold(torus);
+  problem.manifold = make_parametric_manifold({.surface = parametric::Torus{}});
   problem.cost = make_euclidean_cost(3);
   problem.kernel = make_kernel<Square>();
   problem.source.u = Eigen::Vector2d(0, 0);
@@ -29,8 +27,8 @@ int main() {
 
   const Newton newton;
   const Lbfgs lbfgs;
-  const Nlopt nlopt({.algorithm = "lbfgs"});
-  const Ceres ceres({.algorithm = "levenberg_marquardt"});
+  const Nlopt nlopt({.algorithm = NloptAlgorithm::lbfgs});
+  const Ceres ceres({.algorithm = CeresAlgorithm::levenberg_marquardt});
   int uncertified = 0;
   for (const Solver* solver : std::vector<const Solver*>{&newton, &lbfgs, &nlopt, &ceres}) {
     const Result result = find_path(problem, StraightInitializer(), *solver, {.points = 200, .certifier = &newton});

@@ -21,7 +21,7 @@ Edge judge(const PointCloud& cloud, std::int32_t i, std::int32_t j) {
   const double length = e.norm(), spacing = (cloud.spacing(i) + cloud.spacing(j)) / 2;
   if (length > cloud.settings().max_edge * spacing) return Edge::too_long;
   // In a noisy cloud samples lie above each other, as far as the wider supports allow for.
-  const double noise = cloud.settings().radius / PointCloudSettings::kCleanRadius * spacing;
+  const double noise = *cloud.settings().radius / PointCloudSettings::kCleanRadius * spacing;
   const double height = std::min(std::abs(a.normal.dot(e)), std::abs(b.normal.dot(e)));
   return height > kSteep * length && height > kHeight * noise ? Edge::too_steep : Edge::good;
 }

@@ -65,8 +65,15 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
+Words<NormalSource> words(NormalSource) {
+  static constexpr std::array<Word<NormalSource>, 3> kWords = {
+      {{NormalSource::automatic, "auto"}, {NormalSource::given, "given"}, {NormalSource::estimate, "estimate"}}};
+  return kWords;
+}
+
 PointCloud::PointCloud(PointSamples samples, const PointCloudSettings& settings)
     : settings_(settings), source_(std::move(samples.source)), search_({}), notes_(std::move(samples.notes)) {
+  if (settings_.radius && !(*settings_.radius > 0)) throw OptionError("radius", "must be greater than 0");
   place(samples);
   find_neighbours();
   measure_spacing();
@@ -152,16 +159,16 @@ double PointCloud::share_of_support() const {
 
 /// Noise must be small against the support, or there is no surface to see in it: wider until it is.
 void PointCloud::choose_radius() {
-  if (settings_.radius > 0) return;
-  settings_.radius = kRadius;
+  if (settings_.radius) return;
+  double& support = settings_.radius.emplace(kRadius);
   std::vector<Neighbour> found;
   std::vector<Eigen::Vector3d> offsets;
   const std::int32_t stride = std::max(1, size() / kNoiseProbes);
   double noise = 0;
-  for (;; settings_.radius *= std::numbers::sqrt2) {
+  for (;; support *= std::numbers::sqrt2) {
     std::vector<double> noises, counts;
     for (std::int32_t i = stride / 2; i < size(); i += stride) {
-      const double radius = settings_.radius * spacing(i);
+      const double radius = support * spacing(i);
       gather(i, radius, found, offsets);
       counts.emplace_back(static_cast<double>(found.size()));
       const LocalFit fit = fit_locally(offsets, radius);
@@ -170,12 +177,12 @@ void PointCloud::choose_radius() {
     if (noises.empty()) throw InputError(source_ + ": no neighbourhood looks like a surface (the points lie on lines)");
     noise = median(noises);
     const double next_count = 2 * median(counts);
-    if (noise <= kNoise || settings_.radius >= kWidestRadius || next_count > PointCloud::kMostOfCloud * size()) break;
+    if (noise <= kNoise || support >= kWidestRadius || next_count > PointCloud::kMostOfCloud * size()) break;
   }
-  if (settings_.radius > kRadius)
+  if (support > kRadius)
     notes_.push_back("the cloud is noisy, or has sheets closer than two spacings: supports widened from " +
-                     short_number(kRadius) + " to " + short_number(settings_.radius) + " spacings (noise " +
-                     short_number(noise * settings_.radius) + " spacings)");
+                     short_number(kRadius) + " to " + short_number(support) + " spacings (noise " +
+                     short_number(noise * support) + " spacings)");
 }
 
 /// radius x spacing, lowered where it would change faster than kRadiusSlope per length: the smallest propagate
@@ -185,7 +192,7 @@ void PointCloud::set_radii() {
   using Entry = std::pair<double, std::int32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   for (std::int32_t i = 0; i < size(); ++i) {
-    radius_[static_cast<std::size_t>(i)] = settings_.radius * spacing(i);
+    radius_[static_cast<std::size_t>(i)] = *settings_.radius * spacing(i);
     queue.emplace(radius(i), i);
   }
   while (!queue.empty()) {
@@ -233,13 +240,13 @@ void PointCloud::fit_samples(const PointSamples& samples) {
 
 void PointCloud::choose_normals(const PointSamples& samples, const std::vector<Eigen::Vector3d>& estimates) {
   const bool in_file = !samples.normals.empty();
-  if (settings_.normals == "given" && !in_file)
+  if (settings_.normals == NormalSource::given && !in_file)
     throw OptionError("normals", source_ + " has no normals: use estimate or auto");
   const auto given = [&](std::size_t i) -> const Eigen::Vector3d& {
     return samples.normals[static_cast<std::size_t>(order_[i])];
   };
-  given_normals_ = in_file && settings_.normals != "estimate";
-  if (given_normals_ && settings_.normals == "auto") {
+  given_normals_ = in_file && settings_.normals != NormalSource::estimate;
+  if (given_normals_ && settings_.normals == NormalSource::automatic) {
     std::vector<double> agreement;
     for (std::size_t i = 0; i < samples_.size(); ++i) agreement.push_back(std::abs(given(i).dot(estimates[i])));
     given_normals_ = median(agreement) >= kAgreement;
@@ -248,7 +255,7 @@ void PointCloud::choose_normals(const PointSamples& samples, const std::vector<E
   std::vector<Eigen::Vector3d> normals = estimates;
   if (given_normals_) {
     for (std::size_t i = 0; i < samples_.size(); ++i) normals[i] = given(i);
-  } else if (in_file && settings_.normals == "auto") {
+  } else if (in_file && settings_.normals == NormalSource::automatic) {
     for (std::int32_t i = 0; i < size(); ++i) {  // the side that the neighbourhood votes for
       Eigen::Vector3d side = given(static_cast<std::size_t>(i));
       for (std::size_t k = 0; k < width_; ++k) side += given(static_cast<std::size_t>(neighbours(i)[k]));
@@ -301,7 +308,7 @@ PointCloud PointCloud::thinned() const {
   }
   half.count_in_file = count_in_file_;
   PointCloudSettings settings = settings_;
-  settings.normals = given_normals_ ? "given" : "estimate";
+  settings.normals = given_normals_ ? NormalSource::given : NormalSource::estimate;
   return {std::move(half), settings};
 }
 

@@ -4,22 +4,29 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include <leastcost/framework/options.hpp>
 #include <leastcost/problems/cloud/neighbour_search.hpp>
 #include <leastcost/problems/cloud/point_samples.hpp>
 
 namespace leastcost {
+
+/// Whose normals a cloud has: those of its file, estimated ones, or those of the file where they agree with the
+/// estimate.
+enum class NormalSource { automatic, given, estimate };
+Words<NormalSource> words(NormalSource);
 
 /// How a cloud is turned into samples of a surface. Lengths are in units of the local spacing, the side of the square
 /// that one sample has to itself: sqrt(pi / k) times the distance of the k-th neighbour.
 struct PointCloudSettings {
   static constexpr double kCleanRadius = 4;  ///< about 50 samples in a support, 10 by weight
   int neighbours = 12;                       ///< k
-  double radius = 0;                         ///< support of a sample; 0: 4, and wider where noise asks for it
+  std::optional<double> radius = {};         ///< support of a sample; else 4, and wider where noise asks for it
   double max_edge = 3;                       ///< longest edge of the neighbour graph
-  std::string normals = "auto";              ///< given, estimate, auto (given where they agree with the estimate)
+  NormalSource normals = NormalSource::automatic;
 };
 
 /// A point of a cloud with what the surface and the graph need to know of it.

@@ -218,7 +218,7 @@ class MetricFieldCost : public SegmentCostOf<MetricField<Field>>, public Explain
 class MetricOnData final : public MetricFieldCost<SampledTensors>, public FollowsDomain {
  public:
   MetricOnData(const MetricFieldOptions& o, const ConstraintManifold* domain, std::filesystem::path folder)
-      : MetricFieldCost({{tensors(o, domain, folder)}, o.reading == "root", o.averages()}),
+      : MetricFieldCost({{tensors(o, domain, folder)}, o.reading == TensorReading::root, o.averages()}),
         options_(o),
         folder_(std::move(folder)) {}
   std::shared_ptr<const SegmentCost> on(const ConstraintManifold& domain) const override {
@@ -228,8 +228,8 @@ class MetricOnData final : public MetricFieldCost<SampledTensors>, public Follow
  private:
   static std::shared_ptr<const TensorSamples> tensors(const MetricFieldOptions& o, const ConstraintManifold* domain,
                                                       const std::filesystem::path& folder) {
-    return o.type == "file" ? tensors_from_file(o.tensor_file, domain, folder)
-                            : tensors_from_curvature(o.curvature, domain);
+    if (const auto* file = std::get_if<TensorFileOptions>(&o.field)) return tensors_from_file(*file, domain, folder);
+    return tensors_from_curvature(std::get<CurvatureMetricOptions>(o.field), domain);
   }
 
   MetricFieldOptions options_;
@@ -242,66 +242,94 @@ std::shared_ptr<const SegmentCost> lifted(Field field, const MetricFieldOptions&
     throw OptionError("field", "this metric lives in dimension " + std::to_string(Field::dim) +
                                    ", the ambient space has " + std::to_string(dim));
   return std::make_shared<MetricFieldCost<Field>>(
-      MetricField<Field>{std::move(field), o.reading == "root", o.averages()});
+      MetricField<Field>{std::move(field), o.reading == TensorReading::root, o.averages()});
 }
 
 template <int D>
-std::shared_ptr<const SegmentCost> by_formulas(const MetricFieldOptions& o) {
+std::shared_ptr<const SegmentCost> by_formulas(const metric::Formula& formula, const MetricFieldOptions& o) {
   constexpr std::size_t kEntries = D * (D + 1) / 2;
-  if (o.entries.size() != kEntries)
+  const std::size_t given = formula.entries.size();
+  if (given != kEntries)
     throw OptionError("field.entries", "a symmetric " + std::to_string(D) + " x " + std::to_string(D) + " tensor has " +
                                            std::to_string(kEntries) +
                                            " entries on and above the diagonal, row by row; these are " +
-                                           std::to_string(o.entries.size()));
-  return lifted(FormulaTensor<D>{formulas_of_option("field.entries", o.entries, coordinate_names(D), o.parameters)}, o,
-                D);
+                                           std::to_string(given));
+  return lifted(
+      FormulaTensor<D>{formulas_of_option("field.entries", formula.entries, coordinate_names(D), formula.parameters)},
+      o, D);
 }
+
+/// Makes the cost of the field that was chosen.
+struct Maker {
+  const MetricFieldOptions& options;
+  int dim;
+  const ConstraintManifold* domain;
+  const std::filesystem::path& folder;
+  using Made = std::shared_ptr<const SegmentCost>;
+
+  Made operator()(const metric::HalfPlane&) const { return lifted(HalfPlane{}, options, dim); }
+  Made operator()(const metric::PoincareDisc&) const { return lifted(PoincareDisc{}, options, dim); }
+  Made operator()(const metric::FisherRao&) const { return lifted(FisherRao{}, options, dim); }
+  Made operator()(const metric::Formula& formula) const {
+    if (dim == 2) return by_formulas<2>(formula, options);
+    if (dim == 3) return by_formulas<3>(formula, options);
+    throw OptionError("field", "formulas describe metrics of spaces of dimension 2 and 3, not " + std::to_string(dim));
+  }
+  Made operator()(const TensorFileOptions&) const { return std::make_shared<MetricOnData>(options, domain, folder); }
+  Made operator()(const CurvatureMetricOptions&) const {
+    return std::make_shared<MetricOnData>(options, domain, folder);
+  }
+};
 
 }  // namespace
 
+void metric::Formula::fields(FieldVisitor& visit) {
+  visit.field(
+      "entries", entries,
+      {.help = "Entries on and above the diagonal, row by row, like [\"1 + x^2\", \"0\", \"1\"].", .required = true});
+  visit.field("parameters", parameters, {.help = "Numbers that the formulas may name, like {a: 2, b: 1}."});
+}
+
+Words<TensorReading> words(TensorReading) {
+  static constexpr std::array<Word<TensorReading>, 2> kWords = {
+      {{TensorReading::metric, "metric"}, {TensorReading::root, "root"}}};
+  return kWords;
+}
+
+Words<TensorRule> words(TensorRule) {
+  static constexpr std::array<Word<TensorRule>, 3> kWords = {
+      {{TensorRule::automatic, "auto"}, {TensorRule::midpoint, "midpoint"}, {TensorRule::average, "average"}}};
+  return kWords;
+}
+
 void MetricFieldOptions::fields(FieldVisitor& visit) {
-  visit.variant(
-      "field", type,
-      {{"half_plane", "(dx^2 + dy^2) / y^2 where y > 0."},
-       {"poincare_disc", "4 (dx^2 + dy^2) / (1 - x^2 - y^2)^2 in the unit disc."},
-       {"fisher_rao", "(dmu^2 + 2 dsigma^2) / sigma^2: normal distributions (mu, sigma), sigma > 0."},
-       {"formula", "T as formulas in the coordinates x, y and z.",
-        [this](FieldVisitor& v) {
-          v.field("entries", entries,
-                  {.help = "Entries on and above the diagonal, row by row, like [\"1 + x^2\", \"0\", \"1\"].",
-                   .required = true});
-          v.field("parameters", parameters, {.help = "Numbers that the formulas may name, like {a: 2, b: 1}."});
-        }},
-       {"file", "Tensors given on a mesh or a point cloud, by a file.",
-        [this](FieldVisitor& v) { tensor_file.fields(v); }},
-       {"curvature",
-        "Of a mesh or a point cloud: ds^2 = |dx|^2 + weight^2 |dn|^2, n the normal (isophotic). Crossing a feature "
-        "costs more than following it.",
-        [this](FieldVisitor& v) { curvature.fields(v); }}},
-      {.help = "The tensor T(x): a name, or formulas in the coordinates.", .required = true});
-  visit.choice("reading", reading, {"metric", "root"},
+  visit.variant("field", field, {.help = "The tensor T(x): a name, or formulas in the coordinates.", .required = true});
+  visit.choice("reading", reading,
                {.help = "T is the metric, c = sqrt(d' T d) (VFCS Eq. 1), or a root of it, c = |T d| (VFCS Sec. 4.5)."});
   visit.choice(
-      "rule", rule, {"auto", "midpoint", "average"},
+      "rule", rule,
       {.help =
            "T in the middle of a segment, or the mean of its ends (VFCS Sec. 4.5). auto: the mean for tensors given "
            "on data, because the ends lie on the surface and the middle does not; else the middle."});
 }
 
-bool MetricFieldOptions::needs_domain() const { return type == "file" || type == "curvature"; }
-bool MetricFieldOptions::averages() const { return rule == "average" || (rule == "auto" && needs_domain()); }
+bool MetricFieldOptions::needs_domain() const {
+  return std::holds_alternative<TensorFileOptions>(field) || std::holds_alternative<CurvatureMetricOptions>(field);
+}
+
+bool MetricFieldOptions::averages() const {
+  switch (rule) {
+    case TensorRule::automatic: return needs_domain();
+    case TensorRule::midpoint: return false;
+    case TensorRule::average: return true;
+  }
+  return false;
+}
 
 std::shared_ptr<const SegmentCost> make_metric_field_cost(const MetricFieldOptions& options, int dim,
                                                           const ConstraintManifold* domain,
                                                           const std::filesystem::path& folder) {
-  if (options.type == "half_plane") return lifted(HalfPlane{}, options, dim);
-  if (options.type == "poincare_disc") return lifted(PoincareDisc{}, options, dim);
-  if (options.type == "fisher_rao") return lifted(FisherRao{}, options, dim);
-  if (options.needs_domain()) return std::make_shared<MetricOnData>(options, domain, folder);
-  if (options.type != "formula") throw OptionError("field.type", "unknown metric '" + options.type + "'");
-  if (dim == 2) return by_formulas<2>(options);
-  if (dim == 3) return by_formulas<3>(options);
-  throw OptionError("field", "formulas describe metrics of spaces of dimension 2 and 3, not " + std::to_string(dim));
+  return std::visit(Maker{options, dim, domain, folder}, options.field);
 }
 
 }  // namespace leastcost

@@ -6,6 +6,8 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 #include <leastcost/framework/manifold.hpp>
@@ -15,14 +17,49 @@
 
 namespace leastcost {
 
+/// The tensors T(x) of MetricFieldOptions.
+namespace metric {
+
+struct HalfPlane {
+  static constexpr std::string_view kType = "half_plane";
+  static constexpr std::string_view kHelp = "(dx^2 + dy^2) / y^2 where y > 0.";
+};
+
+struct PoincareDisc {
+  static constexpr std::string_view kType = "poincare_disc";
+  static constexpr std::string_view kHelp = "4 (dx^2 + dy^2) / (1 - x^2 - y^2)^2 in the unit disc.";
+};
+
+struct FisherRao {
+  static constexpr std::string_view kType = "fisher_rao";
+  static constexpr std::string_view kHelp =
+      "(dmu^2 + 2 dsigma^2) / sigma^2: normal distributions (mu, sigma), sigma > 0.";
+};
+
+struct Formula {
+  static constexpr std::string_view kType = "formula";
+  static constexpr std::string_view kHelp = "T as formulas in the coordinates x, y and z.";
+  std::vector<std::string> entries = {};  ///< upper triangle of the tensor, row by row
+  std::map<std::string, double> parameters = {};
+  void fields(FieldVisitor& visit);
+};
+
+using Field = std::variant<HalfPlane, PoincareDisc, FisherRao, Formula, TensorFileOptions, CurvatureMetricOptions>;
+
+}  // namespace metric
+
+/// What T means: the metric, c = sqrt(d' T d), or a root of it, c = |T d|.
+enum class TensorReading { metric, root };
+Words<TensorReading> words(TensorReading);
+
+/// Where T of a segment is taken: in its middle, or as the mean of its ends. automatic: the mean for tensors on data.
+enum class TensorRule { automatic, midpoint, average };
+Words<TensorRule> words(TensorRule);
+
 struct MetricFieldOptions {
-  std::string type;
-  std::vector<std::string> entries;          ///< formula: upper triangle of the tensor, row by row
-  std::map<std::string, double> parameters;  ///< formula
-  TensorFileOptions tensor_file;
-  CurvatureMetricOptions curvature;
-  std::string reading = "metric";
-  std::string rule = "auto";
+  metric::Field field = {};
+  TensorReading reading = TensorReading::metric;
+  TensorRule rule = TensorRule::automatic;
   void fields(FieldVisitor& visit);
   bool needs_domain() const;  ///< the tensors belong to the data of the manifold
   bool averages() const;      ///< the tensor of a segment is the mean of those at its ends

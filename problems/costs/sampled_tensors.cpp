@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/costs/sampled_tensors.hpp>
 
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -14,27 +15,35 @@ namespace {
 
 constexpr double kMeshFit = 2.5;  ///< local spacings: 23 vertices of a regular mesh
 
-SurfaceSamples samples_on(const std::string& on, const ConstraintManifold* domain) {
+SurfaceSamples samples_on(TensorPlace on, const ConstraintManifold* domain) {
   const auto* mesh = dynamic_cast<const HasMesh*>(domain);
   const auto* cloud = dynamic_cast<const HasPointCloud*>(domain);
   if (mesh == nullptr && cloud == nullptr)
     throw OptionError("field.type", "tensors given on data need a mesh or a point cloud as the manifold");
-  if (on == "points" && cloud == nullptr) throw OptionError("field.on", "a mesh has vertices and faces, not points");
-  if (on != "points" && on != "auto" && mesh == nullptr)
-    throw OptionError("field.on", "a point cloud has points, not " + on);
+  if (on == TensorPlace::points && cloud == nullptr)
+    throw OptionError("field.on", "a mesh has vertices and faces, not points");
+  if (on != TensorPlace::points && on != TensorPlace::automatic && mesh == nullptr)
+    throw OptionError("field.on", "a point cloud has points, not " + std::string(word_of(on)));
   if (cloud != nullptr) return point_samples(cloud->cloud());
-  return on == "faces" ? face_samples(mesh->mesh()) : vertex_samples(mesh->mesh());
+  return on == TensorPlace::faces ? face_samples(mesh->mesh()) : vertex_samples(mesh->mesh());
 }
 
 }  // namespace
+
+Words<TensorPlace> words(TensorPlace) {
+  static constexpr std::array<Word<TensorPlace>, 4> kWords = {{{TensorPlace::automatic, "auto"},
+                                                               {TensorPlace::vertices, "vertices"},
+                                                               {TensorPlace::faces, "faces"},
+                                                               {TensorPlace::points, "points"}}};
+  return kWords;
+}
 
 void TensorFileOptions::fields(FieldVisitor& visit) {
   visit.file("file", file,
              {.help = "Text file with one row per vertex, face or point, in the order of the manifold's file: xx xy xz "
                       "yy yz zz, the entries of a symmetric positive definite tensor of R^3.",
               .required = true});
-  visit.choice("on", on, {"auto", "vertices", "faces", "points"},
-               {.help = "What the rows belong to; auto: the vertices of a mesh, the points of a cloud."});
+  visit.choice("on", on, {.help = "What the rows belong to; auto: the vertices of a mesh, the points of a cloud."});
 }
 
 void CurvatureMetricOptions::fields(FieldVisitor& visit) {
@@ -46,7 +55,7 @@ void CurvatureMetricOptions::fields(FieldVisitor& visit) {
        .minimum = 0,
        .exclusive_minimum = true,
        .required = true});
-  visit.field(
+  visit.field_or_zero(
       "radius", radius,
       {.help = "Radius of the quadratic fits that measure the curvatures; 0: 2.5 on a mesh, on a cloud that of its "
                "surface. A larger one averages noise and creases.",
@@ -75,9 +84,9 @@ std::shared_ptr<const TensorSamples> tensors_from_curvature(const CurvatureMetri
   const auto* cloud = dynamic_cast<const HasPointCloud*>(domain);
   if (cloud == nullptr && dynamic_cast<const HasMesh*>(domain) == nullptr)
     throw OptionError("field.type", "curvature needs a mesh or a point cloud as the manifold");
-  const SurfaceSamples samples = samples_on("auto", domain);
-  double radius = options.radius;
-  if (!(radius > 0)) radius = cloud != nullptr ? cloud->cloud().settings().radius : kMeshFit;
+  const SurfaceSamples samples = samples_on(TensorPlace::automatic, domain);
+  if (options.radius && !(*options.radius > 0)) throw OptionError("field.radius", "must be greater than 0");
+  const double radius = options.radius.value_or(cloud != nullptr ? *cloud->cloud().settings().radius : kMeshFit);
   return std::make_shared<const TensorSamples>(samples,
                                                isophotic_metric(shape_operators(samples, radius), options.weight));
 }

@@ -4,7 +4,9 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include <leastcost/framework/manifold.hpp>
 #include <leastcost/framework/options.hpp>
@@ -13,17 +15,28 @@
 
 namespace leastcost {
 
+/// What the rows of a tensor file belong to; automatic: the vertices of a mesh, the points of a cloud.
+enum class TensorPlace { automatic, vertices, faces, points };
+Words<TensorPlace> words(TensorPlace);
+
 /// Tensors given by a file, one row per vertex, face or point.
 struct TensorFileOptions {
-  std::string file;
-  std::string on = "auto";
+  static constexpr std::string_view kType = "file";
+  static constexpr std::string_view kHelp = "Tensors given on a mesh or a point cloud, by a file.";
+  std::string file = {};
+  TensorPlace on = TensorPlace::automatic;
   void fields(FieldVisitor& visit);
 };
 
 /// The isophotic metric (problems/geometry/curvature).
 struct CurvatureMetricOptions {
-  double weight = 0;  ///< length
-  double radius = 0;  ///< of the fits, local spacings; 0: 2.5 on a mesh, the radius of the surface fit on a cloud
+  static constexpr std::string_view kType = "curvature";
+  static constexpr std::string_view kHelp =
+      "Of a mesh or a point cloud: ds^2 = |dx|^2 + weight^2 |dn|^2, n the normal "
+      "(isophotic). Crossing a feature costs more than following it.";
+  double weight = 0;  ///< length; must be positive
+  /// Of the fits, local spacings; else 2.5 on a mesh, the radius of the surface fit on a cloud.
+  std::optional<double> radius = {};
   void fields(FieldVisitor& visit);
 };
 

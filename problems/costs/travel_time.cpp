@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/costs/travel_time.hpp>
 
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/segment_cost_function.hpp>
@@ -115,8 +117,14 @@ std::shared_ptr<const SegmentCost> make_rule(const EnergyLevel& energy, int dim)
 
 }  // namespace
 
+Words<TravelTimeRule> words(TravelTimeRule) {
+  static constexpr std::array<Word<TravelTimeRule>, 2> kWords = {
+      {{TravelTimeRule::chute, "chute"}, {TravelTimeRule::midpoint, "midpoint"}}};
+  return kWords;
+}
+
 void TravelTimeOptions::fields(FieldVisitor& visit) {
-  visit.choice("rule", rule, {"chute", "midpoint"},
+  visit.choice("rule", rule,
                {.help = "chute: exact time of a straight chute; midpoint: speed at mid-height, VFCS Eq. (21)."});
   visit.field("gravity", gravity,
               {.help = "Gravitational acceleration; the last coordinate is height, up is positive.",
@@ -132,16 +140,20 @@ void TravelTimeOptions::fields(FieldVisitor& visit) {
 
 std::shared_ptr<const SegmentCost> make_travel_time_cost(const TravelTimeOptions& options, int dim,
                                                          const std::optional<Eigen::VectorXd>& source) {
-  double level = options.level;
-  if (!std::isnan(level) && options.start_speed > 0)
+  if (options.level && options.start_speed > 0)
     throw OptionError("start_speed",
                       "the energy level follows from the start speed: give one of start_speed and level");
-  if (std::isnan(level)) {
-    if (!source) throw OptionError("level", "a ring has no source: state the energy level (a height)");
-    level = (*source)[dim - 1] + options.start_speed * options.start_speed / (2 * options.gravity);
-  }
+  if (options.level && !std::isfinite(*options.level)) throw OptionError("level", "must be finite");
+  if (!options.level && !source) throw OptionError("level", "a ring has no source: state the energy level (a height)");
+  const double level = options.level
+                           ? *options.level
+                           : (*source)[dim - 1] + options.start_speed * options.start_speed / (2 * options.gravity);
   const EnergyLevel energy{options.gravity, level};
-  return options.rule == "midpoint" ? make_rule<Midpoint>(energy, dim) : make_rule<Chute>(energy, dim);
+  switch (options.rule) {
+    case TravelTimeRule::chute: return make_rule<Chute>(energy, dim);
+    case TravelTimeRule::midpoint: return make_rule<Midpoint>(energy, dim);
+  }
+  throw OptionError("rule", "is no rule of travel_time");
 }
 
 }  // namespace leastcost

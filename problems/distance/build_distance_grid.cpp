@@ -68,11 +68,11 @@ Misses measure(const DistanceSource& source, const DistanceGrid& grid, const std
 }
 
 void check(const DistanceGridSettings& s) {
-  const auto bad = [](double x) { return x < 0 || !std::isfinite(x); };
-  if (bad(s.cell)) throw OptionError("cell", "must be positive and finite");
-  if (bad(s.accuracy)) throw OptionError("accuracy", "must be positive and finite");
-  if (bad(s.offset)) throw OptionError("offset", "must be positive and finite");
-  if (s.cell > 0 && s.accuracy > 0) throw OptionError("accuracy", "give either the cell or the accuracy, not both");
+  const auto good = [](const std::optional<double>& x) { return !x || (*x > 0 && std::isfinite(*x)); };
+  if (!good(s.cell)) throw OptionError("cell", "must be positive and finite");
+  if (!good(s.accuracy)) throw OptionError("accuracy", "must be positive and finite");
+  if (s.offset != 0 && !good(s.offset)) throw OptionError("offset", "must be positive and finite");
+  if (s.cell && s.accuracy) throw OptionError("accuracy", "give either the cell or the accuracy, not both");
   if (s.margin < 1) throw OptionError("margin", "must be at least 1 cell");
 }
 
@@ -94,29 +94,29 @@ Sampled sample(const DistanceSource& source, const Eigen::AlignedBox3d& box, con
 
 /// Cells that shrink until the accuracy is reached.
 Sampled sample_to_accuracy(const DistanceSource& source, const Eigen::AlignedBox3d& box, const DistanceGridSettings& s,
-                           const BuildProgress& progress) {
+                           double accuracy, const BuildProgress& progress) {
   double cell = std::min(box.sizes().maxCoeff() / 32,
                          s.offset > 0 ? s.offset / kOffsetCells : std::numeric_limits<double>::infinity());
   double order = 2, last_cell = 0, last_miss = 0;
   for (int i = 0; i < kMostRefinements; ++i) {
     Sampled sampled = sample(source, box, s, cell, progress);
     const double miss = sampled.misses.worst;
-    if (miss <= s.accuracy) return sampled;
+    if (miss <= accuracy) return sampled;
     if (last_cell > 0 && miss < last_miss) order = std::log(last_miss / miss) / std::log(last_cell / cell);
     order = std::clamp(order, 1.0, 4.0);
     last_cell = cell;
     last_miss = miss;
     constexpr double kSafe = 0.9, kLeast = 0.75, kMost = 0.35;
-    cell *= std::clamp(kSafe * std::pow(s.accuracy / miss, 1 / order), kMost, kLeast);
+    cell *= std::clamp(kSafe * std::pow(accuracy / miss, 1 / order), kMost, kLeast);
     try {
       grid_around(box, cell, s.margin, s.memory);
     } catch (const InputError& error) {
-      throw InputError("the accuracy of " + short_number(s.accuracy) + " is out of reach: a cell of " +
+      throw InputError("the accuracy of " + short_number(accuracy) + " is out of reach: a cell of " +
                        short_number(last_cell) + " gives " + short_number(miss) + " (worst at " +
                        point_text(sampled.misses.worst_at) + "), and " + error.what());
     }
   }
-  throw InputError("the accuracy of " + short_number(s.accuracy) + " was not reached: a cell of " +
+  throw InputError("the accuracy of " + short_number(accuracy) + " was not reached: a cell of " +
                    short_number(last_cell) + " gives " + short_number(last_miss));
 }
 
@@ -140,7 +140,7 @@ SampledDistance build_distance_grid(const DistanceSource& source, const Distance
     box.max().array() += settings.offset;
   }
   constexpr double kCells = 64;
-  const double cell = settings.cell > 0     ? settings.cell
+  const double cell = settings.cell         ? *settings.cell
                       : settings.offset > 0 ? std::min(size / kCells, settings.offset / kOffsetCells)
                                             : size / kCells;
   if (cell > kLargest * size)
@@ -149,8 +149,8 @@ SampledDistance build_distance_grid(const DistanceSource& source, const Distance
   if (settings.offset > 0 && settings.offset < kOffsetCells * cell * (1 - 1e-9))
     throw OptionError("offset", "must be at least 3 cells (" + short_number(kOffsetCells * cell) +
                                     "), or the kink of an unsigned distance at the surface spoils the grid");
-  Sampled sampled = settings.accuracy > 0 ? sample_to_accuracy(source, box, settings, progress)
-                                          : sample(source, box, settings, cell, progress);
+  Sampled sampled = settings.accuracy ? sample_to_accuracy(source, box, settings, *settings.accuracy, progress)
+                                      : sample(source, box, settings, cell, progress);
   const Misses& m = sampled.misses;
   const double used = sampled.grid.shape().cell;
   if (m.places == 0) throw InputError("the grid has no zero near the surface: " + text(sampled.grid.shape()));

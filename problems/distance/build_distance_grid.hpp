@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,10 +12,10 @@
 namespace leastcost {
 
 struct DistanceGridSettings {
-  double cell = 0;      ///< length units; 0: from the accuracy, or a 64th of the longest side of the surface's box
-  double accuracy = 0;  ///< largest distance between the surface and that of the grid, length units; 0: none asked for
-  double offset = 0;    ///< the surface at this distance of one without sides, length units; 0: the surface itself
-  int margin = 8;       ///< cells around the surface
+  std::optional<double> cell = {};      ///< length units; else by the accuracy, or a 64th of the surface's longest side
+  std::optional<double> accuracy = {};  ///< largest distance between the surface and that of the grid, length units
+  double offset = 0;       ///< the surface at this distance of one without sides, length units; 0: the surface itself
+  int margin = 8;          ///< cells around the surface
   double memory = 0x1p30;  ///< most that building may take, bytes
 };
 

@@ -32,9 +32,9 @@ class Tree {
   Tree(const Problem& problem, const RrtOptions& options, double distance)
       : problem_(problem),
         options_(options),
-        step_(options.step > 0 ? options.step : distance / 16),
-        shell_(options.shell >= 0 ? options.shell : step_ / 4),
-        engine_(static_cast<std::uint64_t>(options.seed)),
+        step_(options.step.value_or(distance / 16)),
+        shell_(options.shell.value_or(step_ / 4)),
+        engine_(static_cast<std::uint64_t>(options.seed.value_or(0))),
         lines_(*problem.manifold),
         points_(static_cast<int>(problem.source.u.size())) {
     const Vector margin = Vector::Constant(problem.source.u.size(), options.reach * distance);
@@ -208,7 +208,9 @@ void RrtOptions::fields(FieldVisitor& visit) {
 }
 
 RrtInitializer::RrtInitializer(const RrtOptions& options, int run_seed) : options_(options) {
-  if (options_.seed < 0) options_.seed = run_seed;
+  if (!options_.seed) options_.seed = run_seed;
+  if (options.step && !(*options.step > 0)) throw OptionError("step", "must be greater than 0");
+  if (options.shell && !(*options.shell >= 0)) throw OptionError("shell", "must be at least 0");
 }
 
 FirstPath RrtInitializer::first_path(const Problem& problem, const Monitor& monitor) const {

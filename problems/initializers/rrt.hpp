@@ -2,19 +2,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include <leastcost/framework/initializer.hpp>
 #include <leastcost/framework/options.hpp>
 
 namespace leastcost {
 
 struct RrtOptions {
-  double step = -1;   ///< length units; negative: a sixteenth of the distance of the ends
-  double shell = -1;  ///< length units; negative: a quarter of the step
+  std::optional<double> step = {};   ///< length units; else a sixteenth of the distance of the ends
+  std::optional<double> shell = {};  ///< length units; else a quarter of the step
   double goal_bias = 0.1;
   double reach = 1;
   int max_nodes = 20000;
   int shortcuts = 200;
-  int seed = -1;  ///< negative: the seed of the run
+  std::optional<int> seed = {};  ///< else the seed of the run
   void fields(FieldVisitor& visit);
 };
 
@@ -24,6 +26,7 @@ struct RrtOptions {
 /// is projected and shortened by random shortcuts. The same seed gives the same path.
 class RrtInitializer final : public Initializer {
  public:
+  /// Throws OptionError for a step or shell that is no distance.
   explicit RrtInitializer(const RrtOptions& options = {}, int run_seed = 0);
   std::string_view name() const override { return "rrt"; }
   /// Throws InitializationError that says how many nodes there were and how near to the target they came.

@@ -12,11 +12,12 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-void check_side(const Eigen::VectorXd& side, const char* key, int dimension) {
-  if (side.size() != 0 && side.size() != dimension)
+void check_side(const std::optional<Eigen::VectorXd>& side, const char* key, int dimension) {
+  if (!side) return;
+  if (side->size() != dimension)
     throw OptionError(key,
-                      std::to_string(side.size()) + " numbers, the space has dimension " + std::to_string(dimension));
-  if (side.array().isNaN().any()) throw OptionError(key, "numbers must not be NaN");
+                      std::to_string(side->size()) + " numbers, the space has dimension " + std::to_string(dimension));
+  if (side->array().isNaN().any()) throw OptionError(key, "numbers must not be NaN");
 }
 
 }  // namespace
@@ -35,9 +36,9 @@ Box::Box(int dimension)
 Box::Box(int dimension, const BoxOptions& options) : Box(dimension) {
   check_side(options.lower, "lower", dimension);
   check_side(options.upper, "upper", dimension);
-  bounded_ = options.lower.size() + options.upper.size() > 0;
-  if (options.lower.size() > 0) lower_ = options.lower;
-  if (options.upper.size() > 0) upper_ = options.upper;
+  bounded_ = options.given();
+  if (options.lower) lower_ = *options.lower;
+  if (options.upper) upper_ = *options.upper;
   for (int i = 0; i < dimension; ++i)
     if (!(lower_[i] < upper_[i]))
       throw OptionError("lower", "the box is empty in coordinate " + std::to_string(i) + ": lower must be below upper");

@@ -3,14 +3,17 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include <leastcost/framework/options.hpp>
 
 namespace leastcost {
 
+/// Corners of a box in coordinates, one number each, possibly infinite; without one it is unbounded there.
 struct BoxOptions {
-  Eigen::VectorXd lower;  ///< empty: unbounded; entries may be -infinity
-  Eigen::VectorXd upper;
+  std::optional<Eigen::VectorXd> lower = {};
+  std::optional<Eigen::VectorXd> upper = {};
+  bool given() const { return lower || upper; }
   void fields(FieldVisitor& visit);
 };
 

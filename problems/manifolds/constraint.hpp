@@ -4,7 +4,10 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 #include <leastcost/framework/options.hpp>
@@ -12,13 +15,34 @@
 
 namespace leastcost {
 
-struct ConstraintManifoldOptions {
-  int dimension = -1;  ///< n; negative: not given
-  std::vector<std::string> equations;
-  std::map<std::string, double> parameters;
-  std::string set;  ///< "", "sphere" or "so3"
+/// The sets of ConstraintManifoldOptions that have a name.
+namespace constraint {
+
+struct Sphere {
+  static constexpr std::string_view kType = "sphere";
+  static constexpr std::string_view kHelp = "|x| = radius in R^n.";
   double radius = 1;
-  bool nearest_image = true;
+  void fields(FieldVisitor& visit);
+};
+
+struct Rotations {
+  static constexpr std::string_view kType = "so3";
+  static constexpr std::string_view kHelp =
+      "Rotations of space as unit quaternions (w, x, y, z); length is half the angle.";
+  bool nearest_image = true;  ///< of the two quaternions of the target the one nearer to the source
+  void fields(FieldVisitor& visit);
+};
+
+using Set = std::variant<Sphere, Rotations>;
+
+}  // namespace constraint
+
+/// Equations with the dimension of their space, or a set: a sphere with the dimension, or the rotations.
+struct ConstraintManifoldOptions {
+  std::optional<int> dimension = {};  ///< n
+  std::vector<std::string> equations = {};
+  std::map<std::string, double> parameters = {};
+  std::optional<constraint::Set> set = {};
   void fields(FieldVisitor& visit);
 };
 

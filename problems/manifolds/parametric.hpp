@@ -4,7 +4,10 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 #include <leastcost/framework/manifold.hpp>
@@ -15,21 +18,115 @@
 
 namespace leastcost {
 
-/// A surface by name with its measures, or by formulas.
+/// The surfaces of ParametricOptions, each with its measures in length units.
+namespace parametric {
+
+struct Plane {
+  static constexpr std::string_view kType = "plane";
+  static constexpr std::string_view kHelp = "(u, v, 0).";
+};
+
+struct Sphere {
+  static constexpr std::string_view kType = "sphere";
+  static constexpr std::string_view kHelp = "u: longitude, v: latitude.";
+  double radius = 1;
+  void fields(FieldVisitor& visit);
+};
+
+struct Ellipsoid {
+  static constexpr std::string_view kType = "ellipsoid";
+  static constexpr std::string_view kHelp =
+      "u: longitude, v: latitude on the unit sphere that is stretched (reduced latitude).";
+  Eigen::VectorXd axes = Eigen::Vector3d(3, 2, 1);  ///< along x, y, z
+  void fields(FieldVisitor& visit);
+};
+
+struct Torus {
+  static constexpr std::string_view kType = "torus";
+  static constexpr std::string_view kHelp = "u: around the axis, v: around the tube.";
+  double major_radius = 2, minor_radius = 1;
+  void fields(FieldVisitor& visit);
+};
+
+struct Cylinder {
+  static constexpr std::string_view kType = "cylinder";
+  static constexpr std::string_view kHelp = "u: around the axis, v: height.";
+  double radius = 1;
+  void fields(FieldVisitor& visit);
+};
+
+struct Cone {
+  static constexpr std::string_view kType = "cone";
+  static constexpr std::string_view kHelp = "u: around the axis, v: distance from the apex along a ruling.";
+  double half_angle = 0.5;  ///< radians
+  void fields(FieldVisitor& visit);
+};
+
+struct Catenoid {
+  static constexpr std::string_view kType = "catenoid";
+  static constexpr std::string_view kHelp = "u: around the axis, v: height.";
+  double waist = 1;
+  void fields(FieldVisitor& visit);
+};
+
+struct Paraboloid {
+  static constexpr std::string_view kType = "paraboloid";
+  static constexpr std::string_view kHelp = "z = k r^2 / 2; u: around the axis, v: r.";
+  double curvature = 1;
+  void fields(FieldVisitor& visit);
+};
+
+struct Hyperboloid {
+  static constexpr std::string_view kType = "hyperboloid";
+  static constexpr std::string_view kHelp = "(x^2 + y^2) / waist^2 - z^2 / height^2 = 1; u: around the axis, v: z.";
+  double waist = 1, height = 1;
+  void fields(FieldVisitor& visit);
+};
+
+struct KleinBottle {
+  static constexpr std::string_view kType = "klein_bottle";
+  static constexpr std::string_view kHelp = "VFCS Eq. (17), mended; crossing u = 2 pi turns v over.";
+  double major_radius = 2, minor_radius = 1;
+  void fields(FieldVisitor& visit);
+};
+
+struct MoebiusStrip {
+  static constexpr std::string_view kType = "moebius_strip";
+  static constexpr std::string_view kHelp = "VFCS Eq. (18); crossing u = pi turns v over.";
+  double half_width = 0.5;
+  void fields(FieldVisitor& visit);
+};
+
+struct Spiral {
+  static constexpr std::string_view kType = "spiral";
+  static constexpr std::string_view kHelp = "Helicoid, VFCS Eq. (19): u along the rulings, v the angle.";
+  double pitch = 1;
+  void fields(FieldVisitor& visit);
+};
+
+struct Enneper {
+  static constexpr std::string_view kType = "enneper";
+  static constexpr std::string_view kHelp = "Enneper's minimal surface.";
+};
+
+struct Formula {
+  static constexpr std::string_view kType = "formula";
+  static constexpr std::string_view kHelp = "x, y, z as formulas in u and v.";
+  std::string x = {}, y = {}, z = {};
+  std::map<std::string, double> parameters = {};
+  std::optional<double> period_u = {}, period_v = {};
+  bool twisted = false;  ///< v changes sign where u comes back
+  void fields(FieldVisitor& visit);
+};
+
+using Surface = std::variant<Plane, Sphere, Ellipsoid, Torus, Cylinder, Cone, Catenoid, Paraboloid, Hyperboloid,
+                             KleinBottle, MoebiusStrip, Spiral, Enneper, Formula>;
+
+}  // namespace parametric
+
+/// A surface by name with its measures, or by formulas, and bounds on u and v.
 struct ParametricOptions {
-  std::string type;
-  double radius = 1;                                ///< sphere, cylinder
-  Eigen::VectorXd axes = Eigen::Vector3d(3, 2, 1);  ///< ellipsoid
-  double major_radius = 2, minor_radius = 1;        ///< torus, klein_bottle
-  double half_angle = 0.5;                          ///< cone, radians
-  double waist = 1, height = 1;                     ///< catenoid, hyperboloid
-  double curvature = 1;                             ///< paraboloid
-  double half_width = 0.5;                          ///< moebius_strip
-  double pitch = 1;                                 ///< spiral
-  std::string x = {}, y = {}, z = {};               ///< formula
-  std::map<std::string, double> parameters = {};    ///< formula
-  double period_u = 0, period_v = 0;                ///< formula
-  bool twisted = false;                             ///< formula
+  parametric::Surface surface = {};
   BoxOptions box = {};
   void fields(FieldVisitor& visit);
 };

@@ -83,11 +83,13 @@ void check_seams(const ChartMap& map, const std::vector<Seam>& seams) {
   }
 }
 
-Parts formula(const ParametricOptions& o) {
+Parts parts_of(const parametric::Formula& o) {
+  if (o.period_u && !(*o.period_u > 0)) throw OptionError("surface.period_u", "must be greater than 0");
+  if (o.period_v && !(*o.period_v > 0)) throw OptionError("surface.period_v", "must be greater than 0");
   std::vector<Seam> seams;
-  if (o.period_u > 0) seams.push_back({0, o.period_u, o.twisted ? std::optional(1) : std::nullopt});
-  if (o.period_v > 0) seams.push_back({1, o.period_v, {}});
-  if (o.twisted && !(o.period_u > 0))
+  if (o.period_u) seams.push_back({0, *o.period_u, o.twisted ? std::optional(1) : std::nullopt});
+  if (o.period_v) seams.push_back({1, *o.period_v, {}});
+  if (o.twisted && !o.period_u)
     throw OptionError("surface.twisted", "turns v over where u comes back: it needs period_u");
   const auto read = [&o](const char* key, const std::string& text) {  // each alone first: the error names its key
     formulas_of_option(std::string("surface.") + key, {text}, {"u", "v"}, o.parameters);
@@ -101,107 +103,108 @@ Parts formula(const ParametricOptions& o) {
   return {std::move(map), seams};
 }
 
-Parts parts_of(const ParametricOptions& o) {
-  const std::string& type = o.type;
-  if (type == "plane") return {make_chart_map(chart::Plane{})};
-  if (type == "sphere") return {make_chart_map(chart::Ellipsoid{o.radius, o.radius, o.radius}), {kAround}, kTwoPoles};
-  if (type == "ellipsoid")
-    return {make_chart_map(chart::Ellipsoid{o.axes[0], o.axes[1], o.axes[2]}), {kAround}, kTwoPoles};
-  if (type == "torus")
-    return {make_chart_map(chart::Torus{o.major_radius, o.minor_radius}), {kAround, {1, 2 * kPi, {}}}};
-  if (type == "cylinder") return {make_chart_map(chart::Cylinder{o.radius}), {kAround}};
-  if (type == "cone") return {make_chart_map(chart::Cone{o.half_angle}), {kAround}, {}, 0};
-  if (type == "catenoid") return {make_chart_map(chart::Catenoid{o.waist}), {kAround}};
-  if (type == "paraboloid") return {make_chart_map(chart::Paraboloid{o.curvature}), {kAround}, {pole(0)}};
-  if (type == "hyperboloid") return {make_chart_map(chart::Hyperboloid{o.waist, o.height}), {kAround}};
-  if (type == "klein_bottle")
-    return {make_chart_map(chart::KleinBottle{o.major_radius, o.minor_radius}), {{0, 2 * kPi, 1}, {1, 2 * kPi, {}}}};
-  if (type == "moebius_strip")
-    return {make_chart_map(chart::MoebiusStrip{}), {{0, kPi, 1}}, {}, -o.half_width, o.half_width};
-  if (type == "spiral") return {make_chart_map(chart::Spiral{o.pitch})};
-  if (type == "enneper") return {make_chart_map(chart::Enneper{})};
-  if (type == "formula") return formula(o);
-  throw OptionError("surface.type", "unknown surface '" + type + "'");
+Parts parts_of(const parametric::Plane&) { return {make_chart_map(chart::Plane{})}; }
+Parts parts_of(const parametric::Sphere& o) {
+  return {make_chart_map(chart::Ellipsoid{o.radius, o.radius, o.radius}), {kAround}, kTwoPoles};
 }
+Parts parts_of(const parametric::Ellipsoid& o) {
+  if (o.axes.size() != 3 || !(o.axes.array() > 0).all())
+    throw OptionError("surface.axes", "an ellipsoid has three positive half axes");
+  return {make_chart_map(chart::Ellipsoid{o.axes[0], o.axes[1], o.axes[2]}), {kAround}, kTwoPoles};
+}
+Parts parts_of(const parametric::Torus& o) {
+  return {make_chart_map(chart::Torus{o.major_radius, o.minor_radius}), {kAround, {1, 2 * kPi, {}}}};
+}
+Parts parts_of(const parametric::Cylinder& o) { return {make_chart_map(chart::Cylinder{o.radius}), {kAround}}; }
+Parts parts_of(const parametric::Cone& o) { return {make_chart_map(chart::Cone{o.half_angle}), {kAround}, {}, 0}; }
+Parts parts_of(const parametric::Catenoid& o) { return {make_chart_map(chart::Catenoid{o.waist}), {kAround}}; }
+Parts parts_of(const parametric::Paraboloid& o) {
+  return {make_chart_map(chart::Paraboloid{o.curvature}), {kAround}, {pole(0)}};
+}
+Parts parts_of(const parametric::Hyperboloid& o) {
+  return {make_chart_map(chart::Hyperboloid{o.waist, o.height}), {kAround}};
+}
+Parts parts_of(const parametric::KleinBottle& o) {
+  return {make_chart_map(chart::KleinBottle{o.major_radius, o.minor_radius}), {{0, 2 * kPi, 1}, {1, 2 * kPi, {}}}};
+}
+Parts parts_of(const parametric::MoebiusStrip& o) {
+  return {make_chart_map(chart::MoebiusStrip{}), {{0, kPi, 1}}, {}, -o.half_width, o.half_width};
+}
+Parts parts_of(const parametric::Spiral& o) { return {make_chart_map(chart::Spiral{o.pitch})}; }
+Parts parts_of(const parametric::Enneper&) { return {make_chart_map(chart::Enneper{})}; }
 
 /// The chart's own edges, and what the options add to them.
 Box box_of(const ParametricOptions& o, const Parts& parts) {
   Box given(2, o.box);
   const bool edges = parts.v_least > -kInfinity || parts.v_most < kInfinity;
   if (!edges) return given;
-  BoxOptions both{given.lower(), given.upper()};
-  both.lower[1] = std::max(both.lower[1], parts.v_least);
-  both.upper[1] = std::min(both.upper[1], parts.v_most);
-  return Box(2, both);
+  Eigen::VectorXd lower = given.lower(), upper = given.upper();
+  lower[1] = std::max(lower[1], parts.v_least);
+  upper[1] = std::min(upper[1], parts.v_most);
+  return Box(2, {lower, upper});
+}
+
+void length(FieldVisitor& visit, const char* key, double& value, const char* help) {
+  visit.field(key, value, {.help = help, .unit = "length", .minimum = 0, .exclusive_minimum = true});
+}
+
+void tube(FieldVisitor& visit, double& major_radius, double& minor_radius) {
+  length(visit, "major_radius", major_radius, "From the axis to the middle of the tube (a of VFCS Eq. 17).");
+  length(visit, "minor_radius", minor_radius, "Of the tube (b of VFCS Eq. 17).");
 }
 
 }  // namespace
 
+namespace parametric {
+
+void Sphere::fields(FieldVisitor& visit) { length(visit, "radius", radius, "Radius."); }
+void Ellipsoid::fields(FieldVisitor& visit) {
+  visit.field("axes", axes,
+              {.help = "Half axes along x, y, z.", .unit = "length", .minimum = 0, .exclusive_minimum = true});
+}
+void Torus::fields(FieldVisitor& visit) { tube(visit, major_radius, minor_radius); }
+void Cylinder::fields(FieldVisitor& visit) { length(visit, "radius", radius, "Radius."); }
+void Cone::fields(FieldVisitor& visit) {
+  visit.field("half_angle", half_angle,
+              {.help = "Between axis and ruling.",
+               .unit = "radians",
+               .minimum = 0,
+               .maximum = kPi / 2,
+               .exclusive_minimum = true});
+}
+void Catenoid::fields(FieldVisitor& visit) { length(visit, "waist", waist, "Least distance from the axis."); }
+void Paraboloid::fields(FieldVisitor& visit) {
+  visit.field("curvature", curvature, {.help = "k.", .unit = "1/length"});
+}
+void Hyperboloid::fields(FieldVisitor& visit) {
+  length(visit, "waist", waist, "Least distance from the axis.");
+  length(visit, "height", height, "Height at which the radius has grown by sqrt(2).");
+}
+void KleinBottle::fields(FieldVisitor& visit) { tube(visit, major_radius, minor_radius); }
+void MoebiusStrip::fields(FieldVisitor& visit) {
+  length(visit, "half_width", half_width, "The strip is -half_width <= v <= half_width.");
+}
+void Spiral::fields(FieldVisitor& visit) { visit.field("pitch", pitch, {.help = "a of z = a v.", .unit = "length"}); }
+void Formula::fields(FieldVisitor& visit) {
+  visit.field("x", x, {.help = "x(u, v), like (2 + cos(v)) * cos(u).", .required = true});
+  visit.field("y", y, {.help = "y(u, v).", .required = true});
+  visit.field("z", z, {.help = "z(u, v).", .required = true});
+  visit.field("parameters", parameters, {.help = "Numbers that the formulas may name, like {a: 2, b: 1}."});
+  visit.field_or_zero("period_u", period_u, {.help = "Period of u; 0: not periodic.", .minimum = 0});
+  visit.field_or_zero("period_v", period_v, {.help = "Period of v; 0: not periodic.", .minimum = 0});
+  visit.field("twisted", twisted, {.help = "Whether v changes sign where u comes back (Moebius strip, Klein bottle)."});
+}
+
+}  // namespace parametric
+
 void ParametricOptions::fields(FieldVisitor& visit) {
-  const auto length = [](FieldVisitor& v, const char* key, double& value, const char* help) {
-    v.field(key, value, {.help = help, .unit = "length", .minimum = 0, .exclusive_minimum = true});
-  };
-  const auto round = [&](const char* help) {
-    return [&, help](FieldVisitor& v) { length(v, "radius", radius, help); };
-  };
-  const auto tube = [&](FieldVisitor& v) {
-    length(v, "major_radius", major_radius, "From the axis to the middle of the tube (a of VFCS Eq. 17).");
-    length(v, "minor_radius", minor_radius, "Of the tube (b of VFCS Eq. 17).");
-  };
-  visit.variant(
-      "surface", type,
-      {{"plane", "(u, v, 0)."},
-       {"sphere", "u: longitude, v: latitude.", round("Radius.")},
-       {"ellipsoid", "u: longitude, v: latitude on the unit sphere that is stretched (reduced latitude).",
-        [&](FieldVisitor& v) {
-          v.field("axes", axes,
-                  {.help = "Half axes along x, y, z.", .unit = "length", .minimum = 0, .exclusive_minimum = true});
-        }},
-       {"torus", "u: around the axis, v: around the tube.", tube},
-       {"cylinder", "u: around the axis, v: height.", round("Radius.")},
-       {"cone", "u: around the axis, v: distance from the apex along a ruling.",
-        [&](FieldVisitor& v) {
-          v.field("half_angle", half_angle,
-                  {.help = "Between axis and ruling.",
-                   .unit = "radians",
-                   .minimum = 0,
-                   .maximum = kPi / 2,
-                   .exclusive_minimum = true});
-        }},
-       {"catenoid", "u: around the axis, v: height.",
-        [&](FieldVisitor& v) { length(v, "waist", waist, "Least distance from the axis."); }},
-       {"paraboloid", "z = k r^2 / 2; u: around the axis, v: r.",
-        [&](FieldVisitor& v) { v.field("curvature", curvature, {.help = "k.", .unit = "1/length"}); }},
-       {"hyperboloid", "(x^2 + y^2) / waist^2 - z^2 / height^2 = 1; u: around the axis, v: z.",
-        [&](FieldVisitor& v) {
-          length(v, "waist", waist, "Least distance from the axis.");
-          length(v, "height", height, "Height at which the radius has grown by sqrt(2).");
-        }},
-       {"klein_bottle", "VFCS Eq. (17), mended; crossing u = 2 pi turns v over.", tube},
-       {"moebius_strip", "VFCS Eq. (18); crossing u = pi turns v over.",
-        [&](FieldVisitor& v) { length(v, "half_width", half_width, "The strip is -half_width <= v <= half_width."); }},
-       {"spiral", "Helicoid, VFCS Eq. (19): u along the rulings, v the angle.",
-        [&](FieldVisitor& v) { v.field("pitch", pitch, {.help = "a of z = a v.", .unit = "length"}); }},
-       {"enneper", "Enneper's minimal surface."},
-       {"formula", "x, y, z as formulas in u and v.",
-        [&](FieldVisitor& v) {
-          v.field("x", x, {.help = "x(u, v), like (2 + cos(v)) * cos(u).", .required = true});
-          v.field("y", y, {.help = "y(u, v).", .required = true});
-          v.field("z", z, {.help = "z(u, v).", .required = true});
-          v.field("parameters", parameters, {.help = "Numbers that the formulas may name, like {a: 2, b: 1}."});
-          v.field("period_u", period_u, {.help = "Period of u; 0: not periodic.", .minimum = 0});
-          v.field("period_v", period_v, {.help = "Period of v; 0: not periodic.", .minimum = 0});
-          v.field("twisted", twisted,
-                  {.help = "Whether v changes sign where u comes back (Moebius strip, Klein bottle)."});
-        }}},
-      {.help = "The surface: a name with its measures, or formulas in u and v.", .required = true});
+  visit.variant("surface", surface,
+                {.help = "The surface: a name with its measures, or formulas in u and v.", .required = true});
   box.fields(visit);
 }
 
 std::shared_ptr<const ParametricManifold> make_parametric_manifold(const ParametricOptions& options) {
-  if (options.type == "ellipsoid" && (options.axes.size() != 3 || !(options.axes.array() > 0).all()))
-    throw OptionError("surface.axes", "an ellipsoid has three positive half axes");
-  Parts parts = parts_of(options);
+  Parts parts = std::visit([](const auto& surface) { return parts_of(surface); }, options.surface);
   Box box = box_of(options, parts);
   return std::make_shared<ParametricManifold>(std::move(parts.map), std::move(box), std::move(parts.seams),
                                               std::move(parts.poles));

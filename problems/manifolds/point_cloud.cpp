@@ -18,16 +18,16 @@ void PointCloudManifoldOptions::fields(FieldVisitor& visit) {
                        "from.",
                .minimum = 4,
                .maximum = 100});
-  visit.field("radius", settings.radius,
-              {.help = "Support of the moving least squares fit; 0: 4, and wider where the cloud is noisy.",
-               .unit = "local spacings",
-               .minimum = 0,
-               .maximum = 100});
+  visit.field_or_zero("radius", settings.radius,
+                      {.help = "Support of the moving least squares fit; 0: 4, and wider where the cloud is noisy.",
+                       .unit = "local spacings",
+                       .minimum = 0,
+                       .maximum = 100});
   visit.field("max_edge", settings.max_edge,
               {.help = "Longest link of the neighbour graph, against jumps between sheets.",
                .unit = "local spacings",
                .minimum = 1});
-  visit.choice("normals", settings.normals, {"auto", "given", "estimate"},
+  visit.choice("normals", settings.normals,
                {.help = "Normals of the file, or estimated by robust quadratic fits and oriented along a minimum "
                         "spanning tree. auto: those of the file where they agree with the estimate."});
 }
@@ -57,10 +57,10 @@ std::shared_ptr<const PointCloudManifold> make_point_cloud_manifold(const PointC
                                                                     const std::filesystem::path& folder) {
   PointCloud cloud(read_point_cloud(folder / options.file), options.settings);
   const double share = cloud.share_of_support();
-  if (options.settings.radius > 0 && share > PointCloud::kMostOfCloud) {
+  if (options.settings.radius && share > PointCloud::kMostOfCloud) {
     std::ostringstream why;
     why.precision(3);
-    why << "a support of " << options.settings.radius << " local spacings holds " << 100 * share
+    why << "a support of " << *options.settings.radius << " local spacings holds " << 100 * share
         << " % of the cloud; the most is " << 100 * PointCloud::kMostOfCloud << " %";
     throw OptionError("radius", why.str());
   }

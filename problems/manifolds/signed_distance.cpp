@@ -3,6 +3,7 @@
 #include <leastcost/problems/manifolds/signed_distance.hpp>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <sstream>
 #include <utility>
 
@@ -21,25 +22,30 @@ namespace {
 using Eigen::Vector3d;
 constexpr double kGiB = 0x1p30;
 
-/// The bounds that were given, or those of a bounded surface with a name.
-Eigen::AlignedBox3d box_of(const SignedDistanceOptions& o) {
+using SourcePtr = std::shared_ptr<const DistanceSource>;
+
+/// Half the sides of the box of a bounded surface with a name, around the origin.
+std::optional<Vector3d> half_sides(const implicit::Sphere& s) { return Vector3d::Constant(s.radius); }
+std::optional<Vector3d> half_sides(const implicit::Ellipsoid& s) { return Vector3d(s.axes); }
+std::optional<Vector3d> half_sides(const implicit::Torus& s) {
+  return Vector3d(s.major_radius + s.minor_radius, s.major_radius + s.minor_radius, s.minor_radius);
+}
+std::optional<Vector3d> half_sides(const implicit::Genus2&) {
+  return Vector3d(2.5, 2.5, 1.2);  // other sheets of this polynomial lie beyond |z| = 1.5
+}
+std::optional<Vector3d> half_sides(const implicit::Gyroid&) { return std::nullopt; }
+std::optional<Vector3d> half_sides(const implicit::PaperCurve&) { return std::nullopt; }
+std::optional<Vector3d> half_sides(const implicit::Formula&) { return std::nullopt; }
+
+/// The bounds that were given, or those of the surface.
+Eigen::AlignedBox3d box_of(const distance_source::Implicit& o) {
   const Box given(3, o.box);
   if (given.lower().allFinite() && given.upper().allFinite()) return {Vector3d(given.lower()), Vector3d(given.upper())};
   if (given.bounded()) throw OptionError("box.lower", "the box needs both corners, three numbers each");
-  const ImplicitManifoldOptions& s = o.implicit;
-  Vector3d half;
-  if (s.surface == "sphere")
-    half.setConstant(s.radius);
-  else if (s.surface == "ellipsoid")
-    half = s.axes;
-  else if (s.surface == "torus")
-    half = Vector3d(s.major_radius + s.minor_radius, s.major_radius + s.minor_radius, s.minor_radius);
-  else if (s.surface == "genus2")
-    half = Vector3d(2.5, 2.5, 1.2);  // other sheets of this polynomial lie beyond |z| = 1.5
-  else
-    throw OptionError("box",
-                      "the surface '" + s.surface + "' has no bounds of its own: give box: {lower: [..], upper: [..]}");
-  return {Vector3d(-half), half};
+  const auto half = std::visit([](const auto& surface) { return half_sides(surface); }, o.surface.surface);
+  if (half) return {Vector3d(-*half), *half};
+  const std::string type = std::visit([](const auto& s) { return std::string(s.kType); }, o.surface.surface);
+  throw OptionError("box", "the surface '" + type + "' has no bounds of its own: give box: {lower: [..], upper: [..]}");
 }
 
 /// Keeps the function of a level set together with its owner.
@@ -50,47 +56,72 @@ std::shared_ptr<const ConstraintFunction> surface_function(const ImplicitManifol
   return {set, &set->function()};
 }
 
-std::shared_ptr<const DistanceSource> source_of(const SignedDistanceOptions& o, const std::filesystem::path& folder,
-                                                const BuildProgress& progress) {
+/// Whether the distances have a sign.
+bool checked(const distance_source::Sides& o) {
+  const bool sides = o.sign == DistanceSign::with_sides;
+  if (sides && o.offset != 0) throw OptionError("offset", "is for sign: unsigned");
+  if (!sides && !(o.offset > 0))
+    throw OptionError("offset",
+                      "an unsigned distance has no gradient at 0: give the distance (> 0) at which the surface is "
+                      "wanted");
+  return sides;
+}
+
+SourcePtr open(const distance_source::Mesh& o, const std::filesystem::path& folder, const BuildProgress& progress) {
+  const bool sides = checked(o.sides);
+  report(progress, 0, "reading");
+  return make_mesh_distance(TriangleMesh(read_mesh(folder / o.file), {o.weld, 0}), sides);
+}
+
+SourcePtr open(const distance_source::PointCloud& o, const std::filesystem::path& folder,
+               const BuildProgress& progress) {
+  const bool sides = checked(o.sides);
+  report(progress, 0, "reading");
+  return make_cloud_distance(PointCloud(read_point_cloud(folder / o.cloud.file), o.cloud.settings), sides);
+}
+
+SourcePtr open(const distance_source::Implicit& o, const std::filesystem::path&, const BuildProgress& progress) {
+  if (o.surface.box.given())
+    throw OptionError("lower",
+                      "a grid samples the whole surface: bounds are for 'type: implicit', 'box' says where to sample");
+  const auto function = surface_function(o.surface);
+  const Eigen::AlignedBox3d box = box_of(o);
+  report(progress, 0, "distances");
+  return make_implicit_distance(function, box);
+}
+
+double offset_of(const distance_source::Mesh& o) { return o.sides.offset; }
+double offset_of(const distance_source::PointCloud& o) { return o.sides.offset; }
+double offset_of(const distance_source::Implicit&) { return 0; }
+
+using Made = std::shared_ptr<const SignedDistanceManifold>;
+
+/// Samples a source on a grid.
+template <class Source>
+Made make(const Source& source, const SignedDistanceOptions& o, const std::filesystem::path& folder,
+          const BuildProgress& progress) {
+  if (o.cell && o.accuracy) throw OptionError("accuracy", "give either the cell or the accuracy, not both");
+  SourcePtr opened;
   try {
-    if (o.source == "implicit") {
-      if ((o.implicit.box.lower.size() > 0 || o.implicit.box.upper.size() > 0))
-        throw OptionError("lower",
-                          "a grid samples the whole surface: bounds are for 'type: implicit', 'box' says where "
-                          "to sample");
-      const auto function = surface_function(o.implicit);
-      const Eigen::AlignedBox3d box = box_of(o);
-      report(progress, 0, "distances");
-      return make_implicit_distance(function, box);
-    }
-    const bool sides = o.sign == "signed";
-    if (!sides && o.sign != "unsigned") throw OptionError("sign", "must be signed or unsigned");
-    if (sides && o.offset != 0) throw OptionError("offset", "is for sign: unsigned");
-    if (!sides && !(o.offset > 0))
-      throw OptionError(
-          "offset",
-          "an unsigned distance has no gradient at 0: give the distance (> 0) at which the surface is wanted");
-    if (o.source != "mesh" && o.source != "point_cloud") throw OptionError("type", "unknown source '" + o.source + "'");
-    report(progress, 0, "reading");
-    if (o.source == "mesh") return make_mesh_distance(TriangleMesh(read_mesh(folder / o.file), {o.weld, 0}), sides);
-    return make_cloud_distance(PointCloud(read_point_cloud(folder / o.cloud.file), o.cloud.settings), sides);
+    opened = open(source, folder, progress);
   } catch (const OptionError& error) {
     throw OptionError("source." + error.key(), error.what());
   }
+  try {
+    const DistanceGridSettings settings{o.cell, o.accuracy, offset_of(source), o.margin, o.memory_limit * kGiB};
+    return std::make_shared<SignedDistanceManifold>(build_distance_grid(*opened, settings, progress), opened);
+  } catch (const OptionError& error) {
+    throw error.key() == "offset" ? OptionError("source.offset", error.what()) : error;
+  }
 }
 
-DistanceGridSettings settings_of(const SignedDistanceOptions& o) {
-  if (o.cell > 0 && o.accuracy > 0) throw OptionError("accuracy", "give either the cell or the accuracy, not both");
-  return {o.cell, o.accuracy, o.offset, o.margin, o.memory_limit * kGiB};
-}
-
-std::shared_ptr<const SignedDistanceManifold> from_file(const SignedDistanceOptions& o,
-                                                        const std::filesystem::path& folder,
-                                                        const BuildProgress& progress) {
-  if (o.cell > 0 || o.accuracy > 0)
-    throw OptionError(o.cell > 0 ? "cell" : "accuracy", "the file says what its cell is; leave this out");
+/// Takes a grid as it is.
+Made make(const distance_source::GridFile& source, const SignedDistanceOptions& o, const std::filesystem::path& folder,
+          const BuildProgress& progress) {
+  if (o.cell || o.accuracy)
+    throw OptionError(o.cell ? "cell" : "accuracy", "the file says what its cell is; leave this out");
   report(progress, 0, "reading");
-  GridSamples samples = read_sdf(folder / o.file, o.memory_limit * kGiB);
+  GridSamples samples = read_sdf(folder / source.file, o.memory_limit * kGiB);
   std::vector<std::string> notes = {"distance grid: " + text(samples.shape)};
   return std::make_shared<SignedDistanceManifold>(DistanceGrid(samples.shape, std::move(samples.values)),
                                                   std::move(notes));
@@ -98,46 +129,57 @@ std::shared_ptr<const SignedDistanceManifold> from_file(const SignedDistanceOpti
 
 }  // namespace
 
+Words<DistanceSign> words(DistanceSign) {
+  static constexpr std::array<Word<DistanceSign>, 2> kWords = {
+      {{DistanceSign::with_sides, "signed"}, {DistanceSign::without_sides, "unsigned"}}};
+  return kWords;
+}
+
+namespace distance_source {
+
+void Sides::fields(FieldVisitor& visit, const char* help) {
+  visit.choice("sign", sign, {.help = help});
+  visit.field("offset", offset,
+              {.help = "With sign: unsigned, the domain is the surface at this distance; at least 3 cells.",
+               .unit = "length",
+               .minimum = 0});
+}
+
+void Mesh::fields(FieldVisitor& visit) {
+  visit.file("file", file, {.help = "Mesh file: OBJ, OFF, PLY or STL.", .required = true});
+  visit.field("weld", weld, {.help = "Merges vertices with exactly equal positions (STL always is)."});
+  sides.fields(visit,
+               "signed: the mesh must be closed, inside is where its winding number is not 0. unsigned: any mesh.");
+}
+
+void PointCloud::fields(FieldVisitor& visit) {
+  cloud.fields(visit);
+  sides.fields(visit, "signed: the cloud must go all around, inside is against its normals. unsigned: any cloud.");
+}
+
+void Implicit::fields(FieldVisitor& visit) {
+  surface.fields(visit);
+  visit.group("box", {.help = "Where the surface lies; needed where it has no bounds of its own."},
+              [this](FieldVisitor& inner) { box.fields(inner); });
+}
+
+void GridFile::fields(FieldVisitor& visit) { visit.file("file", file, {.help = "The .sdf file.", .required = true}); }
+
+}  // namespace distance_source
+
 void SignedDistanceOptions::fields(FieldVisitor& visit) {
-  const auto sides = [&](FieldVisitor& v, const char* help) {
-    v.choice("sign", sign, {"signed", "unsigned"}, {.help = help});
-    v.field("offset", offset,
-            {.help = "With sign: unsigned, the domain is the surface at this distance; at least 3 cells.",
-             .unit = "length",
-             .minimum = 0});
-  };
-  visit.variant(
-      "source", source,
-      {{"mesh", "A triangle mesh.",
-        [&](FieldVisitor& v) {
-          v.file("file", file, {.help = "Mesh file: OBJ, OFF, PLY or STL.", .required = true});
-          v.field("weld", weld, {.help = "Merges vertices with exactly equal positions (STL always is)."});
-          sides(v, "signed: the mesh must be closed, inside is where its winding number is not 0. unsigned: any mesh.");
-        }},
-       {"point_cloud", "The smooth surface through a point cloud.",
-        [&](FieldVisitor& v) {
-          cloud.fields(v);
-          sides(v, "signed: the cloud must go all around, inside is against its normals. unsigned: any cloud.");
-        }},
-       {"implicit", "A surface f(x, y, z) = 0, by name or as a formula.",
-        [&](FieldVisitor& v) {
-          implicit.fields(v);
-          v.group("box", {.help = "Where the surface lies; needed where it has no bounds of its own."},
-                  [&](FieldVisitor& b) { box.fields(b); });
-        }},
-       {"file", "A grid of distances in the text format of SDFGen, with its own cell.",
-        [&](FieldVisitor& v) { v.file("file", file, {.help = "The .sdf file.", .required = true}); }}},
-      {.help = "What distances are sampled from.", .required = true});
-  visit.field("cell", cell,
-              {.help = "Cell of the grid; 0: from the accuracy, or a 64th of the longest side of the surface.",
-               .unit = "length",
-               .minimum = 0});
-  visit.field("accuracy", accuracy,
-              {.help = "Instead of the cell: the largest distance that the surface of the grid may have from the one "
-                       "it is made from; the cell "
-                       "shrinks until a measurement says so.",
-               .unit = "length",
-               .minimum = 0});
+  visit.variant("source", source, {.help = "What distances are sampled from.", .required = true});
+  visit.field_or_zero("cell", cell,
+                      {.help = "Cell of the grid; 0: from the accuracy, or a 64th of the longest side of the surface.",
+                       .unit = "length",
+                       .minimum = 0});
+  visit.field_or_zero(
+      "accuracy", accuracy,
+      {.help = "Instead of the cell: the largest distance that the surface of the grid may have from the one "
+               "it is made from; the cell "
+               "shrinks until a measurement says so.",
+       .unit = "length",
+       .minimum = 0});
   visit.field("margin", margin,
               {.help = "Cells around the surface; paths cannot leave the grid.",
                .unit = "cells",
@@ -201,14 +243,7 @@ std::shared_ptr<const ConstraintManifold> SignedDistanceManifold::make_coarser()
 std::shared_ptr<const SignedDistanceManifold> make_signed_distance_manifold(const SignedDistanceOptions& options,
                                                                             const std::filesystem::path& folder,
                                                                             const BuildProgress& progress) {
-  if (options.source == "file") return from_file(options, folder, progress);
-  const DistanceGridSettings settings = settings_of(options);
-  const std::shared_ptr<const DistanceSource> source = source_of(options, folder, progress);
-  try {
-    return std::make_shared<SignedDistanceManifold>(build_distance_grid(*source, settings, progress), source);
-  } catch (const OptionError& error) {
-    throw error.key() == "offset" ? OptionError("source.offset", error.what()) : error;
-  }
+  return std::visit([&](const auto& source) { return make(source, options, folder, progress); }, options.source);
 }
 
 }  // namespace leastcost

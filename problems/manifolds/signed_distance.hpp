@@ -5,7 +5,10 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 #include <leastcost/problems/distance/build_distance_grid.hpp>
@@ -17,16 +20,60 @@
 
 namespace leastcost {
 
-struct SignedDistanceOptions {
-  std::string source;  ///< mesh, point_cloud, implicit, file
-  std::string file;    ///< of a mesh or a grid
+/// Whether distances tell the sides of a surface.
+enum class DistanceSign { with_sides, without_sides };
+Words<DistanceSign> words(DistanceSign);
+
+/// What SignedDistanceOptions samples distances from.
+namespace distance_source {
+
+struct Sides {
+  DistanceSign sign = DistanceSign::with_sides;
+  double offset = 0;  ///< without sides: the domain is the surface at this distance, length units
+  /// `help`: what either sign means for a source.
+  void fields(FieldVisitor& visit, const char* help);
+};
+
+struct Mesh {
+  static constexpr std::string_view kType = "mesh";
+  static constexpr std::string_view kHelp = "A triangle mesh.";
+  std::string file = {};
   bool weld = false;
-  std::string sign = "signed";  ///< signed, unsigned
-  double offset = 0;
-  PointCloudManifoldOptions cloud;
-  ImplicitManifoldOptions implicit;
-  BoxOptions box;
-  double cell = 0, accuracy = 0;
+  Sides sides = {};
+  void fields(FieldVisitor& visit);
+};
+
+struct PointCloud {
+  static constexpr std::string_view kType = "point_cloud";
+  static constexpr std::string_view kHelp = "The smooth surface through a point cloud.";
+  PointCloudManifoldOptions cloud = {};
+  Sides sides = {};
+  void fields(FieldVisitor& visit);
+};
+
+struct Implicit {
+  static constexpr std::string_view kType = "implicit";
+  static constexpr std::string_view kHelp = "A surface f(x, y, z) = 0, by name or as a formula.";
+  ImplicitManifoldOptions surface = {};  ///< without bounds
+  BoxOptions box = {};                   ///< where the surface lies; needed where it has no bounds of its own
+  void fields(FieldVisitor& visit);
+};
+
+struct GridFile {
+  static constexpr std::string_view kType = "file";
+  static constexpr std::string_view kHelp = "A grid of distances in the text format of SDFGen, with its own cell.";
+  std::string file = {};
+  void fields(FieldVisitor& visit);
+};
+
+using Source = std::variant<Mesh, PointCloud, Implicit, GridFile>;
+
+}  // namespace distance_source
+
+struct SignedDistanceOptions {
+  distance_source::Source source = {};
+  std::optional<double> cell = {};      ///< length units
+  std::optional<double> accuracy = {};  ///< instead of the cell, see DistanceGridSettings
   int margin = 8;
   double memory_limit = 1;  ///< GiB
   void fields(FieldVisitor& visit);

@@ -115,6 +115,10 @@ void OnSurfaceOptions::fields(FieldVisitor& visit) {
                .exclusive_minimum = true});
 }
 
+OnSurfacePostProcessor::OnSurfacePostProcessor(const OnSurfaceOptions& options) : options_(options) {
+  if (options.tolerance && !(*options.tolerance > 0)) throw OptionError("tolerance", "must be greater than 0");
+}
+
 PostProcessed OnSurfacePostProcessor::apply(const Problem& problem, const FirstPath& first, PostProcessed current,
                                             const Monitor& monitor) const {
   const ConstraintManifold& manifold = *problem.manifold;
@@ -124,7 +128,7 @@ PostProcessed OnSurfacePostProcessor::apply(const Problem& problem, const FirstP
   const Index segments = current.chain.segment_count();
   // A ring that has collapsed has no extent; that of the first path says what is small.
   const double size = std::max(extent(u), first.path.u.cols() > 0 ? extent(first.path.u) : 0);
-  const double tolerance = options_.tolerance > 0 ? options_.tolerance : kOfExtent * size;
+  const double tolerance = options_.tolerance.value_or(kOfExtent * size);
   const CuttingPlanes planes(manifold, current.chain);
   Refiner refiner(manifold, tolerance);
   refiner.start(u.col(0));

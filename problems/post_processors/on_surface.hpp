@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include <leastcost/framework/options.hpp>
 #include <leastcost/framework/post_processor.hpp>
 
 namespace leastcost {
 
 struct OnSurfaceOptions {
-  double tolerance = -1;  ///< length units; negative: 1e-6 of the path's extent
+  std::optional<double> tolerance = {};  ///< length units; else 1e-6 of the path's extent
   void fields(FieldVisitor& visit);
 };
 
@@ -18,7 +20,8 @@ struct OnSurfaceOptions {
 /// nearest ones. The chain stays as it is.
 class OnSurfacePostProcessor final : public PostProcessor {
  public:
-  explicit OnSurfacePostProcessor(const OnSurfaceOptions& options = {}) : options_(options) {}
+  /// Throws OptionError for a tolerance that is not positive.
+  explicit OnSurfacePostProcessor(const OnSurfaceOptions& options = {});
   std::string_view name() const override { return "on_surface"; }
   /// Throws InputError for a domain that is not smooth or is not embedded point by point.
   PostProcessed apply(const Problem& problem, const FirstPath& first, PostProcessed current,

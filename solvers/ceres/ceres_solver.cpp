@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/solvers/ceres/ceres_solver.hpp>
 
+#include <array>
+#include <string>
 #include <utility>
 
+#include <leastcost/framework/errors.hpp>
 #include "solvers/ceres/line_search.hpp"
 #include "solvers/ceres/trust_region.hpp"
 
@@ -12,14 +15,20 @@ namespace {
 
 constexpr Index kMostForBfgs = 1000;  ///< variables: a dense matrix of them
 
-bool is_trust_region(const std::string& algorithm) {
-  return algorithm == "levenberg_marquardt" || algorithm == "dogleg";
-}
-
 }  // namespace
 
+Words<CeresAlgorithm> words(CeresAlgorithm) {
+  static constexpr std::array<Word<CeresAlgorithm>, 5> kWords = {
+      {{CeresAlgorithm::levenberg_marquardt, "levenberg_marquardt"},
+       {CeresAlgorithm::dogleg, "dogleg"},
+       {CeresAlgorithm::lbfgs, "lbfgs"},
+       {CeresAlgorithm::bfgs, "bfgs"},
+       {CeresAlgorithm::ncg, "ncg"}}};
+  return kWords;
+}
+
 void CeresOptions::fields(FieldVisitor& visit) {
-  visit.choice("algorithm", algorithm, {"levenberg_marquardt", "dogleg", "lbfgs", "bfgs", "ncg"},
+  visit.choice("algorithm", algorithm,
                {.help = "Trust region (the first two) or line search; ncg: nonlinear conjugate gradients."});
   visit.field("max_iterations", max_iterations, {.help = "Limit on iterations of the trust region.", .minimum = 1});
   rounds.fields(visit);
@@ -29,15 +38,23 @@ Ceres::Ceres(CeresOptions options) : options_(std::move(options)) {}
 
 std::optional<std::string> Ceres::cannot_solve(const PathEnergy& energy, const CoordinatePath& path) const {
   const Index variables = energy.problem().manifold->dimensions().tangent * path.free_count();
-  if (options_.algorithm == "bfgs" && variables > kMostForBfgs)
+  if (options_.algorithm == CeresAlgorithm::bfgs && variables > kMostForBfgs)
     return "ceres bfgs keeps a dense matrix: at most " + std::to_string(kMostForBfgs) + " variables, this path has " +
            std::to_string(variables) + "; lbfgs has no such limit";
   return std::nullopt;
 }
 
 SolveReport Ceres::do_solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const {
-  if (is_trust_region(options_.algorithm)) return solve_by_trust_region(energy, path, options_, monitor);
-  return solve_by_line_search(energy, path, options_, monitor);
+  switch (options_.algorithm) {
+    case CeresAlgorithm::levenberg_marquardt:
+      return solve_by_trust_region(energy, path, ceres::LEVENBERG_MARQUARDT, options_, monitor);
+    case CeresAlgorithm::dogleg: return solve_by_trust_region(energy, path, ceres::DOGLEG, options_, monitor);
+    case CeresAlgorithm::lbfgs: return solve_by_line_search(energy, path, ceres::LBFGS, options_.rounds, monitor);
+    case CeresAlgorithm::bfgs: return solve_by_line_search(energy, path, ceres::BFGS, options_.rounds, monitor);
+    case CeresAlgorithm::ncg:
+      return solve_by_line_search(energy, path, ceres::NONLINEAR_CONJUGATE_GRADIENT, options_.rounds, monitor);
+  }
+  throw OptionError("algorithm", "is no algorithm of ceres");
 }
 
 }  // namespace leastcost

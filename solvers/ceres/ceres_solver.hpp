@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
-
 #include <leastcost/framework/solver.hpp>
 #include <leastcost/solvers/rounds.hpp>
 
 namespace leastcost {
 
+/// Trust regions (the first two) and line searches; ncg: nonlinear conjugate gradients.
+enum class CeresAlgorithm { levenberg_marquardt, dogleg, lbfgs, bfgs, ncg };
+Words<CeresAlgorithm> words(CeresAlgorithm);
+
 struct CeresOptions {
-  std::string algorithm = "levenberg_marquardt";
+  CeresAlgorithm algorithm = CeresAlgorithm::levenberg_marquardt;
   int max_iterations = 500;
   RoundOptions rounds = {};
   void fields(FieldVisitor& visit);

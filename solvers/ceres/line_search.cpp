@@ -46,15 +46,13 @@ class StopWhenTold final : public ceres::IterationCallback {
 
 class CeresRounds final : public RoundMinimiser {
  public:
-  explicit CeresRounds(const std::string& algorithm) : algorithm_(algorithm) {}
+  explicit CeresRounds(ceres::LineSearchDirectionType direction) : direction_(direction) {}
 
   std::string minimise(RoundObjective& objective) override {
     ceres::GradientProblem problem(new Function(objective));
     StopWhenTold callback(objective);
     ceres::GradientProblemSolver::Options options;
-    options.line_search_direction_type = algorithm_ == "bfgs"  ? ceres::BFGS
-                                         : algorithm_ == "ncg" ? ceres::NONLINEAR_CONJUGATE_GRADIENT
-                                                               : ceres::LBFGS;
+    options.line_search_direction_type = direction_;
     options.max_num_iterations = std::numeric_limits<int>::max();
     options.function_tolerance = options.gradient_tolerance = options.parameter_tolerance = 0;
     options.logging_type = ceres::SILENT;
@@ -67,15 +65,15 @@ class CeresRounds final : public RoundMinimiser {
   }
 
  private:
-  const std::string& algorithm_;
+  ceres::LineSearchDirectionType direction_;
 };
 
 }  // namespace
 
-SolveReport solve_by_line_search(PathEnergy& energy, CoordinatePath& path, const CeresOptions& options,
-                                 const Monitor& monitor) {
-  CeresRounds minimiser(options.algorithm);
-  return solve_by_rounds(energy, path, options.rounds, minimiser, monitor);
+SolveReport solve_by_line_search(PathEnergy& energy, CoordinatePath& path, ceres::LineSearchDirectionType direction,
+                                 const RoundOptions& options, const Monitor& monitor) {
+  CeresRounds minimiser(direction);
+  return solve_by_rounds(energy, path, options, minimiser, monitor);
 }
 
 }  // namespace leastcost

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <ceres/types.h>
+
 #include <leastcost/framework/solver.hpp>
-#include <leastcost/solvers/ceres/ceres_solver.hpp>
+#include <leastcost/solvers/rounds.hpp>
 
 namespace leastcost {
 
-SolveReport solve_by_line_search(PathEnergy& energy, CoordinatePath& path, const CeresOptions& options,
-                                 const Monitor& monitor);
+SolveReport solve_by_line_search(PathEnergy& energy, CoordinatePath& path, ceres::LineSearchDirectionType direction,
+                                 const RoundOptions& options, const Monitor& monitor);
 
 }  // namespace leastcost

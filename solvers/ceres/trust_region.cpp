@@ -42,9 +42,11 @@ class KernelLoss final : public ceres::LossFunction {
 /// bounds there is one round.
 class TrustRegion final : public ceres::IterationCallback {
  public:
-  TrustRegion(PathEnergy& energy, CoordinatePath& path, const CeresOptions& options, const Monitor& monitor)
+  TrustRegion(PathEnergy& energy, CoordinatePath& path, ceres::TrustRegionStrategyType strategy,
+              const CeresOptions& options, const Monitor& monitor)
       : energy_(energy),
         path_(path),
+        strategy_(strategy),
         options_(options),
         kinked_(energy.problem().manifold->shape() == Shape::polyhedral),
         bounded_(dynamic_cast<const HasBounds*>(energy.problem().manifold.get()) != nullptr),
@@ -95,7 +97,7 @@ class TrustRegion final : public ceres::IterationCallback {
     ceres::Problem problem = build(residuals);
     ceres::Solver::Options options;
     options.minimizer_type = ceres::TRUST_REGION;
-    options.trust_region_strategy_type = options_.algorithm == "dogleg" ? ceres::DOGLEG : ceres::LEVENBERG_MARQUARDT;
+    options.trust_region_strategy_type = strategy_;
     options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
     options.max_num_iterations = options_.max_iterations;
     options.function_tolerance = options.gradient_tolerance = options.parameter_tolerance = 0;
@@ -180,6 +182,7 @@ class TrustRegion final : public ceres::IterationCallback {
 
   PathEnergy& energy_;
   CoordinatePath& path_;
+  ceres::TrustRegionStrategyType strategy_;
   const CeresOptions& options_;
   bool kinked_, bounded_;
   KernelLoss loss_;
@@ -195,9 +198,9 @@ class TrustRegion final : public ceres::IterationCallback {
 
 }  // namespace
 
-SolveReport solve_by_trust_region(PathEnergy& energy, CoordinatePath& path, const CeresOptions& options,
-                                  const Monitor& monitor) {
-  return TrustRegion(energy, path, options, monitor).run();
+SolveReport solve_by_trust_region(PathEnergy& energy, CoordinatePath& path, ceres::TrustRegionStrategyType strategy,
+                                  const CeresOptions& options, const Monitor& monitor) {
+  return TrustRegion(energy, path, strategy, options, monitor).run();
 }
 
 }  // namespace leastcost

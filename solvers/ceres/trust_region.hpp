@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <ceres/types.h>
+
 #include <leastcost/framework/solver.hpp>
 #include <leastcost/solvers/ceres/ceres_solver.hpp>
 
 namespace leastcost {
 
-SolveReport solve_by_trust_region(PathEnergy& energy, CoordinatePath& path, const CeresOptions& options,
-                                  const Monitor& monitor);
+SolveReport solve_by_trust_region(PathEnergy& energy, CoordinatePath& path, ceres::TrustRegionStrategyType strategy,
+                                  const CeresOptions& options, const Monitor& monitor);
 
 }  // namespace leastcost

@@ -7,14 +7,17 @@
 #include <cmath>
 #include <limits>
 #include <nlopt.hpp>
+#include <string>
 #include <utility>
+#include <vector>
+
+#include <leastcost/framework/errors.hpp>
 
 namespace leastcost {
 namespace {
 
-/// A method of NLopt, by the name it has here.
+/// A method of NLopt.
 struct Method {
-  const char* name;
   nlopt::algorithm algorithm;
   bool gradient;
   int most_variables;  ///< beyond it a solve would take minutes: dense algebra, or evaluations in proportion to the
@@ -22,29 +25,29 @@ struct Method {
 };
 
 constexpr int kAny = std::numeric_limits<int>::max();
-constexpr std::array<Method, 15> kMethods = {{
-    {"lbfgs", nlopt::LD_LBFGS, true, kAny},
-    {"tnewton", nlopt::LD_TNEWTON, true, kAny},
-    {"tnewton_restart", nlopt::LD_TNEWTON_RESTART, true, kAny},
-    {"tnewton_precond", nlopt::LD_TNEWTON_PRECOND, true, kAny},
-    {"tnewton_precond_restart", nlopt::LD_TNEWTON_PRECOND_RESTART, true, kAny},
-    {"var1", nlopt::LD_VAR1, true, kAny},
-    {"var2", nlopt::LD_VAR2, true, kAny},
-    {"mma", nlopt::LD_MMA, true, kAny},
-    {"ccsaq", nlopt::LD_CCSAQ, true, kAny},
-    {"slsqp", nlopt::LD_SLSQP, true, 500},
-    {"cobyla", nlopt::LN_COBYLA, false, 60},
-    {"bobyqa", nlopt::LN_BOBYQA, false, 100},
-    {"neldermead", nlopt::LN_NELDERMEAD, false, 40},
-    {"sbplx", nlopt::LN_SBPLX, false, 100},
-    {"praxis", nlopt::LN_PRAXIS, false, 100},
-}};
 
-const Method& method(const std::string& name) {
-  return *std::find_if(kMethods.begin(), kMethods.end(), [&](const Method& m) { return name == m.name; });
+Method method(NloptAlgorithm algorithm) {
+  switch (algorithm) {
+    case NloptAlgorithm::lbfgs: return {nlopt::LD_LBFGS, true, kAny};
+    case NloptAlgorithm::tnewton: return {nlopt::LD_TNEWTON, true, kAny};
+    case NloptAlgorithm::tnewton_restart: return {nlopt::LD_TNEWTON_RESTART, true, kAny};
+    case NloptAlgorithm::tnewton_precond: return {nlopt::LD_TNEWTON_PRECOND, true, kAny};
+    case NloptAlgorithm::tnewton_precond_restart: return {nlopt::LD_TNEWTON_PRECOND_RESTART, true, kAny};
+    case NloptAlgorithm::var1: return {nlopt::LD_VAR1, true, kAny};
+    case NloptAlgorithm::var2: return {nlopt::LD_VAR2, true, kAny};
+    case NloptAlgorithm::mma: return {nlopt::LD_MMA, true, kAny};
+    case NloptAlgorithm::ccsaq: return {nlopt::LD_CCSAQ, true, kAny};
+    case NloptAlgorithm::slsqp: return {nlopt::LD_SLSQP, true, 500};
+    case NloptAlgorithm::cobyla: return {nlopt::LN_COBYLA, false, 60};
+    case NloptAlgorithm::bobyqa: return {nlopt::LN_BOBYQA, false, 100};
+    case NloptAlgorithm::neldermead: return {nlopt::LN_NELDERMEAD, false, 40};
+    case NloptAlgorithm::sbplx: return {nlopt::LN_SBPLX, false, 100};
+    case NloptAlgorithm::praxis: return {nlopt::LN_PRAXIS, false, 100};
+  }
+  throw OptionError("algorithm", "is no algorithm of nlopt");
 }
 
-std::string words(nlopt::result result) {
+std::string outcome(nlopt::result result) {
   switch (result) {
     case nlopt::SUCCESS: return "nlopt: success";
     case nlopt::STOPVAL_REACHED: return "nlopt: stopval reached";
@@ -58,7 +61,7 @@ std::string words(nlopt::result result) {
 
 class NloptRounds final : public RoundMinimiser {
  public:
-  explicit NloptRounds(const Method& method) : method_(method) {}
+  explicit NloptRounds(Method method) : method_(method) {}
 
   std::string minimise(RoundObjective& objective) override {
     nlopt::opt optimiser(method_.algorithm, static_cast<unsigned>(objective.size()));
@@ -69,7 +72,7 @@ class NloptRounds final : public RoundMinimiser {
     std::vector<double> z(static_cast<std::size_t>(objective.size()), 0.0);
     double value = 0;
     try {
-      return words(optimiser.optimize(z, value));
+      return outcome(optimiser.optimize(z, value));
     } catch (const nlopt::forced_stop&) {
       return "";  // by us
     }
@@ -93,16 +96,33 @@ class NloptRounds final : public RoundMinimiser {
     return value;
   }
 
-  const Method& method_;
+  Method method_;
 };
 
 }  // namespace
 
+Words<NloptAlgorithm> words(NloptAlgorithm) {
+  static constexpr std::array<Word<NloptAlgorithm>, 15> kWords = {
+      {{NloptAlgorithm::lbfgs, "lbfgs"},
+       {NloptAlgorithm::tnewton, "tnewton"},
+       {NloptAlgorithm::tnewton_restart, "tnewton_restart"},
+       {NloptAlgorithm::tnewton_precond, "tnewton_precond"},
+       {NloptAlgorithm::tnewton_precond_restart, "tnewton_precond_restart"},
+       {NloptAlgorithm::var1, "var1"},
+       {NloptAlgorithm::var2, "var2"},
+       {NloptAlgorithm::mma, "mma"},
+       {NloptAlgorithm::ccsaq, "ccsaq"},
+       {NloptAlgorithm::slsqp, "slsqp"},
+       {NloptAlgorithm::cobyla, "cobyla"},
+       {NloptAlgorithm::bobyqa, "bobyqa"},
+       {NloptAlgorithm::neldermead, "neldermead"},
+       {NloptAlgorithm::sbplx, "sbplx"},
+       {NloptAlgorithm::praxis, "praxis"}}};
+  return kWords;
+}
+
 void NloptOptions::fields(FieldVisitor& visit) {
-  std::vector<std::string> names;
-  names.reserve(kMethods.size());
-  for (const Method& m : kMethods) names.emplace_back(m.name);
-  visit.choice("algorithm", algorithm, names,
+  visit.choice("algorithm", algorithm,
                {.help = "Local optimiser of NLopt; those after slsqp need no gradients and are for few points."});
   rounds.fields(visit);
 }
@@ -110,17 +130,17 @@ void NloptOptions::fields(FieldVisitor& visit) {
 Nlopt::Nlopt(NloptOptions options) : options_(std::move(options)) {}
 
 std::optional<std::string> Nlopt::cannot_solve(const PathEnergy& energy, const CoordinatePath& path) const {
-  const Method& m = method(options_.algorithm);
+  const Method m = method(options_.algorithm);
   const Index variables = energy.problem().manifold->dimensions().tangent * path.free_count();
   if (variables <= m.most_variables) return std::nullopt;
-  return std::string("nlopt ") + m.name + " is for at most " + std::to_string(m.most_variables) +
+  return "nlopt " + std::string(word_of(options_.algorithm)) + " is for at most " + std::to_string(m.most_variables) +
          " variables, this path has " + std::to_string(variables) +
          (m.gradient ? ": its time grows with the cube of them"
                      : ": it needs no gradients and many evaluations instead");
 }
 
 SolveReport Nlopt::do_solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const {
-  const Method& m = method(options_.algorithm);
+  const Method m = method(options_.algorithm);
   NloptRounds minimiser(m);
   RoundOptions rounds = options_.rounds;
   if (!m.gradient) {  // evaluations in the place of gradients

@@ -2,16 +2,33 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include <leastcost/framework/solver.hpp>
 #include <leastcost/solvers/rounds.hpp>
 
 namespace leastcost {
 
+/// Local optimisers of NLopt, by its names; those from cobyla on need no gradients.
+enum class NloptAlgorithm {
+  lbfgs,
+  tnewton,
+  tnewton_restart,
+  tnewton_precond,
+  tnewton_precond_restart,
+  var1,
+  var2,
+  mma,
+  ccsaq,
+  slsqp,
+  cobyla,
+  bobyqa,
+  neldermead,
+  sbplx,
+  praxis
+};
+Words<NloptAlgorithm> words(NloptAlgorithm);
+
 struct NloptOptions {
-  std::string algorithm = "lbfgs";
+  NloptAlgorithm algorithm = NloptAlgorithm::lbfgs;
   RoundOptions rounds = {};
   void fields(FieldVisitor& visit);
 };

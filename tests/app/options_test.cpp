@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 
 // One field list serves reading, writing, describing: shown on options that have every kind of field.
+#include <array>
+#include <optional>
+#include <variant>
+
 #include <leastcost/catalogue/options/options_writer.hpp>
 #include "app/reference/field_list.hpp"
 #include "catalogue/options/options_reader.hpp"
@@ -17,22 +21,42 @@ using Catch::Contains;
 
 namespace {
 
+enum class Mode { fast, slow };
+Words<Mode> words(Mode) {
+  static constexpr std::array<Word<Mode>, 2> kWords = {{{Mode::fast, "fast"}, {Mode::slow, "slow"}}};
+  return kWords;
+}
+
+struct Ball {
+  static constexpr std::string_view kType = "ball", kHelp = "Round.";
+  double radius = 1;
+  void fields(FieldVisitor& visit) { visit.field("radius", radius, {.help = "R.", .minimum = 0}); }
+};
+struct Brick {
+  static constexpr std::string_view kType = "brick", kHelp = "Not round.";
+  Eigen::VectorXd axes;
+  void fields(FieldVisitor& visit) { visit.field("axes", axes, {.help = "A.", .required = true}); }
+};
+struct NoBody {
+  static constexpr std::string_view kType = "point", kHelp = "Neither.";
+};
+using Shape = std::variant<Ball, Brick, NoBody>;
+
 struct EveryField {
   bool flag = false;
   int count = 3;
   double size = 0.1;
-  double unset = std::numeric_limits<double>::quiet_NaN();
-  int absent = -1;
+  std::optional<double> unset;
+  std::optional<int> absent;
+  std::optional<int> zero;
   std::string word = "a word";
   Eigen::VectorXd list;
   Eigen::MatrixXd matrix;
   std::map<std::string, double> parameters;
   std::vector<std::string> equations;
-  std::string mode = "fast";
+  Mode mode = Mode::fast;
   std::string file;
-  std::string shape;
-  double radius = 1;
-  Eigen::VectorXd axes;
+  std::optional<Shape> shape;
   double inner = 1e-6;
 
   void fields(FieldVisitor& visit) {
@@ -41,19 +65,15 @@ struct EveryField {
     visit.field("size", size, {.help = "A size.", .unit = "length", .minimum = 0, .exclusive_minimum = true});
     visit.field("unset", unset, {.help = "Not given unless given."});
     visit.field("absent", absent, {.help = "Not given unless given.", .minimum = 0});
+    visit.field_or_zero("zero", zero, {.help = "0: not given.", .minimum = 0});
     visit.field("word", word, {.help = "Text."});
     visit.field("list", list, {.help = "Numbers."});
     visit.field("matrix", matrix, {.help = "Rows."});
     visit.field("parameters", parameters, {.help = "Numbers by name.", .minimum = -5});
     visit.field("equations", equations, {.help = "Texts."});
-    visit.choice("mode", mode, {"fast", "slow"}, {.help = "A choice."});
+    visit.choice("mode", mode, {.help = "A choice."});
     visit.file("file", file, {.help = "A file."});
-    visit.variant(
-        "shape", shape,
-        {{"ball", "Round.", [this](FieldVisitor& v) { v.field("radius", radius, {.help = "R.", .minimum = 0}); }},
-         {"brick", "Not round.", [this](FieldVisitor& v) { v.field("axes", axes, {.help = "A.", .required = true}); }},
-         {"point", "Neither."}},
-        {.help = "A shape."});
+    visit.variant("shape", shape, {.help = "A shape."});
     visit.group("group", {.help = "A group."},
                 [this](FieldVisitor& v) { v.field("inner", inner, {.help = "Inside."}); });
   }
@@ -79,6 +99,7 @@ count: 9
 size: 1.25e-300
 unset: -0.1
 absent: 0
+zero: 7
 word: "true"
 list: [0.1, .inf, -.inf, 1.0e+22]
 matrix: [[1, 2], [3, 4.5]]
@@ -105,13 +126,15 @@ TEST_CASE("options: every kind of field is read") {
   CHECK(o.size == 1.25e-300);
   CHECK(o.unset == -0.1);
   CHECK(o.absent == 0);
+  CHECK(o.zero == 7);
   CHECK(o.word == "true");
   REQUIRE(o.list.size() == 4);
   CHECK(o.list[3] == 1e22);
   CHECK(o.matrix(1, 1) == 4.5);
   CHECK(o.parameters == std::map<std::string, double>{{"a", 2}, {"b_1", -0.5}});
   CHECK(o.equations == std::vector<std::string>{"x0^2 - 1", "x1"});
-  CHECK(o.mode == "slow");
+  CHECK(o.mode == Mode::slow);
+  CHECK(std::get<Brick>(o.shape.value()).axes == Eigen::Vector2d(1, 2));
   CHECK(o.file == "a/b.obj");
   CHECK(o.inner == 0.3333333333333333);
 }
@@ -124,9 +147,13 @@ TEST_CASE("options: what is written reads back the same, to the last bit") {
 
 TEST_CASE("options: defaults are written, what stands for absent is not") {
   EveryField o;
-  CHECK(written(o) == "flag: false\ncount: 3\nsize: 0.1\nword: \"a word\"\nmode: fast\ngroup:\n  inner: 1.0e-06\n");
+  CHECK(written(o) ==
+        "flag: false\ncount: 3\nsize: 0.1\nzero: 0\nword: \"a word\"\nmode: fast\ngroup:\n  inner: 1.0e-06\n");
   EveryField again;
   CHECK(read(written(o), again) == "");
+  CHECK_FALSE(again.unset);
+  CHECK_FALSE(again.zero);
+  CHECK_FALSE(again.shape);
 }
 
 TEST_CASE("options: files can be renamed while they are written") {
@@ -137,9 +164,11 @@ TEST_CASE("options: files can be renamed while they are written") {
 
 TEST_CASE("options: a wrong value leaves the default and the others alone") {
   EveryField o;
-  const std::string errors = read("count: 12\nflag: true\nmode: medium\nsize: 0\ngroup: {outer: 1}\n", o);
+  const std::string errors = read("count: 12\nflag: true\nmode: medium\nsize: 0\nabsent: -1\ngroup: {outer: 1}\n", o);
   CHECK(o.flag);
-  CHECK(o.mode == "fast");
+  CHECK(o.mode == Mode::fast);
+  CHECK_FALSE(o.absent);
+  CHECK_THAT(errors, Contains("'absent' in it must be at least 0 (found '-1')"));
   CHECK_THAT(errors, Contains("'count' in it must be at least 1 and at most 9 (found '12')"));
   CHECK_THAT(errors, Contains("'mode' in it must be one of: fast, slow; found 'medium'"));
   CHECK_THAT(errors, Contains("'size' in it must be greater than 0 (found '0')"));
@@ -149,27 +178,28 @@ TEST_CASE("options: a wrong value leaves the default and the others alone") {
 TEST_CASE("options: the same list describes them") {
   OptionsOf<EveryField> options;
   const std::vector<app::FieldInfo> fields = app::fields_of(options);
-  REQUIRE(fields.size() == 14);
+  REQUIRE(fields.size() == 15);
   CHECK(fields[1].type_in_words() == "whole number, at least 1 and at most 9");
   CHECK(fields[1].default_value == "3");
   CHECK(fields[2].type_in_words() == "number, greater than 0");
   CHECK(fields[2].unit == "length");
   CHECK(fields[3].default_value == "");
   CHECK(fields[4].default_value == "");
-  CHECK(fields[8].type_in_words() == "block of names and numbers, at least -5");
-  CHECK(fields[9].type_in_words() == "text or list of texts");
-  CHECK(fields[10].type_in_words() == "one of fast, slow");
-  CHECK(fields[12].type_in_words() == "a type, or a block with a type, of ball, brick, point");
-  REQUIRE(fields[12].children.size() == 3);
-  CHECK((fields[12].children[1].key == "brick" && fields[12].children[1].children[0].key == "axes"));
-  REQUIRE(fields[13].children.size() == 1);
-  CHECK(fields[13].children[0].key == "inner");
+  CHECK(fields[5].default_value == "0");
+  CHECK(fields[9].type_in_words() == "block of names and numbers, at least -5");
+  CHECK(fields[10].type_in_words() == "text or list of texts");
+  CHECK(fields[11].type_in_words() == "one of fast, slow");
+  CHECK(fields[13].type_in_words() == "a type, or a block with a type, of ball, brick, point");
+  REQUIRE(fields[13].children.size() == 3);
+  CHECK((fields[13].children[1].key == "brick" && fields[13].children[1].children[0].key == "axes"));
+  REQUIRE(fields[14].children.size() == 1);
+  CHECK(fields[14].children[0].key == "inner");
 }
 
 TEST_CASE("options: a block whose type says which fields it has") {
   EveryField o;
   REQUIRE(read("shape: {type: ball, radius: 2}\n", o) == "");
-  CHECK((o.shape == "ball" && o.radius == 2));
+  CHECK(std::get<Ball>(o.shape.value()).radius == 2);
   REQUIRE(read("shape: point\n", o) == "");
   CHECK_THAT(written(o), Contains("shape:\n  type: point\n"));
   CHECK_THAT(read("shape: {type: ball, axes: [1]}\n", o), Contains("unknown key 'axes' in it.shape"));

@@ -8,12 +8,12 @@ namespace leastcost::test {
 using Catch::Contains;
 
 TEST_CASE("override: replaces, adds, and makes blocks on the way") {
-  CHECK(parse(kPlane, {"path.points=7"}).config.points.count == 7);
+  CHECK(parse(kPlane, {"path.points=7"}).config.points == 7);
   CHECK(parse(kPlane, {"seed=3", "name=x"}).config.seed == 3);
   CHECK(parse(kPlane, {"kernel=square"}).config.kernel.plugin->type == "square");
   CHECK(parse(kPlane, {"solver={type: lbfgs, memory: 3}"}).config.solver.plugin->type == "lbfgs");
-  CHECK(parse(kPlane, {"ends.target.point=[1, 2]"}).config.target.point == Eigen::Vector2d(1, 2));
-  CHECK(parse(kPlane, {"post_process=[]"}).config.post_process.choices.empty());
+  CHECK(parse(kPlane, {"ends.target.point=[1, 2]"}).config.target->point == Eigen::Vector2d(1, 2));
+  CHECK(parse(kPlane, {"post_process=[]"}).config.post_process->empty());
 }
 
 TEST_CASE("override: a type given as a word becomes a block") {

@@ -68,8 +68,7 @@ TEST_CASE("registry: the promised abilities are those of the objects") {
     if (auto* tensor = dynamic_cast<OptionsOf<MetricTensorOptions>*>(choice.options.get()))
       tensor->value.matrix = Eigen::MatrixXd::Identity(3, 3);
     if (auto* field = dynamic_cast<OptionsOf<MetricFieldOptions>*>(choice.options.get())) {
-      field->value.type = "formula";
-      field->value.entries = {"1", "0", "0", "1", "0", "1 + x^2"};
+      field->value.field = metric::Formula{.entries = {"1", "0", "0", "1", "0", "1 + x^2"}};
     }
     const auto cost = make<std::shared_ptr<const SegmentCost>>(choice, {"", 3, Eigen::VectorXd::Zero(3)});
     CHECK(choice.provides(std::string(kConstantMetric)) ==
@@ -99,6 +98,45 @@ TEST_CASE("describe: the keys of a configuration") {
     CAPTURE(key);
     CHECK_THAT(text, Contains(key));
   }
+}
+
+namespace {
+
+void add_choices(const std::vector<app::FieldInfo>& fields, const std::string& path, std::set<std::string>& out) {
+  for (const app::FieldInfo& field : fields) {
+    const std::string here = path + "." + field.key;
+    if (field.type == app::FieldType::choice || field.type == app::FieldType::variant) out.insert(here);
+    add_choices(field.children, here, out);
+  }
+}
+
+}  // namespace
+
+// A choice that is missing here is missing among the static_asserts of tests/contracts as well.
+TEST_CASE("registry: the choices of all plug-ins are those whose misspelling is shown not to compile") {
+  std::set<std::string> found;
+  for (const PluginKind& kind : plugin_kinds())
+    for (const PluginEntry* plugin : kind.entries)
+      add_choices(app::fields_of(*plugin->defaults()), plugin->type, found);
+  std::set<std::string> known = {"travel_time.rule",
+                                 "metric_field.field",
+                                 "metric_field.field.file.on",
+                                 "metric_field.reading",
+                                 "metric_field.rule",
+                                 "parametric.surface",
+                                 "implicit.surface",
+                                 "constraint.set",
+                                 "point_cloud.normals",
+                                 "signed_distance.source",
+                                 "signed_distance.source.mesh.sign",
+                                 "signed_distance.source.point_cloud.normals",
+                                 "signed_distance.source.point_cloud.sign",
+                                 "signed_distance.source.implicit.surface",
+                                 "lbfgs.precondition"};
+  for (const char* back_end : {"nlopt", "ceres"})
+    if (find_plugin(kind("solver"), back_end)->missing.empty())
+      for (const char* option : {".algorithm", ".precondition"}) known.insert(std::string(back_end) + option);
+  CHECK(found == known);
 }
 
 }  // namespace leastcost::test

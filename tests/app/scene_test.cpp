@@ -16,6 +16,7 @@
 #include "problems/manifolds/bounded_level_set.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/words.hpp"
 
 namespace leastcost::test {
 
@@ -53,9 +54,7 @@ Seams seams_of(const TriangleSoup& soup) {
 Surroundings unit_path() { return {Eigen::Vector3d(0.9, -0.2, 0), Eigen::Vector3d(1, 0.3, 0.2)}; }
 
 TriangleSoup sphere(int n) {
-  ParametricOptions options;
-  options.type = "sphere";
-  const auto manifold = make_parametric_manifold(options);
+  const auto manifold = make_parametric_manifold({.surface = parametric::Sphere{}});
   Points u(2, 2);
   u << 0, 1, 0, n * 0.1;
   return chart_surface(*manifold, *manifold, u);
@@ -96,16 +95,12 @@ TEST_CASE("scene: charts are drawn over whole periods and from pole to pole") {
   CHECK(seams_of(sphere(1)).open == 0);
   for (const char* type : {"torus", "klein_bottle"}) {
     CAPTURE(type);
-    ParametricOptions options;
-    options.type = type;
-    const auto manifold = make_parametric_manifold(options);
+    const auto manifold = make_parametric_manifold({.surface = form<parametric::Surface>(type)});
     Points u(2, 3);
     u << 5.0, 6.0, 7.2, 0.4, 0.8, 1.1;
     CHECK(seams_of(chart_surface(*manifold, *manifold, u)).open == 0);
   }
-  ParametricOptions strip;
-  strip.type = "moebius_strip";
-  const auto moebius = make_parametric_manifold(strip);
+  const auto moebius = make_parametric_manifold({.surface = parametric::MoebiusStrip{}});
   Points u(2, 2);
   u << 2.4, 4.2, -0.3, 0.1;
   const TriangleSoup soup = chart_surface(*moebius, *moebius, u);

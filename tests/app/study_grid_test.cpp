@@ -38,7 +38,7 @@ TEST_CASE("study grid: the last axis runs fastest, every cell has its options") 
   CHECK(joined_values(grid.cells[4]) == "line lbfgs expm1_square 8 7 true ");
   CHECK(joined_values(grid.cells[8]) == "chute newton expm1_square 8 7 true ");
   for (std::size_t i = 0; i < grid.cells.size(); ++i) CHECK(grid.cells[i].number == static_cast<long>(i));
-  CHECK(grid.cells[15].config.points.count == 12);
+  CHECK(grid.cells[15].config.points == 12);
   CHECK_FALSE(grid.cells[15].config.cascade);
   CHECK(grid.cells[15].config.seed == 7);
   CHECK(grid.cells[0].optimum == 5);
@@ -74,8 +74,8 @@ TEST_CASE("study grid: what a problem sets is its own; limits reach every cell")
       "[1, "
       "0]}}}}\nsolvers: [newton, {name: own limit, type: lbfgs, max_evaluations: 5}]\n");
   REQUIRE(grid.cells.size() == 4);
-  CHECK(grid.cells[0].config.points.count == 20);
-  CHECK(grid.cells[2].config.points.count == 10);
+  CHECK(grid.cells[0].config.points == 20);
+  CHECK(grid.cells[2].config.points == 10);
   CHECK(grid.cells[2].config.certificate.spacing == 0.5);
   CHECK(grid.cells[1].config.max_seconds == 9);
   CHECK_THAT(resolved_yaml(grid.cells[0].config), Contains("max_evaluations: 77"));
@@ -193,7 +193,7 @@ TEST_CASE("study: --set reaches the study's own keys and the paths of its set an
   REQUIRE(study.errors.render() == "");
   CHECK(grid.config.repetitions == 3);
   CHECK(grid.config.seed == 4);
-  CHECK(grid.cells[0].config.points.count == 5);
+  CHECK(grid.cells[0].config.points == 5);
   CHECK(grid.cells[0].config.cascade);
 }
 

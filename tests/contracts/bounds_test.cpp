@@ -52,23 +52,15 @@ int held_points(const Problem& problem, const CoordinatePath& path) {
 
 ParametricOptions polar_plane() {
   ParametricOptions options;
-  options.type = "formula";
-  options.x = "v * cos(u)";
-  options.y = "v * sin(u)";
-  options.z = "0";
-  options.period_u = 2 * kPi;
+  options.surface = parametric::Formula{.x = "v * cos(u)", .y = "v * sin(u)", .z = "0", .period_u = 2 * kPi};
   options.box.lower = Eigen::Vector2d(-1e3, 1);
   return options;
 }
 
 std::shared_ptr<const LevelSet> boxed(const char* f, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
                                       int dimension = 3) {
-  ImplicitManifoldOptions options;
-  options.surface = "formula";
-  options.f = f;
-  options.dimension = dimension;
-  options.box = {lower, upper};
-  return make_implicit_manifold(options);
+  return make_implicit_manifold(
+      {.surface = leastcost::implicit::Formula{.f = f, .dimension = dimension}, .box = {lower, upper}});
 }
 
 /// A flat mesh over [-3, 3]^2 of squares of side 1 / m, without those in [-1, 1]^2.
@@ -126,7 +118,7 @@ TEST_CASE("bounds contract: parametric, around a hole in the chart", "[contract]
 
 TEST_CASE("bounds contract: parametric, rings along an edge of the chart", "[contract]") {
   ParametricOptions catenoid, strip;
-  catenoid.type = "catenoid";
+  catenoid.surface = parametric::Catenoid{};
   catenoid.box.lower = Eigen::Vector2d(-100, 0.5);
   const Problem cut = closed(make_parametric_manifold(catenoid), make_euclidean_cost(3));
   const int n = GENERATE(40, 200);
@@ -134,7 +126,7 @@ TEST_CASE("bounds contract: parametric, rings along an edge of the chart", "[con
   check_hugging(find(cut, n, CoordinateCircleInitializer({0, Eigen::Vector2d(0, 0.9), 1})), 2 * kPi * std::cosh(0.5),
                 4 / (1.0 * n * n));
   // Partly on the edge of a strip of finite width, which a ring of two turns follows twice.
-  strip.type = "moebius_strip";
+  strip.surface = parametric::MoebiusStrip{};
   const Problem moebius = closed(make_parametric_manifold(strip), make_euclidean_cost(3));
   const Result one = find(moebius, n, CoordinateCircleInitializer({0, Eigen::Vector2d(0.3, 0), 1}));
   const Result two = find(moebius, n, CoordinateCircleInitializer({0, Eigen::Vector2d(0.3, 0.45), 2}));
@@ -151,7 +143,7 @@ TEST_CASE("bounds contract: euclidean, a metric that pushes the path against the
   // The half-plane metric above y = 1/2 with a ceiling at y = 1.2, under the semicircle between (-1, 1) and (1, 1),
   // whose top is sqrt 2: two arcs of circles about the axis that touch the ceiling, and the piece of it between them.
   MetricFieldOptions metric;
-  metric.type = "half_plane";
+  metric.field = leastcost::metric::HalfPlane{};
   const Problem problem = between(box(Eigen::Vector2d(-9, 0.5), Eigen::Vector2d(9, 1.2)),
                                   make_metric_field_cost(metric, 2), Eigen::Vector2d(-1, 1), Eigen::Vector2d(1, 1));
   const double top = 1.2, reach = std::sqrt(top * top - 1);

@@ -3,11 +3,14 @@
 #include <leastcost/solvers/ceres/ceres_solver.hpp>
 
 #include "tests/contracts/solver_contract.hpp"
+#include "tests/support/choices.hpp"
 
 namespace leastcost::test {
 namespace {
 
-MakeSolver ceres(const char* algorithm, const char* precondition = "chain") {
+using enum CeresAlgorithm;
+
+MakeSolver ceres_solver(CeresAlgorithm algorithm, Preconditioner precondition = Preconditioner::chain) {
   return [=](int iterations, int evaluations) {
     CeresOptions options{.algorithm = algorithm, .max_iterations = iterations};
     options.rounds.precondition = precondition;
@@ -16,25 +19,33 @@ MakeSolver ceres(const char* algorithm, const char* precondition = "chain") {
   };
 }
 
+template <class Options>
+concept TakesMisspelt = requires {
+  Options{.algorithm = "lbfg"};
+};
+static_assert(!TakesMisspelt<CeresOptions>);
+static_assert(!kTakesWords<decltype(CeresOptions::algorithm)>);
+
 }  // namespace
 
+TEST_CASE("typed options: every algorithm of ceres has one word") { check_words(CeresAlgorithm::ncg); }
 TEST_CASE("solver contract: ceres, trust region", "[contract]") {
-  const char* algorithm = GENERATE("levenberg_marquardt", "dogleg");
-  CAPTURE(algorithm);
-  check_solver_contract(ceres(algorithm));
+  const CeresAlgorithm algorithm = GENERATE(levenberg_marquardt, dogleg);
+  CAPTURE(word_of(algorithm));
+  check_solver_contract(ceres_solver(algorithm));
 }
 TEST_CASE("solver contract: ceres, line search, precondition chain", "[contract]") {
-  const char* algorithm = GENERATE("lbfgs", "bfgs", "ncg");
-  CAPTURE(algorithm);
-  check_solver_contract(ceres(algorithm), {.has_iterations = false});
+  const CeresAlgorithm algorithm = GENERATE(lbfgs, bfgs, ncg);
+  CAPTURE(word_of(algorithm));
+  check_solver_contract(ceres_solver(algorithm), {.has_iterations = false});
 }
 TEST_CASE("solver contract: ceres, line search, precondition none", "[contract]") {
-  check_solver_contract(ceres("lbfgs", "none"), {.has_iterations = false});
+  check_solver_contract(ceres_solver(lbfgs, Preconditioner::none), {.has_iterations = false});
 }
 TEST_CASE("solvers agree: newton and ceres", "[contract]") {
-  const char* algorithm = GENERATE("levenberg_marquardt", "dogleg", "lbfgs");
-  CAPTURE(algorithm);
-  check_agreement(Newton(), *ceres(algorithm)(1000, 1000000));
+  const CeresAlgorithm algorithm = GENERATE(levenberg_marquardt, dogleg, lbfgs);
+  CAPTURE(word_of(algorithm));
+  check_agreement(Newton(), *ceres_solver(algorithm)(1000, 1000000));
 }
 
 }  // namespace leastcost::test

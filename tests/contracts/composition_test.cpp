@@ -60,7 +60,7 @@ std::shared_ptr<const SegmentCost> metric_cost(int d) {
   return make_metric_tensor_cost(options, d);
 }
 
-std::shared_ptr<const SegmentCost> bead_cost(const Eigen::VectorXd& source, const char* rule, double start_speed) {
+std::shared_ptr<const SegmentCost> bead_cost(const Eigen::VectorXd& source, TravelTimeRule rule, double start_speed) {
   TravelTimeOptions options;
   options.rule = rule;
   options.gravity = 1;
@@ -95,8 +95,9 @@ TEST_CASE("composition: every cost in R^2, R^3 and R^7", "[contract]") {
   Random random;
   const Eigen::VectorXd down = -Eigen::VectorXd::Unit(d, d - 1), source = random.vector(d);
   const Eigen::VectorXd target = source + random.vector(d) + 4 * down;
-  for (const auto& cost : {make_euclidean_cost(d), metric_cost(d), bead_cost(source, "chute", 0),
-                           bead_cost(source, "chute", 1), bead_cost(source, "midpoint", 1)}) {
+  for (const auto& cost :
+       {make_euclidean_cost(d), metric_cost(d), bead_cost(source, TravelTimeRule::chute, 0),
+        bead_cost(source, TravelTimeRule::chute, 1), bead_cost(source, TravelTimeRule::midpoint, 1)}) {
     const Result result = find(between(space(d), cost, source, target), 24);
     CAPTURE(d, cost->traits().unit, failures(result.certificate));
     CHECK(result.status == Status::certified);
@@ -125,8 +126,8 @@ TEST_CASE("composition: every cost on a mesh", "[contract]") {
     CHECK(result.certificate.scope == "local_on_polyhedron");
   }
   const Eigen::VectorXd from = project_end(*mesh, source).u;
-  for (const auto& cost : {bead_cost(from, "chute", 0), bead_cost(from, "chute", 1), bead_cost(from, "midpoint", 1),
-                           make_segment_cost(SlowAbove{})}) {
+  for (const auto& cost : {bead_cost(from, TravelTimeRule::chute, 0), bead_cost(from, TravelTimeRule::chute, 1),
+                           bead_cost(from, TravelTimeRule::midpoint, 1), make_segment_cost(SlowAbove{})}) {
     const Result result = find_on_mesh(between(mesh, cost, source, target), 32, {&trace});
     CAPTURE(cost->traits().unit, failures(result.certificate));
     CHECK(result.status == Status::certified);
@@ -142,7 +143,8 @@ TEST_CASE("composition: a bead on a tilted mesh plane is a bead in R^2 with less
   const auto mesh = tilted_plane(e, f, 9);
   const Eigen::Vector3d zero = Eigen::Vector3d::Zero(), target = 1.5 * e + 1 * f;
   const TracePostProcessor trace;
-  const Result result = find_on_mesh(between(mesh, bead_cost(zero, "chute", 0), zero, target), 30, {&trace});
+  const Result result =
+      find_on_mesh(between(mesh, bead_cost(zero, TravelTimeRule::chute, 0), zero, target), 30, {&trace});
   const double time = chute_chain_time(1.5, 1, std::sin(slope), 31);
   CAPTURE(slope, result.costs.sum(), time, name(result.solve.termination), failures(result.certificate));
   CHECK(result.costs.sum() == Approx(time).epsilon(1e-7));

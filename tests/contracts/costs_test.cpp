@@ -13,6 +13,7 @@
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/data.hpp"
+#include "tests/support/words.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -34,13 +35,9 @@ CostCase metric_tensor(int d) {
 }
 
 /// Points around (0, 2); the named metrics that are infinite somewhere are so below y = 0.
-CostCase metric_field(const char* type, const char* reading, const char* rule) {
-  MetricFieldOptions options;
-  options.type = type;
-  options.reading = reading;
-  options.rule = rule;
-  options.entries = {"2 + sin(x)", "0.3 * cos(y)", "1 + 0.2 * x^2"};
-  const bool bounded = std::string_view(type) != "formula";
+CostCase metric_field(const metric::Field& field, TensorReading reading, TensorRule rule) {
+  const MetricFieldOptions options{.field = field, .reading = reading, .rule = rule};
+  const bool bounded = !std::holds_alternative<metric::Formula>(field);
   CostCase c{.cost = make_metric_field_cost(options, 2),
              .draw = [](Random& random) -> Eigen::VectorXd { return Eigen::Vector2d(0, 2.5) + random.vector(2); }};
   if (bounded) c.outside = {Eigen::Vector2d(0, -1e-8), Eigen::Vector2d(3, -1)};
@@ -70,7 +67,7 @@ CostCase on_data(const ConstraintManifold& domain, MetricFieldOptions options,
 }
 
 /// Level at height 0; points between 1 and 3 below it.
-CostCase travel_time(const char* rule, int d) {
+CostCase travel_time(TravelTimeRule rule, int d) {
   TravelTimeOptions options;
   options.rule = rule;
   options.level = 0;
@@ -90,30 +87,31 @@ CostCase travel_time(const char* rule, int d) {
 TEST_CASE("cost contract: euclidean", "[contract]") { check_cost_contract(euclidean(GENERATE(2, 3, 7))); }
 TEST_CASE("cost contract: metric_tensor", "[contract]") { check_cost_contract(metric_tensor(GENERATE(2, 3, 7))); }
 TEST_CASE("cost contract: metric_field, named", "[contract]") {
-  check_cost_contract(metric_field(GENERATE("half_plane", "fisher_rao"), "metric", "midpoint"));
+  check_cost_contract(metric_field(form<metric::Field>(GENERATE("half_plane", "fisher_rao")), TensorReading::metric,
+                                   TensorRule::midpoint));
 }
 TEST_CASE("cost contract: metric_field, formula", "[contract]") {
-  check_cost_contract(metric_field("formula", GENERATE("metric", "root"), GENERATE("midpoint", "average")));
+  const metric::Formula formula{.entries = {"2 + sin(x)", "0.3 * cos(y)", "1 + 0.2 * x^2"}};
+  check_cost_contract(metric_field(formula, GENERATE(TensorReading::metric, TensorReading::root),
+                                   GENERATE(TensorRule::midpoint, TensorRule::average)));
 }
 TEST_CASE("cost contract: metric_field, curvature", "[contract]") {
   MetricFieldOptions options;
-  options.type = "curvature";
-  options.curvature.weight = 0.3;
-  options.reading = GENERATE("metric", "root");
-  options.rule = GENERATE("midpoint", "average");
+  options.field = CurvatureMetricOptions{.weight = 0.3};
+  options.reading = GENERATE(TensorReading::metric, TensorReading::root);
+  options.rule = GENERATE(TensorRule::midpoint, TensorRule::average);
   check_cost_contract(on_data(*GENERATE(hill_mesh, hill_cloud)(), options));
 }
 TEST_CASE("cost contract: metric_field, file", "[contract]") {
   const ScratchDir folder;
-  const auto [cloud, on] = GENERATE(std::pair(true, "auto"), std::pair(false, "auto"), std::pair(false, "faces"));
+  const auto [cloud, on] = GENERATE(std::pair(true, TensorPlace::automatic), std::pair(false, TensorPlace::automatic),
+                                    std::pair(false, TensorPlace::faces));
   const auto domain = cloud ? hill_cloud() : hill_mesh();
   MetricFieldOptions options;
-  options.type = "file";
-  options.tensor_file.file = "tensors.txt";
-  options.tensor_file.on = on;
-  const SurfaceSamples samples = cloud ? point_samples(dynamic_cast<const HasPointCloud&>(*domain).cloud())
-                                       : (options.tensor_file.on == "faces" ? face_samples : vertex_samples)(
-                                             dynamic_cast<const HasMesh&>(*domain).mesh());
+  options.field = TensorFileOptions{.file = "tensors.txt", .on = on};
+  const SurfaceSamples samples =
+      cloud ? point_samples(dynamic_cast<const HasPointCloud&>(*domain).cloud())
+            : (on == TensorPlace::faces ? face_samples : vertex_samples)(dynamic_cast<const HasMesh&>(*domain).mesh());
   std::vector<std::string> rows(samples.in_file.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const Eigen::Vector3d& p = samples.positions[i];
@@ -127,10 +125,10 @@ TEST_CASE("cost contract: metric_field, file", "[contract]") {
   check_cost_contract(on_data(*domain, options, folder.path()));
 }
 TEST_CASE("cost contract: travel_time, chute", "[contract]") {
-  check_cost_contract(travel_time("chute", GENERATE(2, 3, 7)));
+  check_cost_contract(travel_time(TravelTimeRule::chute, GENERATE(2, 3, 7)));
 }
 TEST_CASE("cost contract: travel_time, midpoint", "[contract]") {
-  check_cost_contract(travel_time("midpoint", GENERATE(2, 3, 7)));
+  check_cost_contract(travel_time(TravelTimeRule::midpoint, GENERATE(2, 3, 7)));
 }
 
 TEST_CASE("a chute from rest: finite time, and derivatives at the other end", "[contract]") {
@@ -157,6 +155,10 @@ TEST_CASE("the level of a bead: source, start speed, or stated", "[contract]") {
   const auto cost = make_travel_time_cost(options, 2, Eigen::VectorXd(source));
   CHECK(move_cost(*cost, source, below) == Approx(2 * 5 / (4 + 6.0)));
   CHECK_THROWS_AS(make_travel_time_cost(options, 2, std::nullopt), OptionError);
+  options.level = std::numeric_limits<double>::quiet_NaN();
+  options.start_speed = 0;
+  CHECK_THROWS_AS(make_travel_time_cost(options, 2, std::nullopt), OptionError);
+  options.start_speed = 4;
   options.level = 5;
   CHECK_THROWS_AS(make_travel_time_cost(options, 2, std::nullopt), OptionError);  // one of the two
   options.start_speed = 0;

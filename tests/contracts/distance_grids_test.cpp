@@ -16,6 +16,11 @@
 namespace leastcost::test {
 namespace {
 
+/// A surface to sample, in a box.
+distance_source::Implicit over(const implicit::Surface& surface, const BoxOptions& box = {}) {
+  return {.surface = {.surface = surface}, .box = box};
+}
+
 std::shared_ptr<const SignedDistanceManifold> from(const DistanceSource& source, double cell) {
   SampledDistance sampled = build_distance_grid(source, {.cell = cell});
   return std::make_shared<SignedDistanceManifold>(std::move(sampled.grid));
@@ -23,8 +28,7 @@ std::shared_ptr<const SignedDistanceManifold> from(const DistanceSource& source,
 
 std::shared_ptr<const SignedDistanceManifold> torus(double cell) {
   SignedDistanceOptions options;
-  options.source = "implicit";
-  options.implicit.surface = "torus";
+  options.source = over(implicit::Torus{});
   options.cell = cell;
   return make_signed_distance_manifold(options, {});
 }
@@ -65,8 +69,7 @@ TEST_CASE("manifold contract: signed_distance, a mesh", "[contract]") {
 TEST_CASE("signed distance: options that describe no grid are refused by name, before anything is read") {
   const auto key = [](const std::function<void(SignedDistanceOptions&)>& change) -> std::string {
     SignedDistanceOptions o;
-    o.source = "mesh";
-    o.file = "missing.obj";
+    o.source = distance_source::Mesh{.file = "missing.obj"};
     change(o);
     struct Begun {};
     try {
@@ -80,20 +83,19 @@ TEST_CASE("signed distance: options that describe no grid are refused by name, b
   };
   using O = SignedDistanceOptions;
   CHECK(key([](O&) {}) == "begun");
-  CHECK(key([](O& o) { o.source = "potato"; }) == "source.type");
   CHECK(key([](O& o) { o.cell = o.accuracy = 1; }) == "accuracy");
-  CHECK(key([](O& o) { o.sign = "unsigned"; }) == "source.offset");
-  CHECK(key([](O& o) { o.offset = 1; }) == "source.offset");
-  CHECK(key([](O& o) { o.sign = "maybe"; }) == "source.sign");
-  CHECK(key([](O& o) { o.source = "file", o.cell = 1; }) == "cell");
-  CHECK(key([](O& o) { o.source = "implicit", o.implicit.surface = "gyroid"; }) == "source.box");
-  CHECK(key([](O& o) { o.source = "implicit", o.implicit.surface = "paper_curve"; }) == "source.surface");
-  CHECK(key([](O& o) { o.source = "implicit", o.implicit.surface = "torus", o.implicit.minor_radius = 5; }) ==
-        "source.surface.minor_radius");
-  CHECK(key([](O& o) {
-          o.source = "implicit", o.implicit.surface = "sphere", o.box.lower = Eigen::Vector3d::Zero();
-        }) == "source.box.lower");
-  CHECK(key([](O& o) { o.source = "implicit", o.implicit.surface = "sphere"; }) == "begun");
+  const auto mesh = [](DistanceSign sign, double offset) {
+    return distance_source::Mesh{.file = "missing.obj", .sides = {sign, offset}};
+  };
+  CHECK(key([&](O& o) { o.source = mesh(DistanceSign::without_sides, 0); }) == "source.offset");
+  CHECK(key([&](O& o) { o.source = mesh(DistanceSign::with_sides, 1); }) == "source.offset");
+  CHECK(key([](O& o) { o.source = distance_source::GridFile{}, o.cell = 1; }) == "cell");
+  CHECK(key([](O& o) { o.source = over(implicit::Gyroid{}); }) == "source.box");
+  CHECK(key([](O& o) { o.source = over(implicit::PaperCurve{}); }) == "source.surface");
+  CHECK(key([](O& o) { o.source = over(implicit::Torus{.minor_radius = 5}); }) == "source.surface.minor_radius");
+  CHECK(key([](O& o) { o.source = over(implicit::Sphere{}, {.lower = Eigen::Vector3d::Zero()}); }) ==
+        "source.box.lower");
+  CHECK(key([](O& o) { o.source = over(implicit::Sphere{}); }) == "begun");
 }
 
 TEST_CASE("signed distance: where there is no projection, the reason is given") {
@@ -125,8 +127,7 @@ TEST_CASE("signed distance: read from a file, the same as made") {
         for (int i = 0; i < shape.count[0]; ++i) out << made->grid().at_node(i, j, k) << '\n';
   }
   SignedDistanceOptions options;
-  options.source = "file";
-  options.file = "torus.sdf";
+  options.source = distance_source::GridFile{"torus.sdf"};
   const auto read = make_signed_distance_manifold(options, folder.path());
   CHECK(read->coarser());
   Eigen::Vector3d g, h;

@@ -20,6 +20,7 @@
 #include "tests/support/compose.hpp"
 #include "tests/support/data.hpp"
 #include "tests/support/random.hpp"
+#include "tests/support/words.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -112,15 +113,9 @@ TEST_CASE("initializer contract: bow", "[contract]") {
 }
 
 TEST_CASE("initializer contract: coordinate_circle", "[contract]") {
-  ParametricOptions surface;
-  surface.type = "moebius_strip";
-  const Problem strip = closed(make_parametric_manifold(surface), make_euclidean_cost(3));
-  const Problem torus = closed(make_parametric_manifold([] {
-                                 ParametricOptions o;
-                                 o.type = "torus";
-                                 return o;
-                               }()),
-                               make_euclidean_cost(3));
+  const Problem strip =
+      closed(make_parametric_manifold({.surface = parametric::MoebiusStrip{}}), make_euclidean_cost(3));
+  const Problem torus = closed(make_parametric_manifold({.surface = parametric::Torus{}}), make_euclidean_cost(3));
   check_initializer_contract(CoordinateCircleInitializer({1, Eigen::Vector2d(0.3, 0.1), 1}), torus);
   check_initializer_contract(CoordinateCircleInitializer({0, Eigen::Vector2d(0.3, 0), 1}), strip);
   check_initializer_contract(CoordinateCircleInitializer({0, Eigen::Vector2d(0.3, 0.2), 2}), strip);
@@ -133,9 +128,7 @@ TEST_CASE("initializer contract: coordinate_circle", "[contract]") {
 namespace {
 
 std::shared_ptr<const LevelSet> surface(const char* type) {
-  ImplicitManifoldOptions options;
-  options.surface = type;
-  return make_implicit_manifold(options);
+  return make_implicit_manifold({.surface = form<implicit::Surface>(type)});
 }
 
 /// Problems on smooth surfaces; `across`: also such whose straight line runs through the middle.
@@ -235,11 +228,12 @@ TEST_CASE("initializer contract: rrt, seeds and failures", "[contract]") {
     }
   };
   // Two spheres that do not touch: no tree gets from one to the other.
-  ImplicitManifoldOptions two;
-  two.surface = "formula";
+  implicit::Formula two;
   two.f = "((x - 2)^2 + y^2 + z^2 - 1) * ((x + 2)^2 + y^2 + z^2 - 1)";
-  const Problem apart =
-      between(make_implicit_manifold(two), make_euclidean_cost(3), Eigen::Vector3d(3, 0, 0), Eigen::Vector3d(-3, 0, 0));
+  const Problem apart = between(make_implicit_manifold({.surface = two}), make_euclidean_cost(3),
+                                Eigen::Vector3d(3, 0, 0), Eigen::Vector3d(-3, 0, 0));
+  CHECK_THROWS_AS(RrtInitializer({.step = 0}), OptionError);
+  CHECK_THROWS_AS(RrtInitializer({.shell = -1}), OptionError);
   RrtOptions few;
   few.max_nodes = 300;
   CHECK_THAT(message(apart, few), Catch::Contains("no path after ") && Catch::Contains("from the target"));

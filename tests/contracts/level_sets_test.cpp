@@ -8,6 +8,7 @@
 #include <leastcost/problems/manifolds/implicit.hpp>
 #include "problems/chart/has_images.hpp"
 #include "tests/contracts/manifold_contract.hpp"
+#include "tests/support/words.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -35,35 +36,29 @@ ManifoldCase level_set_case(std::shared_ptr<const ConstraintManifold> manifold, 
   return c;
 }
 
-std::shared_ptr<const LevelSet> implicit(const char* surface) {
-  ImplicitManifoldOptions options;
-  options.surface = surface;
-  options.axes = Eigen::Vector3d(3, 2, 1);
+std::shared_ptr<const LevelSet> implicit_surface(const char* surface) {
+  ImplicitManifoldOptions options{.surface = form<implicit::Surface>(surface)};
+  if (auto* ellipsoid = std::get_if<implicit::Ellipsoid>(&options.surface)) ellipsoid->axes = Eigen::Vector3d(3, 2, 1);
   return make_implicit_manifold(options);
 }
 
 std::shared_ptr<const LevelSet> implicit_formula(const char* f, int dimension = 3,
                                                  const std::map<std::string, double>& parameters = {}) {
-  ImplicitManifoldOptions options;
-  options.surface = "formula";
-  options.f = f;
-  options.dimension = dimension;
-  options.parameters = parameters;
-  return make_implicit_manifold(options);
+  return make_implicit_manifold(
+      {.surface = implicit::Formula{.f = f, .dimension = dimension, .parameters = parameters}});
 }
 
-std::shared_ptr<const LevelSet> equations(int dimension, const std::vector<std::string>& texts) {
+std::shared_ptr<const LevelSet> equations(std::optional<int> dimension, const std::vector<std::string>& texts) {
   ConstraintManifoldOptions options;
   options.dimension = dimension;
   options.equations = texts;
   return make_constraint_manifold(options);
 }
 
-std::shared_ptr<const LevelSet> named_set(const char* set, int dimension, double radius = 1) {
+std::shared_ptr<const LevelSet> named_set(const constraint::Set& set, std::optional<int> dimension) {
   ConstraintManifoldOptions options;
   options.dimension = dimension;
   options.set = set;
-  options.radius = radius;
   return make_constraint_manifold(options);
 }
 
@@ -90,22 +85,22 @@ std::string wrong_key(Make make) {
 }  // namespace
 
 TEST_CASE("manifold contract: implicit, sphere", "[contract]") {
-  check_manifold_contract(level_set_case(implicit("sphere"), 1, 1));
+  check_manifold_contract(level_set_case(implicit_surface("sphere"), 1, 1));
 }
 TEST_CASE("manifold contract: implicit, ellipsoid", "[contract]") {
-  check_manifold_contract(level_set_case(implicit("ellipsoid"), 2, 3));
+  check_manifold_contract(level_set_case(implicit_surface("ellipsoid"), 2, 3));
 }
 TEST_CASE("manifold contract: implicit, torus", "[contract]") {
-  check_manifold_contract(level_set_case(implicit("torus"), 2, 3));
+  check_manifold_contract(level_set_case(implicit_surface("torus"), 2, 3));
 }
 TEST_CASE("manifold contract: implicit, genus2", "[contract]") {
-  check_manifold_contract(level_set_case(implicit("genus2"), 1.5, 2));
+  check_manifold_contract(level_set_case(implicit_surface("genus2"), 1.5, 2));
 }
 TEST_CASE("manifold contract: implicit, gyroid", "[contract]") {
-  check_manifold_contract(level_set_case(implicit("gyroid"), 3, 6));
+  check_manifold_contract(level_set_case(implicit_surface("gyroid"), 3, 6));
 }
 TEST_CASE("manifold contract: implicit, paper_curve", "[contract]") {
-  check_manifold_contract(level_set_case(implicit("paper_curve"), 2, 3));
+  check_manifold_contract(level_set_case(implicit_surface("paper_curve"), 2, 3));
 }
 TEST_CASE("manifold contract: implicit, formula", "[contract]") {
   check_manifold_contract(level_set_case(implicit_formula("z - a*sin(x)*cos(y)", 3, {{"a", 0.5}}), 2, 3));
@@ -119,10 +114,10 @@ TEST_CASE("manifold contract: constraint, equations", "[contract]") {
   check_manifold_contract(level_set_case(equations(3, {"cos(x0) + cos(x0 + x1) - 0.5"}), 2, 4));
 }
 TEST_CASE("manifold contract: constraint, sphere", "[contract]") {
-  check_manifold_contract(level_set_case(named_set("sphere", 7, 2), 2, 2));
+  check_manifold_contract(level_set_case(named_set(constraint::Sphere{2}, 7), 2, 2));
 }
 TEST_CASE("manifold contract: constraint, so3", "[contract]") {
-  const auto rotations = named_set("so3", 4);
+  const auto rotations = named_set(constraint::Rotations{}, 4);
   check_manifold_contract(level_set_case(rotations, 1, 1));
   const auto* images = dynamic_cast<const HasImages*>(rotations.get());
   REQUIRE(images != nullptr);
@@ -132,9 +127,9 @@ TEST_CASE("manifold contract: constraint, so3", "[contract]") {
 }
 
 TEST_CASE("level sets: where there is no projection, the reason is given", "[contract]") {
-  CHECK_THAT(refusal(*implicit("sphere"), Eigen::Vector3d::Zero()),
+  CHECK_THAT(refusal(*implicit_surface("sphere"), Eigen::Vector3d::Zero()),
              Catch::Contains("gradients of the equations vanish"));
-  CHECK_THAT(refusal(*implicit("torus"), Eigen::Vector3d(0, 0, 0.3)),
+  CHECK_THAT(refusal(*implicit_surface("torus"), Eigen::Vector3d(0, 0, 0.3)),
              Catch::Contains("no solution of the equations was found"));  // on the axis
   CHECK_THAT(refusal(*implicit_formula("x^2 + y^2 + z^2 + 1"), Eigen::Vector3d(1, 2, 3)),
              Catch::Contains("the set may be empty"));
@@ -148,7 +143,7 @@ TEST_CASE("level sets: where there is no projection, the reason is given", "[con
 
 TEST_CASE("level sets: projection does not run away", "[contract]") {
   // Almost at the centre of a sphere the undamped step is 5e5 long; on a gyroid the next sheet is half a period away.
-  const PathEnd end = project_end(*implicit("sphere"), Eigen::Vector3d(1e-6, 0, 0));
+  const PathEnd end = project_end(*implicit_surface("sphere"), Eigen::Vector3d(1e-6, 0, 0));
   CHECK((end.u - Eigen::Vector3d::UnitX()).norm() <= 1e-15);
   Random random;
   for (int i = 0; i < 200; ++i) {
@@ -156,9 +151,9 @@ TEST_CASE("level sets: projection does not run away", "[contract]") {
     const Eigen::VectorXd x = 3 * random.vector(3);
     Eigen::VectorXd value(1);
     Points gradient(3, 1);
-    implicit("gyroid")->function().evaluate(x, value, gradient);
+    implicit_surface("gyroid")->function().evaluate(x, value, gradient);
     if (std::abs(value[0]) > 1.2) continue;  // 1.5 is the most, where there is no direction to go
-    project_end(*implicit("gyroid"), x, &moved);
+    project_end(*implicit_surface("gyroid"), x, &moved);
     CHECK(moved < 3.2);  // half a period is pi
   }
 }
@@ -167,19 +162,15 @@ TEST_CASE("level sets: options that describe none are refused by name", "[contra
   CHECK(wrong_key([] { implicit_formula("x +"); }) == "surface.f");
   CHECK(wrong_key([] { implicit_formula("a*x", 3, {{"x", 1}}); }) == "surface.parameters.x");
   CHECK(wrong_key([] { implicit_formula("x*z", 2); }) == "surface.f");
-  CHECK(wrong_key([] { implicit("potato"); }) == "surface.type");
-  CHECK(wrong_key([] {
-          ImplicitManifoldOptions o;
-          o.surface = "torus";
-          o.minor_radius = 3;
-          make_implicit_manifold(o);
-        }) == "surface.minor_radius");
+  CHECK(wrong_key([] { make_implicit_manifold({.surface = implicit::Torus{.minor_radius = 3}}); }) ==
+        "surface.minor_radius");
   CHECK(wrong_key([] { equations(-1, {"x0"}); }) == "dimension");
+  CHECK(wrong_key([] { equations({}, {"x0"}); }) == "dimension");
   CHECK(wrong_key([] { equations(2, {"x0", "x1"}); }) == "equations");
   CHECK(wrong_key([] { equations(3, {"x0", "x3"}); }) == "equations.1");
-  CHECK(wrong_key([] { named_set("so3", 3); }) == "dimension");
-  CHECK(wrong_key([] { named_set("sphere", -1); }) == "dimension");
-  CHECK(wrong_key([] { named_set("sphere", 3, -1); }) == "set.radius");
+  CHECK(wrong_key([] { named_set(constraint::Rotations{}, 3); }) == "dimension");
+  CHECK(wrong_key([] { named_set(constraint::Sphere{}, -1); }) == "dimension");
+  CHECK(wrong_key([] { named_set(constraint::Sphere{-1}, 3); }) == "set.radius");
   CHECK(wrong_key([] { make_constraint_manifold({}); }) == "equations");
 }
 

@@ -10,6 +10,7 @@
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/sample_domains.hpp"
+#include "tests/support/words.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -118,12 +119,12 @@ void check_chart(const ParametricManifold& manifold, const Points& points) {
 
 TEST_CASE("manifold contract: parametric", "[contract]") {
   ParametricOptions options;
-  options.type = GENERATE("plane", "sphere", "ellipsoid", "torus", "cylinder", "cone", "catenoid", "paraboloid",
-                          "hyperboloid", "klein_bottle", "moebius_strip", "spiral", "enneper", "formula");
-  CAPTURE(options.type);
-  options.x = "u * cos(v)";
-  options.y = "u * sin(v)";
-  options.z = "exp(-u^2)";
+  options.surface = form<parametric::Surface>(GENERATE("plane", "sphere", "ellipsoid", "torus", "cylinder", "cone",
+                                                       "catenoid", "paraboloid", "hyperboloid", "klein_bottle",
+                                                       "moebius_strip", "spiral", "enneper", "formula"));
+  CAPTURE(type_of(options.surface));
+  if (auto* formula = std::get_if<parametric::Formula>(&options.surface))
+    *formula = {.x = "u * cos(v)", .y = "u * sin(v)", .z = "exp(-u^2)"};
   options.box.lower = Eigen::Vector2d(-2, -1.5);
   options.box.upper = Eigen::Vector2d(2, 1.5);
   const auto manifold = make_parametric_manifold(options);
@@ -142,32 +143,30 @@ TEST_CASE("manifold contract: parametric", "[contract]") {
 TEST_CASE("manifold contract: point_cloud, a sampled torus", "[contract]") { check_manifold_contract(cloud_case()); }
 
 TEST_CASE("formulas that are no surface, or do not have their period, are refused", "[contract]") {
-  ParametricOptions options;
-  options.type = "formula";
-  options.x = "cos(u)";
-  options.y = "sin(u)";
-  options.z = "v";
+  parametric::Formula formula{.x = "cos(u)", .y = "sin(u)", .z = "v"};
   const auto key = [&]() -> std::string {
     try {
-      make_parametric_manifold(options);
+      make_parametric_manifold({.surface = formula});
     } catch (const OptionError& error) {
       return error.key();
     }
     return "accepted";
   };
-  options.period_u = 2 * std::acos(-1.0);
+  formula.period_u = 2 * std::acos(-1.0);
   CHECK(key() == "accepted");
-  options.twisted = true;
+  formula.twisted = true;
   CHECK(key() == "surface.period_u");
-  options.twisted = false;
-  options.period_u = 3;
+  formula.twisted = false;
+  formula.period_u = 3;
   CHECK(key() == "surface.period_u");
-  options.period_u = 0;
-  options.z = "sin(u)";
+  formula.period_u = -3;
+  CHECK(key() == "surface.period_u");
+  formula.period_u.reset();
+  formula.z = "sin(u)";
   CHECK(key() == "surface");
-  options.x = options.y = options.z = "u - v";
+  formula.x = formula.y = formula.z = "u - v";
   CHECK(key() == "surface");
-  options.y = "u + v";
+  formula.y = "u + v";
   CHECK(key() == "accepted");
 }
 

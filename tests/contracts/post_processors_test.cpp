@@ -14,6 +14,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/random.hpp"
+#include "tests/support/words.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -104,7 +105,7 @@ TEST_CASE("post_processor contract: straighten", "[contract]") {
 
 TEST_CASE("post_processor contract: on_surface", "[contract]") {
   ImplicitManifoldOptions options;
-  options.surface = GENERATE("sphere", "torus", "genus2", "gyroid");
+  options.surface = form<implicit::Surface>(GENERATE("sphere", "torus", "genus2", "gyroid"));
   const auto manifold = make_implicit_manifold(options);
   const Problem problem =
       between(manifold, make_euclidean_cost(3), Eigen::Vector3d(0.9, 1, 0.3), Eigen::Vector3d(0.9, -1, 0.5));
@@ -112,7 +113,7 @@ TEST_CASE("post_processor contract: on_surface", "[contract]") {
   const PostProcessed chain = as_delivered(problem, sample_equally(problem, first.path, kPoints));
   double before = chain.curve.cost;
   for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
-    CAPTURE(options.surface, tolerance);
+    CAPTURE(type_of(options.surface), tolerance);
     const PostProcessed made = OnSurfacePostProcessor({tolerance}).apply(problem, first, chain, {});
     const Points& x = made.curve.x;
     const Index m = x.cols() - 1;
@@ -135,7 +136,7 @@ TEST_CASE("post_processor contract: on_surface", "[contract]") {
 TEST_CASE("VFCS Eq. (16): on_surface puts the points over a segment into the plane of chord and mean normal",
           "[contract]") {
   ImplicitManifoldOptions options;
-  options.surface = GENERATE("torus", "genus2", "gyroid");
+  options.surface = form<implicit::Surface>(GENERATE("torus", "genus2", "gyroid"));
   const auto manifold = make_implicit_manifold(options);
   const Problem problem =
       between(manifold, make_euclidean_cost(3), Eigen::Vector3d(0.9, 1, 0.3), Eigen::Vector3d(0.9, -1, 0.5));
@@ -164,7 +165,7 @@ TEST_CASE("VFCS Eq. (16): on_surface puts the points over a segment into the pla
 
 TEST_CASE("post_processor contract: on_surface, rings", "[contract]") {
   ImplicitManifoldOptions options;
-  options.surface = "torus";
+  options.surface = implicit::Torus{};
   const Problem problem = closed(make_implicit_manifold(options), make_euclidean_cost(3));
   Points equator(3, 12);
   for (Index i = 0; i < 12; ++i) {

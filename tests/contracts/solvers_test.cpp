@@ -14,7 +14,7 @@ namespace {
 std::unique_ptr<Solver> newton(int iterations, int evaluations) {
   return std::make_unique<Newton>(NewtonOptions{.max_iterations = iterations, .max_evaluations = evaluations});
 }
-std::unique_ptr<Solver> lbfgs(int iterations, int evaluations, const char* precondition) {
+std::unique_ptr<Solver> lbfgs(int iterations, int evaluations, Preconditioner precondition) {
   return std::make_unique<Lbfgs>(
       LbfgsOptions{.max_iterations = iterations, .max_evaluations = evaluations, .precondition = precondition});
 }
@@ -23,10 +23,12 @@ std::unique_ptr<Solver> lbfgs(int iterations, int evaluations, const char* preco
 
 TEST_CASE("solver contract: newton", "[contract]") { check_solver_contract(newton); }
 TEST_CASE("solver contract: lbfgs, precondition chain", "[contract]") {
-  check_solver_contract([](int iterations, int evaluations) { return lbfgs(iterations, evaluations, "chain"); });
+  check_solver_contract(
+      [](int iterations, int evaluations) { return lbfgs(iterations, evaluations, Preconditioner::chain); });
 }
 TEST_CASE("solver contract: lbfgs, precondition none", "[contract]") {
-  check_solver_contract([](int iterations, int evaluations) { return lbfgs(iterations, evaluations, "none"); });
+  check_solver_contract(
+      [](int iterations, int evaluations) { return lbfgs(iterations, evaluations, Preconditioner::none); });
 }
 TEST_CASE("solver contract: gradient_descent", "[contract]") {
   check_solver_contract([](int iterations, int evaluations) {
@@ -57,7 +59,8 @@ TEST_CASE("solver contract: string", "[contract]") {
       {.own_rule = true, .by_cost = true});
 }
 TEST_CASE("solvers agree", "[contract]") {
-  const auto n = newton(1000, 100000), chain = lbfgs(1000, 100000, "chain"), plain = lbfgs(100000, 1000000, "none");
+  const auto n = newton(1000, 100000), chain = lbfgs(1000, 100000, Preconditioner::chain),
+             plain = lbfgs(100000, 1000000, Preconditioner::none);
   check_agreement(*n, *chain);
   check_agreement(*n, *plain);
 }

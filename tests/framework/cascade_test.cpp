@@ -41,8 +41,8 @@ TEST_CASE("cascade: the path of a direct solve, for any number of points", "[fra
 }
 
 TEST_CASE("cascade: a few Newton steps per doubling", "[framework]") {
-  const Problem problem =
-      bead(Eigen::Vector2d(0, 0), Eigen::Vector2d(std::numbers::pi, -2), 1, 0, "chute", make_kernel<Square>());
+  const Problem problem = bead(Eigen::Vector2d(0, 0), Eigen::Vector2d(std::numbers::pi, -2), 1, 0,
+                               TravelTimeRule::chute, make_kernel<Square>());
   Run coarse = start(problem, 15), fine = start(problem, 1023);
   const int first = solve_by_cascade(problem, Newton(), coarse.s0, coarse.path, {}).iterations;
   const int all = solve_by_cascade(problem, Newton(), fine.s0, fine.path, {}).iterations;

@@ -16,6 +16,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/straightened.hpp"
+#include "tests/support/words.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -23,9 +24,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 std::shared_ptr<const ParametricManifold> chart(const char* type) {
-  ParametricOptions options;
-  options.type = type;
-  return make_parametric_manifold(options);
+  return make_parametric_manifold({.surface = form<parametric::Surface>(type)});
 }
 
 /// A ring that is held at a point.
@@ -100,8 +99,7 @@ TEST_CASE("a loop with a fixed point off the waist of a torus has a kink there",
   CHECK(u(1, 1) > v0 + 1e-3);
   CHECK(u(1, u.cols() - 2) > v0 + 1e-3);
 
-  ImplicitManifoldOptions torus;
-  torus.surface = "torus";
+  const ImplicitManifoldOptions torus{.surface = leastcost::implicit::Torus{}};
   const double r = 2 + std::cos(v0);
   const Result implicit = find(based(make_implicit_manifold(torus), Eigen::Vector3d(r, 0, std::sin(v0))), 199,
                                PlaneCutInitializer({Eigen::Vector3d(1, 0, 0.05), Eigen::Vector3d(0, 0, 1)}));

@@ -30,7 +30,7 @@ const Row kFromRest[] = {
 };
 
 Problem from_rest(const Row& row, const std::shared_ptr<const Kernel>& kernel = make_kernel<Expm1Square>()) {
-  return bead(Eigen::Vector2d(0, 0), Eigen::Vector2d(row.x, -row.y), row.gravity, 0, "chute", kernel);
+  return bead(Eigen::Vector2d(0, 0), Eigen::Vector2d(row.x, -row.y), row.gravity, 0, TravelTimeRule::chute, kernel);
 }
 
 /// A parabola from the source, its points crowded near one end as t^power.

@@ -9,8 +9,9 @@ namespace leastcost::test {
 TEST_CASE(
     "ceres: evaluations do not grow with n, by the trust region as it is, by line search in the chain's variables",
     "[oracle]") {
-  const char* algorithm = GENERATE("levenberg_marquardt", "dogleg", "lbfgs", "ncg");
-  CAPTURE(algorithm);
+  using enum CeresAlgorithm;
+  const CeresAlgorithm algorithm = GENERATE(levenberg_marquardt, dogleg, lbfgs, ncg);
+  CAPTURE(word_of(algorithm));
   check_flat(Ceres({.algorithm = algorithm}));
 }
 

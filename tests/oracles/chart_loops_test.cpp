@@ -7,6 +7,7 @@
 #include <leastcost/problems/manifolds/parametric.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/words.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -14,9 +15,8 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 Result loop(const char* surface, int coordinate, const Eigen::Vector2d& through, int n) {
-  ParametricOptions options;
-  options.type = surface;
-  const Problem problem = closed(make_parametric_manifold(options), make_euclidean_cost(3));
+  const Problem problem =
+      closed(make_parametric_manifold({.surface = form<parametric::Surface>(surface)}), make_euclidean_cost(3));
   return find(problem, n, CoordinateCircleInitializer({coordinate, through, 1}));
 }
 
@@ -50,8 +50,7 @@ TEST_CASE("D2: in a chart the outer equator is a saddle of order 3, a meridian d
 
 TEST_CASE("D2: around a cylinder every circle is a geodesic, none of them a certified minimum", "[oracle]") {
   const int n = GENERATE(8, 16, 64, 200);
-  ParametricOptions options;
-  options.type = "cylinder";
+  const ParametricOptions options{.surface = parametric::Cylinder{}};
   const Problem problem = closed(make_parametric_manifold(options), make_euclidean_cost(3));
   Points through(2, 3);
   through << 0, 2, 4.5, 0.3, -0.2, 0.1;

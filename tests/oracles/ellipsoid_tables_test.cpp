@@ -128,14 +128,10 @@ TEST_CASE("oracles: the ellipsoid tables, in a chart and as an implicit surface"
   const auto file = data_file(table.file);
   if (!file) return;
   const double scale = table.a;  // in half axes: the same problem in convenient units
-  ParametricOptions chart;
-  chart.type = "ellipsoid";
-  chart.axes = Eigen::Vector3d(1, 1, 1 - table.f);
-  ImplicitManifoldOptions level_set;
-  level_set.surface = "ellipsoid";
-  level_set.axes = chart.axes;
-  const auto in_chart = make_parametric_manifold(chart);
-  const std::shared_ptr<const ConstraintManifold> in_space = make_implicit_manifold(level_set);
+  const Eigen::Vector3d axes(1, 1, 1 - table.f);
+  const auto in_chart = make_parametric_manifold({.surface = parametric::Ellipsoid{axes}});
+  const std::shared_ptr<const ConstraintManifold> in_space =
+      make_implicit_manifold({.surface = implicit::Ellipsoid{axes}});
   Count count;
   for (const Pair& p : read(*file, table.length_column)) {
     CAPTURE(table.file, implicit, p.latitude1, p.longitude1, p.latitude2, p.longitude2);

@@ -22,7 +22,7 @@ Result on_chart(const ParametricOptions& surface, const Vector2d& source, const 
 }
 
 ParametricOptions annulus(double hole) {
-  ParametricOptions options{.type = "formula", .x = "u*cos(v)", .y = "u*sin(v)", .z = "0"};
+  ParametricOptions options{.surface = parametric::Formula{.x = "u*cos(v)", .y = "u*sin(v)", .z = "0"}};
   options.box = {Vector2d(hole, -50), Vector2d(9, 50)};
   return options;
 }
@@ -39,12 +39,13 @@ void check_honest(const Result& result, double truth) {
 TEST_CASE("a chain that jumps around a hole of its chart in one segment is refused", "[oracle]") {
   // By v the way to 3.6 leads around the hole; the straight chord on the other side is shorter than that.
   CHECK(failed(on_chart(annulus(0.01), {1, 0}, {1.3, 3.6}, 64).certificate, "longest_segment"));
-  ParametricOptions thin{.type = "torus", .major_radius = 1.01, .minor_radius = 1};  // a hole of radius 0.01
+  const ParametricOptions thin{
+      .surface = parametric::Torus{.major_radius = 1.01, .minor_radius = 1}};  // a hole of radius 0.01
   CHECK(failed(on_chart(thin, {0, 2}, {5, 4}, 33).certificate, "longest_segment"));
 }
 
 TEST_CASE("around the apex of a cone: refused with few points, the law of cosines with many", "[oracle]") {
-  ParametricOptions surface{.type = "cone", .half_angle = 0.5};
+  const ParametricOptions surface{.surface = parametric::Cone{.half_angle = 0.5}};
   CHECK(failed(on_chart(surface, {0, 1}, {6, 1.3}, 12).certificate, "longest_segment"));
   const Result fine = on_chart(surface, {0, 1}, {6, 1.3}, 200);
   CHECK(fine.status == Status::certified);
@@ -67,7 +68,7 @@ TEST_CASE("under a lid on a sphere the value is covered at few points", "[oracle
   const double lid = 0.9999417202299663;
   const Eigen::Vector3d source(0.817770459769109, 0, 0.5755445031698417),
       target(-0.030652702166226576, 0.005505896077611216, 0.9995149308330972);
-  ImplicitManifoldOptions options{.surface = "sphere"};
+  ImplicitManifoldOptions options{.surface = implicit::Sphere{}};
   options.box = {Eigen::Vector3d::Constant(-2), Eigen::Vector3d(2, 2, lid)};
   const double polar = std::acos(lid);
   const auto to_parallel = [&](const Eigen::Vector3d& x) {
@@ -87,8 +88,7 @@ TEST_CASE("under a lid on a sphere the value is covered at few points", "[oracle
 }
 
 TEST_CASE("two equal levels by luck do not make a small bar", "[oracle]") {
-  ParametricOptions torus;
-  torus.type = "torus";
+  const ParametricOptions torus{.surface = parametric::Torus{}};
   const auto [target, truth] =
       GENERATE(std::pair(Vector2d(1, 2), 3.00530920550149849),  // docs/oracles.md D1, torus a and b
                std::pair(Vector2d(0.5, 3), 3.11354377379390939));
@@ -105,9 +105,7 @@ TEST_CASE("two equal levels by luck do not make a small bar", "[oracle]") {
 
 TEST_CASE("a ring around an elliptic neck is covered at every number of points", "[oracle]") {
   const double truth = 4 * std::comp_ellint_2(std::sqrt(1 - 0.49));  // the waist, an ellipse 1 : 0.7
-  ImplicitManifoldOptions options;
-  options.surface = "formula";
-  options.f = "x^2 + y^2/0.49 - z^2 - 1";
+  const ImplicitManifoldOptions options{.surface = implicit::Formula{.f = "x^2 + y^2/0.49 - z^2 - 1"}};
   const Problem problem = closed(make_implicit_manifold(options), make_euclidean_cost(3));
   Points loop(3, 12);
   for (Index i = 0; i < 12; ++i) {
@@ -127,7 +125,7 @@ TEST_CASE("a ring around an elliptic neck is covered at every number of points",
 TEST_CASE("an equator beyond its conjugate point is a saddle however few the points", "[oracle]") {
   // Along the equator of an ellipsoid 1:1:1.3 the curvature is 1 / 1.3^2: conjugate at 1.3 pi, and the path is a little
   // longer.
-  ParametricOptions options{.type = "ellipsoid", .axes = Eigen::Vector3d(1, 1, 1.3)};
+  const ParametricOptions options{.surface = parametric::Ellipsoid{.axes = Eigen::Vector3d(1, 1, 1.3)}};
   const int n = GENERATE(range(2, 8));
   const Result result = on_chart(options, {0, 0}, {1.003 * 1.3 * kPi, 0}, n);
   CAPTURE(n, failures(result.certificate));

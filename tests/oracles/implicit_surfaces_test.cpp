@@ -12,6 +12,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/sample_domains.hpp"
+#include "tests/support/words.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -19,24 +20,15 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 
 std::shared_ptr<const LevelSet> formula(const char* f, const std::map<std::string, double>& parameters = {}) {
-  ImplicitManifoldOptions options;
-  options.surface = "formula";
-  options.f = f;
-  options.parameters = parameters;
-  return make_implicit_manifold(options);
+  return make_implicit_manifold({.surface = leastcost::implicit::Formula{.f = f, .parameters = parameters}});
 }
 
 std::shared_ptr<const LevelSet> ellipsoid(double a, double b, double c) {
-  ImplicitManifoldOptions options;
-  options.surface = "ellipsoid";
-  options.axes = Eigen::Vector3d(a, b, c);
-  return make_implicit_manifold(options);
+  return make_implicit_manifold({.surface = leastcost::implicit::Ellipsoid{Eigen::Vector3d(a, b, c)}});
 }
 
 std::shared_ptr<const LevelSet> named(const char* surface) {
-  ImplicitManifoldOptions options;
-  options.surface = surface;
-  return make_implicit_manifold(options);
+  return make_implicit_manifold({.surface = form<leastcost::implicit::Surface>(surface)});
 }
 
 std::shared_ptr<const LevelSet> equations(int dimension, const std::vector<std::string>& texts) {
@@ -130,7 +122,7 @@ TEST_CASE("D1 implicit, formulas: hyperboloid (a ruling) and paraboloid", "[orac
 
 TEST_CASE("D3: SO(3), the angle of Rz(1) Rx(1)", "[oracle]") {
   ConstraintManifoldOptions options;
-  options.set = "so3";
+  options.set = constraint::Rotations{};
   const double c = std::cos(0.5), s = std::sin(0.5);
   const Eigen::Vector4d one(1, 0, 0, 0), product(c * c, c * s, s * s, s * c);
   MetricTensorOptions metric;  // length between quaternions is half the angle: count it twice
@@ -141,9 +133,8 @@ TEST_CASE("D3: SO(3), the angle of Rz(1) Rx(1)", "[oracle]") {
 
 TEST_CASE("level sets: great circles in R^7", "[oracle]") {
   ConstraintManifoldOptions options;
-  options.set = "sphere";
+  options.set = constraint::Sphere{.radius = 2};
   options.dimension = 7;
-  options.radius = 2;
   Eigen::VectorXd a(7), b(7);
   a << 1, 0, 1, 0, 1, 0, 1;  // norm 2
   b << -1, 1, 0, -1, 0, 1, 0;

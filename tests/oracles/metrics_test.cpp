@@ -10,6 +10,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/random.hpp"
+#include "tests/support/words.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -22,9 +23,8 @@ S outside_is_infinite(const S& inside, const S& q) {
 
 /// A metric of the library.
 std::shared_ptr<const SegmentCost> field(const char* type, std::vector<std::string> entries = {}, int dim = 2) {
-  MetricFieldOptions options;
-  options.type = type;
-  options.entries = std::move(entries);
+  MetricFieldOptions options{.field = form<metric::Field>(type)};
+  if (auto* formula = std::get_if<metric::Formula>(&options.field)) formula->entries = std::move(entries);
   return make_metric_field_cost(options, dim);
 }
 
@@ -132,13 +132,12 @@ TEST_CASE("D3: symmetric positive definite matrices under the affine-invariant m
 TEST_CASE("D3: both readings of T and both rules agree where they must", "[oracle]") {
   const int n = 64;
   MetricFieldOptions options;
-  options.type = "formula";
-  options.rule = GENERATE("midpoint", "average");
-  options.reading = "root";  // 1 / y is a root of 1 / y^2
-  options.entries = {"1 / y", "0", "1 / y"};
+  options.rule = GENERATE(TensorRule::midpoint, TensorRule::average);
+  options.reading = TensorReading::root;  // 1 / y is a root of 1 / y^2
+  options.field = metric::Formula{.entries = {"1 / y", "0", "1 / y"}};
   check_covers(find_in_plane(make_metric_field_cost(options, 2), {0, 1}, {2, 3}, n), 1.49099630899480838);
-  options.reading = "metric";
-  options.entries = {"1 / y^2", "0", "1 / y^2"};
+  options.reading = TensorReading::metric;
+  options.field = metric::Formula{.entries = {"1 / y^2", "0", "1 / y^2"}};
   check_covers(find_in_plane(make_metric_field_cost(options, 2), {0, 1}, {2, 3}, n), 1.49099630899480838);
 }
 

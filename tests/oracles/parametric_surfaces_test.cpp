@@ -15,48 +15,43 @@ constexpr double kPi = std::numbers::pi, kDegree = kPi / 180;
 
 struct Row {
   const char* name;
-  ParametricOptions surface;
+  parametric::Surface surface;
   Eigen::Vector2d source, target;
   double length;
 };
 
-ParametricOptions named(const char* type) {
-  ParametricOptions o;
-  o.type = type;
-  return o;
-}
-
 std::vector<Row> rows() {
-  ParametricOptions wgs84 = named("ellipsoid"), oblate = named("ellipsoid"), prolate = named("ellipsoid");
   const double f = 1 / 298.257223563, a = 6378137;
-  wgs84.axes = Eigen::Vector3d(a, a, a * (1 - f));
-  oblate.axes = Eigen::Vector3d(1, 1, 0.5);
-  prolate.axes = Eigen::Vector3d(1, 1, 2);
+  const parametric::Ellipsoid wgs84{Eigen::Vector3d(a, a, a * (1 - f))}, oblate{Eigen::Vector3d(1, 1, 0.5)},
+      prolate{Eigen::Vector3d(1, 1, 2)};
   const auto reduced = [f](double latitude) { return std::atan((1 - f) * std::tan(latitude * kDegree)); };
-  ParametricOptions cone = named("cone");
-  cone.half_angle = 30 * kDegree;
-  ParametricOptions formula = named("formula");
+  const parametric::Cone cone{30 * kDegree};
+  parametric::Formula formula;
   formula.x = "(R + r * cos(v)) * cos(u)";
   formula.y = "(R + r * cos(v)) * sin(u)";
   formula.z = "r * sin(v)";
   formula.parameters = {{"R", 2}, {"r", 1}};
   formula.period_u = formula.period_v = 2 * kPi;
   return {
-      {"sphere", named("sphere"), {20 * kDegree, 10 * kDegree}, {130 * kDegree, 50 * kDegree}, 1.6543777367571768},
+      {"sphere", parametric::Sphere{}, {20 * kDegree, 10 * kDegree}, {130 * kDegree, 50 * kDegree}, 1.6543777367571768},
       {"wgs84", wgs84, {-73.8 * kDegree, reduced(40.6)}, {-0.5 * kDegree, reduced(51.6)}, 5551759.40031867851},
       {"wgs84-b", wgs84, {0, reduced(-30)}, {100 * kDegree, reduced(45)}, 13041867.3355196569},
       {"oblate", oblate, {0, -30 * kDegree}, {80 * kDegree, 40 * kDegree}, 1.45367223192944649},
       {"prolate", prolate, {0, -30 * kDegree}, {80 * kDegree, 40 * kDegree}, 2.66567376469373296},
-      {"triaxial", named("ellipsoid"), {10 * kDegree, 20 * kDegree}, {70 * kDegree, -30 * kDegree}, 2.7185442772832},
-      {"torus-a", named("torus"), {0, 0}, {1, 2}, 3.00530920550149849},
-      {"torus-b", named("torus"), {0, 0}, {0.5, 3}, 3.11354377379390939},
+      {"triaxial",
+       parametric::Ellipsoid{},
+       {10 * kDegree, 20 * kDegree},
+       {70 * kDegree, -30 * kDegree},
+       2.7185442772832},
+      {"torus-a", parametric::Torus{}, {0, 0}, {1, 2}, 3.00530920550149849},
+      {"torus-b", parametric::Torus{}, {0, 0}, {0.5, 3}, 3.11354377379390939},
       {"torus-a by formulas", formula, {0, 0}, {1, 2}, 3.00530920550149849},
       {"cone", cone, {0, 1}, {2, 2}, 1.68487114537802004},
-      {"cylinder", named("cylinder"), {0, 0}, {2, 3}, 3.60555127546398929},
-      {"catenoid", named("catenoid"), {0, -1}, {1, 1.5}, 3.54433036420273776},
-      {"helicoid", named("spiral"), {-1.17520119364380146, 0}, {2.1292794550948175, 1}, 3.54433036420273776},
-      {"hyperboloid", named("hyperboloid"), {0, 0}, {std::atan2(2, 1), 2}, 2.8284271247461901},
-      {"paraboloid", named("paraboloid"), {0, 0.5}, {1, 2}, 2.65812797718534176},
+      {"cylinder", parametric::Cylinder{}, {0, 0}, {2, 3}, 3.60555127546398929},
+      {"catenoid", parametric::Catenoid{}, {0, -1}, {1, 1.5}, 3.54433036420273776},
+      {"helicoid", parametric::Spiral{}, {-1.17520119364380146, 0}, {2.1292794550948175, 1}, 3.54433036420273776},
+      {"hyperboloid", parametric::Hyperboloid{}, {0, 0}, {std::atan2(2, 1), 2}, 2.8284271247461901},
+      {"paraboloid", parametric::Paraboloid{}, {0, 0.5}, {1, 2}, 2.65812797718534176},
   };
 }
 
@@ -67,7 +62,7 @@ TEST_CASE("oracles D1: geodesics in charts", "[oracle]") {
   const Row& row = all[GENERATE_COPY(range(std::size_t{0}, all.size()))];
   CAPTURE(row.name);
   const Problem problem =
-      between(make_parametric_manifold(row.surface), make_euclidean_cost(3), row.source, row.target);
+      between(make_parametric_manifold({.surface = row.surface}), make_euclidean_cost(3), row.source, row.target);
   const Result result = find(problem, 199);
   const CostEstimate& estimate = result.certificate.estimate;
   INFO(failures(result.certificate) << result.solve.iterations << " " << estimate.method);

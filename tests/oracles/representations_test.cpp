@@ -17,6 +17,7 @@
 #include "tests/support/compose.hpp"
 #include "tests/support/sample_domains.hpp"
 #include "tests/support/straightened.hpp"
+#include "tests/support/words.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -84,17 +85,14 @@ Problem between_ends(const Surface& s, std::shared_ptr<const ConstraintManifold>
 TEST_CASE("one surface, five representations", "[oracle]") {
   const Surface& s = GENERATE(std::cref(kSphere), std::cref(kTorus)).get();
 
-  ParametricOptions chart;
-  chart.type = s.name;
+  const ParametricOptions chart{.surface = form<parametric::Surface>(s.name)};
   covers(s, "parametric",
          find(between(make_parametric_manifold(chart), make_euclidean_cost(3), s.source, s.target), kPoints));
-  ImplicitManifoldOptions implicit;
-  implicit.surface = s.name;
+  const ImplicitManifoldOptions implicit{.surface = form<implicit::Surface>(s.name)};
   covers(s, "implicit", find(between_ends(s, make_implicit_manifold(implicit)), kPoints));
   for (const char* cell : {"0.2", "0.1"}) {
     SignedDistanceOptions grid;
-    grid.source = "implicit";
-    grid.implicit = implicit;
+    grid.source = distance_source::Implicit{.surface = implicit};
     grid.cell = std::stod(cell);
     covers(s, std::string("distance grid, cell ") + cell,
            find(between_ends(s, make_signed_distance_manifold(grid, "")), kPoints));

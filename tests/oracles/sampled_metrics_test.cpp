@@ -31,12 +31,12 @@ std::shared_ptr<const MeshManifold> mesh_sheet(int m, int n, Position position) 
 
 /// The tensors of a field at the samples, through a file.
 template <class Field>
-std::shared_ptr<const SegmentCost> from_file(const std::shared_ptr<const ConstraintManifold>& domain, const char* on,
+std::shared_ptr<const SegmentCost> from_file(const std::shared_ptr<const ConstraintManifold>& domain, TensorPlace on,
                                              Field field) {
   const auto* mesh = dynamic_cast<const HasMesh*>(domain.get());
   const SurfaceSamples samples = mesh == nullptr ? point_samples(dynamic_cast<const HasPointCloud&>(*domain).cloud())
-                                 : std::string_view(on) == "faces" ? face_samples(mesh->mesh())
-                                                                   : vertex_samples(mesh->mesh());
+                                 : on == TensorPlace::faces ? face_samples(mesh->mesh())
+                                                            : vertex_samples(mesh->mesh());
   std::vector<Matrix3d> rows(static_cast<std::size_t>(samples.count_in_file));
   for (std::size_t i = 0; i < samples.positions.size(); ++i)
     rows[static_cast<std::size_t>(samples.in_file[i])] = field(samples.positions[i]);
@@ -47,15 +47,13 @@ std::shared_ptr<const SegmentCost> from_file(const std::shared_ptr<const Constra
     out << t(0, 0) << ' ' << t(0, 1) << ' ' << t(0, 2) << ' ' << t(1, 1) << ' ' << t(1, 2) << ' ' << t(2, 2) << '\n';
   out.close();
   MetricFieldOptions options;
-  options.type = "file";
-  options.tensor_file = {"tensors.txt", on};
+  options.field = TensorFileOptions{.file = "tensors.txt", .on = on};
   return make_metric_field_cost(options, 3, domain.get(), folder.path());
 }
 
 std::shared_ptr<const SegmentCost> curvature(const ConstraintManifold& domain, double weight) {
   MetricFieldOptions options;
-  options.type = "curvature";
-  options.curvature.weight = weight;
+  options.field = CurvatureMetricOptions{.weight = weight};
   return make_metric_field_cost(options, 3, &domain);
 }
 
@@ -78,7 +76,7 @@ Vector3d bump(double s, double t) {
 
 TEST_CASE("tensors from a file: a multiple of the identity, a constant tensor", "[oracle]") {
   const auto mesh = mesh_sheet(24, 24, bump);
-  const char* on = GENERATE("vertices", "faces");
+  const TensorPlace on = GENERATE(TensorPlace::vertices, TensorPlace::faces);
   const Vector3d a = mesh->mesh().position(30), b = mesh->mesh().position(570);
   const Result plain = find_traced(between(mesh, make_euclidean_cost(3), a, b), 31);
   const Result scaled = find_traced(
@@ -97,7 +95,7 @@ TEST_CASE("tensors from a file: a multiple of the identity, a constant tensor", 
 
 TEST_CASE("tensors from a file: half-plane on a mesh, second order in the spacing", "[oracle]") {
   const double exact = 1.49099630899480838;  // D3
-  const char* on = GENERATE("vertices", "faces");
+  const TensorPlace on = GENERATE(TensorPlace::vertices, TensorPlace::faces);
   std::vector<double> errors;
   for (const int n : {32, 64, 128}) {
     const auto mesh = mesh_sheet(n, n, [](double s, double t) -> Vector3d { return {3 * s - 0.5, 0.5 + 3 * t, 0}; });
@@ -109,8 +107,9 @@ TEST_CASE("tensors from a file: half-plane on a mesh, second order in the spacin
     CHECK(result.certificate.certified());
     errors.push_back(result.certificate.estimate.value / exact - 1);
   }
-  CAPTURE(on, errors);
-  std::printf("half-plane from tensors on %s: relative errors %.1e %.1e %.1e\n", on, errors[0], errors[1], errors[2]);
+  CAPTURE(word_of(on), errors);
+  std::printf("half-plane from tensors on %s: relative errors %.1e %.1e %.1e\n", std::string(word_of(on)).c_str(),
+              errors[0], errors[1], errors[2]);
   CHECK(std::log2(std::abs(errors[0] / errors[1])) > 1.7);
   CHECK(std::log2(std::abs(errors[1] / errors[2])) > 1.7);
   CHECK(std::abs(errors[2]) < 2e-4);

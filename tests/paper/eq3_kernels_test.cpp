@@ -21,7 +21,8 @@ const std::pair<const char*, std::shared_ptr<const Kernel>> kStrict[] = {
 TEST_CASE("Eq. 3: every strictly convex kernel gives the same chain of chutes", "[paper]") {
   for (const auto& [name, kernel] : kStrict) {
     CAPTURE(name);
-    const Result result = find(bead(Eigen::Vector2d(0, 0), Eigen::Vector2d(2, -1), 1, 0, "chute", kernel), 20);
+    const Result result =
+        find(bead(Eigen::Vector2d(0, 0), Eigen::Vector2d(2, -1), 1, 0, TravelTimeRule::chute, kernel), 20);
     CHECK(result.costs.sum() == Approx(chute_chain_time(2, 1, 1, 21)).epsilon(1e-9));
     CHECK(spread(result.costs) < 1e-6);
     CHECK(result.status == Status::certified);

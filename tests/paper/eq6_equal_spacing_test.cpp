@@ -36,7 +36,7 @@ TEST_CASE("Eq. 6: the gap of Jensen's inequality is positive, and zero for equal
 
 TEST_CASE("Eq. 7: at a minimum of E the gap closes and the points are equally spaced in cost", "[paper]") {
   for (const auto& kernel : kKernels) {
-    const Problem problem = bead(Eigen::Vector2d(0, 0), Eigen::Vector2d(2, -1), 1, 0, "chute", kernel);
+    const Problem problem = bead(Eigen::Vector2d(0, 0), Eigen::Vector2d(2, -1), 1, 0, TravelTimeRule::chute, kernel);
     const Result result = find(problem, 30);
     CHECK(spread(result.costs) < 1e-6);
     CHECK(std::abs(jensen_gap(problem, result.path, result.reference_cost)) < 1e-12 * result.solve.final_energy);

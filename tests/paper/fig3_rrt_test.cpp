@@ -9,6 +9,7 @@
 #include "problems/level_set/named_surfaces.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/words.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -17,9 +18,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr int kSeeds = 12;
 
 std::shared_ptr<const LevelSet> surface(const char* name) {
-  ImplicitManifoldOptions options;
-  options.surface = name;
-  return make_implicit_manifold(options);
+  return make_implicit_manifold({.surface = form<implicit::Surface>(name)});
 }
 
 Result from_tree(const Problem& problem, int points, int seed) {

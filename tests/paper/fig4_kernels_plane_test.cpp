@@ -44,7 +44,7 @@ Run run(const std::shared_ptr<const Kernel>& kernel) {
   Run result;
   for (const int iterations : {1, 10, 30, 100, 200, 300, 500, 1000, 3000}) {
     CoordinatePath path = start;
-    const Lbfgs solver({.tolerance = 0, .max_iterations = iterations, .precondition = "none"});
+    const Lbfgs solver({.tolerance = 0, .max_iterations = iterations, .precondition = Preconditioner::none});
     result.end = solver.solve(energy, path, {}).termination;
     result.errors.push_back(energy.cost(path) - 1);
     result.spread = spread(energy.costs(path));

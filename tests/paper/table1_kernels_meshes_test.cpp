@@ -33,7 +33,7 @@ Problem across(const std::shared_ptr<const MeshManifold>& mesh, const std::share
   return between(mesh, make_euclidean_cost(3), from, to, kernel);
 }
 
-Outcome solve(const Problem& problem, const char* precondition) {
+Outcome solve(const Problem& problem, Preconditioner precondition) {
   const FirstPath first = DijkstraInitializer().first_path(problem, {});
   const CoordinatePath start = sample_equally(problem, first.path, std::max(8, *first.graph_vertices));
   PathEnergy energy(problem, PathEnergy(problem, 1).cost(start) / static_cast<double>(start.segment_count()));
@@ -60,7 +60,7 @@ TEST_CASE("Table 1: kernels on meshes", "[paper][slow]") {
   const auto mesh = std::make_shared<MeshManifold>(TriangleMesh(read_mesh(*found)));
   const std::pair<const char*, std::shared_ptr<const Kernel>> kernels[] = {
       {"s", make_kernel<Linear>()}, {"s^2", make_kernel<Square>()}, {"exp(s^2) - 1", make_kernel<Expm1Square>()}};
-  for (const char* precondition : {"none", "chain"}) {
+  for (const Preconditioner precondition : {Preconditioner::none, Preconditioner::chain}) {
     std::vector<Outcome> outcomes;
     for (const auto& [name, kernel] : kernels) outcomes.push_back(solve(across(mesh, kernel), precondition));
     for (std::size_t k = 0; k < outcomes.size(); ++k) {
@@ -69,7 +69,8 @@ TEST_CASE("Table 1: kernels on meshes", "[paper][slow]") {
       std::printf(
           "Table 1, %-20s %-5s H = %-12s within 0.1 %% of its end after <= %4d iterations, length %.6g, spread %.2g, "
           "%s\n",
-          file, precondition, kernels[k].first, o.iterations, o.length, o.spread, std::string(name(o.end)).c_str());
+          file, std::string(word_of(precondition)).c_str(), kernels[k].first, o.iterations, o.length, o.spread,
+          std::string(name(o.end)).c_str());
       CHECK(std::isfinite(o.length));
       CHECK(o.iterations > 0);
     }

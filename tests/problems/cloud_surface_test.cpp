@@ -144,7 +144,7 @@ TEST_CASE("there is no surface beyond the border, far away, or in a cloud that i
   PointSamples few = sphere_cloud(5);
   CHECK_THROWS_AS(PointCloud(few, {}), InputError);
   PointCloudSettings given;
-  given.normals = "given";
+  given.normals = NormalSource::given;
   CHECK_THROWS_AS(PointCloud(sphere_cloud(100), given), OptionError);
 }
 

@@ -87,7 +87,7 @@ TEST_CASE("curvature: a sampled torus, clean and noisy") {
   for (Eigen::Vector3d& p : noisy.positions) p += 0.01 * random.vector(3);  // a seventh of the spacing
   const PointCloud cloud(noisy, {});
   const std::vector<double> all = errors(point_samples(cloud), 8, torus_third_form);
-  CAPTURE(all[all.size() / 2], cloud.settings().radius);
+  CAPTURE(all[all.size() / 2], *cloud.settings().radius);
   CHECK(all[all.size() / 2] < 0.3);  // of curvatures of 1
 }
 

@@ -222,6 +222,7 @@ TEST_CASE("building a grid: options that cannot work, and stopping") {
     return "accepted";
   };
   CHECK(key({.cell = -1}) == "cell");
+  CHECK(key({.cell = 0}) == "cell");
   CHECK(key({.accuracy = -1}) == "accuracy");
   CHECK(key({.cell = 0.1, .accuracy = 0.1}) == "accuracy");
   CHECK(key({.margin = 0}) == "margin");

@@ -15,6 +15,7 @@
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/words.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -23,23 +24,16 @@ constexpr double kPi = std::numbers::pi;
 
 std::shared_ptr<const ConstraintManifold> torus_of(const std::string& kind) {
   if (kind == "implicit") {
-    ImplicitManifoldOptions options;
-    options.surface = "torus";
-    return make_implicit_manifold(options);
+    return make_implicit_manifold({.surface = implicit::Torus{}});
   }
   if (kind == "chart") {
-    ParametricOptions options;
-    options.type = "torus";
-    return make_parametric_manifold(options);
+    return make_parametric_manifold({.surface = parametric::Torus{}});
   }
   return std::make_shared<PointCloudManifold>(PointCloud(torus_cloud(3000, 1), {}));
 }
 
 std::shared_ptr<const ParametricManifold> chart(const char* type, const BoxOptions& box = {}) {
-  ParametricOptions options;
-  options.type = type;
-  options.box = box;
-  return make_parametric_manifold(options);
+  return make_parametric_manifold({.surface = form<parametric::Surface>(type), .box = box});
 }
 
 /// The ring in space, closed.

@@ -41,7 +41,7 @@ inline Problem closed(std::shared_ptr<const ConstraintManifold> manifold, std::s
 
 /// A bead from `source`, at rest unless start_speed says otherwise.
 inline Problem bead(const Eigen::VectorXd& source, const Eigen::VectorXd& target, double gravity = 1,
-                    double start_speed = 0, const char* rule = "chute",
+                    double start_speed = 0, TravelTimeRule rule = TravelTimeRule::chute,
                     std::shared_ptr<const Kernel> kernel = make_kernel<Expm1Square>()) {
   TravelTimeOptions options;
   options.rule = rule;

@@ -13,10 +13,8 @@ namespace leastcost::test {
 
 /// The three problems of the table of work against n: mild, steep at its first segment, far from its start.
 inline std::vector<std::pair<std::string, Problem>> growth_problems() {
-  ParametricOptions torus;
-  torus.type = "torus";
-  MetricFieldOptions half_plane;
-  half_plane.type = "half_plane";
+  const ParametricOptions torus{.surface = parametric::Torus{}};
+  const MetricFieldOptions half_plane{.field = metric::HalfPlane{}};
   return {{"torus", between(make_parametric_manifold(torus), make_euclidean_cost(3), Eigen::Vector2d(0, 0),
                             Eigen::Vector2d(1, 2))},
           {"chute from rest", bead(Eigen::Vector2d(0, 0), Eigen::Vector2d(3.141592653589793, -2))},

@@ -112,7 +112,7 @@ RunRow row_of(const StudyCell& cell, long repetition) {
   row.points = csv_long(cell.values[3]);  // `auto` is not known yet
   row.seed = csv_long(cell.values[4]);
   row.swept.assign(cell.values.begin() + 5, cell.values.end());
-  if (std::isfinite(cell.optimum)) row.optimum = cell.optimum;
+  row.optimum = cell.optimum;
   return row;
 }
 

@@ -50,7 +50,7 @@ void put_options(const ConfigNode& set, ConfigNode& tree, Diagnostics& errors) {
 }
 
 std::string name_of(const StudyProblem& problem, const ProblemBase& base) {
-  if (!problem.name.empty()) return problem.name;
+  if (problem.name) return *problem.name;
   const ConfigEntry* named = base.tree.find("name");
   if (named != nullptr && named->value.is_scalar()) return named->value.text;
   return base.file.stem().string();

@@ -142,15 +142,15 @@ class GridBuilder {
   /// What the study says for every cell, and its seed.
   void complete(LoadedConfig& loaded, const ProblemBase& problem) const {
     const StudyConfig& study = study_.config;
-    if (study.max_seconds > 0) loaded.config.max_seconds = study.max_seconds;
+    if (study.max_seconds) loaded.config.max_seconds = study.max_seconds;
     if (loaded.tree.find("seed") == nullptr) loaded.config.seed = seed_of(problem);
     const ConfigEntry* solver = loaded.tree.find("solver");
     const bool limited = solver != nullptr && solver->value.find("max_evaluations") != nullptr;
-    if (study.max_evaluations == 0 || limited) return;
+    if (!study.max_evaluations || limited) return;
     // Read as if it stood there: a solver without such an option does not ask for it.
     ConfigNode block;
     block.kind = ConfigNode::Kind::block;
-    block.entries.push_back({"max_evaluations", {}, scalar_node(std::to_string(study.max_evaluations))});
+    block.entries.push_back({"max_evaluations", {}, scalar_node(std::to_string(*study.max_evaluations))});
     Diagnostics ignored("", "");
     OptionsReader reader(block, "solver", {}, ignored);
     loaded.config.solver.options->fields(reader);
@@ -164,9 +164,9 @@ class GridBuilder {
   }
 
   std::vector<std::string> values(const Choice& choice, const RunConfig& config, const std::string& absent) const {
-    std::vector<std::string> out = {
-        problems_[choice[0]].name, absent.empty() ? config.solver.plugin->type : absent, config.kernel.plugin->type,
-        config.points.automatic ? "auto" : std::to_string(config.points.count), std::to_string(config.seed)};
+    std::vector<std::string> out = {problems_[choice[0]].name, absent.empty() ? config.solver.plugin->type : absent,
+                                    config.kernel.plugin->type, config.points ? std::to_string(*config.points) : "auto",
+                                    std::to_string(config.seed)};
     out.resize(axes_.size() + 1);
     for (std::size_t k = 0; k < axes_.size(); ++k)
       if (axes_[k].given()) out[k + 1] = axes_[k].values[choice[k + 1]].name;

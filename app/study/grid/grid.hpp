@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,7 @@ struct StudyCell {
   std::vector<std::string> values;  ///< of the axes of the grid: problem, solver, kernel, points, seed, swept keys
   RunConfig config;                 ///< with everything given; not usable where it is skipped for want of its solver
   std::filesystem::path folder;     ///< files of the configuration are relative to it
-  double optimum = StudyProblem::kUnknown;
+  std::optional<double> optimum;
   std::string skipped;  ///< why it is left out; empty: it is run
 };
 

@@ -85,21 +85,23 @@ void StudyConfig::fields(RunVisitor& visit) {
   visit.tree("set", set, TreeForm::options, nullptr, {.help = "Options of every cell."});
   visit.blocks("skip", skips_of(*this), {.help = "Cells that are left out, and why."});
   visit.field("repetitions", repetitions, {.help = "How often each cell is run.", .minimum = 1, .maximum = 1000});
-  visit.field("max_seconds", max_seconds,
-              {.help = "Time budget of one repetition of one cell, from the first path to the certificate; 0: none.",
-               .unit = "s",
-               .minimum = 0,
-               .maximum = 1e9});
+  visit.field_or_zero(
+      "max_seconds", max_seconds,
+      {.help = "Time budget of one repetition of one cell, from the first path to the certificate; 0: none.",
+       .unit = "s",
+       .minimum = 0,
+       .maximum = 1e9});
   visit.field("grace_seconds", grace_seconds,
               {.help = "So long after its budget its process is killed; reading its files counts.",
                .unit = "s",
                .minimum = 0,
                .maximum = 1e9});
-  visit.field("max_evaluations", max_evaluations,
-              {.help = "Limit on energy and gradient evaluations of every solver that has no own one; 0: the solver's.",
-               .minimum = 0});
-  visit.field("max_memory", max_memory,
-              {.help = "Limit on the address space of one cell; 0: none.", .unit = "MB", .minimum = 0});
+  visit.field_or_zero(
+      "max_evaluations", max_evaluations,
+      {.help = "Limit on energy and gradient evaluations of every solver that has no own one; 0: the solver's.",
+       .minimum = 0});
+  visit.field_or_zero("max_memory", max_memory,
+                      {.help = "Limit on the address space of one cell; 0: none.", .unit = "MB", .minimum = 0});
 }
 
 bool is_study(const std::string& text) {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <filesystem>
-#include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,12 +17,11 @@ namespace leastcost::app {
 
 /// One problem of a study.
 struct StudyProblem {
-  std::string name;           ///< empty: that of its configuration
-  ConfigNode config;          ///< a file name, or a configuration
-  double optimum = kUnknown;  ///< true least cost
-  ConfigNode set;             ///< options of this problem only
-  bool optional = false;      ///< its cells are skipped where a file of it does not exist
-  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  std::optional<std::string> name;  ///< else that of its configuration
+  ConfigNode config;                ///< a file name, or a configuration
+  std::optional<double> optimum;    ///< true least cost
+  ConfigNode set;                   ///< options of this problem only
+  bool optional = false;            ///< its cells are skipped where a file of it does not exist
   void fields(RunVisitor& visit);
 };
 
@@ -41,10 +40,10 @@ struct StudyConfig {
   ConfigNode solvers, kernels, points, seeds, sweep, set;
   std::vector<StudySkip> skip;
   int repetitions = 1;
-  double max_seconds = 0;     ///< of one repetition of one cell; 0: none
-  double grace_seconds = 10;  ///< after them its process is killed
-  int max_evaluations = 0;    ///< 0: those of the solvers
-  int max_memory = 0;         ///< MB of address space; 0: no limit
+  std::optional<double> max_seconds;   ///< of one repetition of one cell
+  double grace_seconds = 10;           ///< after them its process is killed
+  std::optional<int> max_evaluations;  ///< else those of the solvers
+  std::optional<int> max_memory;       ///< MB of address space
 
   void fields(RunVisitor& visit);
 };

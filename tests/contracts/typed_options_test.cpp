@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+
+// A misspelt choice does not compile. Those of the back ends are in nlopt_test.cpp and ceres_test.cpp; that the list is
+// complete is checked by tests/app/registry_test.cpp.
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/problems.hpp>
+#include <leastcost/solvers/rounds.hpp>
+#include <leastcost/solvers/solvers.hpp>
+#include "tests/support/choices.hpp"
+
+namespace leastcost::test {
+namespace {
+
+// The only way to a choice in a field list is an enum with words.
+template <class T>
+concept CanBeChosen = requires(FieldVisitor& visit, T& value) {
+  visit.choice("key", value, FieldDoc{});
+};
+static_assert(CanBeChosen<TravelTimeRule>);
+static_assert(!CanBeChosen<std::string>);
+static_assert(!CanBeChosen<int>);
+
+template <class Options>
+concept TakesMisspeltRule = requires {
+  Options{.rule = "averge"};
+};
+static_assert(!TakesMisspeltRule<TravelTimeOptions>);
+static_assert(!TakesMisspeltRule<MetricFieldOptions>);
+template <class Options>
+concept TakesMisspeltPreconditioner = requires {
+  Options{.precondition = "chian"};
+};
+static_assert(!TakesMisspeltPreconditioner<LbfgsOptions>);
+static_assert(!TakesMisspeltPreconditioner<RoundOptions>);
+template <class Options>
+concept TakesMisspeltSurface = requires {
+  Options{.surface = "toros"};
+};
+static_assert(!TakesMisspeltSurface<ParametricOptions>);
+static_assert(!TakesMisspeltSurface<ImplicitManifoldOptions>);
+
+// Choices.
+static_assert(!kTakesWords<decltype(TravelTimeOptions::rule)>);
+static_assert(!kTakesWords<decltype(MetricFieldOptions::rule)>);
+static_assert(!kTakesWords<decltype(MetricFieldOptions::reading)>);
+static_assert(!kTakesWords<decltype(TensorFileOptions::on)>);
+static_assert(!kTakesWords<decltype(PointCloudSettings::normals)>);
+static_assert(!kTakesWords<decltype(distance_source::Sides::sign)>);
+static_assert(!kTakesWords<decltype(LbfgsOptions::precondition)>);
+static_assert(!kTakesWords<decltype(RoundOptions::precondition)>);
+
+// Forms of a block.
+static_assert(!kTakesWords<decltype(ParametricOptions::surface)>);
+static_assert(!kTakesWords<decltype(ImplicitManifoldOptions::surface)>);
+static_assert(!kTakesWords<decltype(ConstraintManifoldOptions::set)>);
+static_assert(!kTakesWords<decltype(MetricFieldOptions::field)>);
+static_assert(!kTakesWords<decltype(SignedDistanceOptions::source)>);
+
+}  // namespace
+
+TEST_CASE("typed options: every value of a choice has one word") {
+  check_words(TravelTimeRule::midpoint);
+  check_words(TensorRule::average);
+  check_words(TensorReading::root);
+  check_words(TensorPlace::points);
+  check_words(NormalSource::estimate);
+  check_words(DistanceSign::without_sides);
+  check_words(Preconditioner::none);
+}
+
+TEST_CASE("typed options: a number that is no value of a choice is refused where it matters") {
+  CHECK(word_of(static_cast<TravelTimeRule>(7)) == "");
+  CHECK_THROWS_AS(make_travel_time_cost({.rule = static_cast<TravelTimeRule>(7), .level = 0}, 2, {}), OptionError);
+}
+
+}  // namespace leastcost::test
