@@ -130,16 +130,19 @@ void TravelTimeOptions::fields(FieldVisitor& visit) {
                .unit = "length"});
 }
 
-std::shared_ptr<const SegmentCost> make_travel_time_cost(const TravelTimeOptions& options, int dim,
-                                                         const std::optional<Eigen::VectorXd>& source) {
-  double level = options.level;
-  if (!std::isnan(level) && options.start_speed > 0)
+void check_travel_time(const TravelTimeOptions& options, bool has_source) {
+  if (!std::isnan(options.level) && options.start_speed > 0)
     throw OptionError("start_speed",
                       "the energy level follows from the start speed: give one of start_speed and level");
-  if (std::isnan(level)) {
-    if (!source) throw OptionError("level", "a ring has no source: state the energy level (a height)");
-    level = (*source)[dim - 1] + options.start_speed * options.start_speed / (2 * options.gravity);
-  }
+  if (std::isnan(options.level) && !has_source)
+    throw OptionError("level", "a ring has no source: state the energy level (a height)");
+}
+
+std::shared_ptr<const SegmentCost> make_travel_time_cost(const TravelTimeOptions& options, int dim,
+                                                         const std::optional<Eigen::VectorXd>& source) {
+  check_travel_time(options, source.has_value());
+  double level = options.level;
+  if (std::isnan(level)) level = (*source)[dim - 1] + options.start_speed * options.start_speed / (2 * options.gravity);
   const EnergyLevel energy{options.gravity, level};
   return options.rule == "midpoint" ? make_rule<Midpoint>(energy, dim) : make_rule<Chute>(energy, dim);
 }

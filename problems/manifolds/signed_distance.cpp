@@ -50,27 +50,33 @@ std::shared_ptr<const ConstraintFunction> surface_function(const ImplicitManifol
   return {set, &set->function()};
 }
 
+void check_source(const SignedDistanceOptions& o) {
+  if (o.source == "implicit") {
+    if ((o.implicit.box.lower.size() > 0 || o.implicit.box.upper.size() > 0))
+      throw OptionError("lower",
+                        "a grid samples the whole surface: bounds are for 'type: implicit', 'box' says where "
+                        "to sample");
+    static_cast<void>(surface_function(o.implicit));
+    static_cast<void>(box_of(o));
+    return;
+  }
+  const bool sides = o.sign == "signed";
+  if (!sides && o.sign != "unsigned") throw OptionError("sign", "must be signed or unsigned");
+  if (sides && o.offset != 0) throw OptionError("offset", "is for sign: unsigned");
+  if (!sides && !(o.offset > 0))
+    throw OptionError(
+        "offset", "an unsigned distance has no gradient at 0: give the distance (> 0) at which the surface is wanted");
+  if (o.source != "mesh" && o.source != "point_cloud") throw OptionError("type", "unknown source '" + o.source + "'");
+}
+
 std::shared_ptr<const DistanceSource> source_of(const SignedDistanceOptions& o, const std::filesystem::path& folder,
                                                 const BuildProgress& progress) {
   try {
     if (o.source == "implicit") {
-      if ((o.implicit.box.lower.size() > 0 || o.implicit.box.upper.size() > 0))
-        throw OptionError("lower",
-                          "a grid samples the whole surface: bounds are for 'type: implicit', 'box' says where "
-                          "to sample");
-      const auto function = surface_function(o.implicit);
-      const Eigen::AlignedBox3d box = box_of(o);
       report(progress, 0, "distances");
-      return make_implicit_distance(function, box);
+      return make_implicit_distance(surface_function(o.implicit), box_of(o));
     }
     const bool sides = o.sign == "signed";
-    if (!sides && o.sign != "unsigned") throw OptionError("sign", "must be signed or unsigned");
-    if (sides && o.offset != 0) throw OptionError("offset", "is for sign: unsigned");
-    if (!sides && !(o.offset > 0))
-      throw OptionError(
-          "offset",
-          "an unsigned distance has no gradient at 0: give the distance (> 0) at which the surface is wanted");
-    if (o.source != "mesh" && o.source != "point_cloud") throw OptionError("type", "unknown source '" + o.source + "'");
     report(progress, 0, "reading");
     if (o.source == "mesh") return make_mesh_distance(TriangleMesh(read_mesh(folder / o.file), {o.weld, 0}), sides);
     return make_cloud_distance(PointCloud(read_point_cloud(folder / o.cloud.file), o.cloud.settings), sides);
@@ -80,15 +86,12 @@ std::shared_ptr<const DistanceSource> source_of(const SignedDistanceOptions& o, 
 }
 
 DistanceGridSettings settings_of(const SignedDistanceOptions& o) {
-  if (o.cell > 0 && o.accuracy > 0) throw OptionError("accuracy", "give either the cell or the accuracy, not both");
   return {o.cell, o.accuracy, o.offset, o.margin, o.memory_limit * kGiB};
 }
 
 std::shared_ptr<const SignedDistanceManifold> from_file(const SignedDistanceOptions& o,
                                                         const std::filesystem::path& folder,
                                                         const BuildProgress& progress) {
-  if (o.cell > 0 || o.accuracy > 0)
-    throw OptionError(o.cell > 0 ? "cell" : "accuracy", "the file says what its cell is; leave this out");
   report(progress, 0, "reading");
   GridSamples samples = read_sdf(folder / o.file, o.memory_limit * kGiB);
   std::vector<std::string> notes = {"distance grid: " + text(samples.shape)};
@@ -198,9 +201,25 @@ std::shared_ptr<const ConstraintManifold> SignedDistanceManifold::make_coarser()
   return result;
 }
 
+void check_signed_distance(const SignedDistanceOptions& options) {
+  if (options.source == "file") {
+    if (options.cell > 0 || options.accuracy > 0)
+      throw OptionError(options.cell > 0 ? "cell" : "accuracy", "the file says what its cell is; leave this out");
+    return;
+  }
+  if (options.cell > 0 && options.accuracy > 0)
+    throw OptionError("accuracy", "give either the cell or the accuracy, not both");
+  try {
+    check_source(options);
+  } catch (const OptionError& error) {
+    throw OptionError("source." + error.key(), error.what());
+  }
+}
+
 std::shared_ptr<const SignedDistanceManifold> make_signed_distance_manifold(const SignedDistanceOptions& options,
                                                                             const std::filesystem::path& folder,
                                                                             const BuildProgress& progress) {
+  check_signed_distance(options);
   if (options.source == "file") return from_file(options, folder, progress);
   const DistanceGridSettings settings = settings_of(options);
   const std::shared_ptr<const DistanceSource> source = source_of(options, folder, progress);

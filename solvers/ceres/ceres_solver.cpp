@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/solvers/ceres/ceres_solver.hpp>
 
+#include <ceres/version.h>
+
 #include <utility>
 
 #include "solvers/ceres/line_search.hpp"
@@ -39,5 +41,7 @@ SolveReport Ceres::do_solve(PathEnergy& energy, CoordinatePath& path, const Moni
   if (is_trust_region(options_.algorithm)) return solve_by_trust_region(energy, path, options_, monitor);
   return solve_by_line_search(energy, path, options_, monitor);
 }
+
+std::string ceres_version() { return CERES_VERSION_STRING; }
 
 }  // namespace leastcost

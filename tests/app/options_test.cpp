@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 
 // One field list serves reading, writing, describing: shown on options that have every kind of field.
-#include <leastcost/catalogue/options/options_writer.hpp>
 #include "app/reference/field_list.hpp"
 #include "catalogue/options/options_reader.hpp"
+#include "catalogue/options/options_writer.hpp"
 #include "catalogue/yaml/scalars.hpp"
 #include "catalogue/yaml/suggest.hpp"
 #include "catalogue/yaml/yaml_reader.hpp"
