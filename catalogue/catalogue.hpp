@@ -3,9 +3,14 @@
 #pragma once
 
 /// \file
-/// Configurations: read one, change it in memory, solve it, write its files. What this header reaches is public and
-/// installed; everything else in the folder is internal.
+/// Configurations: read one, change it in memory, solve it, write its files.
+///
+///     leastcost::Run run = leastcost::load_run("slide.yaml", {{"path.points=200"}});
+///     run.parts.problem.cost = std::make_shared<MyCost>();
+///     leastcost::RunOutcome outcome = leastcost::solve(run);
+///     leastcost::write_run(outcome, "results/slide");
+///
+/// What this header reaches is public and installed; everything else in the folder is internal.
 
-#include <leastcost/catalogue/output/results.hpp>
-#include <leastcost/catalogue/registry/registry.hpp>
+#include <leastcost/catalogue/output/write_run.hpp>
 #include <leastcost/catalogue/run/run.hpp>

@@ -10,9 +10,9 @@
 #include <optional>
 #include <ostream>
 
-#include <leastcost/catalogue/output/manifest.hpp>
 #include "app/cli/commands.hpp"
 #include "app/reference/describe.hpp"
+#include "catalogue/output/manifest.hpp"
 #include "catalogue/yaml/scalars.hpp"
 #include "catalogue/yaml/suggest.hpp"
 
@@ -65,7 +65,10 @@ void add_set(CLI::App& command, Values& v) {
 void add_run(CLI::App& app, Values& v, const std::vector<std::string>& arguments, const Streams& streams,
              Command& chosen) {
   CLI::App& c = *app.add_subcommand("run", "Find a least-cost path and write its results");
-  c.add_option("config", v.config, "Configuration (YAML)")->required()->type_name("CONFIG");
+  c.add_option("config", v.config,
+               "Configuration (YAML); - reads it from standard input, with files relative to the current folder")
+      ->required()
+      ->type_name("CONFIG");
   add_set(c, v);
   add_format(c, v);
   c.add_option("-o,--output", v.output, "Output folder; default: results/<name>")->type_name("DIR");
@@ -144,7 +147,7 @@ void add_merge(CLI::App& app, Values& v, const std::vector<std::string>& argumen
 
 void add_validate(CLI::App& app, Values& v, const Streams& streams, Command& chosen) {
   CLI::App& c = *app.add_subcommand("validate", "Every error of configurations with its position; computes nothing");
-  c.add_option("configs", v.configs, "Configurations (YAML)")->required()->type_name("CONFIG...");
+  c.add_option("configs", v.configs, "Configurations (YAML); - is standard input")->required()->type_name("CONFIG...");
   add_set(c, v);
   add_format(c, v);
   c.callback([&] { chosen = [&] { return validate_command(v.configs, v.overrides(), v.json(), streams); }; });
@@ -177,6 +180,9 @@ void add_reference(CLI::App& app, Values& v, const Streams& streams, Command& ch
 
 void add_helpers(CLI::App& app, Values& v, const Streams& streams, Command& chosen) {
   CLI::App& init = *app.add_subcommand("init", "Print a commented starter configuration; without a name: the list");
+  init.footer(
+      "The first line of each names the schema, for editors with the YAML language server; it is made by\n"
+      "  leastcost schema > leastcost.schema.json");
   init.add_option("template", v.name, "Name of the template")->type_name("TEMPLATE");
   init.add_option("-o,--output", v.output, "Write to this file instead")->type_name("FILE");
   init.add_flag("--force", v.force, "Overwrite the file");

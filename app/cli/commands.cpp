@@ -9,13 +9,14 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include <leastcost/catalogue/registry/registry.hpp>
 #include "app/cli/templates.hpp"
 #include "app/reference/describe.hpp"
 #include "app/report/report.hpp"
 #include "app/study/rows/journal.hpp"
 #include "app/study/study_files.hpp"
 #include "catalogue/output/json_numbers.hpp"
+#include "catalogue/registry/registry.hpp"
+#include "catalogue/run/compose.hpp"
 #include "catalogue/yaml/suggest.hpp"
 
 namespace leastcost::app {
@@ -73,13 +74,14 @@ Json kind_json(const PluginKind& kind) {
 /// turn.
 Diagnostics errors_in(const std::string& file, const std::vector<Override>& overrides, bool& readable) {
   try {
-    if (is_study(config_text(file))) {
-      LoadedStudy study = load_study(file, overrides);
+    const ConfigText source = config_source(file);
+    if (is_study(source.text)) {
+      LoadedStudy study = parse_study(source.text, source.name, source.folder, overrides);
       make_grid(study);
       return study.errors;
     }
-    LoadedConfig loaded = load_config(file, overrides);
-    if (loaded.errors.empty()) check_constructors(loaded);
+    LoadedConfig loaded = parse_config(source.text, source.name, source.folder, overrides);
+    if (loaded.errors.empty()) check_parts(loaded);
     return loaded.errors;
   } catch (const InputError& e) {
     readable = false;

@@ -6,18 +6,18 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include <leastcost/catalogue/output/output_folder.hpp>
 #include "app/cli/commands.hpp"
 #include "app/cli/interrupt.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/summary.hpp"
 #include "catalogue/output/json_numbers.hpp"
+#include "catalogue/output/output_folder.hpp"
 
 namespace leastcost::app {
 namespace {
 
 Exit dry_run(const RunArguments& arguments, const Streams& streams) {
-  const Run prepared = load_run(arguments.request.config_file, arguments.request.overrides, arguments.request.building);
+  const Run prepared = load(arguments.request);
   streams.out << (arguments.json ? dry_run_json(arguments.request, prepared)
                                  : dry_run_text(arguments.request, prepared));
   return Exit::certified;
@@ -90,7 +90,7 @@ Exit run_command(const RunArguments& arguments, const Streams& streams) {
                                    : summary_text(outcome, arguments.verbosity == Verbosity::verbose))
                 << std::flush;
     if (outcome.output_error.empty()) return exit_of(outcome.result.status);
-    streams.err << error_label(streams) << " the results are not on disk: " << outcome.output_error << '\n';
+    streams.err << error_label(streams) << " the results are not in their place: " << outcome.output_error << '\n';
     return Exit::internal;
   } catch (const StoppedEarly& e) {
     progress.clear();

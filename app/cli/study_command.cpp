@@ -5,13 +5,13 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include <leastcost/catalogue/output/output_folder.hpp>
 #include "app/cli/commands.hpp"
 #include "app/cli/interrupt.hpp"
 #include "app/cli/study_progress.hpp"
 #include "app/report/report.hpp"
 #include "app/study/study_summary.hpp"
 #include "catalogue/output/json_numbers.hpp"
+#include "catalogue/output/output_folder.hpp"
 
 namespace leastcost::app {
 namespace {

@@ -8,10 +8,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include <leastcost/catalogue/output/output_folder.hpp>
-#include <leastcost/catalogue/output/results.hpp>
 #include <leastcost/problems/mesh/has_mesh.hpp>
 #include "catalogue/output/json_numbers.hpp"
+#include "catalogue/output/output_folder.hpp"
+#include "catalogue/run/compose.hpp"
+#include "catalogue/run/run_origin.hpp"
 
 namespace leastcost::app {
 namespace {
@@ -20,12 +21,19 @@ using Json = nlohmann::ordered_json;
 
 std::string row(std::string_view label, const std::string& text) { return fmt::format("{:<11} {}\n", label, text); }
 
+const RunConfig& config_of(const WrittenRun& run) { return run.origin->config; }
+
+std::vector<FamilyStart> family_of(const RunParts& parts) {
+  return parts.wants_family() ? family_starts(parts) : std::vector<FamilyStart>{};
+}
+
 std::string status_line(const WrittenRun& run) {
   const Certificate& c = run.result.certificate;
   std::string line(name(run.result.status));
   if (run.result.status == Status::certified) return line + fmt::format(" ({})", c.scope);
   if (!c.measured)
-    line += run.config.certificate.enabled ? ": the certificate was not measured" : ": the certificate is switched off";
+    line += run.parts.options.certificate.enabled ? ": the certificate was not measured"
+                                                  : ": the certificate is switched off";
   return line;
 }
 
@@ -50,7 +58,7 @@ std::string solver_line(const WrittenRun& run) {
 }
 
 const char* shape_of(const WrittenRun& run) {
-  if (run.config.ring && run.config.source) return " (a loop with a fixed point, the source)";
+  if (config_of(run).ring && config_of(run).source) return " (a loop with a fixed point, the source)";
   return run.result.path.ring ? " (ring)" : " and two ends";
 }
 
@@ -68,23 +76,28 @@ std::string family_rows(const WrittenRun& run) {
 
 std::string time_line(const WrittenRun& run) {
   const StageSeconds& s = run.result.seconds;
-  return fmt::format("read {:.3g} s, first path {:.3g} s, solve {:.3g} s, post-process {:.3g} s, certify {:.3g} s",
-                     run.parts.read_seconds, s.initialize, s.solve, s.post_process, s.certify);
+  const RunSeconds& all = run.seconds;
+  std::string line = fmt::format(
+      "read {:.3g} s, compose {:.3g} s, first path {:.3g} s, solve {:.3g} s, post-process {:.3g} s, "
+      "certify {:.3g} s, write {:.3g} s, report {:.3g} s",
+      all.read, all.compose, s.initialize, s.solve, s.post_process, s.certify, all.write, all.report);
+  if (!run.family.empty()) line += fmt::format("; the whole family {:.3g} s", all.search);
+  return line;
 }
 
 std::string end_line(const PlacedEnd& end) {
   const std::string line = fmt::format("({:.6g})", fmt::join(end.end.u, ", "));
-  return line + fmt::format(", moved by {:.3g} onto the manifold", end.moved);
+  return end.moved > 0 ? line + fmt::format(", moved by {:.3g} onto the manifold", end.moved) : line;
 }
 
-const TriangleMesh* mesh_of(const Composition& parts) {
+const TriangleMesh* mesh_of(const RunParts& parts) {
   const auto* domain = dynamic_cast<const HasMesh*>(parts.problem.manifold.get());
   return domain == nullptr ? nullptr : &domain->mesh();
 }
 
 std::string steps(const Run& prepared) {
-  const Composition& parts = prepared.parts;
-  std::string line = fmt::format("{}, {}", prepared.loaded.config.initializer.plugin->type, parts.solver->name());
+  const RunParts& parts = prepared.parts;
+  std::string line = fmt::format("{}, {}", prepared.origin->config.initializer.plugin->type, parts.solver->name());
   for (const auto& processor : parts.post_processors) line += fmt::format(", {}", processor->name());
   return line + (parts.options.certificate.enabled ? ", certificate" : "");
 }
@@ -105,9 +118,10 @@ std::string summary_text(const WrittenRun& run, bool verbose) {
     out += row("spacing", fmt::format("{:.3g} (largest / smallest segment cost - 1)", result.certificate.spacing));
   out += row("points", fmt::format("{}{}", result.path.free_count(), shape_of(run)));
   out += row("solver", solver_line(run));
-  if (!run.config.ring || run.config.source) {
-    if (verbose || run.config.source->point) out += row("source", end_line(run.parts.source));
-    if (!run.config.ring && (verbose || run.config.target->point)) out += row("target", end_line(run.parts.target));
+  const RunConfig& config = config_of(run);
+  if (!config.ring || config.source) {
+    if (verbose || config.source->point) out += row("source", end_line(run.parts.source));
+    if (!config.ring && (verbose || config.target->point)) out += row("target", end_line(run.parts.target));
   }
   out += family_rows(run);
   for (const std::string& note : run.parts.notes) out += row("note", note);
@@ -124,7 +138,7 @@ std::string summary_json(const WrittenRun& run) {
 }
 
 std::string dry_run_text(const RunRequest& request, const Run& prepared) {
-  const RunConfig& config = prepared.loaded.config;
+  const RunConfig& config = prepared.origin->config;
   const Dimensions dims = prepared.parts.problem.manifold->dimensions();
   std::string domain =
       fmt::format("{}, dimension {} in R^{}", config.manifold.plugin->type, dims.tangent, dims.ambient);
@@ -140,18 +154,18 @@ std::string dry_run_text(const RunRequest& request, const Run& prepared) {
   else if (config.source)
     out += row("fixed point", end_line(prepared.parts.source));
   for (const std::string& note : prepared.parts.notes) out += row("note", note);
-  for (const FamilyStart& start : prepared.parts.family)
-    out += row(&start == &prepared.parts.family.front() ? "family" : "", "from " + start.origin);
+  const std::vector<FamilyStart> family = family_of(prepared.parts);
+  for (const FamilyStart& start : family) out += row(&start == &family.front() ? "family" : "", "from " + start.origin);
   out += row("points", points_text(config));
   out += row("would run", steps(prepared));
-  out += row("would write", output_of(request, config).string());
-  const std::string refusal = output_refusal(output_of(request, config), request.force);
+  out += row("would write", output_of(request, prepared).string());
+  const std::string refusal = output_refusal(output_of(request, prepared), request.force);
   if (!refusal.empty()) out += row("but", refusal);
   return out;
 }
 
 std::string dry_run_json(const RunRequest& request, const Run& prepared) {
-  const RunConfig& config = prepared.loaded.config;
+  const RunConfig& config = prepared.origin->config;
   const Dimensions dims = prepared.parts.problem.manifold->dimensions();
   Json out = {{"schema_version", kSchemaVersion}, {"status", "dry_run"}, {"name", config.name}};
   out["dimensions"] = {{"coordinate", dims.coordinate}, {"ambient", dims.ambient}, {"tangent", dims.tangent}};
@@ -162,11 +176,10 @@ std::string dry_run_json(const RunRequest& request, const Run& prepared) {
   out["points"] = config.points ? Json(*config.points) : Json("auto");
   if (!config.ring)
     out["moved"] = {{"source", number(prepared.parts.source.moved)}, {"target", number(prepared.parts.target.moved)}};
-  if (!prepared.parts.family.empty()) out["family"] = Json::array();
-  for (const FamilyStart& start : prepared.parts.family) out["family"].push_back(start.origin);
-  out["read_seconds"] = prepared.parts.read_seconds;
-  out["output"] = output_of(request, config).string();
-  const std::string refusal = output_refusal(output_of(request, config), request.force);
+  for (const FamilyStart& start : family_of(prepared.parts)) out["family"].push_back(start.origin);
+  out["read_seconds"] = prepared.seconds.read;
+  out["output"] = output_of(request, prepared).string();
+  const std::string refusal = output_refusal(output_of(request, prepared), request.force);
   out["output_refused"] = refusal.empty() ? Json(nullptr) : Json(refusal);
   return to_text(out);
 }

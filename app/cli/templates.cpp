@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/templates.hpp"
 
+#include <string_view>
+
 namespace leastcost::app {
 namespace {
 
@@ -74,14 +76,102 @@ initializer:
 x-expect-exit: 5          # a note; keys that start with x- mean nothing to the program
 )";
 
+constexpr std::string_view kParametric =
+    R"yaml(# A geodesic on a surface x(u, v) given by formulas, or by name. Ends and points are (u, v).
+# Surfaces with names, and their parameters: leastcost describe manifold parametric
+name: parametric
+manifold:
+  type: parametric
+  surface:
+    type: formula
+    x: (R + r*cos(v))*cos(u)
+    y: (R + r*cos(v))*sin(u)
+    z: r*sin(v)
+    parameters: {R: 2, r: 1}
+    period_u: 6.283185307179586   # where the surface comes back to itself; leave out where it does not
+    period_v: 6.283185307179586
+  # surface: {type: torus, major_radius: 2, minor_radius: 1}   # the same one by name
+cost: euclidean
+ends:
+  source: {point: [0, 0]}
+  target: {point: [1, 2]}
+path: {points: 64}
+# family: {windings: 1}   # also the paths that go once around either way
+)yaml";
+
+constexpr std::string_view kImplicit =
+    R"(# A geodesic on a surface f(x, y, z) = 0, by name or as a formula. Ends are points of space near it.
+# Surfaces with names, and their parameters: leastcost describe manifold implicit
+name: implicit
+manifold:
+  type: implicit
+  surface:
+    type: formula
+    f: x^2/a^2 + y^2 + z^2 - 1
+    parameters: {a: 2}
+cost: euclidean
+ends:                     # moved onto the surface, at most by the tolerance
+  source: {point: [2, 0, 0]}
+  target: {point: [0, 0.6, 0.8], tolerance: 1e-6}
+path: {points: 64}
+# initializer: {type: waypoints, points: [[0, 1, 0]]}   # another way around
+)";
+
+constexpr std::string_view kCloud =
+    R"(# A geodesic on the smooth surface through a point cloud. The file is relative to the folder of this configuration.
+name: cloud
+manifold:
+  type: point_cloud
+  file: cloud.xyz         # XYZ: x y z, or x y z nx ny nz, per line; or PLY
+  # normals: estimate     # auto: those of the file where it has them
+cost: euclidean
+ends:                     # a sample of the file, or coordinates (moved to the surface)
+  source: {vertex: 0}
+  target: {vertex: 1000}
+  # target: {point: [0.1, 0.2, 0.3]}
+path: {points: auto}      # as many as the first path along the neighbour graph has
+)";
+
+constexpr std::string_view kStudy =
+    R"(# A grid of problems, solvers and numbers of points. Try: leastcost study THIS_FILE -o results/comparison
+# All options: leastcost describe study. A problem is a configuration, or the name of its file.
+name: comparison
+points: [16, 64]
+solvers: [newton, lbfgs, {name: lbfgs without preconditioner, type: lbfgs, precondition: none}]
+repetitions: 3            # for the spread of the times
+# max_seconds: 60         # of each cell
+problems:
+  - name: brachistochrone
+    config:
+      manifold: {type: euclidean, dimension: 2}
+      cost: travel_time
+      ends: {source: {point: [0, 0]}, target: {point: [3, -2]}}
+  - name: torus
+    optimum: 3.00530920550149849   # where it is known, the tables show the distance from it
+    config:
+      manifold: {type: parametric, surface: {type: torus, major_radius: 2, minor_radius: 1}}
+      cost: euclidean
+      ends: {source: {point: [0, 0]}, target: {point: [1, 2]}}
+  # - config: my_problem.yaml
+)";
+
+/// For editors: `leastcost schema > leastcost.schema.json` beside the file.
+Template starter(const char* name, const char* summary, std::string_view text) {
+  return {name, summary, "# yaml-language-server: $schema=leastcost.schema.json\n" + std::string(text)};
+}
+
 }  // namespace
 
 const std::vector<Template>& templates() {
   static const std::vector<Template> all = {
-      {"plane", "a shortest path in the plane under a metric tensor", kPlane},
-      {"brachistochrone", "the curve of fastest descent", kBrachistochrone},
-      {"mesh", "a geodesic on a triangle mesh", kMesh},
-      {"ring", "a closed path through given points", kRing},
+      starter("plane", "a shortest path in the plane under a metric tensor", kPlane),
+      starter("brachistochrone", "the curve of fastest descent", kBrachistochrone),
+      starter("mesh", "a geodesic on a triangle mesh", kMesh),
+      starter("cloud", "a geodesic on a point cloud", kCloud),
+      starter("parametric", "a geodesic on a surface given by formulas in u and v", kParametric),
+      starter("implicit", "a geodesic on a surface f(x, y, z) = 0", kImplicit),
+      starter("ring", "a closed path through given points", kRing),
+      starter("study", "a comparison of solvers on several problems", kStudy),
   };
   return all;
 }

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string_view>
+#include <string>
 #include <vector>
 
 namespace leastcost::app {
 
-/// A commented starter configuration. Every one passes `leastcost validate`.
+/// A commented starter configuration or study. Every one passes `leastcost validate`, and runs where its files are.
 struct Template {
-  std::string_view name, summary, text;
+  std::string name, summary, text;
 };
 
 const std::vector<Template>& templates();

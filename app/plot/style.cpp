@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <string_view>
 
 #include "app/plot/chart.hpp"
 #include "app/plot/text.hpp"
@@ -47,15 +48,28 @@ std::string shape(int number, double x, double y, double r) {
   }
 }
 
-}  // namespace
+struct Colour {
+  std::string_view name, light, dark;
+};
 
-std::string plot_style() {
-  return R"(.plot{--ink:#222;--soft:#6b6b6b;--rule:#e4e2dd;--faint:#f8f6f1;--paper:#fff;
---c0:#0072B2;--c1:#D55E00;--c2:#009E73;--c3:#CC79A7;--c4:#E69F00;--c5:#56B4E9;--c6:#222;
-font-family:system-ui,-apple-system,"Segoe UI","Helvetica Neue",Helvetica,Arial,sans-serif;font-variant-numeric:tabular-nums}
-@media (prefers-color-scheme:dark){.plot{--ink:#e6e4df;--soft:#a19e97;--rule:#3a3936;--faint:#232322;--paper:#1c1c1b;
---c0:#4aa3dc;--c1:#ef8244;--c2:#33bd93;--c3:#dc98bf;--c4:#efb02e;--c5:#86cbf3;--c6:#e6e4df}}
-.plot text{font-size:11px;fill:var(--soft)}.plot .title{font-size:12.5px;font-weight:600;fill:var(--ink)}
+constexpr std::array<Colour, 12> kPalette = {{{"ink", "#222", "#e6e4df"},
+                                              {"soft", "#6b6b6b", "#a19e97"},
+                                              {"rule", "#e4e2dd", "#3a3936"},
+                                              {"faint", "#f8f6f1", "#232322"},
+                                              {"paper", "#fff", "#1c1c1b"},
+                                              {"c0", "#0072B2", "#4aa3dc"},
+                                              {"c1", "#D55E00", "#ef8244"},
+                                              {"c2", "#009E73", "#33bd93"},
+                                              {"c3", "#CC79A7", "#dc98bf"},
+                                              {"c4", "#E69F00", "#efb02e"},
+                                              {"c5", "#56B4E9", "#86cbf3"},
+                                              {"c6", "#222", "#e6e4df"}}};
+
+constexpr std::string_view kFonts =
+    R"(font-family:system-ui,-apple-system,"Segoe UI","Helvetica Neue",Helvetica,Arial,sans-serif;font-variant-numeric:tabular-nums)";
+
+constexpr std::string_view kRules =
+    R"(.plot text{font-size:11px;fill:var(--soft)}.plot .title{font-size:12.5px;font-weight:600;fill:var(--ink)}
 .plot .axis{stroke:var(--soft);fill:none}.plot .grid{stroke:var(--rule);fill:none}
 .plot .s{fill:none;stroke-width:1.7;stroke-linejoin:round;stroke-linecap:round}.plot .bar{stroke-width:1.1}
 .plot .quiet{fill:none;stroke:var(--soft);stroke-width:1.2;stroke-dasharray:4 3}
@@ -73,6 +87,30 @@ font-family:system-ui,-apple-system,"Segoe UI","Helvetica Neue",Helvetica,Arial,
 .plot .f0{fill:var(--c0)}.plot .f1{fill:var(--c1)}.plot .f2{fill:var(--c2)}.plot .f3{fill:var(--c3)}
 .plot .f4{fill:var(--c4)}.plot .f5{fill:var(--c5)}.plot .f6{fill:var(--c6)}
 )";
+
+/// "--ink:#222;--soft:...", of the light or the dark palette.
+std::string variables(std::string_view Colour::*shade) {
+  std::string out;
+  for (const Colour& colour : kPalette) out += fmt::format("--{}:{};", colour.name, colour.*shade);
+  return out;
+}
+
+/// The style for a file of its own, in the CSS that converters and editors know: no variables, no media queries.
+std::string plain_style() {
+  std::string out = fmt::format(".plot{{{}}}\n{}", kFonts, kRules);
+  for (const Colour& colour : kPalette) {
+    const std::string variable = fmt::format("var(--{})", colour.name);
+    for (std::size_t at = out.find(variable); at != std::string::npos; at = out.find(variable, at))
+      out.replace(at, variable.size(), colour.light);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string plot_style() {
+  return fmt::format(".plot{{{}\n{}}}\n@media (prefers-color-scheme:dark){{.plot{{{}}}}}\n{}",
+                     variables(&Colour::light), kFonts, variables(&Colour::dark), kRules);
 }
 
 std::string stroke_of(const LineStyle& style) {
@@ -95,8 +133,7 @@ std::string svg_element(const std::string& title, const std::string& description
       "height=\"{1:.0f}\" role=\"img\">\n<title>{2}</title>\n<desc>{3}</desc>\n",
       width, height, escaped(title), escaped(description));
   if (standalone)
-    out += fmt::format("<style>{}</style>\n<rect width=\"100%\" height=\"100%\" style=\"fill:var(--paper)\"/>\n",
-                       plot_style());
+    out += fmt::format("<style>{}</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n", plain_style());
   return out + content + "</svg>\n";
 }
 

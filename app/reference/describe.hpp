@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include <leastcost/catalogue/plugins/plugin.hpp>
+#include "catalogue/plugins/plugin.hpp"
 
 namespace leastcost::app {
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/reference/field_list.hpp"
 
-#include <leastcost/catalogue/options/options_writer.hpp>
-#include <leastcost/catalogue/run/run_config.hpp>
 #include "app/study/grid/study_config.hpp"
+#include "catalogue/options/options_writer.hpp"
+#include "catalogue/run/run_config.hpp"
 #include "catalogue/yaml/scalars.hpp"
 #include "catalogue/yaml/suggest.hpp"
 

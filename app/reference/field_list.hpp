@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/catalogue/options/run_visitor.hpp>
+#include "catalogue/options/run_visitor.hpp"
 
 namespace leastcost::app {
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include <leastcost/catalogue/registry/registry.hpp>
 #include "app/reference/describe.hpp"
 #include "app/reference/field_list.hpp"
+#include "catalogue/registry/registry.hpp"
 
 namespace leastcost::app {
 namespace {

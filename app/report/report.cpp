@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "app/report/report.hpp"
 
-#include <leastcost/catalogue/output/manifest.hpp>
-#include <leastcost/catalogue/output/output_folder.hpp>
 #include "app/report/page/json_file.hpp"
 #include "app/report/run/run_report.hpp"
 #include "app/report/study/study_report.hpp"
+#include "catalogue/output/manifest.hpp"
+#include "catalogue/output/output_folder.hpp"
 
 namespace leastcost::app {
 

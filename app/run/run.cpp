@@ -3,25 +3,34 @@
 #include "app/run/run.hpp"
 
 #include <chrono>
+#include <iostream>
+#include <iterator>
 #include <utility>
 
-#include <leastcost/catalogue/output/output_folder.hpp>
-#include <leastcost/catalogue/output/results.hpp>
 #include "app/report/report.hpp"
+#include "catalogue/output/results.hpp"
+#include "catalogue/run/run_origin.hpp"
 
 namespace leastcost::app {
 namespace {
 
-/// The data as it is when it is used: a file may change while a long run goes on.
-std::vector<ManifestInput> inputs_of(const LoadedConfig& loaded) {
-  const auto absolute = [](const std::filesystem::path& p) { return std::filesystem::absolute(p).lexically_normal(); };
-  std::vector<ManifestInput> inputs = {{"configuration", absolute(loaded.file), sha256_of_text(loaded.text)}};
-  for (const std::string& name : files_of(loaded.config))
-    inputs.push_back({"data", absolute(loaded.folder / name), sha256_of_file(loaded.folder / name)});
-  return inputs;
-}
+bool is_standard_input(const std::filesystem::path& file) { return file == "-" || file == "/dev/stdin"; }
 
 }  // namespace
+
+ConfigText config_source(const std::filesystem::path& file) {
+  if (!is_standard_input(file)) return {config_text(file), file.string(), file.parent_path(), file};
+  const std::string text(std::istreambuf_iterator<char>(std::cin), {});
+  if (std::cin.bad()) throw InputError("standard input: cannot be read");
+  return {text, "stdin", {}, {}};
+}
+
+Run load(const RunRequest& request) {
+  if (!is_standard_input(request.config_file))
+    return load_run(request.config_file, request.overrides, request.building);
+  const ConfigText source = config_source(request.config_file);
+  return parse_run(source.text, source.name, source.folder, request.overrides, request.building);
+}
 
 Exit exit_of(Status status) {
   switch (status) {
@@ -33,27 +42,23 @@ Exit exit_of(Status status) {
   return Exit::internal;
 }
 
-std::filesystem::path output_of(const RunRequest& request, const RunConfig& config) {
+std::filesystem::path output_of(const RunRequest& request, const Run& run) {
   if (!request.output.empty()) return request.output;
-  if (config.output_folder) return *config.output_folder;
-  return std::filesystem::path("results") / config.name;
+  if (run.origin->config.output_folder) return *run.origin->config.output_folder;
+  return std::filesystem::path("results") / run.name;
 }
 
 WrittenRun run(const RunRequest& request, const Monitor& monitor) {
-  ManifestFacts facts;
-  facts.arguments = request.arguments;
-  facts.started = std::chrono::system_clock::now();
-  Run loaded = load_run(request.config_file, request.overrides, request.building);
-  facts.inputs = inputs_of(loaded.loaded);
-  facts.seed = loaded.loaded.config.seed;
-  OutputFolder folder(output_of(request, loaded.loaded.config), request.force);
-
-  WrittenRun outcome{solve(std::move(loaded.loaded.config), std::move(loaded.parts), monitor), folder.target(), ""};
-  facts.finished = std::chrono::system_clock::now();
+  Run loaded = load(request);
+  OutputFolder folder(output_of(request, loaded), request.force);
+  WrittenRun outcome{solve(std::move(loaded), monitor), folder.target(), ""};
   try {
-    write_results(outcome, loaded.loaded.folder, facts, folder);
+    write_results(outcome, request.arguments, folder);
     // As `leastcost report` would make it: from the files alone.
+    const auto start = std::chrono::steady_clock::now();
     for (const ReportFile& file : make_report(folder.staging())) folder.write(file.name, file.content);
+    outcome.seconds.report = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    folder.write("result.json", result_json(outcome));  // once more, with the time of the report
     folder.commit();
   } catch (const OutputError& e) {
     outcome.output_error = e.what();

@@ -25,7 +25,7 @@ enum class Exit {
 Exit exit_of(Status status);
 
 struct RunRequest {
-  std::filesystem::path config_file;
+  std::filesystem::path config_file;  ///< "-": standard input
   std::vector<Override> overrides;
   std::filesystem::path output;  ///< empty: that of the configuration, or results/<name>
   bool force = false;
@@ -40,9 +40,23 @@ struct WrittenRun : RunOutcome {
 };
 
 /// Where the results of a request go.
-std::filesystem::path output_of(const RunRequest& request, const RunConfig& config);
+std::filesystem::path output_of(const RunRequest& request, const Run& run);
 
-/// load_run(), solve(), write results and report. Throws ConfigError, InputError, InitializationError, and OutputError
+/// A configuration before it is read as one.
+struct ConfigText {
+  std::string text;
+  std::string name;              ///< in messages: the file, or "stdin"
+  std::filesystem::path folder;  ///< what its files are relative to; empty: the current one
+  std::filesystem::path file;    ///< empty for standard input
+};
+
+/// The text of a file, or of standard input ("-", or its device). Throws InputError.
+ConfigText config_source(const std::filesystem::path& file);
+
+/// load_run() of a file or of standard input.
+Run load(const RunRequest& request);
+
+/// load(), solve(), write results and report. Throws ConfigError, InputError, InitializationError, and OutputError
 /// when the output folder cannot be used from the start.
 WrittenRun run(const RunRequest& request, const Monitor& monitor);
 

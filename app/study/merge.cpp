@@ -8,11 +8,11 @@
 #include <map>
 #include <utility>
 
-#include <leastcost/catalogue/output/manifest.hpp>
-#include <leastcost/catalogue/output/output_folder.hpp>
 #include "app/study/rows/row_json.hpp"
 #include "app/study/study_facts.hpp"
 #include "app/study/study_files.hpp"
+#include "catalogue/output/manifest.hpp"
+#include "catalogue/output/output_folder.hpp"
 
 namespace leastcost::app {
 namespace {

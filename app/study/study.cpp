@@ -8,12 +8,12 @@
 #include <set>
 #include <utility>
 
-#include <leastcost/catalogue/output/manifest.hpp>
-#include <leastcost/catalogue/output/output_folder.hpp>
 #include "app/study/cell/isolation.hpp"
 #include "app/study/rows/row_json.hpp"
 #include "app/study/study_facts.hpp"
 #include "app/study/study_files.hpp"
+#include "catalogue/output/manifest.hpp"
+#include "catalogue/output/output_folder.hpp"
 
 namespace leastcost::app {
 namespace {
@@ -92,8 +92,8 @@ void clear(const fs::path& folder) {
       fs::remove(entry.path(), ignored);
 }
 
-std::vector<ManifestInput> inputs_of(const StudyGrid& grid, const StudyFacts& facts) {
-  std::vector<ManifestInput> inputs;
+std::vector<InputFile> inputs_of(const StudyGrid& grid, const StudyFacts& facts) {
+  std::vector<InputFile> inputs;
   for (const fs::path& file : grid.inputs)
     inputs.push_back({"configuration", fs::absolute(file).lexically_normal(), sha256_of_file(file)});
   for (const auto& [file, hash] : facts.data)

@@ -7,10 +7,10 @@
 #include <limits>
 #include <map>
 
-#include <leastcost/catalogue/options/options_writer.hpp>
-#include <leastcost/catalogue/output/manifest.hpp>
-#include <leastcost/catalogue/output/results.hpp>
 #include <leastcost/framework/errors.hpp>
+#include "catalogue/options/options_writer.hpp"
+#include "catalogue/output/manifest.hpp"
+#include "catalogue/output/results.hpp"
 #include "catalogue/yaml/yaml_reader.hpp"
 
 namespace leastcost::app {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <tuple>
 
-#include <leastcost/catalogue/output/output_folder.hpp>
 #include "app/study/rows/run_table.hpp"
 #include "app/study/study_summary.hpp"
+#include "catalogue/output/output_folder.hpp"
 
 namespace leastcost::app {
 

@@ -2,17 +2,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "catalogue/plugins/kinds.hpp"
+#include "catalogue/plugins/registration.hpp"
 
 namespace leastcost {
 
-/// Solvers of third-party libraries. CMake compiles `<name>.cpp` where the library was found and `<name>_absent.cpp`
-/// where not: the entry then says how to get it.
-SolverPlugin nlopt_plugin();
-SolverPlugin ceres_plugin();
+/// Solvers of third-party libraries, each registered by the CMakeLists.txt of its folder in solvers/. Those whose
+/// library was not found are there too, and say how to get it. Its definition is written by CMake.
+std::vector<SolverPlugin> back_ends();
 
-inline constexpr const char* kNloptSummary = "NLopt's local optimisers, in the chain's own variables or as they are.";
-inline constexpr const char* kCeresSummary = "Ceres: trust region on the residual form, or line search.";
+/// What this build has. `library`: with its version.
+inline SolverPlugin present(SolverPlugin entry, std::string library) {
+  entry.library = std::move(library);
+  return entry;
+}
 
 /// What this build has not. `package`: that of Debian.
 inline SolverPlugin absent(const char* type, const char* summary, const char* package) {

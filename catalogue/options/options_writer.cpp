@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/catalogue/options/options_writer.hpp>
+#include "catalogue/options/options_writer.hpp"
 
 #include "catalogue/yaml/scalars.hpp"
 

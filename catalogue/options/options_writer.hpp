@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/catalogue/options/run_visitor.hpp>
-#include <leastcost/catalogue/yaml/config_node.hpp>
+#include "catalogue/options/run_visitor.hpp"
+#include "catalogue/yaml/config_node.hpp"
 
 namespace leastcost {
 

@@ -4,8 +4,8 @@
 // The part of OptionsReader that reads plug-ins, variants and ends.
 #include <fmt/format.h>
 
-#include <leastcost/catalogue/registry/registry.hpp>
 #include "catalogue/options/options_reader.hpp"
+#include "catalogue/registry/registry.hpp"
 #include "catalogue/yaml/scalars.hpp"
 #include "catalogue/yaml/suggest.hpp"
 

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include <leastcost/catalogue/plugins/plugin.hpp>
-#include <leastcost/catalogue/yaml/config_node.hpp>
 #include <leastcost/framework/options.hpp>
+#include "catalogue/plugins/plugin.hpp"
+#include "catalogue/yaml/config_node.hpp"
 
 namespace leastcost {
 

@@ -1,43 +1,25 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/catalogue/output/manifest.hpp>
+#include "catalogue/output/manifest.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <openssl/crypto.h>
-#include <openssl/evp.h>
 #include <unistd.h>
 
 #include <Eigen/Core>
 #include <array>
 #include <fstream>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include <leastcost/framework/errors.hpp>
 #include <leastcost/version.hpp>
 #include "catalogue/output/json_numbers.hpp"
+#include "catalogue/output/source_commit.hpp"
+#include "catalogue/registry/registry.hpp"
 
 namespace leastcost {
 namespace {
-
-class Sha256 {
- public:
-  Sha256() : context_(EVP_MD_CTX_new(), &EVP_MD_CTX_free) { EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr); }
-  void add(std::string_view bytes) { EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()); }
-  std::string hex() {
-    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-    unsigned size = 0;
-    EVP_DigestFinal_ex(context_.get(), digest.data(), &size);
-    std::string out;
-    for (unsigned i = 0; i < size; ++i) out += fmt::format("{:02x}", digest[i]);
-    return out;
-  }
-
- private:
-  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_;
-};
 
 /// From /proc/cpuinfo; "unknown" where there is none.
 std::string cpu_name() {
@@ -56,33 +38,22 @@ std::string host_name() {
 }
 
 nlohmann::ordered_json libraries() {
-  return {{"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
-          {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
-          {"nlohmann_json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
-                                        NLOHMANN_JSON_VERSION_PATCH)},
-          {"yaml-cpp", LEASTCOST_YAML_CPP_VERSION},
-          {"openssl", OpenSSL_version(OPENSSL_VERSION_STRING)}};
+  nlohmann::ordered_json out = {
+      {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+      {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
+      {"nlohmann_json",
+       fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
+      {"yaml-cpp", LEASTCOST_YAML_CPP_VERSION},
+      {"openssl", OpenSSL_version(OPENSSL_VERSION_STRING)}};
+  for (const PluginKind& kind : plugin_kinds())
+    for (const PluginEntry* entry : kind.entries)
+      if (!entry->library.empty()) out[entry->type] = entry->library;
+  return out;
 }
 
 }  // namespace
 
 std::string_view program_version() { return LEASTCOST_VERSION; }
-
-std::string sha256_of_text(std::string_view text) {
-  Sha256 hash;
-  hash.add(text);
-  return hash.hex();
-}
-
-std::string sha256_of_file(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError(file.string() + ": cannot be opened");
-  Sha256 hash;
-  std::array<char, 1 << 16> buffer;
-  while (in.read(buffer.data(), buffer.size()) || in.gcount() > 0)
-    hash.add({buffer.data(), static_cast<std::size_t>(in.gcount())});
-  return hash.hex();
-}
 
 std::string utc_text(std::chrono::system_clock::time_point time) {
   const auto seconds = std::chrono::floor<std::chrono::seconds>(time);
@@ -93,13 +64,14 @@ std::string utc_text(std::chrono::system_clock::time_point time) {
 
 std::string manifest_json(const ManifestFacts& facts) {
   nlohmann::ordered_json inputs = nlohmann::ordered_json::array();
-  for (const ManifestInput& input : facts.inputs)
+  for (const InputFile& input : facts.inputs)
     inputs.push_back({{"role", input.role}, {"file", input.file.string()}, {"sha256", input.sha256}});
   const nlohmann::ordered_json manifest = {
       {"program", kProgramName},
       {"schema_version", kSchemaVersion},
       {"kind", facts.kind},
       {"version", LEASTCOST_VERSION},
+      {"commit", source_commit().empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(source_commit())},
       {"build", {{"compiler", LEASTCOST_COMPILER}, {"type", LEASTCOST_BUILD_TYPE}, {"libraries", libraries()}}},
       {"machine",
        {{"host", host_name()}, {"cpu", cpu_name()}, {"hardware_threads", std::thread::hardware_concurrency()}}},

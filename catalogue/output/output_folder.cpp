@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/catalogue/output/output_folder.hpp>
+#include "catalogue/output/output_folder.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 #include <string>
 #include <system_error>
 
-#include <leastcost/catalogue/output/manifest.hpp>
+#include "catalogue/output/manifest.hpp"
 
 namespace leastcost {
 namespace {
@@ -89,7 +89,7 @@ std::string output_refusal(const fs::path& target, bool force) {
   return target.string() + ": --force replaces only a folder with a manifest.json of leastcost, and this has none";
 }
 
-OutputFolder::OutputFolder(const fs::path& target, bool force) {
+OutputFolder::OutputFolder(const fs::path& target, bool force) : force_(force) {
   std::error_code error;
   target_ = fs::weakly_canonical(fs::absolute(target), error);
   if (error) throw OutputError(fmt::format("{}: {}", target.string(), error.message()));
@@ -126,30 +126,39 @@ void write_whole_file(const fs::path& file, const std::string& content) {
   if (error) throw OutputError(fmt::format("{}: cannot be made: {}", file.string(), error.message()));
 }
 
+void OutputFolder::keep(const std::string& reason, bool refused) {
+  committed_ = true;  // nothing is removed: hours of work may be in there
+  const std::string message = fmt::format("{}; the results lie in {}", reason, temporary_.string());
+  if (refused) throw OutputRefused(message);
+  throw OutputError(message);
+}
+
 void OutputFolder::commit() {
   std::error_code error;
-  if (!fs::exists(target_, error) || fs::is_empty(target_, error)) {
-    fs::rename(temporary_, target_, error);  // also replaces an empty folder
-    if (error) throw OutputError(fmt::format("{}: cannot be made: {}", target_.string(), error.message()));
+  fs::rename(temporary_, target_, error);  // onto nothing, or an empty folder: fails where something has appeared
+  if (!error) {
     committed_ = true;
     return;
   }
-  if (exchange(temporary_, target_)) {
-    fs::remove_all(temporary_, error);
-    committed_ = true;
-    return;
-  }
+  const std::string refusal = output_refusal(target_, force_);
+  if (!refusal.empty()) keep(refusal, true);
+  if (!fs::exists(target_) || fs::is_empty(target_))
+    keep(fmt::format("{}: cannot be made: {}", target_.string(), error.message()), false);
   const fs::path aside = temporary_.string() + ".old";
-  fs::rename(target_, aside, error);
-  if (error) throw OutputError(fmt::format("{}: cannot be replaced: {}", target_.string(), error.message()));
-  fs::rename(temporary_, target_, error);
-  if (error) {
-    std::error_code ignored;
-    fs::rename(aside, target_, ignored);
-    throw OutputError(fmt::format("{}: cannot be replaced: {}", target_.string(), error.message()));
+  if (exchange(temporary_, target_)) {
+    fs::rename(temporary_, aside, error);
+  } else {
+    fs::rename(target_, aside, error);
+    if (error) keep(fmt::format("{}: cannot be replaced: {}", target_.string(), error.message()), false);
+    fs::rename(temporary_, target_, error);
   }
-  fs::remove_all(aside, error);
+  if (error) keep(fmt::format("{}: cannot be replaced: {}", target_.string(), error.message()), false);
   committed_ = true;
+  // Looked at once more, now that nobody can write there under its name.
+  const fs::path foreign = foreign_file(aside);
+  if (!foreign.empty())
+    throw OutputRefused(fmt::format("{}: appeared in the replaced folder, which is kept there", foreign.string()));
+  fs::remove_all(aside, error);
 }
 
 }  // namespace leastcost

@@ -5,21 +5,9 @@
 #include <filesystem>
 #include <string>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/catalogue/output/write_run.hpp>
 
 namespace leastcost {
-
-/// The output folder cannot be used or written.
-class OutputError : public Error {
- public:
-  using Error::Error;
-};
-
-/// The folder exists and may not be replaced.
-class OutputRefused : public OutputError {
- public:
-  using OutputError::OutputError;
-};
 
 /// Why results may not be put into `target`: it is not empty, and `force` is not set or it holds no manifest of ours.
 /// Empty when they may.
@@ -46,11 +34,15 @@ class OutputFolder {
   const std::filesystem::path& staging() const { return temporary_; }
   /// Adds a file. Throws OutputError when it could not be written to the end.
   void write(const std::string& name, const std::string& content);
-  /// Puts the folder in its place. Throws OutputError.
+  /// Puts the folder in its place, which is looked at again. Throws OutputRefused when something has appeared there
+  /// that may not be replaced, and OutputError; what was written is then kept where the message says.
   void commit();
 
  private:
+  [[noreturn]] void keep(const std::string& reason, bool refused);
+
   std::filesystem::path target_, temporary_;
+  bool force_ = false;
   bool committed_ = false;
 };
 

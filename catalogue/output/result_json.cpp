@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include <leastcost/catalogue/output/results.hpp>
+#include <leastcost/catalogue/output/write_run.hpp>
 #include "catalogue/output/json_numbers.hpp"
+#include "catalogue/run/run_origin.hpp"
 
 namespace leastcost {
 namespace {
@@ -63,9 +65,14 @@ Json thresholds(const CertificateOptions& o) {
 
 Json problem_json(const RunOutcome& run) {
   const Dimensions d = run.parts.problem.manifold->dimensions();
-  return {{"manifold", run.config.manifold.plugin->type},
-          {"cost", run.config.cost.plugin->type},
-          {"kernel", run.config.kernel.plugin->type},
+  const RunConfig& config = run.origin->config;
+  const auto type = [&](const char* part, const PluginChoice& choice) {
+    const bool replaced = std::count(run.replaced.begin(), run.replaced.end(), part) > 0;
+    return replaced ? Json(nullptr) : Json(choice.plugin->type);  // made by a program, without a name
+  };
+  return {{"manifold", type("manifold", config.manifold)},
+          {"cost", type("cost", config.cost)},
+          {"kernel", type("kernel", config.kernel)},
           {"dimensions", {{"coordinate", d.coordinate}, {"ambient", d.ambient}, {"tangent", d.tangent}}}};
 }
 
@@ -128,6 +135,26 @@ Json family(const RunOutcome& run) {
   return out;
 }
 
+/// Wall time by stage. The stages are those of the delivered path; of a family, the other members are one more.
+Json seconds(const RunOutcome& run) {
+  const StageSeconds& s = run.result.seconds;
+  Json out = {{"read", run.seconds.read}, {"compose", run.seconds.compose}, {"initialize", s.initialize},
+              {"solve", s.solve},         {"post_process", s.post_process}, {"certify", s.certify}};
+  if (!run.family.empty())
+    out["other_members"] = std::max(0.0, run.seconds.search - s.initialize - s.solve - s.post_process - s.certify);
+  out["write"] = run.seconds.write;
+  out["report"] = run.seconds.report;
+  return out;
+}
+
+Json ends(const RunOutcome& run) {
+  const Problem& problem = run.parts.problem;
+  const bool based = run.origin->config.ring && run.origin->config.source.given;
+  if (based || problem.based) return {{"source", end_json(run.parts.source)}};
+  if (problem.ring) return nullptr;
+  return {{"source", end_json(run.parts.source)}, {"target", end_json(run.parts.target)}};
+}
+
 Json notes(const RunOutcome& run) {
   Json out = Json::array();
   for (const std::string& note : run.parts.notes) out.push_back(note);
@@ -139,10 +166,9 @@ Json notes(const RunOutcome& run) {
 
 std::string result_json(const RunOutcome& run) {
   const Result& result = run.result;
-  const StageSeconds& s = result.seconds;
   Json out;
   out["schema_version"] = kSchemaVersion;
-  out["name"] = run.config.name;
+  out["name"] = run.name;
   out["problem"] = problem_json(run);
   out["status"] = std::string(name(result.status));
   out["certified"] = result.status == Status::certified;
@@ -152,19 +178,12 @@ std::string result_json(const RunOutcome& run) {
   out["spacing"] =
       number(result.certificate.measured ? result.certificate.spacing : std::numeric_limits<double>::quiet_NaN());
   out["points"] = result.path.free_count();
-  out["ring"] = run.config.ring;
-  out["certificate"] = certificate_json(result.certificate, run.config.certificate);
+  out["ring"] = run.parts.problem.ring || run.parts.problem.based;
+  out["certificate"] = certificate_json(result.certificate, run.parts.options.certificate);
   out["solver"] = solver_json(run);
   out["initializer"] = std::string(run.parts.initializer->name());
-  out["seconds"] = {{"read", run.parts.read_seconds},
-                    {"initialize", s.initialize},
-                    {"solve", s.solve},
-                    {"post_process", s.post_process},
-                    {"certify", s.certify}};
-  const bool based = run.config.ring && run.config.source;
-  out["ends"] = run.config.ring ? Json(nullptr)
-                                : Json{{"source", end_json(run.parts.source)}, {"target", end_json(run.parts.target)}};
-  if (based) out["ends"] = {{"source", end_json(run.parts.source)}};
+  out["seconds"] = seconds(run);
+  out["ends"] = ends(run);
   if (!run.family.empty()) out["family"] = family(run);
   out["notes"] = notes(run);
   return to_text(out);

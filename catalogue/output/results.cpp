@@ -1,10 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/catalogue/output/results.hpp>
+#include "catalogue/output/results.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <chrono>
 #include <span>
 
+#include "catalogue/output/manifest.hpp"
 #include "catalogue/output/path_table.hpp"
+#include "catalogue/run/run_origin.hpp"
 #include "catalogue/scene/scene.hpp"
 
 namespace leastcost {
@@ -13,9 +19,41 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The configuration with every default.
-std::string resolved_config(const RunConfig& config, const fs::path& folder_of_config, const fs::path& output) {
-  return "# Every option of this run, defaults included. `leastcost run` on this file repeats it.\n" +
-         resolved_yaml(config, from_output(folder_of_config, output));
+std::string resolved_config(const RunOutcome& outcome, const fs::path& output) {
+  const RunOrigin& origin = *outcome.origin;
+  std::string head = "# Every option of this run, defaults included. `leastcost run` on this file repeats it.\n";
+  if (!outcome.replaced.empty())
+    head = fmt::format(
+        "# What was read, defaults included. Replaced by a program afterwards, and not as it stands here: {}.\n",
+        fmt::join(outcome.replaced, ", "));
+  return head + resolved_yaml(origin.config, from_output(origin.folder, output));
+}
+
+ManifestFacts facts_of(const RunOutcome& outcome, const std::vector<std::string>& arguments) {
+  ManifestFacts facts;
+  facts.arguments = arguments;
+  facts.inputs = outcome.origin->inputs;
+  facts.seed = outcome.origin->config.seed;
+  facts.started = outcome.origin->started;
+  facts.finished = outcome.finished;
+  return facts;
+}
+
+/// Polylines: the delivered points and curve, and the curves of the family.
+void write_paths(const RunOutcome& outcome, OutputFolder& folder) {
+  const PathTable points = delivered_points(outcome.parts.problem, outcome.result);
+  const PathTable curve = delivered_curve(outcome.parts.problem, outcome.result);
+  const bool curve_differs = curve.x.cols() != points.x.cols() || curve.x != points.x;
+  folder.write("path.csv", csv_text(points));
+  folder.write("curve.csv", csv_text(curve));
+  std::vector<PathTable> lines = {points};
+  if (curve_differs) lines.push_back(curve);
+  for (std::size_t k = 1; k < outcome.family.size(); ++k)
+    lines.push_back(delivered_curve(outcome.family[k].problem, outcome.family[k].result));
+  folder.write("path.vtp", vtp_text(lines));
+  folder.write("path.obj", obj_text(curve));
+  const std::string residuals = residuals_csv(outcome.parts.problem, curve);
+  if (!residuals.empty()) folder.write("residuals.csv", residuals);
 }
 
 }  // namespace
@@ -28,29 +66,26 @@ RenameFile from_output(const fs::path& folder_of_config, const fs::path& output)
   };
 }
 
-void write_results(const RunOutcome& outcome, const fs::path& folder_of_config, const ManifestFacts& facts,
-                   OutputFolder& folder) {
-  const PathTable points = delivered_points(outcome.parts.problem, outcome.result);
-  const PathTable curve = delivered_curve(outcome.parts.problem, outcome.result);
-  const bool curve_differs = curve.x.cols() != points.x.cols() || curve.x != points.x;
-  folder.write("config.resolved.yaml", resolved_config(outcome.config, folder_of_config, folder.target()));
-  folder.write("manifest.json", manifest_json(facts));
-  folder.write("result.json", result_json(outcome));
-  folder.write("path.csv", csv_text(points));
-  folder.write("curve.csv", csv_text(curve));
-  std::vector<PathTable> lines = {points};
-  if (curve_differs) lines.push_back(curve);
-  for (std::size_t k = 1; k < outcome.family.size(); ++k)
-    lines.push_back(delivered_curve(outcome.family[k].problem, outcome.family[k].result));
-  folder.write("path.vtp", vtp_text(lines));
-  folder.write("path.obj", obj_text(curve));
+void write_results(RunOutcome& outcome, const std::vector<std::string>& arguments, OutputFolder& folder) {
+  const auto start = std::chrono::steady_clock::now();
+  folder.write("config.resolved.yaml", resolved_config(outcome, folder.target()));
+  folder.write("manifest.json", manifest_json(facts_of(outcome, arguments)));
+  write_paths(outcome, folder);
   folder.write("history.csv", history_csv(outcome.result.solve.history));
   folder.write("first_path.csv", first_path_csv(outcome.parts.problem, outcome.result.first));
-  const std::string residuals = residuals_csv(outcome.parts.problem, curve);
-  if (!residuals.empty()) folder.write("residuals.csv", residuals);
   const std::span<const FamilyMember> family = outcome.family;
   folder.write("scene.json",
                scene_json(make_scene(outcome.parts.problem, outcome.result, family.subspan(family.empty() ? 0 : 1))));
+  outcome.seconds.write = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  folder.write("result.json", result_json(outcome));
+}
+
+std::filesystem::path write_run(const RunOutcome& outcome, const fs::path& folder, const WriteOptions& options) {
+  OutputFolder out(folder, options.replace);
+  RunOutcome timed = outcome;
+  write_results(timed, options.arguments, out);
+  out.commit();
+  return out.target();
 }
 
 }  // namespace leastcost

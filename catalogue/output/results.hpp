@@ -4,21 +4,19 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
-#include <leastcost/catalogue/output/manifest.hpp>
-#include <leastcost/catalogue/output/output_folder.hpp>
-#include <leastcost/catalogue/run/run.hpp>
+#include <leastcost/catalogue/output/write_run.hpp>
+#include "catalogue/options/options_writer.hpp"
+#include "catalogue/output/output_folder.hpp"
 
 namespace leastcost {
 
-/// All files of a finished run into its (not yet committed) folder. `folder_of_config`: what its files are relative to.
-void write_results(const RunOutcome& outcome, const std::filesystem::path& folder_of_config, const ManifestFacts& facts,
-                   OutputFolder& folder);
+/// All files of a finished run into its (not yet committed) folder; result.json last, with the time that the others
+/// took in outcome.seconds.write. `arguments`: of the program, for the manifest.
+void write_results(RunOutcome& outcome, const std::vector<std::string>& arguments, OutputFolder& folder);
 
 /// What files of a configuration are called in one that lies in `output`: relative ones work from there.
 RenameFile from_output(const std::filesystem::path& folder_of_config, const std::filesystem::path& output);
-
-/// result.json.
-std::string result_json(const RunOutcome& outcome);
 
 }  // namespace leastcost

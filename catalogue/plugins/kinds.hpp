@@ -12,7 +12,7 @@
 #include <leastcost/framework/segment_cost.hpp>
 #include <leastcost/framework/solver.hpp>
 
-#include <leastcost/catalogue/plugins/plugin.hpp>
+#include "catalogue/plugins/plugin.hpp"
 
 namespace leastcost {
 

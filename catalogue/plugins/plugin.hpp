@@ -34,14 +34,20 @@ class OptionsOf final : public AnyOptions {
 
 /// What a factory may look at besides its own options.
 struct BuildContext {
-  std::filesystem::path folder;                ///< of the configuration; files are relative to it
-  int dimension = 0;                           ///< of the ambient space; 0 while the manifold is made
-  std::optional<Eigen::VectorXd> source = {};  ///< projected onto the manifold, ambient; none in a ring
-  std::vector<std::string> coordinates = {};   ///< names of the coordinates in which points are given
-  int seed = 0;                                ///< master seed of the run
-  /// Null while it is made, or while options are only checked.
-  std::shared_ptr<const ConstraintManifold> manifold = {};
-  BuildProgress progress = {};  ///< told how far a long build is; may throw to stop
+  std::filesystem::path folder;                             ///< of the configuration; files are relative to it
+  int dimension = 0;                                        ///< of the ambient space; 0 while the manifold is made
+  std::optional<Eigen::VectorXd> source = {};               ///< projected onto the manifold, ambient; none in a ring
+  std::vector<std::string> coordinates = {};                ///< names of the coordinates in which points are given
+  int seed = 0;                                             ///< master seed of the run
+  std::shared_ptr<const ConstraintManifold> manifold = {};  ///< null while it is made, or waits for its files
+  BuildProgress progress = {};                              ///< told how far a long build is; may throw to stop
+};
+
+/// What has to be there before an object can be made.
+enum class WaitsFor {
+  nothing,  ///< its options are enough; making it is quick
+  domain,   ///< the manifold and the placed source
+  files     ///< its own, or it takes a while to make
 };
 
 /// What is known about a plug-in of any kind. Abilities are words ("mesh", "constant metric", "ring") that one
@@ -51,6 +57,7 @@ struct PluginEntry {
   std::string summary;  ///< one sentence
   std::vector<std::string> provides, needs;
   std::string missing;  ///< why this build has it not, and how to get it; empty: it is there
+  std::string library;  ///< third party it stands on, with version: "NLopt 2.7.1"; empty: none
   std::function<std::unique_ptr<AnyOptions>()> defaults;
 };
 
@@ -58,7 +65,27 @@ struct PluginEntry {
 template <class Made>
 struct Plugin : PluginEntry {
   std::function<Made(const AnyOptions&, const BuildContext&)> make;
+  std::function<WaitsFor(const AnyOptions&)> waits_for;  ///< empty: nothing
+  /// While it waits: throws the OptionError that make() would throw, as far as that can be known. Empty: nothing can.
+  std::function<void(const AnyOptions&, const BuildContext&)> check;
 
+  /// It waits for its files, whatever its options are.
+  Plugin&& waiting() && {
+    waits_for = [](const AnyOptions&) { return WaitsFor::files; };
+    return std::move(*this);
+  }
+  template <class Options>
+  Plugin&& waiting(std::function<WaitsFor(const Options&)> what) && {
+    waits_for = [what](const AnyOptions& o) { return what(static_cast<const OptionsOf<Options>&>(o).value); };
+    return std::move(*this);
+  }
+  template <class Options>
+  Plugin&& checked_by(std::function<void(const Options&, const BuildContext&)> test) && {
+    check = [test](const AnyOptions& o, const BuildContext& c) {
+      test(static_cast<const OptionsOf<Options>&>(o).value, c);
+    };
+    return std::move(*this);
+  }
   Plugin&& providing(std::string ability) && {
     provides.push_back(std::move(ability));
     return std::move(*this);
@@ -88,15 +115,35 @@ struct PluginChoice {
 
 PluginChoice choose(const PluginEntry& plugin, std::string path);
 
-/// Makes the chosen object. Made must be what the kind of the choice makes. An OptionError of the plug-in gets the path
-/// of the choice in front of its key.
-template <class Made>
-Made make(const PluginChoice& choice, const BuildContext& context) {
+/// What step(plug-in) returns. Made must be what the kind of the choice makes. An OptionError of the plug-in gets the
+/// path of the choice in front of its key.
+template <class Made, class Step>
+auto on_plugin(const PluginChoice& choice, Step step) {
   try {
-    return static_cast<const Plugin<Made>&>(*choice.plugin).make(*choice.options, context);
+    return step(static_cast<const Plugin<Made>&>(*choice.plugin));
   } catch (const OptionError& e) {
     throw OptionError(choice.path + "." + e.key(), e.what());
   }
+}
+
+/// Makes the chosen object.
+template <class Made>
+Made make(const PluginChoice& choice, const BuildContext& context) {
+  return on_plugin<Made>(choice, [&](const Plugin<Made>& plugin) { return plugin.make(*choice.options, context); });
+}
+
+/// Checks the options of an object that cannot be made yet.
+template <class Made>
+void check_options(const PluginChoice& choice, const BuildContext& context) {
+  on_plugin<Made>(choice, [&](const Plugin<Made>& plugin) {
+    if (plugin.check) plugin.check(*choice.options, context);
+  });
+}
+
+template <class Made>
+WaitsFor waits_for(const PluginChoice& choice) {
+  const auto& plugin = static_cast<const Plugin<Made>&>(*choice.plugin);
+  return plugin.waits_for ? plugin.waits_for(*choice.options) : WaitsFor::nothing;
 }
 
 }  // namespace leastcost

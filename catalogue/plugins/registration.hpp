@@ -5,7 +5,7 @@
 #include <memory>
 #include <type_traits>
 
-#include <leastcost/catalogue/plugins/plugin.hpp>
+#include "catalogue/plugins/plugin.hpp"
 
 namespace leastcost {
 

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/catalogue/registry/registry.hpp>
+#include "catalogue/registry/registry.hpp"
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
@@ -72,13 +73,17 @@ const auto& costs() {
       plugin<CostPlugin, MetricFieldOptions>(
           "metric_field",
           "Length under a metric tensor that depends on the place: by name, formulas, a file, or curvature.",
-          [](const MetricFieldOptions& o, O c) -> std::shared_ptr<const SegmentCost> {
-            if (o.needs_domain() && !c.manifold) return nullptr;  // the mesh or cloud has not been read yet
+          [](const MetricFieldOptions& o, O c) {
             return make_metric_field_cost(o, c.dimension, c.manifold.get(), c.folder);
-          }),
+          })
+          .waiting<MetricFieldOptions>(
+              [](const MetricFieldOptions& o) { return o.needs_domain() ? WaitsFor::domain : WaitsFor::nothing; }),
       plugin<CostPlugin, TravelTimeOptions>(
           "travel_time", "Time of a bead that slides without friction under gravity; the last coordinate is height.",
-          [](const TravelTimeOptions& o, O c) { return make_travel_time_cost(o, c.dimension, c.source); }),
+          [](const TravelTimeOptions& o, O c) { return make_travel_time_cost(o, c.dimension, c.source); })
+          .waiting<TravelTimeOptions>([](const TravelTimeOptions&) { return WaitsFor::domain; })
+          .checked_by<TravelTimeOptions>(
+              [](const TravelTimeOptions& o, O c) { check_travel_time(o, c.source.has_value()); }),
   };
   return all;
 }
@@ -89,6 +94,7 @@ const auto& manifolds() {
       plugin<ManifoldPlugin, MeshManifoldOptions>(
           "mesh", "A triangle mesh in R^3, read from an OBJ, OFF, PLY or STL file.",
           [](const MeshManifoldOptions& o, const BuildContext& c) { return make_mesh_manifold(o, c.folder); })
+          .waiting()
           .providing(std::string(kMesh))
           .providing(std::string(kSurface))
           .providing(std::string(kGraph)),
@@ -111,6 +117,7 @@ const auto& manifolds() {
           [](const PointCloudManifoldOptions& o, const BuildContext& c) {
             return make_point_cloud_manifold(o, c.folder);
           })
+          .waiting()
           .providing(std::string(kSurface))
           .providing(std::string(kGraph)),
       plugin<ManifoldPlugin, SignedDistanceOptions>(
@@ -119,6 +126,9 @@ const auto& manifolds() {
           [](const SignedDistanceOptions& o, const BuildContext& c) {
             return make_signed_distance_manifold(o, c.folder, c.progress);
           })
+          .waiting()
+          .checked_by<SignedDistanceOptions>(
+              [](const SignedDistanceOptions& o, const BuildContext&) { check_signed_distance(o); })
           .providing(std::string(kEmbedded))
           .providing(std::string(kSurface))
           .providing(std::string(kGrid)),
@@ -157,13 +167,14 @@ const auto& initializers() {
           [](const FileInitializerOptions& o, const BuildContext& c) {
             return std::make_shared<const WaypointsInitializer>(read_waypoints(c.folder / o.file, c.coordinates));
           })
+          .waiting()
           .providing(std::string(kRing)),
   };
   return all;
 }
 
 const auto& solvers() {
-  static const std::vector<SolverPlugin> all = {
+  static const std::vector<SolverPlugin> own = {
       made_of<SolverPlugin, Newton, NewtonOptions>("newton", "Block-tridiagonal Newton on the chain."),
       made_of<SolverPlugin, Lbfgs, LbfgsOptions>("lbfgs", "Riemannian L-BFGS, preconditioned by the chain Hessian."),
       made_of<SolverPlugin, GradientDescent, GradientDescentOptions>("gradient_descent",
@@ -173,9 +184,12 @@ const auto& solvers() {
           "georce", "GEORCE (arXiv 2505.05961): optimality conditions of a discrete energy in a chart, in turn."),
       made_of<SolverPlugin, StringMethod, StringMethodOptions>(
           "string", "The string method: steps normal to the path, then equal spacing; no energy."),
-      nlopt_plugin(),
-      ceres_plugin(),
   };
+  static const std::vector<SolverPlugin> all = [] {
+    std::vector<SolverPlugin> both = own;
+    for (SolverPlugin& plugin : back_ends()) both.push_back(std::move(plugin));
+    return both;
+  }();
   return all;
 }
 

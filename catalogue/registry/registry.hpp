@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <leastcost/catalogue/plugins/plugin.hpp>
+#include "catalogue/plugins/plugin.hpp"
 
 namespace leastcost {
 

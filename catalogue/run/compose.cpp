@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/catalogue/run/compose.hpp>
+#include "catalogue/run/compose.hpp"
 
 #include <fmt/format.h>
 
 #include <chrono>
 #include <utility>
 
-#include <leastcost/catalogue/registry/registry.hpp>
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/chart/target_images.hpp>
 #include <leastcost/problems/cloud/has_point_cloud.hpp>
@@ -18,6 +17,7 @@
 #include <leastcost/problems/mesh/has_mesh.hpp>
 #include <leastcost/solvers/newton.hpp>
 #include "catalogue/plugins/kinds.hpp"
+#include "catalogue/registry/registry.hpp"
 #include "catalogue/run/ends.hpp"
 #include "problems/chart/has_images.hpp"
 #include "problems/formula/coordinate_names.hpp"
@@ -26,7 +26,7 @@ namespace leastcost {
 namespace {
 
 /// Where several points stand for the same, the path ends at the one nearest to its source.
-void take_nearest_image(Composition& out) {
+void take_nearest_image(RunParts& out) {
   const auto* domain = dynamic_cast<const HasImages*>(out.problem.manifold.get());
   if (domain == nullptr) return;
   const Eigen::VectorXd image = domain->nearest_image(out.target.end.u, out.source.end.u);
@@ -35,13 +35,7 @@ void take_nearest_image(Composition& out) {
   out.notes.emplace_back("the target was replaced by the image of it that is nearer to the source");
 }
 
-void place_ends(const RunConfig& config, Composition& out) {
-  out.problem.ring = config.ring;
-  out.problem.based = config.ring && config.source;
-  if (config.ring && !out.problem.based) return;
-  out.source = place_end(*out.problem.manifold, config.source.value_or(EndOptions{}), "ends.source");
-  out.problem.source = out.source.end;
-  if (config.ring) return;
+void place_target(const RunConfig& config, RunParts& out) {
   out.target = place_end(*out.problem.manifold, config.target.value_or(EndOptions{}), "ends.target");
   take_nearest_image(out);
   out.problem.target = out.target.end;
@@ -53,151 +47,178 @@ Eigen::VectorXd source_position(const Problem& problem) {
   return positions(*problem.manifold, {problem.source.u, {}, true});
 }
 
-void make_parts(const RunConfig& config, const BuildContext& context, Composition& out) {
-  out.problem.cost = make<std::shared_ptr<const SegmentCost>>(config.cost, context);
-  out.problem.kernel = make<std::shared_ptr<const Kernel>>(config.kernel, context);
-  out.initializer = make<std::shared_ptr<const Initializer>>(config.initializer, context);
-  out.solver = make<std::shared_ptr<const Solver>>(config.solver, context);
-  out.certifier = std::make_shared<const Newton>();
-  for (const PluginChoice& choice : config.post_process.value_or(PluginList{}))
-    out.post_processors.push_back(make<std::shared_ptr<const PostProcessor>>(choice, context));
-}
-
-void fill_options(const RunConfig& config, Composition& out) {
+void fill_options(const RunConfig& config, RunParts& out) {
   out.options.points = config.points.value_or(0);
   out.options.reference_cost = config.reference_cost.value_or(0);
   out.options.cascade = config.cascade;
   out.options.escape_saddle = config.escape_saddle;
   out.options.certificate = config.certificate;
-  out.options.certifier = out.certifier.get();
-  for (const auto& processor : out.post_processors) out.options.post_processors.push_back(processor.get());
+  connect_options(out);
 }
 
-/// The starts of a family: every image of the target, from the run's own initializer, from bows, and from what else was
-/// given.
-void add_family(const RunConfig& config, const BuildContext& context, Composition& out) {
+/// The further ways of a family: bows, the mirror image, routes, and what else was given.
+void add_family(const RunConfig& config, const std::vector<std::shared_ptr<const Initializer>>& others, RunParts& out) {
   const FamilyOptions& family = config.family;
-  if (!family.wanted()) return;
-  std::vector<std::pair<std::string, std::shared_ptr<const Initializer>>> ways = {
-      {std::string(out.initializer->name()), out.initializer}};
+  out.windings = family.windings;
   for (int i = 0; i < family.bows; ++i) {
     const double angle = 360.0 * i / family.bows;
-    ways.emplace_back(fmt::format("bow {:g} degrees", angle),
-                      std::make_shared<const BowInitializer>(BowOptions{family.bow_height, angle}));
+    out.family.push_back({fmt::format("bow {:g} degrees", angle),
+                          std::make_shared<const BowInitializer>(BowOptions{family.bow_height, angle})});
   }
   if (family.mirrored)
-    ways.emplace_back(fmt::format("{}, mirrored", out.initializer->name()),
-                      std::make_shared<const MirroredInitializer>(out.initializer));
+    out.family.push_back({fmt::format("{}, mirrored", out.initializer->name()),
+                          std::make_shared<const MirroredInitializer>(out.initializer)});
   for (int rank = 2; rank <= family.routes; ++rank)
-    ways.emplace_back(fmt::format("route {}", rank),
-                      std::make_shared<const DijkstraInitializer>(DijkstraOptions{.routes = 1, .rank = rank}));
-  for (const PluginChoice& choice : family.initializers)
-    ways.emplace_back(choice.path, make<std::shared_ptr<const Initializer>>(choice, context));
-  std::vector<TargetImage> problems = target_images(out.problem, family.windings);
-  if (problems.empty()) problems.push_back({out.problem, ""});
-  for (const TargetImage& image : problems)
-    for (const auto& [name, initializer] : ways)
-      out.family.push_back({image.winding.empty() ? name : fmt::format("{}, winding {}", name, image.winding),
-                            image.problem, initializer});
+    out.family.push_back({fmt::format("route {}", rank),
+                          std::make_shared<const DijkstraInitializer>(DijkstraOptions{.routes = 1, .rank = rank})});
+  for (std::size_t i = 0; i < others.size(); ++i) out.family.push_back({family.initializers[i].path, others[i]});
 }
 
-/// Runs one step of the check; its OptionError goes to the list, so that the next steps can add theirs.
+/// What the reader of its files has to say about a domain.
+std::vector<std::string> notes_of(const ConstraintManifold& manifold) {
+  if (const auto* points = dynamic_cast<const HasPointCloud*>(&manifold)) {
+    std::vector<std::string> notes = points->cloud().notes();
+    for (std::string& note : points->graph().notes()) notes.push_back(std::move(note));
+    return notes;
+  }
+  if (const auto* mesh = dynamic_cast<const HasMesh*>(&manifold)) return mesh->mesh().notes();
+  if (const auto* sampled = dynamic_cast<const HasDistanceGrid*>(&manifold)) return sampled->notes();
+  return {};
+}
+
+using ManifoldPtr = std::shared_ptr<const ConstraintManifold>;
+
+}  // namespace
+
+Composer::Composer(const RunConfig& config, std::filesystem::path folder, Refused refused)
+    : config_(config), refused_(std::move(refused)) {
+  context_.folder = std::move(folder);
+  others_.resize(config.family.initializers.size());
+}
+
+/// Runs one step; its OptionError is passed on, so that the next steps can add theirs.
 template <class Step>
-bool checked(LoadedConfig& loaded, Step step) {
+bool Composer::attempt(Step step) {
   try {
     step();
     return true;
   } catch (const OptionError& e) {
-    loaded.add_error(e.key(), e.what());
+    refused_(e);
     return false;
   }
 }
 
-/// Checks the options of a manifold that takes a while to make: it is stopped before it reads or computes anything.
-void check_options_of_grid(LoadedConfig& loaded) {
-  struct Checked {};
-  BuildContext context{loaded.folder, 0, {}, {}};
-  context.progress = [](double, std::string_view) { throw Checked(); };
-  try {
-    make<std::shared_ptr<const ConstraintManifold>>(loaded.config.manifold, context);
-  } catch (const Checked&) {
-  } catch (const OptionError& e) {
-    loaded.add_error(e.key(), e.what());
-  }
+template <class Made>
+bool Composer::waits(const PluginChoice& choice) const {
+  if (files_) return false;
+  const WaitsFor what = waits_for<Made>(choice);
+  return what == WaitsFor::files || (what == WaitsFor::domain && !context_.manifold);
 }
 
-/// The space a plug-in will see. Where the manifold itself is in a file, a stand-in: meshes, clouds and grids lie in
-/// R^3.
-std::optional<BuildContext> context_without_files(LoadedConfig& loaded) {
-  const RunConfig& config = loaded.config;
-  BuildContext context{loaded.folder, 3, Eigen::VectorXd::Zero(3), coordinate_names(3)};
-  if (config.ring && !config.source) context.source.reset();
-  if (config.manifold.provides(std::string(kGraph))) return context;
-  if (config.manifold.provides(std::string(kGrid))) {
-    check_options_of_grid(loaded);
-    return context;
-  }
-  Composition out;
-  const bool placed = checked(loaded, [&] {
-    out.problem.manifold = make<std::shared_ptr<const ConstraintManifold>>(config.manifold, {loaded.folder, 0, {}, {}});
-    place_ends(config, out);
+template <class Made>
+void Composer::make_or_check(const PluginChoice& choice, Made& made) {
+  if (made) return;
+  attempt([&] {
+    if (waits<Made>(choice))
+      check_options<Made>(choice, context_);
+    else
+      made = make<Made>(choice, context_);
   });
-  if (!placed) return std::nullopt;
-  context.manifold = out.problem.manifold;
-  context.dimension = out.problem.manifold->dimensions().ambient;
-  context.coordinates = point_coordinates(*out.problem.manifold);
-  if (!config.ring || out.problem.based) context.source = source_position(out.problem);
-  return context;
 }
 
-bool reads_files(const PluginChoice& choice) {
-  bool any = false;
-  OptionsWriter watching([&](const std::string& file) { return any = true, file; });
-  choice.options->fields(watching);
-  return any;
+/// What is known of a domain that waits for its files: meshes, clouds and grids lie in R^3.
+void Composer::assume_domain() {
+  context_.dimension = 3;
+  context_.coordinates = coordinate_names(3);
+  if (!config_.ring || config_.source) context_.source = Eigen::VectorXd::Zero(3);
 }
 
-}  // namespace
+void Composer::take_domain() {
+  const ConstraintManifold& manifold = *out_.problem.manifold;
+  const int dimension = manifold.dimensions().ambient;
+  if (context_.dimension != dimension) out_.problem.cost.reset();  // made for another space
+  context_.manifold = out_.problem.manifold;
+  context_.dimension = dimension;
+  context_.coordinates = point_coordinates(manifold);
+  out_.notes = notes_of(manifold);
+  out_.problem.ring = config_.ring;
+  out_.problem.based = config_.ring && config_.source.has_value();
+  if (config_.ring && !out_.problem.based) return;
+  const bool placed = attempt([&] {
+    out_.source = place_end(manifold, config_.source.value_or(EndOptions{}), "ends.source");
+    out_.problem.source = out_.source.end;
+    context_.source = source_position(out_.problem);
+  });
+  if (!placed) context_.source = Eigen::VectorXd::Zero(dimension);  // the other parts are checked all the same
+  if (!config_.ring && placed) attempt([&] { place_target(config_, out_); });
+}
 
-Composition compose(const RunConfig& config, const std::filesystem::path& folder, const BuildProgress& progress) {
-  const auto start = std::chrono::steady_clock::now();
-  Composition out;
-  BuildContext reading{folder, 0, {}, {}};
-  reading.progress = progress;
-  out.problem.manifold = make<std::shared_ptr<const ConstraintManifold>>(config.manifold, reading);
-  out.read_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (const auto* mesh = dynamic_cast<const HasMesh*>(out.problem.manifold.get())) out.notes = mesh->mesh().notes();
-  if (const auto* points = dynamic_cast<const HasPointCloud*>(out.problem.manifold.get())) {
-    out.notes = points->cloud().notes();
-    for (std::string& note : points->graph().notes()) out.notes.push_back(std::move(note));
+void Composer::make_parts() {
+  make_or_check(config_.cost, out_.problem.cost);
+  make_or_check(config_.kernel, out_.problem.kernel);
+  make_or_check(config_.initializer, out_.initializer);
+  for (std::size_t i = 0; i < others_.size(); ++i) make_or_check(config_.family.initializers[i], others_[i]);
+  make_or_check(config_.solver, out_.solver);
+  const PluginList steps = config_.post_process.value_or(PluginList{});
+  out_.post_processors.resize(steps.size());
+  for (std::size_t i = 0; i < steps.size(); ++i) make_or_check(steps[i], out_.post_processors[i]);
+}
+
+void Composer::make_from_options() {
+  context_.seed = config_.seed;
+  if (waits<ManifoldPtr>(config_.manifold)) {
+    attempt([&] { check_options<ManifoldPtr>(config_.manifold, context_); });
+    assume_domain();
+  } else {
+    if (!attempt([&] { out_.problem.manifold = make<ManifoldPtr>(config_.manifold, context_); })) return;
+    take_domain();
   }
-  if (const auto* sampled = dynamic_cast<const HasDistanceGrid*>(out.problem.manifold.get()))
-    out.notes = sampled->notes();
-  place_ends(config, out);
-  BuildContext context{
-      folder, out.problem.manifold->dimensions().ambient, {}, point_coordinates(*out.problem.manifold)};
-  if (!config.ring || out.problem.based) context.source = source_position(out.problem);
-  context.seed = config.seed;
-  context.manifold = out.problem.manifold;
-  make_parts(config, context, out);
-  add_family(config, context, out);
-  fill_options(config, out);
-  return out;
+  make_parts();
 }
 
-void check_constructors(LoadedConfig& loaded) {
-  const RunConfig& config = loaded.config;
-  const std::optional<BuildContext> context = context_without_files(loaded);
-  if (!context) return;
-  checked(loaded, [&] { make<std::shared_ptr<const SegmentCost>>(config.cost, *context); });
-  checked(loaded, [&] { make<std::shared_ptr<const Kernel>>(config.kernel, *context); });
-  if (!reads_files(config.initializer))
-    checked(loaded, [&] { make<std::shared_ptr<const Initializer>>(config.initializer, *context); });
-  for (const PluginChoice& choice : config.family.initializers)
-    if (!reads_files(choice)) checked(loaded, [&] { make<std::shared_ptr<const Initializer>>(choice, *context); });
-  checked(loaded, [&] { make<std::shared_ptr<const Solver>>(config.solver, *context); });
-  for (const PluginChoice& choice : config.post_process.value_or(PluginList{}))
-    checked(loaded, [&] { make<std::shared_ptr<const PostProcessor>>(choice, *context); });
+void Composer::make_from_files(const BuildProgress& progress) {
+  files_ = true;
+  if (!out_.problem.manifold) {
+    const auto start = std::chrono::steady_clock::now();
+    BuildContext reading{context_.folder};
+    reading.progress = progress;
+    if (!attempt([&] { out_.problem.manifold = make<ManifoldPtr>(config_.manifold, reading); })) return;
+    read_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    take_domain();
+  }
+  make_parts();
+}
+
+RunParts Composer::take() {
+  out_.certifier = std::make_shared<const Newton>();
+  add_family(config_, others_, out_);
+  fill_options(config_, out_);
+  return std::move(out_);
+}
+
+void check_parts(LoadedConfig& loaded) {
+  Composer(loaded.config, loaded.folder, [&](const OptionError& e) {
+    loaded.add_error(e.key(), e.what());
+  }).make_from_options();
+}
+
+std::vector<FamilyStart> family_starts(const RunParts& parts) {
+  std::vector<FamilyWay> ways = {{std::string(parts.initializer->name()), parts.initializer}};
+  ways.insert(ways.end(), parts.family.begin(), parts.family.end());
+  std::vector<TargetImage> problems = target_images(parts.problem, parts.windings);
+  if (problems.empty()) problems.push_back({parts.problem, ""});
+  std::vector<FamilyStart> starts;
+  for (const TargetImage& image : problems)
+    for (const FamilyWay& way : ways)
+      starts.push_back({image.winding.empty() ? way.name : fmt::format("{}, winding {}", way.name, image.winding),
+                        image.problem, way.initializer});
+  return starts;
+}
+
+void connect_options(RunParts& parts) {
+  parts.options.certifier = parts.certifier.get();
+  parts.options.post_processors.clear();
+  for (const auto& processor : parts.post_processors) parts.options.post_processors.push_back(processor.get());
 }
 
 }  // namespace leastcost

@@ -2,43 +2,64 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <memory>
-#include <string>
-#include <vector>
 
-#include <leastcost/catalogue/run/run_config.hpp>
-#include <leastcost/framework/family.hpp>
-#include <leastcost/framework/find_path.hpp>
+#include <leastcost/catalogue/run/run_parts.hpp>
+#include "catalogue/plugins/plugin.hpp"
+#include "catalogue/run/run_config.hpp"
 
 namespace leastcost {
 
-/// What became of an end of the configuration.
-struct PlacedEnd {
-  Eigen::VectorXd given;  ///< the point that was asked for
-  PathEnd end;
-  double moved = 0;  ///< distance between the two, length units
+/// Makes the objects that a configuration describes, each of them once, in two steps: first what its options alone
+/// allow, then what needs the files. Whoever only wants to know the errors stops after the first.
+///
+/// `refused` hears every OptionError, with the full path of the option as its key ("ends.source.point"); the parts
+/// that do not depend on the refused one are made or checked all the same. It may throw instead.
+class Composer {
+ public:
+  using Refused = std::function<void(const OptionError&)>;
+
+  /// `config` must outlive the composer.
+  Composer(const RunConfig& config, std::filesystem::path folder, Refused refused);
+
+  /// Reads no file and computes nothing that takes a while.
+  void make_from_options();
+  /// The rest. `progress` hears of domains that take a while to make. Throws InputError.
+  void make_from_files(const BuildProgress& progress = {});
+  /// Complete after both steps, unless something was refused.
+  RunParts take();
+  /// Of the files and the domains made from them.
+  double read_seconds() const { return read_seconds_; }
+
+ private:
+  template <class Step>
+  bool attempt(Step step);
+  template <class Made>
+  bool waits(const PluginChoice& choice) const;
+  template <class Made>
+  void make_or_check(const PluginChoice& choice, Made& made);
+  void assume_domain();
+  void take_domain();
+  void make_parts();
+
+  const RunConfig& config_;
+  Refused refused_;
+  BuildContext context_;
+  RunParts out_;
+  std::vector<std::shared_ptr<const Initializer>> others_;  // of the family
+  bool files_ = false;                                      // may be read
+  double read_seconds_ = 0;
 };
 
-/// The objects that a configuration describes, ready for find_path(). Owns what FindOptions points to.
-struct Composition {
-  Problem problem;
-  std::shared_ptr<const Initializer> initializer;
-  std::vector<FamilyStart> family;  ///< of all starts, the one above first; empty: only that one
-  std::shared_ptr<const Solver> solver, certifier;
-  std::vector<std::shared_ptr<const PostProcessor>> post_processors;
-  FindOptions options;
-  PlacedEnd source, target;  ///< empty in a ring
-  double read_seconds = 0;   ///< files and their domains
-  std::vector<std::string> notes;
-};
+/// The first step for its errors: adds them to `loaded.errors`.
+void check_parts(LoadedConfig& loaded);
 
-/// Reads the files, places the ends, makes every object. Throws OptionError whose key is the full path of the option
-/// ("ends.source.point"), or InputError.
-/// `progress` hears of domains that take a while to make.
-Composition compose(const RunConfig& config, const std::filesystem::path& folder, const BuildProgress& progress = {});
+/// The starts of a family: every image of the target, from the run's own initializer and the further ways.
+std::vector<FamilyStart> family_starts(const RunParts& parts);
 
-/// The same as far as it goes without reading files: finds the errors of options that only constructors check. Adds
-/// them to `loaded.errors`.
-void check_constructors(LoadedConfig& loaded);
+/// Lets the options point to the certifier and the post-processors.
+void connect_options(RunParts& parts);
 
 }  // namespace leastcost

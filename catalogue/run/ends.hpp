@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include <leastcost/catalogue/options/run_visitor.hpp>
-#include <leastcost/catalogue/run/compose.hpp>
+#include "catalogue/options/run_visitor.hpp"
+#include "catalogue/run/compose.hpp"
 
 namespace leastcost {
 

@@ -6,8 +6,63 @@
 #include <optional>
 #include <utility>
 
+#include "catalogue/run/compose.hpp"
+#include "catalogue/run/run_origin.hpp"
+
 namespace leastcost {
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// When a run began, on both clocks.
+struct Start {
+  Clock::time_point clock = Clock::now();
+  std::chrono::system_clock::time_point time = std::chrono::system_clock::now();
+};
+
+/// The data as it is when it is used: a file may change while a long run goes on.
+std::vector<InputFile> inputs_of(const LoadedConfig& loaded) {
+  const auto absolute = [](const std::filesystem::path& p) { return std::filesystem::absolute(p).lexically_normal(); };
+  const std::filesystem::path file =
+      loaded.file.empty() ? std::filesystem::path("<" + loaded.errors.file() + ">") : absolute(loaded.file);
+  std::vector<InputFile> inputs = {{"configuration", file, sha256_of_text(loaded.text)}};
+  for (const std::string& name : files_of(loaded.config))
+    inputs.push_back({"data", absolute(loaded.folder / name), sha256_of_file(loaded.folder / name)});
+  return inputs;
+}
+
+Run run_of(RunConfig config, std::filesystem::path folder, std::vector<InputFile> inputs, RunParts parts,
+           const Start& start) {
+  Run run;
+  run.name = config.name;
+  run.max_seconds = config.max_seconds;
+  run.parts = parts;
+  run.origin = std::make_shared<const RunOrigin>(
+      RunOrigin{std::move(config), std::move(folder), std::move(inputs), start.time, std::move(parts)});
+  return run;
+}
+
+Run composed(LoadedConfig loaded, const BuildProgress& progress, const Start& start) {
+  const auto stop_at_errors = [&] {
+    if (!loaded.errors.empty()) throw ConfigError(loaded.errors);
+  };
+  stop_at_errors();
+  Composer composer(loaded.config, loaded.folder, [&](const OptionError& e) { loaded.add_error(e.key(), e.what()); });
+  composer.make_from_options();
+  stop_at_errors();
+  composer.make_from_files(progress);
+  stop_at_errors();
+  const Clock::time_point hashing = Clock::now();
+  std::vector<InputFile> inputs = inputs_of(loaded);
+  const double hashed = seconds_since(hashing);
+  RunParts parts = composer.take();
+  Run run = run_of(std::move(loaded.config), loaded.folder, std::move(inputs), std::move(parts), start);
+  run.seconds.read = composer.read_seconds() + hashed;
+  run.seconds.compose = seconds_since(start.clock) - run.seconds.read;
+  return run;
+}
 
 /// The monitor of the caller with the time budget of the configuration, which starts now.
 Monitor with_budget(const Monitor& monitor, std::optional<double> max_seconds) {
@@ -20,43 +75,98 @@ Monitor with_budget(const Monitor& monitor, std::optional<double> max_seconds) {
 
 /// The path of the configuration, or the best of its family.
 void find(RunOutcome& outcome, const Monitor& monitor) {
-  Composition& parts = outcome.parts;
-  if (parts.family.empty()) {
+  RunParts& parts = outcome.parts;
+  if (!parts.wants_family()) {
     outcome.result = find_path(parts.problem, *parts.initializer, *parts.solver, parts.options, monitor);
     return;
   }
-  Family family = find_family(parts.family, *parts.solver, parts.options, monitor);
+  Family family = find_family(family_starts(parts), *parts.solver, parts.options, monitor);
   parts.notes.insert(parts.notes.end(), family.notes.begin(), family.notes.end());
   outcome.family = std::move(family.members);
   outcome.result = outcome.family.front().result;
   parts.problem = outcome.family.front().problem;  // its target may be another image of the same point
 }
 
+/// An end that the caller has replaced is where he put it.
+void follow(PlacedEnd& placed, const PathEnd& end) {
+  if (placed.end.u.size() != end.u.size() || placed.end.u != end.u) placed = {end.u, end, 0};
+}
+
+bool same_end(const PathEnd& a, const PathEnd& b) { return a.u.size() == b.u.size() && a.u == b.u; }
+
+bool same_family(const RunParts& a, const RunParts& b) {
+  if (a.windings != b.windings || a.family.size() != b.family.size()) return false;
+  for (std::size_t i = 0; i < a.family.size(); ++i)
+    if (a.family[i].initializer != b.family[i].initializer) return false;
+  return true;
+}
+
+/// The parts that were replaced after reading, in words.
+std::vector<std::string> replaced_parts(const RunParts& parts, const RunParts& as_read) {
+  const Problem &now = parts.problem, &then = as_read.problem;
+  std::vector<std::string> replaced;
+  const auto differs = [&](bool same, const char* what) {
+    if (!same) replaced.emplace_back(what);
+  };
+  differs(now.manifold == then.manifold, "manifold");
+  differs(now.cost == then.cost, "cost");
+  differs(now.kernel == then.kernel, "kernel");
+  differs(same_end(now.source, then.source) && same_end(now.target, then.target), "ends");
+  differs(parts.options.points == as_read.options.points && now.ring == then.ring && now.based == then.based, "path");
+  differs(parts.initializer == as_read.initializer, "initializer");
+  differs(same_family(parts, as_read), "family");
+  differs(parts.solver == as_read.solver, "solver");
+  differs(parts.post_processors == as_read.post_processors, "post_process");
+  return replaced;
+}
+
 }  // namespace
 
 Run load_run(const std::filesystem::path& file, const std::vector<Override>& overrides, const BuildProgress& progress) {
-  Run run{load_config(file, overrides), {}};
-  LoadedConfig& loaded = run.loaded;
-  if (loaded.errors.empty()) check_constructors(loaded);
-  if (!loaded.errors.empty()) throw ConfigError(loaded.errors);
-  try {
-    run.parts = compose(loaded.config, loaded.folder, progress);
-  } catch (const OptionError& e) {
-    loaded.add_error(e.key(), e.what());
-    throw ConfigError(loaded.errors);
-  }
+  const Start start;
+  return composed(load_config(file, overrides), progress, start);
+}
+
+Run parse_run(std::string text, const std::string& name, const std::filesystem::path& folder,
+              const std::vector<Override>& overrides, const BuildProgress& progress) {
+  const Start start;
+  return composed(parse_config(std::move(text), name, folder, overrides), progress, start);
+}
+
+Run compose_run(const RunConfig& config, const std::filesystem::path& folder) {
+  const Start start;
+  Composer composer(config, folder, [](const OptionError& e) { throw OptionError(e); });
+  composer.make_from_options();
+  composer.make_from_files();
+  Run run = run_of(config, folder, {}, composer.take(), start);
+  run.seconds.read = composer.read_seconds();
+  run.seconds.compose = seconds_since(start.clock) - run.seconds.read;
   return run;
 }
 
-RunOutcome solve(RunConfig config, Composition parts, const Monitor& monitor) {
-  RunOutcome outcome{std::move(config), std::move(parts), {}, {}};
-  const Monitor limited = with_budget(monitor, outcome.config.max_seconds);
+RunOutcome solve(Run run, const Monitor& monitor) {
+  const Clock::time_point start = Clock::now();
+  RunOutcome outcome;
+  outcome.name = std::move(run.name);
+  outcome.parts = std::move(run.parts);
+  outcome.seconds = run.seconds;
+  outcome.origin = std::move(run.origin);
+  RunParts& parts = outcome.parts;
+  connect_options(parts);
+  if (!parts.problem.ring || parts.problem.based) follow(parts.source, parts.problem.source);
+  if (!parts.problem.ring) follow(parts.target, parts.problem.target);
+  const Monitor limited = with_budget(monitor, run.max_seconds);
+  outcome.replaced = replaced_parts(parts, outcome.origin->parts);
+  for (const std::string& part : outcome.replaced)
+    parts.notes.push_back(part + ": replaced after the configuration was read");
   try {
     find(outcome, limited);
   } catch (const InitializationError& e) {
     if (limited.interrupted()) throw StoppedEarly(e.what());
     throw;
   }
+  outcome.seconds.search = seconds_since(start);
+  outcome.finished = std::chrono::system_clock::now();
   return outcome;
 }
 

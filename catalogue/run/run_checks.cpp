@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <array>
 
-#include <leastcost/catalogue/registry/registry.hpp>
 #include "catalogue/plugins/kinds.hpp"
+#include "catalogue/registry/registry.hpp"
 #include "catalogue/yaml/scalars.hpp"
 
 namespace leastcost {
@@ -18,13 +18,25 @@ PluginChoice default_plugin(const char* kind_name, const char* type, const std::
   return choose(*find_plugin(kind(kind_name), type), path);
 }
 
+/// The type of a part that is left out, "" where there is no default. `manifold`: null where it is not known.
+std::string default_type(std::string_view part, const PluginEntry* manifold, bool ring) {
+  const auto has = [&](std::string_view ability) {
+    return manifold != nullptr && std::count(manifold->provides.begin(), manifold->provides.end(), ability) > 0;
+  };
+  if (part == "kernel") return "expm1_square";
+  if (part == "initializer") return ring ? "" : has(kGraph) ? "dijkstra" : "straight";
+  return has(kMesh) ? "lbfgs" : "newton";  // the solver
+}
+
 void complete(RunConfig& config) {
   const bool mesh = config.manifold.provides(std::string(kMesh));
-  const bool graph = config.manifold.provides(std::string(kGraph));
-  if (!config.kernel) config.kernel = default_plugin("kernel", "expm1_square", "kernel");
-  if (!config.initializer && !config.ring)
-    config.initializer = default_plugin("initializer", graph ? "dijkstra" : "straight", "initializer");
-  if (!config.solver) config.solver = default_plugin("solver", mesh ? "lbfgs" : "newton", "solver");
+  const auto fill = [&](const char* part, PluginChoice& choice) {
+    const std::string type = default_type(part, config.manifold.plugin, config.ring);
+    if (!choice && !type.empty()) choice = default_plugin(part, type.c_str(), part);
+  };
+  fill("kernel", config.kernel);
+  fill("initializer", config.initializer);
+  fill("solver", config.solver);
   if (config.post_process) return;
   PluginList& steps = config.post_process.emplace();
   if (config.manifold.provides(std::string(kEmbedded)))
@@ -166,6 +178,26 @@ std::string name_fault(const std::string& name) {
   if (harmless && !name.empty() && name[0] != '.' && name.size() <= kLongestName) return "";
   return "'name' becomes a folder: it must not be empty, begin with a dot, contain a slash or a control character, "
          "or be longer than 200 bytes";
+}
+
+void complete_types(ConfigNode& tree) {
+  const auto text_at = [&](std::string_view path) {
+    const ConfigNode* node = node_at(tree, path);
+    return node != nullptr && node->is_scalar() ? node->text : std::string();
+  };
+  const std::string type = text_at("manifold");
+  const PluginEntry* manifold = find_plugin(kind("manifold"), type.empty() ? text_at("manifold.type") : type);
+  if (manifold == nullptr) return;  // an error of its own
+  for (const char* part : {"kernel", "initializer", "solver"}) {
+    ConfigEntry* entry = tree.find(part);
+    const std::string standard = default_type(part, manifold, text_at("path.ring") == "true");
+    if (entry == nullptr || !entry->value.is_block() || standard.empty()) continue;
+    const auto& options = entry->value.entries;
+    const bool replaced =
+        std::any_of(options.begin(), options.end(), [](auto& o) { return !o.value.place.origin.empty(); });
+    if (!replaced || entry->value.find("type") != nullptr) continue;
+    entry->value.entries.push_back({"type", entry->place, scalar_node(standard)});
+  }
 }
 
 void check_and_complete(LoadedConfig& loaded) {

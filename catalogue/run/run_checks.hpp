@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <leastcost/catalogue/run/run_config.hpp>
+#include "catalogue/run/run_config.hpp"
 
 namespace leastcost {
 
 /// Why a name cannot be that of a folder; empty when it can.
 std::string name_fault(const std::string& name);
+
+/// Gives a kernel, initializer or solver the type that is the default, where an override names one of its options and
+/// nothing its type: `--set solver.max_iterations=50`.
+void complete_types(ConfigNode& tree);
 
 /// Fills in the plug-ins that the configuration leaves out and checks what no single option can: that the parts fit
 /// each other.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/catalogue/run/run_config.hpp>
+#include "catalogue/run/run_config.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <fstream>
 #include <sstream>
 
-#include <leastcost/catalogue/registry/registry.hpp>
 #include "catalogue/options/options_reader.hpp"
+#include "catalogue/registry/registry.hpp"
 #include "catalogue/run/run_checks.hpp"
 #include "catalogue/yaml/scalars.hpp"
 #include "catalogue/yaml/yaml_reader.hpp"
@@ -118,6 +118,7 @@ void read_tree(LoadedConfig& loaded, const std::string& name) {
   if (const ConfigEntry* problems = loaded.tree.find("problems"))
     return loaded.errors.error(problems->place, "'problems' makes this a study: leastcost study runs it");
   loaded.config.name = name;
+  complete_types(loaded.tree);
   OptionsReader reader(loaded.tree, "", loaded.place, loaded.errors);
   loaded.config.fields(reader);
   reader.finish();

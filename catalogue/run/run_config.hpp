@@ -8,11 +8,11 @@
 #include <string_view>
 #include <vector>
 
-#include <leastcost/catalogue/options/options_writer.hpp>
-#include <leastcost/catalogue/options/run_visitor.hpp>
-#include <leastcost/catalogue/yaml/config_node.hpp>
-#include <leastcost/catalogue/yaml/overrides.hpp>
 #include <leastcost/framework/certificate.hpp>
+#include "catalogue/options/options_writer.hpp"
+#include "catalogue/options/run_visitor.hpp"
+#include "catalogue/yaml/config_node.hpp"
+#include "catalogue/yaml/overrides.hpp"
 
 namespace leastcost {
 

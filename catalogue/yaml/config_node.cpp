@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/catalogue/yaml/config_node.hpp>
+#include "catalogue/yaml/config_node.hpp"
 
 #include <fmt/format.h>
 

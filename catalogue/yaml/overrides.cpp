@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/catalogue/yaml/overrides.hpp>
+#include "catalogue/yaml/overrides.hpp"
 
 #include <algorithm>
 
@@ -53,13 +53,14 @@ ConfigNode* step_into(ConfigNode& node, const std::string& key, const Place& pla
 }
 
 void apply(const Override& override, ConfigNode& root, Diagnostics& errors) {
-  const Place place{0, 0, 1, override.origin};
+  const std::string& origin = override.origin.empty() ? override.assignment : override.origin;
+  const Place place{0, 0, 1, origin};
   const std::size_t equals = override.assignment.find('=');
   const std::string path = override.assignment.substr(0, equals);
   if (equals == std::string::npos || !is_path(split_path(path)))
     return errors.error(place, "must have the form key=value or block.key=value, like solver.max_iterations=50");
   const std::size_t before = errors.size();
-  ConfigNode value = read_yaml_value(override.assignment.substr(equals + 1), override.origin, errors);
+  ConfigNode value = read_yaml_value(override.assignment.substr(equals + 1), origin, errors);
   if (errors.size() > before) return;
   value.place = place;
   put_option(path, std::move(value), place, root, errors);

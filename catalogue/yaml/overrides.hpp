@@ -5,16 +5,12 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/catalogue/yaml/config_node.hpp>
+#include <leastcost/catalogue/yaml/override.hpp>
+#include "catalogue/yaml/config_node.hpp"
 
 namespace leastcost {
 
-/// One `a.b=value` of the command line. `origin` is what messages show in the place of file:line:column.
-struct Override {
-  std::string assignment;  ///< "solver.max_iterations=50"
-  std::string origin;      ///< "--set solver.max_iterations=50"
-};
-
+/// Overrides as the command line gives them: messages show "--set solver.max_iterations=50".
 Override set_option(const std::string& assignment);
 Override seed_option(const std::string& number);
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include <leastcost/catalogue/yaml/config_node.hpp>
 #include <leastcost/framework/options.hpp>
+#include "catalogue/yaml/config_node.hpp"
 
 namespace leastcost {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include <leastcost/catalogue/yaml/config_node.hpp>
+#include "catalogue/yaml/config_node.hpp"
 
 namespace leastcost {
 

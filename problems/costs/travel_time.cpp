@@ -138,13 +138,18 @@ void TravelTimeOptions::fields(FieldVisitor& visit) {
                .unit = "length"});
 }
 
-std::shared_ptr<const SegmentCost> make_travel_time_cost(const TravelTimeOptions& options, int dim,
-                                                         const std::optional<Eigen::VectorXd>& source) {
+void check_travel_time(const TravelTimeOptions& options, bool has_source) {
   if (options.level && options.start_speed > 0)
     throw OptionError("start_speed",
                       "the energy level follows from the start speed: give one of start_speed and level");
   if (options.level && !std::isfinite(*options.level)) throw OptionError("level", "must be finite");
-  if (!options.level && !source) throw OptionError("level", "a ring has no source: state the energy level (a height)");
+  if (!options.level && !has_source)
+    throw OptionError("level", "a ring has no source: state the energy level (a height)");
+}
+
+std::shared_ptr<const SegmentCost> make_travel_time_cost(const TravelTimeOptions& options, int dim,
+                                                         const std::optional<Eigen::VectorXd>& source) {
+  check_travel_time(options, source.has_value());
   const double level = options.level
                            ? *options.level
                            : (*source)[dim - 1] + options.start_speed * options.start_speed / (2 * options.gravity);

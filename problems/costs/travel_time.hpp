@@ -28,4 +28,7 @@ struct TravelTimeOptions {
 std::shared_ptr<const SegmentCost> make_travel_time_cost(const TravelTimeOptions& options, int dim,
                                                          const std::optional<Eigen::VectorXd>& source);
 
+/// Throws the OptionError that the above would throw, before the source is known.
+void check_travel_time(const TravelTimeOptions& options, bool has_source);
+
 }  // namespace leastcost

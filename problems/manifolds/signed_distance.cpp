@@ -57,37 +57,42 @@ std::shared_ptr<const ConstraintFunction> surface_function(const ImplicitManifol
 }
 
 /// Whether the distances have a sign.
-bool checked(const distance_source::Sides& o) {
-  const bool sides = o.sign == DistanceSign::with_sides;
-  if (sides && o.offset != 0) throw OptionError("offset", "is for sign: unsigned");
-  if (!sides && !(o.offset > 0))
+bool has_sides(const distance_source::Sides& o) { return o.sign == DistanceSign::with_sides; }
+
+void check(const distance_source::Sides& o) {
+  if (has_sides(o) && o.offset != 0) throw OptionError("offset", "is for sign: unsigned");
+  if (!has_sides(o) && !(o.offset > 0))
     throw OptionError("offset",
                       "an unsigned distance has no gradient at 0: give the distance (> 0) at which the surface is "
                       "wanted");
-  return sides;
 }
 
+// What can be known about a source before anything is read or computed.
+void check(const distance_source::Mesh& o) { check(o.sides); }
+void check(const distance_source::PointCloud& o) { check(o.sides); }
+void check(const distance_source::Implicit& o) {
+  if (o.surface.box.given())
+    throw OptionError("lower",
+                      "a grid samples the whole surface: bounds are for 'type: implicit', 'box' says where to sample");
+  static_cast<void>(surface_function(o.surface));
+  static_cast<void>(box_of(o));
+}
+void check(const distance_source::GridFile&) {}
+
 SourcePtr open(const distance_source::Mesh& o, const std::filesystem::path& folder, const BuildProgress& progress) {
-  const bool sides = checked(o.sides);
   report(progress, 0, "reading");
-  return make_mesh_distance(TriangleMesh(read_mesh(folder / o.file), {o.weld, 0}), sides);
+  return make_mesh_distance(TriangleMesh(read_mesh(folder / o.file), {o.weld, 0}), has_sides(o.sides));
 }
 
 SourcePtr open(const distance_source::PointCloud& o, const std::filesystem::path& folder,
                const BuildProgress& progress) {
-  const bool sides = checked(o.sides);
   report(progress, 0, "reading");
-  return make_cloud_distance(PointCloud(read_point_cloud(folder / o.cloud.file), o.cloud.settings), sides);
+  return make_cloud_distance(PointCloud(read_point_cloud(folder / o.cloud.file), o.cloud.settings), has_sides(o.sides));
 }
 
 SourcePtr open(const distance_source::Implicit& o, const std::filesystem::path&, const BuildProgress& progress) {
-  if (o.surface.box.given())
-    throw OptionError("lower",
-                      "a grid samples the whole surface: bounds are for 'type: implicit', 'box' says where to sample");
-  const auto function = surface_function(o.surface);
-  const Eigen::AlignedBox3d box = box_of(o);
   report(progress, 0, "distances");
-  return make_implicit_distance(function, box);
+  return make_implicit_distance(surface_function(o.surface), box_of(o));
 }
 
 double offset_of(const distance_source::Mesh& o) { return o.sides.offset; }
@@ -100,7 +105,6 @@ using Made = std::shared_ptr<const SignedDistanceManifold>;
 template <class Source>
 Made make(const Source& source, const SignedDistanceOptions& o, const std::filesystem::path& folder,
           const BuildProgress& progress) {
-  if (o.cell && o.accuracy) throw OptionError("accuracy", "give either the cell or the accuracy, not both");
   SourcePtr opened;
   try {
     opened = open(source, folder, progress);
@@ -118,8 +122,6 @@ Made make(const Source& source, const SignedDistanceOptions& o, const std::files
 /// Takes a grid as it is.
 Made make(const distance_source::GridFile& source, const SignedDistanceOptions& o, const std::filesystem::path& folder,
           const BuildProgress& progress) {
-  if (o.cell || o.accuracy)
-    throw OptionError(o.cell ? "cell" : "accuracy", "the file says what its cell is; leave this out");
   report(progress, 0, "reading");
   GridSamples samples = read_sdf(folder / source.file, o.memory_limit * kGiB);
   std::vector<std::string> notes = {"distance grid: " + text(samples.shape)};
@@ -240,9 +242,21 @@ std::shared_ptr<const ConstraintManifold> SignedDistanceManifold::make_coarser()
   return result;
 }
 
+void check_signed_distance(const SignedDistanceOptions& options) {
+  if (std::holds_alternative<distance_source::GridFile>(options.source) && (options.cell || options.accuracy))
+    throw OptionError(options.cell ? "cell" : "accuracy", "the file says what its cell is; leave this out");
+  if (options.cell && options.accuracy) throw OptionError("accuracy", "give either the cell or the accuracy, not both");
+  try {
+    std::visit([](const auto& source) { check(source); }, options.source);
+  } catch (const OptionError& error) {
+    throw OptionError("source." + error.key(), error.what());
+  }
+}
+
 std::shared_ptr<const SignedDistanceManifold> make_signed_distance_manifold(const SignedDistanceOptions& options,
                                                                             const std::filesystem::path& folder,
                                                                             const BuildProgress& progress) {
+  check_signed_distance(options);
   return std::visit([&](const auto& source) { return make(source, options, folder, progress); }, options.source);
 }
 

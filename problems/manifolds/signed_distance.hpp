@@ -117,8 +117,10 @@ class SignedDistanceManifold final : public LevelSet, public HasCoarserVersion, 
   mutable std::shared_ptr<const ConstraintManifold> coarser_;
 };
 
-/// Reads (relative to `folder`), samples, builds. `progress` is first called when all options have been checked, and
-/// nothing read yet. Throws OptionError, InputError.
+/// Throws OptionError for options that cannot work whatever is in the files. Reads and samples nothing.
+void check_signed_distance(const SignedDistanceOptions& options);
+
+/// Reads (relative to `folder`), samples, builds. Throws OptionError, InputError.
 std::shared_ptr<const SignedDistanceManifold> make_signed_distance_manifold(const SignedDistanceOptions& options,
                                                                             const std::filesystem::path& folder,
                                                                             const BuildProgress& progress = {});

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/solvers/ceres/ceres_solver.hpp>
 
+#include <ceres/version.h>
+
 #include <array>
 #include <string>
 #include <utility>
@@ -56,5 +58,7 @@ SolveReport Ceres::do_solve(PathEnergy& energy, CoordinatePath& path, const Moni
   }
   throw OptionError("algorithm", "is no algorithm of ceres");
 }
+
+std::string ceres_version() { return CERES_VERSION_STRING; }
 
 }  // namespace leastcost

@@ -33,4 +33,7 @@ class Ceres final : public Solver {
   CeresOptions options_;
 };
 
+/// Version of the library that this was built with, "2.1.0".
+std::string ceres_version();
+
 }  // namespace leastcost

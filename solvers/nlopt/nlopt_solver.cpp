@@ -150,4 +150,10 @@ SolveReport Nlopt::do_solve(PathEnergy& energy, CoordinatePath& path, const Moni
   return solve_by_rounds(energy, path, rounds, minimiser, monitor);
 }
 
+std::string nlopt_version() {
+  int major = 0, minor = 0, fix = 0;
+  nlopt::version(major, minor, fix);
+  return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(fix);
+}
+
 }  // namespace leastcost

@@ -47,4 +47,7 @@ class Nlopt final : public Solver {
   NloptOptions options_;
 };
 
+/// Version of the library in use, "2.7.1".
+std::string nlopt_version();
+
 }  // namespace leastcost

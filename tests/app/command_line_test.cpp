@@ -4,12 +4,15 @@
 // The commands inside the process: what goes to which stream, and the exit codes.
 #include "app/cli/command_line.hpp"
 
+#include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
-#include <leastcost/catalogue/registry/registry.hpp>
 #include "app/cli/templates.hpp"
+#include "catalogue/registry/registry.hpp"
 #include "tests/app/called.hpp"
 #include "tests/app/config_text.hpp"
 #include "tests/support/catch.hpp"
@@ -26,6 +29,11 @@ namespace {
 std::string write(const fs::path& file, const std::string& text) {
   std::ofstream(file) << text;
   return file.string();
+}
+
+std::string content(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace
@@ -159,9 +167,67 @@ TEST_CASE("command line: init gives files that validate") {
     CHECK(call({"validate", file}).exit == 0);
     CHECK(call({"init", std::string(t.name), "-o", file}).exit == 2);
     CHECK(call({"init", std::string(t.name)}).out == t.text);
+    CHECK(t.text.rfind("# yaml-language-server: $schema=leastcost.schema.json\n", 0) == 0);
   }
+  CHECK_THAT(call({"init", "--help"}).out, Contains("leastcost schema > leastcost.schema.json"));
   CHECK_THAT(call({"init"}).out, Contains("brachistochrone"));
   CHECK_THAT(call({"init", "brachistochron"}).err, Contains("did you mean 'brachistochrone'?"));
+}
+
+TEST_CASE("command line: what init gives runs") {
+  const ScratchDir dir;
+  std::filesystem::copy(project_dir() / "configs/data/torus_cloud.xyz", dir / "cloud.xyz");
+  const auto bunny = installed_model("glmark2/models/bunny.obj");
+  if (bunny) std::filesystem::copy(*bunny, dir / "bunny.obj");
+  std::set<std::string> names;
+  for (const app::Template& t : app::templates()) {
+    names.insert(t.name);
+    if (t.name == "mesh" && !bunny) continue;
+    CAPTURE(t.name);
+    const std::string file = write(dir / (t.name + ".yaml"), t.text), out = (dir / t.name).string();
+    const Called called = call({t.name == "study" ? "study" : "run", file, "-q", "-o", out});
+    INFO(called.out << called.err);
+    CHECK(called.exit == (t.name == "ring" ? 5 : 0));
+  }
+  CHECK(names ==
+        std::set<std::string>{"plane", "brachistochrone", "mesh", "cloud", "parametric", "implicit", "ring", "study"});
+}
+
+TEST_CASE("command line: a configuration from standard input") {
+  if (program().empty()) return record_skip("standard input", "the program was not built");
+  const ScratchDir dir;
+  std::filesystem::copy(project_dir() / "configs/data/hill.obj", dir / "hill.obj");
+  write(dir / "a.yaml",
+        "manifold: {type: mesh, file: hill.obj}\ncost: euclidean\n"
+        "ends: {source: {vertex: 0}, target: {vertex: 20}}\npath: {points: 9}\n");
+  const auto shell = [&](const std::string& command) {
+    const int status = std::system(("cd '" + dir.path().string() + "' && " + command).c_str());
+    return (status >> 8) & 0xff;
+  };
+  const std::string leastcost = "'" + program().string() + "' ";
+  for (const char* name : {"-", "/dev/stdin"}) {
+    CAPTURE(name);
+    CHECK(shell(leastcost + "run " + name + " -q --force <a.yaml >out.txt 2>&1") == 0);
+    CHECK(std::filesystem::exists(dir / "results/stdin/result.json"));
+    CHECK(shell(leastcost + "validate " + name + " <a.yaml >out.txt 2>&1") == 0);
+    CHECK(shell("echo 'cost: euclidian' | " + leastcost + "validate " + name + " 2>err.txt") == 3);
+    CHECK_THAT(content(dir / "err.txt"), Contains("stdin:1:7: error: unknown cost 'euclidian'"));
+  }
+  CHECK(shell("grep -q '<stdin>' results/stdin/manifest.json") == 0);
+  CHECK_THAT(call({"run", "--help"}).out, Contains("standard input"));
+}
+
+TEST_CASE("command line: ends of a chart are not moved onto anything") {
+  const ScratchDir dir;
+  const std::string chart = (project_dir() / "configs/torus_parametric.yaml").string();
+  const Called run = call({"run", chart, "-q", "-o", (dir / "out").string()});
+  CHECK_THAT(run.out, Contains("source      (0, 0)\n"));
+  CHECK(run.out.find("onto the manifold") == std::string::npos);
+  CHECK(call({"run", chart, "-n"}).out.find("onto the manifold") == std::string::npos);
+  const std::string sphere = (project_dir() / "configs/implicit_torus.yaml").string();
+  CHECK_THAT(
+      call({"run", sphere, "-n", "--set", "ends.source.point=[3.001, 0, 0]", "--set", "ends.source.tolerance=1"}).out,
+      Contains("moved by 0.001 onto the manifold"));
 }
 
 TEST_CASE("command line: doctor") {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // What a user reads when a configuration is wrong, to the letter.
-#include <leastcost/catalogue/registry/registry.hpp>
+#include "catalogue/registry/registry.hpp"
 #include "catalogue/yaml/suggest.hpp"
 #include "tests/app/config_text.hpp"
 #include "tests/support/catch.hpp"

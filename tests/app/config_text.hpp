@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/catalogue/run/compose.hpp>
-#include <leastcost/catalogue/run/run_config.hpp>
+#include "catalogue/run/compose.hpp"
+#include "catalogue/run/run_config.hpp"
 
 namespace leastcost::test {
 
@@ -28,7 +28,7 @@ inline LoadedConfig parse(const std::string& text, const std::vector<std::string
 /// All errors as the program prints them, those of constructors included.
 inline std::string errors_of(const std::string& text, const std::vector<std::string>& set = {}) {
   LoadedConfig loaded = parse(text, set);
-  if (loaded.errors.empty()) check_constructors(loaded);
+  if (loaded.errors.empty()) check_parts(loaded);
   return loaded.errors.render();
 }
 

@@ -9,6 +9,7 @@
 #include <leastcost/catalogue/options/options_writer.hpp>
 #include "app/reference/field_list.hpp"
 #include "catalogue/options/options_reader.hpp"
+#include "catalogue/options/options_writer.hpp"
 #include "catalogue/yaml/scalars.hpp"
 #include "catalogue/yaml/suggest.hpp"
 #include "catalogue/yaml/yaml_reader.hpp"

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/catalogue/output/output_folder.hpp>
+#include "catalogue/output/output_folder.hpp"
 
 #include <fstream>
 #include <sstream>
 
-#include <leastcost/catalogue/output/manifest.hpp>
+#include "catalogue/output/manifest.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
 
@@ -93,6 +93,49 @@ TEST_CASE("output folder: --force replaces only what is ours") {
   CHECK_FALSE(fs::exists(dir / "ours/path.csv"));
   CHECK(content(dir / "ours/new.txt") == "new");
   CHECK(entries(dir.path()) == 5);
+}
+
+TEST_CASE("output folder: what appeared while it was written is not replaced, and nothing is lost") {
+  const ScratchDir dir;
+  const auto kept = [](const std::string& message) {
+    const std::string marker = "the results lie in ";
+    REQUIRE(message.find(marker) != std::string::npos);
+    return fs::path(message.substr(message.find(marker) + marker.size()));
+  };
+  const auto refused = [&](OutputFolder& folder) -> std::string {
+    try {
+      folder.commit();
+    } catch (const OutputRefused& e) {
+      return e.what();
+    }
+    return "";
+  };
+  fs::path first, second;
+  {
+    OutputFolder folder(dir / "run", false);
+    folder.write("x.txt", "mine");
+    write(dir / "run/notes.txt", "precious");
+    first = kept(refused(folder));
+  }
+  CHECK(content(dir / "run/notes.txt") == "precious");
+  CHECK(content(first / "x.txt") == "mine");
+  {
+    // Two runs into one place: the later is refused.
+    OutputFolder one(dir / "both", false), two(dir / "both", false);
+    one.write("manifest.json", "{\"program\": \"leastcost\"}");
+    two.write("x.txt", "two");
+    one.commit();
+    second = kept(refused(two));
+  }
+  CHECK(fs::exists(dir / "both/manifest.json"));
+  CHECK(content(second / "x.txt") == "two");
+  {
+    OutputFolder forced(dir / "both", true);
+    forced.write("x.txt", "three");
+    write(dir / "both/notes.txt", "precious");
+    CHECK_THAT(refused(forced), Contains("notes.txt"));
+  }
+  CHECK(content(dir / "both/notes.txt") == "precious");
 }
 
 TEST_CASE("output folder: a place that cannot be written is found out at once") {

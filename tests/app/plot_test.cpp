@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <set>
 
@@ -11,6 +13,7 @@
 #include "app/plot/scale.hpp"
 #include "app/plot/text.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/data.hpp"
 
 namespace leastcost::test {
 
@@ -126,6 +129,39 @@ TEST_CASE("plot: logarithmic axes have two labels at least, however narrow") {
   for (const double at : labelled) {
     CHECK(at >= least * (1 - 1e-9));
     CHECK(at <= largest * (1 + 1e-9));
+  }
+}
+
+TEST_CASE("plot: a file of its own has colours for whoever draws it") {
+  Chart chart;
+  chart.series = {{"a", {0, 1, 2, 3}, {1, 2, 3, 4}}, {"b", {0, 1, 2, 3}, {4, 2, 1, 4}}};
+  chart.series[1].style.number = 1;
+  const std::string file = svg(chart, true);
+  // Converters and editors know neither variables nor media queries, and draw what they do not understand in black.
+  CHECK(file.find("var(") == std::string::npos);
+  CHECK(file.find("@media") == std::string::npos);
+  CHECK_THAT(file, Contains(".plot .s0{stroke:#0072B2}") && Contains(".plot .s{fill:none"));
+  CHECK_THAT(plot_style(), Contains("prefers-color-scheme:dark") && Contains("--c0:#4aa3dc") && Contains("var(--c0)"));
+  if (std::system("rsvg-convert --version >/dev/null 2>&1") != 0)
+    return record_skip("colours of SVG files", "rsvg-convert is not installed");
+  const ScratchDir dir;
+  const auto drawn = [&](const std::string& name, const std::string& text) {
+    std::ofstream(dir / (name + ".svg")) << text;
+    const std::string out = (dir / (name + ".png")).string();
+    CHECK(std::system(("rsvg-convert '" + (dir / (name + ".svg")).string() + "' -o '" + out + "'").c_str()) == 0);
+    std::ifstream in(out, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  // Every stroke, fill and width of the style is seen: without one of them the picture is another one.
+  const std::string picture = drawn("whole", file);
+  for (const char* rule :
+       {".plot .s{fill:none", ".plot .s0{stroke:#0072B2}", ".plot .s1{stroke:#D55E00}", ".plot .grid{"}) {
+    std::string without = file;
+    REQUIRE(without.find(rule) != std::string::npos);
+    without.replace(without.find(rule), 5, ".none");
+    CAPTURE(rule);
+    const bool seen = drawn("without", without) != picture;
+    CHECK(seen);
   }
 }
 

@@ -119,7 +119,7 @@ TEST_CASE("program: a full disk loses neither the result on stdout nor the folde
       start(dir, {"run", plane(dir), "-o", (dir / "out").string(), "--force", "--set", "path.points=200"}, 4000);
   CHECK(child.wait() == 1);
   CHECK_THAT(content(child.out), Contains("certified"));
-  CHECK_THAT(content(child.err), Contains("the results are not on disk: ") && Contains("File too large"));
+  CHECK_THAT(content(child.err), Contains("the results are not in their place: ") && Contains("File too large"));
   CHECK(content(dir / "out/result.json") == before);
   for (const auto& entry : fs::directory_iterator(dir.path()))
     CHECK(entry.path().filename().string().rfind(".out.", 0) != 0);

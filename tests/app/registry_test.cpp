@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/catalogue/registry/registry.hpp>
+#include "catalogue/registry/registry.hpp"
 
 #include <set>
 

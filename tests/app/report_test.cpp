@@ -6,12 +6,12 @@
 #include <fstream>
 #include <sstream>
 
-#include <leastcost/catalogue/output/manifest.hpp>
 #include <leastcost/framework/errors.hpp>
 #include "app/report/page/page.hpp"
 #include "app/report/page/viewer_script.hpp"
 #include "app/run/run.hpp"
 #include "app/study/rows/run_table.hpp"
+#include "catalogue/output/manifest.hpp"
 #include "tests/app/config_text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/catalogue/run/run_config.hpp>
+#include "catalogue/run/run_config.hpp"
 
-#include <leastcost/catalogue/registry/registry.hpp>
-#include "app/cli/templates.hpp"
+#include "catalogue/registry/registry.hpp"
 #include "tests/app/config_text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
@@ -59,11 +58,11 @@ TEST_CASE("run config: every shipped configuration is valid, and so is what it r
     if (entry.path().extension() != ".yaml") continue;
     ++count;
     LoadedConfig loaded = load_config(entry.path(), {});
-    if (loaded.errors.empty()) check_constructors(loaded);
+    if (loaded.errors.empty()) check_parts(loaded);
     CHECK(loaded.errors.render() == "");
     const std::string resolved = resolved_yaml(loaded.config);
     LoadedConfig again = parse_config(resolved, "resolved.yaml", loaded.folder);
-    if (again.errors.empty()) check_constructors(again);
+    if (again.errors.empty()) check_parts(again);
     CHECK(again.errors.render() == "");
     CHECK(resolved_yaml(again.config) == resolved);
   }
@@ -80,11 +79,25 @@ TEST_CASE("run config: every shipped configuration begins with two lines of comm
   }
 }
 
-TEST_CASE("run config: every template is valid") {
-  for (const app::Template& t : app::templates()) {
-    CAPTURE(t.name);
-    CHECK(errors_of(std::string(t.text)) == "");
-  }
+TEST_CASE("run config: --set of an option alone is for the default type") {
+  const std::string mesh =
+      "manifold: {type: mesh, file: m.obj}\ncost: euclidean\nends: {source: {vertex: 0}, target: {vertex: 1}}\n";
+  const LoadedConfig plane = parse(kPlane, {"solver.max_iterations=50", "path.points=9"});
+  CHECK(plane.errors.render() == "");
+  CHECK_THAT(resolved_yaml(plane.config), Contains("type: newton") && Contains("max_iterations: 50"));
+  const LoadedConfig on_mesh = parse(mesh, {"solver.max_iterations=50", "initializer.routes=2"});
+  CHECK(on_mesh.errors.render() == "");
+  CHECK_THAT(resolved_yaml(on_mesh.config), Contains("type: lbfgs") && Contains("routes: 2"));
+  CHECK(errors_of(kPlane + "solver: {max_iterations: 20}\n", {"solver.max_iterations=50"}) == "");
+  CHECK_THAT(errors_of(kPlane + "solver: {max_iterations: 20}\n"), Contains("missing key 'type' in solver"));
+  CHECK_THAT(errors_of(kPlane, {"solver.max_iteration=50"}),
+             Contains("--set solver.max_iteration=50: error: unknown key 'max_iteration' in solver (did you mean "
+                      "'max_iterations'?)"));
+  CHECK_THAT(errors_of(kPlane + "post_process: [{tolerance: 1}]\n"), Contains("missing key 'type' in post_process.0"));
+  // A ring has no first path of its own.
+  CHECK_THAT(errors_of("manifold: {type: euclidean, dimension: 2}\ncost: euclidean\npath: {ring: true}\n",
+                       {"initializer.points=[[1, 0], [0, 1], [1, 1]]"}),
+             Contains("missing key 'type' in initializer"));
 }
 
 TEST_CASE("run config: files it names") {

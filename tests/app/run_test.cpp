@@ -9,7 +9,8 @@
 #include <regex>
 #include <sstream>
 
-#include <leastcost/catalogue/output/manifest.hpp>
+#include "catalogue/output/manifest.hpp"
+#include "catalogue/registry/registry.hpp"
 #include "catalogue/yaml/yaml_reader.hpp"
 #include "problems/readers/waypoint_reader.hpp"
 #include "tests/app/config_text.hpp"
@@ -193,6 +194,17 @@ TEST_CASE("run: the manifest names the inputs by content") {
   const Json m = Json::parse(content(dir / "out/manifest.json"));
   CHECK(m["program"] == "leastcost");
   REQUIRE(m["inputs"].size() == 2);
+  // The commit of a checkout, and the back ends of this build with their versions.
+  CHECK((m["commit"].is_null() || m["commit"].get<std::string>().size() >= 40));
+  if (fs::exists(project_dir() / ".git")) CHECK(m["commit"].is_string());
+  for (const PluginEntry* solver : kind("solver").entries) {
+    CAPTURE(solver->type);
+    CHECK(m["build"]["libraries"].contains(solver->type) == !solver->library.empty());
+    if (solver->type == "nlopt" && solver->missing.empty())
+      CHECK_THAT(m["build"]["libraries"]["nlopt"].get<std::string>(), Catch::StartsWith("NLopt 2."));
+    if (solver->type == "ceres" && solver->missing.empty())
+      CHECK_THAT(m["build"]["libraries"]["ceres"].get<std::string>(), Catch::StartsWith("Ceres 2."));
+  }
   CHECK(m["inputs"][0]["sha256"] == sha256_of_text(kOnPyramid));
   CHECK(m["inputs"][1]["sha256"] == sha256_of_text(kPyramid));
   CHECK(m["arguments"] == Json({"leastcost", "run"}));

@@ -12,10 +12,10 @@
 #include <random>
 #include <thread>
 
-#include <leastcost/catalogue/output/output_folder.hpp>
 #include "app/study/merge.hpp"
 #include "app/study/rows/row_json.hpp"
 #include "app/study/study_summary.hpp"
+#include "catalogue/output/output_folder.hpp"
 #include "tests/app/study_text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"

@@ -19,7 +19,7 @@ struct Found {
 
 Found run_config(const char* name) {
   const Run prepared = load_run(project_dir() / "configs" / name);
-  const Composition& parts = prepared.parts;
+  const RunParts& parts = prepared.parts;
   return {parts.problem, find_path(parts.problem, *parts.initializer, *parts.solver, parts.options)};
 }
 

@@ -111,4 +111,14 @@ std::vector<JsonFile> JsonFile::objects(const std::string& key) const {
   return out;
 }
 
+std::vector<std::pair<std::string, std::string>> JsonFile::named_texts(const std::string& key) const {
+  std::vector<std::pair<std::string, std::string>> out;
+  const nlohmann::json* found = find(key);
+  if (found == nullptr) return out;
+  if (!found->is_object()) wrong(key, "an object");
+  for (const auto& [name, value] : found->items())
+    out.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
+  return out;
+}
+
 }  // namespace leastcost::app

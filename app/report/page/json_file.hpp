@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace leastcost::app {
@@ -31,6 +32,8 @@ class JsonFile {
   std::size_t size(const std::string& key) const;
   /// The objects of a list; a missing list has none.
   std::vector<JsonFile> objects(const std::string& key) const;
+  /// The keys of an object and their texts, in the order of the alphabet; a missing object has none.
+  std::vector<std::pair<std::string, std::string>> named_texts(const std::string& key) const;
   const std::string& name() const { return name_; }
 
  private:

@@ -14,6 +14,14 @@ std::string provenance_part(const JsonFile& manifest) {
   const auto row = [&](const char* what, const std::string& value) { facts.rows.push_back({{what}, {value}}); };
   row("program", fmt::format("{} {}, {} build, {}", manifest.text("program"), manifest.text("version"),
                              manifest.text("build.type"), manifest.text("build.compiler")));
+  if (manifest.has("commit")) row("sources", manifest.text("commit").empty() ? "no checkout" : manifest.text("commit"));
+  std::string libraries;
+  for (const auto& [name, version] : manifest.named_texts("build.libraries")) {
+    // Back ends say the name of their library themselves: "NLopt 2.7.1".
+    const bool named = version.find(' ') != std::string::npos;
+    libraries += (libraries.empty() ? "" : ", ") + (named ? version : name + " " + version);
+  }
+  if (!libraries.empty()) row("libraries", libraries);
   row("machine", fmt::format("{}, {}, {} hardware threads", manifest.text("machine.host"), manifest.text("machine.cpu"),
                              manifest.text("machine.hardware_threads")));
   row("command", fmt::format("{}", fmt::join(manifest.texts("arguments"), " ")));

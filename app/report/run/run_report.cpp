@@ -33,8 +33,11 @@ std::string duration(double seconds) {
 
 double total_seconds(const JsonFile& result) {
   double sum = 0;
-  for (const char* stage : {"read", "initialize", "solve", "post_process", "certify"})
-    sum += result.number(std::string("seconds.") + stage);
+  for (const char* stage :
+       {"read", "compose", "initialize", "solve", "post_process", "certify", "other_members", "write"}) {
+    const std::string key = std::string("seconds.") + stage;
+    if (result.has(key)) sum += result.number(key);  // older files, and runs without a family, have fewer stages
+  }
   return sum;
 }
 
@@ -112,12 +115,17 @@ std::string notes_of(const JsonFile& result) {
 std::string work_of(const JsonFile& result) {
   Table table{{{"stage"}, {"time", true}}, {}, ""};
   const std::pair<const char*, const char*> stages[] = {{"read", "read the domain"},
+                                                        {"compose", "compose"},
                                                         {"initialize", "first path"},
                                                         {"solve", "solve"},
                                                         {"post_process", "post-process"},
-                                                        {"certify", "certify"}};
-  for (const auto& [key, name] : stages)
-    table.rows.push_back({{name}, {fmt::format("{:.3f} ms", 1e3 * result.number(std::string("seconds.") + key))}});
+                                                        {"certify", "certify"},
+                                                        {"other_members", "other members of the family"},
+                                                        {"write", "write files"}};
+  for (const auto& [key, name] : stages) {
+    const std::string stage = std::string("seconds.") + key;
+    if (result.has(stage)) table.rows.push_back({{name}, {fmt::format("{:.3f} ms", 1e3 * result.number(stage))}});
+  }
   Table counters{{{"counted"}, {"number", true}}, {}, ""};
   for (const char* key : {"energies", "gradients", "hessians", "projections", "linear_solves"}) {
     std::string name = key;

@@ -9,6 +9,7 @@
 #include <leastcost/catalogue/run/run.hpp>
 #include <leastcost/framework/kernel.hpp>
 #include "app/study/rows/csv_text.hpp"
+#include "catalogue/run/run_origin.hpp"
 
 namespace leastcost::app {
 namespace {
@@ -61,7 +62,7 @@ void fill_result(const RunOutcome& run, RunRow& row) {
   row.chain_cost = result.costs.sum();
   if (row.optimum) row.optimum_error = std::abs(*row.cost - *row.optimum) / std::abs(*row.optimum);
   row.energy_slope = energy_slope(run.parts.problem, result);
-  row.s_read = run.parts.read_seconds;
+  row.s_read = run.seconds.read;
   row.s_initialize = result.seconds.initialize;
   row.s_solve = result.seconds.solve;
   row.s_post_process = result.seconds.post_process;
@@ -84,8 +85,7 @@ std::vector<TraceRow> trace_of(const std::vector<Iteration>& history, const RunR
 }
 
 CellResult solved(const StudyCell& cell, RunRow row) {
-  Composition parts = compose(cell.config, cell.folder);
-  const RunOutcome run = solve(cell.config, std::move(parts), {});
+  const RunOutcome run = solve(compose_run(cell.config, cell.folder));
   fill_solve(run.result.solve, row);
   row.outcome = outcome::kCannotSolve;
   if (run.result.solve.termination == Termination::refused) return {row, {}};

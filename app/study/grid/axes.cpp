@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include <leastcost/catalogue/run/run_config.hpp>
 #include <leastcost/framework/errors.hpp>
+#include "catalogue/run/run_config.hpp"
 #include "catalogue/yaml/yaml_reader.hpp"
 
 namespace leastcost::app {

@@ -9,11 +9,11 @@
 #include <set>
 #include <tuple>
 
-#include <leastcost/catalogue/output/manifest.hpp>
-#include <leastcost/catalogue/registry/registry.hpp>
-#include <leastcost/catalogue/run/compose.hpp>
 #include "app/study/grid/axes.hpp"
 #include "catalogue/options/options_reader.hpp"
+#include "catalogue/output/manifest.hpp"
+#include "catalogue/registry/registry.hpp"
+#include "catalogue/run/compose.hpp"
 #include "catalogue/yaml/suggest.hpp"
 
 namespace leastcost::app {
@@ -86,7 +86,7 @@ class GridBuilder {
     add_options(study_.config.set, loaded);
     const std::string absent = take_absent_solver(loaded.tree, out.skipped);
     read_tree(loaded, problem.name);
-    if (loaded.errors.empty()) check_constructors(loaded);
+    if (loaded.errors.empty()) check_parts(loaded);
     add_errors(loaded.errors);
     if (!loaded.errors.empty()) return out;
     complete(loaded, problem);

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/catalogue/run/run_config.hpp>
 #include "app/study/grid/study_config.hpp"
+#include "catalogue/run/run_config.hpp"
 
 namespace leastcost::app {
 

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include <leastcost/catalogue/options/run_visitor.hpp>
-#include <leastcost/catalogue/yaml/config_node.hpp>
-#include <leastcost/catalogue/yaml/overrides.hpp>
+#include "catalogue/options/run_visitor.hpp"
+#include "catalogue/yaml/config_node.hpp"
+#include "catalogue/yaml/overrides.hpp"
 
 namespace leastcost::app {
 

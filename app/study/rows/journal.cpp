@@ -16,9 +16,9 @@
 #include <system_error>
 #include <thread>
 
-#include <leastcost/catalogue/output/output_folder.hpp>
 #include "app/study/rows/row_json.hpp"
 #include "catalogue/output/json_numbers.hpp"
+#include "catalogue/output/output_folder.hpp"
 
 namespace leastcost::app {
 namespace {

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <leastcost/catalogue/run/run.hpp>
+#include <leastcost/framework/errors.hpp>
+
+namespace leastcost {
+
+/// The output folder cannot be used or written.
+class OutputError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// The folder exists and may not be replaced.
+class OutputRefused : public OutputError {
+ public:
+  using OutputError::OutputError;
+};
+
+struct WriteOptions {
+  bool replace = false;                     ///< a folder that an earlier run has written
+  std::vector<std::string> arguments = {};  ///< how the program was called, for manifest.json
+};
+
+/// Writes the files of a finished run into `folder` (relative to the current one), which appears complete or not at
+/// all: result.json, path.*, curve.csv, history.csv, first_path.csv, scene.json, config.resolved.yaml, manifest.json.
+/// Returns where they are, absolute. Throws OutputRefused when the folder is not empty and may not be replaced,
+/// OutputError.
+std::filesystem::path write_run(const RunOutcome& outcome, const std::filesystem::path& folder,
+                                const WriteOptions& options = {});
+
+/// The text of result.json.
+std::string result_json(const RunOutcome& outcome);
+
+}  // namespace leastcost

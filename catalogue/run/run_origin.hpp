@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <leastcost/catalogue/run/run.hpp>
+#include "catalogue/inputs/input_file.hpp"
+#include "catalogue/run/run_config.hpp"
+
+namespace leastcost {
+
+/// What a run was read from: kept for its files, whatever becomes of the parts.
+struct RunOrigin {
+  RunConfig config;
+  std::filesystem::path folder;   ///< files of the configuration are relative to it
+  std::vector<InputFile> inputs;  ///< the configuration, then its data, as they were when they were read
+  std::chrono::system_clock::time_point started;
+  RunParts parts;  ///< as they were composed
+};
+
+/// A run of a configuration that is there already and has passed its checks. Throws OptionError, InputError.
+Run compose_run(const RunConfig& config, const std::filesystem::path& folder);
+
+}  // namespace leastcost

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <leastcost/framework/family.hpp>
+#include <leastcost/framework/find_path.hpp>
+
+namespace leastcost {
+
+/// What became of an end of the configuration.
+struct PlacedEnd {
+  Eigen::VectorXd given;  ///< the point that was asked for, coordinate
+  PathEnd end;
+  double moved = 0;  ///< distance between the two, length units
+};
+
+/// A further way to a first path, for other locally least-cost paths.
+struct FamilyWay {
+  std::string name;  ///< in words, for reports: "bow 90 degrees"
+  std::shared_ptr<const Initializer> initializer;
+};
+
+/// The objects that a configuration describes, ready for find_path(). Owns what FindOptions points to. All of it may be
+/// replaced before solve().
+struct RunParts {
+  Problem problem;
+  std::shared_ptr<const Initializer> initializer;
+  std::vector<FamilyWay> family;  ///< besides the initializer; empty, and no windings: one path is sought
+  int windings = 0;               ///< of the family: images of the target up to so many turns on
+  std::shared_ptr<const Solver> solver, certifier;
+  std::vector<std::shared_ptr<const PostProcessor>> post_processors;
+  FindOptions options;
+  PlacedEnd source, target;  ///< where problem.source and problem.target came from; empty in a ring
+  std::vector<std::string> notes;
+
+  bool wants_family() const { return !family.empty() || windings > 0; }
+};
+
+}  // namespace leastcost
