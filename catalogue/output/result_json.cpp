@@ -149,7 +149,7 @@ Json seconds(const RunOutcome& run) {
 
 Json ends(const RunOutcome& run) {
   const Problem& problem = run.parts.problem;
-  const bool based = run.origin->config.ring && run.origin->config.source.given;
+  const bool based = run.origin->config.ring && run.origin->config.source.has_value();
   if (based || problem.based) return {{"source", end_json(run.parts.source)}};
   if (problem.ring) return nullptr;
   return {{"source", end_json(run.parts.source)}, {"target", end_json(run.parts.target)}};

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,7 @@ struct RunOrigin;
 struct Run {
   std::string name;
   RunParts parts;
-  double max_seconds = 0;  ///< time budget of solve(), s; 0: none
+  std::optional<double> max_seconds;  ///< time budget of solve(), s
   RunSeconds seconds;
   std::shared_ptr<const RunOrigin> origin;  ///< what was read, for the files of results
 };
