@@ -9,7 +9,8 @@
 namespace leastcost {
 
 /// Forward-mode dual number with N derivatives: value + sum_k d[k] e_k, e_j e_k = 0. Nested, Dual<Dual<double, N>, N>,
-/// it carries Hessians. Comparison looks at the value only, so branches of a cost work as they stand.
+/// it carries Hessians. Comparison looks at the value only, so branches of a cost work as they stand. What an author of
+/// a cost has to know about them: docs/extend.md.
 template <class S, int N>
 struct Dual {
   S value{};
@@ -72,11 +73,14 @@ bool is_constant(const Dual<S, N>& x) {
   return is_constant(x.value);
 }
 
-/// f(x) from f and f' at x.value.
+/// f(x) from f and f' at x.value. A function of a constant is a constant, also where f' is infinite: the root of 0, the
+/// logarithm of 0, the arc cosine of 1. (0 times infinity would make its derivatives NaN: a bead at rest at a fixed
+/// end.)
 template <class S, int N>
 Dual<S, N> compose(const Dual<S, N>& x, const S& f, const S& df) {
   Dual<S, N> r;
   r.value = f;
+  if (!std::isfinite(innermost(df)) && is_constant(x)) return r;
   for (int k = 0; k < N; ++k) r.d[k] = df * x.d[k];
   return r;
 }
@@ -84,8 +88,6 @@ Dual<S, N> compose(const Dual<S, N>& x, const S& f, const S& df) {
 template <class S, int N>
 Dual<S, N> sqrt(const Dual<S, N>& x) {
   using std::sqrt;
-  // The root of a constant 0 is the constant 0; 0 * infinity would make it NaN (a bead at rest at a fixed end).
-  if (innermost(x) == 0 && is_constant(x)) return Dual<S, N>(0.0);
   const S root = sqrt(x.value);
   return compose(x, root, S(0.5) / root);
 }
@@ -153,11 +155,13 @@ Dual<S, N> acos(const Dual<S, N>& x) {
   return compose(x, S(acos(x.value)), S(-1.0) / S(sqrt((S(1.0) - x.value) * (S(1.0) + x.value))));
 }
 
-/// f(x, y) from f and its partial derivatives at the values.
+/// f(x, y) from f and its partial derivatives at the values. Constant arguments as in one variable.
 template <class S, int N>
 Dual<S, N> compose(const Dual<S, N>& x, const Dual<S, N>& y, const S& f, const S& fx, const S& fy) {
   Dual<S, N> r;
   r.value = f;
+  if (!std::isfinite(innermost(fx)) && is_constant(x)) return compose(y, f, fy);
+  if (!std::isfinite(innermost(fy)) && is_constant(y)) return compose(x, f, fx);
   for (int k = 0; k < N; ++k) r.d[k] = fx * x.d[k] + fy * y.d[k];
   return r;
 }
@@ -171,14 +175,13 @@ Dual<S, N> atan2(const Dual<S, N>& y, const Dual<S, N>& x) {
 template <class S, int N>
 Dual<S, N> hypot(const Dual<S, N>& x, const Dual<S, N>& y) {
   using std::hypot;
-  if (innermost(x) == 0 && innermost(y) == 0 && is_constant(x) && is_constant(y)) return Dual<S, N>(0.0);
   const S h = hypot(x.value, y.value);
   return compose(x, y, h, S(x.value / h), S(y.value / h));
 }
 template <class S, int N>
 Dual<S, N> pow(const Dual<S, N>& x, double p) {
   using std::pow;
-  return compose(x, S(pow(x.value, p)), S(p) * S(pow(x.value, p - 1)));
+  return compose(x, S(pow(x.value, p)), p == 0 ? S(0.0) : S(S(p) * S(pow(x.value, p - 1))));
 }
 /// A constant exponent, also one that only happens to be a dual, leaves x free to be negative.
 template <class S, int N>

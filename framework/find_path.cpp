@@ -68,14 +68,15 @@ bool has_collapsed(const Result& result, const PostProcessed& processed) {
   return processed.collapsed || (result.solve.termination == Termination::collapsed && !processed.curve.straightness);
 }
 
-/// The best path of a solve in which the cost, or another part of the problem, threw. It is not asked again: nothing is
-/// measured about the path.
+/// The best path of a solve in which the cost, or another part of the problem, threw or contradicted itself. It is not
+/// asked again: nothing is measured about the path.
 Result unfinished(Result result, PathEnergy& energy) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   result.costs.setConstant(result.path.segment_count(), kUnknown);
   result.curve_costs = result.costs;
   result.curve = {energy.ambient(result.path).x, {}, kUnknown, {}};
-  result.certificate.failures.push_back({"exception", "while solving: " + result.solve.message});
+  result.certificate.failures.push_back(
+      {std::string(name(result.solve.termination)), "while solving: " + result.solve.message});
   result.notes = result.first.notes;
   return result;
 }
@@ -130,7 +131,8 @@ Result find_path(const Problem& problem, const Initializer& initializer, const S
       result.notes.emplace_back(
           "escape_saddle: a path on a polyhedron, or under H = s, has no index that could show a saddle");
   });
-  if (result.solve.termination == Termination::exception) return unfinished(std::move(result), energy);
+  if (result.solve.termination == Termination::exception || result.solve.termination == Termination::inconsistent)
+    return unfinished(std::move(result), energy);
 
   const ToCurve to_curve = [&](const CoordinatePath& chain) {
     PostProcessed processed = chain_as_curve(energy, chain);

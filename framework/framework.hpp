@@ -7,6 +7,8 @@
 /// reaches is public and installed; everything else in the folder is internal.
 
 #include <leastcost/framework/chain_model.hpp>
+#include <leastcost/framework/check_cost.hpp>
+#include <leastcost/framework/check_manifold.hpp>
 #include <leastcost/framework/family.hpp>
 #include <leastcost/framework/find_path.hpp>
 #include <leastcost/framework/has_constant_metric.hpp>

@@ -18,6 +18,9 @@ struct CostTraits {
   bool symmetric = true;      ///< c(a, b) = c(b, a)
   bool additive = false;      ///< c(a, b) = c(a, m) + c(m, b) for m on the segment: c is exact for a straight move
   bool below_curves = false;  ///< c(a, b) <= cost of every curve from a to b (chords)
+  /// q(x, x + v) = v' G v + o(|v|^2) with a metric G(x): q is twice differentiable at a = b. A Finsler cost, where c is
+  /// a norm without an inner product, has none. Methods that work with the metric (georce) refuse such a cost.
+  bool quadratic_at_rest = true;
 };
 
 enum class HessianKind { exact, gauss_newton };

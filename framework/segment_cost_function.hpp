@@ -10,8 +10,8 @@
 #include <memory>
 #include <utility>
 
+#include <leastcost/framework/segment_blocks.hpp>
 #include <leastcost/framework/segment_cost.hpp>
-#include <leastcost/framework/segment_derivatives.hpp>
 
 namespace leastcost {
 

@@ -3,14 +3,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 #include <array>
 #include <cmath>
 #include <concepts>
 #include <limits>
 
 #include <leastcost/framework/dual.hpp>
-#include <leastcost/framework/kernel.hpp>
 #include <leastcost/framework/segment_cost.hpp>
 
 namespace leastcost {
@@ -178,146 +176,6 @@ void squared_cost_hessian(const C& c, const SegmentEnds<C::dim>& e, Eigen::Ref<P
     detail::hessian_nested(c, e, h);
   if (e.a_fixed) h.topRows(d).setZero(), h.leftCols(d).setZero();
   if (e.b_fixed) h.bottomRows(d).setZero(), h.rightCols(d).setZero();
-}
-
-inline Jet2 evaluate(const Kernel& kernel, double q) {
-  Jet2 jet;
-  kernel.apply({&q, 1}, {&jet, 1});
-  return jet;
-}
-
-/// h += factor g g' over the stacked gradient (g.a; g.b).
-template <int D>
-void add_outer(double factor, const SegmentGradient<D>& g, Eigen::Ref<Points> h) {
-  const Index d = g.a.size();
-  h.topLeftCorner(d, d).noalias() += factor * g.a * g.a.transpose();
-  h.topRightCorner(d, d).noalias() += factor * g.a * g.b.transpose();
-  h.bottomLeftCorner(d, d).noalias() += factor * g.b * g.a.transpose();
-  h.bottomRightCorner(d, d).noalias() += factor * g.b * g.b.transpose();
-}
-
-/// Hessian of phi(q / s0^2): phi' d2q / s0^2 + phi'' dq dq' / s0^4.
-template <class C>
-void exact_block(const C& c, const SegmentEnds<C::dim>& e, const Kernel& kernel, double s0, Eigen::Ref<Points> h) {
-  SegmentGradient<C::dim> g;
-  const double scale = 1 / (s0 * s0);
-  const Jet2 phi = evaluate(kernel, scale * squared_cost_gradient(c, e, g));
-  squared_cost_hessian(c, e, h);
-  h *= phi.d1 * scale;
-  add_outer(phi.d2 * scale * scale, g, h);
-}
-
-/// A residual r of q, |r|^2 = q, and its Jacobian over (a, b), rows x 2d; columns of fixed ends are zero.
-template <int D>
-struct SegmentResidual {
-  static constexpr int kMost = D == Eigen::Dynamic ? kMaxDimension : D;
-  static constexpr int kWidth = D == Eigen::Dynamic ? Eigen::Dynamic : 2 * D;
-  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMost, 1> r;
-  Eigen::Matrix<double, Eigen::Dynamic, kWidth, 0, kMost, 2 * kMost> jacobian;
-};
-
-/// That of the cost itself.
-template <class C>
-void own_residual(const C& c, const SegmentEnds<C::dim>& e, SegmentResidual<C::dim>& out) {
-  constexpr int D = C::dim;
-  const Index d = e.a.size();
-  if constexpr (D != Eigen::Dynamic) {
-    using S = Dual<double, 2 * D>;
-    Point<S, D> a, b;
-    detail::seed<S, D>(e.a, e.a_fixed, 0, a);
-    detail::seed<S, D>(e.b, e.b_fixed, D, b);
-    const auto r = c.template residual<S>(a, b);
-    out.r.resize(r.size());
-    out.jacobian.resize(r.size(), 2 * D);
-    for (Index i = 0; i < r.size(); ++i) {
-      out.r[i] = r[i].value;
-      out.jacobian.row(i) = Eigen::Map<const Eigen::Matrix<double, 1, 2 * D>>(r[i].d.data());
-    }
-  } else {
-    using S = detail::Dual1;
-    Point<S, D> a = detail::constants<S, D>(e.a), b = detail::constants<S, D>(e.b);
-    out.r = c.template residual<double>(e.a, e.b);
-    out.jacobian.resize(out.r.size(), 2 * d);
-    for (Index k = 0; k < 2 * d; ++k) {
-      S& x = detail::variable<S, D>(a, b, k);
-      x.d[0] = detail::is_fixed(e, k) ? 0 : 1;
-      const auto r = c.template residual<S>(a, b);
-      for (Index i = 0; i < r.size(); ++i) out.jacobian(i, k) = r[i].d[0];
-      x.d[0] = 0;
-    }
-  }
-}
-
-/// r = (c / |b - a|) (b - a), for costs without a residual of their own. Zero, its Jacobian too, where the ends
-/// coincide.
-template <class C>
-void chord_residual(const C& c, const SegmentEnds<C::dim>& e, SegmentResidual<C::dim>& out) {
-  const Index d = e.a.size();
-  SegmentGradient<C::dim> g;
-  const double q = squared_cost_gradient(c, e, g), cost = std::sqrt(q), length = (e.b - e.a).norm();
-  out.r.setZero(d);
-  out.jacobian.setZero(d, 2 * d);
-  if (!(length > 0) || !(cost > 0)) return;
-  const Point<double, C::dim> direction = (e.b - e.a) / length;
-  out.r = cost * direction;
-  const auto add = [&](const auto& slope, double sign, auto columns) {
-    columns = direction * slope.transpose() / (2 * cost) - sign * cost / length * direction * direction.transpose();
-    columns.diagonal().array() += sign * cost / length;
-  };
-  if (!e.a_fixed) add(g.a, -1, out.jacobian.leftCols(d));
-  if (!e.b_fixed) add(g.b, 1, out.jacobian.rightCols(d));
-}
-
-template <class C>
-void squared_cost_residual(const C& c, const SegmentEnds<C::dim>& e, SegmentResidual<C::dim>& out) {
-  if constexpr (requires { c.template residual<double>(e.a, e.b); })
-    own_residual(c, e, out);
-  else
-    chord_residual(c, e, out);
-}
-
-/// Positive semidefinite stand-in for the exact block. With a residual r: 2 phi' J'J + phi'' dq dq', which is
-/// semidefinite for every convex increasing H because dq = 2 J'r and q = |r|^2. Without one: the exact block with its
-/// negative eigenvalues lifted to zero. phi'' stays a little above the value at which H = s loses its stiffness along
-/// the path.
-template <class C>
-void gauss_newton_block(const C& c, const SegmentEnds<C::dim>& e, const Kernel& kernel, double s0,
-                        Eigen::Ref<Points> h) {
-  constexpr double kLeastStiffness = 1e-3;
-  if constexpr (requires { c.template residual<double>(e.a, e.b); }) {
-    SegmentGradient<C::dim> g;
-    const double scale = 1 / (s0 * s0);
-    const double q = scale * squared_cost_gradient(c, e, g);
-    Jet2 phi = evaluate(kernel, q);
-    if (q > 0) phi.d2 = std::max(phi.d2, -(1 - kLeastStiffness) * phi.d1 / (2 * q));
-    SegmentResidual<C::dim> residual;
-    squared_cost_residual(c, e, residual);
-    h.noalias() = 2 * phi.d1 * scale * residual.jacobian.transpose() * residual.jacobian;
-    add_outer(phi.d2 * scale * scale, g, h);
-  } else {
-    exact_block(c, e, kernel, s0, h);
-    constexpr int M = C::dim == Eigen::Dynamic ? Eigen::Dynamic : 2 * C::dim;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, M, M>> eigen(h);
-    const double floor = 1e-9 * eigen.eigenvalues().cwiseAbs().maxCoeff();
-    h = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(floor).asDiagonal() * eigen.eigenvectors().transpose();
-    // A fixed end must stay decoupled although its eigenvalues were lifted.
-    const Index d = e.a.size();
-    if (e.a_fixed) h.topRows(d).setZero(), h.leftCols(d).setZero();
-    if (e.b_fixed) h.bottomRows(d).setZero(), h.rightCols(d).setZero();
-  }
-}
-
-/// sqrt(v' q_bb v / 2) at a = b = x, from one second-order directional dual; right where q is twice differentiable
-/// there.
-template <class C>
-double line_element_from_hessian(const C& c, const Point<double, C::dim>& x, const Point<double, C::dim>& v) {
-  using S = detail::Dual11;
-  Point<S, C::dim> a = detail::constants<S, C::dim>(x), b = a;
-  for (Index k = 0; k < x.size(); ++k) {
-    b[k].value.d[0] = v[k];
-    b[k].d[0].value = v[k];
-  }
-  return std::sqrt(c.template value<S>(a, b).d[0].d[0] / 2);
 }
 
 }  // namespace leastcost

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/framework/solver.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <sstream>
 
 #include <leastcost/framework/path_energy.hpp>
 
@@ -21,6 +23,7 @@ std::string_view name(Termination termination) {
     case Termination::non_finite: return "non_finite";
     case Termination::collapsed: return "collapsed";
     case Termination::exception: return "exception";
+    case Termination::inconsistent: return "inconsistent";
     case Termination::refused: return "refused";
     case Termination::cancelled: return "cancelled";
   }
@@ -45,6 +48,29 @@ bool no_worse(PathEnergy& energy, const CoordinatePath& path, const CoordinatePa
   } catch (...) {
     return false;
   }
+}
+
+bool claims_an_end(Termination t) {
+  return t == Termination::converged || t == Termination::fixed_point || t == Termination::round_off ||
+         t == Termination::line_search_failed;
+}
+
+/// Whether a solver was led to its end by a gradient of another function than the values are of (a cost whose
+/// value<double> and value<Dual> disagree). By an energy of its own: the counters are the solver's.
+void doubt(const PathEnergy& energy, const CoordinatePath& path, SolveReport& report) try {
+  constexpr double kSame = 1e-6;  // relative; rounding is far below, two functions are far above
+  if (!claims_an_end(report.termination)) return;
+  PathEnergy own(energy.problem(), energy.reference_cost());
+  Points gradient;
+  const double value = own.value(path), other = own.value_and_gradient(path, gradient);
+  if (!std::isfinite(value) || !std::isfinite(other)) return;
+  if (std::abs(value - other) <= kSame * std::max(std::abs(value), std::abs(other))) return;
+  std::ostringstream message;
+  message << "the cost contradicts itself: where its values give the energy " << value
+          << ", its gradients are those of " << other << "; check_cost() looks closer";
+  report.termination = Termination::inconsistent;
+  report.message = message.str();
+} catch (...) {  // what throws now did not while solving: the report stands
 }
 
 }  // namespace
@@ -73,7 +99,11 @@ SolveReport Solver::guarded(PathEnergy& energy, CoordinatePath& path, double& in
       return report;
     }
     initial = energy.value(path);
-    if (std::isfinite(initial)) return do_solve(energy, path, monitor);
+    if (std::isfinite(initial)) {
+      report = do_solve(energy, path, monitor);
+      doubt(energy, path, report);
+      return report;
+    }
     report.message = "the energy of the first path is not finite";
     return report;
   } catch (const std::exception& error) {

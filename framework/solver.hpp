@@ -28,7 +28,9 @@ enum class Termination {
   collapsed,   ///< the ring has shrunk to a point
   exception,   ///< a cost, kernel or manifold threw; the message is its own
   refused,     ///< the solver cannot work on this problem; the message says why
-  cancelled
+  cancelled,
+  /// The values of the cost and its gradient are of two functions; the message has both energies.
+  inconsistent
 };
 std::string_view name(Termination termination);
 

@@ -149,6 +149,8 @@ std::optional<std::string> Georce::cannot_solve(const PathEnergy& energy, const 
   const bool chart =
       problem.manifold->shape() == Shape::flat || dynamic_cast<const HasChart*>(problem.manifold.get()) != nullptr;
   if (!chart) return "georce works in a chart: a euclidean or a parametric manifold";
+  if (!problem.cost->traits().quadratic_at_rest)
+    return "georce needs a metric; this cost says that it has none (a Finsler cost)";
   PathEnergy own(problem, energy.reference_cost());
   Points metric;
   own.metrics(path, metric);

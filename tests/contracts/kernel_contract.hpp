@@ -6,9 +6,9 @@
 #include <limits>
 
 #include <leastcost/framework/kernel.hpp>
+#include "framework/observed_order.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/random.hpp"
-#include "tests/support/slopes.hpp"
 
 namespace leastcost::test {
 

@@ -161,6 +161,21 @@ TEST_CASE("dual numbers: the root of a constant 0 is a constant, that of a varia
   CHECK(is_constant(First(3.0)));
 }
 
+TEST_CASE("dual numbers: a function of a constant is a constant, also where its slope is infinite", "[framework]") {
+  using Outer = Dual<Dual<double, 2>, 2>;
+  const Outer zero(0.0), one(1.0);
+  for (const Outer& y : {sqrt(zero), pow(zero, 0.5), pow(zero, 1.5), pow(zero, 1.0), pow(zero, 2.0), acos(one),
+                         hypot(zero, zero), atan2(zero, one)}) {
+    CHECK(is_constant(y));
+    CHECK(innermost(y) == 0);
+  }
+  CHECK(is_constant(asin(one)));
+  CHECK((is_constant(log(zero)) && std::isinf(innermost(log(zero)))));
+  CHECK(pow(variable(0.0), 1.0).d[0].d[0] == 0);
+  CHECK(pow(variable(0.0), 2.0).d[0].d[0] == 2);
+  CHECK(std::isinf(sqrt(variable(0.0)).value.d[0]));
+}
+
 TEST_CASE("dual numbers: comparisons and Eigen", "[framework]") {
   CHECK((First(1.0) < First(2.0) && First(2.0) >= First(2.0) && First(2.0) == First(2.0) && First(1.0) != First(2.0)));
   First nan(std::nan(""));

@@ -7,8 +7,10 @@
 #include <numbers>
 #include <set>
 #include <thread>
+#include <type_traits>
 
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/segment_cost_function.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/sample_domains.hpp"
@@ -17,6 +19,18 @@ namespace leastcost::test {
 namespace {
 
 Problem cycloid() { return bead(Eigen::Vector2d(0, 0), Eigen::Vector2d(std::numbers::pi, -2)); }
+
+/// Its duals lost the place: a constant, so that every path seems stationary.
+struct TwoMinds {
+  static constexpr int dim = 2;
+  CostTraits traits() const { return {}; }
+  template <class S>
+  S value(const Point<S, 2>& a, const Point<S, 2>& b) const {
+    const double x = innermost(a[0]) + innermost(b[0]);
+    const S q = (b - a).squaredNorm() * (1 + x * x);
+    return std::is_same_v<S, double> ? q : S(3.0);
+  }
+};
 
 Result find_watched(const Problem& problem, const Monitor& monitor, int points = 32) {
   const Newton newton;
@@ -164,14 +178,29 @@ TEST_CASE("find_path: without a certificate nothing is certified", "[framework]"
   CHECK_FALSE(r.certificate.measured);
 }
 
+TEST_CASE("find_path: a cost whose values and gradients are of two functions does not converge", "[framework]") {
+  const Problem problem =
+      between(space(2), make_segment_cost(TwoMinds{}), Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 2));
+  const Newton newton;
+  const Lbfgs lbfgs;
+  for (const Solver* solver : {static_cast<const Solver*>(&newton), static_cast<const Solver*>(&lbfgs)}) {
+    const Result r = find_path(problem, StraightInitializer(), *solver, {.points = 8, .certifier = &newton});
+    CAPTURE(solver->name(), r.solve.message);
+    CHECK(r.solve.termination == Termination::inconsistent);
+    CHECK_THAT(r.solve.message, Catch::Contains("contradicts itself"));
+    CHECK(r.status == Status::uncertified);
+    CHECK(failed(r.certificate, "inconsistent"));
+  }
+}
+
 TEST_CASE("names of statuses, stages and terminations are distinct words", "[framework]") {
   std::set<std::string_view> names;
   for (int i = 0; i < 4; ++i) names.insert(name(static_cast<Status>(i)));
   for (int i = 0; i < 4; ++i) names.insert(name(static_cast<Stage>(i)));
   CHECK(names.size() == 8);
   names.clear();
-  for (int i = 0; i < 10; ++i) names.insert(name(static_cast<Termination>(i)));
-  CHECK((names.size() == 10 && names.count("unknown") == 0));
+  for (int i = 0; i < 13; ++i) names.insert(name(static_cast<Termination>(i)));
+  CHECK((names.size() == 13 && names.count("unknown") == 0));
 }
 
 }  // namespace leastcost::test

@@ -5,12 +5,12 @@
 #include <leastcost/framework/chain_model.hpp>
 #include <leastcost/framework/segment_cost_function.hpp>
 #include <leastcost/problems/manifolds/mesh.hpp>
+#include "framework/observed_order.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/sample_domains.hpp"
-#include "tests/support/slopes.hpp"
 
 namespace leastcost::test {
 namespace {

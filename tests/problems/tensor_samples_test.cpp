@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/observed_order.hpp"
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/random.hpp"
-#include "tests/support/slopes.hpp"
 
 namespace leastcost::test {
 namespace {

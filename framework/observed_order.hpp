@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
-namespace leastcost::test {
+namespace leastcost {
 
 /// Order at which error(h) falls when h is halved: the median of the last four slopes above the floor of rounding, or
 /// of the four before those (a change of sign can spoil one window). +infinity where the errors vanish: an exact
@@ -40,4 +41,4 @@ double observed_order(Error error, double first_step, double floor, int halvings
 /// What an order may fall short of by when it is measured over a few halvings.
 inline constexpr double kOrderSlack = 0.3;
 
-}  // namespace leastcost::test
+}  // namespace leastcost
