@@ -10,6 +10,7 @@
 # LINKS: of a static build, for pkg-config.
 # FINDS: packages that a consumer has to find as well, the private ones of a static build included.
 include(GNUInstallDirs)
+include(${CMAKE_CURRENT_LIST_DIR}/leastcost_unity.cmake)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 
 # <leastcost/...> in the tree, as it will be installed: <leastcost/framework/path.hpp> is framework/path.hpp.
@@ -78,6 +79,7 @@ function(leastcost_library name)
     LEASTCOST_NEEDS "${arg_NEEDS}"
     LEASTCOST_FINDS "${arg_FINDS}")
   leastcost_warnings(${target})
+  leastcost_unity(${target})
   # One precompiled header for all: parsing Eigen is a third of the compile time. CI also compiles without it.
   if(name STREQUAL "framework")
     target_precompile_headers(${target} PRIVATE

@@ -13,8 +13,8 @@
 namespace leastcost {
 namespace {
 
-constexpr double kArmijo = 1e-4;
-constexpr int kMaxHalvings = 60;
+constexpr double kDescentArmijo = 1e-4;
+constexpr int kDescentHalvings = 60;
 
 class Descent {
  public:
@@ -54,9 +54,9 @@ class Descent {
   bool search() {
     const double slope = model_.tangent.squaredNorm(), slack = rounding_slack(model_.value, path_.segment_count());
     double t = 2 * step_;
-    for (int i = 0; i < kMaxHalvings; ++i, t /= 2) {
+    for (int i = 0; i < kDescentHalvings; ++i, t /= 2) {
       energy_.retract(path_, steps(t), trial_);
-      if (!(energy_.value(trial_) < model_.value - kArmijo * t * slope + slack)) continue;
+      if (!(energy_.value(trial_) < model_.value - kDescentArmijo * t * slope + slack)) continue;
       if (!next_.evaluate(energy_, trial_)) continue;
       largest_move_ = move_.colwise().norm().maxCoeff();
       stalled_ = next_.value < model_.value ? 0 : stalled_ + 1;  // rounding cannot be told from progress for ever

@@ -18,7 +18,7 @@
 namespace leastcost {
 namespace {
 
-constexpr double kArmijo = 1e-4;
+constexpr double kLbfgsArmijo = 1e-4;
 constexpr double kCurvature = 0.9;
 constexpr int kMaxTrials = 40;
 constexpr int kMaxKinkedTrials = 6;  ///< bisection cannot find a slope that a kink leaves out
@@ -115,7 +115,7 @@ class LbfgsSolve {
       trial_step_ = t * step_;
       energy_.retract(path_, trial_step_, trial_);
       const bool finite = next_.evaluate(energy_, trial_);
-      if (!finite || next_.value > model_.value + kArmijo * t * slope_ + slack) {
+      if (!finite || next_.value > model_.value + kLbfgsArmijo * t * slope_ + slack) {
         high = t;
       } else {
         const double slope = slope_at_trial();

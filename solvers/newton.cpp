@@ -14,8 +14,8 @@
 namespace leastcost {
 namespace {
 
-constexpr double kArmijo = 1e-4;
-constexpr int kMaxHalvings = 40;
+constexpr double kNewtonArmijo = 1e-4;
+constexpr int kNewtonHalvings = 40;
 
 class NewtonSolve {
  public:
@@ -58,11 +58,11 @@ class NewtonSolve {
   bool search() {
     const double slope = -model_.decrement, slack = rounding_slack(model_.value, path_.segment_count());
     double t = 1;
-    for (int i = 0; i < kMaxHalvings; ++i, t /= 2) {
+    for (int i = 0; i < kNewtonHalvings; ++i, t /= 2) {
       trial_step_ = t * model_.moves;
       energy_.retract(path_, trial_step_, trial_);
       const double value = energy_.value(trial_);
-      if (!(value <= model_.value + kArmijo * t * slope + slack)) continue;
+      if (!(value <= model_.value + kNewtonArmijo * t * slope + slack)) continue;
       if (!next_.evaluate(energy_, trial_)) continue;
       next_.solve(energy_, trial_, HessianKind::exact);
       accept(t == 1);

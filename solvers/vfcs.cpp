@@ -15,8 +15,8 @@
 namespace leastcost {
 namespace {
 
-constexpr double kArmijo = 1e-4;
-constexpr int kMaxHalvings = 40;
+constexpr double kVfcsArmijo = 1e-4;
+constexpr int kVfcsHalvings = 40;
 
 /// Numbers in comments are the lines of Algorithm 1.
 class Algorithm1 {
@@ -70,11 +70,11 @@ class Algorithm1 {
     move_ = direction_.reshaped(gradient_.rows(), gradient_.cols());
     double t = 1;
     if (history_.empty()) t = kFirstMove * mean_segment(path_) / move_.colwise().norm().maxCoeff();
-    for (int i = 0; i < kMaxHalvings; ++i, t /= 2) {
+    for (int i = 0; i < kVfcsHalvings; ++i, t /= 2) {
       trial_move_ = t * move_;
       energy_.retract(path_, trial_move_, trial_);
       const double value = energy_.value(trial_);
-      if (!(value <= value_ + kArmijo * t * slope + rounding_slack(value_, path_.segment_count()))) continue;
+      if (!(value <= value_ + kVfcsArmijo * t * slope + rounding_slack(value_, path_.segment_count()))) continue;
       double next_value = 0;
       if (!evaluate(trial_, next_value, next_gradient_)) continue;
       const Index first = path_.free_begin(), n = path_.free_count();

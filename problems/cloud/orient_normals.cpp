@@ -12,8 +12,8 @@
 namespace leastcost {
 namespace {
 
-using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
-                                    boost::property<boost::edge_weight_t, double>>;
+using WeightedGraph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
+                                            boost::property<boost::edge_weight_t, double>>;
 using TreeLinks = std::vector<std::vector<std::int32_t>>;
 
 TreeLinks spanning_tree(const std::vector<std::pair<std::int32_t, std::int32_t>>& edges,
@@ -22,8 +22,8 @@ TreeLinks spanning_tree(const std::vector<std::pair<std::int32_t, std::int32_t>>
   weights.reserve(edges.size());
   for (const auto& [a, b] : edges)
     weights.push_back(1 - std::abs(normals[static_cast<std::size_t>(a)].dot(normals[static_cast<std::size_t>(b)])));
-  const Graph graph(edges.begin(), edges.end(), weights.begin(), normals.size());
-  std::vector<boost::graph_traits<Graph>::edge_descriptor> chosen;
+  const WeightedGraph graph(edges.begin(), edges.end(), weights.begin(), normals.size());
+  std::vector<boost::graph_traits<WeightedGraph>::edge_descriptor> chosen;
   boost::kruskal_minimum_spanning_tree(graph, std::back_inserter(chosen));
   TreeLinks links(normals.size());
   for (const auto& edge : chosen) {

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "problems/straighten/funnel.hpp"
 
+#include "problems/straighten/plane_vectors.hpp"
+
 namespace leastcost {
-namespace {
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-}  // namespace
+namespace {}  // namespace
 
 void Funnel::add(Chain& own, Chain& other, double side, const Touch& p) {
   // The left chain turns left everywhere; what p makes turn right is no longer part of it.

@@ -8,13 +8,12 @@
 #include <utility>
 
 #include "problems/mesh/surface_walk.hpp"
+#include "problems/straighten/plane_vectors.hpp"
 
 namespace leastcost {
 namespace {
 
 constexpr double kTurn = 1e-10;  // radians; the certificate asks for 1e-9
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// From direction a to direction b, left positive.
 double angle_from(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return std::atan2(cross(a, b), a.dot(b)); }

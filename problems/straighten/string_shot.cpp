@@ -7,13 +7,12 @@
 #include <array>
 
 #include "problems/mesh/surface_walk.hpp"
+#include "problems/straighten/plane_vectors.hpp"
 
 namespace leastcost {
 namespace {
 
 constexpr double kWorstMiss = 0.25;  // of the distance flown: beyond, the walk to the end would undo the gain
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 std::int32_t halfedge_between(const TriangleMesh& mesh, std::int32_t face, std::int32_t v, std::int32_t w) {
   for (std::int32_t h = 3 * face; h < 3 * face + 2; ++h)

@@ -11,14 +11,13 @@
 #include <utility>
 
 #include <leastcost/framework/errors.hpp>
+#include "problems/straighten/plane_vectors.hpp"
 
 namespace leastcost {
 namespace {
 
 constexpr double kSamePoint = 1e-14;   // diameters: nearer to a vertex or edge is on it
 constexpr double kLooseVertex = 1e-9;  // diameters: a path through a vertex that is nowhere an edge
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// The metric's longest unit: how much A can stretch a length.
 double stretch(const MetricRoot& metric) { return metric ? metric->norm() : 1.0; }
