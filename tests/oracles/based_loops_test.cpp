@@ -15,12 +15,11 @@
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/pi.hpp"
 #include "tests/support/straightened.hpp"
 
 namespace leastcost::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 std::shared_ptr<const ParametricManifold> chart(const char* type) {
   ParametricOptions options;

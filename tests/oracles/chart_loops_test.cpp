@@ -7,11 +7,10 @@
 #include <leastcost/problems/manifolds/parametric.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/pi.hpp"
 
 namespace leastcost::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 Result loop(const char* surface, int coordinate, const Eigen::Vector2d& through, int n) {
   ParametricOptions options;

@@ -5,15 +5,14 @@
 #include <leastcost/problems/manifolds/parametric.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/pi.hpp"
 
 // docs/oracles.md D1 and D2 in charts. The reported value is that of a cubic curve through the points on the surface,
 // order 4 in the step: at these n at most 1e-8 (relative), where the chain alone has 1e-5.
 namespace leastcost::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi, kDegree = kPi / 180;
-
-struct Row {
+struct SurfaceRow {
   const char* name;
   ParametricOptions surface;
   Eigen::Vector2d source, target;
@@ -26,7 +25,7 @@ ParametricOptions named(const char* type) {
   return o;
 }
 
-std::vector<Row> rows() {
+std::vector<SurfaceRow> rows() {
   ParametricOptions wgs84 = named("ellipsoid"), oblate = named("ellipsoid"), prolate = named("ellipsoid");
   const double f = 1 / 298.257223563, a = 6378137;
   wgs84.axes = Eigen::Vector3d(a, a, a * (1 - f));
@@ -64,7 +63,7 @@ std::vector<Row> rows() {
 
 TEST_CASE("oracles D1: geodesics in charts", "[oracle]") {
   const auto all = rows();
-  const Row& row = all[GENERATE_COPY(range(std::size_t{0}, all.size()))];
+  const SurfaceRow& row = all[GENERATE_COPY(range(std::size_t{0}, all.size()))];
   CAPTURE(row.name);
   const Problem problem =
       between(make_parametric_manifold(row.surface), make_euclidean_cost(3), row.source, row.target);

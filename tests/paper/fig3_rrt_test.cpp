@@ -9,11 +9,11 @@
 #include "problems/level_set/named_surfaces.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/pi.hpp"
 
 namespace leastcost::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr int kSeeds = 12;
 
 std::shared_ptr<const LevelSet> surface(const char* name) {
