@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include <leastcost/eigen_alignment.hpp>
+
 namespace leastcost {
 
 /// What a reader of the reference page needs to know about one option.

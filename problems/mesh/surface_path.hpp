@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <leastcost/eigen_alignment.hpp>
+
 namespace leastcost {
 
 /// A polyline that lies on a triangle mesh: segment i runs from points[i] to points[i + 1] inside faces[i], so
