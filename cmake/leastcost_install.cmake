@@ -1,5 +1,8 @@
 # install, export, pkg-config, .deb. One export set per component, so that find_package(leastcost COMPONENTS framework)
 # asks for what the framework needs and for nothing else.
+#
+# Components of the installation: `program`, `libraries` (shared) and `development` (headers, archives, links); back ends
+# and catalogue have `<name>_libraries` and `<name>_development` of their own.
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/leastcost)
@@ -24,26 +27,45 @@ while(public)
   list(REMOVE_DUPLICATES includes)
   list(APPEND public ${includes})
 endwhile()
+set(apart nlopt ceres catalogue)  # components with packages of their own
+function(leastcost_part result component kind)
+  set(${result} ${kind} PARENT_SCOPE)
+  if(component IN_LIST apart)
+    set(${result} ${component}_${kind} PARENT_SCOPE)
+  endif()
+endfunction()
+
 foreach(header IN LISTS reached)
+  cmake_path(GET header PARENT_PATH component)
+  string(REGEX REPLACE "^${LEASTCOST_INCLUDE_DIR}/leastcost/(solvers/)?([^/]*).*$" "\\2" component ${component})
+  leastcost_part(development "${component}" development)
   file(RELATIVE_PATH place ${LEASTCOST_INCLUDE_DIR} ${header})
   get_filename_component(place ${place} DIRECTORY)
   file(REAL_PATH ${header} header)
-  install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${place} COMPONENT development)
+  install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${place} COMPONENT ${development})
 endforeach()
 
 foreach(component IN LISTS components)
   set(target leastcost_${component})
+  leastcost_part(libraries ${component} libraries)
+  leastcost_part(development ${component} development)
   install(TARGETS ${target} EXPORT leastcost-${component}
-    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime
-    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime NAMELINK_COMPONENT development
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${libraries}
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${libraries} NAMELINK_COMPONENT ${development}
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${development})
   install(EXPORT leastcost-${component} NAMESPACE leastcost:: FILE leastcost-${component}-targets.cmake
-    DESTINATION ${package_dir} COMPONENT development)
+    DESTINATION ${package_dir} COMPONENT ${development})
 
   # leastcost-problems.cmake: first what it needs, then its targets.
   get_target_property(needs ${target} LEASTCOST_NEEDS)
   get_target_property(finds ${target} LEASTCOST_FINDS)
   get_target_property(links ${target} LEASTCOST_LINKS)
+  set(private_links "")
+  if(BUILD_SHARED_LIBS)  # the library itself knows what it needs
+    set(finds "")
+    set(private_links "${links}")
+    set(links "")
+  endif()
   set(lines "")
   set(requires "eigen3 >= 3.4")
   foreach(need IN LISTS needs)
@@ -56,9 +78,9 @@ foreach(component IN LISTS components)
   string(APPEND lines "include(\${CMAKE_CURRENT_LIST_DIR}/leastcost-${component}-targets.cmake)\n")
   file(CONFIGURE OUTPUT ${generated}/leastcost-${component}.cmake CONTENT "include_guard()\n${lines}" @ONLY)
   configure_file(${PROJECT_SOURCE_DIR}/cmake/leastcost.pc.in ${generated}/leastcost-${component}.pc @ONLY)
-  install(FILES ${generated}/leastcost-${component}.cmake DESTINATION ${package_dir} COMPONENT development)
+  install(FILES ${generated}/leastcost-${component}.cmake DESTINATION ${package_dir} COMPONENT ${development})
   install(FILES ${generated}/leastcost-${component}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
-    COMPONENT development)
+    COMPONENT ${development})
 endforeach()
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/leastcostConfig.cmake.in ${generated}/leastcostConfig.cmake
@@ -67,32 +89,11 @@ write_basic_package_version_file(${generated}/leastcostConfigVersion.cmake COMPA
 install(FILES ${generated}/leastcostConfig.cmake ${generated}/leastcostConfigVersion.cmake
   DESTINATION ${package_dir} COMPONENT development)
 if(TARGET leastcost)
-  install(TARGETS leastcost RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
+  install(TARGETS leastcost RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 endif()
-foreach(notice IN ITEMS LICENSE LICENSES.md)
-  install(FILES ${PROJECT_SOURCE_DIR}/${notice} DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
-endforeach()
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/LICENSES.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
+  COMPONENT notices)
 
 if(PROJECT_IS_TOP_LEVEL)
-  set(CPACK_GENERATOR DEB)
-  set(CPACK_PACKAGE_CONTACT "The leastcost authors <leastcost@invalid>")
-  set(CPACK_PACKAGE_VENDOR "The leastcost authors")
-  set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
-  set(CPACK_COMPONENTS_ALL runtime development)
-  set(CPACK_DEB_COMPONENT_INSTALL ON)
-  set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-  set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME leastcost)
-  set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION math)
-  set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libleastcost-dev)
-  set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-  set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4)")
-  if(BUILD_SHARED_LIBS)
-    string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", leastcost (= ${PROJECT_VERSION})")
-  endif()
-  find_program(dpkg_shlibdeps dpkg-shlibdeps)
-  mark_as_advanced(dpkg_shlibdeps)
-  if(dpkg_shlibdeps)
-    set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
-  endif()
-  include(CPack)
+  include(${CMAKE_CURRENT_LIST_DIR}/leastcost_packages.cmake)
 endif()

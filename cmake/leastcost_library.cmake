@@ -10,6 +10,9 @@
 # LINKS: of a static build, for pkg-config.
 # FINDS: packages that a consumer has to find as well, the private ones of a static build included.
 include(GNUInstallDirs)
+include(${CMAKE_CURRENT_LIST_DIR}/leastcost_alignment.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/leastcost_objects.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/leastcost_unity.cmake)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 
 # <leastcost/...> in the tree, as it will be installed: <leastcost/framework/path.hpp> is framework/path.hpp.
@@ -18,7 +21,8 @@ file(MAKE_DIRECTORY ${LEASTCOST_INCLUDE_DIR}/leastcost)
 foreach(folder IN ITEMS framework problems solvers catalogue)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${LEASTCOST_INCLUDE_DIR}/leastcost/${folder} SYMBOLIC)
 endforeach()
-foreach(header IN ITEMS leastcost.hpp version.hpp)
+leastcost_alignment()
+foreach(header IN ITEMS leastcost.hpp version.hpp eigen_alignment.hpp)
   configure_file(${PROJECT_SOURCE_DIR}/cmake/${header}.in ${LEASTCOST_INCLUDE_DIR}/leastcost/${header} @ONLY)
 endforeach()
 
@@ -47,7 +51,9 @@ function(leastcost_library name)
   if(NOT arg_PUBLIC)
     set(arg_PUBLIC ${name}.hpp)
   endif()
+  leastcost_sources(sources ${sources})
   add_library(${target} ${sources})
+  leastcost_link_objects(${target})  # before what they need: some linkers drop libraries that nothing before them needs
   add_library(leastcost::${name} ALIAS ${target})
 
   target_compile_features(${target} PUBLIC cxx_std_20)
@@ -58,9 +64,6 @@ function(leastcost_library name)
   foreach(need IN LISTS arg_NEEDS)
     target_link_libraries(${target} PUBLIC leastcost::${need})
   endforeach()
-  # Eigen aligns to the widest vector the compiler may use. A consumer built with -mavx would then disagree with our
-  # library about where a heap block begins: fix the alignment for both. It is what x86-64 and ARM64 have by default.
-  target_compile_definitions(${target} PUBLIC EIGEN_MAX_ALIGN_BYTES=16)
   if(BUILD_SHARED_LIBS AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
     target_link_options(${target} PRIVATE LINKER:--no-undefined)  # a layer that calls upwards must not link
   endif()
@@ -71,13 +74,14 @@ function(leastcost_library name)
     DEFINE_SYMBOL ""
     POSITION_INDEPENDENT_CODE ON
     VERSION ${PROJECT_VERSION}
-    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+    SOVERSION ${PROJECT_VERSION_MAJOR}
     INSTALL_RPATH "$ORIGIN"
     LEASTCOST_PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/${arg_PUBLIC}"
     LEASTCOST_LINKS "${arg_LINKS}"
     LEASTCOST_NEEDS "${arg_NEEDS}"
     LEASTCOST_FINDS "${arg_FINDS}")
   leastcost_warnings(${target})
+  leastcost_unity(${target})
   # One precompiled header for all: parsing Eigen is a third of the compile time. CI also compiles without it.
   if(name STREQUAL "framework")
     target_precompile_headers(${target} PRIVATE
@@ -86,4 +90,5 @@ function(leastcost_library name)
     target_precompile_headers(${target} REUSE_FROM leastcost_framework)
   endif()
   set_property(GLOBAL APPEND PROPERTY LEASTCOST_COMPONENTS ${name})
+  set_property(GLOBAL APPEND PROPERTY LEASTCOST_COMPONENT_FOLDERS ${CMAKE_CURRENT_BINARY_DIR})
 endfunction()

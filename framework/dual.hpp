@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include <leastcost/eigen_alignment.hpp>
+
 namespace leastcost {
 
 /// Forward-mode dual number with N derivatives: value + sum_k d[k] e_k, e_j e_k = 0. Nested, Dual<Dual<double, N>, N>,

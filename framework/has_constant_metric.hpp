@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <leastcost/eigen_alignment.hpp>
+
 namespace leastcost {
 
 /// Ability of a cost: it is the length under a constant metric tensor M of the ambient space (the identity for the

@@ -18,6 +18,8 @@
 #include <variant>
 #include <vector>
 
+#include <leastcost/eigen_alignment.hpp>
+
 namespace leastcost {
 
 /// What a reader of the reference page needs to know about one option.

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include <leastcost/eigen_alignment.hpp>
+
 namespace leastcost {
 
 using Eigen::Index;

@@ -14,8 +14,8 @@
 namespace leastcost {
 namespace {
 
-constexpr double kDifference = 1e-6;  ///< of the extent of the path, for the derivative of the metric
-constexpr int kMaxHalvings = 30;
+constexpr double kMetricDifference = 1e-6;  ///< of the extent of the path, for the derivative of the metric
+constexpr int kGeorceHalvings = 30;
 
 /// Notation of the paper: x_t points, u_t moves, G_t metrics at the starts of the moves, mu and nu_t multipliers.
 class GeorceSolve {
@@ -64,7 +64,7 @@ class GeorceSolve {
 
   /// nu_t = d/dy [u_t' G(y) u_t] at x_t, one coordinate at a time, all points at once.
   void differentiate_metric() {
-    const double h = kDifference * (path_.u.rowwise().maxCoeff() - path_.u.rowwise().minCoeff()).norm();
+    const double h = kMetricDifference * (path_.u.rowwise().maxCoeff() - path_.u.rowwise().minCoeff()).norm();
     nu_.resize(d_, moves_);
     CoordinatePath shifted = path_;
     for (Index k = 0; k < d_; ++k) {
@@ -106,7 +106,7 @@ class GeorceSolve {
   /// The convex combination of old and proposed moves that lowers the energy.
   bool backtrack() {
     double part = 1;
-    for (int i = 0; i < kMaxHalvings; ++i, part /= 2) {
+    for (int i = 0; i < kGeorceHalvings; ++i, part /= 2) {
       Points step(d_, moves_ - 1);
       Eigen::VectorXd x = path_.u.col(0);
       for (Index t = 0; t + 1 < moves_; ++t) {

@@ -13,7 +13,7 @@
 namespace leastcost {
 namespace {
 
-constexpr int kMaxHalvings = 60;
+constexpr int kDescentHalvings = 60;
 
 class Descent {
  public:
@@ -53,7 +53,7 @@ class Descent {
   bool search() {
     const double slope = model_.tangent.squaredNorm(), slack = rounding_slack(model_.value, path_.segment_count());
     double t = 2 * step_;
-    for (int i = 0; i < kMaxHalvings; ++i, t /= 2) {
+    for (int i = 0; i < kDescentHalvings; ++i, t /= 2) {
       energy_.retract(path_, steps(t), trial_);
       if (!(energy_.value(trial_) < model_.value - kArmijo * t * slope + slack)) continue;
       if (!next_.evaluate(energy_, trial_)) continue;

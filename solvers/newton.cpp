@@ -14,7 +14,7 @@
 namespace leastcost {
 namespace {
 
-constexpr int kMaxHalvings = 40;
+constexpr int kNewtonHalvings = 40;
 
 class NewtonSolve {
  public:
@@ -57,7 +57,7 @@ class NewtonSolve {
   bool search() {
     const double slope = -model_.decrement, slack = rounding_slack(model_.value, path_.segment_count());
     double t = 1;
-    for (int i = 0; i < kMaxHalvings; ++i, t /= 2) {
+    for (int i = 0; i < kNewtonHalvings; ++i, t /= 2) {
       trial_step_ = t * model_.moves;
       energy_.retract(path_, trial_step_, trial_);
       const double value = energy_.value(trial_);

@@ -15,7 +15,7 @@
 namespace leastcost {
 namespace {
 
-constexpr int kMaxHalvings = 40;
+constexpr int kVfcsHalvings = 40;
 
 /// Numbers in comments are the lines of Algorithm 1.
 class Algorithm1 {
@@ -69,7 +69,7 @@ class Algorithm1 {
     move_ = direction_.reshaped(gradient_.rows(), gradient_.cols());
     double t = 1;
     if (history_.empty()) t = kFirstMove * mean_segment(path_) / move_.colwise().norm().maxCoeff();
-    for (int i = 0; i < kMaxHalvings; ++i, t /= 2) {
+    for (int i = 0; i < kVfcsHalvings; ++i, t /= 2) {
       trial_move_ = t * move_;
       energy_.retract(path_, trial_move_, trial_);
       const double value = energy_.value(trial_);

@@ -9,7 +9,7 @@
 namespace leastcost::app {
 namespace {
 
-constexpr std::chrono::seconds kSilentStart{1}, kLineInterval{30};
+constexpr std::chrono::seconds kSilentStudy{1}, kStudyLineInterval{30};
 
 std::string words(const RunRow& row) {
   const std::string points = row.points ? fmt::format(", {} points", *row.points) : "";
@@ -33,9 +33,9 @@ void StudyProgressPrinter::show(const StudyProgress& progress) {
     line_shown_ = true;
     return;
   }
-  if (now - start_ < kSilentStart) return;
+  if (now - start_ < kSilentStudy) return;
   const std::size_t tenth = 10 * progress.finished / progress.total;
-  if (tenth == last_tenth_ && now - last_shown_ < kLineInterval) return;
+  if (tenth == last_tenth_ && now - last_shown_ < kStudyLineInterval) return;
   last_tenth_ = tenth;
   last_shown_ = now;
   streams_.err << line << '\n' << std::flush;

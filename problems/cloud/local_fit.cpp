@@ -14,7 +14,7 @@ namespace {
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-constexpr int kRounds = 3;
+constexpr int kFitRounds = 3;
 constexpr int kRoundsFromNormal = 2;
 constexpr double kApart = 0.125;  // of the radius
 constexpr int kFewestForPlane = 5;
@@ -143,7 +143,7 @@ LocalFit fit_locally(const std::vector<Eigen::Vector3d>& offsets, double radius)
   if (normal.isZero(0)) normal = principal_normal(offsets, radius);
   if (normal.isZero(0)) return result;
   HeightField field(offsets, radius);
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kFitRounds; ++round) {
     if (!field.fit(normal)) return result;
     normal = field.surface_normal();
     result.scale = field.reweight();

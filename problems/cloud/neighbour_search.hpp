@@ -7,6 +7,8 @@
 #include <memory>
 #include <vector>
 
+#include <leastcost/eigen_alignment.hpp>
+
 namespace leastcost {
 
 /// A point of the set and its squared distance from the query.

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <leastcost/eigen_alignment.hpp>
+
 namespace leastcost {
 
 /// Points sampled from a surface, as a reader hands them over: finite, no two equal.

@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <string>
 
+#include <leastcost/eigen_alignment.hpp>
+
 namespace leastcost {
 
 /// The nodes of a regular grid: node (i, j, k) lies at origin + cell (i, j, k), x runs fastest in memory.

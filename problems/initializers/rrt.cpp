@@ -20,7 +20,7 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr int kPieces = 2;           ///< of an edge, before it is bisected
+constexpr int kEdgePieces = 2;       ///< of an edge, before it is bisected
 constexpr double kLongest = 1.5;     ///< a projected piece may be so much longer than the piece
 constexpr int kSamplesPerNode = 20;  ///< samples that may fail for each node that is allowed
 
@@ -150,8 +150,8 @@ class Tree {
   /// continuous one or its cost is infinite.
   bool line(const Vector& a, const Vector& b, std::vector<Vector>& out) {
     const double distance = (b - a).norm();
-    const int pieces = std::max(1, static_cast<int>(std::ceil(kPieces * distance / step_)));
-    if (!lines_.append(a, b, pieces, kLongest * step_ / kPieces, out)) return false;
+    const int pieces = std::max(1, static_cast<int>(std::ceil(kEdgePieces * distance / step_)));
+    if (!lines_.append(a, b, pieces, kLongest * step_ / kEdgePieces, out)) return false;
     const Vector* from = &a;
     for (const Vector& to : out) {
       if (!std::isfinite(move_cost(*problem_.cost, *from, to))) return false;

@@ -17,7 +17,7 @@
 namespace leastcost {
 namespace {
 
-constexpr double kPi = std::numbers::pi, kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kPi = std::numbers::pi, kUnbounded = std::numeric_limits<double>::infinity();
 
 /// (x, y, z)(u, v) from three formulas.
 struct FormulaChart {
@@ -35,7 +35,7 @@ struct Parts {
   std::shared_ptr<const ChartMap> map;
   std::vector<Seam> seams = {};
   std::vector<SeamMap> poles = {};
-  double v_least = -kInfinity, v_most = kInfinity;  ///< edges of the chart in v
+  double v_least = -kUnbounded, v_most = kUnbounded;  ///< edges of the chart in v
 };
 
 const Seam kAround = {0, 2 * kPi, {}};
@@ -136,7 +136,7 @@ Parts parts_of(const parametric::Enneper&) { return {make_chart_map(chart::Ennep
 /// The chart's own edges, and what the options add to them.
 Box box_of(const ParametricOptions& o, const Parts& parts) {
   Box given(2, o.box);
-  const bool edges = parts.v_least > -kInfinity || parts.v_most < kInfinity;
+  const bool edges = parts.v_least > -kUnbounded || parts.v_most < kUnbounded;
   if (!edges) return given;
   Eigen::VectorXd lower = given.lower(), upper = given.upper();
   lower[1] = std::max(lower[1], parts.v_least);

@@ -27,7 +27,7 @@ bool unfolded_crossing(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const
   return t > 0 && t < 1;
 }
 
-std::int32_t face_with(const TriangleMesh& mesh, std::int32_t a, std::int32_t b) {
+std::int32_t face_along(const TriangleMesh& mesh, std::int32_t a, std::int32_t b) {
   for (const std::int32_t f : mesh.faces_of_vertex(a)) {
     const std::array<std::int32_t, 3>& c = mesh.face(f);
     if (std::find(c.begin(), c.end(), b) != c.end()) return f;
@@ -131,7 +131,7 @@ void EdgeQuery::append_move(std::int32_t from, std::int32_t to, SurfacePath& pat
   };
   if (!is_vertex(from)) return add(b, source_point_.face);
   if (!is_vertex(to)) return add(b, target_point_.face);
-  const std::int32_t face = face_with(*mesh_, from, to);
+  const std::int32_t face = face_along(*mesh_, from, to);
   double best = face >= 0 ? (*cost_)(a, b) : kInfinity;
   Diagonal chosen;
   if (options_->diagonals) {

@@ -15,7 +15,7 @@
 namespace leastcost {
 namespace {
 
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+std::size_t index_of(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 template <class Item>
 void count_and_name(std::int32_t& count, std::vector<Item>& named, const Item& item) {
@@ -60,9 +60,11 @@ class Inspector {
 
  private:
   MeshReport::Component& component_of_face(std::int32_t f) {
-    return report_.components[at(mesh_.component(mesh_.face(f)[0]))];
+    return report_.components[index_of(mesh_.component(mesh_.face(f)[0]))];
   }
-  MeshReport::Component& component_of_vertex(std::int32_t v) { return report_.components[at(mesh_.component(v))]; }
+  MeshReport::Component& component_of_vertex(std::int32_t v) {
+    return report_.components[index_of(mesh_.component(v))];
+  }
 
   void count_elements() {
     report_.vertices = mesh_.vertex_count();
@@ -78,7 +80,7 @@ class Inspector {
   void inspect_edges() {
     report_.min_edge = std::numeric_limits<double>::infinity();
     for (std::int32_t e = 0; e < edges_.size(); ++e) {
-      const auto& [a, b] = edges_.ends[at(e)];
+      const auto& [a, b] = edges_.ends[index_of(e)];
       const std::array<std::int32_t, 2> name = {mesh_.file_vertex(a), mesh_.file_vertex(b)};
       const double length = (mesh_.position(a) - mesh_.position(b)).norm();
       report_.min_edge = std::min(report_.min_edge, length);
@@ -100,10 +102,11 @@ class Inspector {
   void inspect_boundary() {
     DisjointSets loops(mesh_.positions().size());
     for (std::int32_t e = 0; e < edges_.size(); ++e) {
-      if (edges_.of(e).size() == 1) loops.join(at(edges_.ends[at(e)][0]), at(edges_.ends[at(e)][1]));
+      if (edges_.of(e).size() == 1)
+        loops.join(index_of(edges_.ends[index_of(e)][0]), index_of(edges_.ends[index_of(e)][1]));
     }
     for (std::int32_t v = 0; v < mesh_.vertex_count(); ++v) {
-      if (!mesh_.on_border(v) || loops.find(at(v)) != at(v)) continue;
+      if (!mesh_.on_border(v) || loops.find(index_of(v)) != index_of(v)) continue;
       ++report_.boundary_loops;
       ++component_of_vertex(v).boundary_loops;
     }
@@ -134,11 +137,11 @@ class Inspector {
 
   /// Turns faces one after the other to agree with a neighbour; a disagreement that remains has no remedy.
   void inspect_orientation() {
-    std::vector<signed char> turned(at(mesh_.face_count()), -1);
+    std::vector<signed char> turned(index_of(mesh_.face_count()), -1);
     std::vector<std::int32_t> stack;
     for (std::int32_t seed = 0; seed < mesh_.face_count(); ++seed) {
-      if (turned[at(seed)] >= 0) continue;
-      turned[at(seed)] = 0;
+      if (turned[index_of(seed)] >= 0) continue;
+      turned[index_of(seed)] = 0;
       stack.push_back(seed);
       while (!stack.empty()) {
         const std::int32_t f = stack.back();
@@ -147,8 +150,9 @@ class Inspector {
           const std::int32_t other = mesh_.across(h);
           if (other < 0) continue;
           const bool same_direction = mesh_.tail(other) == mesh_.tail(h);
-          const signed char wanted = static_cast<signed char>(same_direction ? 1 - turned[at(f)] : turned[at(f)]);
-          signed char& there = turned[at(other / 3)];
+          const signed char wanted =
+              static_cast<signed char>(same_direction ? 1 - turned[index_of(f)] : turned[index_of(f)]);
+          signed char& there = turned[index_of(other / 3)];
           if (there < 0) {
             there = wanted;
             stack.push_back(other / 3);
@@ -199,7 +203,7 @@ class Inspector {
   void find_duplicate_positions() {
     const std::vector<std::int32_t> same_as = lowest_equal(mesh_.positions());
     for (std::int32_t v = 0; v < mesh_.vertex_count(); ++v) {
-      if (same_as[at(v)] != v)
+      if (same_as[index_of(v)] != v)
         count_and_name(report_.duplicate_positions, report_.named_duplicate_positions, mesh_.file_vertex(v));
     }
   }

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include <leastcost/eigen_alignment.hpp>
+
 namespace leastcost {
 
 /// What a file said, before any interpretation: polygons over vertices, both in file order, numbered from 0.

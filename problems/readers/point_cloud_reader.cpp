@@ -41,7 +41,7 @@ std::string without_separators(std::string text, const std::string& file) {
   return text;
 }
 
-PointSamples read_text(const std::string& content, const std::string& file) {
+PointSamples read_xyz(const std::string& content, const std::string& file) {
   const std::string text = without_separators(content, file);
   TextScanner scanner(text, file, {});
   PointSamples samples;
@@ -72,7 +72,7 @@ std::optional<std::size_t> slot_of(const PlyProperty& p) {
 }
 
 /// Whether the vertices have normals.
-bool check_header(const PlyHeader& header, const TextScanner& scanner) {
+bool check_point_header(const PlyHeader& header, const TextScanner& scanner) {
   const auto vertex = std::find_if(header.elements.begin(), header.elements.end(),
                                    [](const PlyElement& e) { return e.name == "vertex"; });
   if (vertex == header.elements.end()) scanner.fail("the header declares no element 'vertex'");
@@ -120,7 +120,7 @@ PointSamples read_elements(Values values, const PlyHeader& header, bool normals)
 PointSamples read_ply_points(const std::string& content, const std::string& file) {
   TextScanner scanner(content, file, {0, false});
   const PlyHeader header = read_ply_header(scanner);
-  const bool normals = check_header(header, scanner);
+  const bool normals = check_point_header(header, scanner);
   return with_ply_values(scanner, header, content, file,
                          [&](auto values) { return read_elements(std::move(values), header, normals); });
 }
@@ -180,7 +180,7 @@ PointSamples read_point_cloud(const std::filesystem::path& file) {
     throw InputError(name + ": unknown point cloud format " + printable(extension) +
                      "; clouds are read from .ply, .xyz, .txt, .csv and .asc files");
   const std::string content = read_content(file);
-  PointSamples samples = ply ? read_ply_points(content, name) : read_text(content, name);
+  PointSamples samples = ply ? read_ply_points(content, name) : read_xyz(content, name);
   if (samples.positions.empty()) throw InputError(name + ": no points");
   samples.source = name;
   normalise(samples);

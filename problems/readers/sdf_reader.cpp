@@ -10,13 +10,13 @@
 namespace leastcost {
 namespace {
 
-void next_line(TextScanner& scanner, const char* what) {
+void next_grid_line(TextScanner& scanner, const char* what) {
   if (!scanner.next_line()) scanner.fail(std::string("the file ends where ") + what + " should be");
 }
 
-GridShape read_header(TextScanner& scanner, double memory) {
+GridShape read_grid_header(TextScanner& scanner, double memory) {
   GridShape shape;
-  next_line(scanner, "the number of nodes along x, y and z");
+  next_grid_line(scanner, "the number of nodes along x, y and z");
   double nodes = 1;
   for (int& count : shape.count) {
     const std::int64_t n = scanner.integer("a number of nodes");
@@ -31,10 +31,10 @@ GridShape read_header(TextScanner& scanner, double memory) {
   if (kBytesPerNode * nodes > memory)
     scanner.fail("a grid of " + std::to_string(static_cast<long long>(nodes)) + " nodes takes " +
                  bytes_in_words(kBytesPerNode * nodes) + ", more than the memory limit of " + bytes_in_words(memory));
-  next_line(scanner, "the position of the first node");
+  next_grid_line(scanner, "the position of the first node");
   for (int axis = 0; axis < 3; ++axis) shape.origin[axis] = scanner.number("a coordinate of the first node");
   scanner.expect_line_end("the position of the first node");
-  next_line(scanner, "the cell size");
+  next_grid_line(scanner, "the cell size");
   shape.cell = scanner.number("the cell size");
   if (!(shape.cell > 0)) scanner.fail("the cell size must be positive");
   scanner.expect_line_end("the cell size");
@@ -46,7 +46,7 @@ GridShape read_header(TextScanner& scanner, double memory) {
 GridSamples read_sdf(std::string_view content, const std::string& file, double memory) {
   TextScanner scanner(content, file, {});
   GridSamples samples;
-  samples.shape = read_header(scanner, memory);
+  samples.shape = read_grid_header(scanner, memory);
   const std::size_t nodes = samples.shape.nodes();
   samples.values.reserve(nodes);
   while (scanner.next_line()) {

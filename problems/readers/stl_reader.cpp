@@ -73,27 +73,27 @@ void expect_words(TextScanner& scanner, std::initializer_list<const char*> words
   }
 }
 
-void next_line(TextScanner& scanner, const char* line) {
+void next_stl_line(TextScanner& scanner, const char* line) {
   if (!scanner.next_line()) scanner.fail(std::string("the file ends where '") + line + "' is expected");
 }
 
 /// From the rest of a line 'facet normal x y z' to 'endfacet'. The normal is not read: some programs write nan there.
 void read_facet(TextScanner& scanner, std::vector<Eigen::Vector3d>& corners) {
   expect_words(scanner, {"normal"}, "facet normal x y z");
-  next_line(scanner, "outer loop");
+  next_stl_line(scanner, "outer loop");
   expect_words(scanner, {"outer", "loop"}, "outer loop");
   scanner.expect_line_end("'outer loop'");
   for (int corner = 0; corner < 3; ++corner) {
-    next_line(scanner, "vertex x y z");
+    next_stl_line(scanner, "vertex x y z");
     expect_words(scanner, {"vertex"}, "vertex x y z");
     Eigen::Vector3d position;
     for (int k = 0; k < 3; ++k) position[k] = scanner.number("a coordinate of a vertex (3 numbers)");
     scanner.expect_line_end("the 3 coordinates of a vertex");
     corners.push_back(position);
   }
-  next_line(scanner, "endloop");
+  next_stl_line(scanner, "endloop");
   expect_words(scanner, {"endloop"}, "endloop");
-  next_line(scanner, "endfacet");
+  next_stl_line(scanner, "endfacet");
   expect_words(scanner, {"endfacet"}, "endfacet");
 }
 
@@ -103,7 +103,7 @@ PolygonSoup read_text(std::string_view content, const std::string& file) {
   while (scanner.next_line()) {
     expect_words(scanner, {"solid"}, "solid name");
     while (true) {
-      next_line(scanner, "endsolid");
+      next_stl_line(scanner, "endsolid");
       const std::string_view token = scanner.token();
       if (same_word(token, "endsolid")) break;
       if (!same_word(token, "facet"))

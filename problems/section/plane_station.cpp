@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kOnPlane = 1e-12;  ///< relative to the size of the coordinates
 constexpr double kTouching = 1e-6;  ///< sine of the angle below which plane and surface touch
-constexpr int kMostSteps = 30;
+constexpr int kMostNewtonSteps = 30;
 
 }  // namespace
 
@@ -59,7 +59,7 @@ bool StationFinder::place(const Eigen::VectorXd& u, Station& out) {
 /// Newton steps onto the plane, the shortest ones in the tangent plane.
 bool StationFinder::correct(Station& s) {
   double before = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMostNewtonSteps; ++i) {
     const double height = normal_.dot(s.x - point_), size = s.x.norm() + point_.norm();
     if (std::abs(height) <= kOnPlane * std::max(std::numeric_limits<double>::min(), size)) return true;
     if (!(std::abs(height) < before) && i > 3) return std::abs(height) <= 1e3 * kOnPlane * size;

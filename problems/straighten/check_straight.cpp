@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <leastcost/problems/straighten/straighten.hpp>
+#include "problems/straighten/plane_vectors.hpp"
 
 namespace leastcost {
 namespace {
@@ -20,10 +21,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kAtVertex = 1e-14;  // diameters
 constexpr double kTogether = 1e-6;   // diameters: points nearer than this are judged together
 constexpr double kRoundings = 16;    // units in the last place of the largest coordinate
-
-double angle_between(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b));
-}
 
 /// Maps directions in the plane of a face to the plane of the development.
 struct Frame {

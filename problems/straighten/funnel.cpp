@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "problems/straighten/funnel.hpp"
 
+#include "problems/straighten/plane_vectors.hpp"
+
 namespace leastcost {
 namespace {}  // namespace
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "problems/mesh/surface_walk.hpp"
+#include "problems/straighten/plane_vectors.hpp"
 
 namespace leastcost {
 namespace {

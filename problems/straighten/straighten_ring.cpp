@@ -16,8 +16,8 @@
 namespace leastcost {
 namespace {
 
-constexpr double kRounding = 1e-15;  // relative length
-constexpr int kIdleLimit = 100;      // rounds that gained less: rounding must not make them go round in circles
+constexpr double kLengthRounding = 1e-15;  // relative length
+constexpr int kIdleLimit = 100;            // rounds that gained less: rounding must not make them go round in circles
 
 /// The same ring, begun in the middle of its longest segment: inside a face, or on an edge that it follows.
 SurfacePath begun_in_a_face(const SurfacePath& ring) {
@@ -85,7 +85,7 @@ class RingStraightener {
       const double before = string_.length();
       if (!mover_.straighten(string_, stop_) || (stop_ && stop_())) break;
       state = step();
-      if (!(string_.length() < before * (1 - kRounding))) ++idle;
+      if (!(string_.length() < before * (1 - kLengthRounding))) ++idle;
     }
     return state;
   }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <leastcost/framework/errors.hpp>
+#include "problems/straighten/plane_vectors.hpp"
 
 namespace leastcost {
 namespace {
@@ -15,10 +16,6 @@ namespace {
 constexpr double kFlat = 1e-6;      // radians of curvature that a vertex needs to be tried
 constexpr double kGain = 1e-12;     // relative length
 constexpr double kHopeless = 0.05;  // relative length lost by the pulled string before it is straightened
-
-double angle_between(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b));
-}
 
 double cone_angle(const Unfolding& unfolding, std::int32_t v) {
   double sum = 0;

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "problems/mesh/surface_walk.hpp"
+#include "problems/straighten/plane_vectors.hpp"
 
 namespace leastcost {
 namespace {

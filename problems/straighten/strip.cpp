@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "problems/straighten/plane_vectors.hpp"
+
 namespace leastcost {
 namespace {
 
@@ -17,9 +19,6 @@ Eigen::Vector2d rotated(const Eigen::Vector2d& d, const Eigen::Vector2d& by) {
   return {d.x() * by.x() - d.y() * by.y(), d.x() * by.y() + d.y() * by.x()};
 }
 
-double angle_between(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b));
-}
 double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }

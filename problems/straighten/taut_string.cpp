@@ -11,6 +11,7 @@
 #include <utility>
 
 #include <leastcost/framework/errors.hpp>
+#include "problems/straighten/plane_vectors.hpp"
 
 namespace leastcost {
 namespace {

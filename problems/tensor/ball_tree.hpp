@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <leastcost/eigen_alignment.hpp>
+
 namespace leastcost {
 
 /// A ball around every point of a set: which of them hold x? A hierarchy of boxes, so that radii may change from point

@@ -8,7 +8,7 @@
 namespace leastcost {
 namespace {
 
-constexpr double kOtherSheet = -0.5;  ///< cosine of 120 degrees
+constexpr double kOppositeSheet = -0.5;  ///< cosine of 120 degrees
 constexpr double kWider = 1.5;
 constexpr double kWidest = 4;
 
@@ -29,7 +29,7 @@ std::vector<Eigen::Matrix3d> shape_operators(const SurfaceSamples& samples, doub
       offsets.clear();
       for (const Neighbour& near : found) {
         const auto j = static_cast<std::size_t>(near.index);
-        if (samples.oriented && normal.dot(samples.normals[j]) < kOtherSheet) continue;
+        if (samples.oriented && normal.dot(samples.normals[j]) < kOppositeSheet) continue;
         offsets.emplace_back(samples.positions[j] - samples.positions[i]);
       }
       fit = fit_locally(offsets, reach, normal);

@@ -26,7 +26,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-std::string write(const fs::path& file, const std::string& text) {
+std::string write_text(const fs::path& file, const std::string& text) {
   std::ofstream(file) << text;
   return file.string();
 }
@@ -62,7 +62,7 @@ TEST_CASE("command line: help and version are results") {
 
 TEST_CASE("command line: run prints the result and nothing else on stdout") {
   const ScratchDir dir;
-  const std::string config = write(dir / "plane.yaml", kPlane);
+  const std::string config = write_text(dir / "plane.yaml", kPlane);
   const Called text = call({"run", config, "-o", (dir / "out").string()});
   CHECK(text.exit == 0);
   CHECK(text.err == "");
@@ -79,13 +79,13 @@ TEST_CASE("command line: run prints the result and nothing else on stdout") {
 TEST_CASE("command line: exit codes of run") {
   const ScratchDir dir;
   const std::string out = (dir / "out").string();
-  const Called invalid = call({"run", write(dir / "a.yaml", "manifold: 3\n"), "-o", out, "--format", "json"});
+  const Called invalid = call({"run", write_text(dir / "a.yaml", "manifold: 3\n"), "-o", out, "--format", "json"});
   CHECK(invalid.exit == 3);
   CHECK(Json::parse(invalid.out)["status"] == "configuration_error");
   CHECK(call({"run", (dir / "none.yaml").string(), "-o", out}).exit == 4);
   const std::string mesh =
       "manifold: {type: mesh, file: none.obj}\ncost: euclidean\nends: {source: {vertex: 0}, target: {vertex: 1}}\n";
-  CHECK(call({"run", write(dir / "b.yaml", mesh), "-o", out}).exit == 4);
+  CHECK(call({"run", write_text(dir / "b.yaml", mesh), "-o", out}).exit == 4);
   CHECK_FALSE(fs::exists(out));
   const Called no_path =
       call({"run", (project_dir() / "configs/no_path.yaml").string(), "-o", out, "--format", "json"});
@@ -93,7 +93,7 @@ TEST_CASE("command line: exit codes of run") {
   CHECK_THAT(no_path.err, Contains("no path: "));
   CHECK(Json::parse(no_path.out)["status"] == "no_path");
   CHECK_FALSE(fs::exists(out));
-  const std::string plane = write(dir / "plane.yaml", kPlane);
+  const std::string plane = write_text(dir / "plane.yaml", kPlane);
   CHECK(call({"run", plane, "-o", out, "--set", "certificate.enabled=false"}).exit == 5);
   CHECK(call({"run", plane, "-o", out}).exit == 2);
   CHECK(call({"run", plane, "-o", "/proc/leastcost/x"}).exit == 1);
@@ -101,7 +101,7 @@ TEST_CASE("command line: exit codes of run") {
 
 TEST_CASE("command line: --set and --seed") {
   const ScratchDir dir;
-  const std::string plane = write(dir / "plane.yaml", kPlane);
+  const std::string plane = write_text(dir / "plane.yaml", kPlane);
   const Called run = call({"run", plane, "--set", "path.points=5", "--set", "kernel=square", "--seed", "7", "--format",
                            "json", "-o", (dir / "out").string()});
   CHECK(run.exit == 0);
@@ -113,19 +113,20 @@ TEST_CASE("command line: --set and --seed") {
 
 TEST_CASE("command line: dry run solves and writes nothing") {
   const ScratchDir dir;
-  const std::string plane = write(dir / "plane.yaml", kPlane);
+  const std::string plane = write_text(dir / "plane.yaml", kPlane);
   const Called text = call({"run", plane, "-n", "-o", (dir / "out").string()});
   CHECK(text.exit == 0);
   CHECK_THAT(text.out, Contains("would run   straight, newton, certificate") && Contains("dimension 2 in R^2"));
   CHECK_FALSE(fs::exists(dir / "out"));
   const Called json = call({"run", plane, "--dry-run", "--format", "json"});
   CHECK(Json::parse(json.out)["status"] == "dry_run");
-  CHECK(call({"run", write(dir / "bad.yaml", "x: 1\n"), "-n"}).exit == 3);
+  CHECK(call({"run", write_text(dir / "bad.yaml", "x: 1\n"), "-n"}).exit == 3);
 }
 
 TEST_CASE("command line: validate") {
   const ScratchDir dir;
-  const std::string good = write(dir / "good.yaml", kPlane), bad = write(dir / "bad.yaml", kPlane + "nmae: x\n");
+  const std::string good = write_text(dir / "good.yaml", kPlane),
+                    bad = write_text(dir / "bad.yaml", kPlane + "nmae: x\n");
   CHECK(call({"validate", good}).out == good + ": valid\n");
   const Called both = call({"validate", good, bad});
   CHECK(both.exit == 3);
@@ -233,7 +234,7 @@ TEST_CASE("command line: ends of a chart are not moved onto anything") {
 TEST_CASE("command line: doctor") {
   const ScratchDir dir;
   const std::string mesh =
-      write(dir / "fan.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\nv -1 1 0\nv -1 -1 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n");
+      write_text(dir / "fan.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\nv -1 1 0\nv -1 -1 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n");
   const Called text = call({"doctor", mesh});
   CHECK(text.exit == 0);
   CHECK_THAT(text.out, Contains("edges with three or more faces: 1 (0-1)"));

@@ -16,18 +16,11 @@ using Catch::Contains;
 
 namespace {
 
-std::string content(const fs::path& file) {
-  std::ifstream in(file);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
 std::size_t entries(const fs::path& folder) {
   return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
 
-void write(const fs::path& file, const std::string& text) {
+void write_below(const fs::path& file, const std::string& text) {
   fs::create_directories(file.parent_path());
   std::ofstream(file) << text;
 }
@@ -67,20 +60,20 @@ TEST_CASE("output folder: an empty folder is taken, a full one refused") {
 
 TEST_CASE("output folder: --force replaces only what is ours") {
   const ScratchDir dir;
-  write(dir / "theirs/manifest.json", "{\"program\": \"other\"}");
-  write(dir / "plain/file", "precious");
-  write(dir / "broken/manifest.json", "{");
-  write(dir / "file", "precious");
+  write_below(dir / "theirs/manifest.json", "{\"program\": \"other\"}");
+  write_below(dir / "plain/file", "precious");
+  write_below(dir / "broken/manifest.json", "{");
+  write_below(dir / "file", "precious");
   for (const char* name : {"theirs", "plain", "broken", "file"}) {
     CAPTURE(name);
     CHECK_THROWS_AS(OutputFolder(dir / name, true), OutputRefused);
   }
   CHECK(content(dir / "plain/file") == "precious");
 
-  write(dir / "ours/manifest.json", "{\"program\": \"leastcost\"}");
-  write(dir / "ours/path.csv", "old");
+  write_below(dir / "ours/manifest.json", "{\"program\": \"leastcost\"}");
+  write_below(dir / "ours/path.csv", "old");
   CHECK_THROWS_WITH(OutputFolder(dir / "ours", false), Contains("--force replaces it"));
-  write(dir / "ours/notes.txt", "precious");  // of the user, in a folder of ours
+  write_below(dir / "ours/notes.txt", "precious");  // of the user, in a folder of ours
   CHECK_THROWS_WITH(OutputFolder(dir / "ours", true), Contains("notes.txt") && Contains("move it away"));
   CHECK(content(dir / "ours/notes.txt") == "precious");
   fs::remove(dir / "ours/notes.txt");
@@ -140,7 +133,7 @@ TEST_CASE("output folder: what appeared while it was written is not replaced, an
 
 TEST_CASE("output folder: a place that cannot be written is found out at once") {
   const ScratchDir dir;
-  write(dir / "file", "x");
+  write_below(dir / "file", "x");
   CHECK_THROWS_AS(OutputFolder(dir / "file/run", false), OutputError);
   CHECK_THROWS_AS(OutputFolder("/proc/leastcost/run", false), OutputError);
 }
@@ -168,7 +161,7 @@ TEST_CASE("manifest: SHA-256 of known texts") {
   CHECK(sha256_of_text("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
   CHECK(sha256_of_text("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   const ScratchDir dir;
-  write(dir / "million", std::string(1000000, 'a'));
+  write_below(dir / "million", std::string(1000000, 'a'));
   CHECK(sha256_of_file(dir / "million") == "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 

@@ -57,13 +57,6 @@ Child start(const ScratchDir& dir, std::vector<std::string> arguments, rlim_t fi
   ::_exit(127);
 }
 
-std::string content(const fs::path& file) {
-  std::ifstream in(file);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
 /// A run of minutes: plain L-BFGS on many points.
 std::string endless(const ScratchDir& dir) {
   const fs::path file = dir / "endless.yaml";

@@ -30,17 +30,10 @@ path: {points: 15}
 family: {windings: 1}
 )";
 
-std::string content(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-void write(const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
+void write_bytes(const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
 
 fs::path run_of(const ScratchDir& dir, const std::string& config, const std::string& name = "run") {
-  write(dir / (name + ".yaml"), config);
+  write_bytes(dir / (name + ".yaml"), config);
   const app::WrittenRun outcome = app::run({dir / (name + ".yaml"), {}, dir / name, false, {"leastcost", "run"}}, {});
   REQUIRE(outcome.output_error == "");
   return dir / name;
@@ -83,13 +76,13 @@ fs::path study_in(const fs::path& folder) {
     runs.rows.push_back(row);
   }
   fs::create_directories(folder);
-  write(folder / "runs.csv", app::runs_csv(runs));
-  write(folder / "traces.csv", app::traces_csv(traces));
-  write(folder / "summary.json", R"({"name": "a study"})");
-  write(folder / "study.resolved.yaml", "name: a study\n");
+  write_bytes(folder / "runs.csv", app::runs_csv(runs));
+  write_bytes(folder / "traces.csv", app::traces_csv(traces));
+  write_bytes(folder / "summary.json", R"({"name": "a study"})");
+  write_bytes(folder / "study.resolved.yaml", "name: a study\n");
   ManifestFacts facts;
   facts.kind = "study";
-  write(folder / "manifest.json", manifest_json(facts));
+  write_bytes(folder / "manifest.json", manifest_json(facts));
   return folder;
 }
 
@@ -204,7 +197,7 @@ TEST_CASE("report: what is missing, damaged or not ours is named, and the old re
   if (damage.text == nullptr)
     fs::remove(folder / damage.file);
   else
-    write(folder / damage.file, damage.text);
+    write_bytes(folder / damage.file, damage.text);
   CHECK_THROWS_AS(app::write_report(folder), InputError);
   CHECK_THROWS_WITH(app::write_report(folder), Contains(damage.says) && Contains(damage.file));
   CHECK(content(folder / "report.html") == before);
@@ -244,11 +237,11 @@ TEST_CASE("report: of a study with runs that are missing, and with solvers that 
   const ScratchDir dir;
   const fs::path folder = study_in(dir / "study");
   check_lacks(app::make_report(folder)[0].content, "of their own");
-  write(folder / "summary.json", R"({"name": "a part", "missing": [[4, 0], [5, 0]]})");
+  write_bytes(folder / "summary.json", R"({"name": "a part", "missing": [[4, 0], [5, 0]]})");
   std::string runs = content(folder / "runs.csv");
   for (std::size_t at = runs.find("plain"); at != std::string::npos; at = runs.find("plain"))
     runs.replace(at, 5, "georce");
-  write(folder / "runs.csv", runs);
+  write_bytes(folder / "runs.csv", runs);
   check_holds(app::make_report(folder)[0].content,
               {"incomplete, 2 runs missing: 3 of 4 solves certified", "of their own"});
 }
@@ -259,7 +252,7 @@ TEST_CASE("report: a damaged study is named") {
   const auto [file, text] = GENERATE(table<const char*, const char*>(
       {{"runs.csv", "cell\n"}, {"traces.csv", "cell,repetition\n0"}, {"summary.json", "{}"}, {"runs.csv", ""}}));
   CAPTURE(file, text);
-  write(folder / file, text);
+  write_bytes(folder / file, text);
   CHECK_THROWS_AS(app::make_report(folder), InputError);
   CHECK_THROWS_WITH(app::make_report(folder), Contains(file));
   CHECK_FALSE(fs::exists(folder / "report.html"));

@@ -42,13 +42,6 @@ ends:
 path: {points: 9}
 )";
 
-std::string content(const fs::path& file) {
-  std::ifstream in(file);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
 fs::path write(const fs::path& file, const std::string& text) {
   std::ofstream(file) << text;
   return file;

@@ -18,11 +18,11 @@
 #include "tests/contracts/manifold_contract.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/pi.hpp"
 
 namespace leastcost::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 /// Two tangents and an arc around the unit disc from (-2, 0) to (2, 0), docs/oracles.md D5.
 const double kAroundDisc = 2 * std::sqrt(3.0) + kPi / 3;
 

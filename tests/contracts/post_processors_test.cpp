@@ -20,9 +20,10 @@ namespace leastcost::test {
 namespace {
 
 constexpr int kPoints = 12;
-constexpr double kRounding = 1e-14;  // length units: points go through barycentric coordinates; the ball has size 1
+constexpr double kBarycentricRounding =
+    1e-14;  // length units: points go through barycentric coordinates; the ball has size 1
 
-std::shared_ptr<const MeshManifold> ball() {
+std::shared_ptr<const MeshManifold> small_ball() {
   static const auto mesh = std::make_shared<const MeshManifold>(TriangleMesh(sphere(3)));
   return mesh;
 }
@@ -36,12 +37,12 @@ std::shared_ptr<const SegmentCost> stretched() {
 /// Typical, nearly degenerate (an end 1e-8 off a vertex) and random ends, under two costs.
 std::vector<Problem> problems() {
   Random random;
-  const Eigen::Vector3d a(0.1, 0.2, 0.97), b(0.9, -0.3, -0.3), v = ball()->mesh().position(5), off(1e-8, 2e-8, 0);
+  const Eigen::Vector3d a(0.1, 0.2, 0.97), b(0.9, -0.3, -0.3), v = small_ball()->mesh().position(5), off(1e-8, 2e-8, 0);
   std::vector<Problem> all;
   for (const auto& cost : {make_euclidean_cost(3), stretched()})
     for (const auto& [from, to] : std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>{
              {a, b}, {v, b}, {v + off, a}, {random.vector(3), random.vector(3)}})
-      all.push_back(between(ball(), cost, from, to));
+      all.push_back(between(small_ball(), cost, from, to));
   return all;
 }
 
@@ -52,15 +53,16 @@ void check_curve(const Problem& problem, const Curve& curve) {
   REQUIRE(static_cast<Index>(curve.segment_sites.size()) == segments);
   for (Index i = 0; i < segments; ++i) {
     const Site face = curve.segment_sites[static_cast<std::size_t>(i)];
-    REQUIRE((face >= 0 && face < ball()->mesh().face_count()));
+    REQUIRE((face >= 0 && face < small_ball()->mesh().face_count()));
     for (const double t : {0.0, 0.5, 1.0}) {
       const Eigen::Vector3d x = (1 - t) * curve.x.col(i) + t * curve.x.col(i + 1);
-      const auto& [p, q, r] = ball()->mesh().face(face);
-      const TriangleMesh alone({{ball()->mesh().position(p), ball()->mesh().position(q), ball()->mesh().position(r)},
-                                {0, 1, 2},
-                                {0, 3},
-                                "face"});
-      CHECK(ClosestPointTree(alone).nearest(x).distance <= kRounding);
+      const auto& [p, q, r] = small_ball()->mesh().face(face);
+      const TriangleMesh alone(
+          {{small_ball()->mesh().position(p), small_ball()->mesh().position(q), small_ball()->mesh().position(r)},
+           {0, 1, 2},
+           {0, 3},
+           "face"});
+      CHECK(ClosestPointTree(alone).nearest(x).distance <= kBarycentricRounding);
     }
   }
   const Eigen::VectorXd costs = segment_costs(*problem.cost, {{curve.x.data(), 3, curve.x.cols()}, {}, false});
@@ -76,10 +78,10 @@ PostProcessed check_post_processor_contract(const PostProcessor& post_processor,
   PostProcessed made = post_processor.apply(problem, first, as_delivered(problem, chain), {});
   check_curve(problem, made.curve);
   REQUIRE(made.chain.u.cols() == chain.u.cols());
-  CHECK(problem.manifold->residual(made.chain) <= kRounding);
+  CHECK(problem.manifold->residual(made.chain) <= kBarycentricRounding);
   for (const Points& points : {made.curve.x, made.chain.u}) {
-    CHECK((points.col(0) - problem.source.u).norm() <= kRounding);
-    CHECK((points.rightCols(1) - problem.target.u).norm() <= kRounding);
+    CHECK((points.col(0) - problem.source.u).norm() <= kBarycentricRounding);
+    CHECK((points.rightCols(1) - problem.target.u).norm() <= kBarycentricRounding);
   }
   REQUIRE(made.curve_costs.size() == made.chain.segment_count());
   CHECK(made.curve_costs.sum() == Approx(made.curve.cost).epsilon(1e-12));
@@ -121,7 +123,7 @@ TEST_CASE("post_processor contract: on_surface", "[contract]") {
     CHECK(made.chain.u == chain.chain.u);
     CHECK(x.col(0) == problem.source.u);
     CHECK(x.col(m) == problem.target.u);
-    CHECK(manifold->residual({x, {}, true}) <= kRounding);
+    CHECK(manifold->residual({x, {}, true}) <= kBarycentricRounding);
     for (const double t : {0.1, 0.25, 0.5, 0.8})
       CHECK(manifold->residual({(1 - t) * x.leftCols(m) + t * x.rightCols(m), {}, true}) <= tolerance);
     REQUIRE(made.curve_costs.size() == chain.chain.segment_count());
@@ -185,7 +187,7 @@ TEST_CASE("post_processor contract: straighten, rings", "[contract]") {
   const auto torus = std::make_shared<const MeshManifold>(TriangleMesh(grid(12, 9, Closing::kRound, true)));
   const StraightenPostProcessor straighten;
   for (const auto& cost : {make_euclidean_cost(3), stretched()}) {
-    const Problem problem = closed(torus, cost), on_ball = closed(ball(), cost);
+    const Problem problem = closed(torus, cost), on_ball = closed(small_ball(), cost);
     for (const PlaneCutOptions& cut : {PlaneCutOptions{Eigen::Vector3d(-2, 0, 0.1), Eigen::Vector3d(0.1, 0.2, 1)},
                                        PlaneCutOptions{Eigen::Vector3d(3, 0.1, 0), Eigen::Vector3d(0.2, 1, 0.1)}}) {
       const FirstPath first = PlaneCutInitializer(cut).first_path(problem, {});
@@ -195,7 +197,7 @@ TEST_CASE("post_processor contract: straighten, rings", "[contract]") {
       REQUIRE_FALSE(made.collapsed);
       CHECK(made.chain.ring);
       REQUIRE(made.chain.u.cols() == kPoints);
-      CHECK(problem.manifold->residual(made.chain) <= 4 * kRounding);
+      CHECK(problem.manifold->residual(made.chain) <= 4 * kBarycentricRounding);
       CHECK(made.curve.x.col(0) == made.curve.x.rightCols(1));
       CHECK(made.curve.cost <= PathEnergy(problem, 1).cost(first.path) * (1 + 1e-12));
       REQUIRE(made.curve.straightness);

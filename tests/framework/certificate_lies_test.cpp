@@ -14,13 +14,12 @@
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/pi.hpp"
 #include "tests/support/sample_domains.hpp"
 #include "tests/support/trench.hpp"
 
 namespace leastcost::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 struct Weighted {  // 1 + 2 exp(-r^2): a hill at the origin
   static constexpr int dim = 2;

@@ -7,12 +7,11 @@
 
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/pi.hpp"
 #include "tests/support/sample_domains.hpp"
 
 namespace leastcost::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// n + 1 equal chords of a great circle over an angle; a ring of n for the whole circle.
 CoordinatePath arc(double angle, int segments, bool ring = false) {

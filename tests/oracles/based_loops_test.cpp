@@ -15,13 +15,12 @@
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/pi.hpp"
 #include "tests/support/straightened.hpp"
 #include "tests/support/words.hpp"
 
 namespace leastcost::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 std::shared_ptr<const ParametricManifold> chart(const char* type) {
   return make_parametric_manifold({.surface = form<parametric::Surface>(type)});

@@ -8,11 +8,10 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/chute_chain.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/pi.hpp"
 
 namespace leastcost::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 struct Row {
   double x, y, gravity, time;  ///< across, down, length / s^2, s

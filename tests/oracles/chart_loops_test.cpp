@@ -7,12 +7,11 @@
 #include <leastcost/problems/manifolds/parametric.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/pi.hpp"
 #include "tests/support/words.hpp"
 
 namespace leastcost::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 Result loop(const char* surface, int coordinate, const Eigen::Vector2d& through, int n) {
   const Problem problem =

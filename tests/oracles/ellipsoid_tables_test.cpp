@@ -16,11 +16,10 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/data.hpp"
+#include "tests/support/pi.hpp"
 
 namespace leastcost::test {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 struct Pair {
   double latitude1 = 0, longitude1 = 0, latitude2 = 0, longitude2 = 0, length = 0;

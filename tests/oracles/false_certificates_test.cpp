@@ -9,11 +9,11 @@
 #include <leastcost/problems/manifolds/parametric.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/pi.hpp"
 
 namespace leastcost::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 using Eigen::Vector2d;
 
 Result on_chart(const ParametricOptions& surface, const Vector2d& source, const Vector2d& target, int n,

@@ -11,13 +11,12 @@
 #include <leastcost/problems/manifolds/implicit.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/pi.hpp"
 #include "tests/support/sample_domains.hpp"
 #include "tests/support/words.hpp"
 
 namespace leastcost::test {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 std::shared_ptr<const LevelSet> formula(const char* f, const std::map<std::string, double>& parameters = {}) {
   return make_implicit_manifold({.surface = leastcost::implicit::Formula{.f = f, .parameters = parameters}});
@@ -27,7 +26,7 @@ std::shared_ptr<const LevelSet> ellipsoid(double a, double b, double c) {
   return make_implicit_manifold({.surface = leastcost::implicit::Ellipsoid{Eigen::Vector3d(a, b, c)}});
 }
 
-std::shared_ptr<const LevelSet> named(const char* surface) {
+std::shared_ptr<const LevelSet> level_set_named(const char* surface) {
   return make_implicit_manifold({.surface = form<leastcost::implicit::Surface>(surface)});
 }
 
@@ -72,7 +71,8 @@ void check_length(std::shared_ptr<const ConstraintManifold> domain, const Eigen:
 }  // namespace
 
 TEST_CASE("D1 implicit: sphere", "[oracle]") {
-  check_length(named("sphere"), Eigen::Vector3d(0.925416578398323353, 0.336824088833465174, 0.173648177666930349),
+  check_length(level_set_named("sphere"),
+               Eigen::Vector3d(0.925416578398323353, 0.336824088833465174, 0.173648177666930349),
                Eigen::Vector3d(-0.413175911166534826, 0.49240387650610403, 0.766044443118978035), 1.6543777367571768);
 }
 
@@ -93,8 +93,8 @@ TEST_CASE("D1 implicit: torus", "[oracle]") {
   };
   for (const Row& row : {Row{1, 2, 3.00530920550149849}, Row{0.5, 3, 3.11354377379390939}}) {
     const Eigen::Vector3d middle = Torus::at(row.u / 2, row.v / 2);
-    check_length(between(named("torus"), make_euclidean_cost(3), Torus::at(0, 0), Torus::at(row.u, row.v)), row.length,
-                 WaypointsInitializer(middle));
+    check_length(between(level_set_named("torus"), make_euclidean_cost(3), Torus::at(0, 0), Torus::at(row.u, row.v)),
+                 row.length, WaypointsInitializer(middle));
   }
 }
 

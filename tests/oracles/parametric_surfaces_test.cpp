@@ -5,22 +5,21 @@
 #include <leastcost/problems/manifolds/parametric.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/pi.hpp"
 
 // docs/oracles.md D1 and D2 in charts. The reported value is that of a cubic curve through the points on the surface,
 // order 4 in the step: at these n at most 1e-8 (relative), where the chain alone has 1e-5.
 namespace leastcost::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi, kDegree = kPi / 180;
-
-struct Row {
+struct SurfaceRow {
   const char* name;
   parametric::Surface surface;
   Eigen::Vector2d source, target;
   double length;
 };
 
-std::vector<Row> rows() {
+std::vector<SurfaceRow> rows() {
   const double f = 1 / 298.257223563, a = 6378137;
   const parametric::Ellipsoid wgs84{Eigen::Vector3d(a, a, a * (1 - f))}, oblate{Eigen::Vector3d(1, 1, 0.5)},
       prolate{Eigen::Vector3d(1, 1, 2)};
@@ -59,7 +58,7 @@ std::vector<Row> rows() {
 
 TEST_CASE("oracles D1: geodesics in charts", "[oracle]") {
   const auto all = rows();
-  const Row& row = all[GENERATE_COPY(range(std::size_t{0}, all.size()))];
+  const SurfaceRow& row = all[GENERATE_COPY(range(std::size_t{0}, all.size()))];
   CAPTURE(row.name);
   const Problem problem =
       between(make_parametric_manifold({.surface = row.surface}), make_euclidean_cost(3), row.source, row.target);

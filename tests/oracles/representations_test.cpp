@@ -15,6 +15,7 @@
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/pi.hpp"
 #include "tests/support/sample_domains.hpp"
 #include "tests/support/straightened.hpp"
 #include "tests/support/words.hpp"
@@ -25,7 +26,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr int kPoints = 127;
 
 /// A surface with a geodesic of known length (docs/oracles.md D1).

@@ -6,12 +6,12 @@
 
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/pi.hpp"
 #include "tests/support/sample_domains.hpp"
 
 namespace leastcost::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 const Eigen::Vector3d kFrom(0.925416578398323353, 0.336824088833465174, 0.173648177666930349);
 const Eigen::Vector3d kTo(-0.413175911166534826, 0.49240387650610403, 0.766044443118978035);
 

@@ -9,11 +9,12 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/chute_chain.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/pi.hpp"
 
 namespace leastcost::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;  // the true least time of (0, 0) -> (pi, -2), gravity 1
+// the true least time of (0, 0) -> (pi, -2), gravity 1
 
 Result solve(TravelTimeRule rule, int n) {
   const Newton newton;

@@ -9,12 +9,12 @@
 #include "problems/level_set/named_surfaces.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/pi.hpp"
 #include "tests/support/words.hpp"
 
 namespace leastcost::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr int kSeeds = 12;
 
 std::shared_ptr<const LevelSet> surface(const char* name) {

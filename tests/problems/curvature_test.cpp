@@ -10,12 +10,11 @@
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/pi.hpp"
 #include "tests/support/random.hpp"
 
 namespace leastcost::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// S^2 of the torus with radii 2 and 1: 1 along the meridian, (cos v / (2 + cos v))^2 around the axis.
 Eigen::Matrix3d torus_third_form(const Eigen::Vector3d& p) {

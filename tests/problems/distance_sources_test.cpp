@@ -52,7 +52,7 @@ double off_cube(const Vector3d& x) {  // [-1/2, 1/2]^3
 }
 
 template <class Make>
-std::string refusal(Make make) {
+std::string refusal_of(Make make) {
   try {
     make();
     return "accepted";
@@ -108,7 +108,7 @@ TEST_CASE("distance of a mesh: inside out, mixed up, a cavity; parts that overla
   const auto shell = added(0.5, centre, true);
   CHECK(shell.grid.evaluate(centre, gradient) > 0.3);  // a cavity
   CHECK(shell.grid.evaluate(between, gradient) < -0.2);
-  CHECK_THAT(refusal([&] { added(1, Vector3d(1, 0, 0), false); }), Catch::Contains("parts inside others"));
+  CHECK_THAT(refusal_of([&] { added(1, Vector3d(1, 0, 0), false); }), Catch::Contains("parts inside others"));
 }
 
 TEST_CASE("distance of a mesh: what has no inside is refused with the place, or taken without sides") {
@@ -117,15 +117,15 @@ TEST_CASE("distance of a mesh: what has no inside is refused with the place, or 
   open.positions = ball.positions();
   for (std::int32_t f = 1; f < ball.face_count(); ++f)
     add_polygon(open, {ball.face(f)[0], ball.face(f)[1], ball.face(f)[2]});
-  CHECK_THAT(refusal([&] { mesh_source(open); }),
+  CHECK_THAT(refusal_of([&] { mesh_source(open); }),
              Catch::Contains("3 border edges in 1 loops") && Catch::Contains("sign: unsigned"));
-  CHECK_THAT(refusal([&] { mesh_source(grid(12, 12, Closing::kTwisted, true)); }), Catch::Contains("one-sided"));
+  CHECK_THAT(refusal_of([&] { mesh_source(grid(12, 12, Closing::kTwisted, true)); }), Catch::Contains("one-sided"));
   const SampledDistance around = build_distance_grid(*mesh_source(open, false), {.cell = 0.08, .offset = 0.3});
   Vector3d gradient;
   for (const Vector3d& x : {Vector3d(0, 1.3, 0), Vector3d(0, -0.7, 0)})
     CHECK(around.grid.evaluate(x, gradient) ==
           Approx(0).margin(0.01));  // the surface itself is up to 0.005 inside the sphere
-  CHECK_THAT(refusal([&] { build_distance_grid(*mesh_source(open, false), {.cell = 0.2, .offset = 0.3}); }),
+  CHECK_THAT(refusal_of([&] { build_distance_grid(*mesh_source(open, false), {.cell = 0.2, .offset = 0.3}); }),
              Catch::Contains("at least 3 cells"));
 }
 
@@ -145,7 +145,7 @@ TEST_CASE("distance of an implicit surface: exact within the band, whatever the 
 
 TEST_CASE("distance of an implicit surface: no zero, a pole, no value") {
   const auto message = [](const char* f) {
-    return refusal([&] { build_distance_grid(*formula(f, 1), {.cell = 0.1}); });
+    return refusal_of([&] { build_distance_grid(*formula(f, 1), {.cell = 0.1}); });
   };
   CHECK(message("x^2 + y^2 + z^2 - 1/2") == "accepted");
   CHECK_THAT(message("x^2 + y^2 + z^2 + 1"), Catch::Contains("no zero of f"));
@@ -173,7 +173,7 @@ TEST_CASE("distance of a cloud: an open one is refused, or taken without sides")
     return build_distance_grid(*make_cloud_distance(PointCloud(std::move(again), {}), sides),
                                {.cell = 0.15, .offset = offset});
   };
-  CHECK_THAT(refusal([&] { build(true, 0); }), Catch::Contains("has no inside"));
+  CHECK_THAT(refusal_of([&] { build(true, 0); }), Catch::Contains("has no inside"));
   Vector3d gradient;
   CHECK(build(false, 0.5).grid.evaluate(Vector3d(0, 0, 1.5), gradient) == Approx(0).margin(1e-2));
 }
@@ -198,18 +198,18 @@ TEST_CASE("building a grid: the miss is measured, and an accuracy is reached") {
     CHECK(built.worst <= 2e-6 * scale);
     CHECK(built.grid.shape().cell > 0.03 * scale);  // not far more than needed: 0.1 gives 1.6e-6
   }
-  CHECK_THAT(refusal([] { build_distance_grid(*implicit_sphere(), {.accuracy = 1e-9, .memory = 1e7}); }),
+  CHECK_THAT(refusal_of([] { build_distance_grid(*implicit_sphere(), {.accuracy = 1e-9, .memory = 1e7}); }),
              Catch::Contains("out of reach") && Catch::Contains("memory limit"));
 }
 
 TEST_CASE("building a grid: sheets thinner than a cell are noticed, as is a cell larger than the model") {
   PolygonSoup plate = cube();
   for (Vector3d& p : plate.positions) p.z() *= 0.02;
-  CHECK_THAT(refusal([&] { build_distance_grid(*mesh_source(plate), {.cell = 0.1}); }),
+  CHECK_THAT(refusal_of([&] { build_distance_grid(*mesh_source(plate), {.cell = 0.1}); }),
              Catch::Contains("too large for this surface"));
   CHECK(build_distance_grid(*mesh_source(plate), {.cell = 0.008}).worst < 0.004);
-  CHECK_THAT(refusal([&] { build_distance_grid(*mesh_source(cube()), {.cell = 3}); }), Catch::Contains("cell"));
-  CHECK_THAT(refusal([&] { build_distance_grid(*implicit_sphere(), {.cell = 5}); }), Catch::Contains("cell"));
+  CHECK_THAT(refusal_of([&] { build_distance_grid(*mesh_source(cube()), {.cell = 3}); }), Catch::Contains("cell"));
+  CHECK_THAT(refusal_of([&] { build_distance_grid(*implicit_sphere(), {.cell = 5}); }), Catch::Contains("cell"));
 }
 
 TEST_CASE("building a grid: options that cannot work, and stopping") {

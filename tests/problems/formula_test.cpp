@@ -9,12 +9,13 @@
 #include <numbers>
 
 #include "tests/support/catch.hpp"
+#include "tests/support/pi.hpp"
 #include "tests/support/random.hpp"
 
 namespace leastcost::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi, kE = std::numbers::e;
+constexpr double kE = std::numbers::e;
 const std::vector<std::string> kXY = {"x", "y"};
 
 double value(const std::string& text, double x = 0, double y = 0) {

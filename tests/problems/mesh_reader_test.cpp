@@ -22,7 +22,7 @@
 namespace leastcost {
 namespace {
 
-constexpr unsigned kSeed = 20260103;
+constexpr unsigned kReaderSeed = 20260103;
 
 using Reader = PolygonSoup (*)(std::string_view, const std::string&);
 
@@ -322,8 +322,8 @@ TEST_CASE("mesh reader: files that are not what their name says", "[reader]") {
 }
 
 TEST_CASE("mesh reader: damaged files end in an error or a mesh, never otherwise", "[reader][fuzz]") {
-  UNSCOPED_INFO("seed " << kSeed);
-  std::mt19937_64 engine(kSeed);
+  UNSCOPED_INFO("seed " << kReaderSeed);
+  std::mt19937_64 engine(kReaderSeed);
   const PolygonSoup cube = test::cube();
   const std::vector<std::pair<Reader, std::string>> files = {
       {read_obj, as_obj(cube) + "vt 0 1\nvn 0 0 1\nf 1/1/1 2/1/1 -1/1/1\n"},

@@ -15,12 +15,11 @@
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/pi.hpp"
 #include "tests/support/words.hpp"
 
 namespace leastcost::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 std::shared_ptr<const ConstraintManifold> torus_of(const std::string& kind) {
   if (kind == "implicit") {

@@ -16,9 +16,8 @@
 namespace leastcost {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kStraight = -1e-9;  // radians, what a certificate asks for
-constexpr double kRounding = 1e-13;  // relative length: some 100 sums and square roots
+constexpr double kStraightRing = -1e-9;  // radians, what a certificate asks for
+constexpr double kRounding = 1e-13;      // relative length: some 100 sums and square roots
 
 /// The closed curve of a plane cut that is nearest to the point.
 SurfacePath cut(const TriangleMesh& mesh, const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
@@ -46,7 +45,7 @@ void check_result(const TriangleMesh& mesh, const SurfacePath& start, const Stra
   REQUIRE(s.path.points.front() == s.path.points.back());
   REQUIRE(lies_on(mesh, s.path));
   REQUIRE(s.final_length == Approx(path_length(s.path, metric)).epsilon(1e-14));
-  REQUIRE(check_straight_ring(mesh, s.path, metric) >= kStraight);
+  REQUIRE(check_straight_ring(mesh, s.path, metric) >= kStraightRing);
 }
 
 StraightenOptions options_with(const MetricRoot& metric) {
@@ -62,7 +61,7 @@ double ring_length(const TriangleMesh& mesh, const SurfacePath& start, const Met
   return s.final_length;
 }
 
-TriangleMesh box(double x, double y, double z, int subdivide) {
+TriangleMesh corner_box(double x, double y, double z, int subdivide) {
   PolygonSoup soup = test::cube();
   for (Eigen::Vector3d& p : soup.positions) p = p.cwiseProduct(Eigen::Vector3d(x, y, z));
   return TriangleMesh(soup, {false, subdivide});
@@ -105,7 +104,7 @@ SurfacePath begun_later(const SurfacePath& ring, std::size_t by) {
 
 TEST_CASE("rings around boxes have the girth of the box") {
   for (int subdivide = 0; subdivide <= 3; ++subdivide) {
-    const TriangleMesh mesh = box(1, 2, 3, subdivide);
+    const TriangleMesh mesh = corner_box(1, 2, 3, subdivide);
     CAPTURE(subdivide);
     for (const Eigen::Vector3d& tilt : {Eigen::Vector3d(0, 0, 0), {0.2, 0.1, 0}, {0.3, -0.4, 0}}) {
       CHECK(ring_length(mesh, cut(mesh, {0.01, 0.02, 0.3}, Eigen::Vector3d::UnitZ() + tilt)) ==
@@ -121,7 +120,7 @@ TEST_CASE("rings around boxes have the girth of the box") {
 TEST_CASE("closed geodesics of regular solids") {
   for (int subdivide = 0; subdivide <= 3; ++subdivide) {
     CAPTURE(subdivide);
-    const TriangleMesh octahedron(test::octahedron(), {false, subdivide}), cube = box(1, 1, 1, subdivide),
+    const TriangleMesh octahedron(test::octahedron(), {false, subdivide}), cube = corner_box(1, 1, 1, subdivide),
                                                                            tetra = tetrahedron(subdivide);
     // Sections parallel to a face of the octahedron, across a cube's space diagonal, parallel to two edges of the
     // tetrahedron: straight already, and any tilt is undone.
@@ -140,7 +139,7 @@ TEST_CASE("closed geodesics of regular solids") {
 TEST_CASE("a ring around one corner contracts") {
   for (int subdivide = 0; subdivide <= 3; ++subdivide) {
     CAPTURE(subdivide);
-    const TriangleMesh cube = box(1, 1, 1, subdivide), ball(test::sphere(subdivide));
+    const TriangleMesh cube = corner_box(1, 1, 1, subdivide), ball(test::sphere(subdivide));
     for (const double depth : {0.05, 0.2, 0.32}) {
       const StraightenedRing s = straighten_ring(cube, cut(cube, (0.5 - depth) * Eigen::Vector3d::Ones(), {1, 1, 1.1}));
       CHECK(s.collapsed);
@@ -160,21 +159,21 @@ TEST_CASE("a ring around a hole settles on its border") {
     points.push_back(vertex_point(annulus, v));
   }
   const SurfacePath start = trace_chain(annulus, points).path;
-  CHECK(ring_length(annulus, start) == Approx(2 * kSides * 2 * std::sin(kPi / kSides)).epsilon(kRounding));
+  CHECK(ring_length(annulus, start) == Approx(2 * kSides * 2 * std::sin(std::numbers::pi / kSides)).epsilon(kRounding));
 }
 
 TEST_CASE("rings of a polyhedral torus") {
   constexpr int kAround = 16, kTube = 10;
   const TriangleMesh torus(test::grid(kAround, kTube, test::Closing::kRound, true));  // radii 3 and 1
   // Around the hole: the inner equator. A plane through the axis but tilted starts off it.
-  const double equator = 2 * kAround * 2 * std::sin(kPi / kAround);
+  const double equator = 2 * kAround * 2 * std::sin(std::numbers::pi / kAround);
   for (const double tilt : {0.0, 0.1, 0.2})
     CHECK(ring_length(torus, cut(torus, {-2, 0, 0}, {0.1 * tilt, tilt, 1})) == Approx(equator).epsilon(kRounding));
   // Around the tube: half way between two vertical sides, where the tube is thinnest.
   double meridian = 0;
   const auto section = [](int j) {
-    const double a = 2 * kPi * j / kTube;
-    return Eigen::Vector2d((3 + std::cos(a)) * std::cos(kPi / kAround), std::sin(a));
+    const double a = 2 * std::numbers::pi * j / kTube;
+    return Eigen::Vector2d((3 + std::cos(a)) * std::cos(std::numbers::pi / kAround), std::sin(a));
   };
   for (int j = 0; j < kTube; ++j) meridian += (section(j + 1) - section(j)).norm();
   for (const double tilt : {0.0, 0.1, 0.3})
@@ -195,15 +194,15 @@ TEST_CASE("one-sided and flipped bands hold rings like any other") {
   };
   const SurfacePath start = zigzag(1);
   const double once = ring_length(moebius, start);
-  CHECK(once > 2 * 2 * kPi);                                // all of it lies outside of this cylinder
-  CHECK(once < 2 * 3 * kAround * std::sin(kPi / kAround));  // the polygon of the middle row
+  CHECK(once > 2 * 2 * std::numbers::pi);                                // all of it lies outside of this cylinder
+  CHECK(once < 2 * 3 * kAround * std::sin(std::numbers::pi / kAround));  // the polygon of the middle row
   CHECK(ring_length(moebius, zigzag(-2)) == Approx(once).epsilon(kRounding));
   SurfacePath twice = start;
   twice.points.insert(twice.points.end(), start.points.begin() + 1, start.points.end());
   twice.faces.insert(twice.faces.end(), start.faces.begin(), start.faces.end());
   CHECK(ring_length(moebius, twice) <= 2 * once * (1 + kRounding));
 
-  PolygonSoup soup = test::soup_of(box(1, 2, 3, 1));
+  PolygonSoup soup = test::soup_of(corner_box(1, 2, 3, 1));
   for (std::size_t f = 0; f + 1 < soup.polygon_begin.size(); f += 3)
     std::swap(soup.corners[3 * f], soup.corners[3 * f + 1]);
   const TriangleMesh flipped(soup);
@@ -266,13 +265,13 @@ TEST_CASE("flips shorten a ring on a bumpy surface and never lose it") {
 }
 
 TEST_CASE("the checker of rings looks at the seam") {
-  const TriangleMesh mesh = box(1, 2, 3, 1);
+  const TriangleMesh mesh = corner_box(1, 2, 3, 1);
   const SurfacePath straight = straighten_ring(mesh, cut(mesh, {0, 0, 0.1}, {0.1, 0.2, 1})).path;
-  CHECK(check_straight_ring(mesh, straight) >= kStraight);
+  CHECK(check_straight_ring(mesh, straight) >= kStraightRing);
   SurfacePath open = straight;
   open.points.pop_back();
   open.faces.pop_back();
-  CHECK(check_straight(mesh, open) >= kStraight);
+  CHECK(check_straight(mesh, open) >= kStraightRing);
   CHECK(check_straight_ring(mesh, open) < -1);
   // Tilted cuts through flat sides turn at the box's edges only; one seam in the middle of a side must be seen as well.
   SurfacePath bent = begun_later(straight, 1);
@@ -283,7 +282,7 @@ TEST_CASE("the checker of rings looks at the seam") {
 }
 
 TEST_CASE("rings that are none, and interrupted ones") {
-  const TriangleMesh mesh = box(1, 2, 3, 3);
+  const TriangleMesh mesh = corner_box(1, 2, 3, 3);
   const SurfacePath start = cut(mesh, {0, 0, 0.1}, {0.3, 0.4, 1});
   SurfacePath open = start;
   open.points.pop_back();

@@ -18,7 +18,7 @@ std::vector<Eigen::Matrix3d> read(const std::string& text) {
 }
 
 /// The message, or nothing when the text was accepted.
-std::string refusal(const std::string& text) {
+std::string tensor_refusal(const std::string& text) {
   try {
     read(text);
   } catch (const InputError& error) {
@@ -38,15 +38,15 @@ TEST_CASE("tensor files: rows of the upper triangle, comments, blank lines") {
 
 TEST_CASE("tensor files: what is wrong, and in which row") {
   using Catch::Contains;
-  CHECK_THAT(refusal(""), Contains("holds no tensors"));
-  CHECK_THAT(refusal("# nothing\n\n"), Contains("holds no tensors"));
-  CHECK_THAT(refusal("1 0 0 1 0 1\n1 0 0 1 0\n"), Contains("t.txt:2: expected one of the six entries"));
-  CHECK_THAT(refusal("1 0 0 1 0 1 7\n"), Contains("t.txt:1: unexpected '7'"));
-  CHECK_THAT(refusal("1 0 0 1 0 nan\n"), Contains("t.txt:1"));
-  CHECK_THAT(refusal("1,0,0,1,0,1\n"), Contains("t.txt:1"));
-  CHECK_THAT(refusal("\n1 2 0 1 0 1\n"),
+  CHECK_THAT(tensor_refusal(""), Contains("holds no tensors"));
+  CHECK_THAT(tensor_refusal("# nothing\n\n"), Contains("holds no tensors"));
+  CHECK_THAT(tensor_refusal("1 0 0 1 0 1\n1 0 0 1 0\n"), Contains("t.txt:2: expected one of the six entries"));
+  CHECK_THAT(tensor_refusal("1 0 0 1 0 1 7\n"), Contains("t.txt:1: unexpected '7'"));
+  CHECK_THAT(tensor_refusal("1 0 0 1 0 nan\n"), Contains("t.txt:1"));
+  CHECK_THAT(tensor_refusal("1,0,0,1,0,1\n"), Contains("t.txt:1"));
+  CHECK_THAT(tensor_refusal("\n1 2 0 1 0 1\n"),
              Contains("t.txt:2: a tensor is positive definite; the eigenvalues of this one are -1, 1, 3"));
-  CHECK_THAT(refusal("1 0 0 1 0 0\n"), Contains("n n'"));  // of the plane z = 0
+  CHECK_THAT(tensor_refusal("1 0 0 1 0 0\n"), Contains("n n'"));  // of the plane z = 0
 }
 
 }  // namespace leastcost::test

@@ -16,7 +16,7 @@
 namespace leastcost {
 namespace {
 
-SurfacePoint random_point(const TriangleMesh& mesh, test::Random& random) {
+SurfacePoint random_start(const TriangleMesh& mesh, test::Random& random) {
   Eigen::Vector3d b(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
   const int kind = random.integer(0, 3);  // inside faces, and now and then on edges and vertices
   if (kind == 0) b[random.integer(0, 2)] = 0;
@@ -47,7 +47,7 @@ TEST_CASE("on a flat mesh a trace is the straight line") {
   const TriangleMesh mesh(test::cube(), {false, 3});
   test::Random random;
   for (int i = 0; i < 200; ++i) {
-    SurfacePoint a = random_point(mesh, random), b = random_point(mesh, random);
+    SurfacePoint a = random_start(mesh, random), b = random_start(mesh, random);
     if (mesh.file_face(a.face) != mesh.file_face(b.face)) continue;  // the same side of the cube
     const TracedPath traced = trace_chain(mesh, std::vector{a, b});
     check_trace(mesh, {a, b}, traced);
@@ -109,7 +109,7 @@ TEST_CASE("flipped faces and one-sided surfaces change nothing") {
   test::Random random;
   for (int i = 0; i < 50; ++i) {
     const std::vector<SurfacePoint> points =
-        chain_on(band, graph, random_point(band, random), random_point(band, random), 9);
+        chain_on(band, graph, random_start(band, random), random_start(band, random), 9);
     if (!points.empty()) check_trace(band, points, trace_chain(band, points));
   }
 }
@@ -134,7 +134,7 @@ TEST_CASE("traces on real meshes are connected face by face") {
     const TriangleMesh mesh(read_mesh(*file));
     EdgeGraphSearch graph(mesh);
     for (int i = 0; i < 20; ++i) {
-      const SurfacePoint a = random_point(mesh, random), b = random_point(mesh, random);
+      const SurfacePoint a = random_start(mesh, random), b = random_start(mesh, random);
       if (mesh.component(mesh.face(a.face)[0]) != mesh.component(mesh.face(b.face)[0])) continue;
       const std::vector<SurfacePoint> chain = chain_on(mesh, graph, a, b, random.integer(2, 60));
       if (!chain.empty()) check_trace(mesh, chain, trace_chain(mesh, chain));

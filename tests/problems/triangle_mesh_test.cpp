@@ -21,7 +21,7 @@ namespace {
 using test::add_polygon;
 using test::Closing;
 
-constexpr unsigned kSeed = 20260101;
+constexpr unsigned kMeshSeed = 20260101;
 
 Eigen::Vector3d random_barycentric(std::mt19937_64& engine) {
   std::exponential_distribution<double> exponential;
@@ -102,7 +102,7 @@ TEST_CASE("mesh: Euler characteristics of surfaces of known genus", "[mesh]") {
 }
 
 TEST_CASE("mesh: nothing but the side of normals depends on the order of corners", "[mesh]") {
-  std::mt19937_64 engine(kSeed);
+  std::mt19937_64 engine(kMeshSeed);
   const PolygonSoup soup = test::soup_of(TriangleMesh(test::grid(12, 9, Closing::kRound, true)));
   std::vector<bool> turned;
   const TriangleMesh plain(soup), flipped(flip_some(soup, engine, turned));
@@ -126,7 +126,7 @@ TEST_CASE("mesh: nothing but the side of normals depends on the order of corners
 }
 
 TEST_CASE("mesh: smooth normals converge to those of a sphere", "[mesh]") {
-  std::mt19937_64 engine(kSeed);
+  std::mt19937_64 engine(kMeshSeed);
   std::vector<double> errors;
   for (const int levels : {3, 4, 5}) {
     const TriangleMesh mesh(test::sphere(levels));
@@ -205,7 +205,7 @@ TEST_CASE("mesh: cone angles", "[mesh]") {
 }
 
 TEST_CASE("mesh: subdivision keeps geometry, file numbers and addresses", "[mesh]") {
-  std::mt19937_64 engine(kSeed);
+  std::mt19937_64 engine(kMeshSeed);
   const PolygonSoup soup = test::grid(7, 5, Closing::kTwisted, false);
   const TriangleMesh coarse(soup);
   for (const int levels : {1, 3}) {
@@ -330,7 +330,7 @@ TEST_CASE("mesh: polygons of every shape are cut inside", "[mesh]") {
 }
 
 TEST_CASE("mesh: random star-shaped polygons are cut without overlap", "[mesh]") {
-  std::mt19937_64 engine(kSeed);
+  std::mt19937_64 engine(kMeshSeed);
   std::uniform_real_distribution<double> radius(0.2, 1);
   for (int round = 0; round < 200; ++round) {
     const int count = 4 + round;

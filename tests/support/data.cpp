@@ -36,6 +36,13 @@ std::string current_test() { return Catch::getResultCapture().getCurrentTestName
 
 }  // namespace
 
+std::string content(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
 std::filesystem::path project_dir() { return kProjectDir; }
 
 std::filesystem::path program() { return kProgram; }

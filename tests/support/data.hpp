@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 
 /// Where tests find things. A test that needs a file which is not there leaves early:
@@ -28,6 +29,9 @@ std::filesystem::path project_dir();
 
 /// The command line program of this build, or an empty path when it was not built.
 std::filesystem::path program();
+
+/// All of a file, byte by byte.
+std::string content(const std::filesystem::path& file);
 
 /// A new empty folder for the running test case, removed with the object.
 class ScratchDir {

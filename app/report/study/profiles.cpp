@@ -9,7 +9,7 @@
 namespace leastcost::app {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// The distribution function of finite values among \`problems\` of them.
 Profile distribution(std::vector<double> values, std::size_t problems) {
@@ -34,7 +34,7 @@ std::vector<Profile> profiles(const WorkTable& work, const std::vector<double>& 
   for (std::size_t s = 0; s < solvers; ++s) {
     std::vector<double> values;
     for (std::size_t p = 0; p < work.size(); ++p)
-      values.push_back(std::isfinite(work[p][s]) ? work[p][s] / divisors[p] : kInfinity);
+      values.push_back(std::isfinite(work[p][s]) ? work[p][s] / divisors[p] : kNever);
     out.push_back(distribution(std::move(values), work.size()));
   }
   return out;
@@ -45,7 +45,7 @@ std::vector<Profile> profiles(const WorkTable& work, const std::vector<double>& 
 std::vector<Profile> performance_profiles(const WorkTable& work) {
   std::vector<double> best;
   for (const std::vector<double>& of_problem : work)
-    best.push_back(of_problem.empty() ? kInfinity : *std::min_element(of_problem.begin(), of_problem.end()));
+    best.push_back(of_problem.empty() ? kNever : *std::min_element(of_problem.begin(), of_problem.end()));
   return profiles(work, best);
 }
 
@@ -68,7 +68,7 @@ std::optional<double> log_log_slope(const std::vector<double>& x, const std::vec
 double work_to_reach(const std::vector<double>& work, const std::vector<double>& excess, double tau) {
   for (std::size_t i = 0; i < work.size(); ++i)
     if (excess[i] <= tau) return work[i];
-  return kInfinity;
+  return kNever;
 }
 
 }  // namespace leastcost::app
