@@ -24,8 +24,9 @@ function(leastcost_back_end name)
   set_property(GLOBAL APPEND PROPERTY LEASTCOST_BUILT_BACK_ENDS ${name})
   set_property(GLOBAL APPEND_STRING PROPERTY LEASTCOST_BACK_END_INCLUDES
     "#include <leastcost/solvers/${name}/${name}_solver.hpp>\n")
+  set(made "made_of<SolverPlugin, ${arg_CLASS}, ${arg_CLASS}Options>(\"${name}\", \"${arg_SUMMARY}\")")
   set_property(GLOBAL APPEND_STRING PROPERTY LEASTCOST_BACK_END_ENTRIES
-    "      present(made_of<SolverPlugin, ${arg_CLASS}, ${arg_CLASS}Options>(\"${name}\", \"${arg_SUMMARY}\"), \"${arg_LIBRARY} \" + ${name}_version()),\n")
+    "      present(${made},\n              \"${arg_LIBRARY} \" + ${name}_version()),\n")
 endfunction()
 
 # The registration of all of them, as a source file.

@@ -118,7 +118,7 @@ path: {points: 64}
 )";
 
 constexpr std::string_view kCloud =
-    R"(# A geodesic on the smooth surface through a point cloud. The file is relative to the folder of this configuration.
+    R"(# A geodesic on the smooth surface through a point cloud. The file is relative to the folder of this file.
 name: cloud
 manifold:
   type: point_cloud

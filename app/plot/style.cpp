@@ -66,7 +66,8 @@ constexpr std::array<Colour, 12> kPalette = {{{"ink", "#222", "#e6e4df"},
                                               {"c6", "#222", "#e6e4df"}}};
 
 constexpr std::string_view kFonts =
-    R"(font-family:system-ui,-apple-system,"Segoe UI","Helvetica Neue",Helvetica,Arial,sans-serif;font-variant-numeric:tabular-nums)";
+    R"(font-family:system-ui,-apple-system,"Segoe UI","Helvetica Neue",Helvetica,Arial,sans-serif;)"
+    "font-variant-numeric:tabular-nums";
 
 constexpr std::string_view kRules =
     R"(.plot text{font-size:11px;fill:var(--soft)}.plot .title{font-size:12.5px;font-weight:600;fill:var(--ink)}

@@ -25,7 +25,7 @@ class StoppedEarly : public InitializationError {
 
 /// Wall time of what is not the search for one path (Result::seconds), s.
 struct RunSeconds {
-  double read = 0;     ///< the configuration, its files and the domains made from them
+  double read = 0;     ///< the files that the configuration names, and the domains made from them
   double compose = 0;  ///< everything else that load_run() does
   double search = 0;   ///< solve() as a whole, all members of a family included
   double write = 0;    ///< the files of results

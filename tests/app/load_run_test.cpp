@@ -116,6 +116,7 @@ TEST_CASE("load_run: what is replaced in memory is solved, and said in the files
   const fs::path folder = write_run(outcome, dir / "out");
   const Json result = json(folder / "result.json");
   CHECK(result["name"] == "doubled");
+  CHECK(result["seconds"].contains("other_members"));
   CHECK(result["problem"]["cost"].is_null());
   CHECK(result["problem"]["manifold"] == "euclidean");
   CHECK(result["solver"]["name"] == "gradient_descent");
