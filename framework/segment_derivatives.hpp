@@ -307,8 +307,9 @@ void gauss_newton_block(const C& c, const SegmentEnds<C::dim>& e, const Kernel& 
   }
 }
 
-/// sqrt(v' q_bb v / 2) at a = b = x, from one second-order directional dual; right where q is twice differentiable
-/// there.
+/// sqrt(v' q_bb v / 2) at a = b = x, from one second-order directional dual. Right only where q is twice differentiable
+/// at a = b. A Finsler cost (c depends on the direction, q = |d|^2 f(d / |d|)^2) is not: such a cost states its own
+/// `double line_element(x, v) const`, the limit of c(x, x + e v) / e for e -> 0+.
 template <class C>
 double line_element_from_hessian(const C& c, const Point<double, C::dim>& x, const Point<double, C::dim>& v) {
   using S = detail::Dual11;

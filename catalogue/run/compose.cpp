@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <optional>
 #include <utility>
 
 #include <leastcost/catalogue/registry/registry.hpp>
@@ -16,7 +17,6 @@
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/initializers/mirrored.hpp>
 #include <leastcost/problems/mesh/has_mesh.hpp>
-#include <leastcost/solvers/newton.hpp>
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/run/ends.hpp"
 #include "problems/chart/has_images.hpp"
@@ -58,19 +58,16 @@ void make_parts(const RunConfig& config, const BuildContext& context, Compositio
   out.problem.kernel = make<std::shared_ptr<const Kernel>>(config.kernel, context);
   out.initializer = make<std::shared_ptr<const Initializer>>(config.initializer, context);
   out.solver = make<std::shared_ptr<const Solver>>(config.solver, context);
-  out.certifier = std::make_shared<const Newton>();
   for (const PluginChoice& choice : config.post_process.choices)
-    out.post_processors.push_back(make<std::shared_ptr<const PostProcessor>>(choice, context));
+    out.options.post_processors.push_back(make<std::shared_ptr<const PostProcessor>>(choice, context));
 }
 
 void fill_options(const RunConfig& config, Composition& out) {
-  out.options.points = config.points.automatic ? 0 : config.points.count;
-  out.options.reference_cost = config.reference_cost;
+  out.options.points = config.points.automatic ? std::nullopt : std::optional(config.points.count);
+  if (config.reference_cost > 0) out.options.reference_cost = config.reference_cost;
   out.options.cascade = config.cascade;
   out.options.escape_saddle = config.escape_saddle;
   out.options.certificate = config.certificate;
-  out.options.certifier = out.certifier.get();
-  for (const auto& processor : out.post_processors) out.options.post_processors.push_back(processor.get());
 }
 
 /// The starts of a family: every image of the target, from the run's own initializer, from bows, and from what else was

@@ -19,13 +19,12 @@ struct PlacedEnd {
   double moved = 0;  ///< distance between the two, length units
 };
 
-/// The objects that a configuration describes, ready for find_path(). Owns what FindOptions points to.
+/// The objects that a configuration describes, ready for find_path().
 struct Composition {
   Problem problem;
   std::shared_ptr<const Initializer> initializer;
   std::vector<FamilyStart> family;  ///< of all starts, the one above first; empty: only that one
-  std::shared_ptr<const Solver> solver, certifier;
-  std::vector<std::shared_ptr<const PostProcessor>> post_processors;
+  std::shared_ptr<const Solver> solver;
   FindOptions options;
   PlacedEnd source, target;  ///< empty in a ring
   double read_seconds = 0;   ///< files and their domains

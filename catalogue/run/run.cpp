@@ -49,13 +49,14 @@ Run load_run(const std::filesystem::path& file, const std::vector<Override>& ove
 
 RunOutcome solve(RunConfig config, Composition parts, const Monitor& monitor) {
   RunOutcome outcome{std::move(config), std::move(parts), {}, {}};
-  const Monitor limited = with_budget(monitor, outcome.config.max_seconds);
-  try {
-    find(outcome, limited);
-  } catch (const InitializationError& e) {
-    if (limited.interrupted()) throw StoppedEarly(e.what());
-    throw;
-  }
+  const bool limited = outcome.config.max_seconds > 0 || monitor.deadline;
+  if (limited && outcome.parts.options.certificate.enabled) prepare(outcome.parts.problem);
+  find(outcome, with_budget(monitor, outcome.config.max_seconds));
+  const Result& result = outcome.result;
+  if (result.path.u.size() == 0) throw StoppedEarly(result.notes.empty() ? "no path yet" : result.notes.back());
+  complete_interrupted(outcome.parts.problem, outcome.parts.options, outcome.result);
+  for (FamilyMember& member : outcome.family)
+    complete_interrupted(member.problem, outcome.parts.options, member.result);
   return outcome;
 }
 

@@ -14,10 +14,11 @@
 
 namespace leastcost {
 
-/// Stopped, by request or by max_seconds, before there was a first path.
-class StoppedEarly : public InitializationError {
+/// Stopped, by request or by max_seconds, before there was a path: a result of find_path() that is interrupted and
+/// empty, of which nothing can be written.
+class StoppedEarly : public Error {
  public:
-  using InitializationError::InitializationError;
+  using Error::Error;
 };
 
 /// A configuration and the objects it describes: nothing solved, nothing written. `parts` may be changed before
@@ -41,7 +42,8 @@ struct RunOutcome {
 };
 
 /// The search of a composed configuration, within its max_seconds: the path, or the best of its family. Writes nothing.
-/// Throws InitializationError; StoppedEarly when it was told to stop before there was a first path.
+/// What an interrupted search had no time for, its curve and its costs, is made up for afterwards. Throws
+/// InitializationError; StoppedEarly when it was told to stop before there was a path.
 RunOutcome solve(RunConfig config, Composition parts, const Monitor& monitor = {});
 
 }  // namespace leastcost

@@ -22,8 +22,8 @@ using Graph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_pro
                                                  boost::no_property, std::int32_t, std::int32_t>;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kRounds = 200;        // searches, each around the gaps found so far
-constexpr int kStopInterval = 256;  // settled samples between two questions to the monitor
+constexpr int kRounds = 200;       // searches, each around the gaps found so far
+constexpr int kStopInterval = 16;  // settled samples between two questions to the monitor
 
 struct TargetSettled {};
 struct StopRequested {};
@@ -70,7 +70,7 @@ class RouteQuery {
     } catch (const TargetSettled&) {
       return path_found(predecessor);
     } catch (const StopRequested&) {
-      throw InitializationError("the search was stopped after " + std::to_string(settled_) + " samples");
+      throw Interrupted("the search was stopped after " + std::to_string(settled_) + " samples");
     } catch (const Exhausted&) {  // said below
     }
     throw InitializationError("no route along the neighbour graph: " + std::to_string(settled_ - 1) + " of " +
@@ -126,6 +126,7 @@ class RouteQuery {
     for (const std::int32_t i : to) at_target[static_cast<std::size_t>(i)] = 1;
     const CloudGraph& graph = domain_.graph();
     for (std::int32_t i = 0; i < samples_; ++i) {
+      if (i % kStopInterval == 0) look_at_clock(monitor_.deadline);
       for (const std::int32_t* j = graph.begin(i); j != graph.end(i); ++j) edges.emplace_back(i, *j);
       if (at_target[static_cast<std::size_t>(i)] != 0) edges.emplace_back(i, target());
     }
