@@ -39,8 +39,8 @@ PathEnd end_at(const MeshManifold& domain, int file_vertex) {
 Stages measure(const std::filesystem::path& file, int subdivide) {
   const auto domain = make_mesh_manifold({file.string(), false, subdivide}, "");
   const DijkstraInitializer initializer;
-  const TracePostProcessor trace;
-  const StraightenPostProcessor straighten;
+  const auto trace = std::make_shared<const TracePostProcessor>();
+  const auto straighten = std::make_shared<const StraightenPostProcessor>();
   const Lbfgs solver;
   Stages stages;
   FindOptions options;
@@ -50,9 +50,9 @@ Stages measure(const std::filesystem::path& file, int subdivide) {
     for (int target = 100; target < 2100; target += 100) {
       Problem problem{domain, make_euclidean_cost(3), make_kernel<Expm1Square>(), end_at(*domain, 0),
                       end_at(*domain, target)};
-      options.post_processors = {&trace};
+      options.post_processors = {trace};
       const Result traced = find_path(problem, initializer, solver, options);
-      options.post_processors = {&trace, &straighten};
+      options.post_processors = {trace, straighten};
       const Result full = find_path(problem, initializer, solver, options);
       if (round == 0) {
         stages.faces += static_cast<double>(full.curve.segment_sites.size()) / 20;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/path_energy.hpp>
 #include "framework/spacing.hpp"
 
@@ -26,14 +27,22 @@ SolveReport solve_by_cascade(const Problem& problem, const Solver& solver, doubl
                              const Monitor& monitor) {
   const Index finest = path.segment_count();
   const auto points = [&path](Index segments) { return static_cast<int>(path.ring ? segments : segments - 1); };
+  const auto next_level = [&](const CoordinatePath& before, Index segments) {
+    if (before.u.size() == 0)
+      return segments == finest ? path : sample_equally(problem, path, points(segments), 0.05, 8, monitor.deadline);
+    CoordinatePath level = refine(problem, before, monitor.deadline);
+    if (level.segment_count() == segments) return level;
+    return sample_equally(problem, level, points(segments), 1e-3, 8, monitor.deadline);
+  };
   SolveReport report;
   CoordinatePath level;
   for (const Index segments : level_sizes(finest)) {
-    if (level.u.size() == 0) {
-      level = segments == finest ? path : sample_equally(problem, path, points(segments));
-    } else {
-      level = refine(problem, level);
-      if (level.segment_count() != segments) level = sample_equally(problem, level, points(segments), 1e-3);
+    try {
+      level = next_level(level, segments);
+    } catch (const Interrupted&) {
+      report.termination = Termination::time_limit;
+      report.message = "";
+      return report;
     }
     const double s0 = reference_cost * static_cast<double>(finest) / static_cast<double>(segments);
     PathEnergy energy(problem, s0);

@@ -8,10 +8,12 @@
 #include <sstream>
 
 #include <leastcost/framework/chain_model.hpp>
+#include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/path_energy.hpp>
 #include "framework/bundle.hpp"
 #include "framework/curve_value.hpp"
 #include "framework/geometry_error.hpp"
+#include "framework/in_parts.hpp"
 #include "framework/path_index.hpp"
 #include "framework/refinement.hpp"
 #include "framework/spacing.hpp"
@@ -41,18 +43,35 @@ std::string text(double x) {
 class Certifier {
  public:
   Certifier(const Problem& problem, double s0, const PostProcessed& path, const ToCurve& to_curve,
-            const Solver& certifier, const CertificateOptions& options, const Monitor& monitor)
+            const CertificateOptions& options, const Monitor& monitor)
       : problem_(problem),
-        energy_(problem, s0),
+        energy_(problem, s0, monitor.deadline),
         path_(path),
         to_curve_(to_curve),
-        certifier_(certifier),
         options_(options),
         monitor_(monitor) {}
 
   Certificate run() {
     c_.measured = true;
     c_.estimate.value = path_.curve.cost;
+    bool interrupted = false;
+    try {
+      measure();
+    } catch (const Interrupted&) {
+      interrupted = true;
+    }
+    if (interrupted || monitor_.interrupted()) {
+      fail("interrupted", "the certificate was interrupted");
+      c_.estimate = {};  // half a measurement says nothing
+      c_.estimate.value = path_.curve.cost;
+    }
+    return std::move(c_);
+  }
+
+ private:
+  void measure() {
+    if (!std::isfinite(path_.curve.cost) || !path_.curve_costs.allFinite())
+      return fail("infinite_cost", "the delivered path costs infinitely much: it leaves the domain of the cost");
     measure_residual();
     measure_segments();
     measure_asymmetry();
@@ -63,11 +82,8 @@ class Certifier {
     } else {
       certify_chain();
     }
-    if (monitor_.interrupted()) fail("interrupted", "the certificate was interrupted");
-    return std::move(c_);
   }
 
- private:
   void fail(const char* name, std::string message) { c_.failures.push_back({name, std::move(message)}); }
 
   double extent() const {
@@ -77,12 +93,12 @@ class Certifier {
 
   /// Worst distance off the domain of a point of the chain, and on a polyhedron of the middle of a piece of the curve.
   void measure_residual() {
-    double worst = problem_.manifold->residual(path_.chain);
+    double worst = residual(*problem_.manifold, path_.chain, monitor_.deadline);
     if (problem_.manifold->shape() == Shape::polyhedral) {
       const Points& x = path_.curve.x;
       const Index m = x.cols() - 1;
       CoordinatePath middles{(x.leftCols(m) + x.rightCols(m)) / 2, path_.curve.segment_sites, true};
-      worst = std::max(worst, problem_.manifold->residual(middles));
+      worst = std::max(worst, residual(*problem_.manifold, middles, monitor_.deadline));
     }
     c_.residual = worst / extent();
     if (!(*c_.residual <= options_.residual))
@@ -93,7 +109,9 @@ class Certifier {
   void measure_segments() {
     c_.spacing = spread(path_.curve.straightness ? path_.curve_costs : energy_.costs(path_.chain));
     c_.longest_segment = path_.curve_costs.maxCoeff() / path_.curve_costs.mean();
-    if (!(c_.longest_segment <= options_.longest_segment))
+    if (!(path_.curve.cost > 0))
+      fail("costs_nothing", "the delivered path costs nothing");
+    else if (!(c_.longest_segment <= options_.longest_segment))
       fail("longest_segment",
            "the longest segment costs " + text(c_.longest_segment) +
                " times the mean: the path jumps over a part of the domain (a sinkhole, VFCS Fig. 2)");
@@ -129,7 +147,7 @@ class Certifier {
     c_.scope = "chain_on_polyhedron";
     measure_kinked_stationarity();
     std::vector<double> values;
-    const Refinement refinement = refine_levels(problem_, path_.chain, certifier_, monitor_);
+    const Refinement refinement = refine_levels(problem_, path_.chain, monitor_);
     c_.levels = refinement.levels;
     for (const CoordinatePath& level : refinement.paths) {
       if (monitor_.interrupted()) return;
@@ -177,7 +195,7 @@ class Certifier {
     measure_stationarity();
     c_.index = path_index(energy_, path_.chain, options_.index_shift);
     measure_chart_jumps();
-    const Refinement refinement = refine_levels(problem_, path_.chain, certifier_, monitor_);
+    const Refinement refinement = refine_levels(problem_, path_.chain, monitor_);
     c_.levels = refinement.levels;
     if (monitor_.interrupted()) return;  // run() says so; half a refinement says nothing
     if (!refinement.trouble.empty()) fail(refinement.collapsed ? "collapsed" : "refinement", refinement.trouble);
@@ -195,7 +213,7 @@ class Certifier {
   }
 
   void measure_domain() {
-    const GeometryError error = measure_geometry_error(problem_, path_.chain, certifier_, monitor_);
+    const GeometryError error = measure_geometry_error(problem_, path_.chain, monitor_);
     c_.geometry_error = error.value;
     if (!error.trouble.empty() && !monitor_.interrupted())
       fail("geometry_error", "what the domain's representation costs is unknown: " + error.trouble);
@@ -225,14 +243,16 @@ class Certifier {
   void measure_fine_index(const Refinement& refinement) {
     if (c_.index.verdict != IndexVerdict::minimum || refinement.paths.size() < 3) return;
     const CoordinatePath& fine = refinement.paths[2];
-    PathEnergy energy(problem_, refinement.levels[2].cost / refinement.levels[2].segments);
+    const double s0 = refinement.levels[2].cost / refinement.levels[2].segments;
+    if (!(s0 > 0) || !std::isfinite(s0)) return;
+    PathEnergy energy(problem_, s0, monitor_.deadline);
     const PathIndex index = path_index(energy, fine, options_.index_shift);
     if (index.verdict != IndexVerdict::not_applicable) c_.index = index;
   }
 
   void measure_chart_jumps() {
     if (dynamic_cast<const HasChart*>(problem_.manifold.get()) == nullptr) return;
-    const ChartJump jump = worst_chart_jump(problem_, path_.chain, energy_.costs(path_.chain));
+    const ChartJump jump = worst_chart_jump(problem_, path_.chain, energy_.costs(path_.chain), monitor_.deadline);
     if (jump.ratio > kJump)
       fail("longest_segment", "between points " + std::to_string(jump.segment) + " and " +
                                   std::to_string(jump.segment + 1) + " the straight way in the chart costs " +
@@ -256,7 +276,7 @@ class Certifier {
       dense.u.col(i) = (1 - t) * chain.column(i / kPieces);
       if (t > 0) dense.u.col(i) += t * chain.column(i / kPieces + 1);
     }
-    if (!manifold.project(dense).failed.empty()) return std::nullopt;
+    if (!project(manifold, dense, monitor_.deadline).failed.empty()) return std::nullopt;
     Points normals(chain.u.rows(), chain.u.rows());
     bool rests = false;
     for (Index i = 1; i + 1 < dense.u.cols() && !rests; ++i) rests = bounds->active_bounds(dense, i, normals) > 0;
@@ -332,7 +352,6 @@ class Certifier {
   PathEnergy energy_;
   const PostProcessed& path_;
   const ToCurve& to_curve_;
-  const Solver& certifier_;
   const CertificateOptions& options_;
   const Monitor& monitor_;
   bool hugs_bound_ = false;  ///< a point rests on a bound: the segment that leaves it cannot follow the path
@@ -354,8 +373,8 @@ void CertificateOptions::fields(FieldVisitor& visit) {
 }
 
 Certificate certify(const Problem& problem, double reference_cost, const PostProcessed& path, const ToCurve& to_curve,
-                    const Solver& certifier, const CertificateOptions& options, const Monitor& monitor) {
-  return Certifier(problem, reference_cost, path, to_curve, certifier, options, monitor).run();
+                    const CertificateOptions& options, const Monitor& monitor) {
+  return Certifier(problem, reference_cost, path, to_curve, options, monitor).run();
 }
 
 }  // namespace leastcost

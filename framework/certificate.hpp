@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -57,8 +58,8 @@ struct RefinementLevel {
 
 /// The reported value with its error. Units of the cost.
 struct CostEstimate {
-  double value = 0;
-  double error = 0;
+  double value = std::numeric_limits<double>::quiet_NaN();
+  double error = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not measured, +infinity: nothing is known
   std::string method;           ///< "exact", "bracket", "spline", "richardson", "traced", "straightened", "differences"
   std::optional<double> lower;  ///< where a bound exists
   std::optional<double> upper;
@@ -90,10 +91,10 @@ struct Certificate {
 /// Turns a chain into the curve that is delivered for it: the post-processors of the run.
 using ToCurve = std::function<PostProcessed(const CoordinatePath&)>;
 
-/// Measures the delivered path: `path.chain` is what the caller gets, `path.curve` lies on the domain. `certifier`
-/// solves the refinement levels; it should be a chain solver (newton in smooth domains). Cancelling leaves a
-/// certificate that is not certified.
+/// Measures the delivered path: `path.chain` is what the caller gets, `path.curve` lies on the domain. The refinement
+/// levels are solved by Newton on the chain, whatever made the path. Stopped, or after the deadline, it has the failure
+/// `interrupted` and no error bar.
 Certificate certify(const Problem& problem, double reference_cost, const PostProcessed& path, const ToCurve& to_curve,
-                    const Solver& certifier, const CertificateOptions& options, const Monitor& monitor);
+                    const CertificateOptions& options, const Monitor& monitor);
 
 }  // namespace leastcost

@@ -10,6 +10,8 @@
 namespace leastcost {
 namespace {
 
+constexpr Index kLook = 64;  ///< blocks between two looks at the clock
+
 template <int K>
 using Block = Eigen::Matrix<double, K, K>;
 
@@ -54,13 +56,14 @@ void ChainSystem::add(double factor, const ChainSystem& other) {
 }
 
 template <int K>
-bool ChainSystem::factor_blocks() {
+bool ChainSystem::factor_blocks(const Deadline& deadline) {
   const Index first = ring_ ? 1 : 0;
   const int k = k_;
   Block<K> pivot(k, k), border(k, k), schur(k, k);
   if (ring_) schur = diagonal(0);
   if (ring_ && n_ == 1) schur += coupling(0) + coupling(0).transpose();  // its only segment joins x_0 with itself
   for (Index i = first; i < n_; ++i) {
+    if (i % kLook == 0) look_at_clock(deadline);
     pivot = diagonal(i);
     if (i > first) {
       const Eigen::Map<const Block<K>> w(w_.data() + k * k * (i - 1), k, k);
@@ -94,12 +97,12 @@ bool ChainSystem::factor_blocks() {
   return true;
 }
 
-bool ChainSystem::factor() {
+bool ChainSystem::factor(const Deadline& deadline) {
   switch (k_) {
-    case 1: return factor_blocks<1>();
-    case 2: return factor_blocks<2>();
-    case 3: return factor_blocks<3>();
-    default: return factor_blocks<Eigen::Dynamic>();
+    case 1: return factor_blocks<1>(deadline);
+    case 2: return factor_blocks<2>(deadline);
+    case 3: return factor_blocks<3>(deadline);
+    default: return factor_blocks<Eigen::Dynamic>(deadline);
   }
 }
 
@@ -174,7 +177,7 @@ void ChainSystem::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
   }
 }
 
-ChainSystem::Elimination ChainSystem::eliminate() const {
+ChainSystem::Elimination ChainSystem::eliminate(const Deadline& deadline) const {
   Elimination e;
   e.inverse.resize(static_cast<std::size_t>(n_));
   e.border.resize(static_cast<std::size_t>(n_));
@@ -199,6 +202,7 @@ ChainSystem::Elimination ChainSystem::eliminate() const {
   if (ring_) schur = diagonal(0);
   if (ring_ && n_ == 1) schur += coupling(0) + coupling(0).transpose();
   for (Index i = first; i < n_; ++i) {
+    if (i % kLook == 0) look_at_clock(deadline);
     const auto at = static_cast<std::size_t>(i);
     Points pivot = diagonal(i);
     Points border = Points::Zero(k_, k_);
@@ -218,10 +222,10 @@ ChainSystem::Elimination ChainSystem::eliminate() const {
   return e;
 }
 
-int ChainSystem::negative_eigenvalues() const { return eliminate().negatives; }
+int ChainSystem::negative_eigenvalues(const Deadline& deadline) const { return eliminate(deadline).negatives; }
 
-Eigen::VectorXd ChainSystem::negative_direction() const {
-  const Elimination e = eliminate();
+Eigen::VectorXd ChainSystem::negative_direction(const Deadline& deadline) const {
+  const Elimination e = eliminate(deadline);
   if (e.first_negative < 0) return {};
   Eigen::VectorXd x = Eigen::VectorXd::Zero(size());
   x.segment(k_ * e.first_negative, k_) = e.negative;

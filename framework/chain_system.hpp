@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include <leastcost/framework/deadline.hpp>
 #include <leastcost/framework/path.hpp>
 
 namespace leastcost {
@@ -38,7 +39,8 @@ class ChainSystem {
   void add(double factor, const ChainSystem& other);
 
   /// Block Cholesky. False when the matrix is not (numerically) positive definite; solve() then means nothing.
-  bool factor();
+  /// Throws Interrupted when it meets the deadline; so does every other pass through the chain that takes one.
+  bool factor(const Deadline& deadline = {});
   /// x := A^-1 x, after factor() returned true.
   void solve(Eigen::VectorXd& x) const;
   /// x := L^-1 x and x := L^-T x for A = L L', the two halves of solve(): with z = L' x the quadratic x'Ax is |z|^2,
@@ -48,9 +50,9 @@ class ChainSystem {
   /// y := A x.
   void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
   /// Number of negative eigenvalues, from the signs of all block pivots (Sylvester). Independent of factor().
-  int negative_eigenvalues() const;
+  int negative_eigenvalues(const Deadline& deadline = {}) const;
   /// A vector x with x'Ax < 0 from the first negative pivot, by back substitution; empty where there is none.
-  Eigen::VectorXd negative_direction() const;
+  Eigen::VectorXd negative_direction(const Deadline& deadline = {}) const;
 
  private:
   /// Block elimination that goes on through indefinite pivots.
@@ -60,10 +62,10 @@ class ChainSystem {
     Index first_negative = -1;  ///< pivot, -1: none
     Eigen::VectorXd negative;   ///< its eigenvector
   };
-  Elimination eliminate() const;
+  Elimination eliminate(const Deadline& deadline) const;
 
   template <int K>
-  bool factor_blocks();
+  bool factor_blocks(const Deadline& deadline);
   template <int K>
   void solve_lower_blocks(Eigen::VectorXd& x) const;
   template <int K>

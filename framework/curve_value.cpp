@@ -58,7 +58,7 @@ double straight_cost(const Problem& problem, LineElement& element, const Eigen::
 
 }  // namespace
 
-std::optional<double> smooth_curve_cost(const Problem& problem, const CoordinatePath& path) {
+std::optional<double> smooth_curve_cost(const Problem& problem, const CoordinatePath& path, const Deadline& deadline) {
   const Index columns = path.u.cols();
   const bool chart = dynamic_cast<const HasChart*>(problem.manifold.get()) != nullptr;
   if ((problem.manifold->shape() != Shape::flat && !chart) || columns < 4) return std::nullopt;
@@ -90,6 +90,7 @@ std::optional<double> smooth_curve_cost(const Problem& problem, const Coordinate
     return line_element((ahead.u - behind.u) / (2 * kStep));
   };
   for (Index i = 0; i < path.segment_count(); ++i) {
+    look_at_clock(deadline);
     const Index begin = path.ring ? i - 1 : std::clamp<Index>(i - 1, 0, columns - 4);
     for (Index j = 0; j < 4; ++j) four.col(j) = path.column(begin + j);
     for (std::size_t g = 0; g < kNodes.size(); ++g) {
@@ -102,11 +103,13 @@ std::optional<double> smooth_curve_cost(const Problem& problem, const Coordinate
   return std::isfinite(sum) ? std::optional(sum) : std::nullopt;
 }
 
-ChartJump worst_chart_jump(const Problem& problem, const CoordinatePath& path, const Eigen::VectorXd& costs) {
+ChartJump worst_chart_jump(const Problem& problem, const CoordinatePath& path, const Eigen::VectorXd& costs,
+                           const Deadline& deadline) {
   const auto& chart = dynamic_cast<const HasChart&>(*problem.manifold);
   LineElement element(problem);
   ChartJump worst;
   for (Index i = 0; i < path.segment_count(); ++i) {
+    look_at_clock(deadline);
     const Eigen::VectorXd a = path.column(i), b = path.column(i + 1);
     double direct = straight_cost(problem, element, a, b);
     for (const SeamMap& pole : chart.poles())

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include <leastcost/framework/deadline.hpp>
 #include <leastcost/framework/problem.hpp>
 
 namespace leastcost {
@@ -12,7 +13,8 @@ namespace leastcost {
 /// the cubic through its four nearest points, the line element integrated with 5-point Gauss. A feasible curve, hence
 /// an upper bound; order 4 at least where the chain has 2. Where the cubic leaves the domain (beside a bound on which
 /// the points rest) its projection takes its place. Nothing where the line element is singular (a bead at rest).
-std::optional<double> smooth_curve_cost(const Problem& problem, const CoordinatePath& path);
+std::optional<double> smooth_curve_cost(const Problem& problem, const CoordinatePath& path,
+                                        const Deadline& deadline = {});
 
 /// Where a chain in a chart jumps: the largest ratio of what the straight move in coordinates between two neighbours
 /// costs to what the chain pays for the chord. It tends to 1 with the step. Far above 1 the chord cuts through space
@@ -22,6 +24,7 @@ struct ChartJump {
   double ratio = 1;
   Index segment = -1;
 };
-ChartJump worst_chart_jump(const Problem& problem, const CoordinatePath& path, const Eigen::VectorXd& costs);
+ChartJump worst_chart_jump(const Problem& problem, const CoordinatePath& path, const Eigen::VectorXd& costs,
+                           const Deadline& deadline = {});
 
 }  // namespace leastcost

@@ -40,4 +40,12 @@ class InitializationError : public Error {
   using Error::Error;
 };
 
+/// A deadline has passed, or somebody asked to stop, before there was a result. Thrown by parts of a search (an
+/// Initializer, a PostProcessor, a long pass over a path); find_path() turns it into Status::interrupted, a Solver into
+/// Termination::time_limit.
+class Interrupted : public Error {
+ public:
+  using Error::Error;
+};
+
 }  // namespace leastcost

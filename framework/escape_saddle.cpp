@@ -19,7 +19,7 @@ Points way_down(PathEnergy& energy, const CoordinatePath& path, double shift) {
   std::optional<ChainHessians> h = chain_hessians(energy, path);
   if (!h) return moves;
   h->exact.add(shift, h->gauss_newton);
-  const Eigen::VectorXd direction = h->exact.negative_direction();
+  const Eigen::VectorXd direction = h->exact.negative_direction(energy.deadline());
   if (direction.size() > 0) energy.from_tangent(h->model.frames, direction, moves);
   return moves;
 }

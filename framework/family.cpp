@@ -59,16 +59,23 @@ Family find_family(const std::vector<FamilyStart>& starts, const Solver& solver,
                    const Monitor& monitor) {
   Family family;
   std::exception_ptr first_error;
+  std::vector<FamilyMember> pathless;
   for (const FamilyStart& start : starts) {
     if (!family.members.empty() && monitor.interrupted()) break;
     try {
-      add({{start.origin}, start.problem, find_path(start.problem, *start.initializer, solver, options, monitor)},
-          family.members);
+      FamilyMember member{
+          {start.origin}, start.problem, find_path(start.problem, *start.initializer, solver, options, monitor)};
+      if (member.result.path.u.size() == 0) {
+        pathless.push_back(std::move(member));
+        break;
+      }
+      add(std::move(member), family.members);
     } catch (const InitializationError& error) {
       if (!first_error) first_error = std::current_exception();
       family.notes.push_back("family, " + start.origin + ": no first path: " + error.what());
     }
   }
+  if (family.members.empty() && !pathless.empty()) return {std::move(pathless), std::move(family.notes)};
   if (family.members.empty() && first_error) std::rethrow_exception(first_error);
   std::stable_sort(family.members.begin(), family.members.end(), comes_first);
   return family;

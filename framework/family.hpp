@@ -34,7 +34,8 @@ struct Family {
 bool same_path(const Problem& problem, const CoordinatePath& a, const CoordinatePath& b);
 
 /// find_path() from every start. A start without a first path is a note; throws the InitializationError of the first
-/// one when none has any. Stops early, with what it has, when the monitor says so.
+/// one when none has any. Stops early, with what it has, when the monitor says so; interrupted before there was any
+/// path the family is one member without a path.
 Family find_family(const std::vector<FamilyStart>& starts, const Solver& solver, const FindOptions& options,
                    const Monitor& monitor = {});
 

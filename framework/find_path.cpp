@@ -3,8 +3,8 @@
 #include <leastcost/framework/find_path.hpp>
 
 #include <algorithm>
-#include <cassert>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -13,6 +13,8 @@
 #include "framework/based_loop.hpp"
 #include "framework/cascade.hpp"
 #include "framework/escape_saddle.hpp"
+#include "framework/geometry_error.hpp"
+#include "framework/in_parts.hpp"
 #include "framework/spacing.hpp"
 
 namespace leastcost {
@@ -27,32 +29,47 @@ void stage(Stage stage, const Monitor& monitor, double& seconds, Work work) {
   seconds = std::chrono::duration<double>(Monitor::Clock::now() - start).count();
 }
 
-/// A first path that is there already.
-class GivenPath final : public Initializer {
- public:
-  GivenPath(const FirstPath& first, std::string_view name) : first_(first), name_(name) {}
-  std::string_view name() const override { return name_; }
-  FirstPath first_path(const Problem&, const Monitor&) const override { return first_; }
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
- private:
-  const FirstPath& first_;
-  std::string_view name_;
-};
+/// What may still be measured of an interrupted path: the first part of what the contract leaves after the deadline.
+Deadline last_words(const Deadline& deadline, Monitor::Clock::time_point start) {
+  constexpr auto kLeast = std::chrono::microseconds(300);
+  constexpr int kPart = 33;  // of the budget
+  if (!deadline) return {};
+  return *deadline + std::max<Monitor::Clock::duration>(kLeast, (*deadline - start) / kPart);
+}
 
-/// A ring with a fixed point is an open path from that point to itself.
-Result find_based_loop(const Problem& problem, const Initializer& initializer, const Solver& solver,
-                       const FindOptions& options, const Monitor& monitor) {
-  BasedLoop loop;
-  double seconds = 0;
-  stage(Stage::initialize, monitor, seconds,
-        [&] { loop = cut_at_base(problem, initializer.first_path(problem, monitor)); });
-  Result result = find_path(loop.problem, GivenPath(loop.first, initializer.name()), solver, options, monitor);
-  result.seconds.initialize += seconds;
-  return result;
+void check(const FindOptions& options) {
+  if (options.points && *options.points < 1)
+    throw InputError("a path has at least one free point, not " + std::to_string(*options.points));
+  if (options.reference_cost && !(*options.reference_cost > 0 && std::isfinite(*options.reference_cost)))
+    throw InputError("the reference cost is positive and finite, not " + std::to_string(*options.reference_cost));
+  for (const auto& step : options.post_processors)
+    if (!step) throw InputError("a post-processor is null");
+}
+
+/// An end that was given by its coordinates alone, on a domain that has sites: it is found.
+void place(const ConstraintManifold& manifold, const char* which, PathEnd& end, std::vector<std::string>& notes) {
+  constexpr double kSame = 1e-9;  // of the size of the coordinates: rounding moves no end
+  if (end.site != kNoSite || end.u.size() == 0) return;
+  double moved = 0;
+  const PathEnd found = project_end(manifold, end.u, &moved);
+  if (found.site == kNoSite) return;
+  end.site = found.site;
+  if (moved <= kSame * end.u.cwiseAbs().maxCoeff()) return;
+  end.u = found.u;
+  notes.push_back(std::string(which) + " was moved onto the domain");
+}
+
+Problem with_sites(Problem problem, std::vector<std::string>& notes) {
+  if (problem.ring && !problem.based) return problem;
+  place(*problem.manifold, "the source", problem.source, notes);
+  if (!problem.ring) place(*problem.manifold, "the target", problem.target, notes);
+  return problem;
 }
 
 int point_count(const FindOptions& options, const FirstPath& first) {
-  if (options.points > 0) return options.points;
+  if (options.points) return *options.points;
   if (!first.graph_vertices)
     throw InputError("points: auto counts the vertices of an edge path, and this domain has no graph; give a number");
   return std::max(8, *first.graph_vertices);
@@ -60,7 +77,57 @@ int point_count(const FindOptions& options, const FirstPath& first) {
 
 /// The chain as a curve, before any post-processing.
 PostProcessed chain_as_curve(PathEnergy& energy, const CoordinatePath& path) {
-  return {{energy.ambient(path).x, {}, energy.cost(path), {}}, path, energy.costs(path), {}};
+  PostProcessed out;
+  out.chain = path;
+  out.curve_costs = energy.costs(path);
+  out.curve.cost = out.curve_costs.sum();
+  out.curve.x = energy.ambient(path).x;
+  return out;
+}
+
+/// Throws InputError for a path that is none of this problem, by its shape or its numbers.
+void check_path(const Problem& problem, const CoordinatePath& path, Index least, const std::string& what) {
+  const Index columns = path.u.cols(), rows = problem.manifold->dimensions().coordinate;
+  if (path.ring != problem.ring)
+    throw InputError(path.ring ? what + " is a ring, the problem has two ends"
+                               : what + " is open, the problem is a ring");
+  if (path.u.rows() != rows || columns < least)
+    throw InputError(what + " is " + std::to_string(path.u.rows()) + " x " + std::to_string(columns) +
+                     "; this problem needs " + std::to_string(rows) + " rows and at least " + std::to_string(least) +
+                     " columns");
+  if (!path.sites.empty() && path.sites.size() != static_cast<std::size_t>(columns))
+    throw InputError(what + " has " + std::to_string(path.sites.size()) + " sites for " + std::to_string(columns) +
+                     " columns");
+  if (!path.closing.identity() && (path.closing.sign.size() != rows || path.closing.shift.size() != rows))
+    throw InputError(what + " closes by a map of another dimension");
+  if (!path.u.allFinite()) throw InputError(what + " has coordinates that are not finite");
+}
+
+/// What the post-processors make of a chain.
+PostProcessed post_process(const Problem& problem, PathEnergy& energy, const FirstPath& first,
+                           const CoordinatePath& chain, const FindOptions& options, const Monitor& monitor) {
+  PostProcessed processed = chain_as_curve(energy, chain);
+  for (const auto& step : options.post_processors) {
+    look_at_clock(monitor.deadline);
+    processed = step->apply(problem, first, std::move(processed), monitor);
+  }
+  return processed;
+}
+
+void deliver(const PostProcessed& processed, Eigen::VectorXd costs, Result& result) {
+  result.costs = std::move(costs);
+  result.path = processed.chain;
+  result.curve = processed.curve;
+  result.curve_costs = processed.curve_costs;
+  result.notes.insert(result.notes.end(), processed.notes.begin(), processed.notes.end());
+}
+
+/// A path about which nothing is measured.
+void deliver_unmeasured(Result& result) {
+  result.costs.setConstant(result.path.segment_count(), kUnknown);
+  result.curve_costs = result.costs;
+  result.curve = {};
+  result.curve.cost = kUnknown;
 }
 
 /// A ring that the solver lost may still be found again from the first path, by a post-processor that certifies itself.
@@ -68,16 +135,16 @@ bool has_collapsed(const Result& result, const PostProcessed& processed) {
   return processed.collapsed || (result.solve.termination == Termination::collapsed && !processed.curve.straightness);
 }
 
+/// Whether the cost, or another part of the problem, threw or contradicted itself.
+bool failed(Termination end) { return end == Termination::exception || end == Termination::inconsistent; }
+
 /// The best path of a solve in which the cost, or another part of the problem, threw or contradicted itself. It is not
 /// asked again: nothing is measured about the path.
-Result unfinished(Result result, PathEnergy& energy) {
-  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  result.costs.setConstant(result.path.segment_count(), kUnknown);
-  result.curve_costs = result.costs;
-  result.curve = {energy.ambient(result.path).x, {}, kUnknown, {}};
+Result unfinished(Result result, const Problem& problem) {
+  deliver_unmeasured(result);
+  result.curve.x = PathEnergy(problem, 1).ambient(result.path).x;
   result.certificate.failures.push_back(
       {std::string(name(result.solve.termination)), "while solving: " + result.solve.message});
-  result.notes = result.first.notes;
   return result;
 }
 
@@ -88,6 +155,183 @@ Status status_of(const Result& result, bool collapsed, const Monitor& monitor) {
   if (collapsed) return Status::collapsed;
   return result.certificate.certified() ? Status::certified : Status::uncertified;
 }
+
+/// One search: the stages of find_path(), each of which may be cut short by the clock.
+class Search {
+ public:
+  Search(const Problem& problem, const Solver& solver, const FindOptions& options, const Monitor& monitor)
+      : solver_(solver), options_(options), monitor_(monitor), last_words_(last_words(monitor.deadline, start_)) {
+    check(problem);
+    check(options);
+    problem_ = with_sites(problem, result_.notes);
+  }
+
+  Result from(const Initializer& initializer) {
+    return whole([&] {
+      result_.first = initializer.first_path(problem_, monitor_);
+      check_path(problem_, result_.first.path, problem_.ring ? 1 : 2, "the first path");
+      cut_based_ring();
+      pin_ends(problem_, result_.first.path);
+      result_.initial = sample_equally(problem_, result_.first.path, point_count(options_, result_.first), 0.05, 8,
+                                       monitor_.deadline);
+    });
+  }
+
+  Result from(const CoordinatePath& chain) {
+    return whole([&] {
+      result_.first.path = chain;
+      cut_based_chain();
+      place_chain(result_.first.path);
+      result_.initial = result_.first.path;
+      PathEnergy energy(problem_, 1, monitor_.deadline);
+      const Eigen::VectorXd costs = energy.costs(result_.initial);
+      refuse_infinite(problem_, energy.ambient(result_.initial).x, costs);
+    });
+  }
+
+ private:
+  template <class Begin>
+  Result whole(Begin begin) {
+    try {
+      stage(Stage::initialize, monitor_, result_.seconds.initialize, begin);
+      result_.path = result_.initial;
+      set_reference_cost();
+      solve();
+      if (failed(result_.solve.termination)) return with_notes(unfinished(result_, problem_));
+      look_at_clock(monitor_.deadline);
+      deliver_and_certify();
+    } catch (const Interrupted& stopped) {
+      interrupted(stopped.what());
+    }
+    return with_notes(std::move(result_));
+  }
+
+  /// A ring with a fixed point is an open path from that point to itself.
+  void cut_based_ring() {
+    if (!problem_.ring || !problem_.based) return;
+    BasedLoop loop = cut_at_base(problem_, result_.first);
+    problem_ = std::move(loop.problem);
+    result_.first = std::move(loop.first);
+    check(problem_);
+  }
+
+  /// The result of such a search is open already, and ends at the image of the point that it has found.
+  void cut_based_chain() {
+    const CoordinatePath& chain = result_.first.path;
+    if (!problem_.ring || !problem_.based) return;
+    if (chain.ring) {
+      check_path(problem_, chain, 1, "the chain");
+      return cut_based_ring();
+    }
+    if (chain.u.rows() != problem_.source.u.size() || chain.u.cols() < 3) return;  // place_chain() says so
+    problem_.ring = false;
+    problem_.target = {chain.u.rightCols(1), problem_.source.site};
+    check(problem_);
+  }
+
+  void place_chain(CoordinatePath& chain) {
+    constexpr double kSame = 1e-9;
+    check_path(problem_, chain, problem_.ring ? 1 : 3, "the chain");
+    pin_ends(problem_, chain);
+    CoordinatePath placed = chain;
+    const Projection projection = project(*problem_.manifold, placed, monitor_.deadline);
+    if (!projection.failed.empty())
+      throw InputError("column " + std::to_string(projection.failed.front()) +
+                       " of the chain has no nearest point on the domain" +
+                       reason_for_failure(*problem_.manifold, chain.u.col(projection.failed.front())));
+    const bool off = projection.moved > kSame * chain.u.cwiseAbs().maxCoeff();
+    if (off) chain.u = placed.u;
+    chain.sites = std::move(placed.sites);
+    pin_ends(problem_, chain);
+    if (chain.ring || chain.sites.empty()) return;
+    chain.sites.front() = problem_.source.site;
+    chain.sites.back() = problem_.target.site;
+  }
+
+  void set_reference_cost() {
+    result_.initial_cost = PathEnergy(problem_, 1, monitor_.deadline).cost(result_.initial);
+    result_.reference_cost =
+        options_.reference_cost.value_or(result_.initial_cost / static_cast<double>(result_.initial.segment_count()));
+    if (!(result_.reference_cost > 0))
+      throw InitializationError("the first path costs nothing: there is nothing to minimise");
+    if (!std::isfinite(result_.reference_cost))
+      throw InitializationError("the first path costs infinitely much, or more than a number can say");
+  }
+
+  void solve() {
+    PathEnergy energy(problem_, result_.reference_cost, monitor_.deadline);
+    stage(Stage::solve, monitor_, result_.seconds.solve, [&] {
+      result_.solve = options_.cascade
+                          ? solve_by_cascade(problem_, solver_, result_.reference_cost, result_.path, monitor_)
+                          : solver_.solve(energy, result_.path, monitor_);
+      if (!options_.escape_saddle || failed(result_.solve.termination)) return;
+      const int left =
+          escape_saddles(energy, solver_, options_.certificate.index_shift, result_.path, result_.solve, monitor_);
+      if (left > 0) result_.notes.push_back("escape_saddle: left " + std::to_string(left) + " saddles");
+      if (!energy.has_exact_hessian())
+        result_.notes.emplace_back(
+            "escape_saddle: a path on a polyhedron, or under H = s, has no index that could show a saddle");
+    });
+  }
+
+  void deliver_and_certify() {
+    PathEnergy energy(problem_, result_.reference_cost, monitor_.deadline);
+    const ToCurve to_curve = [&](const CoordinatePath& chain) {
+      return post_process(problem_, energy, result_.first, chain, options_, monitor_);
+    };
+    PostProcessed processed;
+    stage(Stage::post_process, monitor_, result_.seconds.post_process, [&] { processed = to_curve(result_.path); });
+    const bool collapsed = has_collapsed(result_, processed);
+    deliver(processed, energy.costs(processed.chain), result_);
+    result_.post_processed = true;
+    if (options_.certificate.enabled && !collapsed) certify_delivered(processed, to_curve);
+    result_.status = status_of(result_, collapsed, monitor_);
+  }
+
+  void certify_delivered(const PostProcessed& processed, const ToCurve& to_curve) {
+    if (monitor_.interrupted()) return not_certified();
+    stage(Stage::certify, monitor_, result_.seconds.certify, [&] {
+      result_.certificate =
+          certify(problem_, result_.reference_cost, processed, to_curve, options_.certificate, monitor_);
+    });
+  }
+
+  void not_certified() {
+    result_.certificate.failures.push_back({"interrupted", "there was no time for the certificate"});
+  }
+
+  /// The best path so far, with as much as can be measured in the time that is left.
+  void interrupted(const std::string& why) {
+    result_.status = Status::interrupted;
+    if (result_.post_processed) return;
+    if (options_.certificate.enabled) not_certified();
+    if (result_.path.u.size() == 0) {
+      result_.notes.push_back("interrupted before there was a path: " + why);
+      return;
+    }
+    deliver_unmeasured(result_);
+    try {
+      PathEnergy energy(problem_, 1, last_words_);
+      const PostProcessed chain = chain_as_curve(energy, result_.path);
+      deliver(chain, chain.curve_costs, result_);
+    } catch (const Interrupted&) {
+      result_.notes.emplace_back("interrupted: there was no time to measure the path");
+    }
+  }
+
+  static Result with_notes(Result result) {
+    result.notes.insert(result.notes.begin(), result.first.notes.begin(), result.first.notes.end());
+    return result;
+  }
+
+  const Monitor::Clock::time_point start_ = Monitor::Clock::now();
+  const Solver& solver_;
+  const FindOptions& options_;
+  const Monitor& monitor_;
+  const Deadline last_words_;
+  Problem problem_;
+  Result result_;
+};
 
 }  // namespace
 
@@ -103,61 +347,40 @@ std::string_view name(Status status) {
 
 Result find_path(const Problem& problem, const Initializer& initializer, const Solver& solver,
                  const FindOptions& options, const Monitor& monitor) {
-  check(problem);
-  if (problem.ring && problem.based) return find_based_loop(problem, initializer, solver, options, monitor);
-  Result result;
-  stage(Stage::initialize, monitor, result.seconds.initialize, [&] {
-    result.first = initializer.first_path(problem, monitor);
-    pin_ends(problem, result.first.path);
-    result.initial = sample_equally(problem, result.first.path, point_count(options, result.first));
-  });
-  const Index segments = result.initial.segment_count();
-  result.initial_cost = PathEnergy(problem, 1).cost(result.initial);
-  result.reference_cost =
-      options.reference_cost > 0 ? options.reference_cost : result.initial_cost / static_cast<double>(segments);
-  if (!(result.reference_cost > 0))
-    throw InitializationError("the first path costs nothing: there is nothing to minimise");
+  return Search(problem, solver, options, monitor).from(initializer);
+}
 
-  PathEnergy energy(problem, result.reference_cost);
-  result.path = result.initial;
-  stage(Stage::solve, monitor, result.seconds.solve, [&] {
-    result.solve = options.cascade ? solve_by_cascade(problem, solver, result.reference_cost, result.path, monitor)
-                                   : solver.solve(energy, result.path, monitor);
-    if (!options.escape_saddle) return;
-    const int left =
-        escape_saddles(energy, solver, options.certificate.index_shift, result.path, result.solve, monitor);
-    if (left > 0) result.notes.push_back("escape_saddle: left " + std::to_string(left) + " saddles");
-    if (!energy.has_exact_hessian())
-      result.notes.emplace_back(
-          "escape_saddle: a path on a polyhedron, or under H = s, has no index that could show a saddle");
-  });
-  if (result.solve.termination == Termination::exception || result.solve.termination == Termination::inconsistent)
-    return unfinished(std::move(result), energy);
+Result improve_path(const Problem& problem, const CoordinatePath& chain, const Solver& solver,
+                    const FindOptions& options, const Monitor& monitor) {
+  return Search(problem, solver, options, monitor).from(chain);
+}
 
-  const ToCurve to_curve = [&](const CoordinatePath& chain) {
-    PostProcessed processed = chain_as_curve(energy, chain);
-    for (const PostProcessor* step : options.post_processors)
-      processed = step->apply(problem, result.first, std::move(processed), monitor);
-    return processed;
-  };
-  PostProcessed processed;
-  stage(Stage::post_process, monitor, result.seconds.post_process, [&] { processed = to_curve(result.path); });
-  const bool collapsed = has_collapsed(result, processed);
-  if (options.certificate.enabled && !collapsed) {
-    assert(options.certifier != nullptr);
-    stage(Stage::certify, monitor, result.seconds.certify, [&] {
-      result.certificate = certify(problem, result.reference_cost, processed, to_curve, *options.certifier,
-                                   options.certificate, monitor);
-    });
+void complete_interrupted(const Problem& problem, const FindOptions& options, Result& result) {
+  if (result.status != Status::interrupted || result.post_processed || result.path.u.size() == 0) return;
+  Monitor stopped;  // post-processors that improve a path step by step return at once
+  stopped.stop_requested = [] { return true; };
+  PathEnergy energy(problem, 1);
+  try {
+    const PostProcessed processed = post_process(problem, energy, result.first, result.path, options, stopped);
+    deliver(processed, energy.costs(processed.chain), result);
+    result.post_processed = true;
+  } catch (const Interrupted&) {
+    const PostProcessed chain = chain_as_curve(energy, result.path);
+    deliver(chain, chain.curve_costs, result);
   }
-  result.status = status_of(result, collapsed, monitor);
-  result.costs = energy.costs(processed.chain);
-  result.path = std::move(processed.chain);
-  result.curve = std::move(processed.curve);
-  result.curve_costs = std::move(processed.curve_costs);
-  result.notes.insert(result.notes.begin(), result.first.notes.begin(), result.first.notes.end());
-  result.notes.insert(result.notes.end(), processed.notes.begin(), processed.notes.end());
-  return result;
+}
+
+void prepare(const Problem& problem) {
+  check(problem);
+  std::shared_ptr<const ConstraintManifold> manifold = problem.manifold;
+  for (int level = 0; manifold && level < kGeometryLevels; ++level) {
+    const auto* domain = dynamic_cast<const HasCoarserVersion*>(manifold.get());
+    try {
+      manifold = domain != nullptr ? domain->coarser() : nullptr;
+    } catch (const InputError&) {
+      return;  // too little is left; the certificate says so
+    }
+  }
 }
 
 }  // namespace leastcost

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,14 +18,16 @@
 
 namespace leastcost {
 
+/// Complete as it is: {} solves 64 points and certifies them.
 struct FindOptions {
-  int points = 64;             ///< free points n; 0: max(8, interior vertices of the first edge path), VFCS 5.1
-  double reference_cost = 0;   ///< s0, units of the cost; 0: the mean segment cost of the first path
+  /// Free points n >= 1; nothing: max(8, interior vertices of the first edge path), VFCS 5.1.
+  std::optional<int> points = 64;
+  /// s0 > 0, units of the cost; nothing: the mean segment cost of the first path.
+  std::optional<double> reference_cost = {};
   bool cascade = false;        ///< solve coarse first, then double: see framework/cascade.hpp
   bool escape_saddle = false;  ///< leave saddles to the lower side: see framework/escape_saddle.hpp
   CertificateOptions certificate = {};
-  const Solver* certifier = nullptr;                       ///< required when the certificate is enabled; not owned
-  std::vector<const PostProcessor*> post_processors = {};  ///< not owned
+  std::vector<std::shared_ptr<const PostProcessor>> post_processors = {};  ///< in the order of their application
 };
 
 enum class Status { certified, uncertified, collapsed, interrupted };
@@ -34,15 +40,18 @@ struct StageSeconds {
   double certify = 0;
 };
 
+/// NaN is what was not measured. An interrupted result has the best feasible path so far, or none yet (`path` is empty,
+/// a note says so); what there was no time for is missing, see complete_interrupted().
 struct Result {
   Status status = Status::uncertified;
   FirstPath first;         ///< as the initializer made it
   CoordinatePath initial;  ///< its samples, equally spaced in cost: what the solver started from
-  double initial_cost = 0;
-  double reference_cost = 0;    ///< s0
-  CoordinatePath path;          ///< the delivered points, equally spaced in cost
-  Eigen::VectorXd costs;        ///< cost of each move between them
-  Curve curve;                  ///< the path as a curve on the domain
+  double initial_cost = std::numeric_limits<double>::quiet_NaN();
+  double reference_cost = std::numeric_limits<double>::quiet_NaN();  ///< s0
+  CoordinatePath path;                                               ///< the delivered points, equally spaced in cost
+  Eigen::VectorXd costs;                                             ///< cost of each move between them
+  Curve curve;                                                       ///< the path as a curve on the domain
+  bool post_processed = false;  ///< whether `curve` is what the post-processors made; only an interrupted one is not
   Eigen::VectorXd curve_costs;  ///< cost of that curve between the delivered points
   SolveReport solve;
   Certificate certificate;
@@ -51,9 +60,31 @@ struct Result {
 };
 
 /// The library's front door; the command line and an embedder call this same function. Never prints, never exits;
-/// may run from several threads at once (one Monitor each). Throws InputError for a problem whose parts do not fit,
-/// InitializationError when there is no first path.
+/// may run from several threads at once (one Monitor each), and leaves signals, locale and streams alone. Throws
+/// InputError for a problem or options whose parts do not fit, InitializationError when there is no first path.
+///
+/// **Time.** After the monitor's deadline it comes back within max(1 ms, a tenth of the budget) of thread time, with
+/// NLopt and Ceres within 5 ms, plus one call of a user's function: the work in hand is abandoned, nothing new is
+/// begun, and the status is `interrupted`. A domain builds in its constructor what it needs; what is made only when it
+/// is asked for is made by prepare(), which the certificate of a sampled domain calls unless you did.
 Result find_path(const Problem& problem, const Initializer& initializer, const Solver& solver,
-                 const FindOptions& options, const Monitor& monitor = {});
+                 const FindOptions& options = {}, const Monitor& monitor = {});
+
+/// Warm start: as find_path() from the points of a chain as they are, neither sampled again nor evened out, between the
+/// ends of the problem (they may have moved since the chain was made). `options.points` is not used. A chain of a
+/// result is improved at once to itself, to the last digits where `options.reference_cost` is that of the result.
+/// `chain`: coordinate x (n + 2), a ring coordinate x n; sites for every column, or none (they are then found). A point
+/// off the domain is projected. Throws InputError when sizes or numbers do not fit or a point has no nearest one on the
+/// domain, InitializationError when the chain costs infinitely much, or nothing.
+Result improve_path(const Problem& problem, const CoordinatePath& chain, const Solver& solver,
+                    const FindOptions& options = {}, const Monitor& monitor = {});
+
+/// What an interrupted result lacks for want of time: its costs and its curve, by the post-processors of `options`
+/// where they can be applied without improving the path. Takes as long as it takes; other results stay as they are.
+void complete_interrupted(const Problem& problem, const FindOptions& options, Result& result);
+
+/// Makes now what parts of a problem make only when they are asked for (HasCoarserVersion::coarser), so that it does
+/// not count against a deadline. May take as long as the making of the domain.
+void prepare(const Problem& problem);
 
 }  // namespace leastcost

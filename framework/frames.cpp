@@ -4,9 +4,12 @@
 #include <Eigen/QR>
 
 #include <leastcost/framework/path_energy.hpp>
+#include "framework/in_parts.hpp"
 
 namespace leastcost {
 namespace {
+
+constexpr Index kLook = 256;  ///< points between two looks at the clock
 
 /// Turns an orthonormal basis so that its last columns span `directions` (its first `count` columns, projected onto the
 /// basis); returns how many independent ones there are.
@@ -49,6 +52,7 @@ void PathEnergy::frames(const CoordinatePath& path, const Points& gradient, Fram
   Points normals(d, d);
   std::vector<std::pair<Index, Points>> turned;
   for (Index i = 0; bounds && i < n; ++i) {
+    if (i % kLook == 0) look_at_clock(deadline_);
     int count = bounds->active_bounds(path, first + i, normals);
     if (count > 0) count = keep_pushed(normals, count, -gradient.col(i));
     if (count > 0) turned.emplace_back(i, normals.leftCols(count));
@@ -61,7 +65,7 @@ void PathEnergy::frames(const CoordinatePath& path, const Points& gradient, Fram
   }
 
   Points all;
-  problem_->manifold->tangent_bases(path, all);
+  tangent_bases(*problem_->manifold, path, all, deadline_);
   out.bases = all.middleCols(k * first, k * n);
   for (const auto& [i, outward] : turned)
     out.blocked[static_cast<std::size_t>(i)] =
@@ -79,7 +83,7 @@ void PathEnergy::lift(const CoordinatePath& path, Frames& out) const {
   const int d = dims_.coordinate;
   const Index n = path.free_count();
   Points all;
-  chart_->jacobians(path, all);
+  jacobians(*chart_, path, all, deadline_);
   out.lifted = all.middleCols(d * path.free_begin(), d * n);
   if (out.identity) return;
   for (Index i = 0; i < n; ++i)

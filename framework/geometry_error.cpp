@@ -9,12 +9,13 @@
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/path_energy.hpp>
+#include "framework/chain_newton.hpp"
+#include "framework/in_parts.hpp"
 
 namespace leastcost {
 namespace {
 
 constexpr double kSafety = 2;
-constexpr int kLevels = 2;
 
 /// The cost of the chain solved on another version of the domain, or why there is none.
 struct Solved {
@@ -23,7 +24,7 @@ struct Solved {
 };
 
 Solved solve_on(std::shared_ptr<const ConstraintManifold> manifold, const Problem& problem, CoordinatePath path,
-                const Solver& certifier, const Monitor& monitor) {
+                const Monitor& monitor) {
   Problem coarse = problem;
   coarse.manifold = std::move(manifold);
   if (const auto* cost = dynamic_cast<const FollowsDomain*>(problem.cost.get()))
@@ -33,11 +34,14 @@ Solved solve_on(std::shared_ptr<const ConstraintManifold> manifold, const Proble
     coarse.target = project_end(*coarse.manifold, problem.target.u);
   }
   path.sites.clear();
-  if (!coarse.manifold->project(path).failed.empty())
+  if (!leastcost::project(*coarse.manifold, path, monitor.deadline).failed.empty())
     return {std::nullopt, "a point of the path has no counterpart on it"};
   pin_ends(coarse, path);
-  PathEnergy energy(coarse, PathEnergy(coarse, 1).cost(path) / static_cast<double>(path.segment_count()));
-  const SolveReport report = certifier.solve(energy, path, monitor);
+  const double cost = PathEnergy(coarse, 1, monitor.deadline).cost(path);
+  if (!(cost > 0) || !std::isfinite(cost))
+    return {std::nullopt, cost > 0 ? "the chain on it costs infinitely much" : "the chain on it costs nothing"};
+  PathEnergy energy(coarse, cost / static_cast<double>(path.segment_count()), monitor.deadline);
+  const SolveReport report = ChainNewton().solve(energy, path, monitor);
   if (report.termination != Termination::converged && report.termination != Termination::round_off)
     return {std::nullopt, "the chain on it ended with " + std::string(name(report.termination))};
   return {energy.cost(path), ""};
@@ -46,12 +50,12 @@ Solved solve_on(std::shared_ptr<const ConstraintManifold> manifold, const Proble
 /// How much the cost changes when each point alone moves to its foot on the coarser version, by central differences,
 /// without letting the points cancel each other.
 double change_without_cancelling(const Problem& problem, const ConstraintManifold& manifold,
-                                 const CoordinatePath& chain) {
+                                 const CoordinatePath& chain, const Deadline& deadline) {
   CoordinatePath moved = chain;
   moved.sites.clear();
-  manifold.project(moved);
+  project(manifold, moved, deadline);
   const Index columns = chain.u.cols();
-  PathEnergy energy(problem, 1);
+  PathEnergy energy(problem, 1, deadline);
   CoordinatePath three{Points(chain.u.rows(), 3), {}, false};
   if (!chain.sites.empty()) three.sites.resize(3);
   double sum = 0;
@@ -71,32 +75,35 @@ double change_without_cancelling(const Problem& problem, const ConstraintManifol
   return sum;
 }
 
-/// The next coarser version; null where there is none.
-std::shared_ptr<const ConstraintManifold> coarser(const ConstraintManifold& manifold) {
+/// The next coarser version; null where there is none. To make one takes too long for a search with a deadline.
+std::shared_ptr<const ConstraintManifold> coarser(const ConstraintManifold& manifold, const Deadline& deadline) {
   const auto* domain = dynamic_cast<const HasCoarserVersion*>(&manifold);
-  return domain != nullptr ? domain->coarser() : nullptr;
+  if (domain == nullptr) return nullptr;
+  if (deadline && !domain->has_made_coarser())
+    throw InputError("it is not made; call prepare(problem) before a search with a deadline");
+  return domain->coarser();
 }
 
 }  // namespace
 
-GeometryError measure_geometry_error(const Problem& problem, const CoordinatePath& chain, const Solver& certifier,
-                                     const Monitor& monitor) {
+GeometryError measure_geometry_error(const Problem& problem, const CoordinatePath& chain, const Monitor& monitor) {
   std::optional<double> largest;
-  double finer = PathEnergy(problem, 1).cost(chain), part = 1;
+  double finer = PathEnergy(problem, 1, monitor.deadline).cost(chain), part = 1;
   std::shared_ptr<const ConstraintManifold> manifold = problem.manifold;
-  for (int level = 0; level < kLevels; ++level, part /= 2) {
+  for (int level = 0; level < kGeometryLevels; ++level, part /= 2) {
     Solved solved;
     try {
-      manifold = coarser(*manifold);
+      manifold = coarser(*manifold, monitor.deadline);
       if (!manifold) break;
-      solved = solve_on(manifold, problem, chain, certifier, monitor);
+      solved = solve_on(manifold, problem, chain, monitor);
     } catch (const InputError& error) {
       solved.trouble = error.what();
     }
     if (!solved.cost && !largest) return {std::nullopt, "on a coarser version of the domain: " + solved.trouble};
     if (!solved.cost) break;  // too little is left: the first difference has to do
     largest = std::max(largest.value_or(0), part * std::abs(*solved.cost - finer));
-    if (level == 0) largest = std::max(*largest, change_without_cancelling(problem, *manifold, chain));
+    if (level == 0)
+      largest = std::max(*largest, change_without_cancelling(problem, *manifold, chain, monitor.deadline));
     finer = *solved.cost;
   }
   if (!largest) return {};

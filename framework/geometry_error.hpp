@@ -11,6 +11,9 @@
 
 namespace leastcost {
 
+/// Coarser versions of the domain that are asked for.
+inline constexpr int kGeometryLevels = 2;
+
 /// What the representation of the domain does to the cost of a path.
 struct GeometryError {
   std::optional<double> value;  ///< units of the cost; nothing: the domain has no coarser version, or see `trouble`
@@ -28,7 +31,7 @@ struct GeometryError {
 /// twice the first covered the true error in 87 to 98 of 100 cases, twice the largest of the three in all of them, at
 /// about ten times the error. (The rule was chosen on these same geodesics: expect somewhat less elsewhere.) The same
 /// number of points on all versions takes the error of the chain out of it.
-GeometryError measure_geometry_error(const Problem& problem, const CoordinatePath& chain, const Solver& certifier,
-                                     const Monitor& monitor);
+/// Throws Interrupted after the monitor's deadline.
+GeometryError measure_geometry_error(const Problem& problem, const CoordinatePath& chain, const Monitor& monitor);
 
 }  // namespace leastcost

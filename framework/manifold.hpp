@@ -26,7 +26,8 @@ struct Projection {
   std::vector<Index> failed;  ///< columns that could not be projected; they are left as they were
 };
 
-/// Where points may be. Immutable, hence shareable between threads.
+/// Where points may be. Immutable, hence shareable between threads. What becomes of a column depends on that column
+/// alone: the columns of a long path may be handed over in parts, as rings, with a look at the clock between them.
 class ConstraintManifold {
  public:
   virtual ~ConstraintManifold() = default;
@@ -102,8 +103,11 @@ std::string reason_for_failure(const ConstraintManifold& manifold, const Eigen::
 class HasCoarserVersion {
  public:
   virtual ~HasCoarserVersion() = default;
-  /// The same domain from about half the data; made on request. May throw InputError where too little is left.
+  /// The same domain from about half the data; made when it is asked for first, and kept: see prepare(). May throw
+  /// InputError where too little is left.
   virtual std::shared_ptr<const ConstraintManifold> coarser() const = 0;
+  /// Whether coarser() returns at once.
+  virtual bool has_made_coarser() const = 0;
 };
 
 /// Gives `to` the size, sites and fixed columns of `from`, for implementations of retract().

@@ -4,8 +4,9 @@
 
 #include <chrono>
 #include <functional>
-#include <optional>
 #include <string_view>
+
+#include <leastcost/framework/deadline.hpp>
 
 namespace leastcost {
 
@@ -34,7 +35,7 @@ struct Monitor {
   using Clock = std::chrono::steady_clock;
   std::function<void(const Progress&)> observe;
   std::function<bool()> stop_requested;
-  std::optional<Clock::time_point> deadline;
+  Deadline deadline;
 
   void report(const Progress& progress) const {
     if (observe) observe(progress);

@@ -61,8 +61,21 @@ struct AmbientPath {
   Eigen::Map<const Points> x;
   std::span<const Site> sites;
   bool ring = false;
+  /// Of a part of a longer path: whether its first and its last column are no ends of that path.
+  bool begins_inside = false, ends_inside = false;
 
   Index segment_count() const { return x.cols() - 1; }
+  /// Whether the first and the last column are ends of an open path, which derivatives treat as constants.
+  bool begin_fixed() const { return !ring && !begins_inside; }
+  bool end_fixed() const { return !ring && !ends_inside; }
+  /// `count` segments from segment `begin` on.
+  AmbientPath part(Index begin, Index count) const {
+    return {{x.data() + begin * x.rows(), x.rows(), count + 1},
+            sites.empty() ? sites : sites.subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(count + 1)),
+            ring,
+            begins_inside || begin > 0,
+            ends_inside || begin + count < segment_count()};
+  }
 };
 
 }  // namespace leastcost

@@ -2,15 +2,22 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/framework/path_energy.hpp>
 
-#include <cassert>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/smooth_bounds.hpp>
+#include "framework/in_parts.hpp"
+#include "framework/point_text.hpp"
 
 namespace leastcost {
 namespace {
+
+/// Segments between two looks at the clock: energies and gradients take up to some microseconds each, Hessians up to
+/// some ten.
+constexpr Index kPart = 128, kHessianPart = 32;
 
 /// T' M S for the frames of two points in ambient coordinates (or M itself where they are the identity), added to
 /// `out`.
@@ -33,16 +40,19 @@ struct SquaredCost {
 
 }  // namespace
 
-PathEnergy::PathEnergy(const Problem& problem, double reference_cost)
+PathEnergy::PathEnergy(const Problem& problem, double reference_cost, Deadline deadline)
     : problem_(&problem),
       chart_(dynamic_cast<const HasChart*>(problem.manifold.get())),
       s0_(reference_cost),
+      deadline_(deadline),
       dims_(problem.manifold->dimensions()) {
-  assert(reference_cost > 0);
+  if (!(reference_cost > 0) || !std::isfinite(reference_cost))
+    throw InputError("the reference cost is positive and finite, not " +
+                     point_text(Eigen::VectorXd::Constant(1, reference_cost)));
 }
 
 AmbientPath PathEnergy::ambient(const CoordinatePath& path) {
-  if (chart_) chart_->embed(path, embedded_);
+  if (chart_) embed(*chart_, path, embedded_, deadline_);
   const Points& x = chart_ ? embedded_ : path.u;
   if (!path.ring) return {{x.data(), x.rows(), x.cols()}, path.sites, false};
   ambient_.resize(x.rows(), x.cols() + 1);
@@ -52,23 +62,45 @@ AmbientPath PathEnergy::ambient(const CoordinatePath& path) {
   return {{ambient_.data(), ambient_.rows(), ambient_.cols()}, ring_sites_, true};
 }
 
+void PathEnergy::squared_costs(const CoordinatePath& path) {
+  q_.resize(static_cast<std::size_t>(path.segment_count()));
+  const AmbientPath x = ambient(path);
+  const std::span<double> q = q_;
+  in_parts(path.segment_count(), kPart, deadline_, [&](Index begin, Index count) {
+    problem_->cost->squared_costs(x.part(begin, count),
+                                  q.subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(count)));
+  });
+}
+
+void PathEnergy::apply_kernel(const CoordinatePath& path) {
+  squared_costs(path);
+  for (double& q : q_) q /= s0_ * s0_;
+  phi_.resize(q_.size());
+  problem_->kernel->apply(q_, phi_);
+}
+
+/// The sum is taken part by part, as that of value_and_gradient() is.
 double PathEnergy::value(const CoordinatePath& path) {
   ++counters_.energies;
-  const auto n = static_cast<std::size_t>(path.segment_count());
-  q_.resize(n);
-  phi_.resize(n);
-  problem_->cost->squared_costs(ambient(path), q_);
-  for (double& q : q_) q /= s0_ * s0_;
-  problem_->kernel->apply(q_, phi_);
+  apply_kernel(path);
   double energy = 0;
-  for (const Jet2& phi : phi_) energy += phi.value;
+  for (std::size_t begin = 0; begin < phi_.size(); begin += kPart) {
+    double part = 0;
+    for (std::size_t i = begin; i < std::min(begin + kPart, phi_.size()); ++i) part += phi_[i].value;
+    energy += part;
+  }
   return std::isnan(energy) ? std::numeric_limits<double>::infinity() : energy;
 }
 
 double PathEnergy::ambient_gradient(const CoordinatePath& path) {
   const AmbientPath x = ambient(path);
-  ambient_gradient_.resize(dims_.ambient, x.x.cols());
-  const double energy = problem_->cost->energy_and_gradient(x, *problem_->kernel, s0_, ambient_gradient_);
+  ambient_gradient_.setZero(dims_.ambient, x.x.cols());
+  double energy = 0;
+  in_parts(x.segment_count(), kPart, deadline_, [&](Index begin, Index count) {
+    part_gradient_.resize(dims_.ambient, count + 1);
+    energy += problem_->cost->energy_and_gradient(x.part(begin, count), *problem_->kernel, s0_, part_gradient_);
+    ambient_gradient_.middleCols(begin, count + 1) += part_gradient_;
+  });
   // The closing column of a ring is its first point again.
   if (path.ring) ambient_gradient_.col(0) += ambient_gradient_.col(x.x.cols() - 1);
   return energy;
@@ -80,7 +112,7 @@ double PathEnergy::value_and_gradient(const CoordinatePath& path, Points& gradie
   const Index first = path.free_begin(), n = path.free_count();
   if (chart_) {
     const int d = dims_.coordinate;
-    chart_->jacobians(path, jacobians_);
+    jacobians(*chart_, path, jacobians_, deadline_);
     gradient.resize(d, n);
     for (Index i = 0; i < n; ++i)
       gradient.col(i).noalias() =
@@ -93,9 +125,18 @@ double PathEnergy::value_and_gradient(const CoordinatePath& path, Points& gradie
 
 void PathEnergy::residuals(const CoordinatePath& path, Points& r, Points* jacobians) {
   ++(jacobians != nullptr ? counters_.gradients : counters_.energies);
-  problem_->cost->residuals(ambient(path), r, jacobians);
+  const AmbientPath x = ambient(path);
+  Points part_r, part_jacobians;
+  in_parts(x.segment_count(), kPart, deadline_, [&](Index begin, Index count) {
+    problem_->cost->residuals(x.part(begin, count), part_r, jacobians != nullptr ? &part_jacobians : nullptr);
+    const Index width = 2 * dims_.ambient;
+    if (begin == 0) r.resize(part_r.rows(), x.segment_count());
+    if (begin == 0 && jacobians != nullptr) jacobians->resize(part_r.rows(), width * x.segment_count());
+    r.middleCols(begin, count) = part_r;
+    if (jacobians != nullptr) jacobians->middleCols(width * begin, width * count) = part_jacobians;
+  });
   if (jacobians == nullptr || !chart_) return;
-  chart_->jacobians(path, jacobians_);
+  leastcost::jacobians(*chart_, path, jacobians_, deadline_);
   const int d = dims_.ambient, k = dims_.coordinate;
   Points in_chart(r.rows(), 2 * k * r.cols());
   for (Index i = 0; i < r.cols(); ++i) {
@@ -111,12 +152,13 @@ void PathEnergy::metrics(const CoordinatePath& path, Points& g) {
   ++counters_.energies;
   static const KernelOf<SquaredCost> kernel;
   const AmbientPath x = ambient(path);
-  if (chart_) chart_->jacobians(path, jacobians_);
+  if (chart_) jacobians(*chart_, path, jacobians_, deadline_);
   const int d = dims_.ambient, k = dims_.coordinate;
   const Index columns = path.u.cols();
   g.resize(k, k * columns);
   Points three(d, 3);
   for (Index i = 0; i < columns; ++i) {
+    if (i % kHessianPart == 0) look_at_clock(deadline_);
     three.colwise() = x.x.col(i);
     // A move from x to x: half its second derivative in the free end, which is the middle of three (the others are
     // constants).
@@ -164,20 +206,23 @@ void PathEnergy::chain_hessian(const CoordinatePath& path, const Points& gradien
                                HessianKind kind, ChainSystem& system) {
   ++counters_.hessians;
   if (kind == HessianKind::exact && !has_exact_hessian()) kind = HessianKind::gauss_newton;
-  problem_->cost->chain_blocks(ambient(path), *problem_->kernel, s0_, kind, blocks_);
+  const AmbientPath x = ambient(path);
   const int d = dims_.ambient, k = dims_.tangent;
   const Index n = path.free_count(), segments = path.segment_count();
   system.resize(k, n, path.ring);
   system.set_zero();
-  for (Index s = 0; s < segments; ++s) {
-    const Index a = s - path.free_begin();                       // free point at the segment's start
-    const Index b = path.ring && s + 1 == segments ? 0 : a + 1;  // and at its end
-    const Points& h = blocks_.blocks;
-    const Index c = 2 * d * s;
-    if (a >= 0) add_in_frames(frames, k, a, a, h.block(0, c, d, d), system.diagonal(a));
-    if (b < n) add_in_frames(frames, k, b, b, h.block(d, c + d, d, d), system.diagonal(b));
-    if (a >= 0 && b < n) add_in_frames(frames, k, a, b, h.block(0, c + d, d, d), system.coupling(a));
-  }
+  in_parts(segments, kHessianPart, deadline_, [&](Index begin, Index count) {
+    problem_->cost->chain_blocks(x.part(begin, count), *problem_->kernel, s0_, kind, blocks_);
+    for (Index s = begin; s < begin + count; ++s) {
+      const Index a = s - path.free_begin();                       // free point at the segment's start
+      const Index b = path.ring && s + 1 == segments ? 0 : a + 1;  // and at its end
+      const Points& h = blocks_.blocks;
+      const Index c = 2 * d * (s - begin);
+      if (a >= 0) add_in_frames(frames, k, a, a, h.block(0, c, d, d), system.diagonal(a));
+      if (b < n) add_in_frames(frames, k, b, b, h.block(d, c + d, d, d), system.diagonal(b));
+      if (a >= 0 && b < n) add_in_frames(frames, k, a, b, h.block(0, c + d, d, d), system.coupling(a));
+    }
+  });
   if (kind == HessianKind::exact && chart_)
     add_chart_curvature(path, frames, system);
   else if (kind == HessianKind::exact && problem_->manifold->shape() == Shape::smooth)
@@ -195,11 +240,9 @@ void PathEnergy::add_curvature(const CoordinatePath& path, const Points& gradien
   const double extent = (path.u.rowwise().maxCoeff() - path.u.rowwise().minCoeff()).norm();
   const double h = 3e-4 * extent;  // eps^(1/4): rounding and truncation of a second difference balance
   if (!(h > 0)) return;
-  const auto* beyond = dynamic_cast<const GoesBeyondBounds*>(problem_->manifold.get());
   const auto move = [&](CoordinatePath& to) {
-    if (beyond == nullptr) return retract(path, step_, to);
     ++counters_.projections;
-    beyond->retract_beyond(path, step_, to);
+    leastcost::retract(*problem_->manifold, path, step_, to, deadline_, true);
   };
   const auto differences = [&](int p, int q) {
     step_.resize(dims_.coordinate, n);
@@ -232,7 +275,7 @@ void PathEnergy::add_chart_curvature(const CoordinatePath& path, const Frames& f
   const int d = dims_.coordinate;
   const Index n = path.free_count(), first = path.free_begin();
   ambient_gradient(path);
-  chart_->curvatures(path, ambient_gradient_, step_);
+  curvatures(*chart_, path, ambient_gradient_, step_, deadline_);
   for (Index i = 0; i < n; ++i) {
     const auto h = step_.middleCols(d * (first + i), d);
     if (frames.identity) {
@@ -262,40 +305,38 @@ void PathEnergy::block_directions(const Frames& frames, ChainSystem& system) con
 
 bool PathEnergy::factor(ChainSystem& system) {
   ++counters_.linear_solves;
-  return system.factor();
+  return system.factor(deadline_);
 }
 
 void PathEnergy::solve(const ChainSystem& system, Eigen::VectorXd& x) {
   ++counters_.linear_solves;
+  look_at_clock(deadline_);
   system.solve(x);
 }
 
 void PathEnergy::retract(const CoordinatePath& from, const Points& step, CoordinatePath& to) {
   ++counters_.projections;
-  problem_->manifold->retract(from, step, to);
+  leastcost::retract(*problem_->manifold, from, step, to, deadline_);
 }
 
 void PathEnergy::count(const Counters& work) { counters_ = counters_ + work; }
 
-Eigen::VectorXd PathEnergy::costs(const CoordinatePath& path) { return segment_costs(*problem_->cost, ambient(path)); }
+Eigen::VectorXd PathEnergy::costs(const CoordinatePath& path) {
+  squared_costs(path);
+  return Eigen::Map<const Eigen::VectorXd>(q_.data(), static_cast<Index>(q_.size())).cwiseSqrt();
+}
 
 double PathEnergy::cost(const CoordinatePath& path) {
-  q_.resize(static_cast<std::size_t>(path.segment_count()));
-  problem_->cost->squared_costs(ambient(path), q_);
+  squared_costs(path);
   double sum = 0;
   for (const double q : q_) sum += std::sqrt(q);
   return sum;
 }
 
 double PathEnergy::scale(const CoordinatePath& path) {
-  const auto n = static_cast<std::size_t>(path.segment_count());
-  q_.resize(n);
-  phi_.resize(n);
-  problem_->cost->squared_costs(ambient(path), q_);
-  for (double& q : q_) q /= s0_ * s0_;
-  problem_->kernel->apply(q_, phi_);
+  apply_kernel(path);
   double sum = 0;
-  for (std::size_t i = 0; i < n; ++i) sum += 2 * phi_[i].d1 * q_[i];
+  for (std::size_t i = 0; i < q_.size(); ++i) sum += 2 * phi_[i].d1 * q_[i];
   return sum;
 }
 

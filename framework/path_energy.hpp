@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <leastcost/framework/chain_system.hpp>
+#include <leastcost/framework/deadline.hpp>
 #include <leastcost/framework/frames.hpp>
 #include <leastcost/framework/problem.hpp>
 #include <leastcost/framework/solver.hpp>
@@ -17,12 +18,15 @@ namespace leastcost {
 /// first call.
 class PathEnergy {
  public:
-  /// `problem` must outlive it. reference_cost: s0 > 0, units of the cost.
-  PathEnergy(const Problem& problem, double reference_cost);
+  /// `problem` must outlive it. reference_cost: s0 > 0, units of the cost; else InputError. After `deadline` every
+  /// function that works through a whole path throws Interrupted, at the latest a few dozen points later.
+  PathEnergy(const Problem& problem, double reference_cost, Deadline deadline = {});
 
   const Problem& problem() const { return *problem_; }
   double reference_cost() const { return s0_; }
   const Counters& counters() const { return counters_; }
+  const Deadline& deadline() const { return deadline_; }
+  void set_deadline(Deadline deadline) { deadline_ = deadline; }
 
   /// E, or +infinity where the path leaves the domain of the cost.
   double value(const CoordinatePath& path);
@@ -55,7 +59,8 @@ class PathEnergy {
   void residuals(const CoordinatePath& path, Points& r, Points* jacobians);
 
   /// The metric G of the cost at every column of a path, q(x, x + v) = v' G v + o(|v|^2), side by side: coordinate x
-  /// (coordinate * columns). For methods that work with a metric instead of moves. Counts as an energy.
+  /// (coordinate * columns). For methods that work with a metric instead of moves. Counts as an energy. Means nothing
+  /// where q is not twice differentiable at a = b, as that of a Finsler cost is not: it has no such G.
   void metrics(const CoordinatePath& path, Points& g);
 
   /// Work that a back end did by means of its own.
@@ -71,6 +76,10 @@ class PathEnergy {
   AmbientPath ambient(const CoordinatePath& path);
 
  private:
+  /// q_i / s0^2 and the kernel at it, for every segment, into q_ and phi_.
+  void apply_kernel(const CoordinatePath& path);
+  /// q_i of every segment into q_.
+  void squared_costs(const CoordinatePath& path);
   void lift(const CoordinatePath& path, Frames& frames) const;
   void add_curvature(const CoordinatePath& path, const Points& gradient, const Frames& frames, ChainSystem& system);
   void add_chart_curvature(const CoordinatePath& path, const Frames& frames, ChainSystem& system);
@@ -81,9 +90,10 @@ class PathEnergy {
   const Problem* problem_;
   const HasChart* chart_;
   double s0_;
+  Deadline deadline_;
   Dimensions dims_;
   Counters counters_;
-  Points ambient_, ambient_gradient_, step_, embedded_, jacobians_;
+  Points ambient_, ambient_gradient_, part_gradient_, step_, embedded_, jacobians_;
   std::vector<Site> ring_sites_;
   std::vector<double> q_;
   std::vector<Jet2> phi_;

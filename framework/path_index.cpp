@@ -32,9 +32,9 @@ PathIndex path_index(PathEnergy& energy, const CoordinatePath& path, double shif
   ChainSystem up = h->exact, down = h->exact;
   up.add(shift, h->gauss_newton);
   down.add(-shift, h->gauss_newton);
-  index.negatives = h->exact.negative_eigenvalues();
-  index.saddle_order = up.negative_eigenvalues();
-  index.nullity = down.negative_eigenvalues() - index.saddle_order;
+  index.negatives = h->exact.negative_eigenvalues(energy.deadline());
+  index.saddle_order = up.negative_eigenvalues(energy.deadline());
+  index.nullity = down.negative_eigenvalues(energy.deadline()) - index.saddle_order;
   index.verdict = index.saddle_order > 0 ? IndexVerdict::saddle
                   : index.nullity > 0    ? IndexVerdict::degenerate
                                          : IndexVerdict::minimum;

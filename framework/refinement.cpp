@@ -9,6 +9,7 @@
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/path_energy.hpp>
+#include "framework/chain_newton.hpp"
 #include "framework/curve_value.hpp"
 #include "framework/spacing.hpp"
 
@@ -28,14 +29,27 @@ constexpr double kHuggingOrder = 1;
 /// A curve in a chart may differ from the extrapolated value by this part of the largest level difference.
 constexpr double kCurveTolerance = 1e-3;
 
+CoordinatePath sample(const Problem& problem, const CoordinatePath& chain, int segments, const Monitor& monitor) {
+  return sample_equally(problem, chain, chain.ring ? segments : segments - 1, 0.05, 8, monitor.deadline);
+}
+
+double mean_cost(const Problem& problem, const CoordinatePath& path, const Monitor& monitor) {
+  return PathEnergy(problem, 1, monitor.deadline).cost(path) / static_cast<double>(path.segment_count());
+}
+
+/// As a reference cost: a path may cost nothing, or infinitely much.
+bool usable(double s0) { return s0 > 0 && std::isfinite(s0); }
+
 /// Half as many segments as the first level, or about that: one more difference to judge the others by.
-void solve_coarser(const Problem& problem, const CoordinatePath& chain, int segments, const Solver& certifier,
-                   const Monitor& monitor, Refinement& result) {
+void solve_coarser(const Problem& problem, const CoordinatePath& chain, int segments, const Monitor& monitor,
+                   Refinement& result) {
   const int least = chain.ring ? 3 : 2;
   try {
-    CoordinatePath path = sample_equally(problem, chain, std::max(least, segments / 2) - (chain.ring ? 0 : 1));
-    PathEnergy energy(problem, PathEnergy(problem, 1).cost(path) / static_cast<double>(path.segment_count()));
-    if (!solved(certifier.solve(energy, path, monitor).termination)) return;
+    CoordinatePath path = sample(problem, chain, std::max(least, segments / 2), monitor);
+    const double s0 = mean_cost(problem, path, monitor);
+    if (!usable(s0)) return;
+    PathEnergy energy(problem, s0, monitor.deadline);
+    if (!solved(ChainNewton().solve(energy, path, monitor).termination)) return;
     result.coarser = energy.cost(path);
     result.coarser_segments = static_cast<int>(path.segment_count());
   } catch (const InitializationError&) {
@@ -70,36 +84,52 @@ void quote(CostEstimate& e, const char* method, double value, double error) {
 
 }  // namespace
 
-Refinement refine_levels(const Problem& problem, const CoordinatePath& chain, const Solver& certifier,
-                         const Monitor& monitor) {
+namespace {
+
+/// Solves one level; false where there is nothing to solve, or it came to nothing.
+bool solve_level(const Problem& problem, CoordinatePath& path, const Monitor& monitor, Refinement& result) {
+  const int segments = static_cast<int>(path.segment_count());
+  const std::string which = "the chain with " + std::to_string(segments) + " segments ";
+  const double s0 = mean_cost(problem, path, monitor);
+  if (!usable(s0)) {
+    result.trouble = which + (s0 > 0 ? "costs infinitely much" : "costs nothing");
+    return false;
+  }
+  PathEnergy energy(problem, s0, monitor.deadline);
+  const SolveReport report = ChainNewton().solve(energy, path, monitor);
+  const Eigen::VectorXd costs = energy.costs(path);
+  result.levels.push_back({segments, costs.sum(), 0, spread(costs), report.iterations});
+  result.paths.push_back(path);
+  if (!solved(report.termination)) result.trouble = which + "ended with " + std::string(name(report.termination));
+  result.collapsed = report.termination == Termination::collapsed;
+  return !result.collapsed && !monitor.interrupted();
+}
+
+}  // namespace
+
+Refinement refine_levels(const Problem& problem, const CoordinatePath& chain, const Monitor& monitor) {
   Refinement result;
-  const int n = static_cast<int>(chain.segment_count());
-  const int coarse = std::max(4, (n + 1) / 2);
+  const int coarse = std::max(4, (static_cast<int>(chain.segment_count()) + 1) / 2);
   CoordinatePath path;
   try {
-    path = sample_equally(problem, chain, chain.ring ? coarse : coarse - 1);
+    path = sample(problem, chain, coarse, monitor);
   } catch (const InitializationError& error) {
     result.trouble = error.what();
     result.collapsed = chain.ring && chain.u == chain.u.col(0).replicate(1, chain.u.cols());
     return result;
   }
   for (int k = 0; k < 3; ++k) {
-    if (k > 0) path = refine(problem, path);
-    const auto segments = static_cast<double>(path.segment_count());
-    PathEnergy energy(problem, PathEnergy(problem, 1).cost(path) / segments);
-    const SolveReport report = certifier.solve(energy, path, monitor);
-    const Eigen::VectorXd costs = energy.costs(path);
-    result.levels.push_back({static_cast<int>(segments), costs.sum(), 0, spread(costs), report.iterations});
-    result.paths.push_back(path);
-    if (!solved(report.termination))
-      result.trouble = "the chain with " + std::to_string(path.segment_count()) + " segments ended with " +
-                       std::string(name(report.termination));
-    result.collapsed = report.termination == Termination::collapsed;
-    if (result.collapsed || monitor.interrupted()) return result;
+    if (k > 0) path = refine(problem, path, monitor.deadline);
+    if (!solve_level(problem, path, monitor, result)) return result;
   }
-  solve_coarser(problem, chain, static_cast<int>(result.levels[0].segments), certifier, monitor, result);
+  solve_coarser(problem, chain, result.levels[0].segments, monitor, result);
   // Energies of all levels at one s0, that of the middle level, so that they can be compared.
-  PathEnergy energy(problem, result.levels[1].cost / result.levels[1].segments);
+  const double s0 = result.levels[1].cost / result.levels[1].segments;
+  if (!usable(s0)) {
+    result.trouble = "the chain with " + std::to_string(result.levels[1].segments) + " segments costs nothing";
+    return result;
+  }
+  PathEnergy energy(problem, s0, monitor.deadline);
   for (std::size_t k = 0; k < 3; ++k) result.levels[k].energy = energy.value(result.paths[k]);
   return result;
 }
@@ -114,7 +144,8 @@ CostEstimate estimate_cost(const Problem& problem, PathEnergy& energy, const Coo
   const double cost = energy.cost(chain), segments = static_cast<double>(chain.segment_count());
   e.value = cost;
   const bool chords_exist = flat && traits.additive;  // the chain itself is a curve of the domain
-  std::optional<double> curve = !chords_exist && (flat || chart) ? smooth_curve_cost(problem, chain) : std::nullopt;
+  std::optional<double> curve =
+      !chords_exist && (flat || chart) ? smooth_curve_cost(problem, chain, energy.deadline()) : std::nullopt;
   e.upper = chords_exist ? std::optional(cost) : curve;
   if (traits.below_curves && index.verdict == IndexVerdict::minimum)
     e.lower = segments * energy.reference_cost() * kernel_inverse(*problem.kernel, energy.value(chain) / segments);

@@ -20,8 +20,8 @@ struct Refinement {
   bool collapsed = false;  ///< a ring that shrinks to a point, or is one
   std::string trouble;     ///< why it is incomplete, or which level did not converge; empty: all is well
 };
-Refinement refine_levels(const Problem& problem, const CoordinatePath& chain, const Solver& certifier,
-                         const Monitor& monitor);
+/// Throws Interrupted after the monitor's deadline.
+Refinement refine_levels(const Problem& problem, const CoordinatePath& chain, const Monitor& monitor);
 
 /// Value and error bar of docs/numerics.md Sec. 6.3 from the levels, and from bounds where they exist. `energy` is that
 /// of the delivered chain, `index` its verdict: bounds from below hold at a minimum only. Where a point rests on a

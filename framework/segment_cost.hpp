@@ -34,7 +34,9 @@ struct ChainBlocks {
 /// virtual call per path; cost authors write a SegmentCostFunction (framework/segment_cost_function.hpp) and lift it.
 /// Values are >= 0 or +infinity outside the domain of the cost, never NaN. Immutable, hence shareable between threads.
 ///
-/// Derivatives treat the ends of an open path as constants: their columns and blocks are zero.
+/// Derivatives treat the ends of an open path as constants: their columns and blocks are zero
+/// (AmbientPath::begin_fixed, end_fixed). A long path may be handed over in parts, with a look at the clock between
+/// them.
 class SegmentCost {
  public:
   virtual ~SegmentCost() = default;
@@ -64,7 +66,7 @@ class SegmentCost {
 class ExplainsInfinity {
  public:
   virtual ~ExplainsInfinity() = default;
-  /// Empty where it does not know, or where the move has a cost.
+  /// Empty where it does not know, or where the move has a cost. Ends a sentence: "... is infinite: <why>".
   virtual std::string why_infinite(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const = 0;
 };
 

@@ -8,6 +8,7 @@
 #include <concepts>
 #include <limits>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include <leastcost/framework/segment_blocks.hpp>
@@ -18,7 +19,7 @@ namespace leastcost {
 /// Lifts a SegmentCostFunction to the run-level interface: one virtual call per path into a typed loop over blocks of
 /// segments, one kernel call per block. No heap for a compile-time dimension.
 template <SegmentCostFunction C>
-class SegmentCostOf : public SegmentCost {
+class SegmentCostOf : public SegmentCost, public ExplainsInfinity {
  public:
   static constexpr int kDim = C::dim;
 
@@ -92,10 +93,19 @@ class SegmentCostOf : public SegmentCost {
       return line_element_from_hessian(function_, x, v);
   }
 
+  /// That of the function, where it has one: std::string why_infinite(const VectorXd& a, const VectorXd& b) const.
+  std::string why_infinite(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const override {
+    if constexpr (requires { std::string(function_.why_infinite(a, b)); })
+      return function_.why_infinite(a, b);
+    else
+      return "";
+  }
+
  private:
   /// The ends of an open path are constants; a ring has none.
   SegmentEnds<kDim> ends(const AmbientPath& path, Index i) const {
-    return {path.x.col(i), path.x.col(i + 1), !path.ring && i == 0, !path.ring && i + 1 == path.segment_count()};
+    return {path.x.col(i), path.x.col(i + 1), path.begin_fixed() && i == 0,
+            path.end_fixed() && i + 1 == path.segment_count()};
   }
 
   C function_;

@@ -6,7 +6,9 @@
 #include <chrono>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
+#include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/path_energy.hpp>
 
 namespace leastcost {
@@ -60,7 +62,7 @@ bool claims_an_end(Termination t) {
 void doubt(const PathEnergy& energy, const CoordinatePath& path, SolveReport& report) try {
   constexpr double kSame = 1e-6;  // relative; rounding is far below, two functions are far above
   if (!claims_an_end(report.termination)) return;
-  PathEnergy own(energy.problem(), energy.reference_cost());
+  PathEnergy own(energy.problem(), energy.reference_cost(), energy.deadline());
   Points gradient;
   const double value = own.value(path), other = own.value_and_gradient(path, gradient);
   if (!std::isfinite(value) || !std::isfinite(other)) return;
@@ -71,6 +73,34 @@ void doubt(const PathEnergy& energy, const CoordinatePath& path, SolveReport& re
   report.termination = Termination::inconsistent;
   report.message = message.str();
 } catch (...) {  // what throws now did not while solving: the report stands
+}
+
+/// The energy's deadline during one solve.
+class DeadlineOf {
+ public:
+  DeadlineOf(PathEnergy& energy, const Deadline& deadline) : energy_(energy), before_(energy.deadline()) {
+    if (deadline) energy_.set_deadline(deadline);
+  }
+  ~DeadlineOf() { energy_.set_deadline(before_); }
+  DeadlineOf(const DeadlineOf&) = delete;
+  DeadlineOf& operator=(const DeadlineOf&) = delete;
+
+ private:
+  PathEnergy& energy_;
+  Deadline before_;
+};
+
+/// The report of a solve whose last iteration was cut short by the clock: there is no time to measure anything.
+SolveReport abandoned(SolveReport report, bool unmoved, double initial) {
+  report.termination = Termination::time_limit;
+  report.message = "";
+  report.final_energy = initial;
+  if (report.history.empty()) return report;
+  const Iteration& last = report.history.back();
+  report.iterations = last.iteration;
+  report.cost_error = last.cost_error;
+  if (!unmoved) report.final_energy = last.energy;
+  return report;
 }
 
 }  // namespace
@@ -88,10 +118,18 @@ SolveReport Solver::solve(PathEnergy& energy, CoordinatePath& path, const Monito
   return report;
 }
 
-/// After an exception the path is the last one that was accepted.
+/// After an exception the path is the last one that was accepted, and the history what the monitor was told.
 SolveReport Solver::guarded(PathEnergy& energy, CoordinatePath& path, double& initial, const Monitor& monitor) const {
   const CoordinatePath start = path;
   SolveReport report;
+  Monitor listening;
+  listening.observe = [&](const Progress& progress) {
+    if (progress.iteration != nullptr) report.history.push_back(*progress.iteration);
+    monitor.report(progress);
+  };
+  listening.stop_requested = [&] { return monitor.cancelled(); };
+  listening.deadline = monitor.deadline;
+  const DeadlineOf deadline(energy, monitor.deadline);
   try {
     if (const std::optional<std::string> reason = cannot_solve(energy, path)) {
       report.termination = Termination::refused;
@@ -100,18 +138,21 @@ SolveReport Solver::guarded(PathEnergy& energy, CoordinatePath& path, double& in
     }
     initial = energy.value(path);
     if (std::isfinite(initial)) {
-      report = do_solve(energy, path, monitor);
+      report = do_solve(energy, path, listening);
       doubt(energy, path, report);
       return report;
     }
     report.message = "the energy of the first path is not finite";
     return report;
+  } catch (const Interrupted&) {
+    return abandoned(std::move(report), path.u == start.u, initial);
   } catch (const std::exception& error) {
     report.message = error.what();
   } catch (...) {
     report.message = "an exception that is no std::exception";
   }
   report.termination = Termination::exception;
+  energy.set_deadline({});
   if (!no_worse(energy, path, start)) path = start;
   report.final_energy = path.u == start.u ? initial : energy.value(path);
   return report;

@@ -63,7 +63,8 @@ struct SolveReport {
 SolveReport joined(const SolveReport& earlier, SolveReport later);
 
 /// Improves a path in place. Keeps the best iterate, never returns a higher energy than it was given (methods without
-/// an energy: a higher cost), and never throws: not for a numerical outcome, nor when a cost does.
+/// an energy: a higher cost), and never throws: not for a numerical outcome, nor when a cost does. After the monitor's
+/// deadline the work in hand is abandoned: the path is the last one that was accepted.
 class Solver {
  public:
   virtual ~Solver() = default;

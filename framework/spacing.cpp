@@ -9,6 +9,7 @@
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/path_energy.hpp>
+#include "framework/in_parts.hpp"
 
 namespace leastcost {
 namespace {
@@ -46,7 +47,7 @@ class ArcLength {
 
 /// The polyline's points at arc lengths t (N + 1 of them; in a ring the last is the first again).
 CoordinatePath points_at(const Problem& problem, const ArcLength& curve, const CoordinatePath& polyline,
-                         const Eigen::VectorXd& t) {
+                         const Eigen::VectorXd& t, const Deadline& deadline) {
   const Index columns = polyline.ring ? t.size() - 1 : t.size();
   CoordinatePath path{Points(polyline.u.rows(), columns), {}, polyline.ring, polyline.closing};
   path.sites.resize(polyline.sites.empty() ? 0 : static_cast<std::size_t>(columns));
@@ -55,7 +56,7 @@ CoordinatePath points_at(const Problem& problem, const ArcLength& curve, const C
     curve.at(t[i], path.u.col(i), site);
     if (!path.sites.empty()) path.sites[static_cast<std::size_t>(i)] = site;
   }
-  const Projection projection = problem.manifold->project(path);
+  const Projection projection = project(*problem.manifold, path, deadline);
   if (!projection.failed.empty())
     throw InitializationError("point " + std::to_string(projection.failed.front()) +
                               " of the first path has no nearest point on the domain; give waypoints around it" +
@@ -88,19 +89,18 @@ Eigen::VectorXd equal_shares(const Eigen::VectorXd& t, const Eigen::VectorXd& co
   return next;
 }
 
-[[noreturn]] void throw_infinite(const Problem& problem, const Points& x, const Eigen::VectorXd& costs) {
+}  // namespace
+
+void refuse_infinite(const Problem& problem, const Points& x, const Eigen::VectorXd& costs) {
   Index bad = 0;
-  while (std::isfinite(costs[bad])) ++bad;
+  while (bad < costs.size() && std::isfinite(costs[bad])) ++bad;
+  if (bad == costs.size()) return;
   const std::string reason = reason_for_infinity(*problem.cost, x.col(bad), x.col((bad + 1) % x.cols()));
   throw InitializationError("the cost of the first path is infinite on segment " + std::to_string(bad) + " of " +
                             std::to_string(costs.size()) +
-                            (reason.empty() ? ": the path leaves the domain of the cost (for a travel time: it rises "
-                                              "above the energy level)"
-                                            : reason) +
+                            (reason.empty() ? ": the path leaves the domain of the cost" : reason) +
                             "; give another initializer or waypoints");
 }
-
-}  // namespace
 
 double spread(const Eigen::VectorXd& costs) {
   const double least = costs.minCoeff();
@@ -108,27 +108,31 @@ double spread(const Eigen::VectorXd& costs) {
 }
 
 CoordinatePath sample_equally(const Problem& problem, const CoordinatePath& polyline, int points, double tolerance,
-                              int passes) {
+                              int passes, const Deadline& deadline) {
   const ArcLength curve(polyline);
   if (!(curve.length() > 0)) throw InitializationError("the first path has no length");
   const Index segments = polyline.ring ? points : points + 1;
-  PathEnergy energy(problem, 1);
+  PathEnergy energy(problem, 1, deadline);
   Eigen::VectorXd t = Eigen::VectorXd::LinSpaced(segments + 1, 0, curve.length());
-  CoordinatePath path = points_at(problem, curve, polyline, t);
-  for (int pass = 0; pass < passes; ++pass) {
-    const Eigen::VectorXd costs = energy.costs(path);
-    if (!costs.allFinite()) throw_infinite(problem, energy.ambient(path).x, costs);
-    if (spread(costs) < tolerance || !(costs.sum() > 0)) break;
-    const Eigen::VectorXd next = equal_shares(t, costs);
-    CoordinatePath trial = points_at(problem, curve, polyline, next);
-    if (!energy.costs(trial).allFinite()) break;  // the even samples at least have a cost
-    t = next;
-    path = std::move(trial);
+  CoordinatePath path = points_at(problem, curve, polyline, t, deadline);
+  Eigen::VectorXd costs = energy.costs(path);
+  refuse_infinite(problem, energy.ambient(path).x, costs);
+  try {
+    for (int pass = 0; pass < passes && !(spread(costs) < tolerance) && costs.sum() > 0; ++pass) {
+      const Eigen::VectorXd next = equal_shares(t, costs);
+      CoordinatePath trial = points_at(problem, curve, polyline, next, deadline);
+      const Eigen::VectorXd trial_costs = energy.costs(trial);
+      if (!trial_costs.allFinite()) break;  // the even samples at least have a cost
+      t = next;
+      costs = trial_costs;
+      path = std::move(trial);
+    }
+  } catch (const Interrupted&) {  // unevenly spaced they are a path all the same
   }
   return path;
 }
 
-CoordinatePath refine(const Problem& problem, const CoordinatePath& path) {
+CoordinatePath refine(const Problem& problem, const CoordinatePath& path, const Deadline& deadline) {
   const Index columns = path.u.cols(), segments = path.segment_count();
   CoordinatePath fine{Points(path.u.rows(), path.ring ? 2 * columns : 2 * columns - 1), {}, path.ring, path.closing};
   fine.sites.resize(path.sites.empty() ? 0 : static_cast<std::size_t>(fine.u.cols()));
@@ -147,11 +151,11 @@ CoordinatePath refine(const Problem& problem, const CoordinatePath& path) {
       fine.u.col(2 * i + 1) = middle;
     }
     for (std::size_t i = 0; i < fine.sites.size(); ++i) fine.sites[i] = path.sites[i / 2];
-    problem.manifold->project(fine);
+    project(*problem.manifold, fine, deadline);
     for (Index i = 0; i < columns; ++i) fine.u.col(2 * i) = path.u.col(i);
   };
   fill(true);
-  PathEnergy energy(problem, 1);
+  PathEnergy energy(problem, 1, deadline);
   if (!energy.costs(fine).allFinite()) fill(false);
   return fine;
 }

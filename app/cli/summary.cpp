@@ -31,6 +31,7 @@ std::string status_line(const WrittenRun& run) {
   const Certificate& c = run.result.certificate;
   std::string line(name(run.result.status));
   if (run.result.status == Status::certified) return line + fmt::format(" ({})", c.scope);
+  if (run.result.status == Status::interrupted) return line;
   if (!c.measured)
     line += run.parts.options.certificate.enabled ? ": the certificate was not measured"
                                                   : ": the certificate is switched off";
@@ -41,6 +42,8 @@ std::string cost_line(const WrittenRun& run) {
   const Result& result = run.result;
   const std::string& unit = run.parts.problem.cost->traits().unit;
   const CostEstimate& estimate = result.certificate.estimate;
+  if (result.status == Status::interrupted && !std::isfinite(estimate.error))
+    return fmt::format("{:.15g} {} (interrupted: error not measured)", result.curve.cost, unit);
   if (!result.certificate.measured) return fmt::format("{:.15g} {} (error not measured)", result.curve.cost, unit);
   if (!std::isfinite(estimate.error)) return fmt::format("{:.15g} {} (error unknown)", estimate.value, unit);
   std::string line = fmt::format("{:.15g} +- {:.2g} {} ({})", estimate.value, estimate.error, unit, estimate.method);
@@ -98,7 +101,7 @@ const TriangleMesh* mesh_of(const RunParts& parts) {
 std::string steps(const Run& prepared) {
   const RunParts& parts = prepared.parts;
   std::string line = fmt::format("{}, {}", prepared.origin->config.initializer.plugin->type, parts.solver->name());
-  for (const auto& processor : parts.post_processors) line += fmt::format(", {}", processor->name());
+  for (const auto& processor : parts.options.post_processors) line += fmt::format(", {}", processor->name());
   return line + (parts.options.certificate.enabled ? ", certificate" : "");
 }
 

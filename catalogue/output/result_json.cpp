@@ -33,7 +33,7 @@ Json cost(const RunOutcome& run) {
   out["unit"] = run.parts.problem.cost->traits().unit;
   out["error_estimate"] = measured ? number(estimate.error) : Json(nullptr);
   out["initial"] = number(result.initial_cost);
-  out["method"] = measured ? Json(estimate.method) : Json(nullptr);
+  out["method"] = measured && !estimate.method.empty() ? Json(estimate.method) : Json(nullptr);
   out["lower"] = number(estimate.lower);
   out["upper"] = number(estimate.upper);
   out["order"] = number(estimate.order);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <optional>
 #include <utility>
 
 #include <leastcost/framework/errors.hpp>
@@ -15,7 +16,6 @@
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/initializers/mirrored.hpp>
 #include <leastcost/problems/mesh/has_mesh.hpp>
-#include <leastcost/solvers/newton.hpp>
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/registry/registry.hpp"
 #include "catalogue/run/ends.hpp"
@@ -48,12 +48,11 @@ Eigen::VectorXd source_position(const Problem& problem) {
 }
 
 void fill_options(const RunConfig& config, RunParts& out) {
-  out.options.points = config.points.value_or(0);
-  out.options.reference_cost = config.reference_cost.value_or(0);
+  out.options.points = config.points;
+  out.options.reference_cost = config.reference_cost;
   out.options.cascade = config.cascade;
   out.options.escape_saddle = config.escape_saddle;
   out.options.certificate = config.certificate;
-  connect_options(out);
 }
 
 /// The further ways of a family: bows, the mirror image, routes, and what else was given.
@@ -160,8 +159,8 @@ void Composer::make_parts() {
   for (std::size_t i = 0; i < others_.size(); ++i) make_or_check(config_.family.initializers[i], others_[i]);
   make_or_check(config_.solver, out_.solver);
   const PluginList steps = config_.post_process.value_or(PluginList{});
-  out_.post_processors.resize(steps.size());
-  for (std::size_t i = 0; i < steps.size(); ++i) make_or_check(steps[i], out_.post_processors[i]);
+  out_.options.post_processors.resize(steps.size());
+  for (std::size_t i = 0; i < steps.size(); ++i) make_or_check(steps[i], out_.options.post_processors[i]);
 }
 
 void Composer::make_from_options() {
@@ -190,7 +189,6 @@ void Composer::make_from_files(const BuildProgress& progress) {
 }
 
 RunParts Composer::take() {
-  out_.certifier = std::make_shared<const Newton>();
   add_family(config_, others_, out_);
   fill_options(config_, out_);
   return std::move(out_);
@@ -213,12 +211,6 @@ std::vector<FamilyStart> family_starts(const RunParts& parts) {
       starts.push_back({image.winding.empty() ? way.name : fmt::format("{}, winding {}", way.name, image.winding),
                         image.problem, way.initializer});
   return starts;
-}
-
-void connect_options(RunParts& parts) {
-  parts.options.certifier = parts.certifier.get();
-  parts.options.post_processors.clear();
-  for (const auto& processor : parts.post_processors) parts.options.post_processors.push_back(processor.get());
 }
 
 }  // namespace leastcost

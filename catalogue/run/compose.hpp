@@ -59,7 +59,4 @@ void check_parts(LoadedConfig& loaded);
 /// The starts of a family: every image of the target, from the run's own initializer and the further ways.
 std::vector<FamilyStart> family_starts(const RunParts& parts);
 
-/// Lets the options point to the certifier and the post-processors.
-void connect_options(RunParts& parts);
-
 }  // namespace leastcost

@@ -116,7 +116,7 @@ std::vector<std::string> replaced_parts(const RunParts& parts, const RunParts& a
   differs(parts.initializer == as_read.initializer, "initializer");
   differs(same_family(parts, as_read), "family");
   differs(parts.solver == as_read.solver, "solver");
-  differs(parts.post_processors == as_read.post_processors, "post_process");
+  differs(parts.options.post_processors == as_read.options.post_processors, "post_process");
   return replaced;
 }
 
@@ -152,19 +152,17 @@ RunOutcome solve(Run run, const Monitor& monitor) {
   outcome.seconds = run.seconds;
   outcome.origin = std::move(run.origin);
   RunParts& parts = outcome.parts;
-  connect_options(parts);
   if (!parts.problem.ring || parts.problem.based) follow(parts.source, parts.problem.source);
   if (!parts.problem.ring) follow(parts.target, parts.problem.target);
-  const Monitor limited = with_budget(monitor, run.max_seconds);
   outcome.replaced = replaced_parts(parts, outcome.origin->parts);
   for (const std::string& part : outcome.replaced)
     parts.notes.push_back(part + ": replaced after the configuration was read");
-  try {
-    find(outcome, limited);
-  } catch (const InitializationError& e) {
-    if (limited.interrupted()) throw StoppedEarly(e.what());
-    throw;
-  }
+  if ((run.max_seconds || monitor.deadline) && parts.options.certificate.enabled) prepare(parts.problem);
+  find(outcome, with_budget(monitor, run.max_seconds));
+  const Result& result = outcome.result;
+  if (result.path.u.size() == 0) throw StoppedEarly(result.notes.empty() ? "no path yet" : result.notes.back());
+  complete_interrupted(parts.problem, parts.options, outcome.result);
+  for (FamilyMember& member : outcome.family) complete_interrupted(member.problem, parts.options, member.result);
   outcome.seconds.search = seconds_since(start);
   outcome.finished = std::chrono::system_clock::now();
   return outcome;

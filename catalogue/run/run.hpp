@@ -17,10 +17,11 @@
 
 namespace leastcost {
 
-/// Stopped, by request or by max_seconds, before there was a first path.
-class StoppedEarly : public InitializationError {
+/// Stopped, by request or by max_seconds, before there was a path: a result of find_path() that is interrupted and
+/// empty, of which nothing can be written.
+class StoppedEarly : public Error {
  public:
-  using InitializationError::InitializationError;
+  using Error::Error;
 };
 
 /// Wall time of what is not the search for one path (Result::seconds), s.
@@ -67,7 +68,8 @@ struct RunOutcome {
 };
 
 /// The search of a composed configuration, within its max_seconds: the path, or the best of its family. Writes nothing.
-/// Throws InitializationError; StoppedEarly when it was told to stop before there was a first path.
+/// What an interrupted search had no time for, its curve and its costs, is made up for afterwards. Throws
+/// InitializationError; StoppedEarly when it was told to stop before there was a path.
 RunOutcome solve(Run run, const Monitor& monitor = {});
 
 }  // namespace leastcost

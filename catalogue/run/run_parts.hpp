@@ -24,16 +24,15 @@ struct FamilyWay {
   std::shared_ptr<const Initializer> initializer;
 };
 
-/// The objects that a configuration describes, ready for find_path(). Owns what FindOptions points to. All of it may be
+/// The objects that a configuration describes, ready for find_path(). All of it may be
 /// replaced before solve().
 struct RunParts {
   Problem problem;
   std::shared_ptr<const Initializer> initializer;
   std::vector<FamilyWay> family;  ///< besides the initializer; empty, and no windings: one path is sought
   int windings = 0;               ///< of the family: images of the target up to so many turns on
-  std::shared_ptr<const Solver> solver, certifier;
-  std::vector<std::shared_ptr<const PostProcessor>> post_processors;
-  FindOptions options;
+  std::shared_ptr<const Solver> solver;
+  FindOptions options;  ///< the post-processors among them
   PlacedEnd source, target;  ///< where problem.source and problem.target came from; empty in a ring
   std::vector<std::string> notes;
 

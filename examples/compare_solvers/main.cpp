@@ -31,7 +31,7 @@ int main() {
   const Ceres ceres({.algorithm = CeresAlgorithm::levenberg_marquardt});
   int uncertified = 0;
   for (const Solver* solver : std::vector<const Solver*>{&newton, &lbfgs, &nlopt, &ceres}) {
-    const Result result = find_path(problem, StraightInitializer(), *solver, {.points = 200, .certifier = &newton});
+    const Result result = find_path(problem, StraightInitializer(), *solver, {.points = 200});
     const Counters& work = result.solve.counters;
     std::printf("%-6s %-12s %-10s %.12f  %3ld evaluations, %.1f ms\n", std::string(solver->name()).c_str(),
                 std::string(name(result.status)).c_str(), std::string(name(result.solve.termination)).c_str(),

@@ -47,7 +47,7 @@ int main() {
   problem.source.u = Eigen::Vector2d(0, 0);
   problem.target.u = Eigen::Vector2d(4, 0);
   const Newton newton;
-  const Result result = find_path(problem, StraightInitializer(), newton, {.points = 60, .certifier = &newton});
+  const Result result = find_path(problem, StraightInitializer(), newton, {.points = 60});
 
   const double exact = 2 * std::acosh(3.0);  // acosh(1 + gain^2 |b - a|^2 / 2) / gain
   std::printf("%.8f s, exact %.8f s\n", result.certificate.estimate.value, exact);

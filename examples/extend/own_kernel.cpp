@@ -37,7 +37,7 @@ int main() {
   problem.cost = make_travel_time_cost({.gravity = 1}, 2, problem.source.u);
   problem.kernel = make_kernel<Cosh>();
   const Newton newton;
-  const Result result = find_path(problem, StraightInitializer(), newton, {.points = 60, .certifier = &newton});
+  const Result result = find_path(problem, StraightInitializer(), newton, {.points = 60});
 
   const double spread = result.costs.maxCoeff() / result.costs.minCoeff() - 1;
   std::printf("%.8f s, exact pi; spacing %.1e\n", result.certificate.estimate.value, spread);

@@ -11,7 +11,6 @@
 #include <leastcost/problems/kernels/kernels.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
 #include <leastcost/solvers/lbfgs.hpp>
-#include <leastcost/solvers/newton.hpp>
 
 int main() {
   using namespace leastcost;
@@ -22,8 +21,7 @@ int main() {
   problem.cost = make_travel_time_cost({.gravity = 1}, 2, problem.source.u);
   problem.kernel = make_kernel<Expm1Square>();
 
-  const Newton certifier;
-  const Result result = find_path(problem, StraightInitializer(), Lbfgs(), {.points = 40, .certifier = &certifier});
+  const Result result = find_path(problem, StraightInitializer(), Lbfgs(), {.points = 40});
   std::printf("%s: %.4f s through %d points\n", result.certificate.certified() ? "certified" : "uncertified",
               result.certificate.estimate.value, static_cast<int>(result.path.u.cols()));
   return result.certificate.certified() ? 0 : 1;

@@ -47,7 +47,7 @@ class RouteQuery {
     switch (route.outcome) {
       case RouteOutcome::found: return path_along(route.nodes);
       case RouteOutcome::stopped:
-        throw InitializationError("the search was stopped after " + std::to_string(route.settled) + " samples");
+        throw Interrupted("the search was stopped after " + std::to_string(route.settled) + " samples");
       case RouteOutcome::unreachable: break;
     }
     throw InitializationError("no route along the neighbour graph: " + std::to_string(route.settled - 1) + " of " +
@@ -85,9 +85,12 @@ class RouteQuery {
   }
 
   SparseGraph build(const std::vector<std::int32_t>& from, const std::vector<std::int32_t>& to) const {
+    constexpr std::int32_t kLookInterval = 256;  // samples between two looks at the clock
     std::vector<SparseGraph::Edge> edges;
-    for (std::int32_t i = 0; i < samples_; ++i)
+    for (std::int32_t i = 0; i < samples_; ++i) {
+      if (i % kLookInterval == 0) look_at_clock(monitor_.deadline);
       for (const std::int32_t j : domain_.graph().neighbours(i)) edges.emplace_back(i, j);
+    }
     for (const std::int32_t i : from) edges.emplace_back(source(), i);
     for (const std::int32_t i : to) edges.emplace_back(i, target());
     if (std::find(from.begin(), from.end(), to[0]) != from.end()) edges.emplace_back(source(), target());

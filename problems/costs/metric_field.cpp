@@ -200,7 +200,7 @@ struct MetricField {
 };
 
 template <class Field>
-class MetricFieldCost : public SegmentCostOf<MetricField<Field>>, public ExplainsInfinity {
+class MetricFieldCost : public SegmentCostOf<MetricField<Field>> {
  public:
   using SegmentCostOf<MetricField<Field>>::SegmentCostOf;
   std::string why_infinite(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const override {

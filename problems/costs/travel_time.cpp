@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/costs/travel_time.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <sstream>
+#include <string>
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/segment_cost_function.hpp>
@@ -28,6 +31,14 @@ struct TravelTimeBase {
   double line_element(const Eigen::VectorXd& x, const Eigen::VectorXd& v) const {
     const double v2 = energy.squared_speed(x[x.size() - 1]);
     return v2 > 0 ? v.norm() / std::sqrt(v2) : std::numeric_limits<double>::infinity();
+  }
+  std::string why_infinite(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
+    const double highest = std::max(a[a.size() - 1], b[b.size() - 1]);
+    if (highest < energy.level) return "";
+    std::ostringstream out;
+    out << "the height " << highest << (highest > energy.level ? " is above" : " is that of") << " the energy level "
+        << energy.level << ", the greatest height that the bead can reach";
+    return out.str();
   }
 };
 

@@ -14,7 +14,7 @@ namespace {
 using Graph = SparseGraph::Rows::Graph;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kStopInterval = 256;  // settled nodes between two questions to the stop predicate
+constexpr int kStopInterval = 16;  // settled nodes between two questions to the stop predicate
 
 /// Boost's way to leave a search early is to throw; it ends here.
 struct Ended {

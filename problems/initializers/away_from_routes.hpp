@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <leastcost/framework/segment_cost.hpp>
@@ -12,7 +13,7 @@ namespace leastcost {
 /// For graph searches: the cost of moves in R^3, multiplied near routes that were found before, so that the next route
 /// takes another way. By `factor` on a route, by less beside it, by 1 from the distance `reach` on. Derivatives and the
 /// line element are those of the cost itself.
-class AwayFromRoutes final : public SegmentCost {
+class AwayFromRoutes final : public SegmentCost, public ExplainsInfinity {
  public:
   /// routes: 3 x m polylines. reach: length units, > 0.
   AwayFromRoutes(std::shared_ptr<const SegmentCost> cost, std::vector<Points> routes, double factor, double reach);
@@ -26,6 +27,7 @@ class AwayFromRoutes final : public SegmentCost {
                     ChainBlocks& out) const override;
   void residuals(const AmbientPath& path, Points& r, Points* jacobians) const override;
   double line_element(const Eigen::VectorXd& x, const Eigen::VectorXd& v) const override;
+  std::string why_infinite(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const override;
 
  private:
   double distance(const Eigen::Vector3d& x) const;

@@ -41,6 +41,7 @@ Route best_straightened(const Problem& problem, const TriangleMesh& mesh, const 
         "(euclidean, metric_tensor); use routes: 1");
   GeodesicOptions options{.metric = *metric, .stop = [&monitor] { return monitor.interrupted(); }, .routes = routes};
   Geodesic best = GeodesicSearch(mesh).shortest(source, target, options);
+  if (best.first.outcome == EdgePathOutcome::stopped) throw Interrupted(best.first.failure());
   if (!best.found()) throw InitializationError(best.first.failure());
   const int vertices = static_cast<int>(best.first.path.points.size()) - 2;
   return {std::move(best.result.path), vertices};

@@ -46,14 +46,18 @@ class Tree {
 
   int size() const { return points_.size(); }
   long samples() const { return samples_; }
+  bool stopped() const { return stopped_; }  ///< by the monitor
   double nearest_to_goal() const { return nearest_to_goal_; }
 
   /// Grows until an edge ends at the target; false when the limits are reached or the monitor says stop.
   bool reach_target(const Monitor& monitor) {
     const long most = static_cast<long>(kSamplesPerNode) * options_.max_nodes;
-    constexpr long kAskEvery = 64;
+    constexpr long kAskEvery = 4;
     for (; size() < options_.max_nodes && samples_ < most; ++samples_) {
-      if (samples_ % kAskEvery == 0 && monitor.interrupted()) return false;
+      if (samples_ % kAskEvery == 0 && monitor.interrupted()) {
+        stopped_ = true;
+        return false;
+      }
       const int added = grow_towards(sample());
       if (added < 0 || (feet_[index(added)] - problem_.target.u).norm() > step_) continue;
       if (!joins(added, problem_.target.u)) continue;
@@ -77,6 +81,7 @@ class Tree {
     std::vector<std::vector<Vector>> pieces;  // piece i: from node i to node i + 1, without its first point
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
       pieces.emplace_back();
+      look_at_clock(monitor.deadline);
       line(nodes[i], nodes[i + 1], pieces.back());
     }
     for (int k = 0; k < options_.shortcuts && nodes.size() > 2 && !monitor.interrupted(); ++k) {
@@ -171,6 +176,7 @@ class Tree {
   std::vector<Vector> edge_;
   Vector low_, high_, margin_;  ///< the box of samples: the tree, with a margin
   long samples_ = 0;
+  bool stopped_ = false;
   double nearest_to_goal_ = std::numeric_limits<double>::infinity();
 };
 
@@ -222,7 +228,10 @@ FirstPath RrtInitializer::first_path(const Problem& problem, const Monitor& moni
         "rrt works in the space around a domain; a chart has none: use straight, bow or waypoints");
   const double distance = (problem.target.u - problem.source.u).norm();
   Tree tree(problem, options_, distance);
-  if (!tree.reach_target(monitor)) throw InitializationError(failure(tree, options_, distance, monitor.interrupted()));
+  if (!tree.reach_target(monitor)) {
+    if (tree.stopped()) throw Interrupted(failure(tree, options_, distance, true));
+    throw InitializationError(failure(tree, options_, distance, false));
+  }
   FirstPath first;
   first.notes.push_back("rrt: " + std::to_string(tree.size()) + " nodes, " + std::to_string(tree.samples()) +
                         " samples");

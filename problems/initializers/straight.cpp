@@ -51,9 +51,8 @@ CoordinatePath find_finite(const Problem& problem) {
       }
   const bool flat = problem.manifold->shape() == Shape::flat;
   if (flat && !std::isfinite(problem.cost->line_element(problem.target.u, problem.target.u - problem.source.u)))
-    throw InitializationError(
-        "the target lies outside the domain of the cost: every move to it costs infinitely much (for a travel time: it "
-        "is not below the energy level, the greatest height that the bead can reach)");
+    throw InitializationError("the target lies outside the domain of the cost: every move to it costs infinitely much" +
+                              reason_for_infinity(*problem.cost, problem.source.u, problem.target.u));
   const std::string reason = reason_on(problem, line);
   throw InitializationError(
       "the cost is infinite on the straight line between the ends and on every bow around it (in all coordinate "

@@ -7,7 +7,7 @@
 namespace leastcost {
 
 /// The straight line between the ends (in coordinates; projected when it is sampled). Where the cost is infinite on it,
-/// it is bowed out of the way: below the energy level for a travel time.
+/// it is bowed out of the way: downwards first, which is where a bead can go.
 class StraightInitializer final : public Initializer {
  public:
   std::string_view name() const override { return "straight"; }

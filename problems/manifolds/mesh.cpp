@@ -4,8 +4,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <string>
 #include <utility>
 
+#include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/mesh/surface_path.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
 
@@ -21,6 +23,15 @@ void orthonormal_to(const Eigen::Vector3d& normal, Eigen::Ref<Points> basis) {
 }
 
 /// Outward unit normal, in the plane of its face, of the border edge h.
+/// The face of a column. A path without sites is data, not a bug of ours.
+std::int32_t face_at(const TriangleMesh& mesh, const CoordinatePath& path, Index column) {
+  const Site site = path.site(column);
+  if (site < 0 || site >= mesh.face_count())
+    throw InputError("point " + std::to_string(column) + " of the path names no face of the mesh (" +
+                     std::to_string(site) + "): project the path first");
+  return site;
+}
+
 Eigen::Vector3d outward(const TriangleMesh& mesh, std::int32_t h) {
   const Eigen::Vector3d &a = mesh.position(mesh.tail(h)), &b = mesh.position(mesh.head(h));
   const Eigen::Vector3d& opposite = mesh.position(mesh.head(TriangleMesh::next(h)));
@@ -60,11 +71,13 @@ Projection MeshManifold::project(CoordinatePath& path) const {
 void MeshManifold::tangent_bases(const CoordinatePath& path, Points& bases) const {
   bases.resize(3, 2 * path.u.cols());
   for (Index i = 0; i < path.u.cols(); ++i)
-    orthonormal_to(mesh_.smooth_normal(point_on_face(mesh_, path.site(i), path.u.col(i))), bases.middleCols(2 * i, 2));
+    orthonormal_to(mesh_.smooth_normal(point_on_face(mesh_, face_at(mesh_, path, i), path.u.col(i))),
+                   bases.middleCols(2 * i, 2));
 }
 
 void MeshManifold::retract(const CoordinatePath& from, const Points& step, CoordinatePath& to) const {
   prepare_like(from, to);
+  to.sites.resize(static_cast<std::size_t>(to.u.cols()), kNoSite);
   const Index first = from.free_begin();
   for (Index i = 0; i < step.cols(); ++i) {
     const ClosestPoint nearest = tree_.nearest(from.u.col(first + i) + step.col(i), from.site(first + i));
@@ -81,7 +94,7 @@ double MeshManifold::residual(const CoordinatePath& path) const {
 }
 
 int MeshManifold::active_bounds(const CoordinatePath& path, Index column, Eigen::Ref<Points> normals) const {
-  const std::int32_t f = path.site(column);
+  const std::int32_t f = face_at(mesh_, path, column);
   int count = 0;
   Eigen::Vector3d barycentric = Eigen::Vector3d::Zero();
   for (std::int32_t k = 0; k < 3; ++k) {
@@ -95,7 +108,7 @@ int MeshManifold::active_bounds(const CoordinatePath& path, Index column, Eigen:
 
 void MeshManifold::into_pieces(const CoordinatePath& path, Points& vectors) const {
   for (Index i = 0; i < vectors.cols(); ++i) {
-    const Eigen::Vector3d normal = mesh_.face_normal(path.site(path.free_begin() + i));
+    const Eigen::Vector3d normal = mesh_.face_normal(face_at(mesh_, path, path.free_begin() + i));
     vectors.col(i) -= normal.dot(vectors.col(i)) * normal;
   }
 }

@@ -36,7 +36,11 @@ PointCloudManifold::PointCloudManifold(PointCloud cloud)
     : EmbeddedManifold({3, 3, 2}), cloud_(std::move(cloud)), surface_(cloud_), graph_(cloud_) {}
 
 std::shared_ptr<const ConstraintManifold> PointCloudManifold::coarser() const {
-  return std::make_shared<const PointCloudManifold>(cloud_.thinned());
+  std::call_once(made_coarser_, [this] {
+    coarser_ = std::make_shared<const PointCloudManifold>(cloud_.thinned());
+    has_coarser_ = true;
+  });
+  return coarser_;
 }
 
 bool PointCloudManifold::project_point(Eigen::Ref<Eigen::VectorXd> x) const {

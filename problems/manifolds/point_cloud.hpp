@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <string>
 
 #include <leastcost/framework/manifold.hpp>
@@ -32,6 +34,7 @@ class PointCloudManifold final : public EmbeddedManifold, public HasPointCloud, 
   const CloudSurface& surface() const override { return surface_; }
   const CloudGraph& graph() const override { return graph_; }
   std::shared_ptr<const ConstraintManifold> coarser() const override;
+  bool has_made_coarser() const override { return has_coarser_; }
 
  protected:
   bool project_point(Eigen::Ref<Eigen::VectorXd> x) const override;
@@ -41,6 +44,9 @@ class PointCloudManifold final : public EmbeddedManifold, public HasPointCloud, 
   PointCloud cloud_;
   CloudSurface surface_;
   CloudGraph graph_;
+  mutable std::once_flag made_coarser_;
+  mutable std::shared_ptr<const ConstraintManifold> coarser_;
+  mutable std::atomic<bool> has_coarser_ = false;
 };
 
 /// Reads the file (relative to `folder`) and builds the surface. Throws InputError, OptionError.

@@ -209,7 +209,10 @@ SignedDistanceManifold::SignedDistanceManifold(SampledDistance sampled,
 }
 
 std::shared_ptr<const ConstraintManifold> SignedDistanceManifold::coarser() const {
-  std::call_once(made_coarser_, [this] { coarser_ = make_coarser(); });
+  std::call_once(made_coarser_, [this] {
+    coarser_ = make_coarser();
+    has_coarser_ = true;
+  });
   return coarser_;
 }
 

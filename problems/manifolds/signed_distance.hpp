@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -102,6 +103,7 @@ class SignedDistanceManifold final : public LevelSet, public HasCoarserVersion, 
   /// the two grids sees. Where the source is a cloud: half of it, and a quarter of it, with cells twice as large. Then
   /// none (null).
   std::shared_ptr<const ConstraintManifold> coarser() const override;
+  bool has_made_coarser() const override { return has_coarser_; }
   std::string why_not_projected(const Eigen::VectorXd& x) const override;
 
  private:
@@ -115,6 +117,7 @@ class SignedDistanceManifold final : public LevelSet, public HasCoarserVersion, 
   int level_ = 0;                        // 0: the domain itself; 1, 2: its coarser versions
   mutable std::once_flag made_coarser_;  // a family of paths asks more than once
   mutable std::shared_ptr<const ConstraintManifold> coarser_;
+  mutable std::atomic<bool> has_coarser_ = false;
 };
 
 /// Throws OptionError for options that cannot work whatever is in the files. Reads and samples nothing.

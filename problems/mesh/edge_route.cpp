@@ -33,6 +33,7 @@ EdgePath edge_route(const Problem& problem, const TriangleMesh& mesh, EdgeGraphS
   if (cost.traits().below_curves)
     options.lower_bound = [&move, goal = mesh.point(target)](const Eigen::Vector3d& p) { return move(p, goal); };
   EdgePath route = search.shortest(source, target, move, options);
+  if (route.outcome == EdgePathOutcome::stopped) throw Interrupted(route.failure());
   if (!route.found()) throw InitializationError(route.failure() + reason);
   return route;
 }

@@ -106,6 +106,9 @@ std::int32_t vertex_at(const TriangleMesh& mesh, const SurfacePoint& p) {
 }
 
 SurfacePoint point_on_face(const TriangleMesh& mesh, std::int32_t f, const Eigen::Vector3d& p) {
+  if (f < 0 || f >= mesh.face_count())
+    throw InputError("a point of the path lies on face " + std::to_string(f) + ", and the mesh has " +
+                     std::to_string(mesh.face_count()) + ": project it (project_end) first");
   std::array<Eigen::Vector3d, 3> x;
   for (std::size_t k = 0; k < 3; ++k) x[k] = mesh.position(mesh.face(f)[k]);
   const Eigen::Vector3d normal = (x[1] - x[0]).cross(x[2] - x[0]);

@@ -16,7 +16,7 @@ constexpr double kLongestSection = 10;  // chords: a section this long has gone 
 
 class ChainTracer {
  public:
-  explicit ChainTracer(const TriangleMesh& mesh) : mesh_(mesh) {}
+  ChainTracer(const TriangleMesh& mesh, const Deadline& deadline) : mesh_(mesh), deadline_(deadline) {}
 
   TracedPath trace(std::span<const SurfacePoint> chain) {
     TracedPath result;
@@ -25,6 +25,7 @@ class ChainTracer {
     result.path.points.push_back(here.position);
     result.chain_points.push_back(0);
     for (std::size_t i = 1; i < chain.size(); ++i) {
+      look_at_clock(deadline_);
       const Place next = place_of(mesh_, chain[i]);
       bring_to(here, next, result);
       result.chain_points.push_back(result.path.points.size() - 1);
@@ -63,20 +64,23 @@ class ChainTracer {
     EdgePathOptions options;
     options.lower_bound = [&b](const Eigen::Vector3d& p) { return (p - b.position).norm(); };
     const auto length = [](const Eigen::Vector3d& p, const Eigen::Vector3d& q) { return (q - p).norm(); };
+    if (deadline_) options.stop = [this] { return std::chrono::steady_clock::now() >= *deadline_; };
     const EdgePath edges = graph_->shortest(a.where, b.where, length, options);
+    if (edges.outcome == EdgePathOutcome::stopped) throw Interrupted(edges.failure());
     if (!edges.found()) throw InputError("tracing: no path on the mesh between two points: " + edges.failure());
     for (std::size_t i = 0; i < edges.path.faces.size(); ++i)
       append_point(path, edges.path.points[i + 1], edges.path.faces[i]);
   }
 
   const TriangleMesh& mesh_;
+  const Deadline& deadline_;
   std::optional<EdgeGraphSearch> graph_;
 };
 
 }  // namespace
 
-TracedPath trace_chain(const TriangleMesh& mesh, std::span<const SurfacePoint> chain) {
-  return ChainTracer(mesh).trace(chain);
+TracedPath trace_chain(const TriangleMesh& mesh, std::span<const SurfacePoint> chain, const Deadline& deadline) {
+  return ChainTracer(mesh, deadline).trace(chain);
 }
 
 }  // namespace leastcost

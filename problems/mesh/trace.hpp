@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include <leastcost/framework/deadline.hpp>
 #include <leastcost/problems/mesh/surface_path.hpp>
 #include <leastcost/problems/mesh/triangle_mesh.hpp>
 
@@ -27,6 +28,7 @@ struct TracedPath {
 
 /// A chain of surface points -> a polyline on the surface through all of them, connected face by face (VFCS 4.4.3).
 /// Uses no orientation of faces. Throws InputError when two neighbours of the chain lie in different components.
-TracedPath trace_chain(const TriangleMesh& mesh, std::span<const SurfacePoint> chain);
+/// Throws Interrupted after the deadline.
+TracedPath trace_chain(const TriangleMesh& mesh, std::span<const SurfacePoint> chain, const Deadline& deadline = {});
 
 }  // namespace leastcost

@@ -15,16 +15,16 @@ namespace leastcost {
 namespace {
 
 /// A chain as a polyline on the mesh; a ring ends where it begins.
-SurfacePath traced(const TriangleMesh& mesh, const CoordinatePath& chain) {
+SurfacePath traced(const TriangleMesh& mesh, const CoordinatePath& chain, const Deadline& deadline) {
   std::vector<SurfacePoint> points = surface_points(mesh, chain);
   if (chain.ring) points.push_back(points.front());
-  return trace_chain(mesh, points).path;
+  return trace_chain(mesh, points, deadline).path;
 }
 
 /// The curve as it was traced, or a fresh trace where no post-processor has made one.
-SurfacePath on_surface(const TriangleMesh& mesh, const PostProcessed& current) {
+SurfacePath on_surface(const TriangleMesh& mesh, const PostProcessed& current, const Deadline& deadline) {
   if (!current.curve.segment_sites.empty()) return as_surface_path(current.curve);
-  return traced(mesh, current.chain);
+  return traced(mesh, current.chain, deadline);
 }
 
 /// What straightening made of the better of two paths.
@@ -86,7 +86,8 @@ PostProcessed StraightenPostProcessor::apply(const Problem& problem, const First
   const StraightenOptions options{
       .metric = *metric, .stop = [&monitor] { return monitor.interrupted(); }, .flips = true};
   const bool ring = current.chain.ring;
-  const SurfacePath start = traced(mesh, first.path), solved = on_surface(mesh, current);
+  const SurfacePath start = traced(mesh, first.path, monitor.deadline);
+  const SurfacePath solved = on_surface(mesh, current, monitor.deadline);
   const Outcome best = ring ? straighten_closed(mesh, start, solved, options)
                             : straighten_open(mesh, start, solved, problem.based, options);
   if (best.collapsed) {

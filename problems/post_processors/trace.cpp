@@ -36,12 +36,12 @@ bool leaves_component(const TriangleMesh& mesh, const std::vector<SurfacePoint>&
 }  // namespace
 
 PostProcessed TracePostProcessor::apply(const Problem& problem, const FirstPath& first, PostProcessed current,
-                                        const Monitor&) const {
+                                        const Monitor& monitor) const {
   const TriangleMesh& mesh = mesh_of(problem, "post-processor trace").mesh();
   std::vector<SurfacePoint> points = surface_points(mesh, current.chain);
   if (current.curve.straightness) return current;  // it lies on the mesh already
   if (!current.chain.ring && leaves_component(mesh, points)) {
-    const TracedPath start = trace_chain(mesh, surface_points(mesh, first.path));
+    const TracedPath start = trace_chain(mesh, surface_points(mesh, first.path), monitor.deadline);
     points = resample(mesh, start.path, static_cast<int>(points.size()));
     current.chain = coordinate_path(mesh, points);
     pin_ends(problem, current.chain);
@@ -49,7 +49,7 @@ PostProcessed TracePostProcessor::apply(const Problem& problem, const FirstPath&
         "trace: the solved path slid onto another component of the mesh; the first path is taken");
   }
   if (current.chain.ring) points.push_back(points.front());
-  const TracedPath traced = trace_chain(mesh, points);
+  const TracedPath traced = trace_chain(mesh, points, monitor.deadline);
   current.curve = as_curve(problem, traced.path);
   current.curve_costs = costs_between(problem, current.curve, traced.chain_points);
   if (traced.report.cut + traced.report.connected > 0)

@@ -4,7 +4,9 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
+#include <limits>
+#include <locale>
+#include <sstream>
 #include <utility>
 
 #include <leastcost/framework/errors.hpp>
@@ -22,6 +24,16 @@ std::string found(std::string_view token) {
 std::string_view without_plus(std::string_view token) {
   const bool plus = token.size() > 1 && token[0] == '+' && token[1] != '-' && token[1] != '+';
   return plus ? token.substr(1) : token;
+}
+
+/// Too large or too small are the same to from_chars. Too small is 0 for us, or the number that is left of it below the
+/// least normal one; too large is infinite. strtod would read the decimal point of the host's locale.
+double out_of_range(std::string_view digits) {
+  std::istringstream in{std::string(digits)};
+  in.imbue(std::locale::classic());
+  double value = 0;
+  in >> value;  // the largest number where it is too large
+  return in.fail() && std::abs(value) >= 1 ? std::copysign(std::numeric_limits<double>::infinity(), value) : value;
 }
 
 }  // namespace
@@ -106,8 +118,7 @@ double TextScanner::parse_number(std::string_view token, const char* what) const
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error == std::errc::result_out_of_range && end == digits.data() + digits.size()) {
-    // Too large or too small are the same to from_chars; too small is 0 for us.
-    value = std::strtod(std::string(digits).c_str(), nullptr);
+    value = out_of_range(digits);
   } else if (error != std::errc() || end != digits.data() + digits.size() || digits.empty()) {
     fail(std::string("expected ") + what + ", found " + found(token));
   }

@@ -9,6 +9,7 @@
 #include <regex>
 #include <sstream>
 
+#include "app/cli/summary.hpp"
 #include "catalogue/output/manifest.hpp"
 #include "catalogue/registry/registry.hpp"
 #include "catalogue/yaml/yaml_reader.hpp"
@@ -214,10 +215,15 @@ TEST_CASE("run: a stop request keeps the best path; a time budget too") {
   CHECK(stopped.result.status == Status::interrupted);
   CHECK(app::exit_of(stopped.result.status) == app::Exit::interrupted);
   CHECK(result_of(dir / "out")["status"] == "interrupted");
+  CHECK(result_of(dir / "out")["cost"]["error_estimate"].is_null());
+  CHECK(result_of(dir / "out")["cost"]["value"].is_number());
+  const std::string summary = app::summary_text(stopped, false);
+  CHECK_THAT(summary, Catch::Contains("interrupted: error not measured") && !Catch::Contains("+-"));
   CHECK(csv(dir / "out/path.csv").size() == 18);
 
   const std::string short_of_time = std::string(kChute) + "max_seconds: 1e-9\n";
-  CHECK(run_file(write(dir / "short.yaml", short_of_time), dir / "out2").result.status == Status::interrupted);
+  CHECK_THROWS_AS(run_file(write(dir / "short.yaml", short_of_time), dir / "out2"), StoppedEarly);
+  CHECK_FALSE(std::filesystem::exists(dir / "out2"));
 }
 
 TEST_CASE("run: statuses") {

@@ -95,11 +95,9 @@ std::shared_ptr<const MeshManifold> ring_sheet(int sectors) {
 }
 
 Result find_on_mesh(const Problem& problem, const Initializer& initializer, int points,
-                    const std::vector<const PostProcessor*>& steps) {
-  const Newton certifier;
+                    const std::vector<std::shared_ptr<const PostProcessor>>& steps) {
   FindOptions options;
   options.points = points;
-  options.certifier = &certifier;
   options.post_processors = steps;
   return find_path(problem, initializer, Lbfgs(), options);
 }
@@ -235,12 +233,12 @@ TEST_CASE("implicit in a box: nearest points against a search, and what is empty
 }
 
 TEST_CASE("bounds contract: mesh, around a hole", "[contract]") {
-  const TracePostProcessor trace;
-  const StraightenPostProcessor straighten;
+  const auto trace = std::make_shared<const TracePostProcessor>();
+  const auto straighten = std::make_shared<const StraightenPostProcessor>();
   const auto square = sheet_with_hole(3);
   const Problem over_corners =
       between(square, make_euclidean_cost(3), Eigen::Vector3d(-2, 0.05, 0), Eigen::Vector3d(2, 0.05, 0));
-  const Result exact = find_on_mesh(over_corners, DijkstraInitializer(), 40, {&trace, &straighten});
+  const Result exact = find_on_mesh(over_corners, DijkstraInitializer(), 40, {trace, straighten});
   CAPTURE(failures(exact.certificate));
   CHECK(exact.status == Status::certified);
   CHECK(exact.curve.cost == Approx(2 * std::hypot(1, 0.95) + 2).epsilon(1e-12));  // over (-1, 1) and (1, 1)
@@ -248,9 +246,9 @@ TEST_CASE("bounds contract: mesh, around a hole", "[contract]") {
   const int sectors = 72;
   const Problem around =
       between(ring_sheet(sectors), make_euclidean_cost(3), Eigen::Vector3d(-2, 0.05, 0), Eigen::Vector3d(2, 0.05, 0));
-  const Result taut = find_on_mesh(around, DijkstraInitializer(), 60, {&trace, &straighten});
+  const Result taut = find_on_mesh(around, DijkstraInitializer(), 60, {trace, straighten});
   CHECK(taut.status == Status::certified);
-  const Result chain = find_on_mesh(around, DijkstraInitializer(), 60, {&trace});
+  const Result chain = find_on_mesh(around, DijkstraInitializer(), 60, {trace});
   check_hugging(chain, taut.curve.cost, 0.01);
   CHECK(held_points(around, chain.path) > 10);
 }

@@ -79,11 +79,11 @@ std::shared_ptr<const MeshManifold> tilted_plane(const Eigen::Vector3d& e, const
   return std::make_shared<MeshManifold>(TriangleMesh(soup));
 }
 
-Result find_on_mesh(const Problem& problem, int points, std::vector<const PostProcessor*> post_processors) {
+Result find_on_mesh(const Problem& problem, int points,
+                    std::vector<std::shared_ptr<const PostProcessor>> post_processors) {
   const Newton newton;
   FindOptions options;
   options.points = points;
-  options.certifier = &newton;
   options.post_processors = std::move(post_processors);
   return find_path(problem, DijkstraInitializer(), newton, options);
 }
@@ -117,10 +117,10 @@ TEST_CASE("composition: a bead in R^d falls in the vertical plane of its ends", 
 TEST_CASE("composition: every cost on a mesh", "[contract]") {
   const auto mesh = std::make_shared<MeshManifold>(TriangleMesh(sphere(4)));
   const Eigen::Vector3d source(0.1, 0.2, 0.97), target(0.9, -0.3, -0.3);
-  const TracePostProcessor trace;
-  const StraightenPostProcessor straighten;
+  const auto trace = std::make_shared<const TracePostProcessor>();
+  const auto straighten = std::make_shared<const StraightenPostProcessor>();
   for (const auto& cost : {make_euclidean_cost(3), metric_cost(3)}) {
-    const Result result = find_on_mesh(between(mesh, cost, source, target), 32, {&trace, &straighten});
+    const Result result = find_on_mesh(between(mesh, cost, source, target), 32, {trace, straighten});
     CAPTURE(cost->traits().unit, failures(result.certificate));
     CHECK(result.status == Status::certified);
     CHECK(result.certificate.scope == "local_on_polyhedron");
@@ -128,7 +128,7 @@ TEST_CASE("composition: every cost on a mesh", "[contract]") {
   const Eigen::VectorXd from = project_end(*mesh, source).u;
   for (const auto& cost : {bead_cost(from, TravelTimeRule::chute, 0), bead_cost(from, TravelTimeRule::chute, 1),
                            bead_cost(from, TravelTimeRule::midpoint, 1), make_segment_cost(SlowAbove{})}) {
-    const Result result = find_on_mesh(between(mesh, cost, source, target), 32, {&trace});
+    const Result result = find_on_mesh(between(mesh, cost, source, target), 32, {trace});
     CAPTURE(cost->traits().unit, failures(result.certificate));
     CHECK(result.status == Status::certified);
     CHECK(result.certificate.scope == "chain_on_polyhedron");
@@ -142,9 +142,9 @@ TEST_CASE("composition: a bead on a tilted mesh plane is a bead in R^2 with less
                         f(0.8 * std::cos(slope), -0.6 * std::cos(slope), -std::sin(slope));
   const auto mesh = tilted_plane(e, f, 9);
   const Eigen::Vector3d zero = Eigen::Vector3d::Zero(), target = 1.5 * e + 1 * f;
-  const TracePostProcessor trace;
+  const auto trace = std::make_shared<const TracePostProcessor>();
   const Result result =
-      find_on_mesh(between(mesh, bead_cost(zero, TravelTimeRule::chute, 0), zero, target), 30, {&trace});
+      find_on_mesh(between(mesh, bead_cost(zero, TravelTimeRule::chute, 0), zero, target), 30, {trace});
   const double time = chute_chain_time(1.5, 1, std::sin(slope), 31);
   CAPTURE(slope, result.costs.sum(), time, name(result.solve.termination), failures(result.certificate));
   CHECK(result.costs.sum() == Approx(time).epsilon(1e-7));

@@ -187,9 +187,7 @@ TEST_CASE("lie: a bent path on a mesh", "[framework]") {
   const auto traced = [&](const CoordinatePath& p) {
     return trace.apply(problem, first, as_delivered(problem, p), {});
   };
-  const auto certified = [&](const PostProcessed& p) {
-    return certify(problem, p.curve.cost / 33, p, traced, Newton(), {}, {});
-  };
+  const auto certified = [&](const PostProcessed& p) { return certify(problem, p.curve.cost / 33, p, traced, {}, {}); };
   SECTION("straightened, it passes") {
     const Certificate c = certified(straighten.apply(problem, first, traced(path), {}));
     CAPTURE(failures(c));
@@ -227,8 +225,8 @@ TEST_CASE("lie: a certificate that was interrupted", "[framework]") {
   Monitor stop;
   stop.stop_requested = [] { return true; };
   const Certificate c = certify(
-      line, 0.1, as_delivered(line, result.path), [&](const CoordinatePath& p) { return as_delivered(line, p); },
-      Newton(), {}, stop);
+      line, 0.1, as_delivered(line, result.path), [&](const CoordinatePath& p) { return as_delivered(line, p); }, {},
+      stop);
   CHECK(failed(c, "interrupted"));
   CHECK_FALSE(c.certified());
 }

@@ -23,10 +23,9 @@ FamilyStart bow(const Problem& problem, double angle, double height) {
   return {"bow", problem, std::make_shared<const BowInitializer>(BowOptions{height, angle})};
 }
 
-FindOptions with_certificate(const Solver& certifier) {
+FindOptions with_certificate() {
   FindOptions options;
   options.points = 31;
-  options.certifier = &certifier;
   return options;
 }
 
@@ -40,7 +39,7 @@ TEST_CASE("family: distinct paths by cost, the same path once", "[framework]") {
                                      bow(problem, 0, 0.4),
                                      bow(problem, 0, 0.5),
                                      {"blocked", problem, std::make_shared<const NoPath>()}},
-                                    newton, with_certificate(newton));
+                                    newton, with_certificate());
   REQUIRE(family.members.size() == 2);
   const FamilyMember &first = family.members[0], &second = family.members[1];
   CHECK(first.result.status == Status::certified);
@@ -69,9 +68,8 @@ TEST_CASE("family: twice around a circle is not once around", "[framework]") {
 TEST_CASE("family: without any first path the first reason is the error", "[framework]") {
   const Problem problem = between(space(2), make_euclidean_cost(2), Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0));
   const Newton newton;
-  CHECK_THROWS_WITH(
-      find_family({{"blocked", problem, std::make_shared<const NoPath>()}}, newton, with_certificate(newton)),
-      Catch::Contains("blocked"));
+  CHECK_THROWS_WITH(find_family({{"blocked", problem, std::make_shared<const NoPath>()}}, newton, with_certificate()),
+                    Catch::Contains("blocked"));
 }
 
 }  // namespace leastcost::test

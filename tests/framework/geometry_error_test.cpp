@@ -21,6 +21,7 @@ class RoughSphere final : public EmbeddedManifold, public HasCoarserVersion {
     if (versions_ == 0) throw InputError("nothing is left");
     return std::make_shared<RoughSphere>(factor_ * error_, factor_, versions_ - 1);
   }
+  bool has_made_coarser() const override { return true; }
 
  protected:
   bool project_point(Eigen::Ref<Eigen::VectorXd> x) const override {
@@ -42,8 +43,7 @@ Problem quarter(std::shared_ptr<const ConstraintManifold> sphere) {
 
 GeometryError measured(const std::shared_ptr<const ConstraintManifold>& sphere) {
   const Result result = find(quarter(sphere), 15, WaypointsInitializer(Eigen::Vector3d(0.7, 0.5, 0.5)));
-  const Newton newton;
-  return measure_geometry_error(quarter(sphere), result.path, newton, {});
+  return measure_geometry_error(quarter(sphere), result.path, {});
 }
 
 }  // namespace

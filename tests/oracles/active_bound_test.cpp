@@ -30,7 +30,6 @@ Result slide_on_floor(int points) {
   const Newton newton;
   FindOptions options;
   options.points = points;
-  options.certifier = &newton;
   return find_path(problem, StraightInitializer(), newton, options);
 }
 

@@ -30,12 +30,10 @@ PathEnd end_at(const TriangleMesh& mesh, std::int32_t v) { return {mesh.position
 std::string outcome(const std::shared_ptr<const MeshManifold>& domain, std::int32_t source, std::int32_t target) {
   const TriangleMesh& mesh = domain->mesh();
   const Lbfgs solver;
-  const TracePostProcessor trace;
-  const StraightenPostProcessor straighten;
   FindOptions options;
   options.points = 32;
-  options.certifier = &solver;
-  options.post_processors = {&trace, &straighten};
+  options.post_processors = {std::make_shared<const TracePostProcessor>(),
+                             std::make_shared<const StraightenPostProcessor>()};
   const Problem problem{domain, make_euclidean_cost(3), make_kernel<Expm1Square>(), end_at(mesh, source),
                         end_at(mesh, target)};
   try {

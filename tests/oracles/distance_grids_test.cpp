@@ -109,12 +109,9 @@ TEST_CASE("distance grid oracle: random paths on a polyhedron") {
       const Certificate c = find(problem, 255).certificate;
       CAPTURE(cell, failures(c));
       CHECK(c.certified());
-      const Newton certifier;
-      const StraightenPostProcessor straighten;
       FindOptions options;
       options.points = 31;
-      options.certifier = &certifier;
-      options.post_processors = {&straighten};
+      options.post_processors = {std::make_shared<const StraightenPostProcessor>()};
       const Problem exact = between(polyhedron, make_euclidean_cost(3), problem.source.u, problem.target.u);
       const Result truth = find_path(exact, DijkstraInitializer(DijkstraOptions{}), Lbfgs(), options);
       CHECK(std::abs(c.estimate.value - truth.certificate.estimate.value) <= covered_error(c));

@@ -79,7 +79,6 @@ void solve_pair(const std::vector<FamilyStart>& starts, double truth, bool near_
   const Newton newton;
   FindOptions options;
   options.points = 63;
-  options.certifier = &newton;
   ++(near_antipodal ? count.near : count.pairs);
   if (!near_antipodal) {
     const Result result = find_path(starts.front().problem, *starts.front().initializer, newton, options);

@@ -22,7 +22,7 @@
 namespace leastcost::test {
 namespace {
 
-Family by_routes(const Problem& problem, int routes, const std::vector<const PostProcessor*>& steps) {
+Family by_routes(const Problem& problem, int routes, const std::vector<std::shared_ptr<const PostProcessor>>& steps) {
   std::vector<FamilyStart> starts;
   for (int rank = 1; rank <= routes; ++rank)
     starts.push_back({"route " + std::to_string(rank), problem,
@@ -30,7 +30,6 @@ Family by_routes(const Problem& problem, int routes, const std::vector<const Pos
   const Newton newton;
   FindOptions options;
   options.points = 60;
-  options.certifier = &newton;
   options.post_processors = steps;
   if (steps.empty()) return find_family(starts, newton, options);
   return find_family(starts, Lbfgs(), options);
@@ -41,9 +40,8 @@ Family by_routes(const Problem& problem, int routes, const std::vector<const Pos
 TEST_CASE("graph routes of a torus mesh go around both sides of the hole", "[oracle]") {
   const auto torus = std::make_shared<const MeshManifold>(TriangleMesh(grid(48, 24, Closing::kRound, true)));
   const Problem problem = between(torus, make_euclidean_cost(3), Eigen::Vector3d(4, 0, 0), Eigen::Vector3d(-4, 0, 0));
-  const TracePostProcessor trace;
-  const StraightenPostProcessor straighten;
-  const Family family = by_routes(problem, 4, {&trace, &straighten});
+  const Family family = by_routes(
+      problem, 4, {std::make_shared<const TracePostProcessor>(), std::make_shared<const StraightenPostProcessor>()});
   REQUIRE(family.members.size() >= 2);
   bool one_side = false, other_side = false;
   for (const FamilyMember& m : family.members) {

@@ -35,7 +35,6 @@ TEST_CASE("D3: from the straight line over the top, escape_saddle finds a way ar
   const Newton newton;
   FindOptions options;
   options.points = 31;
-  options.certifier = &newton;
   options.escape_saddle = true;
   const Result result = find_path(over_the_hill(), StraightInitializer(), newton, options);
   const CostEstimate& e = result.certificate.estimate;

@@ -59,12 +59,9 @@ std::shared_ptr<const SegmentCost> curvature(const ConstraintManifold& domain, d
 
 /// What a run does on a mesh with such a cost: traced, not straightened.
 Result find_traced(const Problem& problem, int points) {
-  const Newton certifier;
-  const TracePostProcessor trace;
   FindOptions options;
   options.points = points;
-  options.certifier = &certifier;
-  options.post_processors = {&trace};
+  options.post_processors = {std::make_shared<const TracePostProcessor>()};
   return find_path(problem, DijkstraInitializer(), Lbfgs(), options);
 }
 

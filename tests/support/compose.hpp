@@ -54,10 +54,8 @@ inline Problem bead(const Eigen::VectorXd& source, const Eigen::VectorXd& target
 /// find_path() from the straight line with Newton and a full certificate.
 inline Result find(const Problem& problem, int points, const Initializer& initializer = StraightInitializer(),
                    const Solver& solver = Newton()) {
-  const Newton certifier;
   FindOptions options;
   options.points = points;
-  options.certifier = &certifier;
   return find_path(problem, initializer, solver, options);
 }
 
@@ -72,7 +70,7 @@ inline Certificate certify_chain(const Problem& problem, const CoordinatePath& c
   const PostProcessed delivered = as_delivered(problem, chain);
   if (reference_cost <= 0) reference_cost = delivered.curve.cost / static_cast<double>(chain.segment_count());
   return certify(problem, reference_cost > 0 ? reference_cost : 1, delivered,
-                 [&](const CoordinatePath& path) { return as_delivered(problem, path); }, Newton(), {}, {});
+                 [&](const CoordinatePath& path) { return as_delivered(problem, path); }, {}, {});
 }
 
 inline bool failed(const Certificate& certificate, std::string_view name) {

@@ -11,13 +11,10 @@ namespace leastcost::test {
 /// find_path() as it is on a mesh: solved, traced, straightened, certified.
 inline Result find_straightened(const Problem& problem, int points, const Initializer& initializer,
                                 const Solver& solver = Lbfgs()) {
-  const Newton certifier;
-  const TracePostProcessor trace;
-  const StraightenPostProcessor straighten;
   FindOptions options;
   options.points = points;
-  options.certifier = &certifier;
-  options.post_processors = {&trace, &straighten};
+  options.post_processors = {std::make_shared<const TracePostProcessor>(),
+                             std::make_shared<const StraightenPostProcessor>()};
   return find_path(problem, initializer, solver, options);
 }
 

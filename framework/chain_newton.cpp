@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "framework/chain_newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <leastcost/framework/chain_model.hpp>
+#include "framework/bundle.hpp"
+
+namespace leastcost {
+namespace {
+
+constexpr int kNewtonHalvings = 40;
+
+class NewtonSolve {
+ public:
+  NewtonSolve(PathEnergy& energy, CoordinatePath& path, const Limits& limits, const Monitor& monitor)
+      : energy_(energy),
+        path_(path),
+        kinked_(energy.problem().manifold->shape() == Shape::polyhedral),
+        loop_(energy, path, limits, monitor) {}
+
+  SolveReport run() {
+    if (!model_.evaluate(energy_, path_))
+      return loop_.finish(Termination::non_finite, "the gradient is not finite", model_.value);
+    model_.solve(energy_, path_, HessianKind::exact);
+    for (;;) {
+      loop_.record(model_.value, model_.cost_error, largest_move_);
+      if (stationary()) return stationary_report();
+      if (const std::optional<Termination> end = loop_.must_end(path_)) return loop_.finish(*end, "", model_.value);
+      const double before = model_.value, predicted = model_.decrement / 2;
+      const bool moved = undecided() ? take_unit_step() : search() || search_again();
+      if (kinked_ && !(before - model_.value > kKinkedGain * predicted))
+        return descend_by_bundles(energy_, path_, loop_);
+      if (!moved) return stuck_report();
+    }
+  }
+
+ private:
+  /// The predicted decrease drowns in the rounding of E.
+  bool undecided() const { return model_.decrement / 2 <= rounding_slack(model_.value, path_.segment_count()); }
+
+  /// Counted only with the Hessian that the problem deserves, and once a whole step has been taken.
+  bool stationary() const {
+    if (kinked_) return model_.cost_error <= std::max(kKinkedTolerance, loop_.limits().tolerance);
+    const bool right_model = model_.exact || !energy_.has_exact_hessian();
+    return right_model && unit_ && model_.cost_error <= loop_.limits().tolerance &&
+           largest_move_ <= kStepTolerance * extent();
+  }
+
+  double extent() const { return (path_.u.rowwise().maxCoeff() - path_.u.rowwise().minCoeff()).norm(); }
+
+  bool search() {
+    const double slope = -model_.decrement, slack = rounding_slack(model_.value, path_.segment_count());
+    double t = 1;
+    for (int i = 0; i < kNewtonHalvings; ++i, t /= 2) {
+      trial_step_ = t * model_.moves;
+      energy_.retract(path_, trial_step_, trial_);
+      const double value = energy_.value(trial_);
+      if (!(value <= model_.value + kArmijo * t * slope + slack)) continue;
+      if (!next_.evaluate(energy_, trial_)) continue;
+      next_.solve(energy_, trial_, HessianKind::exact);
+      accept(t == 1);
+      return true;
+    }
+    return false;
+  }
+
+  /// An exact Hessian that just factors may ask for an enormous step: once more with the Gauss-Newton one.
+  bool search_again() {
+    if (!model_.exact || kinked_) return false;
+    model_.solve(energy_, path_, HessianKind::gauss_newton);
+    return search();
+  }
+
+  /// E cannot decide: the decrement does (strict Armijo refused the last step in 14 of 40 runs, docs/numerics.md
+  /// Sec. 3.2).
+  bool take_unit_step() {
+    energy_.retract(path_, model_.moves, trial_);
+    if (!next_.evaluate(energy_, trial_)) return false;
+    next_.solve(energy_, trial_, HessianKind::exact);
+    // At the floor of rounding the decrement only jitters: a step that does not lower it is the last word.
+    if (!(next_.decrement <= model_.decrement)) return false;
+    trial_step_ = model_.moves;
+    accept(true);
+    return true;
+  }
+
+  void accept(bool unit) {
+    largest_move_ = trial_step_.colwise().norm().maxCoeff();
+    unit_ = unit;
+    std::swap(path_, trial_);
+    std::swap(model_, next_);
+  }
+
+  SolveReport stationary_report() {
+    const bool distinct = energy_.problem().kernel->strictly_convex();
+    return loop_.finish(Termination::converged,
+                        distinct ? "" : "H = s has no unique minimiser: the points may slide along the path",
+                        model_.value);
+  }
+
+  SolveReport stuck_report() {
+    const double error = model_.cost_error, tolerance = loop_.limits().tolerance;
+    if (undecided() || error <= tolerance) {
+      if (model_.exact && error <= tolerance) return stationary_report();
+      return loop_.finish(Termination::round_off,
+                          model_.exact ? "no decrease above rounding"
+                                       : "stationary, but the exact Hessian is not positive definite there",
+                          model_.value);
+    }
+    return loop_.finish(Termination::line_search_failed, "no step along the Newton direction lowers the energy",
+                        model_.value);
+  }
+
+  PathEnergy& energy_;
+  CoordinatePath& path_;
+  bool kinked_;
+  SolveLoop loop_;
+  ChainModel model_, next_;
+  CoordinatePath trial_;
+  Points trial_step_;
+  double largest_move_ = 0;
+  bool unit_ = true;
+};
+
+}  // namespace
+
+SolveReport solve_by_newton(PathEnergy& energy, CoordinatePath& path, const Limits& limits, const Monitor& monitor) {
+  return NewtonSolve(energy, path, limits, monitor).run();
+}
+
+SolveReport ChainNewton::do_solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const {
+  return solve_by_newton(energy, path, kChainNewtonLimits, monitor);
+}
+
+}  // namespace leastcost

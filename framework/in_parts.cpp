@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "framework/in_parts.hpp"
+
+#include <limits>
+
+#include <leastcost/framework/smooth_bounds.hpp>
+
+namespace leastcost {
+namespace {
+
+/// A point of a cloud takes some 30 us.
+constexpr Index kPart = 16;
+
+bool whole(const CoordinatePath& path, const Deadline& deadline) { return !deadline || path.u.cols() <= kPart; }
+
+/// Columns of a path, as a ring: all of them are free.
+CoordinatePath part_of(const CoordinatePath& path, Index begin, Index count) {
+  CoordinatePath part{path.u.middleCols(begin, count), {}, true};
+  if (!path.sites.empty()) part.sites.assign(path.sites.begin() + begin, path.sites.begin() + begin + count);
+  return part;
+}
+
+/// `width` columns of `out` for every column of the path, as make(part, columns) fills them.
+template <class Make>
+void fill_in_parts(const CoordinatePath& path, const Deadline& deadline, Points& out, Make make) {
+  if (whole(path, deadline)) return make(path, 0, out);
+  Points of_part;
+  in_parts(path.u.cols(), kPart, deadline, [&](Index begin, Index count) {
+    make(part_of(path, begin, count), begin, of_part);
+    const Index width = of_part.cols() / count;
+    if (begin == 0) out.resize(of_part.rows(), width * path.u.cols());
+    out.middleCols(width * begin, width * count) = of_part;
+  });
+}
+
+}  // namespace
+
+Projection project(const ConstraintManifold& manifold, CoordinatePath& path, const Deadline& deadline) {
+  if (whole(path, deadline)) return manifold.project(path);
+  Projection result;
+  in_parts(path.u.cols(), kPart, deadline, [&](Index begin, Index count) {
+    CoordinatePath part = part_of(path, begin, count);
+    const Projection projection = manifold.project(part);
+    path.u.middleCols(begin, count) = part.u;
+    if (!part.sites.empty()) {
+      path.sites.resize(static_cast<std::size_t>(path.u.cols()), kNoSite);
+      std::copy(part.sites.begin(), part.sites.end(), path.sites.begin() + begin);
+    }
+    result.moved = std::max(result.moved, projection.moved);
+    for (const Index failed : projection.failed) result.failed.push_back(begin + failed);
+  });
+  return result;
+}
+
+void tangent_bases(const ConstraintManifold& manifold, const CoordinatePath& path, Points& bases,
+                   const Deadline& deadline) {
+  fill_in_parts(path, deadline, bases,
+                [&](const CoordinatePath& part, Index, Points& out) { manifold.tangent_bases(part, out); });
+}
+
+double residual(const ConstraintManifold& manifold, const CoordinatePath& path, const Deadline& deadline) {
+  if (whole(path, deadline)) return manifold.residual(path);
+  double worst = 0;
+  in_parts(path.u.cols(), kPart, deadline, [&](Index begin, Index count) {
+    const double here = manifold.residual(part_of(path, begin, count));
+    worst = here > worst || !(here == here) ? here : worst;
+  });
+  return worst;
+}
+
+void retract(const ConstraintManifold& manifold, const CoordinatePath& from, const Points& step, CoordinatePath& to,
+             const Deadline& deadline, bool beyond) {
+  const auto* unbounded = beyond ? dynamic_cast<const GoesBeyondBounds*>(&manifold) : nullptr;
+  const auto move = [&](const CoordinatePath& a, const Points& s, CoordinatePath& b) {
+    unbounded != nullptr ? unbounded->retract_beyond(a, s, b) : manifold.retract(a, s, b);
+  };
+  if (whole(from, deadline) || manifold.shape() == Shape::flat) return move(from, step, to);
+  prepare_like(from, to);
+  CoordinatePath moved;
+  const Index first = from.free_begin();
+  in_parts(step.cols(), kPart, deadline, [&](Index begin, Index count) {
+    move(part_of(from, first + begin, count), step.middleCols(begin, count), moved);
+    to.u.middleCols(first + begin, count) = moved.u;
+    if (!to.sites.empty()) std::copy(moved.sites.begin(), moved.sites.end(), to.sites.begin() + first + begin);
+  });
+}
+
+void embed(const HasChart& chart, const CoordinatePath& path, Points& x, const Deadline& deadline) {
+  fill_in_parts(path, deadline, x, [&](const CoordinatePath& part, Index, Points& out) { chart.embed(part, out); });
+}
+
+void jacobians(const HasChart& chart, const CoordinatePath& path, Points& j, const Deadline& deadline) {
+  fill_in_parts(path, deadline, j, [&](const CoordinatePath& part, Index, Points& out) { chart.jacobians(part, out); });
+}
+
+void curvatures(const HasChart& chart, const CoordinatePath& path, const Points& weights, Points& h,
+                const Deadline& deadline) {
+  fill_in_parts(path, deadline, h, [&](const CoordinatePath& part, Index begin, Points& out) {
+    chart.curvatures(part, weights.middleCols(begin, part.u.cols()), out);
+  });
+}
+
+}  // namespace leastcost
