@@ -40,15 +40,15 @@ std::vector<Task> tasks_of(const StudyGrid& grid, const Shard& shard, const Jour
 /// What became of the process of a cell, as a result.
 CellResult result_of(const Task& task, IsolatedEnd end) {
   using How = IsolatedEnd::How;
-  if (end.how == How::done) return from_json_line(end.text);
   CellResult result{row_of(*task.cell, task.repetition), {}};
-  result.row.message = std::move(end.text);
   switch (end.how) {
+    case How::done: return from_json_line(end.text);
     case How::timeout: result.row.outcome = outcome::kTimeout; break;
     case How::memory: result.row.outcome = outcome::kMemory; break;
     case How::crash: result.row.outcome = outcome::kCrash; break;
-    default: result.row.outcome = outcome::kError; break;
+    case How::error: result.row.outcome = outcome::kError; break;
   }
+  result.row.message = std::move(end.text);
   return result;
 }
 

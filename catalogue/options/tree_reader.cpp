@@ -41,8 +41,11 @@ bool has_form(const ConfigNode& node, TreeForm form) {
     case TreeForm::sweep:
       return node.is_block() && std::all_of(node.entries.begin(), node.entries.end(),
                                             [&](const ConfigEntry& e) { return is_note(e.key) || full_list(e.value); });
-    default: return full_list(node);
+    case TreeForm::plugins:
+    case TreeForm::counts:
+    case TreeForm::integers: return full_list(node);
   }
+  return false;
 }
 
 }  // namespace
