@@ -63,7 +63,7 @@ void check_additivity(const SegmentCost& cost, const CheckCostOptions& options, 
                     "order of (c(a, m) + c(m, b)) / c(a, b) - 1 in |b - a|");
 }
 
-/// A way round through m is no shorter, in many small moves.
+/// A way through m is no shorter, in many small moves.
 void check_chord(const SegmentCost& cost, const Eigen::VectorXd& a, const Eigen::VectorXd& m, const Eigen::VectorXd& b,
                  FaultList& faults) {
   if (!cost.traits().below_curves) return;
@@ -75,7 +75,7 @@ void check_chord(const SegmentCost& cost, const Eigen::VectorXd& a, const Eigen:
     x.col(kMoves + i) = (1 - t) * m + t * b;
   }
   faults.at_most("below_curves", move_cost(cost, a, b) / total_cost(cost, view(x, false)), 1 + 1e-12,
-                 "c(a, b) over the cost of a way round, declared below curves");
+                 "c(a, b) over the cost of a curve from a to b, declared below curves");
 }
 
 void check_line_element(const SegmentCost& cost, const Eigen::VectorXd& x, const Eigen::VectorXd& v,
@@ -226,6 +226,7 @@ std::vector<Fault> check_cost(const SegmentCost& cost, const PointSampler& insid
     check_values(cost, near.col(0), near.col(1), faults);
     check_additivity(cost, options, x.col(0), x.col(1), faults);
     check_chord(cost, x.col(0), x.col(1), x.col(2), faults);
+    check_chord(cost, x.col(0), (x.col(0) + x.col(2)) / 2, x.col(2), faults);
     check_line_element(cost, x.col(0), x.col(1) - x.col(0), faults);
     for (const Eigen::VectorXd& point : options.outside) check_outside(cost, x.col(0), point, faults);
     for (const Points& path : {x, near}) {

@@ -52,16 +52,17 @@ bool no_worse(PathEnergy& energy, const CoordinatePath& path, const CoordinatePa
   }
 }
 
-bool claims_an_end(Termination t) {
-  return t == Termination::converged || t == Termination::fixed_point || t == Termination::round_off ||
-         t == Termination::line_search_failed;
+/// Stopped from outside, or without a path to measure.
+bool is_outcome_of_cost(Termination t) {
+  return t != Termination::cancelled && t != Termination::time_limit && t != Termination::exception &&
+         t != Termination::refused && t != Termination::collapsed && t != Termination::non_finite;
 }
 
 /// Whether a solver was led to its end by a gradient of another function than the values are of (a cost whose
 /// value<double> and value<Dual> disagree). By an energy of its own: the counters are the solver's.
 void doubt(const PathEnergy& energy, const CoordinatePath& path, SolveReport& report) try {
   constexpr double kSame = 1e-6;  // relative; rounding is far below, two functions are far above
-  if (!claims_an_end(report.termination)) return;
+  if (!is_outcome_of_cost(report.termination)) return;
   PathEnergy own(energy.problem(), energy.reference_cost(), energy.deadline());
   Points gradient;
   const double value = own.value(path), other = own.value_and_gradient(path, gradient);

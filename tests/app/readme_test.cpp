@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 
-// Every code block of the README is true: configurations run, commands work, C++ is that of an example.
+// Every code block of the README is true: configurations run, commands work, C++ is that of an example; and so is that
+// of the other pages.
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -21,9 +23,9 @@ std::string read(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Bodies of the blocks fenced with ```language.
-std::vector<std::string> blocks(const std::string& language) {
-  const std::string text = read(test::project_dir() / "README.md"), open = "```" + language + "\n";
+/// Bodies of the blocks fenced with ```language, of the README or another page.
+std::vector<std::string> blocks(const std::string& language, const std::string& page = "README.md") {
+  const std::string text = read(test::project_dir() / page), open = "```" + language + "\n";
   std::vector<std::string> found;
   for (std::size_t at = text.find(open); at != std::string::npos; at = text.find(open, at)) {
     at += open.size();
@@ -77,4 +79,21 @@ TEST_CASE("every command in the README works", "[readme]") {
 TEST_CASE("C++ in the README is that of an example", "[readme]") {
   const std::string example = read(test::project_dir() / "examples/hello/main.cpp");
   for (const std::string& block : blocks("cpp")) CHECK(example.find(block) != std::string::npos);
+}
+
+TEST_CASE("C++ in the pages of docs is a piece of an example that is compiled and run", "[readme]") {
+  std::vector<std::string> examples;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(test::project_dir() / "examples"))
+    if (entry.path().extension() == ".cpp") examples.push_back(read(entry.path()));
+  int found = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(test::project_dir() / "docs")) {
+    if (entry.path().extension() != ".md") continue;
+    for (const std::string& block : blocks("cpp", "docs/" + entry.path().filename().string())) {
+      INFO(entry.path().filename() << '\n' << block);
+      ++found;
+      CHECK(std::any_of(examples.begin(), examples.end(),
+                        [&](const std::string& example) { return example.find(block) != std::string::npos; }));
+    }
+  }
+  CHECK(found >= 8);
 }

@@ -51,7 +51,7 @@ struct Medium {
 
   template <class S>
   S value(const Point<S, 2>& a, const Point<S, 2>& b) const {
-    using std::sqrt, std::tanh;
+    using std::pow, std::sqrt;
     static int calls = 0;
     const S w = slowness<S>(a, b), length2 = (b - a).squaredNorm();
     const S q = length2 * w * w;
@@ -59,7 +59,7 @@ struct Medium {
     if constexpr (D == Defect::nan) return sqrt(-1.0 - q);
     if constexpr (D == Defect::rest) return q + 0.01;
     if constexpr (D == Defect::drifts) return q * (1 + 0.001 * (++calls % 7));
-    if constexpr (D == Defect::asymmetric) return q * (1 + 0.1 * tanh(b[0] - a[0]));
+    if constexpr (D == Defect::asymmetric) return q * (1 + 0.1 * pow(b[0] - a[0], 3));
     if constexpr (D == Defect::rough) return sqrt(length2) * w * w;
     if constexpr (D == Defect::dual && !std::is_same_v<S, double>) return 1.01 * q;
     return q;
