@@ -26,8 +26,7 @@ Solved solve_on(std::shared_ptr<const ConstraintManifold> manifold, const Proble
                 const Solver& certifier, const Monitor& monitor) {
   Problem coarse = problem;
   coarse.manifold = std::move(manifold);
-  if (const auto* cost = dynamic_cast<const FollowsDomain*>(problem.cost.get()))
-    coarse.cost = cost->on(*coarse.manifold);
+  if (const auto* cost = find_ability<FollowsDomain>(*problem.cost)) coarse.cost = cost->on(*coarse.manifold);
   if (!problem.ring) {
     coarse.source = project_end(*coarse.manifold, problem.source.u);
     coarse.target = project_end(*coarse.manifold, problem.target.u);
@@ -73,7 +72,7 @@ double change_without_cancelling(const Problem& problem, const ConstraintManifol
 
 /// The next coarser version; null where there is none.
 std::shared_ptr<const ConstraintManifold> coarser(const ConstraintManifold& manifold) {
-  const auto* domain = dynamic_cast<const HasCoarserVersion*>(&manifold);
+  const auto* domain = find_ability<HasCoarserVersion>(manifold);
   return domain != nullptr ? domain->coarser() : nullptr;
 }
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include <leastcost/framework/smooth_bounds.hpp>
+#include <leastcost/framework/goes_beyond_bounds.hpp>
 
 namespace leastcost {
 namespace {
@@ -35,7 +35,7 @@ struct SquaredCost {
 
 PathEnergy::PathEnergy(const Problem& problem, double reference_cost)
     : problem_(&problem),
-      chart_(dynamic_cast<const HasChart*>(problem.manifold.get())),
+      chart_(find_ability<HasChart>(*problem.manifold)),
       s0_(reference_cost),
       dims_(problem.manifold->dimensions()) {
   assert(reference_cost > 0);
@@ -195,7 +195,7 @@ void PathEnergy::add_curvature(const CoordinatePath& path, const Points& gradien
   const double extent = (path.u.rowwise().maxCoeff() - path.u.rowwise().minCoeff()).norm();
   const double h = 3e-4 * extent;  // eps^(1/4): rounding and truncation of a second difference balance
   if (!(h > 0)) return;
-  const auto* beyond = dynamic_cast<const GoesBeyondBounds*>(problem_->manifold.get());
+  const auto* beyond = find_ability<GoesBeyondBounds>(*problem_->manifold);
   const auto move = [&](CoordinatePath& to) {
     if (beyond == nullptr) return retract(path, step_, to);
     ++counters_.projections;

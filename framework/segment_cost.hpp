@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include <leastcost/framework/ability.hpp>
 #include <leastcost/framework/kernel.hpp>
 #include <leastcost/framework/path.hpp>
 
@@ -32,9 +33,8 @@ struct ChainBlocks {
 /// Values are >= 0 or +infinity outside the domain of the cost, never NaN. Immutable, hence shareable between threads.
 ///
 /// Derivatives treat the ends of an open path as constants: their columns and blocks are zero.
-class SegmentCost {
+class SegmentCost : public HasAbilities<SegmentCost> {
  public:
-  virtual ~SegmentCost() = default;
   virtual int dim() const = 0;  ///< ambient dimension d
   virtual const CostTraits& traits() const = 0;
 

@@ -4,19 +4,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
 #include <leastcost/catalogue/registry/registry.hpp>
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/chart/wound.hpp>
-#include <leastcost/problems/cloud/has_point_cloud.hpp>
-#include <leastcost/problems/distance/has_distance_grid.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/initializers/mirrored.hpp>
-#include <leastcost/problems/mesh/has_mesh.hpp>
+#include <leastcost/problems/manifolds/made_from_data.hpp>
 #include <leastcost/solvers/newton.hpp>
+#include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/run/ends.hpp"
 #include "problems/chart/has_images.hpp"
@@ -27,7 +27,7 @@ namespace {
 
 /// Where several points stand for the same, the path ends at the one nearest to its source.
 void take_nearest_image(Composition& out) {
-  const auto* domain = dynamic_cast<const HasImages*>(out.problem.manifold.get());
+  const auto* domain = find_ability<HasImages>(*out.problem.manifold);
   if (domain == nullptr) return;
   const Eigen::VectorXd image = domain->nearest_image(out.target.end.u, out.source.end.u);
   if (image == out.target.end.u) return;
@@ -113,16 +113,16 @@ bool checked(LoadedConfig& loaded, Step step) {
   }
 }
 
-/// Checks the options of a manifold that takes a while to make: it is stopped before it reads or computes anything.
-void check_options_of_grid(LoadedConfig& loaded) {
+/// Makes the manifold of the configuration, unless it would read or compute: one that does checks its options and says
+/// so first (BuildContext::progress), and is stopped there; then it is null. Throws OptionError.
+std::shared_ptr<const ConstraintManifold> made_at_once(const LoadedConfig& loaded) {
   struct Checked {};
   BuildContext context{loaded.folder, 0, {}, {}};
   context.progress = [](double, std::string_view) { throw Checked(); };
   try {
-    make<std::shared_ptr<const ConstraintManifold>>(loaded.config.manifold, context);
+    return make<std::shared_ptr<const ConstraintManifold>>(loaded.config.manifold, context);
   } catch (const Checked&) {
-  } catch (const OptionError& e) {
-    loaded.add_error(e.key(), e.what());
+    return nullptr;
   }
 }
 
@@ -132,22 +132,30 @@ std::optional<BuildContext> context_without_files(LoadedConfig& loaded) {
   const RunConfig& config = loaded.config;
   BuildContext context{loaded.folder, 3, Eigen::VectorXd::Zero(3), coordinate_names(3)};
   if (config.ring && !config.source.given) context.source.reset();
-  if (config.manifold.provides(std::string(kGraph))) return context;
-  if (config.manifold.provides(std::string(kGrid))) {
-    check_options_of_grid(loaded);
-    return context;
-  }
   Composition out;
   const bool placed = checked(loaded, [&] {
-    out.problem.manifold = make<std::shared_ptr<const ConstraintManifold>>(config.manifold, {loaded.folder, 0, {}, {}});
-    place_ends(config, out);
+    out.problem.manifold = made_at_once(loaded);
+    if (out.problem.manifold != nullptr) place_ends(config, out);
   });
   if (!placed) return std::nullopt;
+  if (out.problem.manifold == nullptr) return context;
   context.manifold = out.problem.manifold;
   context.dimension = out.problem.manifold->dimensions().ambient;
   context.coordinates = point_coordinates(*out.problem.manifold);
   if (!config.ring || out.problem.based) context.source = source_position(out.problem);
   return context;
+}
+
+/// Asks the manifold itself for what its type only may have: the zeros of a function of the plane are no surface.
+void check_needs(LoadedConfig& loaded, const PluginChoice& choice, const ConstraintManifold& manifold) {
+  const std::vector<std::string>& needs = choice.plugin->needs;
+  for_each_ability([&]<class Ability>() {
+    const bool wanted = std::count(needs.begin(), needs.end(), Ability::kAbility) > 0;
+    if (!wanted || !loaded.config.manifold.provides<Ability>() || find_ability<Ability>(manifold) != nullptr) return;
+    loaded.add_error(choice.path,
+                     fmt::format("'{}' needs a manifold with a {}, which this '{}' does not have", choice.plugin->type,
+                                 Ability::kAbility, loaded.config.manifold.plugin->type));
+  });
 }
 
 bool reads_files(const PluginChoice& choice) {
@@ -166,13 +174,7 @@ Composition compose(const RunConfig& config, const std::filesystem::path& folder
   reading.progress = progress;
   out.problem.manifold = make<std::shared_ptr<const ConstraintManifold>>(config.manifold, reading);
   out.read_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (const auto* mesh = dynamic_cast<const HasMesh*>(out.problem.manifold.get())) out.notes = mesh->mesh().notes();
-  if (const auto* points = dynamic_cast<const HasPointCloud*>(out.problem.manifold.get())) {
-    out.notes = points->cloud().notes();
-    for (std::string& note : points->graph().notes()) out.notes.push_back(std::move(note));
-  }
-  if (const auto* sampled = dynamic_cast<const HasDistanceGrid*>(out.problem.manifold.get()))
-    out.notes = sampled->notes();
+  if (const auto* data = find_ability<MadeFromData>(*out.problem.manifold)) out.notes = data->notes();
   place_ends(config, out);
   BuildContext context{
       folder, out.problem.manifold->dimensions().ambient, {}, point_coordinates(*out.problem.manifold)};
@@ -189,6 +191,12 @@ void check_constructors(LoadedConfig& loaded) {
   const RunConfig& config = loaded.config;
   const std::optional<BuildContext> context = context_without_files(loaded);
   if (!context) return;
+  if (context->manifold != nullptr) {
+    check_needs(loaded, config.initializer, *context->manifold);
+    for (const PluginChoice& choice : config.family.initializers.choices)
+      check_needs(loaded, choice, *context->manifold);
+    for (const PluginChoice& choice : config.post_process.choices) check_needs(loaded, choice, *context->manifold);
+  }
   checked(loaded, [&] { make<std::shared_ptr<const SegmentCost>>(config.cost, *context); });
   checked(loaded, [&] { make<std::shared_ptr<const Kernel>>(config.kernel, *context); });
   if (!reads_files(config.initializer))

@@ -8,7 +8,7 @@
 #include <array>
 
 #include <leastcost/catalogue/registry/registry.hpp>
-#include "catalogue/plugins/kinds.hpp"
+#include "catalogue/plugins/abilities.hpp"
 #include "catalogue/yaml/scalars.hpp"
 
 namespace leastcost {
@@ -19,25 +19,32 @@ PluginChoice default_plugin(const char* kind_name, const char* type, const std::
 }
 
 void complete(RunConfig& config) {
-  const bool mesh = config.manifold.provides(std::string(kMesh));
-  const bool graph = config.manifold.provides(std::string(kGraph));
+  const bool mesh = config.manifold.provides<HasMesh>();
+  const bool graph = config.manifold.provides<HasGraph>();
   if (!config.kernel) config.kernel = default_plugin("kernel", "expm1_square", "kernel");
   if (!config.initializer && !config.ring)
     config.initializer = default_plugin("initializer", graph ? "dijkstra" : "straight", "initializer");
   if (!config.solver) config.solver = default_plugin("solver", mesh ? "lbfgs" : "newton", "solver");
   if (config.post_process.given) return;
   config.post_process.given = true;
-  if (config.manifold.provides(std::string(kEmbedded)))
+  if (config.manifold.provides<HasLevelSet>())
     config.post_process.choices.push_back(default_plugin("post_processor", "on_surface", "post_process.0"));
   if (mesh) config.post_process.choices.push_back(default_plugin("post_processor", "trace", "post_process.0"));
-  if (mesh && config.cost.provides(std::string(kConstantMetric)))
+  if (mesh && config.cost.provides<HasConstantMetric>())
     config.post_process.choices.push_back(default_plugin("post_processor", "straighten", "post_process.1"));
+}
+
+/// Whether it is something that costs have, not manifolds.
+bool of_costs(const std::string& ability) {
+  const auto& costs = kind("cost").entries;
+  return std::any_of(costs.begin(), costs.end(),
+                     [&](const PluginEntry* e) { return choose(*e, "").provides(ability); });
 }
 
 void check_needs(LoadedConfig& loaded, const PluginChoice& choice) {
   if (!choice || !loaded.config.manifold || !loaded.config.cost) return;
   for (const std::string& need : choice.plugin->needs) {
-    const bool of_cost = need == kConstantMetric;
+    const bool of_cost = of_costs(need);
     const PluginChoice& giver = of_cost ? loaded.config.cost : loaded.config.manifold;
     if (giver.provides(need)) continue;
     loaded.errors.error(place_of(loaded.tree, choice.path),
@@ -59,17 +66,16 @@ void check_ends(LoadedConfig& loaded) {
   } else if (!config.ring && ends == nullptr && loaded.tree.is_block()) {
     loaded.errors.error(loaded.place, "missing key 'ends': the source and target of the path, or path.ring: true");
   }
-  if (!config.manifold || config.manifold.provides(std::string(kMesh))) return;
+  if (!config.manifold) return;
+  const bool has_vertices = config.manifold.provides<HasVertices>(), has_faces = config.manifold.provides<HasFaces>();
   for (const char* path : {"ends.source", "ends.target"}) {
     const EndOptions& end = std::string_view(path) == "ends.source" ? config.source : config.target;
-    const std::string key = std::string(path) + (end.vertex >= 0 ? ".vertex" : ".face");
-    if (end.vertex < 0 && end.face < 0) continue;
-    const bool has_samples = config.manifold.provides(std::string(kGraph));  // a point of a cloud
-    if (end.face < 0 && has_samples) continue;
-    loaded.errors.error(
-        place_of(loaded.tree, key),
-        fmt::format("'{}' has no {}; an end on it is {{point: [..]}}{}", config.manifold.plugin->type,
-                    end.face < 0 ? "vertices" : "faces", has_samples ? " or {vertex: .., a sample of the file}" : ""));
+    const bool fits = end.face >= 0 ? has_faces : end.vertex < 0 || has_vertices;
+    if (fits) continue;
+    loaded.errors.error(place_of(loaded.tree, std::string(path) + (end.vertex >= 0 ? ".vertex" : ".face")),
+                        fmt::format("'{}' has no {}; an end on it is {{point: [..]}}{}", config.manifold.plugin->type,
+                                    end.face < 0 ? HasVertices::kAbility : HasFaces::kAbility,
+                                    has_vertices ? " or {vertex: .., a sample of the file}" : ""));
   }
 }
 
@@ -78,7 +84,7 @@ std::string ring_initializers(const PluginChoice& manifold) {
   std::vector<std::string> fitting;
   for (const PluginEntry* entry : kind("initializer").entries) {
     const auto met = [&](const std::string& need) { return !manifold || manifold.provides(need); };
-    if (choose(*entry, "").provides(std::string(kRing)) && std::all_of(entry->needs.begin(), entry->needs.end(), met))
+    if (choose(*entry, "").provides<MakesRings>() && std::all_of(entry->needs.begin(), entry->needs.end(), met))
       fitting.push_back(entry->type);
   }
   std::string text = fitting.front();
@@ -93,20 +99,20 @@ void check_family(LoadedConfig& loaded) {
   };
   if (config.family.windings > 0 && config.ring)
     refuse("windings", "lists images of the target, and a ring has none: give other first rings (family.initializers)");
-  else if (config.family.windings > 0 && config.manifold && !config.manifold.provides(std::string(kSeams)))
+  else if (config.family.windings > 0 && config.manifold && !config.manifold.provides<HasSeams>())
     refuse("windings", "needs a manifold with a chart with seams");
   if (config.family.bows > 0 && config.ring)
     refuse("bows", "bows the line between two ends, and a ring has none: give other first rings (family.initializers)");
   if (config.family.routes > 1 && config.ring)
     refuse("routes",
            "lists routes between two ends, and a ring has none: give other first rings (family.initializers)");
-  else if (config.family.routes > 1 && config.manifold && !config.manifold.provides(std::string(kGraph)))
+  else if (config.family.routes > 1 && config.manifold && !config.manifold.provides<HasGraph>())
     refuse("routes", "needs a manifold with a graph: a mesh or a point cloud");
   if (config.family.mirrored && config.ring)
     refuse("mirrored", "mirrors a path at its ends, and a ring has none: give other first rings (family.initializers)");
   if (!config.ring) return;
   for (const PluginChoice& choice : config.family.initializers.choices)
-    if (choice && !choice.provides(std::string(kRing)))
+    if (choice && !choice.provides<MakesRings>())
       loaded.errors.error(place_of(loaded.tree, choice.path),
                           fmt::format("'{}' joins two ends and a ring has none: use {}", choice.plugin->type,
                                       ring_initializers(config.manifold)));
@@ -120,7 +126,7 @@ void check_ring(LoadedConfig& loaded) {
       loaded.errors.error(
           place_of(loaded.tree, "path.ring"),
           "a ring has no ends to start from: it needs an initializer: " + ring_initializers(config.manifold));
-  } else if (!config.initializer.provides(std::string(kRing))) {
+  } else if (!config.initializer.provides<MakesRings>()) {
     loaded.errors.error(place_of(loaded.tree, "initializer"),
                         fmt::format("'{}' joins two ends and a ring has none: use {}", config.initializer.plugin->type,
                                     ring_initializers(config.manifold)));
@@ -133,7 +139,7 @@ void check_points(LoadedConfig& loaded) {
   constexpr int kFewestInRing = 3;
   if (config.ring && !config.points.automatic && config.points.count < kFewestInRing)
     loaded.errors.error(place, fmt::format("a ring needs at least {} points", kFewestInRing));
-  if (!config.points.automatic || !config.manifold || config.manifold.provides(std::string(kGraph))) return;
+  if (!config.points.automatic || !config.manifold || config.manifold.provides<HasGraph>()) return;
   loaded.errors.error(
       place, fmt::format("'auto' takes the number of points from the first path along edges, and '{}' has none: "
                          "give a number",
