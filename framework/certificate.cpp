@@ -251,7 +251,7 @@ class Certifier {
   }
 
   void measure_chart_jumps() {
-    if (dynamic_cast<const HasChart*>(problem_.manifold.get()) == nullptr) return;
+    if (find_ability<HasChart>(*problem_.manifold) == nullptr) return;
     const ChartJump jump = worst_chart_jump(problem_, path_.chain, energy_.costs(path_.chain), monitor_.deadline);
     if (jump.ratio > kJump)
       fail("longest_segment", "between points " + std::to_string(jump.segment) + " and " +
@@ -265,8 +265,8 @@ class Certifier {
   std::optional<double> cost_between_points() {
     constexpr Index kPieces = 8;
     const ConstraintManifold& manifold = *problem_.manifold;
-    const auto* bounds = dynamic_cast<const HasBounds*>(&manifold);
-    if (bounds == nullptr || manifold.shape() != Shape::smooth || dynamic_cast<const HasChart*>(&manifold) != nullptr)
+    const auto* bounds = find_ability<HasBounds>(manifold);
+    if (bounds == nullptr || manifold.shape() != Shape::smooth || find_ability<HasChart>(manifold) != nullptr)
       return std::nullopt;
     const CoordinatePath& chain = path_.chain;
     const Index segments = chain.segment_count();

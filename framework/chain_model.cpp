@@ -64,7 +64,7 @@ bool ChainModel::evaluate(PathEnergy& energy, const CoordinatePath& path) {
   value = energy.value_and_gradient(path, gradient);
   if (!std::isfinite(value)) return false;
   energy.frames(path, gradient, frames);
-  if (const auto* pieces = dynamic_cast<const HasPieces*>(energy.problem().manifold.get())) {
+  if (const auto* pieces = find_ability<HasPieces>(*energy.problem().manifold)) {
     moves = gradient;
     pieces->into_pieces(path, moves);
     energy.to_tangent(frames, moves, tangent);

@@ -68,8 +68,8 @@ void Check::bases(const CoordinatePath& path, std::mt19937_64& engine) {
     const Points t = all.middleCols(dims.tangent * i, dims.tangent);
     faults.at_most("tangent_bases", largest(t.transpose() * t - Points::Identity(dims.tangent, dims.tangent)), 1e-14,
                    "T'T - I");
-    if (manifold.shape() != Shape::smooth || dynamic_cast<const HasChart*>(&manifold) != nullptr) continue;
-    if (dynamic_cast<const HasBounds*>(&manifold) != nullptr) continue;  // x + h t may be clamped
+    if (manifold.shape() != Shape::smooth || find_ability<HasChart>(manifold) != nullptr) continue;
+    if (find_ability<HasBounds>(manifold) != nullptr) continue;  // x + h t may be clamped
     const Eigen::VectorXd v = t * random_matrix(dims.tangent, 1, engine).normalized() * options.step;
     const auto leaves = [&](double h) {
       const CoordinatePath one{path.u.col(i) + h * v, {}, true};
@@ -86,8 +86,8 @@ Points Check::directions(const CoordinatePath& path, std::mt19937_64& engine) co
   manifold.tangent_bases(path, all);
   for (Index i = 0; i < v.cols(); ++i)
     v.col(i) = all.middleCols(dims.tangent * i, dims.tangent) * random_matrix(dims.tangent, 1, engine) * options.step;
-  if (const auto* pieces = dynamic_cast<const HasPieces*>(&manifold)) pieces->into_pieces(path, v);
-  const auto* bounds = dynamic_cast<const HasBounds*>(&manifold);
+  if (const auto* pieces = find_ability<HasPieces>(manifold)) pieces->into_pieces(path, v);
+  const auto* bounds = find_ability<HasBounds>(manifold);
   if (bounds == nullptr) return v;
   Points normals(dims.coordinate, dims.coordinate);
   for (Index i = 0; i < v.cols(); ++i) {
@@ -127,8 +127,8 @@ void Check::retraction(const CoordinatePath& path, std::mt19937_64& engine) {
 }
 
 void Check::second_order(const CoordinatePath& path, const Points& step) {
-  if (manifold.shape() != Shape::smooth || dynamic_cast<const HasChart*>(&manifold) != nullptr) return;
-  if (dynamic_cast<const HasBounds*>(&manifold) != nullptr) return;  // a bound may hold in between
+  if (manifold.shape() != Shape::smooth || find_ability<HasChart>(manifold) != nullptr) return;
+  if (find_ability<HasBounds>(manifold) != nullptr) return;  // a bound may hold in between
   for (Index i = 0; i < path.u.cols(); ++i) {
     const auto error = [&](double h) {
       CoordinatePath to, nearest = path;
@@ -148,7 +148,7 @@ bool at_an_angle(const Points& normals) {
 }
 
 void Check::bounds(const CoordinatePath& path) {
-  const auto* bounds = dynamic_cast<const HasBounds*>(&manifold);
+  const auto* bounds = find_ability<HasBounds>(manifold);
   if (bounds == nullptr) return;
   Points normals(dims.coordinate, dims.coordinate);
   for (Index i = 0; i < path.u.cols(); ++i) {
@@ -232,7 +232,7 @@ std::vector<Fault> check_manifold(const ConstraintManifold& manifold, const Poin
   }
   const CoordinatePath path = check.projected(points);
   check.retraction(path, engine);
-  if (const auto* chart = dynamic_cast<const HasChart*>(&manifold)) {
+  if (const auto* chart = find_ability<HasChart>(manifold)) {
     check.chart(*chart, path, engine);
     check.poles(*chart, path);
   }

@@ -27,8 +27,7 @@ void cubic(double t, Eigen::Vector4d& w, Eigen::Vector4d& dw) {
 /// The line element of a cost at points given in coordinates.
 class LineElement {
  public:
-  explicit LineElement(const Problem& problem)
-      : problem_(problem), chart_(dynamic_cast<const HasChart*>(problem.manifold.get())) {}
+  explicit LineElement(const Problem& problem) : problem_(problem), chart_(find_ability<HasChart>(*problem.manifold)) {}
 
   /// At the only column of `point`, for a velocity in coordinates.
   double operator()(const CoordinatePath& point, const Eigen::VectorXd& velocity) {
@@ -60,7 +59,7 @@ double straight_cost(const Problem& problem, LineElement& element, const Eigen::
 
 std::optional<double> smooth_curve_cost(const Problem& problem, const CoordinatePath& path, const Deadline& deadline) {
   const Index columns = path.u.cols();
-  const bool chart = dynamic_cast<const HasChart*>(problem.manifold.get()) != nullptr;
+  const bool chart = find_ability<HasChart>(*problem.manifold) != nullptr;
   if ((problem.manifold->shape() != Shape::flat && !chart) || columns < 4) return std::nullopt;
   CoordinatePath point{Points(path.u.rows(), 1), {}, true};
   LineElement element(problem);
@@ -105,14 +104,15 @@ std::optional<double> smooth_curve_cost(const Problem& problem, const Coordinate
 
 ChartJump worst_chart_jump(const Problem& problem, const CoordinatePath& path, const Eigen::VectorXd& costs,
                            const Deadline& deadline) {
-  const auto& chart = dynamic_cast<const HasChart&>(*problem.manifold);
+  const auto* chart = find_ability<HasChart>(*problem.manifold);
   LineElement element(problem);
   ChartJump worst;
+  if (chart == nullptr) return worst;
   for (Index i = 0; i < path.segment_count(); ++i) {
     look_at_clock(deadline);
     const Eigen::VectorXd a = path.column(i), b = path.column(i + 1);
     double direct = straight_cost(problem, element, a, b);
-    for (const SeamMap& pole : chart.poles())
+    for (const SeamMap& pole : chart->poles())
       direct = std::min({direct, straight_cost(problem, element, a, pole.apply(b)),
                          straight_cost(problem, element, a, pole.undo(b))});
     const double ratio = direct / costs[i];

@@ -374,7 +374,7 @@ void prepare(const Problem& problem) {
   check(problem);
   std::shared_ptr<const ConstraintManifold> manifold = problem.manifold;
   for (int level = 0; manifold && level < kGeometryLevels; ++level) {
-    const auto* domain = dynamic_cast<const HasCoarserVersion*>(manifold.get());
+    const auto* domain = find_ability<HasCoarserVersion>(*manifold);
     try {
       manifold = domain != nullptr ? domain->coarser() : nullptr;
     } catch (const InputError&) {

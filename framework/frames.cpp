@@ -44,7 +44,7 @@ int keep_pushed(Points& normals, int count, const Eigen::VectorXd& descent) {
 }  // namespace
 
 void PathEnergy::frames(const CoordinatePath& path, const Points& gradient, Frames& out) const {
-  const auto* bounds = dynamic_cast<const HasBounds*>(problem_->manifold.get());
+  const auto* bounds = find_ability<HasBounds>(*problem_->manifold);
   const int k = dims_.tangent, d = dims_.coordinate;
   const Index n = path.free_count(), first = path.free_begin();
   out.blocked.assign(static_cast<std::size_t>(n), 0);

@@ -11,7 +11,8 @@
 #include <leastcost/framework/check_manifold.hpp>
 #include <leastcost/framework/family.hpp>
 #include <leastcost/framework/find_path.hpp>
+#include <leastcost/framework/goes_beyond_bounds.hpp>
 #include <leastcost/framework/has_constant_metric.hpp>
+#include <leastcost/framework/has_graph.hpp>
 #include <leastcost/framework/segment_cost_function.hpp>
-#include <leastcost/framework/smooth_bounds.hpp>
 #include <leastcost/framework/stopping.hpp>

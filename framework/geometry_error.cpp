@@ -27,8 +27,7 @@ Solved solve_on(std::shared_ptr<const ConstraintManifold> manifold, const Proble
                 const Monitor& monitor) {
   Problem coarse = problem;
   coarse.manifold = std::move(manifold);
-  if (const auto* cost = dynamic_cast<const FollowsDomain*>(problem.cost.get()))
-    coarse.cost = cost->on(*coarse.manifold);
+  if (const auto* cost = find_ability<FollowsDomain>(*problem.cost)) coarse.cost = cost->on(*coarse.manifold);
   if (!problem.ring) {
     coarse.source = project_end(*coarse.manifold, problem.source.u);
     coarse.target = project_end(*coarse.manifold, problem.target.u);
@@ -77,7 +76,7 @@ double change_without_cancelling(const Problem& problem, const ConstraintManifol
 
 /// The next coarser version; null where there is none. To make one takes too long for a search with a deadline.
 std::shared_ptr<const ConstraintManifold> coarser(const ConstraintManifold& manifold, const Deadline& deadline) {
-  const auto* domain = dynamic_cast<const HasCoarserVersion*>(&manifold);
+  const auto* domain = find_ability<HasCoarserVersion>(manifold);
   if (domain == nullptr) return nullptr;
   if (deadline && !domain->has_made_coarser())
     throw InputError("it is not made; call prepare(problem) before a search with a deadline");

@@ -3,6 +3,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string_view>
+
+#include <leastcost/framework/segment_cost.hpp>
 
 #include <leastcost/eigen_alignment.hpp>
 
@@ -12,8 +15,12 @@ namespace leastcost {
 /// Euclidean cost). Straightening needs it: the polyhedron then unfolds as usual in the coordinates A x, M = A'A.
 class HasConstantMetric {
  public:
+  static constexpr std::string_view kAbility = "constant metric";
   virtual ~HasConstantMetric() = default;
   virtual Eigen::MatrixXd metric() const = 0;
 };
+
+/// A cost that has it, in any dimension.
+class ConstantMetricCost : public SegmentCost, public HasConstantMetric {};
 
 }  // namespace leastcost

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include <leastcost/framework/smooth_bounds.hpp>
+#include <leastcost/framework/goes_beyond_bounds.hpp>
 
 namespace leastcost {
 namespace {
@@ -71,7 +71,7 @@ double residual(const ConstraintManifold& manifold, const CoordinatePath& path, 
 
 void retract(const ConstraintManifold& manifold, const CoordinatePath& from, const Points& step, CoordinatePath& to,
              const Deadline& deadline, bool beyond) {
-  const auto* unbounded = beyond ? dynamic_cast<const GoesBeyondBounds*>(&manifold) : nullptr;
+  const auto* unbounded = beyond ? find_ability<GoesBeyondBounds>(manifold) : nullptr;
   const auto move = [&](const CoordinatePath& a, const Points& s, CoordinatePath& b) {
     unbounded != nullptr ? unbounded->retract_beyond(a, s, b) : manifold.retract(a, s, b);
   };

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include <leastcost/framework/ability.hpp>
 #include <leastcost/framework/monitor.hpp>
 #include <leastcost/framework/problem.hpp>
 
@@ -19,12 +20,18 @@ struct FirstPath {
   std::vector<std::string> notes;
 };
 
-class Initializer {
+class Initializer : public HasAbilities<Initializer> {
  public:
-  virtual ~Initializer() = default;
   virtual std::string_view name() const = 0;
   /// Throws InitializationError that says what was tried.
   virtual FirstPath first_path(const Problem& problem, const Monitor& monitor) const = 0;
+};
+
+/// Ability of an initializer: it makes closed paths where the problem is a ring.
+class MakesRings {
+ public:
+  static constexpr std::string_view kAbility = "ring";
+  virtual ~MakesRings() = default;
 };
 
 }  // namespace leastcost

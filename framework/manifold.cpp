@@ -8,7 +8,7 @@
 namespace leastcost {
 
 Points positions(const ConstraintManifold& manifold, const CoordinatePath& path) {
-  const auto* chart = dynamic_cast<const HasChart*>(&manifold);
+  const auto* chart = find_ability<HasChart>(manifold);
   if (chart == nullptr) return path.u;
   Points x;
   chart->embed(path, x);
@@ -16,7 +16,7 @@ Points positions(const ConstraintManifold& manifold, const CoordinatePath& path)
 }
 
 std::string reason_for_failure(const ConstraintManifold& manifold, const Eigen::VectorXd& x) {
-  const auto* domain = dynamic_cast<const ExplainsProjection*>(&manifold);
+  const auto* domain = find_ability<ExplainsProjection>(manifold);
   return domain == nullptr ? "" : ": " + domain->why_not_projected(x);
 }
 

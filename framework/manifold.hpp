@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <leastcost/framework/ability.hpp>
 #include <leastcost/framework/path.hpp>
 
 namespace leastcost {
@@ -28,9 +29,8 @@ struct Projection {
 
 /// Where points may be. Immutable, hence shareable between threads. What becomes of a column depends on that column
 /// alone: the columns of a long path may be handed over in parts, as rings, with a look at the clock between them.
-class ConstraintManifold {
+class ConstraintManifold : public HasAbilities<ConstraintManifold> {
  public:
-  virtual ~ConstraintManifold() = default;
   virtual Dimensions dimensions() const = 0;
   virtual Shape shape() const = 0;
 
@@ -64,6 +64,8 @@ class HasChart {
   virtual void curvatures(const CoordinatePath& path, const Points& weights, Points& h) const = 0;
   /// Ways over a pole, where the chart goes on as another part of itself: on a sphere (u, v) is also (u + pi, pi - v).
   virtual const std::vector<SeamMap>& poles() const = 0;
+  /// Names of the coordinates, one each: where points are given by name, and the columns of files.
+  virtual std::vector<std::string> coordinate_names() const = 0;
 };
 
 /// Ambient positions of the columns of a path: through its chart, or the coordinates themselves.

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/smooth_bounds.hpp>
+#include <leastcost/framework/goes_beyond_bounds.hpp>
 #include "framework/in_parts.hpp"
 #include "framework/point_text.hpp"
 
@@ -42,7 +42,7 @@ struct SquaredCost {
 
 PathEnergy::PathEnergy(const Problem& problem, double reference_cost, Deadline deadline)
     : problem_(&problem),
-      chart_(dynamic_cast<const HasChart*>(problem.manifold.get())),
+      chart_(find_ability<HasChart>(*problem.manifold)),
       s0_(reference_cost),
       deadline_(deadline),
       dims_(problem.manifold->dimensions()) {

@@ -140,7 +140,7 @@ CostEstimate estimate_cost(const Problem& problem, PathEnergy& energy, const Coo
   CostEstimate e;
   const CostTraits& traits = problem.cost->traits();
   const bool flat = problem.manifold->shape() == Shape::flat;
-  const bool chart = dynamic_cast<const HasChart*>(problem.manifold.get()) != nullptr;
+  const bool chart = find_ability<HasChart>(*problem.manifold) != nullptr;
   const double cost = energy.cost(chain), segments = static_cast<double>(chain.segment_count());
   e.value = cost;
   const bool chords_exist = flat && traits.additive;  // the chain itself is a curve of the domain

@@ -23,7 +23,7 @@ double move_cost(const SegmentCost& cost, const Eigen::VectorXd& a, const Eigen:
 }
 
 std::string reason_for_infinity(const SegmentCost& cost, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-  const auto* explains = dynamic_cast<const ExplainsInfinity*>(&cost);
+  const auto* explains = find_ability<ExplainsInfinity>(cost);
   const std::string why = explains != nullptr ? explains->why_infinite(a, b) : "";
   return why.empty() ? "" : ": " + why;
 }

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include <leastcost/framework/ability.hpp>
 #include <leastcost/framework/kernel.hpp>
 #include <leastcost/framework/path.hpp>
 
@@ -37,9 +38,8 @@ struct ChainBlocks {
 /// Derivatives treat the ends of an open path as constants: their columns and blocks are zero
 /// (AmbientPath::begin_fixed, end_fixed). A long path may be handed over in parts, with a look at the clock between
 /// them.
-class SegmentCost {
+class SegmentCost : public HasAbilities<SegmentCost> {
  public:
-  virtual ~SegmentCost() = default;
   virtual int dim() const = 0;  ///< ambient dimension d
   virtual const CostTraits& traits() const = 0;
 

@@ -17,9 +17,10 @@
 namespace leastcost {
 
 /// Lifts a SegmentCostFunction to the run-level interface: one virtual call per path into a typed loop over blocks of
-/// segments, one kernel call per block. No heap for a compile-time dimension.
-template <SegmentCostFunction C>
-class SegmentCostOf : public SegmentCost, public ExplainsInfinity {
+/// segments, one kernel call per block. No heap for a compile-time dimension. Base: SegmentCost, or a base that adds
+/// abilities to it.
+template <SegmentCostFunction C, class Base = SegmentCost>
+class SegmentCostOf : public Base, public ExplainsInfinity {
  public:
   static constexpr int kDim = C::dim;
 

@@ -61,7 +61,7 @@ void ChainVariables::pull_back(const Eigen::VectorXd& z, const Points& path_grad
 /// piece; elsewhere dR by central differences along the tangent directions, all points at once.
 void ChainVariables::to_tangent(const Eigen::VectorXd& z, const Points& path_gradient, Eigen::VectorXd& gradient) {
   const ConstraintManifold& manifold = *energy_.problem().manifold;
-  if (manifold.shape() != Shape::smooth || dynamic_cast<const HasChart*>(&manifold) != nullptr)
+  if (manifold.shape() != Shape::smooth || find_ability<HasChart>(manifold) != nullptr)
     return energy_.to_tangent(model_.frames, path_gradient, gradient);
   const Index k = manifold.dimensions().tangent, n = base_.free_count(), first = base_.free_begin();
   const double h = kDifference * extent(base_.u);
@@ -83,7 +83,7 @@ void ChainVariables::to_tangent(const Eigen::VectorXd& z, const Points& path_gra
 
 double ChainVariables::turned(const CoordinatePath& path) const {
   const ConstraintManifold& manifold = *energy_.problem().manifold;
-  if (manifold.shape() == Shape::flat || dynamic_cast<const HasChart*>(&manifold) != nullptr) return 1;
+  if (manifold.shape() == Shape::flat || find_ability<HasChart>(manifold) != nullptr) return 1;
   Points there;
   manifold.tangent_bases(path, there);
   const Index k = manifold.dimensions().tangent, first = base_.free_begin();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/free_move.hpp"
 
-#include <leastcost/framework/smooth_bounds.hpp>
+#include <leastcost/framework/goes_beyond_bounds.hpp>
 
 namespace leastcost {
 namespace {
@@ -19,9 +19,9 @@ bool move_freely(const ConstraintManifold& manifold, const CoordinatePath& from,
   const auto is_at = [&](const Points& there) {
     return !((to.u.middleCols(first, n) - there).cwiseAbs().maxCoeff() > kSame * size);
   };
-  if (manifold.shape() == Shape::flat || dynamic_cast<const HasChart*>(&manifold) != nullptr)
+  if (manifold.shape() == Shape::flat || find_ability<HasChart>(manifold) != nullptr)
     return is_at(from.u.middleCols(first, n) + step);
-  if (const auto* beyond = dynamic_cast<const GoesBeyondBounds*>(&manifold)) {
+  if (const auto* beyond = find_ability<GoesBeyondBounds>(manifold)) {
     CoordinatePath unstopped;
     beyond->retract_beyond(from, step, unstopped);
     return is_at(unstopped.u.middleCols(first, n));

@@ -146,8 +146,7 @@ void GeorceOptions::fields(FieldVisitor& visit) {
 std::optional<std::string> Georce::cannot_solve(const PathEnergy& energy, const CoordinatePath& path) const {
   const Problem& problem = energy.problem();
   if (problem.ring) return "georce needs an open path: its points move from the source on";
-  const bool chart =
-      problem.manifold->shape() == Shape::flat || dynamic_cast<const HasChart*>(problem.manifold.get()) != nullptr;
+  const bool chart = problem.manifold->shape() == Shape::flat || find_ability<HasChart>(*problem.manifold) != nullptr;
   if (!chart) return "georce works in a chart: a euclidean or a parametric manifold";
   if (!problem.cost->traits().quadratic_at_rest)
     return "georce needs a metric; this cost says that it has none (a Finsler cost)";

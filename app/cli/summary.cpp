@@ -7,8 +7,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <vector>
 
-#include <leastcost/problems/mesh/has_mesh.hpp>
+#include <leastcost/problems/manifolds/made_from_data.hpp>
 #include "catalogue/output/json_numbers.hpp"
 #include "catalogue/output/output_folder.hpp"
 #include "catalogue/run/compose.hpp"
@@ -93,9 +94,9 @@ std::string end_line(const PlacedEnd& end) {
   return end.moved > 0 ? line + fmt::format(", moved by {:.3g} onto the manifold", end.moved) : line;
 }
 
-const TriangleMesh* mesh_of(const RunParts& parts) {
-  const auto* domain = dynamic_cast<const HasMesh*>(parts.problem.manifold.get());
-  return domain == nullptr ? nullptr : &domain->mesh();
+std::vector<DataCount> counts_of(const RunParts& parts) {
+  const auto* data = find_ability<MadeFromData>(*parts.problem.manifold);
+  return data == nullptr ? std::vector<DataCount>() : data->counts();
 }
 
 std::string steps(const Run& prepared) {
@@ -145,9 +146,11 @@ std::string dry_run_text(const RunRequest& request, const Run& prepared) {
   const Dimensions dims = prepared.parts.problem.manifold->dimensions();
   std::string domain =
       fmt::format("{}, dimension {} in R^{}", config.manifold.plugin->type, dims.tangent, dims.ambient);
-  if (const TriangleMesh* mesh = mesh_of(prepared.parts))
-    domain += fmt::format(": {} vertices, {} faces, {} component{}", mesh->vertex_count(), mesh->face_count(),
-                          mesh->component_sizes().size(), mesh->component_sizes().size() == 1 ? "" : "s");
+  const char* before = ": ";
+  for (const DataCount& c : counts_of(prepared.parts)) {
+    domain += fmt::format("{}{} {}", before, c.count, c.count == 1 ? c.one : c.many);
+    before = ", ";
+  }
   std::string out = row("valid", request.config_file.string());
   out += row("manifold", domain);
   out += row("cost", fmt::format("{} [{}]", config.cost.plugin->type, prepared.parts.problem.cost->traits().unit));
@@ -172,10 +175,7 @@ std::string dry_run_json(const RunRequest& request, const Run& prepared) {
   const Dimensions dims = prepared.parts.problem.manifold->dimensions();
   Json out = {{"schema_version", kSchemaVersion}, {"status", "dry_run"}, {"name", config.name}};
   out["dimensions"] = {{"coordinate", dims.coordinate}, {"ambient", dims.ambient}, {"tangent", dims.tangent}};
-  if (const TriangleMesh* mesh = mesh_of(prepared.parts))
-    out["mesh"] = {{"vertices", mesh->vertex_count()},
-                   {"faces", mesh->face_count()},
-                   {"components", mesh->component_sizes().size()}};
+  for (const DataCount& c : counts_of(prepared.parts)) out[config.manifold.plugin->type][c.many] = c.count;
   out["points"] = config.points ? Json(*config.points) : Json("auto");
   if (!config.ring)
     out["moved"] = {{"source", number(prepared.parts.source.moved)}, {"target", number(prepared.parts.target.moved)}};

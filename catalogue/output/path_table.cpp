@@ -7,23 +7,26 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include <leastcost/framework/path_energy.hpp>
-#include <leastcost/problems/mesh/has_mesh.hpp>
-#include <leastcost/problems/mesh/surface_path.hpp>
+#include <leastcost/problems/manifolds/file_places.hpp>
 #include "problems/formula/coordinate_names.hpp"
 
 namespace leastcost {
 namespace {
 
-const TriangleMesh* mesh_of(const Problem& problem) {
-  const auto* domain = dynamic_cast<const HasMesh*>(problem.manifold.get());
-  return domain == nullptr ? nullptr : &domain->mesh();
+/// The places of all columns of `x`, whose pieces `site_of(i)` says.
+template <class SiteOf>
+void add_places(const HasFilePlaces& domain, SiteOf site_of, PathTable& table) {
+  table.place_names = domain.place_columns();
+  table.places.resize(static_cast<Index>(table.place_names.size()), table.x.cols());
+  for (Index i = 0; i < table.x.cols(); ++i) table.places.col(i) = domain.place_in_file(site_of(i), table.x.col(i));
 }
 
-TriangleMesh::FilePoint file_point(const TriangleMesh& mesh, Site site, const Eigen::VectorXd& x) {
-  if (site < 0) return {};
-  return mesh.in_file(point_on_face(mesh, site, x));
+void append(const Points& columns, Index i, std::string& text) {
+  if (columns.size() == 0) return;
+  for (const double value : columns.col(i)) fmt::format_to(std::back_inserter(text), ",{:.17g}", value);
 }
 
 void accumulate(const Eigen::VectorXd& costs, PathTable& table) {
@@ -42,13 +45,15 @@ PathTable delivered_points(const Problem& problem, const Result& result) {
   // A ring's ambient path repeats its first point at the end.
   PathEnergy energy(problem, 1);
   table.x = energy.ambient(result.path).x.leftCols(result.path.u.cols());
-  if (dynamic_cast<const HasChart*>(problem.manifold.get())) table.chart = result.path.u;
+  if (const auto* chart = find_ability<HasChart>(*problem.manifold)) {
+    table.chart = result.path.u;
+    table.chart_names = chart->coordinate_names();
+  }
   table.ring = result.path.ring;
   accumulate(result.curve_costs, table);
-  if (const TriangleMesh* mesh = mesh_of(problem)) {
-    for (Index i = 0; i < table.x.cols(); ++i)
-      table.on_mesh.push_back(file_point(*mesh, result.path.site(i), table.x.col(i)));
-  }
+  if (const auto* domain = find_ability<HasFilePlaces>(*problem.manifold))
+    add_places(
+        *domain, [&](Index i) { return result.path.site(i); }, table);
   return table;
 }
 
@@ -57,33 +62,31 @@ PathTable delivered_curve(const Problem& problem, const Result& result) {
   table.x = result.curve.x;
   const AmbientPath path{{table.x.data(), table.x.rows(), table.x.cols()}, {}, false};
   accumulate(segment_costs(*problem.cost, path), table);
-  const TriangleMesh* mesh = mesh_of(problem);
   const std::vector<Site>& sites = result.curve.segment_sites;
-  if (mesh == nullptr || sites.empty()) return table;
-  for (Index i = 0; i < table.x.cols(); ++i) {
-    const auto segment = static_cast<std::size_t>(std::min(i, static_cast<Index>(sites.size()) - 1));
-    table.on_mesh.push_back(file_point(*mesh, sites[segment], table.x.col(i)));
-  }
+  const auto* domain = find_ability<HasFilePlaces>(*problem.manifold);
+  if (domain == nullptr || sites.empty()) return table;
+  const Index last = static_cast<Index>(sites.size()) - 1;
+  add_places(
+      *domain, [&](Index i) { return sites[static_cast<std::size_t>(std::min(i, last))]; }, table);
   return table;
 }
 
 std::string csv_text(const PathTable& table) {
-  std::vector<std::string> names = coordinate_names(static_cast<int>(table.x.rows()));
-  if (table.chart.size() > 0) names.insert(names.end(), {"u", "v"});
-  std::string text = fmt::format("index,{},segment_cost,cumulative_cost", fmt::join(names, ","));
-  text += table.on_mesh.empty() ? "\n" : ",face,fan,v0,v1,v2,b0,b1,b2\n";
-  const auto out = std::back_inserter(text);
+  std::vector<std::string> names = {"index"};
+  const auto add = [&names](const std::vector<std::string>& more) {
+    names.insert(names.end(), more.begin(), more.end());
+  };
+  add(coordinate_names(static_cast<int>(table.x.rows())));
+  add(table.chart_names);
+  add({"segment_cost", "cumulative_cost"});
+  add(table.place_names);
+  std::string text = fmt::format("{}\n", fmt::join(names, ","));
   for (Index i = 0; i < table.x.cols(); ++i) {
-    fmt::format_to(out, "{}", i);
-    for (const double coordinate : table.x.col(i)) fmt::format_to(out, ",{:.17g}", coordinate);
-    if (table.chart.size() > 0)
-      for (const double coordinate : table.chart.col(i)) fmt::format_to(out, ",{:.17g}", coordinate);
-    fmt::format_to(out, ",{:.17g},{:.17g}", table.segment_costs[i], table.cumulative_costs[i]);
-    if (!table.on_mesh.empty()) {
-      const TriangleMesh::FilePoint& p = table.on_mesh[static_cast<std::size_t>(i)];
-      fmt::format_to(out, ",{},{},{}", p.face, p.fan, fmt::join(p.vertices, ","));
-      for (const double weight : p.barycentric) fmt::format_to(out, ",{:.17g}", weight);
-    }
+    text += std::to_string(i);
+    append(table.x, i, text);
+    append(table.chart, i, text);
+    fmt::format_to(std::back_inserter(text), ",{:.17g},{:.17g}", table.segment_costs[i], table.cumulative_costs[i]);
+    append(table.places, i, text);
     text += '\n';
   }
   return text;
@@ -91,15 +94,15 @@ std::string csv_text(const PathTable& table) {
 
 std::string first_path_csv(const Problem& problem, const FirstPath& first) {
   const Points x = positions(*problem.manifold, first.path);
-  const bool chart = dynamic_cast<const HasChart*>(problem.manifold.get()) != nullptr;
-  std::string text =
-      fmt::format("index,{}{}\n", fmt::join(coordinate_names(static_cast<int>(x.rows())), ","), chart ? ",u,v" : "");
-  const auto out = std::back_inserter(text);
+  const auto* chart = find_ability<HasChart>(*problem.manifold);
+  std::vector<std::string> names = coordinate_names(static_cast<int>(x.rows()));
+  if (chart != nullptr)
+    for (std::string& name : chart->coordinate_names()) names.push_back(std::move(name));
+  std::string text = fmt::format("index,{}\n", fmt::join(names, ","));
   for (Index i = 0; i < x.cols(); ++i) {
-    fmt::format_to(out, "{}", i);
-    for (const double coordinate : x.col(i)) fmt::format_to(out, ",{:.17g}", coordinate);
-    if (chart)
-      for (const double coordinate : first.path.u.col(i)) fmt::format_to(out, ",{:.17g}", coordinate);
+    text += std::to_string(i);
+    append(x, i, text);
+    if (chart != nullptr) append(first.path.u, i, text);
     text += '\n';
   }
   return text;
@@ -107,7 +110,7 @@ std::string first_path_csv(const Problem& problem, const FirstPath& first) {
 
 std::string residuals_csv(const Problem& problem, const PathTable& curve) {
   const ConstraintManifold& manifold = *problem.manifold;
-  if (manifold.shape() == Shape::flat || dynamic_cast<const HasChart*>(&manifold) != nullptr) return "";
+  if (manifold.shape() == Shape::flat || find_ability<HasChart>(manifold) != nullptr) return "";
   const Index m = curve.x.cols() - 1;
   if (m < 1) return "";
   Points x(curve.x.rows(), 2 * m + 1);  // points and the middles after them

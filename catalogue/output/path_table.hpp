@@ -6,31 +6,34 @@
 #include <vector>
 
 #include <leastcost/framework/find_path.hpp>
-#include <leastcost/problems/mesh/triangle_mesh.hpp>
 
 namespace leastcost {
 
 /// A polyline of a result with its costs, ready to be written in any format.
 struct PathTable {
-  Points x;           ///< ambient, d x m
-  Points chart;       ///< their coordinates in a chart, one column per point; empty without one
-  bool ring = false;  ///< a move leads from the last column to the first
+  Points x;                              ///< ambient, d x m
+  Points chart;                          ///< their coordinates in a chart, one column per point; empty without one
+  std::vector<std::string> chart_names;  ///< of these coordinates
+  bool ring = false;                     ///< a move leads from the last column to the first
   Eigen::VectorXd
       segment_costs;  ///< from each point to the next, along the curve on the domain; 0 at the end of an open path
-  Eigen::VectorXd cumulative_costs;              ///< from the first point
-  std::vector<TriangleMesh::FilePoint> on_mesh;  ///< where each point is, in terms of the file; empty off meshes
+  Eigen::VectorXd cumulative_costs;  ///< from the first point
+  /// Where each point is in the file that the domain was read from, one column per point (HasFilePlaces); may be empty.
+  Points places;
+  std::vector<std::string> place_names;  ///< one per row of these
 };
 
 /// The delivered points.
 PathTable delivered_points(const Problem& problem, const Result& result);
-/// The delivered curve; `on_mesh` names the face that carries the segment which starts at a point.
+/// The delivered curve; its places are on the pieces that carry the segments which start at the points.
 PathTable delivered_curve(const Problem& problem, const Result& result);
 
-/// index, ambient coordinates, in a chart also u and v, segment_cost, cumulative_cost; on a mesh also face, fan, the
-/// corners v0 v1 v2 of the triangle and the barycentric coordinates b0 b1 b2, all numbered as in the file. All digits.
+/// index, ambient coordinates, in a chart also those of the chart, segment_cost, cumulative_cost, and where the domain
+/// knows them the places in its file. All digits.
 std::string csv_text(const PathTable& table);
 
-/// first_path.csv: index, ambient coordinates, in a chart also u and v, of the first path as its initializer made it.
+/// first_path.csv: index, ambient coordinates, in a chart also those of the chart, of the first path as its initializer
+/// made it.
 std::string first_path_csv(const Problem& problem, const FirstPath& first);
 
 /// residuals.csv: cumulative_cost, at_point, between - how far the points of the delivered curve lie off the domain,

@@ -6,7 +6,7 @@
 
 namespace leastcost {
 
-bool PluginChoice::provides(const std::string& ability) const {
+bool PluginChoice::provides(std::string_view ability) const {
   return plugin != nullptr && std::count(plugin->provides.begin(), plugin->provides.end(), ability) > 0;
 }
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -50,8 +51,9 @@ enum class WaitsFor {
   files     ///< its own, or it takes a while to make
 };
 
-/// What is known about a plug-in of any kind. Abilities are words ("mesh", "constant metric", "ring") that one
-/// plug-in provides and another needs; what does not fit is refused before anything is read or computed.
+/// What is known about a plug-in of any kind. What one plug-in provides and another needs are the words of abilities
+/// (framework/ability.hpp: "mesh", "constant metric", "ring"); what does not fit is refused before anything is read or
+/// computed. An ability that depends on options (a level set may be a surface) is provided if it may be there.
 struct PluginEntry {
   std::string type;     ///< its name in a configuration
   std::string summary;  ///< one sentence
@@ -86,12 +88,9 @@ struct Plugin : PluginEntry {
     };
     return std::move(*this);
   }
-  Plugin&& providing(std::string ability) && {
-    provides.push_back(std::move(ability));
-    return std::move(*this);
-  }
-  Plugin&& needing(std::string ability) && {
-    needs.push_back(std::move(ability));
+  template <class Ability>
+  Plugin&& needing() && {
+    needs.emplace_back(Ability::kAbility);
     return std::move(*this);
   }
 };
@@ -110,7 +109,11 @@ struct PluginChoice {
   std::string path;  ///< where in the configuration: "cost", "post_process.0"
 
   explicit operator bool() const { return plugin != nullptr; }
-  bool provides(const std::string& ability) const;
+  bool provides(std::string_view ability) const;
+  template <class Ability>
+  bool provides() const {
+    return provides(Ability::kAbility);
+  }
 };
 
 PluginChoice choose(const PluginEntry& plugin, std::string path);

@@ -5,16 +5,20 @@
 #include <memory>
 #include <type_traits>
 
+#include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/plugin.hpp"
 
 namespace leastcost {
 
-/// Registers `build(options, context)`, whose options are of type Options.
+/// Registers `build(options, context)`, whose options are of type Options. It provides the abilities of the class that
+/// `build` returns a pointer to.
 template <class P, class Options, class Build>
 P plugin(const char* type, const char* summary, Build build) {
+  using Made = typename std::invoke_result_t<Build, const Options&, const BuildContext&>::element_type;
   P entry;
   entry.type = type;
   entry.summary = summary;
+  entry.provides = ability_words<std::remove_const_t<Made>>();
   entry.defaults = [] { return std::make_unique<OptionsOf<Options>>(); };
   entry.make = [build](const AnyOptions& options, const BuildContext& context) {
     return build(static_cast<const OptionsOf<Options>&>(options).value, context);

@@ -64,12 +64,10 @@ const auto& costs() {
   using O = const BuildContext&;
   static const std::vector<CostPlugin> all = {
       plugin<CostPlugin, NoOptions>("euclidean", "Length: c(a, b) = |b - a|.",
-                                    [](const NoOptions&, O c) { return make_euclidean_cost(c.dimension); })
-          .providing(std::string(kConstantMetric)),
+                                    [](const NoOptions&, O c) { return make_euclidean_cost(c.dimension); }),
       plugin<CostPlugin, MetricTensorOptions>(
           "metric_tensor", "Length under a constant metric tensor M: c(a, b) = sqrt((b - a)' M (b - a)).",
-          [](const MetricTensorOptions& o, O c) { return make_metric_tensor_cost(o, c.dimension); })
-          .providing(std::string(kConstantMetric)),
+          [](const MetricTensorOptions& o, O c) { return make_metric_tensor_cost(o, c.dimension); }),
       plugin<CostPlugin, MetricFieldOptions>(
           "metric_field",
           "Length under a metric tensor that depends on the place: by name, formulas, a file, or curvature.",
@@ -94,32 +92,22 @@ const auto& manifolds() {
       plugin<ManifoldPlugin, MeshManifoldOptions>(
           "mesh", "A triangle mesh in R^3, read from an OBJ, OFF, PLY or STL file.",
           [](const MeshManifoldOptions& o, const BuildContext& c) { return make_mesh_manifold(o, c.folder); })
-          .waiting()
-          .providing(std::string(kMesh))
-          .providing(std::string(kSurface))
-          .providing(std::string(kGraph)),
+          .waiting(),
       plugin<ManifoldPlugin, ParametricOptions>(
           "parametric", "A surface x(u, v) in R^3, by name or by formulas; points are given in u and v.",
-          [](const ParametricOptions& o, const BuildContext&) { return make_parametric_manifold(o); })
-          .providing(std::string(kSurface))
-          .providing(std::string(kSeams)),
+          [](const ParametricOptions& o, const BuildContext&) { return make_parametric_manifold(o); }),
       plugin<ManifoldPlugin, ImplicitManifoldOptions>(
           "implicit", "A surface f(x, y, z) = 0, or a curve f(x, y) = 0: by name or as a formula.",
-          [](const ImplicitManifoldOptions& o, const BuildContext&) { return make_implicit_manifold(o); })
-          .providing(std::string(kSurface))
-          .providing(std::string(kEmbedded)),
+          [](const ImplicitManifoldOptions& o, const BuildContext&) { return make_implicit_manifold(o); }),
       plugin<ManifoldPlugin, ConstraintManifoldOptions>(
           "constraint", "The solutions of equations in R^n: formulas, the n-sphere, the rotations SO(3).",
-          [](const ConstraintManifoldOptions& o, const BuildContext&) { return make_constraint_manifold(o); })
-          .providing(std::string(kEmbedded)),
+          [](const ConstraintManifoldOptions& o, const BuildContext&) { return make_constraint_manifold(o); }),
       plugin<ManifoldPlugin, PointCloudManifoldOptions>(
           "point_cloud", "The smooth surface through a point cloud in R^3, read from a PLY or XYZ file.",
           [](const PointCloudManifoldOptions& o, const BuildContext& c) {
             return make_point_cloud_manifold(o, c.folder);
           })
-          .waiting()
-          .providing(std::string(kSurface))
-          .providing(std::string(kGraph)),
+          .waiting(),
       plugin<ManifoldPlugin, SignedDistanceOptions>(
           "signed_distance",
           "A surface as the zeros of a signed-distance grid, made from a mesh, a cloud or a formula, or read.",
@@ -128,10 +116,7 @@ const auto& manifolds() {
           })
           .waiting()
           .checked_by<SignedDistanceOptions>(
-              [](const SignedDistanceOptions& o, const BuildContext&) { check_signed_distance(o); })
-          .providing(std::string(kEmbedded))
-          .providing(std::string(kSurface))
-          .providing(std::string(kGrid)),
+              [](const SignedDistanceOptions& o, const BuildContext&) { check_signed_distance(o); }),
   };
   return all;
 }
@@ -144,11 +129,10 @@ const auto& initializers() {
                                                              "An arc beside the straight line, to a given side."),
       made_of<InitializerPlugin, DijkstraInitializer, DijkstraOptions>(
           "dijkstra", "The least-cost path along the edges of the mesh, or the neighbour graph of the cloud.")
-          .needing(std::string(kGraph)),
+          .needing<HasGraph>(),
       made_of<InitializerPlugin, PlaneCutInitializer, PlaneCutOptions>(
           "plane_cut", "The closed curve in which a plane cuts the surface, for a ring.")
-          .needing(std::string(kSurface))
-          .providing(std::string(kRing)),
+          .needing<IsSurface>(),
       plugin<InitializerPlugin, RrtOptions>(
           "rrt", "A random tree in the shell around a smooth domain, shortened.",
           [](const RrtOptions& o, const BuildContext& c) { return std::make_shared<const RrtInitializer>(o, c.seed); }),
@@ -156,19 +140,16 @@ const auto& initializers() {
                                                   [](const WaypointsOptions& o, const BuildContext&) {
                                                     return std::make_shared<const WaypointsInitializer>(
                                                         o.points.transpose());
-                                                  })
-          .providing(std::string(kRing)),
+                                                  }),
       made_of<InitializerPlugin, CoordinateCircleInitializer, CoordinateCircleOptions>(
           "coordinate_circle", "A ring on which one coordinate of a chart runs around.")
-          .needing(std::string(kSeams))
-          .providing(std::string(kRing)),
+          .needing<HasSeams>(),
       plugin<InitializerPlugin, FileInitializerOptions>(
           "file", "A path through the points of a text file, such as the path.csv of an earlier run.",
           [](const FileInitializerOptions& o, const BuildContext& c) {
             return std::make_shared<const WaypointsInitializer>(read_waypoints(c.folder / o.file, c.coordinates));
           })
-          .waiting()
-          .providing(std::string(kRing)),
+          .waiting(),
   };
   return all;
 }
@@ -196,14 +177,14 @@ const auto& solvers() {
 const auto& post_processors() {
   static const std::vector<PostProcessorPlugin> all = {
       made_of<PostProcessorPlugin, TracePostProcessor>("trace", "The solved path as a polyline on the mesh.")
-          .needing(std::string(kMesh)),
+          .needing<HasMesh>(),
       made_of<PostProcessorPlugin, StraightenPostProcessor>(
           "straighten", "The exact locally shortest path on the mesh, of the same class as the solved one.")
-          .needing(std::string(kMesh))
-          .needing(std::string(kConstantMetric)),
+          .needing<HasMesh>()
+          .needing<HasConstantMetric>(),
       made_of<PostProcessorPlugin, OnSurfacePostProcessor, OnSurfaceOptions>(
           "on_surface", "The solved path as a polyline that lies on a smooth domain to a tolerance.")
-          .needing(std::string(kEmbedded)),
+          .needing<HasLevelSet>(),
   };
   return all;
 }

@@ -4,18 +4,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <utility>
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/chart/target_images.hpp>
-#include <leastcost/problems/cloud/has_point_cloud.hpp>
-#include <leastcost/problems/distance/has_distance_grid.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/initializers/mirrored.hpp>
-#include <leastcost/problems/mesh/has_mesh.hpp>
+#include <leastcost/problems/manifolds/made_from_data.hpp>
+#include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/registry/registry.hpp"
 #include "catalogue/run/ends.hpp"
@@ -27,7 +27,7 @@ namespace {
 
 /// Where several points stand for the same, the path ends at the one nearest to its source.
 void take_nearest_image(RunParts& out) {
-  const auto* domain = dynamic_cast<const HasImages*>(out.problem.manifold.get());
+  const auto* domain = find_ability<HasImages>(*out.problem.manifold);
   if (domain == nullptr) return;
   const Eigen::VectorXd image = domain->nearest_image(out.target.end.u, out.source.end.u);
   if (image == out.target.end.u) return;
@@ -73,16 +73,17 @@ void add_family(const RunConfig& config, const std::vector<std::shared_ptr<const
   for (std::size_t i = 0; i < others.size(); ++i) out.family.push_back({family.initializers[i].path, others[i]});
 }
 
-/// What the reader of its files has to say about a domain.
-std::vector<std::string> notes_of(const ConstraintManifold& manifold) {
-  if (const auto* points = dynamic_cast<const HasPointCloud*>(&manifold)) {
-    std::vector<std::string> notes = points->cloud().notes();
-    for (std::string& note : points->graph().notes()) notes.push_back(std::move(note));
-    return notes;
-  }
-  if (const auto* mesh = dynamic_cast<const HasMesh*>(&manifold)) return mesh->mesh().notes();
-  if (const auto* sampled = dynamic_cast<const HasDistanceGrid*>(&manifold)) return sampled->notes();
-  return {};
+/// Whether an object lacks an ability that a plug-in needs and its type only may have: the zeros of a function of the
+/// plane are no surface. Throws OptionError for it.
+void check_needs(const PluginChoice& choice, const PluginChoice& giver, const ConstraintManifold& manifold) {
+  if (!choice) return;
+  const std::vector<std::string>& needs = choice.plugin->needs;
+  for_each_ability([&]<class Ability>() {
+    const bool wanted = std::count(needs.begin(), needs.end(), Ability::kAbility) > 0;
+    if (!wanted || !giver.provides<Ability>() || find_ability<Ability>(manifold) != nullptr) return;
+    throw OptionError(choice.path, fmt::format("'{}' needs a manifold with a {}, which this '{}' does not have",
+                                               choice.plugin->type, Ability::kAbility, giver.plugin->type));
+  });
 }
 
 using ManifoldPtr = std::shared_ptr<const ConstraintManifold>;
@@ -132,6 +133,16 @@ void Composer::assume_domain() {
   if (!config_.ring || config_.source) context_.source = Eigen::VectorXd::Zero(3);
 }
 
+/// Of the domain as it was made; what its type cannot have is refused before.
+void Composer::check_all_needs() {
+  const auto check = [&](const PluginChoice& choice) {
+    attempt([&] { check_needs(choice, config_.manifold, *out_.problem.manifold); });
+  };
+  check(config_.initializer);
+  for (const PluginChoice& choice : config_.family.initializers) check(choice);
+  for (const PluginChoice& choice : config_.post_process.value_or(PluginList{})) check(choice);
+}
+
 void Composer::take_domain() {
   const ConstraintManifold& manifold = *out_.problem.manifold;
   const int dimension = manifold.dimensions().ambient;
@@ -139,7 +150,8 @@ void Composer::take_domain() {
   context_.manifold = out_.problem.manifold;
   context_.dimension = dimension;
   context_.coordinates = point_coordinates(manifold);
-  out_.notes = notes_of(manifold);
+  if (const auto* data = find_ability<MadeFromData>(manifold)) out_.notes = data->notes();
+  check_all_needs();
   out_.problem.ring = config_.ring;
   out_.problem.based = config_.ring && config_.source.has_value();
   if (config_.ring && !out_.problem.based) return;

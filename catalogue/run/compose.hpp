@@ -41,6 +41,7 @@ class Composer {
   template <class Made>
   void make_or_check(const PluginChoice& choice, Made& made);
   void assume_domain();
+  void check_all_needs();
   void take_domain();
   void make_parts();
 

@@ -4,69 +4,43 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include <leastcost/framework/errors.hpp>
-#include <leastcost/problems/cloud/has_point_cloud.hpp>
-#include <leastcost/problems/distance/has_distance_grid.hpp>
-#include <leastcost/problems/mesh/has_mesh.hpp>
-#include <leastcost/problems/mesh/surface_path.hpp>
+#include <leastcost/problems/manifolds/file_places.hpp>
+#include <leastcost/problems/manifolds/made_from_data.hpp>
 
 namespace leastcost {
 namespace {
 
-PlacedEnd on_mesh(const TriangleMesh& mesh, const SurfacePoint& p) {
-  const Eigen::VectorXd position = mesh.point(p);
-  return {position, {position, p.face}, 0};
-}
-
-PlacedEnd at_vertex(const TriangleMesh& mesh, int vertex, const std::string& path) {
-  if (vertex < 0 || vertex >= mesh.file_vertex_count())
-    throw OptionError(path + ".vertex",
-                      fmt::format("the mesh has vertices 0 to {}, not {}", mesh.file_vertex_count() - 1, vertex));
-  const std::int32_t here = mesh.vertex_of_file(vertex);
-  if (here < 0) throw OptionError(path + ".vertex", fmt::format("no face of the mesh uses vertex {}", vertex));
-  return on_mesh(mesh, vertex_point(mesh, here));
-}
-
-PlacedEnd on_face(const TriangleMesh& mesh, int face, const std::optional<Eigen::VectorXd>& barycentric,
-                  const std::string& path) {
-  if (face < 0 || face >= mesh.file_face_count())
-    throw OptionError(path + ".face",
-                      fmt::format("the mesh has faces 0 to {}, not {}", mesh.file_face_count() - 1, face));
-  if (!barycentric || barycentric->size() != 3) throw OptionError(path + ".barycentric", "must have three numbers");
-  const double sum = barycentric->sum();
-  constexpr double kRounding = 1e-6;  // what locate() forgives
-  if (!(std::abs(sum - 1) <= kRounding))
-    throw OptionError(path + ".barycentric", fmt::format("the three weights must have the sum 1, not {}", sum));
+/// Calls `place`; an OptionError of the domain gets the path of the end in front of its key.
+template <class Place>
+PathEnd with_path(const std::string& path, Place place) {
   try {
-    return on_mesh(mesh, mesh.locate(face, *barycentric));
-  } catch (const InputError& e) {
-    throw OptionError(path + ".face", e.what());
+    return place();
+  } catch (const OptionError& e) {
+    throw OptionError(path + "." + e.key(), e.what());
   }
 }
 
-PlacedEnd at_sample(const ConstraintManifold& manifold, const PointCloud& cloud, int number, const std::string& path) {
-  const std::int32_t here = cloud.sample_of_file(number);
-  if (here < 0)
-    throw OptionError(path + ".vertex",
-                      fmt::format("the cloud has no point {}, counted from 0, or it repeats an earlier "
-                                  "one and was removed",
-                                  number));
-  const Eigen::VectorXd position = cloud.sample(here).position + cloud.centre();
-  PlacedEnd placed{position, {}, 0};
-  placed.end = project_end(manifold, position, &placed.moved);
+PlacedEnd at_vertex(const ConstraintManifold& manifold, const HasVertices& domain, int number,
+                    const std::string& path) {
+  const PathEnd vertex = with_path(path, [&] { return domain.vertex(number); });
+  PlacedEnd placed{vertex.u, vertex, 0};
+  if (vertex.site == kNoSite) placed.end = project_end(manifold, vertex.u, &placed.moved);
   return placed;
 }
 
-/// A mesh, cloud or grid forgives coordinates that were copied with few digits; elsewhere there is nothing to snap to.
+PlacedEnd on_face(const HasFaces& domain, int face, const std::optional<Eigen::VectorXd>& barycentric,
+                  const std::string& path) {
+  if (!barycentric || barycentric->size() != 3) throw OptionError(path + ".barycentric", "must have three numbers");
+  const PathEnd end = with_path(path, [&] { return domain.on_face(face, *barycentric); });
+  return {end.u, end, 0};
+}
+
+/// Data forgives coordinates that were copied with few digits; elsewhere there is nothing to snap to.
 double default_tolerance(const ConstraintManifold& manifold, const Eigen::VectorXd& point) {
   constexpr double kOfDiameter = 0.01, kRounding = 1e-9;
-  if (const auto* mesh = dynamic_cast<const HasMesh*>(&manifold)) return kOfDiameter * mesh->mesh().diameter();
-  if (const auto* cloud = dynamic_cast<const HasPointCloud*>(&manifold)) return kOfDiameter * cloud->cloud().diameter();
-  if (const auto* sampled = dynamic_cast<const HasDistanceGrid*>(&manifold))
-    return kOfDiameter * (sampled->grid().shape().upper() - sampled->grid().shape().origin).norm();
-  return kRounding * (1 + point.norm());
+  const auto* data = find_ability<MadeFromData>(manifold);
+  return data != nullptr ? kOfDiameter * data->diameter() : kRounding * (1 + point.norm());
 }
 
 PlacedEnd at_point(const ConstraintManifold& manifold, const EndOptions& options, const std::string& path) {
@@ -95,14 +69,16 @@ PlacedEnd at_point(const ConstraintManifold& manifold, const EndOptions& options
 }  // namespace
 
 PlacedEnd place_end(const ConstraintManifold& manifold, const EndOptions& options, const std::string& path) {
-  const auto* mesh = dynamic_cast<const HasMesh*>(&manifold);
-  const bool needs_mesh = options.vertex || options.face;
-  const auto* cloud = dynamic_cast<const HasPointCloud*>(&manifold);
-  if (cloud != nullptr && options.vertex) return at_sample(manifold, cloud->cloud(), *options.vertex, path);
-  if (needs_mesh && mesh == nullptr)
-    throw OptionError(path, "vertices and faces are ends on a mesh only: give {point: [..]}");
-  if (options.vertex) return at_vertex(mesh->mesh(), *options.vertex, path);
-  if (options.face) return on_face(mesh->mesh(), *options.face, options.barycentric, path);
+  if (options.vertex) {
+    if (const auto* domain = find_ability<HasVertices>(manifold))
+      return at_vertex(manifold, *domain, *options.vertex, path);
+    throw OptionError(path + ".vertex", "the manifold has no vertices: give {point: [..]}");
+  }
+  if (options.face) {
+    if (const auto* domain = find_ability<HasFaces>(manifold))
+      return on_face(*domain, *options.face, options.barycentric, path);
+    throw OptionError(path + ".face", "the manifold has no faces: give {point: [..]}");
+  }
   return at_point(manifold, options, path);
 }
 

@@ -10,7 +10,7 @@
 namespace leastcost {
 
 /// Puts an end of the configuration onto the manifold. `path` ("ends.source") is for messages. Throws OptionError where
-/// the mesh (cloud) has no such vertex or face (point), or the point is farther away than its tolerance.
+/// the domain has no such vertex or face, or the point is farther away than its tolerance.
 PlacedEnd place_end(const ConstraintManifold& manifold, const EndOptions& options, const std::string& path);
 
 }  // namespace leastcost

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/registry/registry.hpp"
 #include "catalogue/yaml/scalars.hpp"
@@ -24,12 +25,12 @@ std::string default_type(std::string_view part, const PluginEntry* manifold, boo
     return manifold != nullptr && std::count(manifold->provides.begin(), manifold->provides.end(), ability) > 0;
   };
   if (part == "kernel") return "expm1_square";
-  if (part == "initializer") return ring ? "" : has(kGraph) ? "dijkstra" : "straight";
-  return has(kMesh) ? "lbfgs" : "newton";  // the solver
+  if (part == "initializer") return ring ? "" : has(HasGraph::kAbility) ? "dijkstra" : "straight";
+  return has(HasMesh::kAbility) ? "lbfgs" : "newton";  // the solver
 }
 
 void complete(RunConfig& config) {
-  const bool mesh = config.manifold.provides(std::string(kMesh));
+  const bool mesh = config.manifold.provides<HasMesh>();
   const auto fill = [&](const char* part, PluginChoice& choice) {
     const std::string type = default_type(part, config.manifold.plugin, config.ring);
     if (!choice && !type.empty()) choice = default_plugin(part, type.c_str(), part);
@@ -39,17 +40,24 @@ void complete(RunConfig& config) {
   fill("solver", config.solver);
   if (config.post_process) return;
   PluginList& steps = config.post_process.emplace();
-  if (config.manifold.provides(std::string(kEmbedded)))
+  if (config.manifold.provides<HasLevelSet>())
     steps.push_back(default_plugin("post_processor", "on_surface", "post_process.0"));
   if (mesh) steps.push_back(default_plugin("post_processor", "trace", "post_process.0"));
-  if (mesh && config.cost.provides(std::string(kConstantMetric)))
+  if (mesh && config.cost.provides<HasConstantMetric>())
     steps.push_back(default_plugin("post_processor", "straighten", "post_process.1"));
+}
+
+/// Whether it is something that costs have, not manifolds.
+bool of_costs(const std::string& ability) {
+  const auto& costs = kind("cost").entries;
+  return std::any_of(costs.begin(), costs.end(),
+                     [&](const PluginEntry* e) { return choose(*e, "").provides(ability); });
 }
 
 void check_needs(LoadedConfig& loaded, const PluginChoice& choice) {
   if (!choice || !loaded.config.manifold || !loaded.config.cost) return;
   for (const std::string& need : choice.plugin->needs) {
-    const bool of_cost = need == kConstantMetric;
+    const bool of_cost = of_costs(need);
     const PluginChoice& giver = of_cost ? loaded.config.cost : loaded.config.manifold;
     if (giver.provides(need)) continue;
     loaded.errors.error(place_of(loaded.tree, choice.path),
@@ -71,17 +79,17 @@ void check_ends(LoadedConfig& loaded) {
   } else if (!config.ring && ends == nullptr && loaded.tree.is_block()) {
     loaded.errors.error(loaded.place, "missing key 'ends': the source and target of the path, or path.ring: true");
   }
-  if (!config.manifold || config.manifold.provides(std::string(kMesh))) return;
+  if (!config.manifold) return;
+  const bool has_vertices = config.manifold.provides<HasVertices>(), has_faces = config.manifold.provides<HasFaces>();
   for (const char* path : {"ends.source", "ends.target"}) {
     const std::optional<EndOptions>& end = std::string_view(path) == "ends.source" ? config.source : config.target;
-    if (!end || (!end->vertex && !end->face)) continue;
-    const std::string key = std::string(path) + (end->vertex ? ".vertex" : ".face");
-    const bool has_samples = config.manifold.provides(std::string(kGraph));  // a point of a cloud
-    if (!end->face && has_samples) continue;
-    loaded.errors.error(
-        place_of(loaded.tree, key),
-        fmt::format("'{}' has no {}; an end on it is {{point: [..]}}{}", config.manifold.plugin->type,
-                    end->face ? "faces" : "vertices", has_samples ? " or {vertex: .., a sample of the file}" : ""));
+    if (!end) continue;
+    const bool fits = end->face ? has_faces : !end->vertex || has_vertices;
+    if (fits) continue;
+    loaded.errors.error(place_of(loaded.tree, std::string(path) + (end->vertex ? ".vertex" : ".face")),
+                        fmt::format("'{}' has no {}; an end on it is {{point: [..]}}{}", config.manifold.plugin->type,
+                                    end->face ? HasFaces::kAbility : HasVertices::kAbility,
+                                    has_vertices ? " or {vertex: .., a sample of the file}" : ""));
   }
 }
 
@@ -90,7 +98,7 @@ std::string ring_initializers(const PluginChoice& manifold) {
   std::vector<std::string> fitting;
   for (const PluginEntry* entry : kind("initializer").entries) {
     const auto met = [&](const std::string& need) { return !manifold || manifold.provides(need); };
-    if (choose(*entry, "").provides(std::string(kRing)) && std::all_of(entry->needs.begin(), entry->needs.end(), met))
+    if (choose(*entry, "").provides<MakesRings>() && std::all_of(entry->needs.begin(), entry->needs.end(), met))
       fitting.push_back(entry->type);
   }
   std::string text = fitting.front();
@@ -105,20 +113,20 @@ void check_family(LoadedConfig& loaded) {
   };
   if (config.family.windings > 0 && config.ring)
     refuse("windings", "lists images of the target, and a ring has none: give other first rings (family.initializers)");
-  else if (config.family.windings > 0 && config.manifold && !config.manifold.provides(std::string(kSeams)))
+  else if (config.family.windings > 0 && config.manifold && !config.manifold.provides<HasSeams>())
     refuse("windings", "needs a manifold with a chart with seams");
   if (config.family.bows > 0 && config.ring)
     refuse("bows", "bows the line between two ends, and a ring has none: give other first rings (family.initializers)");
   if (config.family.routes > 1 && config.ring)
     refuse("routes",
            "lists routes between two ends, and a ring has none: give other first rings (family.initializers)");
-  else if (config.family.routes > 1 && config.manifold && !config.manifold.provides(std::string(kGraph)))
+  else if (config.family.routes > 1 && config.manifold && !config.manifold.provides<HasGraph>())
     refuse("routes", "needs a manifold with a graph: a mesh or a point cloud");
   if (config.family.mirrored && config.ring)
     refuse("mirrored", "mirrors a path at its ends, and a ring has none: give other first rings (family.initializers)");
   if (!config.ring) return;
   for (const PluginChoice& choice : config.family.initializers)
-    if (choice && !choice.provides(std::string(kRing)))
+    if (choice && !choice.provides<MakesRings>())
       loaded.errors.error(place_of(loaded.tree, choice.path),
                           fmt::format("'{}' joins two ends and a ring has none: use {}", choice.plugin->type,
                                       ring_initializers(config.manifold)));
@@ -132,7 +140,7 @@ void check_ring(LoadedConfig& loaded) {
       loaded.errors.error(
           place_of(loaded.tree, "path.ring"),
           "a ring has no ends to start from: it needs an initializer: " + ring_initializers(config.manifold));
-  } else if (!config.initializer.provides(std::string(kRing))) {
+  } else if (!config.initializer.provides<MakesRings>()) {
     loaded.errors.error(place_of(loaded.tree, "initializer"),
                         fmt::format("'{}' joins two ends and a ring has none: use {}", config.initializer.plugin->type,
                                     ring_initializers(config.manifold)));
@@ -145,7 +153,7 @@ void check_points(LoadedConfig& loaded) {
   constexpr int kFewestInRing = 3;
   if (config.ring && config.points.value_or(kFewestInRing) < kFewestInRing)
     loaded.errors.error(place, fmt::format("a ring needs at least {} points", kFewestInRing));
-  if (config.points || !config.manifold || config.manifold.provides(std::string(kGraph))) return;
+  if (config.points || !config.manifold || config.manifold.provides<HasGraph>()) return;
   loaded.errors.error(
       place, fmt::format("'auto' takes the number of points from the first path along edges, and '{}' has none: "
                          "give a number",

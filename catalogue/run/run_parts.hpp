@@ -32,7 +32,7 @@ struct RunParts {
   std::vector<FamilyWay> family;  ///< besides the initializer; empty, and no windings: one path is sought
   int windings = 0;               ///< of the family: images of the target up to so many turns on
   std::shared_ptr<const Solver> solver;
-  FindOptions options;  ///< the post-processors among them
+  FindOptions options;       ///< the post-processors among them
   PlacedEnd source, target;  ///< where problem.source and problem.target came from; empty in a ring
   std::vector<std::string> notes;
 

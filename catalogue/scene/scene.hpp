@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,20 +12,9 @@
 #include <leastcost/framework/family.hpp>
 #include <leastcost/framework/find_path.hpp>
 #include <leastcost/framework/problem.hpp>
+#include <leastcost/problems/drawing/draws_itself.hpp>
 
 namespace leastcost {
-
-/// Triangles in space, for drawing only.
-struct TriangleSoup {
-  std::vector<Eigen::Vector3d> vertices;
-  std::vector<std::array<int, 3>> triangles;
-};
-
-/// Points of a surface in space that are drawn as small discs.
-struct Surfels {
-  std::vector<Eigen::Vector3d> positions, normals;
-  double spacing = 0;  ///< typical distance of neighbours, length units
-};
 
 /// A function of the plane, sampled on a regular grid over a rectangle, the corners included.
 struct Raster {
@@ -41,18 +29,12 @@ struct SceneLines {
   std::vector<Points> others;  ///< of the family of the path
 };
 
-/// A path and what surrounds it, ready to be drawn: the domain, as far as its abilities show it. Above three dimensions
-/// nothing is drawn, and everything but the dimension is empty.
-struct Scene {
+/// A path and what surrounds it, ready to be drawn: the domain, if it draws itself. Above three dimensions nothing is
+/// drawn, and everything but the dimension is empty.
+struct Scene : Drawing {
   int dimension = 0;  ///< of the ambient space
   SceneLines lines;
-  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
-  TriangleSoup surface;            ///< of a two-dimensional domain in space
-  Surfels surfels;                 ///< of a point cloud
-  std::vector<Points> curves;      ///< of a domain that is a curve in the plane: polylines, 2 x m
-  Eigen::VectorXd lower, upper;    ///< of a box in the ambient space, entries may be infinite; empty: none
-  std::optional<Raster> cost;      ///< of the plane: cost per unit of length, the mean over all directions
-  std::vector<std::string> notes;  ///< what is not shown as it is
+  std::optional<Raster> cost;  ///< of the plane: cost per unit of length, the mean over all directions
 };
 
 /// Draws the domain of a problem around its result. `others`: more paths of its family. Takes some tens of

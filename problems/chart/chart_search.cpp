@@ -20,9 +20,10 @@ constexpr int kMostSteps = 40;  ///< Gauss-Newton
 class ChartSearch {
  public:
   ChartSearch(const ConstraintManifold& surface, const Eigen::Vector3d& position)
-      : surface_(surface), chart_(dynamic_cast<const HasChart&>(surface)), position_(position) {}
+      : surface_(surface), chart_(find_ability<HasChart>(surface)), position_(position) {}
 
   std::vector<Eigen::VectorXd> run() {
+    if (chart_ == nullptr) return {};
     std::vector<Found> found;
     const auto [low, high] = ranges();
     for (int i = 0; i < kGrid; ++i)
@@ -63,7 +64,7 @@ class ChartSearch {
       }
       low[i] = std::min(low[i], high[i]);
     }
-    if (const auto* domain = dynamic_cast<const HasSeams*>(&surface_))
+    if (const auto* domain = find_ability<HasSeams>(surface_))
       for (const Seam& seam : domain->seams()) high[seam.coordinate] = low[seam.coordinate] + seam.period;
     return {low, high};
   }
@@ -71,7 +72,7 @@ class ChartSearch {
   double distance(const Eigen::VectorXd& u) {
     one_.u = u;
     if (!surface_.project(one_).failed.empty()) return std::numeric_limits<double>::infinity();
-    chart_.embed(one_, x_);
+    chart_->embed(one_, x_);
     return (x_.col(0) - position_).norm();
   }
 
@@ -79,8 +80,8 @@ class ChartSearch {
     Points j;
     for (int i = 0; i < kMostSteps; ++i) {
       one_.u = f.u;
-      chart_.embed(one_, x_);
-      chart_.jacobians(one_, j);
+      chart_->embed(one_, x_);
+      chart_->jacobians(one_, j);
       const Eigen::Vector2d step =
           (j.transpose() * j).ldlt().solve(j.transpose() * (position_ - Eigen::Vector3d(x_.col(0))));
       if (!step.allFinite() || step.norm() <= 1e-12 * (1 + f.u.norm())) return;
@@ -97,7 +98,7 @@ class ChartSearch {
   }
 
   const ConstraintManifold& surface_;
-  const HasChart& chart_;
+  const HasChart* chart_;
   Eigen::Vector3d position_;
   CoordinatePath one_{Points(2, 1), {}, true};
   Points x_;

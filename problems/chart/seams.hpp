@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include <leastcost/framework/path.hpp>
@@ -22,6 +23,7 @@ struct Seam {
 /// winding.
 class HasSeams {
  public:
+  static constexpr std::string_view kAbility = "chart with seams";
   virtual ~HasSeams() = default;
   virtual const std::vector<Seam>& seams() const = 0;
 };

@@ -8,10 +8,10 @@ namespace leastcost {
 
 std::vector<TargetImage> target_images(const Problem& problem, int turns) {
   std::vector<TargetImage> all;
-  const auto* domain = dynamic_cast<const HasSeams*>(problem.manifold.get());
+  const auto* domain = find_ability<HasSeams>(*problem.manifold);
   if (domain == nullptr || problem.ring) return all;
   const std::vector<Seam>& seams = domain->seams();
-  const auto* chart = dynamic_cast<const HasChart*>(problem.manifold.get());
+  const auto* chart = find_ability<HasChart>(*problem.manifold);
   const std::vector<SeamMap> poles = chart != nullptr ? chart->poles() : std::vector<SeamMap>();
   const auto count = static_cast<Index>(seams.size());
   Eigen::VectorXi winding = Eigen::VectorXi::Constant(count, -turns);

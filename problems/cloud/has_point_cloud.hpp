@@ -8,7 +8,7 @@
 
 namespace leastcost {
 
-/// Ability: the domain is the surface of a point cloud, so paths can be searched along its neighbour graph.
+/// Ability: the domain is the surface of a point cloud.
 class HasPointCloud {
  public:
   virtual ~HasPointCloud() = default;

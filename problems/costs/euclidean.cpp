@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/costs/euclidean.hpp>
 
-#include <leastcost/framework/has_constant_metric.hpp>
 #include <leastcost/framework/segment_cost_function.hpp>
 
 namespace leastcost {
@@ -37,15 +36,15 @@ struct Euclidean {
 };
 
 template <int D>
-class EuclideanCost final : public SegmentCostOf<Euclidean<D>>, public HasConstantMetric {
+class EuclideanCost final : public SegmentCostOf<Euclidean<D>, ConstantMetricCost> {
  public:
-  explicit EuclideanCost(int dim) : SegmentCostOf<Euclidean<D>>({}, dim) {}
+  explicit EuclideanCost(int dim) : SegmentCostOf<Euclidean<D>, ConstantMetricCost>({}, dim) {}
   Eigen::MatrixXd metric() const override { return Eigen::MatrixXd::Identity(this->dim(), this->dim()); }
 };
 
 }  // namespace
 
-std::shared_ptr<const SegmentCost> make_euclidean_cost(int dim) {
+std::shared_ptr<const ConstantMetricCost> make_euclidean_cost(int dim) {
   if (dim == 2) return std::make_shared<EuclideanCost<2>>(dim);
   if (dim == 3) return std::make_shared<EuclideanCost<3>>(dim);
   return std::make_shared<EuclideanCost<Eigen::Dynamic>>(dim);

@@ -4,11 +4,11 @@
 
 #include <memory>
 
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/has_constant_metric.hpp>
 
 namespace leastcost {
 
 /// c(a, b) = |b - a|, VFCS Eq. (9), in an ambient space of any dimension up to kMaxDimension.
-std::shared_ptr<const SegmentCost> make_euclidean_cost(int dim);
+std::shared_ptr<const ConstantMetricCost> make_euclidean_cost(int dim);
 
 }  // namespace leastcost

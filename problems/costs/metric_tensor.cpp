@@ -47,10 +47,12 @@ struct MetricTensor {
 };
 
 template <int D>
-class MetricTensorCost final : public SegmentCostOf<MetricTensor<D>>, public HasConstantMetric {
+class MetricTensorCost final : public SegmentCostOf<MetricTensor<D>, ConstantMetricCost> {
+  using Base = SegmentCostOf<MetricTensor<D>, ConstantMetricCost>;
+
  public:
   explicit MetricTensorCost(const Eigen::MatrixXd& m)
-      : SegmentCostOf<MetricTensor<D>>({m, Eigen::MatrixXd(m.llt().matrixU())}, static_cast<int>(m.rows())) {}
+      : Base({m, Eigen::MatrixXd(m.llt().matrixU())}, static_cast<int>(m.rows())) {}
   Eigen::MatrixXd metric() const override { return this->function().m; }
 };
 
@@ -75,7 +77,7 @@ void MetricTensorOptions::fields(FieldVisitor& visit) {
        .required = true});
 }
 
-std::shared_ptr<const SegmentCost> make_metric_tensor_cost(const MetricTensorOptions& options, int dim) {
+std::shared_ptr<const ConstantMetricCost> make_metric_tensor_cost(const MetricTensorOptions& options, int dim) {
   check_matrix(options.matrix, dim);
   const Eigen::MatrixXd m = (options.matrix + options.matrix.transpose()) / 2;
   if (dim == 2) return std::make_shared<MetricTensorCost<2>>(m);

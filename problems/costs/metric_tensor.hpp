@@ -4,8 +4,8 @@
 
 #include <memory>
 
+#include <leastcost/framework/has_constant_metric.hpp>
 #include <leastcost/framework/options.hpp>
-#include <leastcost/framework/segment_cost.hpp>
 
 namespace leastcost {
 
@@ -17,6 +17,6 @@ struct MetricTensorOptions {
 /// c(a, b) = sqrt((b - a)' M (b - a)), M symmetric positive definite, d x d, in the ambient space; on a surface it is
 /// the metric that M induces on the tangent planes. (M is the metric tensor; VFCS Sec. 4.5 uses T = M^(1/2).) Throws
 /// OptionError.
-std::shared_ptr<const SegmentCost> make_metric_tensor_cost(const MetricTensorOptions& options, int dim);
+std::shared_ptr<const ConstantMetricCost> make_metric_tensor_cost(const MetricTensorOptions& options, int dim);
 
 }  // namespace leastcost

@@ -16,8 +16,8 @@ namespace {
 constexpr double kMeshFit = 2.5;  ///< local spacings: 23 vertices of a regular mesh
 
 SurfaceSamples samples_on(TensorPlace on, const ConstraintManifold* domain) {
-  const auto* mesh = dynamic_cast<const HasMesh*>(domain);
-  const auto* cloud = dynamic_cast<const HasPointCloud*>(domain);
+  const auto* mesh = find_ability<HasMesh>(domain);
+  const auto* cloud = find_ability<HasPointCloud>(domain);
   if (mesh == nullptr && cloud == nullptr)
     throw OptionError("field.type", "tensors given on data need a mesh or a point cloud as the manifold");
   if (on == TensorPlace::points && cloud == nullptr)
@@ -81,8 +81,8 @@ std::shared_ptr<const TensorSamples> tensors_from_file(const TensorFileOptions& 
 
 std::shared_ptr<const TensorSamples> tensors_from_curvature(const CurvatureMetricOptions& options,
                                                             const ConstraintManifold* domain) {
-  const auto* cloud = dynamic_cast<const HasPointCloud*>(domain);
-  if (cloud == nullptr && dynamic_cast<const HasMesh*>(domain) == nullptr)
+  const auto* cloud = find_ability<HasPointCloud>(domain);
+  if (cloud == nullptr && find_ability<HasMesh>(domain) == nullptr)
     throw OptionError("field.type", "curvature needs a mesh or a point cloud as the manifold");
   const SurfaceSamples samples = samples_on(TensorPlace::automatic, domain);
   if (options.radius && !(*options.radius > 0)) throw OptionError("field.radius", "must be greater than 0");

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
-#include <vector>
+#include <string_view>
 
 #include <leastcost/problems/distance/distance_grid.hpp>
 
@@ -12,9 +11,9 @@ namespace leastcost {
 /// Ability: the domain is the zero set of a sampled distance.
 class HasDistanceGrid {
  public:
+  static constexpr std::string_view kAbility = "distance grid";
   virtual ~HasDistanceGrid() = default;
   virtual const DistanceGrid& grid() const = 0;
-  virtual const std::vector<std::string>& notes() const = 0;  ///< what a user should know about how it was made
 };
 
 }  // namespace leastcost

@@ -21,7 +21,7 @@ std::vector<std::string> coordinate_names(int dimension) {
 }
 
 std::vector<std::string> point_coordinates(const ConstraintManifold& manifold) {
-  if (dynamic_cast<const HasChart*>(&manifold)) return {"u", "v"};
+  if (const auto* chart = find_ability<HasChart>(manifold)) return chart->coordinate_names();
   return coordinate_names(manifold.dimensions().coordinate);
 }
 

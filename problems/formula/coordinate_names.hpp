@@ -13,7 +13,7 @@ namespace leastcost {
 std::vector<std::string> coordinate_names(int dimension);
 /// x0 .. x{n-1}.
 std::vector<std::string> numbered_names(const std::string& name, int count);
-/// The names of the coordinates in which points of a domain are given: u, v in a chart, elsewhere those of its space.
+/// The names of the coordinates in which points of a domain are given: those of its chart, elsewhere of its space.
 std::vector<std::string> point_coordinates(const ConstraintManifold& manifold);
 
 }  // namespace leastcost

@@ -55,9 +55,4 @@ double AwayFromRoutes::line_element(const Eigen::VectorXd& x, const Eigen::Vecto
   return cost_->line_element(x, v);
 }
 
-std::string AwayFromRoutes::why_infinite(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
-  const auto* explains = dynamic_cast<const ExplainsInfinity*>(cost_.get());
-  return explains != nullptr ? explains->why_infinite(a, b) : "";
-}
-
 }  // namespace leastcost

@@ -6,18 +6,23 @@
 #include <string>
 #include <vector>
 
+#include <leastcost/framework/has_constant_metric.hpp>
 #include <leastcost/framework/segment_cost.hpp>
 
 namespace leastcost {
 
 /// For graph searches: the cost of moves in R^3, multiplied near routes that were found before, so that the next route
 /// takes another way. By `factor` on a route, by less beside it, by 1 from the distance `reach` on. Derivatives and the
-/// line element are those of the cost itself.
-class AwayFromRoutes final : public SegmentCost, public ExplainsInfinity {
+/// line element are those of the cost itself, and so are its abilities, but for those that say what its values are.
+class AwayFromRoutes final : public SegmentCost {
  public:
   /// routes: 3 x m polylines. reach: length units, > 0.
   AwayFromRoutes(std::shared_ptr<const SegmentCost> cost, std::vector<Points> routes, double factor, double reach);
 
+  const SegmentCost* decorated(const std::type_info& ability) const override {
+    const bool of_values = ability == typeid(HasConstantMetric) || ability == typeid(FollowsDomain);
+    return of_values ? nullptr : cost_.get();
+  }
   int dim() const override { return cost_->dim(); }
   const CostTraits& traits() const override { return traits_; }
   void squared_costs(const AmbientPath& path, std::span<double> q) const override;

@@ -33,7 +33,7 @@ CoordinateCircleInitializer::CoordinateCircleInitializer(CoordinateCircleOptions
     : options_(std::move(options)) {}
 
 FirstPath CoordinateCircleInitializer::first_path(const Problem& problem, const Monitor&) const {
-  const auto* domain = dynamic_cast<const HasSeams*>(problem.manifold.get());
+  const auto* domain = find_ability<HasSeams>(*problem.manifold);
   if (!problem.ring) throw InitializationError("a coordinate circle is a ring (path.ring: true)");
   if (domain == nullptr) throw InitializationError("a coordinate circle needs a chart with seams");
   const int d = problem.manifold->dimensions().coordinate;

@@ -15,7 +15,7 @@ struct CoordinateCircleOptions {
 };
 
 /// A ring around a chart with seams: one coordinate runs through its period, the others stay. VFCS 6.1.
-class CoordinateCircleInitializer final : public Initializer {
+class CoordinateCircleInitializer final : public Initializer, public MakesRings {
  public:
   explicit CoordinateCircleInitializer(CoordinateCircleOptions options);
   std::string_view name() const override { return "coordinate_circle"; }

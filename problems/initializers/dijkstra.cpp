@@ -8,32 +8,22 @@
 #include <vector>
 
 #include <leastcost/framework/errors.hpp>
-#include <leastcost/problems/mesh/edge_graph.hpp>
+#include <leastcost/framework/has_graph.hpp>
 #include <leastcost/problems/straighten/geodesic.hpp>
-#include "problems/cloud/cloud_route.hpp"
 #include "problems/initializers/away_from_routes.hpp"
-#include "problems/mesh/edge_route.hpp"
 #include "problems/mesh/mesh_curve.hpp"
 
 namespace leastcost {
 
 namespace {
 
-struct Route {
-  SurfacePath path;
-  int graph_vertices = 0;
-};
-
-Route along_edges(const Problem& problem, const TriangleMesh& mesh, const SurfacePoint& source,
-                  const SurfacePoint& target, const Monitor& monitor) {
-  EdgeGraphSearch search(mesh);
-  EdgePath route = edge_route(problem, mesh, search, source, target, monitor);
-  const int vertices = static_cast<int>(route.path.points.size()) - 2;
-  return {std::move(route.path), vertices};
-}
-
-Route best_straightened(const Problem& problem, const TriangleMesh& mesh, const SurfacePoint& source,
-                        const SurfacePoint& target, int routes, const Monitor& monitor) {
+FirstPath best_straightened(const Problem& problem, int routes, const Monitor& monitor) {
+  const auto* domain = find_ability<HasMesh>(*problem.manifold);
+  if (domain == nullptr)
+    throw InputError("dijkstra with more than one route needs a mesh; use routes: 1 on other domains");
+  const TriangleMesh& mesh = domain->mesh();
+  const SurfacePoint source = point_on_face(mesh, problem.source.site, problem.source.u);
+  const SurfacePoint target = point_on_face(mesh, problem.target.site, problem.target.u);
   const std::optional<MetricRoot> metric = constant_metric(problem);
   if (!metric)
     throw InputError(
@@ -43,27 +33,9 @@ Route best_straightened(const Problem& problem, const TriangleMesh& mesh, const 
   Geodesic best = GeodesicSearch(mesh).shortest(source, target, options);
   if (best.first.outcome == EdgePathOutcome::stopped) throw Interrupted(best.first.failure());
   if (!best.found()) throw InitializationError(best.first.failure());
-  const int vertices = static_cast<int>(best.first.path.points.size()) - 2;
-  return {std::move(best.result.path), vertices};
-}
-
-FirstPath along_cloud(const Problem& problem, const HasPointCloud& domain, const Monitor& monitor) {
-  const CloudRoute route = cloud_route(problem, domain, monitor);
   FirstPath first;
-  first.path.u.resize(3, static_cast<Index>(route.points.size()));
-  for (std::size_t i = 0; i < route.points.size(); ++i) first.path.u.col(static_cast<Index>(i)) = route.points[i];
-  first.graph_vertices = route.vertices;
-  return first;
-}
-
-FirstPath along_mesh(const Problem& problem, const TriangleMesh& mesh, int routes, const Monitor& monitor) {
-  const SurfacePoint source = point_on_face(mesh, problem.source.site, problem.source.u);
-  const SurfacePoint target = point_on_face(mesh, problem.target.site, problem.target.u);
-  Route route = routes > 1 ? best_straightened(problem, mesh, source, target, routes, monitor)
-                           : along_edges(problem, mesh, source, target, monitor);
-  FirstPath first;
-  first.path = as_coordinates(route.path);
-  first.graph_vertices = route.graph_vertices;
+  first.path = as_coordinates(best.result.path);
+  first.graph_vertices = static_cast<int>(best.first.path.points.size()) - 2;
   return first;
 }
 
@@ -106,14 +78,10 @@ FirstPath DijkstraInitializer::first_path(const Problem& problem, const Monitor&
   if (problem.ring) throw InitializationError("a ring has no ends to join: give waypoints");
   if (options_.rank > 1 && options_.routes > 1)
     throw OptionError("rank", "goes with routes: 1; the best of two routes has no second best");
-  if (const auto* cloud = dynamic_cast<const HasPointCloud*>(problem.manifold.get())) {
-    if (options_.routes > 1)
-      throw InputError("dijkstra with more than one route needs a mesh; use routes: 1 on a point cloud");
-    return ranked(problem, options_.rank, [&](const Problem& p) { return along_cloud(p, *cloud, monitor); });
-  }
-  const TriangleMesh& mesh = mesh_of(problem, "initializer dijkstra").mesh();
-  return ranked(problem, options_.rank,
-                [&](const Problem& p) { return along_mesh(p, mesh, options_.routes, monitor); });
+  const auto* domain = find_ability<HasGraph>(*problem.manifold);
+  if (domain == nullptr) throw InputError("initializer dijkstra needs a domain with a graph: a mesh or a point cloud");
+  if (options_.routes > 1) return best_straightened(problem, options_.routes, monitor);
+  return ranked(problem, options_.rank, [&](const Problem& p) { return domain->least_cost_edges(p, monitor); });
 }
 
 }  // namespace leastcost

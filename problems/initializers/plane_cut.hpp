@@ -17,7 +17,7 @@ struct PlaneCutOptions {
 /// given point, on a smooth surface one near to it (smooth_section). Vertices, edges and faces that lie in the plane
 /// are no trouble. Throws InitializationError where the plane misses the surface, touches it only, or cuts it in no
 /// closed curve, and where the path is no ring; InputError where the domain is no surface.
-class PlaneCutInitializer final : public Initializer {
+class PlaneCutInitializer final : public Initializer, public MakesRings {
  public:
   /// Throws OptionError for a point or normal that is not three finite numbers, and for a zero normal.
   explicit PlaneCutInitializer(const PlaneCutOptions& options);

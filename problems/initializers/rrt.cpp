@@ -223,7 +223,7 @@ FirstPath RrtInitializer::first_path(const Problem& problem, const Monitor& moni
   if (problem.ring) throw InitializationError("a ring has no ends to join: give waypoints");
   if (problem.manifold->shape() == Shape::polyhedral)
     throw InitializationError("rrt works on smooth domains; a mesh has edges: use dijkstra");
-  if (dynamic_cast<const HasChart*>(problem.manifold.get()) != nullptr)
+  if (find_ability<HasChart>(*problem.manifold) != nullptr)
     throw InitializationError(
         "rrt works in the space around a domain; a chart has none: use straight, bow or waypoints");
   const double distance = (problem.target.u - problem.source.u).norm();

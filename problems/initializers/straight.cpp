@@ -81,7 +81,7 @@ CoordinatePath project_continuously(const Problem& problem) {
 FirstPath StraightInitializer::first_path(const Problem& problem, const Monitor&) const {
   if (problem.ring) throw InitializationError("a ring has no ends to join: give waypoints");
   FirstPath first;
-  const bool chart = dynamic_cast<const HasChart*>(problem.manifold.get()) != nullptr;
+  const bool chart = find_ability<HasChart>(*problem.manifold) != nullptr;
   if (chart || problem.manifold->shape() == Shape::flat) {
     first.path = find_finite(problem);
   } else if (problem.manifold->shape() == Shape::smooth) {

@@ -97,7 +97,7 @@ FirstPath WaypointsInitializer::first_path(const Problem& problem, const Monitor
   if (problem.ring && waypoints_.cols() < 3) throw OptionError("points", "a ring needs at least 3 waypoints");
   FirstPath first;
   first.path = stops(problem, waypoints_);
-  if (const auto* domain = dynamic_cast<const HasMesh*>(problem.manifold.get())) {
+  if (const auto* domain = find_ability<HasMesh>(*problem.manifold)) {
     first.path = join_on_mesh(problem, domain->mesh(), first.path, monitor);
     first.graph_vertices = static_cast<int>(first.path.u.cols()) - 2;
   }
@@ -106,8 +106,7 @@ FirstPath WaypointsInitializer::first_path(const Problem& problem, const Monitor
     first.path.ring = true;
     first.path.u.conservativeResize(Eigen::NoChange, first.path.u.cols() - 1);
     if (!first.path.sites.empty()) first.path.sites.pop_back();
-    if (const auto* seams = dynamic_cast<const HasSeams*>(problem.manifold.get()))
-      close_across_seams(*seams, first.path);
+    if (const auto* seams = find_ability<HasSeams>(*problem.manifold)) close_across_seams(*seams, first.path);
   }
   return first;
 }

@@ -21,7 +21,7 @@ struct FileInitializerOptions {
 
 /// A path through given points, in order: projected onto the domain and joined by the least-cost edge path on a mesh,
 /// by straight moves elsewhere. In a ring the last is joined to the first.
-class WaypointsInitializer final : public Initializer {
+class WaypointsInitializer final : public Initializer, public MakesRings {
  public:
   /// `waypoints`: d x m. Throws OptionError when there is none or a number is not finite.
   explicit WaypointsInitializer(Points waypoints);

@@ -55,4 +55,10 @@ int EuclideanManifold::active_bounds(const CoordinatePath& path, Index column, E
   return box_.bounded() ? box_.active(path.u.col(column), normals) : 0;
 }
 
+void EuclideanManifold::draw(const DrawnPaths&, Drawing& out) const {
+  if (box_.lower().array().isInf().all() && box_.upper().array().isInf().all()) return;
+  out.lower = box_.lower();
+  out.upper = box_.upper();
+}
+
 }  // namespace leastcost

@@ -6,6 +6,7 @@
 
 #include <leastcost/framework/manifold.hpp>
 #include <leastcost/framework/options.hpp>
+#include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/manifolds/box.hpp>
 
 namespace leastcost {
@@ -17,7 +18,7 @@ struct EuclideanManifoldOptions {
 };
 
 /// R^d, or a box in it.
-class EuclideanManifold final : public ConstraintManifold, public HasBounds {
+class EuclideanManifold final : public ConstraintManifold, public HasBounds, public DrawsItself {
  public:
   /// Throws OptionError when the box does not fit the dimension or is empty.
   explicit EuclideanManifold(const EuclideanManifoldOptions& options);
@@ -29,6 +30,8 @@ class EuclideanManifold final : public ConstraintManifold, public HasBounds {
   void retract(const CoordinatePath& from, const Points& step, CoordinatePath& to) const override;
   double residual(const CoordinatePath& path) const override;
   int active_bounds(const CoordinatePath& path, Index column, Eigen::Ref<Points> normals) const override;
+  /// Its box, where it has one.
+  void draw(const DrawnPaths& paths, Drawing& out) const override;
 
  private:
   int dimension_;

@@ -12,6 +12,7 @@
 
 #include <leastcost/framework/errors.hpp>
 #include "framework/point_text.hpp"
+#include "problems/drawing/domain_shapes.hpp"
 
 namespace leastcost {
 namespace {
@@ -186,6 +187,14 @@ std::string LevelSet::why_not_projected(const Eigen::VectorXd& x) const {
   out.precision(3);
   out << "no solution of the equations was found: |F| = " << value.norm() << ' ' << where << " (the set may be empty)";
   return out.str();
+}
+
+void LevelSet::draw(const DrawnPaths& paths, Drawing& out) const {
+  if (function_->outputs() != 1) return;
+  if (dimensions().ambient == 3)
+    out.surface = level_surface(*this, *function_, around(paths.x), nullptr, out.notes);
+  else
+    out.curves = level_curves(*this, *function_, around(paths.x));
 }
 
 }  // namespace leastcost

@@ -6,8 +6,10 @@
 #include <string>
 
 #include <leastcost/framework/manifold.hpp>
+#include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/level_set/constraint_function.hpp>
 #include <leastcost/problems/level_set/has_level_set.hpp>
+#include <leastcost/problems/section/is_surface.hpp>
 
 namespace leastcost {
 
@@ -17,13 +19,20 @@ namespace leastcost {
 ///
 /// The point that is found differs from the nearest one by O(d^2) at distance d, so that the retraction of a tangent
 /// step h does by O(h^4).
-class LevelSet : public EmbeddedManifold, public ExplainsProjection, public HasLevelSet {
+class LevelSet : public EmbeddedManifold,
+                 public ExplainsProjection,
+                 public HasLevelSet,
+                 public IsSurface,
+                 public DrawsItself {
  public:
   /// Throws InputError for k >= n or n beyond the largest dimension of a cost.
   explicit LevelSet(std::shared_ptr<const ConstraintFunction> function);
 
   std::string why_not_projected(const Eigen::VectorXd& x) const override;
   const ConstraintFunction& function() const override { return *function_; }
+  bool is_surface() const override { return dimensions().ambient == 3 && dimensions().tangent == 2; }
+  /// Of one function: a surface in space, curves in the plane.
+  void draw(const DrawnPaths& paths, Drawing& out) const override;
 
  protected:
   bool project_point(Eigen::Ref<Eigen::VectorXd> x) const override;

@@ -6,9 +6,14 @@
 #include <memory>
 #include <string>
 
+#include <leastcost/framework/has_graph.hpp>
 #include <leastcost/framework/manifold.hpp>
 #include <leastcost/framework/options.hpp>
+#include <leastcost/problems/drawing/draws_itself.hpp>
+#include <leastcost/problems/manifolds/file_places.hpp>
+#include <leastcost/problems/manifolds/made_from_data.hpp>
 #include <leastcost/problems/mesh/has_mesh.hpp>
+#include <leastcost/problems/section/is_surface.hpp>
 
 namespace leastcost {
 
@@ -21,7 +26,17 @@ struct MeshManifoldOptions {
 
 /// Points on a triangle mesh in R^3 (VFCS 4.4.2): projection to the closest point, tangent planes from smooth
 /// normals (face normals have a kink at every edge, on which every line search stalls), sites are faces.
-class MeshManifold final : public ConstraintManifold, public HasBounds, public HasPieces, public HasMesh {
+class MeshManifold final : public ConstraintManifold,
+                           public HasBounds,
+                           public HasPieces,
+                           public HasMesh,
+                           public HasGraph,
+                           public HasVertices,
+                           public HasFaces,
+                           public HasFilePlaces,
+                           public IsSurface,
+                           public MadeFromData,
+                           public DrawsItself {
  public:
   explicit MeshManifold(TriangleMesh mesh);
 
@@ -35,6 +50,16 @@ class MeshManifold final : public ConstraintManifold, public HasBounds, public H
   void into_pieces(const CoordinatePath& path, Points& vectors) const override;
   const TriangleMesh& mesh() const override { return mesh_; }
   const ClosestPointTree& tree() const override { return tree_; }
+  FirstPath least_cost_edges(const Problem& problem, const Monitor& monitor) const override;
+  PathEnd vertex(int number) const override;
+  PathEnd on_face(int face, const Eigen::Vector3d& barycentric) const override;
+  /// face, fan, the corners v0 v1 v2 of the triangle and the barycentric coordinates b0 b1 b2.
+  std::vector<std::string> place_columns() const override;
+  Eigen::VectorXd place_in_file(Site site, const Eigen::VectorXd& x) const override;
+  double diameter() const override { return mesh_.diameter(); }
+  std::vector<std::string> notes() const override { return mesh_.notes(); }
+  std::vector<DataCount> counts() const override;
+  void draw(const DrawnPaths& paths, Drawing& out) const override;
 
  private:
   TriangleMesh mesh_;

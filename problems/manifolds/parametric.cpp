@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "problems/drawing/domain_shapes.hpp"
+
 namespace leastcost {
 
 ParametricManifold::ParametricManifold(std::shared_ptr<const ChartMap> map, Box box, std::vector<Seam> seams,
@@ -55,6 +57,10 @@ void ParametricManifold::jacobians(const CoordinatePath& path, Points& j) const 
 void ParametricManifold::curvatures(const CoordinatePath& path, const Points& weights, Points& h) const {
   h.resize(2, 2 * path.u.cols());
   for (Index i = 0; i < path.u.cols(); ++i) h.middleCols(2 * i, 2) = map_->curvature(path.u.col(i), weights.col(i));
+}
+
+void ParametricManifold::draw(const DrawnPaths& paths, Drawing& out) const {
+  out.surface = chart_surface(*this, *this, paths.u);
 }
 
 int ParametricManifold::active_bounds(const CoordinatePath& path, Index column, Eigen::Ref<Points> normals) const {

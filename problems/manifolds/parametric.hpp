@@ -13,8 +13,10 @@
 #include <leastcost/framework/manifold.hpp>
 #include <leastcost/framework/options.hpp>
 #include <leastcost/problems/chart/seams.hpp>
+#include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/manifolds/box.hpp>
 #include <leastcost/problems/manifolds/chart_map.hpp>
+#include <leastcost/problems/section/is_surface.hpp>
 
 namespace leastcost {
 
@@ -134,7 +136,12 @@ struct ParametricOptions {
 /// A surface x(u, v) in R^3 (VFCS 4.4.1, Eq. 12). The chart's coordinates are the unknowns; they lie on the universal
 /// cover, so that paths cross seams and poles and keep their winding. The edges of the chart (an apex, a rim) are
 /// bounds.
-class ParametricManifold final : public ConstraintManifold, public HasChart, public HasBounds, public HasSeams {
+class ParametricManifold final : public ConstraintManifold,
+                                 public HasChart,
+                                 public HasBounds,
+                                 public HasSeams,
+                                 public IsSurface,
+                                 public DrawsItself {
  public:
   ParametricManifold(std::shared_ptr<const ChartMap> map, Box box, std::vector<Seam> seams,
                      std::vector<SeamMap> poles = {});
@@ -152,6 +159,8 @@ class ParametricManifold final : public ConstraintManifold, public HasChart, pub
   int active_bounds(const CoordinatePath& path, Index column, Eigen::Ref<Points> normals) const override;
   const std::vector<Seam>& seams() const override { return seams_; }
   const std::vector<SeamMap>& poles() const override { return poles_; }
+  std::vector<std::string> coordinate_names() const override { return {"u", "v"}; }
+  void draw(const DrawnPaths& paths, Drawing& out) const override;
 
  private:
   std::shared_ptr<const ChartMap> map_;

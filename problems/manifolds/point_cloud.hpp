@@ -8,9 +8,14 @@
 #include <mutex>
 #include <string>
 
+#include <leastcost/framework/has_graph.hpp>
 #include <leastcost/framework/manifold.hpp>
 #include <leastcost/framework/options.hpp>
 #include <leastcost/problems/cloud/has_point_cloud.hpp>
+#include <leastcost/problems/drawing/draws_itself.hpp>
+#include <leastcost/problems/manifolds/file_places.hpp>
+#include <leastcost/problems/manifolds/made_from_data.hpp>
+#include <leastcost/problems/section/is_surface.hpp>
 
 namespace leastcost {
 
@@ -21,10 +26,17 @@ struct PointCloudManifoldOptions {
 };
 
 /// The smooth surface that moving least squares lay through a point cloud (VFCS 4.4.4;
-/// problems/geometry/cloud_surface). Projection is along the gradient of the implicit form, tangent planes are those of
+/// problems/cloud/cloud_surface). Projection is along the gradient of the implicit form, tangent planes are those of
 /// the surface itself. Where the samples end (the border of a partial scan, holes wider than a support) there is no
 /// surface, and a path cannot rest against that border.
-class PointCloudManifold final : public EmbeddedManifold, public HasPointCloud, public HasCoarserVersion {
+class PointCloudManifold final : public EmbeddedManifold,
+                                 public HasPointCloud,
+                                 public HasCoarserVersion,
+                                 public HasGraph,
+                                 public HasVertices,
+                                 public IsSurface,
+                                 public MadeFromData,
+                                 public DrawsItself {
  public:
   explicit PointCloudManifold(PointCloud cloud);
   PointCloudManifold(const PointCloudManifold&) = delete;  // the surface refers to the cloud beside it
@@ -35,6 +47,13 @@ class PointCloudManifold final : public EmbeddedManifold, public HasPointCloud, 
   const CloudGraph& graph() const override { return graph_; }
   std::shared_ptr<const ConstraintManifold> coarser() const override;
   bool has_made_coarser() const override { return has_coarser_; }
+  FirstPath least_cost_edges(const Problem& problem, const Monitor& monitor) const override;
+  /// The sample with this number.
+  PathEnd vertex(int number) const override;
+  double diameter() const override { return cloud_.diameter(); }
+  std::vector<std::string> notes() const override;
+  std::vector<DataCount> counts() const override;
+  void draw(const DrawnPaths& paths, Drawing& out) const override;
 
  protected:
   bool project_point(Eigen::Ref<Eigen::VectorXd> x) const override;

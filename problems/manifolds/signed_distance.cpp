@@ -14,6 +14,7 @@
 #include "problems/distance/cloud_distance.hpp"
 #include "problems/distance/implicit_distance.hpp"
 #include "problems/distance/mesh_distance.hpp"
+#include "problems/drawing/domain_shapes.hpp"
 #include "problems/readers/sdf_reader.hpp"
 
 namespace leastcost {
@@ -206,6 +207,12 @@ SignedDistanceManifold::SignedDistanceManifold(SampledDistance sampled,
   offset_ = sampled.offset;
   mean_miss_ = sampled.mean;
   if (source->is_sample()) source_ = source;
+}
+
+void SignedDistanceManifold::draw(const DrawnPaths& paths, Drawing& out) const {
+  const Surroundings whole{grid_->shape().origin, grid_->shape().upper()};
+  out.surface = level_surface(*this, function(), around(paths.x), &whole, out.notes);
+  out.up = up_of_data(out.surface.vertices);
 }
 
 std::shared_ptr<const ConstraintManifold> SignedDistanceManifold::coarser() const {

@@ -17,6 +17,7 @@
 #include <leastcost/problems/manifolds/box.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
 #include <leastcost/problems/manifolds/level_set.hpp>
+#include <leastcost/problems/manifolds/made_from_data.hpp>
 #include <leastcost/problems/manifolds/point_cloud.hpp>
 
 namespace leastcost {
@@ -89,7 +90,10 @@ struct SignedDistanceOptions {
 /// to 9 iterations and certifies, with longer ones it converges as well, but the certificate finds no second order.
 /// Sheets nearer than about two cells merge; the making says where, and refuses when a twentieth of the surface is
 /// lost. Paths cannot leave the grid.
-class SignedDistanceManifold final : public LevelSet, public HasCoarserVersion, public HasDistanceGrid {
+class SignedDistanceManifold final : public LevelSet,
+                                     public HasCoarserVersion,
+                                     public HasDistanceGrid,
+                                     public MadeFromData {
  public:
   /// A grid with nothing behind it.
   explicit SignedDistanceManifold(DistanceGrid grid, std::vector<std::string> notes = {});
@@ -97,7 +101,11 @@ class SignedDistanceManifold final : public LevelSet, public HasCoarserVersion, 
   SignedDistanceManifold(SampledDistance sampled, const std::shared_ptr<const DistanceSource>& source);
 
   const DistanceGrid& grid() const override { return *grid_; }
-  const std::vector<std::string>& notes() const override { return notes_; }
+  double diameter() const override { return (grid_->shape().upper() - grid_->shape().origin).norm(); }
+  std::vector<std::string> notes() const override { return notes_; }
+  std::vector<DataCount> counts() const override { return {}; }
+  /// All of it.
+  void draw(const DrawnPaths& paths, Drawing& out) const override;
   /// First every second node, which is the same source sampled with cells twice as large; the version after it is the
   /// same moved by four times the mean miss of the grid, for details of the source between its nodes, which neither of
   /// the two grids sees. Where the source is a cloud: half of it, and a quarter of it, with cells twice as large. Then

@@ -13,13 +13,13 @@
 namespace leastcost {
 
 const HasMesh& mesh_of(const Problem& problem, std::string_view name) {
-  const auto* domain = dynamic_cast<const HasMesh*>(problem.manifold.get());
+  const auto* domain = find_ability<HasMesh>(*problem.manifold);
   if (!domain) throw InputError(std::string(name) + " needs a domain that is a mesh");
   return *domain;
 }
 
 std::optional<MetricRoot> constant_metric(const Problem& problem) {
-  const auto* cost = dynamic_cast<const HasConstantMetric*>(problem.cost.get());
+  const auto* cost = find_ability<HasConstantMetric>(*problem.cost);
   if (!cost) return std::nullopt;
   const Eigen::Matrix3d m = cost->metric();
   if (m.isIdentity(0)) return MetricRoot{};

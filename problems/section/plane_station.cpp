@@ -29,7 +29,7 @@ Eigen::Vector3d Station::surface_normal() const {
 StationFinder::StationFinder(const ConstraintManifold& surface, const Eigen::Vector3d& point,
                              const Eigen::Vector3d& normal)
     : surface_(&surface),
-      chart_(dynamic_cast<const HasChart*>(&surface)),
+      chart_(find_ability<HasChart>(surface)),
       point_(point),
       normal_(normal),
       one_{Points(surface.dimensions().coordinate, 1), {}, true} {}

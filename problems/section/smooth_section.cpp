@@ -31,7 +31,7 @@ class Follower {
  public:
   Follower(const ConstraintManifold& surface, const Eigen::Vector3d& point, const Eigen::Vector3d& normal)
       : surface_(surface),
-        chart_(dynamic_cast<const HasChart*>(&surface)),
+        chart_(find_ability<HasChart>(surface)),
         point_(point),
         normal_(normal),
         stations_(surface, point, normal) {}
@@ -65,7 +65,7 @@ class Follower {
     };
     if (chart_ != nullptr) {
       for (const Eigen::VectorXd& u : nearest_in_chart(surface_, point_)) take(stations_.reach(u));
-    } else if (const auto* cloud = dynamic_cast<const HasPointCloud*>(&surface_)) {
+    } else if (const auto* cloud = find_ability<HasPointCloud>(surface_)) {
       for (std::int32_t i = 0; i < cloud->cloud().size(); ++i) {
         const Eigen::Vector3d p = cloud->cloud().sample(i).position + cloud->cloud().centre();
         if (std::abs(normal_.dot(p - point_)) > cloud->cloud().radius(i)) continue;
@@ -105,7 +105,7 @@ class Follower {
   }
 
   void refuse_bounds(const Station& s) const {
-    const auto* bounds = dynamic_cast<const HasBounds*>(&surface_);
+    const auto* bounds = find_ability<HasBounds>(surface_);
     if (bounds == nullptr) return;
     Points normals(s.u.size(), s.u.size());
     if (bounds->active_bounds({s.u, {}, true}, 0, normals) > 0)
@@ -122,7 +122,7 @@ class Follower {
   CoordinatePath closed(std::vector<Eigen::VectorXd> ring, const Station& start, const Station& last) const {
     CoordinatePath path{Points(start.u.size(), static_cast<Index>(ring.size())), {}, true};
     for (std::size_t i = 0; i < ring.size(); ++i) path.u.col(static_cast<Index>(i)) = ring[i];
-    if (const auto* domain = dynamic_cast<const HasSeams*>(&surface_)) {
+    if (const auto* domain = find_ability<HasSeams>(surface_)) {
       const Eigen::VectorXi turns = nearest_image(domain->seams(), start.u, last.u);
       if (!turns.isZero()) path.closing = seam_map(domain->seams(), static_cast<int>(start.u.size()), turns);
     }

@@ -22,9 +22,9 @@ struct CeresOptions {
 /// one parameter block per point, its tangent plane and retraction as a ceres::Manifold, sparse Cholesky. Line search
 /// (lbfgs, bfgs, nonlinear conjugate gradients): in the variables of solvers/chain_variables, round by round. What
 /// Ceres says of its own success is only quoted: the best path it has visited is judged like that of every solver.
-/// Ceres prints its warnings through glog, whose level is one for the whole process: while a solve lasts, in any thread,
-/// it is raised so that nothing below a fatal error is printed (FLAGS_minloglevel), and then put back. Nothing else of
-/// the host is touched: glog is not initialised, no handler is installed.
+/// Ceres prints its warnings through glog, whose level is one for the whole process: while a solve lasts, in any
+/// thread, it is raised so that nothing below a fatal error is printed (FLAGS_minloglevel), and then put back. Nothing
+/// else of the host is touched: glog is not initialised, no handler is installed.
 class Ceres final : public Solver {
  public:
   explicit Ceres(CeresOptions options = {});

@@ -49,7 +49,7 @@ class TrustRegion final : public ceres::IterationCallback {
         strategy_(strategy),
         options_(options),
         kinked_(energy.problem().manifold->shape() == Shape::polyhedral),
-        bounded_(dynamic_cast<const HasBounds*>(energy.problem().manifold.get()) != nullptr),
+        bounded_(find_ability<HasBounds>(*energy.problem().manifold) != nullptr),
         loss_(*energy.problem().kernel, energy.reference_cost()),
         test_(options.rounds.tolerance),
         loop_(energy, path, {options.rounds.tolerance, options.max_iterations, options.rounds.max_evaluations},

@@ -183,6 +183,16 @@ TEST_CASE("config errors: parts that do not fit each other") {
                          "initializer: {type: plane_cut, point: [0, 0, 0], normal: [0, 0, 1]}\n") == "");
   CHECK_THAT(errors_of(ring + "initializer: {type: plane_cut, point: [0, 0, 0], normal: [0, 0, 1]}\n"),
              Contains("'plane_cut' needs a manifold with a surface"));
+  // What the type may have, the manifold itself is asked for.
+  const std::string cut =
+      "cost: euclidean\npath: {ring: true}\n"
+      "initializer: {type: plane_cut, point: [0, 0, 0], normal: [0, 0, 1]}\nmanifold: ";
+  CHECK_THAT(errors_of(cut + "{type: implicit, surface: paper_curve}\n"),
+             Contains("needs a manifold with a surface, which this 'implicit' does not have"));
+  CHECK_THAT(errors_of(cut + "{type: constraint, dimension: 4, set: sphere}\n"),
+             Contains("needs a manifold with a surface, which this 'constraint' does not have"));
+  CHECK(errors_of(cut + "{type: constraint, dimension: 3, set: sphere}\n") == "");
+  CHECK(errors_of(cut + "{type: implicit, surface: sphere}\n") == "");
 }
 
 TEST_CASE("config errors: ends") {

@@ -6,7 +6,6 @@
 #include <optional>
 #include <variant>
 
-#include <leastcost/catalogue/options/options_writer.hpp>
 #include "app/reference/field_list.hpp"
 #include "catalogue/options/options_reader.hpp"
 #include "catalogue/options/options_writer.hpp"

@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: MIT
 #include "catalogue/registry/registry.hpp"
 
+#include <filesystem>
+#include <map>
 #include <set>
 
-#include <leastcost/framework/has_constant_metric.hpp>
-#include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
-#include <leastcost/problems/manifolds/euclidean.hpp>
-#include <leastcost/problems/manifolds/mesh.hpp>
-#include <leastcost/problems/mesh/has_mesh.hpp>
 #include "app/reference/describe.hpp"
 #include "app/reference/field_list.hpp"
+#include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/kinds.hpp"
+#include "tests/app/config_text.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/data.hpp"
 
 namespace leastcost::test {
 
@@ -61,23 +61,77 @@ TEST_CASE("registry: kernels, solvers and post-processors are made from their de
   }
 }
 
-TEST_CASE("registry: the promised abilities are those of the objects") {
-  for (const PluginEntry* plugin : kind("cost").entries) {
-    CAPTURE(plugin->type);
-    PluginChoice choice = choose(*plugin, "cost");
-    if (auto* tensor = dynamic_cast<OptionsOf<MetricTensorOptions>*>(choice.options.get()))
-      tensor->value.matrix = Eigen::MatrixXd::Identity(3, 3);
-    if (auto* field = dynamic_cast<OptionsOf<MetricFieldOptions>*>(choice.options.get())) {
-      field->value.field = metric::Formula{.entries = {"1", "0", "0", "1", "0", "1 + x^2"}};
-    }
-    const auto cost = make<std::shared_ptr<const SegmentCost>>(choice, {"", 3, Eigen::VectorXd::Zero(3)});
-    CHECK(choice.provides(std::string(kConstantMetric)) ==
-          (dynamic_cast<const HasConstantMetric*>(cost.get()) != nullptr));
+namespace {
+
+/// The words for the abilities that an object has.
+template <class T>
+std::set<std::string> words_of(const T& object) {
+  std::set<std::string> words;
+  for_each_ability([&]<class Ability>() {
+    if (find_ability<Ability>(object) != nullptr) words.emplace(Ability::kAbility);
+  });
+  return words;
+}
+
+using Words = std::map<std::string, std::set<std::string>>;  // by type
+
+/// Makes the manifold and the cost of a configuration, unless their words are all known, and adds what they answer.
+void add_answers(const LoadedConfig& loaded, Words& manifolds, Words& costs) {
+  const RunConfig& config = loaded.config;
+  const auto complete = [](const PluginChoice& choice, const Words& words) {
+    const auto& promised = choice.plugin->provides;
+    const auto found = words.find(choice.plugin->type);
+    return found != words.end() && found->second == std::set<std::string>(promised.begin(), promised.end());
+  };
+  if (complete(config.manifold, manifolds) && complete(config.cost, costs)) return;
+  BuildContext context{loaded.folder};
+  context.manifold = make<std::shared_ptr<const ConstraintManifold>>(config.manifold, context);
+  context.dimension = context.manifold->dimensions().ambient;
+  context.source = Eigen::VectorXd::Zero(context.dimension);
+  const auto cost = make<std::shared_ptr<const SegmentCost>>(config.cost, context);
+  manifolds[config.manifold.plugin->type].merge(words_of(*context.manifold));
+  costs[config.cost.plugin->type].merge(words_of(*cost));
+}
+
+void check_promises(const char* kind_name, const Words& answers) {
+  for (const PluginEntry* plugin : kind(kind_name).entries) {
+    CAPTURE(kind_name, plugin->type);
+    REQUIRE(answers.count(plugin->type) == 1);
+    CHECK(answers.at(plugin->type) == std::set<std::string>(plugin->provides.begin(), plugin->provides.end()));
   }
-  STATIC_REQUIRE(std::is_base_of_v<HasMesh, MeshManifold>);
-  STATIC_REQUIRE_FALSE(std::is_base_of_v<HasMesh, EuclideanManifold>);
-  CHECK(choose(*find_plugin(kind("manifold"), "mesh"), "").provides(std::string(kMesh)));
-  CHECK_FALSE(choose(*find_plugin(kind("manifold"), "euclidean"), "").provides(std::string(kMesh)));
+}
+
+}  // namespace
+
+TEST_CASE("registry: the promised abilities are those of the objects") {
+  Words manifolds, costs;
+  add_answers(parse("manifold: {type: constraint, set: {type: sphere, radius: 1}, dimension: 3}\ncost: euclidean\n"
+                    "ends: {source: {point: [1, 0, 0]}, target: {point: [0, 1, 0]}}\n"),
+              manifolds, costs);
+  std::set<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(project_dir() / "configs"))
+    if (entry.path().extension() == ".yaml") files.insert(entry.path());
+  for (const std::filesystem::path& file : files) {
+    CAPTURE(file);
+    const LoadedConfig loaded = load_config(file, {});
+    REQUIRE(loaded.errors.empty());
+    if (resolved_yaml(loaded.config).find("/usr/share/") == std::string::npos) add_answers(loaded, manifolds, costs);
+  }
+  check_promises("manifold", manifolds);
+  check_promises("cost", costs);
+}
+
+TEST_CASE("registry: words come from what a factory returns") {
+  const auto words = [](const char* kind_name, const char* type) {
+    return find_plugin(kind(kind_name), type)->provides;
+  };
+  using Texts = std::vector<std::string>;
+  CHECK(words("manifold", "mesh") == Texts{"mesh", "surface", "graph", "vertices", "faces"});
+  CHECK(words("manifold", "euclidean").empty());
+  CHECK(words("manifold", "signed_distance") == Texts{"surface", "smooth embedding", "distance grid"});
+  CHECK(words("cost", "metric_tensor") == Texts{"constant metric"});
+  CHECK(words("initializer", "waypoints") == Texts{"ring"});
+  CHECK(find_plugin(kind("post_processor"), "straighten")->needs == Texts{"mesh", "constant metric"});
 }
 
 TEST_CASE("registry: an option error names the full path") {

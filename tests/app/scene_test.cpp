@@ -10,8 +10,8 @@
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
-#include "catalogue/scene/domain_shapes.hpp"
-#include "catalogue/scene/thinned.hpp"
+#include "problems/drawing/domain_shapes.hpp"
+#include "problems/drawing/thinned.hpp"
 #include "problems/level_set/named_surfaces.hpp"
 #include "problems/manifolds/bounded_level_set.hpp"
 #include "tests/support/catch.hpp"

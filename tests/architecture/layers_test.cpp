@@ -99,9 +99,10 @@ const Arrows& layers() {
 /// A room inside a layer may include itself, what is below it, and the rooms listed here. docs/design.md says what each
 /// is for. Rooms that are not listed here may not exist.
 const Arrows& rooms() {
-  static const std::set<std::string> subjects = {
-      "problems/chart", "problems/cloud",   "problems/distance", "problems/formula",    "problems/level_set",
-      "problems/mesh",  "problems/readers", "problems/section",  "problems/straighten", "problems/tensor"};
+  static const std::set<std::string> subjects = {"problems/chart",      "problems/cloud",   "problems/distance",
+                                                 "problems/drawing",    "problems/formula", "problems/level_set",
+                                                 "problems/mesh",       "problems/readers", "problems/section",
+                                                 "problems/straighten", "problems/tensor"};
   static const Arrows table = {
       {"problems/chart", {}},
       {"problems/cloud", {"problems/graph"}},
@@ -109,6 +110,7 @@ const Arrows& rooms() {
       {"problems/graph", {}},
       {"problems/mesh", {}},
       {"problems/level_set", {"problems/formula"}},
+      {"problems/drawing", {"problems/chart", "problems/level_set"}},
       {"problems/distance", {"problems/cloud", "problems/level_set", "problems/mesh"}},
       {"problems/section", {"problems/chart", "problems/cloud", "problems/mesh"}},
       {"problems/straighten", {"problems/mesh"}},

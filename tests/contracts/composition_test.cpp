@@ -54,7 +54,7 @@ class Cylinder final : public EmbeddedManifold {
   }
 };
 
-std::shared_ptr<const SegmentCost> metric_cost(int d) {
+std::shared_ptr<const ConstantMetricCost> metric_cost(int d) {
   MetricTensorOptions options;
   options.matrix = Eigen::VectorXd::LinSpaced(d, 1, 3).asDiagonal();
   return make_metric_tensor_cost(options, d);
@@ -95,8 +95,9 @@ TEST_CASE("composition: every cost in R^2, R^3 and R^7", "[contract]") {
   Random random;
   const Eigen::VectorXd down = -Eigen::VectorXd::Unit(d, d - 1), source = random.vector(d);
   const Eigen::VectorXd target = source + random.vector(d) + 4 * down;
-  for (const auto& cost :
-       {make_euclidean_cost(d), metric_cost(d), bead_cost(source, TravelTimeRule::chute, 0),
+  using Cost = std::shared_ptr<const SegmentCost>;
+  for (const Cost& cost :
+       {Cost(make_euclidean_cost(d)), Cost(metric_cost(d)), bead_cost(source, TravelTimeRule::chute, 0),
         bead_cost(source, TravelTimeRule::chute, 1), bead_cost(source, TravelTimeRule::midpoint, 1)}) {
     const Result result = find(between(space(d), cost, source, target), 24);
     CAPTURE(d, cost->traits().unit, failures(result.certificate));

@@ -28,7 +28,7 @@ std::shared_ptr<const MeshManifold> small_ball() {
   return mesh;
 }
 
-std::shared_ptr<const SegmentCost> stretched() {
+std::shared_ptr<const ConstantMetricCost> stretched() {
   MetricTensorOptions options;
   options.matrix = Eigen::Vector3d(1, 2, 3).asDiagonal();
   return make_metric_tensor_cost(options, 3);

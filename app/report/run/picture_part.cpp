@@ -10,7 +10,7 @@
 #include "app/report/page/viewer_script.hpp"
 #include "app/report/run/run_parts.hpp"
 #include "app/report/run/space_view.hpp"
-#include "catalogue/scene/thinned.hpp"
+#include "problems/drawing/thinned.hpp"
 
 namespace leastcost::app {
 namespace {

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "catalogue/scene/scene.hpp"
+#include <cstddef>
+
+#include <leastcost/problems/drawing/draws_itself.hpp>
 
 namespace leastcost {
 

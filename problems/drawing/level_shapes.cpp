@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: MIT
 
 // Level sets: a surface net in space, polylines in the plane.
-#include <fmt/format.h>
-
 #include <algorithm>
 
-#include "catalogue/scene/level_samples.hpp"
+#include "problems/drawing/domain_shapes.hpp"
+#include "problems/drawing/level_samples.hpp"
 
 namespace leastcost {
 namespace {
@@ -80,12 +79,8 @@ std::vector<std::vector<int>> links_of(const LevelSamples& samples, const LevelS
 }  // namespace
 
 TriangleSoup level_surface(const ConstraintManifold& manifold, const ConstraintFunction& function,
-                           const Surroundings& path, const GridShape* grid, std::vector<std::string>& notes) {
-  LevelRegion region;
-  if (grid != nullptr)
-    region = {{grid->origin, grid->upper()}, true};
-  else
-    region = level_region(function, path);
+                           const Surroundings& path, const Surroundings* whole, std::vector<std::string>& notes) {
+  const LevelRegion region = whole != nullptr ? LevelRegion{*whole, true} : level_region(function, path);
   if (!region.whole) notes.emplace_back("the surface goes on beyond the part that is drawn");
   const LevelSamples samples(function, region.box, kCellsInSpace);
   LevelSamples::Net net = samples.net();

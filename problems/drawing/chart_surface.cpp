@@ -7,7 +7,7 @@
 #include <limits>
 
 #include <leastcost/problems/chart/seams.hpp>
-#include "catalogue/scene/domain_shapes.hpp"
+#include "problems/drawing/domain_shapes.hpp"
 
 namespace leastcost {
 namespace {
@@ -39,8 +39,8 @@ class ChartExtent {
  public:
   ChartExtent(const ConstraintManifold& manifold, const HasChart& chart, const Points& u)
       : chart_(chart), path_(around(u)), bounds_(unbounded(u.rows())), u_(u) {
-    if (dynamic_cast<const HasBounds*>(&manifold) != nullptr) bounds_ = coordinate_bounds(manifold, u.col(0));
-    if (const auto* domain = dynamic_cast<const HasSeams*>(&manifold)) seams_ = domain->seams();
+    if (find_ability<HasBounds>(manifold) != nullptr) bounds_ = coordinate_bounds(manifold, u.col(0));
+    if (const auto* domain = find_ability<HasSeams>(manifold)) seams_ = domain->seams();
     Points x;
     chart.embed({u, {}, true}, x);
     size_ = around(x).extent().norm();

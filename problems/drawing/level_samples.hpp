@@ -5,7 +5,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "catalogue/scene/domain_shapes.hpp"
+#include <leastcost/problems/level_set/constraint_function.hpp>
+#include "problems/drawing/surroundings.hpp"
 
 namespace leastcost {
 

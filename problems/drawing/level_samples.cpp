@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "catalogue/scene/level_samples.hpp"
+#include "problems/drawing/level_samples.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "catalogue/scene/thinned.hpp"
+#include "problems/drawing/thinned.hpp"
 
 namespace leastcost {
 namespace {

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+#include <leastcost/framework/has_constant_metric.hpp>
+#include <leastcost/framework/has_graph.hpp>
+#include <leastcost/framework/initializer.hpp>
+#include <leastcost/problems/chart/seams.hpp>
+#include <leastcost/problems/distance/has_distance_grid.hpp>
+#include <leastcost/problems/level_set/has_level_set.hpp>
+#include <leastcost/problems/manifolds/file_places.hpp>
+#include <leastcost/problems/mesh/has_mesh.hpp>
+#include <leastcost/problems/section/is_surface.hpp>
+
+namespace leastcost {
+
+/// The abilities that have a word, in the order in which people read them. A plug-in gets its words from the type of
+/// what its factory returns.
+using NamedAbilities = std::tuple<HasMesh, IsSurface, HasSeams, HasGraph, HasLevelSet, HasDistanceGrid, HasVertices,
+                                  HasFaces, HasConstantMetric, MakesRings>;
+
+/// Calls visit.operator()<Ability>() for each of them.
+template <class Visit>
+void for_each_ability(Visit visit) {
+  [&]<class... A>(std::tuple<A...>*) { (visit.template operator()<A>(), ...); }(static_cast<NamedAbilities*>(nullptr));
+}
+
+/// The words for the abilities of a class.
+template <class Class>
+std::vector<std::string> ability_words() {
+  std::vector<std::string> words;
+  for_each_ability([&]<class Ability>() {
+    if constexpr (std::is_base_of_v<Ability, Class>) words.emplace_back(Ability::kAbility);
+  });
+  return words;
+}
+
+}  // namespace leastcost
