@@ -32,7 +32,6 @@ class AwayFromRoutes final : public SegmentCost {
                     ChainBlocks& out) const override;
   void residuals(const AmbientPath& path, Points& r, Points* jacobians) const override;
   double line_element(const Eigen::VectorXd& x, const Eigen::VectorXd& v) const override;
-  std::string why_infinite(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const override;
 
  private:
   double distance(const Eigen::Vector3d& x) const;
