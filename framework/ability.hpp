@@ -9,7 +9,8 @@ namespace leastcost {
 /// Base of what may have abilities: a T is a domain, a cost or an initializer. An ability is what only some of them
 /// have, a small interface A that they inherit; whoever needs it asks find_ability<A>(object) and says in words what is
 /// missing. Where an ability has a name for people it says it once, `static constexpr std::string_view kAbility`; the
-/// words of the registry are made from these. One that depends on how an object was made adds `bool present() const`.
+/// words of the registry are made from these. One that depends on how an object was made adds a non-virtual
+/// `bool present() const`, which asks a virtual function of its own.
 template <class T>
 class HasAbilities {
  public:

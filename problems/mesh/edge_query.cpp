@@ -4,7 +4,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cstdlib>
 #include <iterator>
+#include <new>
 
 #include <leastcost/problems/mesh/surface_path.hpp>
 
@@ -27,7 +29,14 @@ bool unfolded_crossing(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const
   return t > 0 && t < 1;
 }
 
+<<<<<<< ours
 std::int32_t face_along(const TriangleMesh& mesh, std::int32_t a, std::int32_t b) {
+=======
+/// The vertices and the two ends of a search.
+std::size_t node_count(const TriangleMesh& mesh) { return static_cast<std::size_t>(mesh.vertex_count()) + 2; }
+
+std::int32_t face_with(const TriangleMesh& mesh, std::int32_t a, std::int32_t b) {
+>>>>>>> theirs
   for (const std::int32_t f : mesh.faces_of_vertex(a)) {
     const std::array<std::int32_t, 3>& c = mesh.face(f);
     if (std::find(c.begin(), c.end(), b) != c.end()) return f;
@@ -37,13 +46,17 @@ std::int32_t face_along(const TriangleMesh& mesh, std::int32_t a, std::int32_t b
 
 }  // namespace
 
+void Free::operator()(NodeRecord* records) const { std::free(records); }
+
 EdgeQuery::EdgeQuery(const TriangleMesh& mesh)
-    : mesh_(&mesh), records_(static_cast<std::size_t>(mesh.vertex_count()) + 2) {}
+    : mesh_(&mesh), records_(static_cast<NodeRecord*>(std::calloc(node_count(mesh), sizeof(NodeRecord)))) {
+  if (!records_) throw std::bad_alloc();
+}
 
 void EdgeQuery::begin(const SurfacePoint& source, const SurfacePoint& target, const MoveCost& cost,
                       const EdgePathOptions& options) {
   if (++stamp_ == 0) {  // wrapped around after four thousand million queries
-    std::fill(records_.begin(), records_.end(), NodeRecord{});
+    std::fill_n(records_.get(), node_count(*mesh_), NodeRecord{});
     stamp_ = 1;
   }
   source_point_ = source;

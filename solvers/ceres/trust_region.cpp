@@ -4,6 +4,7 @@
 
 #include <ceres/ceres.h>
 
+#include <chrono>
 #include <cmath>
 #include <exception>
 #include <limits>
@@ -77,10 +78,27 @@ class TrustRegion final : public ceres::IterationCallback {
   }
 
  private:
-  static constexpr double kMayBeDone = 1e-9;  ///< relative gain of a step
-  static constexpr int kPatience = 2;         ///< rounds in a row without a lower energy
+  static constexpr double kMayBeDone = 1e-9;        ///< relative gain of a step
+  static constexpr double kSecondsPerPoint = 5e-6;  ///< to set a round up, with its first iteration
+  static constexpr double kAfterDeadline = 3e-3;    ///< seconds that an iteration may last beyond the deadline
+  static constexpr int kPatience = 2;               ///< rounds in a row without a lower energy
 
+  /// Ceres cannot be stopped in the midst of an iteration: none is begun that would end long after the deadline.
+  bool too_late_for(double seconds) const {
+    const Deadline& deadline = energy_.deadline();
+    if (!deadline) return false;
+    return std::chrono::duration<double>(*deadline - Monitor::Clock::now()).count() + kAfterDeadline < seconds;
+  }
+
+<<<<<<< ours
   void run_round() {
+=======
+  void play() {
+    if (too_late_for(kSecondsPerPoint * static_cast<double>(path_.u.cols()))) {
+      end_ = Termination::time_limit;
+      return;
+    }
+>>>>>>> theirs
     ChainResiduals residuals(energy_, path_);
     residuals_ = &residuals;
     residuals.evaluate(true);
@@ -152,6 +170,7 @@ class TrustRegion final : public ceres::IterationCallback {
     }
     loop_.record(best_value_, cost_error, summary.step_norm);
     if (!end_) end_ = loop_.must_end(path_);
+    if (!end_ && too_late_for(summary.iteration_time_in_seconds)) end_ = Termination::time_limit;
     return end_ || residuals_->stopped_energy() < best_value_ ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
                                                               : ceres::SOLVER_CONTINUE;
   }

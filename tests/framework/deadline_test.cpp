@@ -44,7 +44,7 @@ std::vector<Search> searches() {
       {"plane", bead(Eigen::Vector2d(0, 0), Eigen::Vector2d(std::numbers::pi, -2)), straight, {}},
       {"sphere", between(std::make_shared<Sphere>(), cost, a, b), straight, {}},
       {"mesh", between(mesh, cost, a, b), dijkstra, traced()},
-      {"cloud", between(cloud, cost, a, b), straight, {}},
+      {"cloud", between(cloud, cost, a, b), dijkstra, {}},
   };
   prepare(all.back().problem);
   return all;
