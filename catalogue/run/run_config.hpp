@@ -44,7 +44,7 @@ struct RunConfig {
   FamilyOptions family;
   CertificateOptions certificate;
   PluginList post_process;
-  std::string output_folder;  ///< relative to the current folder; empty: results/<name>
+  std::string output_folder;  ///< relative to the current folder; empty: results/NAME
 
   void fields(RunVisitor& visit);
 };
