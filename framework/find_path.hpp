@@ -19,9 +19,9 @@ struct FindOptions {
   double reference_cost = 0;   ///< s0, units of the cost; 0: the mean segment cost of the first path
   bool cascade = false;        ///< solve coarse first, then double: see framework/cascade.hpp
   bool escape_saddle = false;  ///< leave saddles to the lower side: see framework/escape_saddle.hpp
-  CertificateOptions certificate;
-  const Solver* certifier = nullptr;                  ///< required when the certificate is enabled; not owned
-  std::vector<const PostProcessor*> post_processors;  ///< not owned
+  CertificateOptions certificate = {};
+  const Solver* certifier = nullptr;                       ///< required when the certificate is enabled; not owned
+  std::vector<const PostProcessor*> post_processors = {};  ///< not owned
 };
 
 enum class Status { certified, uncertified, collapsed, interrupted };

@@ -22,10 +22,10 @@ struct PointCount {
 /// Where an end of the path is: exactly one of vertex, face + barycentric, point.
 struct EndOptions {
   bool given = false;
-  int vertex = -1;              ///< of the file; negative: not given
-  int face = -1;                ///< of the file; negative: not given
-  Eigen::VectorXd barycentric;  ///< three numbers
-  Eigen::VectorXd point;
+  int vertex = -1;                   ///< of the file; negative: not given
+  int face = -1;                     ///< of the file; negative: not given
+  Eigen::VectorXd barycentric = {};  ///< three numbers
+  Eigen::VectorXd point = {};
   double tolerance = -1;  ///< length units; negative: the default of the manifold
   void fields(FieldVisitor& visit);
 };

@@ -16,11 +16,11 @@
 namespace leastcost {
 
 struct MetricFieldOptions {
-  std::string type;
-  std::vector<std::string> entries;          ///< formula: upper triangle of the tensor, row by row
-  std::map<std::string, double> parameters;  ///< formula
-  TensorFileOptions tensor_file;
-  CurvatureMetricOptions curvature;
+  std::string type = {};
+  std::vector<std::string> entries = {};          ///< formula: upper triangle of the tensor, row by row
+  std::map<std::string, double> parameters = {};  ///< formula
+  TensorFileOptions tensor_file = {};
+  CurvatureMetricOptions curvature = {};
   std::string reading = "metric";
   std::string rule = "auto";
   void fields(FieldVisitor& visit);

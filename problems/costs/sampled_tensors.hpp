@@ -15,7 +15,7 @@ namespace leastcost {
 
 /// Tensors given by a file, one row per vertex, face or point.
 struct TensorFileOptions {
-  std::string file;
+  std::string file = {};
   std::string on = "auto";
   void fields(FieldVisitor& visit);
 };

@@ -9,8 +9,8 @@
 namespace leastcost {
 
 struct BoxOptions {
-  Eigen::VectorXd lower;  ///< empty: unbounded; entries may be -infinity
-  Eigen::VectorXd upper;
+  Eigen::VectorXd lower = {};  ///< empty: unbounded; entries may be -infinity
+  Eigen::VectorXd upper = {};
   void fields(FieldVisitor& visit);
 };
 

@@ -14,9 +14,9 @@ namespace leastcost {
 
 struct ConstraintManifoldOptions {
   int dimension = -1;  ///< n; negative: not given
-  std::vector<std::string> equations;
-  std::map<std::string, double> parameters;
-  std::string set;  ///< "", "sphere" or "so3"
+  std::vector<std::string> equations = {};
+  std::map<std::string, double> parameters = {};
+  std::string set = {};  ///< "", "sphere" or "so3"
   double radius = 1;
   bool nearest_image = true;
   void fields(FieldVisitor& visit);

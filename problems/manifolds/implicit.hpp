@@ -14,7 +14,7 @@
 namespace leastcost {
 
 struct ImplicitManifoldOptions {
-  std::string surface;  ///< one of the types below
+  std::string surface = {};  ///< one of the types below
   double radius = 1;
   Eigen::VectorXd axes = {};
   double major_radius = 2, minor_radius = 1;

@@ -17,7 +17,7 @@ namespace leastcost {
 
 /// A surface by name with its measures, or by formulas.
 struct ParametricOptions {
-  std::string type;
+  std::string type = {};
   double radius = 1;                                ///< sphere, cylinder
   Eigen::VectorXd axes = Eigen::Vector3d(3, 2, 1);  ///< ellipsoid
   double major_radius = 2, minor_radius = 1;        ///< torus, klein_bottle

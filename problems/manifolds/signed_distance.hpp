@@ -18,14 +18,14 @@
 namespace leastcost {
 
 struct SignedDistanceOptions {
-  std::string source;  ///< mesh, point_cloud, implicit, file
-  std::string file;    ///< of a mesh or a grid
+  std::string source = {};  ///< mesh, point_cloud, implicit, file
+  std::string file = {};    ///< of a mesh or a grid
   bool weld = false;
   std::string sign = "signed";  ///< signed, unsigned
   double offset = 0;
-  PointCloudManifoldOptions cloud;
-  ImplicitManifoldOptions implicit;
-  BoxOptions box;
+  PointCloudManifoldOptions cloud = {};
+  ImplicitManifoldOptions implicit = {};
+  BoxOptions box = {};
   double cell = 0, accuracy = 0;
   int margin = 8;
   double memory_limit = 1;  ///< GiB
