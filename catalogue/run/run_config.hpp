@@ -23,7 +23,7 @@ struct FamilyOptions {
   int routes = 1;
   bool mirrored = false;
   double bow_height = 0.5;
-  PluginList initializers;
+  PluginList initializers = {};
   void fields(RunVisitor& visit);
   bool wanted() const { return windings > 0 || bows > 0 || routes > 1 || mirrored || !initializers.empty(); }
 };

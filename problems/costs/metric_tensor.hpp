@@ -10,7 +10,7 @@
 namespace leastcost {
 
 struct MetricTensorOptions {
-  Eigen::MatrixXd matrix;
+  Eigen::MatrixXd matrix = {};
   void fields(FieldVisitor& visit);
 };
 

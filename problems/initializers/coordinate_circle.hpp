@@ -9,7 +9,7 @@ namespace leastcost {
 
 struct CoordinateCircleOptions {
   int coordinate = 0;  ///< the one that runs around
-  Eigen::VectorXd through;
+  Eigen::VectorXd through = {};
   int turns = 1;
   void fields(FieldVisitor& visit);
 };

@@ -8,8 +8,8 @@
 namespace leastcost {
 
 struct PlaneCutOptions {
-  Eigen::VectorXd point;   ///< in the plane, ambient coordinates
-  Eigen::VectorXd normal;  ///< of any length but zero
+  Eigen::VectorXd point = {};   ///< in the plane, ambient coordinates
+  Eigen::VectorXd normal = {};  ///< of any length but zero
   void fields(FieldVisitor& visit);
 };
 

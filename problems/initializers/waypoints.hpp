@@ -10,12 +10,12 @@
 namespace leastcost {
 
 struct WaypointsOptions {
-  Eigen::MatrixXd points;  ///< one row per waypoint, ambient coordinates
+  Eigen::MatrixXd points = {};  ///< one row per waypoint, ambient coordinates
   void fields(FieldVisitor& visit);
 };
 
 struct FileInitializerOptions {
-  std::string file;
+  std::string file = {};
   void fields(FieldVisitor& visit);
 };
 

@@ -18,7 +18,7 @@
 namespace leastcost {
 
 struct MeshManifoldOptions {
-  std::string file;
+  std::string file = {};
   bool weld = false;
   int subdivide = 0;
   void fields(FieldVisitor& visit);

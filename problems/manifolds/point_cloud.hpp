@@ -20,8 +20,8 @@
 namespace leastcost {
 
 struct PointCloudManifoldOptions {
-  std::string file;
-  PointCloudSettings settings;
+  std::string file = {};
+  PointCloudSettings settings = {};
   void fields(FieldVisitor& visit);
 };
 

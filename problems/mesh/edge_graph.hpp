@@ -23,8 +23,8 @@ using CostBound = std::function<double(const Eigen::Vector3d& p)>;
 using StopPredicate = std::function<bool()>;
 
 struct EdgePathOptions {
-  CostBound lower_bound;  ///< empty: Dijkstra; given: A*
-  StopPredicate stop;     ///< empty: never
+  CostBound lower_bound = {};  ///< empty: Dijkstra; given: A*
+  StopPredicate stop = {};     ///< empty: never
   /// Also moves from a vertex straight across one edge to the vertex opposite (in the unfolding of the two faces,
   /// where that is convex): about half the metrication error of edges alone, at twice the moves. Costs are evaluated
   /// on the two straight pieces.

@@ -29,14 +29,10 @@ bool unfolded_crossing(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const
   return t > 0 && t < 1;
 }
 
-<<<<<<< ours
-std::int32_t face_along(const TriangleMesh& mesh, std::int32_t a, std::int32_t b) {
-=======
 /// The vertices and the two ends of a search.
 std::size_t node_count(const TriangleMesh& mesh) { return static_cast<std::size_t>(mesh.vertex_count()) + 2; }
 
-std::int32_t face_with(const TriangleMesh& mesh, std::int32_t a, std::int32_t b) {
->>>>>>> theirs
+std::int32_t face_along(const TriangleMesh& mesh, std::int32_t a, std::int32_t b) {
   for (const std::int32_t f : mesh.faces_of_vertex(a)) {
     const std::array<std::int32_t, 3>& c = mesh.face(f);
     if (std::find(c.begin(), c.end(), b) != c.end()) return f;

@@ -8,8 +8,8 @@
 namespace leastcost {
 
 struct GeodesicOptions {
-  MetricRoot metric;   ///< lengths |A d|; none: Euclidean
-  StopPredicate stop;  ///< true: return the best so far; empty: never
+  MetricRoot metric = {};   ///< lengths |A d|; none: Euclidean
+  StopPredicate stop = {};  ///< true: return the best so far; empty: never
   /// First paths tried, each straightened and the shortest result kept. 1: over edges and diagonals; 2: over edges
   /// alone as well (mean excess over the shortest path halved, twice the time).
   int routes = 2;

@@ -11,7 +11,7 @@
 namespace leastcost {
 
 struct StraightenOptions {
-  MetricRoot metric;           ///< lengths |A d|; none: Euclidean
+  MetricRoot metric = {};      ///< lengths |A d|; none: Euclidean
   std::function<bool()> stop;  ///< true: return the best so far; empty: never
   /// Tries the other side of vertices of positive curvature near the straightened path and keeps what is shorter
   /// (docs/numerics.md Sec. 5.3).

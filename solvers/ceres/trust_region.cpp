@@ -90,15 +90,11 @@ class TrustRegion final : public ceres::IterationCallback {
     return std::chrono::duration<double>(*deadline - Monitor::Clock::now()).count() + kAfterDeadline < seconds;
   }
 
-<<<<<<< ours
   void run_round() {
-=======
-  void play() {
     if (too_late_for(kSecondsPerPoint * static_cast<double>(path_.u.cols()))) {
       end_ = Termination::time_limit;
       return;
     }
->>>>>>> theirs
     ChainResiduals residuals(energy_, path_);
     residuals_ = &residuals;
     residuals.evaluate(true);

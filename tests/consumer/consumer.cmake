@@ -1,9 +1,4 @@
-# Builds and runs the examples as a stranger would (compare_solvers where this build has both back ends,
-# load_run where it has the catalogue). KIND:
-#   installed            this build is installed into SCRATCH/prefix; find_package, then pkg-config
-#   subdirectory_shared  add_subdirectory with shared libraries; then that build is installed, and found
-# Every variable comes from tests/consumer/CMakeLists.txt.
-cmake_minimum_required(VERSION 3.25)
+# What the consumer tests share. Every variable comes from tests/consumer/CMakeLists.txt.
 
 function(run what)
   execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE code)
@@ -14,11 +9,22 @@ function(run what)
   set(output "${output}" PARENT_SCOPE)
 endfunction()
 
+function(skip what why)
+  message("${what}: left out, ${why}")
+  file(APPEND ${SKIP_RECORD} "consumer_${KIND}\t${what}\t${why}\n")
+endfunction()
+
+# A consumer's flags: what strict projects switch on, as errors, in our headers too (-I, not -isystem).
+set(strict -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror)
+separate_arguments(compile UNIX_COMMAND "${CXX_FLAGS}")
+set(compile ${CXX} -std=c++20 -g0 ${strict} ${compile})
+
 function(configure_and_build source build)
-  run("configure ${build}" ${CMAKE_COMMAND} -G ${GENERATOR} -S ${source} -B ${build}
-    -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_BUILD_TYPE=Debug "-DCMAKE_CXX_FLAGS=${CXX_FLAGS} -g0" ${ARGN})
-  cmake_host_system_information(RESULT jobs QUERY NUMBER_OF_LOGICAL_CORES)
-  run("build ${build}" ${CMAKE_COMMAND} --build ${build} -j ${jobs})
+  list(JOIN strict " " flags)
+  run("configure ${build}" ${CMAKE_COMMAND} -G ${GENERATOR} -S ${source} -B ${build} -D CMAKE_BUILD_TYPE=Debug
+    -D CMAKE_CXX_COMPILER=${CXX} "-DCMAKE_CXX_FLAGS=${CXX_FLAGS} ${flags} -g0" -D CMAKE_NO_SYSTEM_FROM_IMPORTED=ON
+    ${ARGN})
+  run("build ${build}" ${CMAKE_COMMAND} --build ${build})
 endfunction()
 
 function(run_hello program)
@@ -29,62 +35,52 @@ function(run_hello program)
 endfunction()
 
 function(find_package_consumer prefix build)
-  configure_and_build(${SOURCE_DIR}/examples/hello ${build} -D CMAKE_PREFIX_PATH=${prefix})
+  configure_and_build(${SOURCE_DIR}/examples/hello ${build} -D CMAKE_PREFIX_PATH=${prefix} ${ARGN})
   run_hello(${build}/hello)
 endfunction()
 
 # Gravity 4 in the place of 1: half the time.
-function(run_load_run program)
-  run("run ${program}" ${program} ${SOURCE_DIR}/examples/load_run/slide.yaml ${SCRATCH}/slide)
+function(catalogue_consumer prefix build)
+  file(REMOVE_RECURSE ${SCRATCH}/slide)
+  configure_and_build(${SOURCE_DIR}/examples/load_run ${build} -D CMAKE_PREFIX_PATH=${prefix} ${ARGN})
+  run("run load_run" ${build}/load_run ${SOURCE_DIR}/examples/load_run/slide.yaml ${SCRATCH}/slide)
   if(NOT output MATCHES "^certified: 1\\.5708" OR NOT EXISTS ${SCRATCH}/slide/result.json)
     message(FATAL_ERROR "load_run found another path, or wrote nothing: ${output}")
   endif()
 endfunction()
 
-# A component that was not installed is reported, not ignored.
-function(unknown_component_is_refused prefix)
-  file(WRITE ${SCRATCH}/unknown/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)\nproject(unknown LANGUAGES CXX)
-find_package(leastcost COMPONENTS framework teleport)
-if(leastcost_FOUND)\n  message(FATAL_ERROR \"found without teleport\")\nendif()\n")
-  run("find_package of an unknown component" ${CMAKE_COMMAND} -G ${GENERATOR} -S ${SCRATCH}/unknown
-    -B ${SCRATCH}/unknown/build -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_PREFIX_PATH=${prefix})
-endfunction()
-
+# One program per component with the flags of its .pc file; the catalogue reaches all others.
 function(pkg_config_consumer prefix)
   find_program(pkg_config pkg-config)
   if(NOT pkg_config)
-    message("pkg-config consumer: left out, no pkg-config")
+    skip("pkg-config consumer" "no pkg-config")
     return()
   endif()
   file(GLOB_RECURSE found ${prefix}/*/leastcost-problems.pc)
   cmake_path(GET found PARENT_PATH folder)
   set(ENV{PKG_CONFIG_PATH} ${folder})
-  run("pkg-config" ${pkg_config} --cflags --libs leastcost-problems leastcost-solvers)
-  separate_arguments(flags UNIX_COMMAND "${CXX_FLAGS} ${output}")
-  run("compile with pkg-config" ${CXX} -std=c++20 ${SOURCE_DIR}/examples/hello/main.cpp -o ${SCRATCH}/hello_pkg_config
-    ${flags})
-  run_hello(${SCRATCH}/hello_pkg_config)
+  set(hello_needs leastcost-problems leastcost-solvers)
+  set(load_run_needs leastcost-catalogue)
+  set(load_run_arguments ${SOURCE_DIR}/examples/load_run/slide.yaml ${SCRATCH}/slide_pkg_config)
+  set(hello ${SOURCE_DIR}/examples/hello/main.cpp)
+  set(load_run ${SOURCE_DIR}/examples/load_run/main.cpp)
+  file(REMOVE_RECURSE ${SCRATCH}/slide_pkg_config)
+  foreach(program IN ITEMS hello load_run ${BACK_ENDS})
+    if(program IN_LIST BACK_ENDS)
+      set(${program}_needs leastcost-${program})
+      set(${program} ${SCRATCH}/${program}.cpp)
+      string(SUBSTRING ${program} 0 1 initial)
+      string(TOUPPER ${initial} initial)
+      string(SUBSTRING ${program} 1 -1 class)
+      string(PREPEND class ${initial})
+      file(WRITE ${${program}} "#include <leastcost/solvers/${program}/${program}_solver.hpp>\n"
+        "int main() { return leastcost::${class}().name() == \"${program}\" ? 0 : 1; }\n")
+    endif()
+    run("pkg-config ${${program}_needs}" ${pkg_config} --cflags --libs ${${program}_needs})
+    separate_arguments(flags UNIX_COMMAND "${output}")
+    set(executable ${SCRATCH}/${program}_pkg_config)
+    run("compile with pkg-config" ${compile} ${${program}} -o ${executable} ${flags} -Wl,-rpath,${folder}/..)
+    run("run ${executable}" ${executable} ${${program}_arguments})
+  endforeach()
+  run("pkg-config" ${pkg_config} --exists "leastcost-framework = ${VERSION}")
 endfunction()
-
-set(prefix ${SCRATCH}/prefix)
-file(REMOVE_RECURSE ${prefix})
-if(KIND STREQUAL installed)
-  run("install" ${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${prefix})
-  find_package_consumer(${prefix} ${SCRATCH}/found)
-  if(BACK_ENDS)
-    configure_and_build(${SOURCE_DIR}/examples/compare_solvers ${SCRATCH}/compare -D CMAKE_PREFIX_PATH=${prefix})
-    run("run compare_solvers" ${SCRATCH}/compare/compare_solvers)
-  endif()
-  if(CATALOGUE)
-    configure_and_build(${SOURCE_DIR}/examples/load_run ${SCRATCH}/load_run -D CMAKE_PREFIX_PATH=${prefix})
-    run_load_run(${SCRATCH}/load_run/load_run)
-  endif()
-  unknown_component_is_refused(${prefix})
-  pkg_config_consumer(${prefix})
-else()
-  configure_and_build(${SOURCE_DIR}/tests/consumer/subdirectory ${SCRATCH}/subdirectory
-    -D LEASTCOST_SOURCE_DIR=${SOURCE_DIR} -D BUILD_SHARED_LIBS=ON -D LEASTCOST_INSTALL=ON)
-  run_hello(${SCRATCH}/subdirectory/hello)
-  run("install" ${CMAKE_COMMAND} --install ${SCRATCH}/subdirectory --prefix ${prefix})
-  find_package_consumer(${prefix} ${SCRATCH}/found)
-endif()

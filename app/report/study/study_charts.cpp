@@ -149,9 +149,9 @@ bool shows_something(const Chart& chart) {
 }
 
 Cell slope_cell(const Series& series) {
-  constexpr double kRounding = 1e-13;  // below this, rounding has its say
+  constexpr double kLeastError = 1e-13;  // below this, rounding has its say
   if (series.x.size() < 2) return {"", ""};
-  if (const auto slope = log_log_slope(series.x, series.y, kRounding))
+  if (const auto slope = log_log_slope(series.x, series.y, kLeastError))
     return {(*slope < 0 ? "−" : "") + fmt::format("{:.1f}", std::abs(*slope))};
   return {"rounding", "mild", "fewer than two errors above 1e-13"};
 }

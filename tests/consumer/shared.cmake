@@ -1,0 +1,41 @@
+# Shared libraries: as a subdirectory, and as Debian packages unpacked into a scratch root, found there by CMake and
+# pkg-config. Without the tools of Debian the same after a plain installation.
+cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/consumer.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/packages.cmake)
+
+set(from_objects -D BUILD_SHARED_LIBS=ON -D LEASTCOST_OBJECTS=${BUILD_DIR})
+configure_and_build(${SOURCE_DIR}/tests/consumer/subdirectory ${SCRATCH}/subdirectory
+  -D LEASTCOST_SOURCE_DIR=${SOURCE_DIR} ${from_objects})
+run_hello(${SCRATCH}/subdirectory/hello)
+
+run("configure" ${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE_DIR} -B ${SCRATCH}/build ${from_objects}
+  -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${CXX} "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}"
+  -D LEASTCOST_BUILD_TESTS=OFF -D LEASTCOST_VIEWER=OFF)
+run("build" ${CMAKE_COMMAND} --build ${SCRATCH}/build)
+
+find_program(dpkg_deb dpkg-deb)
+find_program(dpkg_shlibdeps dpkg-shlibdeps)
+find_program(file_program file)
+file(REMOVE_RECURSE ${SCRATCH}/root)
+if(dpkg_deb AND dpkg_shlibdeps AND file_program)
+  make_packages(${SCRATCH}/build ${SCRATCH}/packages)
+  check_packages(${SCRATCH}/packages shared)
+  unpack_packages(${SCRATCH}/packages ${SCRATCH}/root)
+  make_packages(${BUILD_DIR} ${SCRATCH}/static_packages)
+  check_packages(${SCRATCH}/static_packages static)
+else()
+  skip("Debian packages" "no dpkg-shlibdeps (package dpkg-dev) or no file")
+  run("install" ${CMAKE_COMMAND} --install ${SCRATCH}/build --prefix ${SCRATCH}/root/usr)
+endif()
+
+# Nothing but Eigen has to be found by who uses the shared libraries.
+set(prefix ${SCRATCH}/root/usr)
+set(without "")
+foreach(package IN ITEMS NLopt Ceres yaml-cpp fmt OpenSSL)
+  list(APPEND without -D CMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
+endforeach()
+find_package_consumer(${prefix} ${SCRATCH}/hello ${without})
+catalogue_consumer(${prefix} ${SCRATCH}/catalogue ${without})
+pkg_config_consumer(${prefix})
+run("the program" ${prefix}/bin/leastcost --version)

@@ -1,0 +1,32 @@
+# This build installed: its headers, find_package (compare_solvers where there are both back ends), pkg-config.
+cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/consumer.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/headers.cmake)
+
+# A component that was not installed is reported, not ignored.
+function(unknown_component_is_refused prefix)
+  file(WRITE ${SCRATCH}/unknown/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)\nproject(unknown LANGUAGES CXX)
+find_package(leastcost COMPONENTS framework teleport)
+if(leastcost_FOUND)\n  message(FATAL_ERROR \"found without teleport\")\nendif()
+get_target_property(folders Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+file(WRITE ${SCRATCH}/eigen.txt \"\${folders}\")\n")
+  run("find_package of an unknown component" ${CMAKE_COMMAND} -G ${GENERATOR} -S ${SCRATCH}/unknown
+    -B ${SCRATCH}/unknown/build -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_PREFIX_PATH=${prefix})
+endfunction()
+
+set(prefix ${SCRATCH}/prefix)
+file(REMOVE_RECURSE ${prefix})
+run("install" ${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${prefix})
+unknown_component_is_refused(${prefix})
+file(READ ${SCRATCH}/eigen.txt eigen)
+no_header_elsewhere(${prefix})
+no_internal_header(${prefix})
+headers_compile(${prefix} ${eigen})
+other_alignment_is_refused(${prefix} ${eigen})
+find_package_consumer(${prefix} ${SCRATCH}/hello)
+catalogue_consumer(${prefix} ${SCRATCH}/catalogue)
+if("nlopt" IN_LIST BACK_ENDS AND "ceres" IN_LIST BACK_ENDS)
+  configure_and_build(${SOURCE_DIR}/examples/compare_solvers ${SCRATCH}/compare -D CMAKE_PREFIX_PATH=${prefix})
+  run("run compare_solvers" ${SCRATCH}/compare/compare_solvers)
+endif()
+pkg_config_consumer(${prefix})
