@@ -10,9 +10,9 @@ namespace leastcost {
 namespace {
 
 /// A point of a cloud takes some 30 us.
-constexpr Index kPart = 16;
+constexpr Index kColumnPart = 16;
 
-bool whole(const CoordinatePath& path, const Deadline& deadline) { return !deadline || path.u.cols() <= kPart; }
+bool whole(const CoordinatePath& path, const Deadline& deadline) { return !deadline || path.u.cols() <= kColumnPart; }
 
 /// Columns of a path, as a ring: all of them are free.
 CoordinatePath part_of(const CoordinatePath& path, Index begin, Index count) {
@@ -26,7 +26,7 @@ template <class Make>
 void fill_in_parts(const CoordinatePath& path, const Deadline& deadline, Points& out, Make make) {
   if (whole(path, deadline)) return make(path, 0, out);
   Points of_part;
-  in_parts(path.u.cols(), kPart, deadline, [&](Index begin, Index count) {
+  in_parts(path.u.cols(), kColumnPart, deadline, [&](Index begin, Index count) {
     make(part_of(path, begin, count), begin, of_part);
     const Index width = of_part.cols() / count;
     if (begin == 0) out.resize(of_part.rows(), width * path.u.cols());
@@ -39,7 +39,7 @@ void fill_in_parts(const CoordinatePath& path, const Deadline& deadline, Points&
 Projection project(const ConstraintManifold& manifold, CoordinatePath& path, const Deadline& deadline) {
   if (whole(path, deadline)) return manifold.project(path);
   Projection result;
-  in_parts(path.u.cols(), kPart, deadline, [&](Index begin, Index count) {
+  in_parts(path.u.cols(), kColumnPart, deadline, [&](Index begin, Index count) {
     CoordinatePath part = part_of(path, begin, count);
     const Projection projection = manifold.project(part);
     path.u.middleCols(begin, count) = part.u;
@@ -62,7 +62,7 @@ void tangent_bases(const ConstraintManifold& manifold, const CoordinatePath& pat
 double residual(const ConstraintManifold& manifold, const CoordinatePath& path, const Deadline& deadline) {
   if (whole(path, deadline)) return manifold.residual(path);
   double worst = 0;
-  in_parts(path.u.cols(), kPart, deadline, [&](Index begin, Index count) {
+  in_parts(path.u.cols(), kColumnPart, deadline, [&](Index begin, Index count) {
     const double here = manifold.residual(part_of(path, begin, count));
     worst = here > worst || !(here == here) ? here : worst;
   });
@@ -79,7 +79,7 @@ void retract(const ConstraintManifold& manifold, const CoordinatePath& from, con
   prepare_like(from, to);
   CoordinatePath moved;
   const Index first = from.free_begin();
-  in_parts(step.cols(), kPart, deadline, [&](Index begin, Index count) {
+  in_parts(step.cols(), kColumnPart, deadline, [&](Index begin, Index count) {
     move(part_of(from, first + begin, count), step.middleCols(begin, count), moved);
     to.u.middleCols(first + begin, count) = moved.u;
     if (!to.sites.empty()) std::copy(moved.sites.begin(), moved.sites.end(), to.sites.begin() + first + begin);

@@ -17,7 +17,7 @@ namespace {
 
 /// Segments between two looks at the clock: energies and gradients take up to some microseconds each, Hessians up to
 /// some ten.
-constexpr Index kPart = 128, kHessianPart = 32;
+constexpr Index kEnergyPart = 128, kHessianPart = 32;
 
 /// T' M S for the frames of two points in ambient coordinates (or M itself where they are the identity), added to
 /// `out`.
@@ -66,7 +66,7 @@ void PathEnergy::squared_costs(const CoordinatePath& path) {
   q_.resize(static_cast<std::size_t>(path.segment_count()));
   const AmbientPath x = ambient(path);
   const std::span<double> q = q_;
-  in_parts(path.segment_count(), kPart, deadline_, [&](Index begin, Index count) {
+  in_parts(path.segment_count(), kEnergyPart, deadline_, [&](Index begin, Index count) {
     problem_->cost->squared_costs(x.part(begin, count),
                                   q.subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(count)));
   });
@@ -84,9 +84,9 @@ double PathEnergy::value(const CoordinatePath& path) {
   ++counters_.energies;
   apply_kernel(path);
   double energy = 0;
-  for (std::size_t begin = 0; begin < phi_.size(); begin += kPart) {
+  for (std::size_t begin = 0; begin < phi_.size(); begin += kEnergyPart) {
     double part = 0;
-    for (std::size_t i = begin; i < std::min(begin + kPart, phi_.size()); ++i) part += phi_[i].value;
+    for (std::size_t i = begin; i < std::min(begin + kEnergyPart, phi_.size()); ++i) part += phi_[i].value;
     energy += part;
   }
   return std::isnan(energy) ? std::numeric_limits<double>::infinity() : energy;
@@ -96,7 +96,7 @@ double PathEnergy::ambient_gradient(const CoordinatePath& path) {
   const AmbientPath x = ambient(path);
   ambient_gradient_.setZero(dims_.ambient, x.x.cols());
   double energy = 0;
-  in_parts(x.segment_count(), kPart, deadline_, [&](Index begin, Index count) {
+  in_parts(x.segment_count(), kEnergyPart, deadline_, [&](Index begin, Index count) {
     part_gradient_.resize(dims_.ambient, count + 1);
     energy += problem_->cost->energy_and_gradient(x.part(begin, count), *problem_->kernel, s0_, part_gradient_);
     ambient_gradient_.middleCols(begin, count + 1) += part_gradient_;
@@ -127,7 +127,7 @@ void PathEnergy::residuals(const CoordinatePath& path, Points& r, Points* jacobi
   ++(jacobians != nullptr ? counters_.gradients : counters_.energies);
   const AmbientPath x = ambient(path);
   Points part_r, part_jacobians;
-  in_parts(x.segment_count(), kPart, deadline_, [&](Index begin, Index count) {
+  in_parts(x.segment_count(), kEnergyPart, deadline_, [&](Index begin, Index count) {
     problem_->cost->residuals(x.part(begin, count), part_r, jacobians != nullptr ? &part_jacobians : nullptr);
     const Index width = 2 * dims_.ambient;
     if (begin == 0) r.resize(part_r.rows(), x.segment_count());

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/kruskal_min_spanning_tree.hpp>
-#include <boost/pending/disjoint_sets.hpp>
 #include <iterator>
 #include <numeric>
 
@@ -54,21 +53,23 @@ std::span<const std::int32_t> SparseGraph::successors(std::int32_t node) const {
 }
 
 Components connected_components(const SparseGraph& graph) {
-  const auto n = static_cast<std::size_t>(graph.size());
-  boost::disjoint_sets_with_storage<> sets(n);
-  for (std::size_t i = 0; i < n; ++i) sets.make_set(i);
-  for (std::int32_t i = 0; i < graph.size(); ++i)
-    for (const std::int32_t j : graph.successors(i))
-      sets.union_set(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
-  std::vector<std::int32_t> of(n), number(n, -1), sizes;
-  for (std::size_t i = 0; i < n; ++i) {
-    std::int32_t& part = number[sets.find_set(i)];
-    if (part < 0) {
-      part = static_cast<std::int32_t>(sizes.size());
-      sizes.push_back(0);
+  std::vector<std::int32_t> of(static_cast<std::size_t>(graph.size()), -1), sizes, open;
+  for (std::int32_t start = 0; start < graph.size(); ++start) {
+    if (of[static_cast<std::size_t>(start)] >= 0) continue;
+    const auto part = static_cast<std::int32_t>(sizes.size());
+    sizes.push_back(0);
+    open.assign(1, start);
+    of[static_cast<std::size_t>(start)] = part;
+    while (!open.empty()) {
+      const std::int32_t node = open.back();
+      open.pop_back();
+      ++sizes.back();
+      for (const std::int32_t next : graph.successors(node)) {
+        std::int32_t& known = of[static_cast<std::size_t>(next)];
+        if (known < 0) open.push_back(next);
+        known = part;
+      }
     }
-    of[i] = part;
-    ++sizes[static_cast<std::size_t>(part)];
   }
   return by_size(std::move(of), sizes);
 }

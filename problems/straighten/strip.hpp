@@ -14,9 +14,6 @@
 
 namespace leastcost {
 
-/// Twice the signed area of the triangle 0, a, b.
-inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 /// An end of a straight piece of path: a vertex, or a point inside an edge or a face.
 struct StripEnd {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
