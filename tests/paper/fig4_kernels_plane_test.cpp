@@ -30,18 +30,18 @@ CoordinatePath wave(const Problem& problem) {
   return sample_equally(problem, dense, kPoints);
 }
 
-struct Run {
+struct KernelRun {
   std::vector<double> errors;  ///< relative error of the length after 0, 1, 2, .. iterations
   double spread = 0;           ///< at the end
   Termination end = Termination::non_finite;
 };
 
 /// Plain L-BFGS, one iteration more at a time (a prefix of one run is a run).
-Run run(const std::shared_ptr<const Kernel>& kernel) {
+KernelRun run(const std::shared_ptr<const Kernel>& kernel) {
   const Problem problem = plane(kernel);
   const CoordinatePath start = wave(problem);
   PathEnergy energy(problem, PathEnergy(problem, 1).cost(start) / (kPoints + 1));
-  Run result;
+  KernelRun result;
   for (const int iterations : {1, 10, 30, 100, 200, 300, 500, 1000, 3000}) {
     CoordinatePath path = start;
     const Lbfgs solver({.tolerance = 0, .max_iterations = iterations, .precondition = Preconditioner::none});
@@ -55,8 +55,8 @@ Run run(const std::shared_ptr<const Kernel>& kernel) {
 }  // namespace
 
 TEST_CASE("Fig. 4: kernels on the plane by plain L-BFGS, at equal s0", "[paper]") {
-  const Run s = run(make_kernel<Linear>()), square = run(make_kernel<Square>()),
-            exponential = run(make_kernel<Expm1Square>());
+  const KernelRun s = run(make_kernel<Linear>()), square = run(make_kernel<Square>()),
+                  exponential = run(make_kernel<Expm1Square>());
   std::printf("Fig. 4, relative error of the length after 1, 10, 30, 100, 200, 300, 500, 1000, 3000 iterations\n");
   for (const auto& [name, r] :
        {std::pair{"s", &s}, std::pair{"s^2", &square}, std::pair{"exp(s^2) - 1", &exponential}}) {
@@ -64,7 +64,7 @@ TEST_CASE("Fig. 4: kernels on the plane by plain L-BFGS, at equal s0", "[paper]"
     for (const double e : r->errors) std::printf(" %.1e", e);
     std::printf("   spread %.1e, %s\n", r->spread, std::string(leastcost::name(r->end)).c_str());
   }
-  for (const Run* r : {&s, &square, &exponential})
+  for (const KernelRun* r : {&s, &square, &exponential})
     for (const double e : r->errors) CHECK(e > -1e-14);  // never shorter than the line
   // Both strictly convex kernels find the line and its equal spacing, in a comparable number of iterations.
   CHECK(square.errors.back() < 1e-8);
