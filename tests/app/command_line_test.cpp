@@ -31,11 +31,6 @@ std::string write_text(const fs::path& file, const std::string& text) {
   return file.string();
 }
 
-std::string content(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 }  // namespace
 
 TEST_CASE("command line: wrong usage is exit 2, with a suggestion") {
@@ -185,7 +180,7 @@ TEST_CASE("command line: what init gives runs") {
     names.insert(t.name);
     if (t.name == "mesh" && !bunny) continue;
     CAPTURE(t.name);
-    const std::string file = write(dir / (t.name + ".yaml"), t.text), out = (dir / t.name).string();
+    const std::string file = write_text(dir / (t.name + ".yaml"), t.text), out = (dir / t.name).string();
     const Called called = call({t.name == "study" ? "study" : "run", file, "-q", "-o", out});
     INFO(called.out << called.err);
     CHECK(called.exit == (t.name == "ring" ? 5 : 0));
@@ -198,9 +193,9 @@ TEST_CASE("command line: a configuration from standard input") {
   if (program().empty()) return record_skip("standard input", "the program was not built");
   const ScratchDir dir;
   std::filesystem::copy(project_dir() / "configs/data/hill.obj", dir / "hill.obj");
-  write(dir / "a.yaml",
-        "manifold: {type: mesh, file: hill.obj}\ncost: euclidean\n"
-        "ends: {source: {vertex: 0}, target: {vertex: 20}}\npath: {points: 9}\n");
+  write_text(dir / "a.yaml",
+             "manifold: {type: mesh, file: hill.obj}\ncost: euclidean\n"
+             "ends: {source: {vertex: 0}, target: {vertex: 20}}\npath: {points: 9}\n");
   const auto shell = [&](const std::string& command) {
     const int status = std::system(("cd '" + dir.path().string() + "' && " + command).c_str());
     return (status >> 8) & 0xff;

@@ -24,12 +24,6 @@ namespace fs = std::filesystem;
 using Catch::Contains;
 using Json = nlohmann::json;
 
-std::string content(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  REQUIRE(in);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 Json json(const fs::path& file) { return Json::parse(content(file)); }
 
 Json without_seconds(const fs::path& file) {

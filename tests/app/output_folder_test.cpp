@@ -107,7 +107,7 @@ TEST_CASE("output folder: what appeared while it was written is not replaced, an
   {
     OutputFolder folder(dir / "run", false);
     folder.write("x.txt", "mine");
-    write(dir / "run/notes.txt", "precious");
+    write_below(dir / "run/notes.txt", "precious");
     first = kept(refused(folder));
   }
   CHECK(content(dir / "run/notes.txt") == "precious");
@@ -125,7 +125,7 @@ TEST_CASE("output folder: what appeared while it was written is not replaced, an
   {
     OutputFolder forced(dir / "both", true);
     forced.write("x.txt", "three");
-    write(dir / "both/notes.txt", "precious");
+    write_below(dir / "both/notes.txt", "precious");
     CHECK_THAT(refused(forced), Contains("notes.txt"));
   }
   CHECK(content(dir / "both/notes.txt") == "precious");

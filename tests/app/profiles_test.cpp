@@ -241,9 +241,9 @@ TEST_CASE("study analysis: the test of More and Wild goes by the way down") {
 
 TEST_CASE("study analysis: ties count for each; times tie within a tenth") {
   const WorkTable work = {{10, 10, 10.9}, {kNever, kNever, kNever}, {5, 4, kNever}};
-  CHECK(firsts(work, Work::evaluations, 3) == std::vector<std::size_t>{1, 2, 0});
-  CHECK(firsts(work, Work::seconds, 3) == std::vector<std::size_t>{1, 2, 1});
-  CHECK(firsts({}, Work::seconds, 2) == std::vector<std::size_t>{0, 0});
+  CHECK(problems_won(work, Work::evaluations, 3) == std::vector<std::size_t>{1, 2, 0});
+  CHECK(problems_won(work, Work::seconds, 3) == std::vector<std::size_t>{1, 2, 1});
+  CHECK(problems_won({}, Work::seconds, 2) == std::vector<std::size_t>{0, 0});
 }
 
 TEST_CASE("study analysis: kernels, seeds and swept keys tell groups apart only where they vary") {

@@ -54,7 +54,7 @@ std::string domains_by_name(const fs::path& root) {
   return found;
 }
 
-void write(const fs::path& file, const std::string& text) {
+void write_planted(const fs::path& file, const std::string& text) {
   fs::create_directories(file.parent_path());
   std::ofstream(file) << text;
 }
@@ -72,14 +72,14 @@ TEST_CASE("abilities: what composes, places, draws and writes names no domain") 
 
 TEST_CASE("abilities: a second cast and a domain by name are caught") {
   const ScratchDir tree;
-  write(tree / "framework/ability.hpp", "dynamic_cast<const A*>(object)\n");
-  write(tree / "problems/mesh/has_mesh.hpp", "#include <leastcost/problems/cloud/point_cloud.hpp>\n");
+  write_planted(tree / "framework/ability.hpp", "dynamic_cast<const A*>(object)\n");
+  write_planted(tree / "problems/mesh/has_mesh.hpp", "#include <leastcost/problems/cloud/point_cloud.hpp>\n");
   CHECK(casts(tree.path()) + domains_by_name(tree.path()) == "");
-  write(tree / "solvers/a.cpp", "\nif (dynamic_cast<const HasChart*>(&manifold)) return;\n");
+  write_planted(tree / "solvers/a.cpp", "\nif (dynamic_cast<const HasChart*>(&manifold)) return;\n");
   CHECK_THAT(casts(tree.path()), Catch::Contains("solvers/a.cpp:2: if (dynamic_cast"));
-  write(tree / "app/run/b.cpp", "std::dynamic_pointer_cast<const HasMesh>(manifold);\n");
+  write_planted(tree / "app/run/b.cpp", "std::dynamic_pointer_cast<const HasMesh>(manifold);\n");
   CHECK_THAT(casts(tree.path()), Catch::Contains("app/run/b.cpp:1"));
-  write(tree / "catalogue/scene/scene.cpp", "#include <leastcost/problems/mesh/has_mesh.hpp>\n");
+  write_planted(tree / "catalogue/scene/scene.cpp", "#include <leastcost/problems/mesh/has_mesh.hpp>\n");
   CHECK_THAT(domains_by_name(tree.path()), Catch::Contains("catalogue/scene/scene.cpp:1"));
 }
 

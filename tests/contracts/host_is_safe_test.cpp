@@ -83,10 +83,8 @@ TEST_CASE("host: a path that comes to cost nothing", "[contract]") {
 }
 
 TEST_CASE("host: both ends are the apex of a cone", "[contract]") {
-  ParametricOptions cone;
-  cone.type = "cone";
   Problem problem;
-  problem.manifold = make_parametric_manifold(cone);
+  problem.manifold = make_parametric_manifold({.surface = parametric::Cone{}});
   problem.cost = make_euclidean_cost(3);
   problem.kernel = make_kernel<Expm1Square>();
   problem.source.u = Eigen::Vector2d(0, 0);
@@ -101,12 +99,11 @@ TEST_CASE("host: both ends are the apex of a cone", "[contract]") {
 
 TEST_CASE("host: an end on a mesh without its face", "[contract]") {
   const auto mesh = std::make_shared<const MeshManifold>(TriangleMesh(sphere(2)));
-  MetricFieldOptions curvature;
-  curvature.type = "curvature";
-  curvature.curvature.weight = 0.3;
+  const MetricFieldOptions curvature{.field = CurvatureMetricOptions{.weight = 0.3}};
   Problem problem;
   problem.manifold = mesh;
-  problem.cost = GENERATE_COPY(make_euclidean_cost(3), make_metric_field_cost(curvature, 3, mesh.get()));
+  problem.cost = GENERATE_COPY(as<std::shared_ptr<const SegmentCost>>(), make_euclidean_cost(3),
+                               make_metric_field_cost(curvature, 3, mesh.get()));
   problem.kernel = make_kernel<Expm1Square>();
   problem.source.u = Eigen::Vector3d(0, 0, 1);
   problem.target.u = Eigen::Vector3d(1, 0, 0);

@@ -14,7 +14,7 @@ namespace {
 std::unique_ptr<Solver> newton(int iterations, int evaluations) {
   return std::make_unique<Newton>(NewtonOptions{.max_iterations = iterations, .max_evaluations = evaluations});
 }
-std::unique_ptr<Solver> lbfgs(int iterations, int evaluations, Preconditioner precondition) {
+std::unique_ptr<Solver> make_lbfgs(int iterations, int evaluations, Preconditioner precondition) {
   return std::make_unique<Lbfgs>(
       LbfgsOptions{.max_iterations = iterations, .max_evaluations = evaluations, .precondition = precondition});
 }
@@ -24,11 +24,11 @@ std::unique_ptr<Solver> lbfgs(int iterations, int evaluations, Preconditioner pr
 TEST_CASE("solver contract: newton", "[contract]") { check_solver_contract(newton); }
 TEST_CASE("solver contract: lbfgs, precondition chain", "[contract]") {
   check_solver_contract(
-      [](int iterations, int evaluations) { return lbfgs(iterations, evaluations, Preconditioner::chain); });
+      [](int iterations, int evaluations) { return make_lbfgs(iterations, evaluations, Preconditioner::chain); });
 }
 TEST_CASE("solver contract: lbfgs, precondition none", "[contract]") {
   check_solver_contract(
-      [](int iterations, int evaluations) { return lbfgs(iterations, evaluations, Preconditioner::none); });
+      [](int iterations, int evaluations) { return make_lbfgs(iterations, evaluations, Preconditioner::none); });
 }
 TEST_CASE("solver contract: gradient_descent", "[contract]") {
   check_solver_contract([](int iterations, int evaluations) {
@@ -59,8 +59,8 @@ TEST_CASE("solver contract: string", "[contract]") {
       {.own_rule = true, .by_cost = true});
 }
 TEST_CASE("solvers agree", "[contract]") {
-  const auto n = newton(1000, 100000), chain = lbfgs(1000, 100000, Preconditioner::chain),
-             plain = lbfgs(100000, 1000000, Preconditioner::none);
+  const auto n = newton(1000, 100000), chain = make_lbfgs(1000, 100000, Preconditioner::chain),
+             plain = make_lbfgs(100000, 1000000, Preconditioner::none);
   check_agreement(*n, *chain);
   check_agreement(*n, *plain);
 }

@@ -69,9 +69,10 @@ class HalfSpace final : public EmbeddedManifold, public HasBounds {
 };
 
 /// The graph z = u^2 v over the plane; derivatives times a factor.
-class Graph final : public EmbeddedManifold, public HasChart {
+class GraphSurface final : public EmbeddedManifold, public HasChart {
  public:
-  Graph(double first, double second) : EmbeddedManifold({2, 3, 2}), first_(first), second_(second) {}
+  GraphSurface(double first, double second) : EmbeddedManifold({2, 3, 2}), first_(first), second_(second) {}
+  std::vector<std::string> coordinate_names() const override { return {"u", "v"}; }
   Shape shape() const override { return Shape::smooth; }
   void embed(const CoordinatePath& path, Points& x) const override {
     x.resize(3, path.u.cols());
@@ -143,9 +144,9 @@ TEST_CASE("check_manifold: bounds and charts", "[framework]") {
   CHECK(named(HalfSpace(-1), plane, on_bound) == "");
   CHECK(named(HalfSpace(1), plane, on_bound) == "bounds");
   CHECK(named(HalfSpace(-2), plane, on_bound) == "bounds");
-  CHECK(named(Graph(1, 1), plane) == "");
-  CHECK(named(Graph(1.01, 1), plane) == "chart_jacobian chart_curvature");
-  CHECK(named(Graph(1, 1.01), plane) == "chart_curvature");
+  CHECK(named(GraphSurface(1, 1), plane) == "");
+  CHECK(named(GraphSurface(1.01, 1), plane) == "chart_jacobian chart_curvature");
+  CHECK(named(GraphSurface(1, 1.01), plane) == "chart_curvature");
 }
 
 }  // namespace leastcost::test

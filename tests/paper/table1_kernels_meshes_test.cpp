@@ -78,7 +78,7 @@ TEST_CASE("Table 1: kernels on meshes", "[paper][slow]") {
     CHECK(outcomes[1].length == Approx(outcomes[2].length).epsilon(0.02));
     // docs/paper.md: with the chain both strictly convex kernels are quick, H = s is not, and the choice no longer
     // matters.
-    if (std::string_view(precondition) == "chain") {
+    if (precondition == Preconditioner::chain) {
       const int slower = std::max(outcomes[1].iterations, outcomes[2].iterations);
       CHECK(slower <= 16);
       CHECK(outcomes[0].iterations >= 4 * slower);
