@@ -57,8 +57,8 @@ ParametricOptions polar_plane() {
   return options;
 }
 
-std::shared_ptr<const LevelSet> boxed(const char* f, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
-                                      int dimension = 3) {
+std::shared_ptr<const LevelSet> boxed(const char* f, const std::optional<Eigen::VectorXd>& lower,
+                                      const std::optional<Eigen::VectorXd>& upper, int dimension = 3) {
   return make_implicit_manifold(
       {.surface = leastcost::implicit::Formula{.f = f, .dimension = dimension}, .box = {lower, upper}});
 }

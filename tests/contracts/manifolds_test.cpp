@@ -161,7 +161,8 @@ TEST_CASE("manifold contract: the sphere and the torus of the tests", "[contract
 }
 
 TEST_CASE("a box that is none is refused by name", "[contract]") {
-  const auto key = [](int dimension, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) -> std::string {
+  const auto key = [](int dimension, const std::optional<Eigen::VectorXd>& lower,
+                      const std::optional<Eigen::VectorXd>& upper) -> std::string {
     try {
       EuclideanManifold({dimension, {lower, upper}});
     } catch (const OptionError& error) {
