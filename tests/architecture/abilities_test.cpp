@@ -45,7 +45,7 @@ std::string casts(const fs::path& root) {
 /// Includes of rooms about one sort of domain.
 std::string domains_by_name(const fs::path& root) {
   static const std::regex room(
-      "#include.*problems/(mesh|cloud|distance|level_set)/|#include.*problems/manifolds/"
+      "#include.*problems/(mesh/|cloud/|distance/(?!build_progress)|level_set/)|#include.*problems/manifolds/"
       "(box|chart|constraint|euclidean|implicit|level_set|mesh|parametric|point_cloud|signed)");
   std::string found;
   for (const char* folder : {"catalogue/run", "catalogue/scene", "catalogue/output", "catalogue/options", "app/run",

@@ -223,7 +223,7 @@ TEST_CASE("initializer contract: rrt, seeds and failures", "[contract]") {
     try {
       RrtInitializer(options).first_path(problem, monitor);
       return std::string("found");
-    } catch (const InitializationError& error) {
+    } catch (const Error& error) {  // InitializationError, or Interrupted
       return std::string(error.what());
     }
   };

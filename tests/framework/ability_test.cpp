@@ -106,7 +106,7 @@ TEST_CASE("abilities: a decorated cost keeps every ability, through any number o
     CHECK(find_ability<FollowsDomain>(cost) == static_cast<const FollowsDomain*>(able.get()));
     CHECK(reason_for_infinity(*cost, kZero, kOne) == ": a wall");
   }
-  CHECK(find_ability<ExplainsInfinity>(Watched(make_euclidean_cost(3))) == nullptr);
+  CHECK(find_ability<FollowsDomain>(Watched(make_euclidean_cost(3))) == nullptr);
 }
 
 TEST_CASE("abilities: the decorator's own come first") {
