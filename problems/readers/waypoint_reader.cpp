@@ -44,7 +44,8 @@ std::vector<std::size_t> pick_columns(const std::vector<std::string>& header, co
     named.push_back(static_cast<std::size_t>(std::find(header.begin(), header.end(), name) - header.begin()));
     first.push_back(first.size());
   }
-  return *std::max_element(named.begin(), named.end()) < header.size() ? named : first;
+  const bool all_named = std::all_of(named.begin(), named.end(), [&](std::size_t c) { return c < header.size(); });
+  return all_named ? named : first;
 }
 
 }  // namespace
@@ -52,6 +53,7 @@ std::vector<std::size_t> pick_columns(const std::vector<std::string>& header, co
 Eigen::MatrixXd read_waypoints(const std::filesystem::path& file, const std::vector<std::string>& names) {
   std::ifstream in(file);
   if (!in) throw InputError(file.string() + ": cannot be opened");
+  if (names.empty()) throw InputError(file.string() + ": the coordinates of its points have no names");
   std::vector<std::size_t> columns = pick_columns({}, names);
   std::vector<double> values;
   std::string line;

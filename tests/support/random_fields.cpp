@@ -44,12 +44,11 @@ constexpr std::array kFormulas = {"x",
                                   "((((x))))",
                                   "1e400",
                                   "x1^2 + x2^2 - 1"};
-constexpr double kBad = 0.15;  ///< part of the numbers that are bad
 
 }  // namespace
 
 double RandomFields::number(const FieldDoc& doc) {
-  if (chance(kBad)) return kBadNumbers[below(kBadNumbers.size())];
+  if (chance(bad_)) return kBadNumbers[below(kBadNumbers.size())];
   const double low = std::max(doc.minimum, -3.0), high = std::min(doc.maximum, std::max(low, 0.0) + 3.0);
   return std::uniform_real_distribution<double>(std::min(low, high), std::max(low, high))(random_);
 }
@@ -64,7 +63,7 @@ void RandomFields::field(std::string_view, int& value, const FieldDoc& doc) {
   if (!bold(doc)) return;
   const int low = doc.minimum > -100 ? static_cast<int>(doc.minimum) : -3;
   const int high = doc.maximum < low + 20.0 ? static_cast<int>(doc.maximum) : low + 20;
-  value = chance(kBad) ? kBadCounts[below(kBadCounts.size())] : std::uniform_int_distribution<int>(low, high)(random_);
+  value = chance(bad_) ? kBadCounts[below(kBadCounts.size())] : std::uniform_int_distribution<int>(low, high)(random_);
 }
 
 void RandomFields::field(std::string_view, double& value, const FieldDoc& doc) {
@@ -77,16 +76,16 @@ void RandomFields::field(std::string_view, std::string& value, const FieldDoc& d
 
 void RandomFields::field(std::string_view, Eigen::VectorXd& value, const FieldDoc& doc) {
   if (!bold(doc)) return;
-  value.resize(static_cast<Eigen::Index>(chance(0.8) ? 2 + below(2) : below(5)));
+  value.resize(rows());
   for (double& x : value) x = number(doc);
 }
 
 void RandomFields::field(std::string_view, Eigen::MatrixXd& value, const FieldDoc& doc) {
   if (!bold(doc)) return;
-  const auto rows = static_cast<Eigen::Index>(chance(0.8) ? 2 + below(2) : below(5));
-  value.resize(rows, chance(0.9) ? rows : static_cast<Eigen::Index>(below(5)));
+  const Eigen::Index count = rows();
+  value.resize(count, chance(1 - bad_) ? count : rows());
   for (double& x : value.reshaped()) x = number(doc);
-  if (rows == value.cols() && chance(0.6)) value = (value * value.transpose()).eval();  // a metric, perhaps
+  if (count == value.cols() && chance(1 - bad_)) value = (value * value.transpose()).eval();  // a metric, perhaps
 }
 
 void RandomFields::field(std::string_view, std::map<std::string, double>& value, const FieldDoc& doc) {

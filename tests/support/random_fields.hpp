@@ -15,9 +15,11 @@ namespace leastcost::test {
 /// sensible ones, now and then such as no author thought of.
 class RandomFields final : public FieldVisitor {
  public:
-  /// `files`: what file options may name. `boldness`: part of the fields that do not keep their default.
-  RandomFields(std::mt19937_64& random, const std::vector<std::string>& files, double boldness)
-      : random_(random), files_(files), boldness_(boldness) {}
+  /// `files`: what file options may name. `dimension`: rows that vectors and matrices mostly have. `boldness`: part of
+  /// the fields that do not keep their default; `bad`: part of the numbers that no author thought of.
+  RandomFields(std::mt19937_64& random, const std::vector<std::string>& files, int dimension, double boldness,
+               double bad)
+      : random_(random), files_(files), dimension_(dimension), boldness_(boldness), bad_(bad) {}
 
   using FieldVisitor::field;
   void field(std::string_view key, bool& value, const FieldDoc& doc) override;
@@ -43,11 +45,13 @@ class RandomFields final : public FieldVisitor {
   bool chance(double p) { return std::uniform_real_distribution<double>(0, 1)(random_) < p; }
   std::size_t below(std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_); }
   double number(const FieldDoc& doc);
+  Eigen::Index rows() { return chance(1 - bad_) ? dimension_ : static_cast<Eigen::Index>(below(5)); }
   std::string formula();
 
   std::mt19937_64& random_;
   const std::vector<std::string>& files_;
-  double boldness_;
+  int dimension_;
+  double boldness_, bad_;
 };
 
 }  // namespace leastcost::test
