@@ -196,7 +196,7 @@ void LbfgsOptions::fields(FieldVisitor& visit) {
            "Initial inverse Hessian: the chain's own (iterations independent of n) or a multiple of the identity."});
 }
 
-Lbfgs::Lbfgs(LbfgsOptions options) : options_(std::move(options)) {}
+Lbfgs::Lbfgs(LbfgsOptions options) : options_(options) {}
 
 SolveReport Lbfgs::do_solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const {
   return LbfgsSolve(energy, path, options_, monitor).run();

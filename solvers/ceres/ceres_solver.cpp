@@ -6,7 +6,6 @@
 
 #include <array>
 #include <string>
-#include <utility>
 
 #include <leastcost/framework/errors.hpp>
 #include "solvers/ceres/line_search.hpp"
@@ -36,7 +35,7 @@ void CeresOptions::fields(FieldVisitor& visit) {
   rounds.fields(visit);
 }
 
-Ceres::Ceres(CeresOptions options) : options_(std::move(options)) {}
+Ceres::Ceres(CeresOptions options) : options_(options) {}
 
 std::optional<std::string> Ceres::cannot_solve(const PathEnergy& energy, const CoordinatePath& path) const {
   const Index variables = energy.problem().manifold->dimensions().tangent * path.free_count();

@@ -8,7 +8,6 @@
 #include <limits>
 #include <nlopt.hpp>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <leastcost/framework/errors.hpp>
@@ -127,7 +126,7 @@ void NloptOptions::fields(FieldVisitor& visit) {
   rounds.fields(visit);
 }
 
-Nlopt::Nlopt(NloptOptions options) : options_(std::move(options)) {}
+Nlopt::Nlopt(NloptOptions options) : options_(options) {}
 
 std::optional<std::string> Nlopt::cannot_solve(const PathEnergy& energy, const CoordinatePath& path) const {
   const Method m = method(options_.algorithm);
