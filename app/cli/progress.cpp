@@ -76,8 +76,9 @@ void ProgressPrinter::show_bar(const std::string& line, int percent) {
 void ProgressPrinter::show_line(const std::string& line, int percent, bool new_stage, bool has_share) {
   const auto now = Clock::now();
   if (now - start_ < kSilentStart) return;
-  const bool due = new_stage || percent >= last_percent_ + 10 || now - last_shown_ >= kLineInterval;
+  const bool due = new_stage || !line_shown_ || percent >= last_percent_ + 10 || now - last_shown_ >= kLineInterval;
   if (!due) return;
+  line_shown_ = true;
   last_shown_ = now;
   last_percent_ = percent - percent % 10;
   const double seconds = std::chrono::duration<double>(now - start_).count();

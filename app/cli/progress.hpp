@@ -39,7 +39,7 @@ class ProgressPrinter {
   double first_error_ = 0;
   int last_percent_ = 0;
   std::string phase_;  ///< of what is being made; empty: none is
-  bool bar_shown_ = false;
+  bool bar_shown_ = false, line_shown_ = false;
 };
 
 }  // namespace leastcost::app

@@ -19,7 +19,8 @@ std::string provenance_part(const JsonFile& manifest) {
   for (const auto& [name, version] : manifest.named_texts("build.libraries")) {
     // Back ends say the name of their library themselves: "NLopt 2.7.1".
     const bool named = version.find(' ') != std::string::npos;
-    libraries += (libraries.empty() ? "" : ", ") + (named ? version : name + " " + version);
+    if (!libraries.empty()) libraries += ", ";
+    libraries += named ? version : fmt::format("{} {}", name, version);
   }
   if (!libraries.empty()) row("libraries", libraries);
   row("machine", fmt::format("{}, {}, {} hardware threads", manifest.text("machine.host"), manifest.text("machine.cpu"),
