@@ -80,7 +80,7 @@ Exit run_command(const RunArguments& arguments, const Streams& streams) {
   monitor.stop_requested = interrupted;
   RunRequest request = arguments.request;
   request.building = [&](double part, std::string_view phase) {
-    if (interrupted()) throw StoppedEarly("while the domain was being made");
+    if (interrupted()) throw StoppedEarly("interrupted while the domain was being made");
     progress.show_building(part, phase);
   };
   try {
@@ -94,7 +94,7 @@ Exit run_command(const RunArguments& arguments, const Streams& streams) {
     return Exit::internal;
   } catch (const StoppedEarly& e) {
     progress.clear();
-    streams.err << "interrupted before there was a first path; nothing was written (" << e.what() << ")\n";
+    streams.err << e.what() << "; nothing was written\n";
     print_without_result(streams, arguments.json, "interrupted", e.what());
     return Exit::interrupted;
   }

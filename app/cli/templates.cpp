@@ -65,7 +65,8 @@ path: {points: auto}      # as many as the first path along edges has
 
 constexpr std::string_view kRing =
     R"(# A closed path through given points. In the plane it shrinks to a point, which is reported: a ring needs a
-# domain that it can wrap around. Replace the manifold by a mesh with a handle or a waist, and the points by ones around it.
+# domain that it can wrap around. Replace the manifold by a mesh with a handle or a waist, and the points by ones
+# around it.
 name: ring
 manifold: {type: euclidean, dimension: 2}
 cost: euclidean

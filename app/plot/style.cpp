@@ -79,7 +79,8 @@ constexpr std::string_view kRules =
 .plot .first{fill:none;stroke:var(--ink);stroke-width:1.5;stroke-dasharray:6 4;opacity:.75}
 .plot .other{fill:none;stroke:var(--c2);stroke-width:1.8}.plot .hidden{stroke-width:1.2;opacity:.45}
 .plot .domain{fill:none;stroke:var(--soft);stroke-width:5;stroke-opacity:.35;stroke-linejoin:round}
-.plot .point{fill:var(--paper);stroke:var(--c0);stroke-width:1.2}.plot .end{fill:var(--c1);stroke:var(--paper);stroke-width:1.5}
+.plot .point{fill:var(--paper);stroke:var(--c0);stroke-width:1.2}
+.plot .end{fill:var(--c1);stroke:var(--paper);stroke-width:1.5}
 .plot .wall{fill:none;stroke:var(--ink);stroke-width:2}.plot .solid{stroke-width:.7;stroke-linejoin:round}
 .plot .band0{fill:var(--faint)}.plot .band{fill:var(--soft);fill-opacity:.06}
 .plot .out{fill:url(#hatch)}.plot .hatch{stroke:var(--soft);stroke-width:1.2;fill:none}

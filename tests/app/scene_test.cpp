@@ -183,8 +183,8 @@ TEST_CASE("scene: a damaged file is an error that names it") {
       std::string("{"), std::string("[]"), std::string("{\"dimension\":3}"),
       std::string(R"({"dimension":3,"up":[0,0,1],"notes":[],"surface":{"vertices":[0,0,0],"triangles":[0,0,1]}})"),
       std::string(R"({"dimension":3,"up":[0,0,1],"notes":[],"surface":{"vertices":[0,0],"triangles":[]}})"),
-      std::string(
-          R"({"dimension":2,"up":[0,0,1],"notes":[],"cost":{"columns":3,"rows":2,"lower":[0,0],"upper":[1,1],"values":[1]}})"),
+      std::string(R"({"dimension":2,"up":[0,0,1],"notes":[],)"
+                  R"("cost":{"columns":3,"rows":2,"lower":[0,0],"upper":[1,1],"values":[1]}})"),
       std::string(R"({"dimension":0,"up":[0,0,1],"notes":[]})"));
   CAPTURE(damaged);
   CHECK_THROWS_WITH(read_scene(damaged, "dir/scene.json"), Contains("dir/scene.json"));

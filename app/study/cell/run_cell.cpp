@@ -125,7 +125,7 @@ CellResult run_cell(const StudyCell& cell, long repetition) {
   } catch (const InputError& e) {
     return failed(row, outcome::kInputError, e.what());
   } catch (const StoppedEarly& e) {
-    return failed(row, outcome::kTimeout, std::string("max_seconds before there was a first path: ") + e.what());
+    return failed(row, outcome::kTimeout, std::string("max_seconds: ") + e.what());
   } catch (const InitializationError& e) {
     return failed(row, outcome::kNoPath, e.what());
   } catch (const std::bad_alloc&) {
