@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
+#include <string>
+#include <utility>
 
 #include <leastcost/framework/chain_model.hpp>
 #include <leastcost/framework/errors.hpp>
@@ -14,8 +15,7 @@
 #include "framework/curve_value.hpp"
 #include "framework/geometry_error.hpp"
 #include "framework/in_parts.hpp"
-#include "framework/path_index.hpp"
-#include "framework/refinement.hpp"
+#include "framework/point_text.hpp"
 #include "framework/spacing.hpp"
 
 namespace leastcost {
@@ -32,13 +32,6 @@ constexpr double kTracedSafety = 4;        ///< of the largest difference betwee
 constexpr double kBetween = 1.25;          ///< room for the chords of the path between the points
 constexpr double kJump = 1.3;              ///< straight move in a chart against the chord: pi / 2 for one around a pole
 constexpr int kBundleSteps = 20;
-
-std::string text(double x) {
-  std::ostringstream out;
-  out.precision(3);
-  out << x;
-  return out.str();
-}
 
 class Certifier {
  public:
@@ -102,8 +95,8 @@ class Certifier {
     }
     c_.residual = worst / extent();
     if (!(*c_.residual <= options_.residual))
-      fail("residual",
-           "the path leaves the domain by " + text(*c_.residual) + " diameters; allowed " + text(options_.residual));
+      fail("residual", "the path leaves the domain by " + short_number(*c_.residual) + " diameters; allowed " +
+                           short_number(options_.residual));
   }
 
   void measure_segments() {
@@ -113,7 +106,7 @@ class Certifier {
       fail("costs_nothing", "the delivered path costs nothing");
     else if (!(c_.longest_segment <= options_.longest_segment))
       fail("longest_segment",
-           "the longest segment costs " + text(c_.longest_segment) +
+           "the longest segment costs " + short_number(c_.longest_segment) +
                " times the mean: the path jumps over a part of the domain (a sinkhole, VFCS Fig. 2)");
   }
 
@@ -132,7 +125,7 @@ class Certifier {
     c_.straightness = path_.curve.straightness;
     if (!(*c_.straightness >= -kStraight))
       fail("straightness",
-           "an angle beside the path is " + text(-*c_.straightness) + " below pi: it can be shortened there");
+           "an angle beside the path is " + short_number(-*c_.straightness) + " below pi: it can be shortened there");
     if (!(c_.spacing <= options_.spacing)) fail_spacing(options_.spacing);
     c_.estimate.method = "straightened";
     c_.estimate.error = std::numeric_limits<double>::epsilon() * path_.curve.cost *
@@ -140,7 +133,8 @@ class Certifier {
   }
 
   void fail_spacing(double allowed) {
-    fail("spacing", "max / min cost of a segment exceeds 1 by " + text(c_.spacing) + "; allowed " + text(allowed));
+    fail("spacing",
+         "max / min cost of a segment exceeds 1 by " + short_number(c_.spacing) + "; allowed " + short_number(allowed));
   }
 
   void certify_polyhedral_chain() {
@@ -160,7 +154,7 @@ class Certifier {
     if (refinement.levels.size() < 3)
       fail(refinement.collapsed ? "collapsed" : "refinement", refinement.trouble);
     else if (!(c_.estimate.error <= kPolyhedronError * path_.curve.cost))
-      fail("error_bar", "the traced cost varies by " + text((*most - *least) / path_.curve.cost) +
+      fail("error_bar", "the traced cost varies by " + short_number((*most - *least) / path_.curve.cost) +
                             " (relative) between " + std::to_string(refinement.levels[0].segments) + " and " +
                             std::to_string(refinement.levels[2].segments) + " segments; use more points");
     const auto& levels = c_.levels;
@@ -186,8 +180,8 @@ class Certifier {
 
   void check_stationarity(double allowed) {
     if (!(*c_.stationarity <= allowed))
-      fail("stationarity", "the relative cost error is " + text(*c_.stationarity) + "; allowed " + text(allowed) +
-                               ": the solver has not converged");
+      fail("stationarity", "the relative cost error is " + short_number(*c_.stationarity) + "; allowed " +
+                               short_number(allowed) + ": the solver has not converged");
   }
 
   void certify_chain() {
@@ -204,10 +198,12 @@ class Certifier {
     const std::optional<double> between = cost_between_points();
     check_spacing();
     measure_doubling();
-    c_.estimate = estimate_cost(problem_, energy_, path_.chain, refinement, c_.index, hugs_bound_, c_.failures);
+    EstimatedCost estimated = estimate_cost(problem_, energy_, path_.chain, refinement, c_.index, hugs_bound_);
+    c_.estimate = std::move(estimated.estimate);
+    for (CertificateFailure& failure : estimated.failures) c_.failures.push_back(std::move(failure));
     if (between) c_.estimate.error = std::max(c_.estimate.error, kBetween * std::abs(*between - c_.estimate.value));
     if (!(c_.estimate.error <= kWidestBar * c_.estimate.value))
-      fail("error_bar", "the error bar is " + text(c_.estimate.error / c_.estimate.value) +
+      fail("error_bar", "the error bar is " + short_number(c_.estimate.error / c_.estimate.value) +
                             " of the cost: too few points for this path");
     measure_domain();
   }
@@ -256,7 +252,7 @@ class Certifier {
     if (jump.ratio > kJump)
       fail("longest_segment", "between points " + std::to_string(jump.segment) + " and " +
                                   std::to_string(jump.segment + 1) + " the straight way in the chart costs " +
-                                  text(jump.ratio) +
+                                  short_number(jump.ratio) +
                                   " times the chord: the path jumps over a part of the domain; use more points");
   }
 
@@ -320,7 +316,8 @@ class Certifier {
     const double ratio = c_.levels[1].segments / static_cast<double>(path_.chain.segment_count());
     const double expected = std::max(options_.spacing, 2 * softer_than_levels() * second_order * ratio * ratio);
     if (!falls)
-      return fail("spacing", "unequal segments (" + text(c_.spacing) + ") that do not even out at second order");
+      return fail("spacing",
+                  "unequal segments (" + short_number(c_.spacing) + ") that do not even out at second order");
     if (c_.spacing > expected) fail_spacing(expected);
   }
 
@@ -344,8 +341,9 @@ class Certifier {
     c_.doubling_expected = kernel_value(*problem_.kernel, a.cost / (a.segments * s0)) /
                            (2 * kernel_value(*problem_.kernel, b.cost / (b.segments * s0)));
     if (!(std::abs(*c_.doubling / *c_.doubling_expected - 1) <= options_.doubling))
-      fail("doubling", "E(2M) / E(4M) is " + text(*c_.doubling) + " where an evenly spaced path has " +
-                           text(*c_.doubling_expected) + ": the path jumps over a part of the domain (VFCS Eq. 8)");
+      fail("doubling", "E(2M) / E(4M) is " + short_number(*c_.doubling) + " where an evenly spaced path has " +
+                           short_number(*c_.doubling_expected) +
+                           ": the path jumps over a part of the domain (VFCS Eq. 8)");
   }
 
   const Problem& problem_;

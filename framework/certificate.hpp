@@ -3,17 +3,18 @@
 #pragma once
 
 #include <functional>
-#include <limits>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include <leastcost/framework/certificate_failure.hpp>
+#include <leastcost/framework/cost_estimate.hpp>
 #include <leastcost/framework/monitor.hpp>
 #include <leastcost/framework/options.hpp>
+#include <leastcost/framework/path_index.hpp>
 #include <leastcost/framework/post_processor.hpp>
 #include <leastcost/framework/problem.hpp>
-#include <leastcost/framework/solver.hpp>
+#include <leastcost/framework/refinement.hpp>
 
 namespace leastcost {
 
@@ -27,43 +28,6 @@ struct CertificateOptions {
   double longest_segment = 3;
   double index_shift = 1e-3;
   void fields(FieldVisitor& visit);
-};
-
-/// One reason not to trust a path. `name` is for programs, `message` for people.
-struct CertificateFailure {
-  std::string name;
-  std::string message;
-};
-
-enum class IndexVerdict { not_applicable, minimum, saddle, degenerate };
-std::string_view name(IndexVerdict verdict);
-
-/// Morse index of the path by counting negative pivots of the exact chain Hessian H (Sylvester's law of inertia), and
-/// of H + tau P, H - tau P with P the Gauss-Newton Hessian.
-struct PathIndex {
-  IndexVerdict verdict = IndexVerdict::not_applicable;
-  int negatives = 0;     ///< of H
-  int saddle_order = 0;  ///< negatives of H + tau P
-  int nullity = 0;       ///< negatives of H - tau P, minus the above
-};
-
-/// One solved level of the refinement M, 2M, 4M.
-struct RefinementLevel {
-  int segments = 0;
-  double cost = 0;
-  double energy = 0;  ///< at the reference cost of the middle level
-  double spacing = 0;
-  int iterations = 0;
-};
-
-/// The reported value with its error. Units of the cost.
-struct CostEstimate {
-  double value = std::numeric_limits<double>::quiet_NaN();
-  double error = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not measured, +infinity: nothing is known
-  std::string method;           ///< "exact", "bracket", "spline", "richardson", "traced", "straightened", "differences"
-  std::optional<double> lower;  ///< where a bound exists
-  std::optional<double> upper;
-  std::optional<double> order;  ///< observed; never enters the value
 };
 
 /// What was measured about a path, independently of the solver that made it. An empty list of failures means

@@ -3,9 +3,10 @@
 #include <leastcost/framework/chain_system.hpp>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <cmath>
+
+#include "framework/symmetric_eigen.hpp"
 
 namespace leastcost {
 namespace {
@@ -184,18 +185,18 @@ ChainSystem::Elimination ChainSystem::eliminate(const Deadline& deadline) const 
   // Counts the negative eigenvalues of a pivot and returns its inverse; an eigenvalue lost to rounding counts as
   // positive.
   const auto invert = [&e](const Points& pivot, Index i) -> Points {
-    const Eigen::SelfAdjointEigenSolver<Points> eigen(pivot);
-    Eigen::VectorXd values = eigen.eigenvalues();
+    const SymmetricEigen eigen = symmetric_eigen(pivot);
+    Eigen::VectorXd values = eigen.values;
     const double tiny = 1e-300 + 1e-15 * values.cwiseAbs().maxCoeff();
     if (values[0] < 0 && e.first_negative < 0) {
       e.first_negative = i;
-      e.negative = eigen.eigenvectors().col(0);
+      e.negative = eigen.vectors.col(0);
     }
     for (double& value : values) {
       if (value < 0) ++e.negatives;
       if (std::abs(value) < tiny) value = value < 0 ? -tiny : tiny;
     }
-    return eigen.eigenvectors() * values.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
+    return eigen.with_values(values.cwiseInverse());
   };
   const Index first = ring_ ? 1 : 0;
   Points schur;

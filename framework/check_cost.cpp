@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/framework/check_cost.hpp>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "framework/fault_list.hpp"
 #include "framework/observed_order.hpp"
+#include "framework/symmetric_eigen.hpp"
 
 namespace leastcost {
 namespace {
@@ -165,8 +165,7 @@ void check_gauss_newton(const SegmentCost& cost, const CheckCostOptions& options
     const Eigen::MatrixXd block = gauss_newton.blocks.middleCols(2 * d * i, 2 * d);
     const double size = block.cwiseAbs().maxCoeff();
     faults.at_most("gauss_newton", difference(block, block.transpose()), 1e-12, "asymmetry of a Gauss-Newton block");
-    const double least =
-        block.allFinite() ? Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(block).eigenvalues().minCoeff() : -kInfinity;
+    const double least = block.allFinite() ? symmetric_eigenvalues(block)[0] : -kInfinity;
     faults.at_most("gauss_newton", -least / size, 1e-12, "least eigenvalue of a Gauss-Newton block, negated, relative");
     if (i == 0)
       faults.at_most("fixed_ends", block.topRows(d).cwiseAbs().maxCoeff(), 0, "block rows of the fixed source");

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "framework/path_index.hpp"
+#include <leastcost/framework/path_index.hpp>
 
 namespace leastcost {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/path_index.hpp"
+#include <leastcost/framework/path_index.hpp>
 
 namespace leastcost {
 

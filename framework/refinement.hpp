@@ -6,9 +6,19 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/certificate.hpp>
+#include <leastcost/framework/monitor.hpp>
+#include <leastcost/framework/problem.hpp>
 
 namespace leastcost {
+
+/// One solved level of the refinement M, 2M, 4M.
+struct RefinementLevel {
+  int segments = 0;
+  double cost = 0;
+  double energy = 0;  ///< at the reference cost of the middle level
+  double spacing = 0;
+  int iterations = 0;
+};
 
 /// The path solved again with M, 2M and 4M segments, M = max(4, ceil(N / 2)): for even N >= 8 these are N/2, N, 2N.
 struct Refinement {
@@ -22,14 +32,5 @@ struct Refinement {
 };
 /// Throws Interrupted after the monitor's deadline.
 Refinement refine_levels(const Problem& problem, const CoordinatePath& chain, const Monitor& monitor);
-
-/// Value and error bar of docs/numerics.md Sec. 6.3 from the levels, and from bounds where they exist. `energy` is that
-/// of the delivered chain, `index` its verdict: bounds from below hold at a minimum only. Where a point rests on a
-/// bound
-/// (`hugs_bound`) the place of contact moves between the levels and no extrapolation is regular: the bar is then that
-/// of the differences. Adds the failure not_asymptotic where the observed order is not 2.
-CostEstimate estimate_cost(const Problem& problem, PathEnergy& energy, const CoordinatePath& chain,
-                           const Refinement& refinement, const PathIndex& index, bool hugs_bound,
-                           std::vector<CertificateFailure>& failures);
 
 }  // namespace leastcost

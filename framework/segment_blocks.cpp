@@ -2,31 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/framework/segment_blocks.hpp>
 
-#include <Eigen/Eigenvalues>
+#include "framework/symmetric_eigen.hpp"
 
 namespace leastcost::detail {
-namespace {
 
-template <class Matrix>
-void lift(Eigen::Ref<Points> h) {
-  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(h);
-  const double floor = 1e-9 * eigen.eigenvalues().cwiseAbs().maxCoeff();
-  h = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(floor).asDiagonal() * eigen.eigenvectors().transpose();
-}
-
-}  // namespace
-
-/// No heap up to R^8; by far the most are costs in the plane and in space.
 void lift_eigenvalues(Eigen::Ref<Points> h) {
-  constexpr int kMost = 16;
-  if (h.rows() == 4)
-    lift<Eigen::Matrix4d>(h);
-  else if (h.rows() == 6)
-    lift<Eigen::Matrix<double, 6, 6>>(h);
-  else if (h.rows() <= kMost)
-    lift<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, kMost>>(h);
-  else
-    lift<Eigen::MatrixXd>(h);
+  const SymmetricEigen eigen = symmetric_eigen(h);
+  const double floor = 1e-9 * eigen.values.cwiseAbs().maxCoeff();
+  h = eigen.with_values(eigen.values.cwiseMax(floor));
 }
 
 void chord_residual(const ConstVector& a, const ConstVector& b, double q, const ConstVector* ga, const ConstVector* gb,

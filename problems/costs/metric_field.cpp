@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/costs/metric_field.hpp>
 
-#include <Eigen/Eigenvalues>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -13,6 +12,7 @@
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/segment_cost_function.hpp>
 #include <leastcost/problems/costs/sampled_tensors.hpp>
+#include "framework/symmetric_eigen.hpp"
 #include "problems/formula/coordinate_names.hpp"
 #include "problems/formula/formula.hpp"
 
@@ -128,10 +128,10 @@ struct MetricField {
     } else if (!t.allFinite()) {
       out << "at " << x.format(row) << " the tensor is not finite";
     } else if (!is_root && x.allFinite()) {
-      const Eigen::SelfAdjointEigenSolver<Tensor<double, dim>> solver(t, Eigen::EigenvaluesOnly);
-      if (solver.eigenvalues()[0] > 0) return "";
+      const Eigen::VectorXd values = symmetric_eigenvalues(t);
+      if (values[0] > 0) return "";
       out << "at " << x.format(row) << " the tensor is not positive definite, its eigenvalues are "
-          << solver.eigenvalues().format(row);
+          << values.format(row);
     }
     return out.str();
   }

@@ -28,7 +28,7 @@ struct TensorFileOptions {
   void fields(FieldVisitor& visit);
 };
 
-/// The isophotic metric (problems/geometry/curvature).
+/// The isophotic metric (problems/tensor/curvature).
 struct CurvatureMetricOptions {
   static constexpr std::string_view kType = "curvature";
   static constexpr std::string_view kHelp =

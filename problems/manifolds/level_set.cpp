@@ -119,7 +119,7 @@ void null_space(const ConstraintFunction& function, const Eigen::VectorXd& x, Ei
     basis.col(0) = normal.unitOrthogonal();
     basis.col(1) = normal.cross(Eigen::Vector3d(basis.col(0)));
   } else {
-    const Eigen::HouseholderQR<Eigen::Matrix<double, N, K>> qr(state.gradients);
+    const Eigen::HouseholderQR<Points> qr(state.gradients);  // of any size: compiled once
     basis.setZero();
     basis.bottomRows(basis.cols()).setIdentity();
     basis.applyOnTheLeft(qr.householderQ());

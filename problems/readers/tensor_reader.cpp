@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "problems/readers/tensor_reader.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <sstream>
 #include <string>
 
 #include <leastcost/framework/errors.hpp>
+#include "framework/symmetric_eigen.hpp"
 #include "problems/readers/file_content.hpp"
 #include "problems/readers/text_scanner.hpp"
 
@@ -16,8 +16,7 @@ namespace {
 constexpr double kSmallest = 1e-12;  ///< of the largest eigenvalue: below it a tensor is singular to rounding
 
 void check(const Eigen::Matrix3d& tensor, const TextScanner& scanner) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor, Eigen::EigenvaluesOnly);
-  const Eigen::Vector3d& values = solver.eigenvalues();
+  const Eigen::VectorXd values = symmetric_eigenvalues(tensor);
   if (values[0] > kSmallest * values[2]) return;
   std::ostringstream message;
   message << "a tensor is positive definite; the eigenvalues of this one are " << values[0] << ", " << values[1] << ", "

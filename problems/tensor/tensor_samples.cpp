@@ -3,13 +3,14 @@
 #include <leastcost/problems/tensor/tensor_samples.hpp>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
+
+#include "framework/symmetric_eigen.hpp"
 
 namespace leastcost {
 namespace {
@@ -42,8 +43,7 @@ double relative_slope(const Eigen::Matrix3d& tensor, const Eigen::Matrix<double,
     Eigen::Matrix3d m = root.matrixL().solve(tensor_of(slopes.col(k)));
     m = root.matrixL().solve(m.transpose().eval());
     const Eigen::Matrix3d symmetric = (m + m.transpose()) / 2;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(symmetric, Eigen::EigenvaluesOnly);
-    const double largest = solver.eigenvalues().cwiseAbs().maxCoeff();
+    const double largest = symmetric_eigenvalues(symmetric).cwiseAbs().maxCoeff();
     sum += largest * largest;
   }
   return std::sqrt(sum);
@@ -63,8 +63,8 @@ class SlopeFit {
     changes_ += weight * change * q.transpose();
   }
   Eigen::Matrix<double, 6, 3> slopes(const Eigen::Matrix3d& tensor, double support) const {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> spread(moments_, Eigen::EigenvaluesOnly);
-    if (!(spread.eigenvalues()[0] > kFlattest * spread.eigenvalues()[1])) return Eigen::Matrix<double, 6, 3>::Zero();
+    const Eigen::VectorXd spread = symmetric_eigenvalues(moments_);
+    if (!(spread[0] > kFlattest * spread[1])) return Eigen::Matrix<double, 6, 3>::Zero();
     Eigen::Matrix<double, 6, 2> along = changes_ * moments_.inverse();
     const double steepness = relative_slope(tensor, along) * support / kSteepest;
     if (steepness > 1) along /= steepness;
