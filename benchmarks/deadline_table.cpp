@@ -18,7 +18,9 @@
 #include <leastcost/problems/kernels/kernels.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
 #include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/manifolds/parametric.hpp>
 #include <leastcost/problems/manifolds/point_cloud.hpp>
+#include <leastcost/problems/manifolds/signed_distance.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>
 #include <leastcost/problems/post_processors/trace.hpp>
 #include <leastcost/solvers/lbfgs.hpp>
@@ -50,14 +52,32 @@ struct Column {
   double allowed;  ///< seconds, at least
 };
 
-Problem between(std::shared_ptr<const ConstraintManifold> manifold) {
+/// Ends in the coordinates of the domain.
+Problem between(std::shared_ptr<const ConstraintManifold> manifold,
+                const Eigen::VectorXd& source = Eigen::Vector3d(0.1, 0.2, 0.97),
+                const Eigen::VectorXd& target = Eigen::Vector3d(0.9, -0.3, -0.3)) {
   Problem problem;
   problem.manifold = std::move(manifold);
   problem.cost = make_euclidean_cost(3);
   problem.kernel = make_kernel<Expm1Square>();
-  problem.source = project_end(*problem.manifold, Eigen::Vector3d(0.1, 0.2, 0.97));
-  problem.target = project_end(*problem.manifold, Eigen::Vector3d(0.9, -0.3, -0.3));
+  problem.source.u = source;
+  problem.target.u = target;
   return problem;
+}
+
+/// Ends near the unit sphere, moved onto the domain.
+Problem on(const std::shared_ptr<const ConstraintManifold>& manifold) {
+  Problem problem = between(manifold);
+  problem.source = project_end(*manifold, problem.source.u);
+  problem.target = project_end(*manifold, problem.target.u);
+  return problem;
+}
+
+Problem grid() {
+  SignedDistanceOptions options;
+  options.source = distance_source::Implicit{.surface = {.surface = implicit::Sphere{}}};
+  options.cell = 0.05;
+  return on(make_signed_distance_manifold(options, ""));
 }
 
 Problem chute() {
@@ -77,14 +97,20 @@ std::vector<Row> rows() {
   traced.post_processors = {std::make_shared<const TracePostProcessor>(),
                             std::make_shared<const StraightenPostProcessor>()};
   std::vector<Row> all = {{"plane", chute(), straight, {}},
-                          {"sphere", between(std::make_shared<test::Sphere>()), straight, {}}};
-  for (const int levels : {5, 7, 9}) {
+                          {"sphere", on(std::make_shared<test::Sphere>()), straight, {}},
+                          {"chart",
+                           between(make_parametric_manifold({.surface = parametric::Torus{}}), Eigen::Vector2d(0, 0.5),
+                                   Eigen::Vector2d(2, -1)),
+                           straight,
+                           {}},
+                          {"grid", grid(), straight, {}}};
+  for (const int levels : {5, 7, 8}) {
     const auto mesh = std::make_shared<const MeshManifold>(TriangleMesh(test::sphere(levels)));
     const std::string size = std::to_string((mesh->mesh().vertex_count() + 500) / 1000) + "K";
-    all.push_back({"mesh " + size, between(mesh), dijkstra, traced});
+    all.push_back({"mesh " + size, on(mesh), dijkstra, traced});
   }
   const auto cloud = std::make_shared<const PointCloudManifold>(PointCloud(test::sphere_cloud(20000), {}));
-  all.push_back({"cloud 20K", between(cloud), dijkstra, {}});
+  all.push_back({"cloud 20K", on(cloud), dijkstra, {}});
   prepare(all.back().problem);
   return all;
 }

@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kRounds = 200;  // searches, each around the gaps found so far
+
 /// The samples as nodes 0 .. n-1, the source n, the target n + 1.
 class RouteQuery {
  public:
@@ -32,25 +33,31 @@ class RouteQuery {
   CloudRoute run() {
     const std::vector<std::int32_t> from = links(problem_.source.u), to = links(problem_.target.u);
     check_components(from, to);
-    const SparseGraph graph = build(from, to);
     for (int round = 0;; ++round) {
-      CloudRoute route = shortest(graph);
+      CloudRoute route = shortest(from, to);
       if (!block_gaps() || round == kRounds) return route;
     }
   }
 
  private:
-  CloudRoute shortest(const SparseGraph& graph) {
-    const GraphRoute route = shortest_route(
-        graph, source(), target(), [this](std::int32_t from, std::int32_t to) { return move(from, to); },
+  CloudRoute shortest(const std::vector<std::int32_t>& from, const std::vector<std::int32_t>& to) {
+    std::vector<RouteEnd> starts, ends;
+    for (const std::int32_t i : from) starts.push_back({i, move(source(), i)});
+    for (const std::int32_t i : to) ends.push_back({i, move(i, target())});
+    GraphRoute route = shortest_route(
+        domain_.graph().edges(), starts, ends, [this](std::int32_t a, std::int32_t b) { return move(a, b); },
         [this] { return monitor_.interrupted(); });
-    switch (route.outcome) {
-      case RouteOutcome::found: return path_along(route.nodes);
-      case RouteOutcome::stopped:
-        throw Interrupted("the search was stopped after " + std::to_string(route.settled) + " samples");
-      case RouteOutcome::unreachable: break;
+    if (route.outcome == RouteOutcome::stopped)
+      throw Interrupted("the search was stopped after " + std::to_string(route.settled) + " samples");
+    const bool neighbours = std::find(from.begin(), from.end(), to[0]) != from.end();
+    const double direct = neighbours ? move(source(), target()) : kInfinity;
+    if (direct <= route.cost && direct < kInfinity) return path_along({source(), target()});
+    if (route.outcome == RouteOutcome::found) {
+      route.nodes.insert(route.nodes.begin(), source());
+      route.nodes.push_back(target());
+      return path_along(route.nodes);
     }
-    throw InitializationError("no route along the neighbour graph: " + std::to_string(route.settled - 1) + " of " +
+    throw InitializationError("no route along the neighbour graph: " + std::to_string(route.settled) + " of " +
                               std::to_string(part_size_) + " samples can be reached, " + std::to_string(no_surface_) +
                               " beside them are on a border or off the surface, elsewhere the cost is infinite");
   }
@@ -82,19 +89,6 @@ class RouteQuery {
     throw InitializationError("the ends lie in different parts of the cloud, of " + std::to_string(part_size_) +
                               " and " + std::to_string(graph.component_sizes()[static_cast<std::size_t>(b)]) +
                               " points; a larger max_edge joins what is farther apart");
-  }
-
-  SparseGraph build(const std::vector<std::int32_t>& from, const std::vector<std::int32_t>& to) const {
-    constexpr std::int32_t kLookInterval = 256;  // samples between two looks at the clock
-    std::vector<SparseGraph::Edge> edges;
-    for (std::int32_t i = 0; i < samples_; ++i) {
-      if (i % kLookInterval == 0) look_at_clock(monitor_.deadline);
-      for (const std::int32_t j : domain_.graph().neighbours(i)) edges.emplace_back(i, j);
-    }
-    for (const std::int32_t i : from) edges.emplace_back(source(), i);
-    for (const std::int32_t i : to) edges.emplace_back(i, target());
-    if (std::find(from.begin(), from.end(), to[0]) != from.end()) edges.emplace_back(source(), target());
-    return {samples_ + 2, std::move(edges)};
   }
 
   /// The place of a node on the surface; null where it has none. Projected when it is first asked for.

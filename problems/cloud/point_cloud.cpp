@@ -74,6 +74,11 @@ Words<NormalSource> words(NormalSource) {
 PointCloud::PointCloud(PointSamples samples, const PointCloudSettings& settings)
     : settings_(settings), source_(std::move(samples.source)), search_({}), notes_(std::move(samples.notes)) {
   if (settings_.radius && !(*settings_.radius > 0)) throw OptionError("radius", "must be greater than 0");
+  if (settings_.neighbours < PointCloudSettings::kFewestNeighbours ||
+      settings_.neighbours > PointCloudSettings::kMostNeighbours)
+    throw OptionError("neighbours", "must be from " + std::to_string(PointCloudSettings::kFewestNeighbours) + " to " +
+                                        std::to_string(PointCloudSettings::kMostNeighbours) + ", not " +
+                                        std::to_string(settings_.neighbours));
   place(samples);
   find_neighbours();
   measure_spacing();

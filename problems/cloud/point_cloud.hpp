@@ -23,9 +23,10 @@ Words<NormalSource> words(NormalSource);
 /// that one sample has to itself: sqrt(pi / k) times the distance of the k-th neighbour.
 struct PointCloudSettings {
   static constexpr double kCleanRadius = 4;  ///< about 50 samples in a support, 10 by weight
-  int neighbours = 12;                       ///< k
-  std::optional<double> radius = {};         ///< support of a sample; else 4, and wider where noise asks for it
-  double max_edge = 3;                       ///< longest edge of the neighbour graph
+  static constexpr int kFewestNeighbours = 4, kMostNeighbours = 100;
+  int neighbours = 12;                ///< k, kFewestNeighbours to kMostNeighbours
+  std::optional<double> radius = {};  ///< support of a sample; else 4, and wider where noise asks for it
+  double max_edge = 3;                ///< longest edge of the neighbour graph
   NormalSource normals = NormalSource::automatic;
 };
 

@@ -22,16 +22,25 @@ struct Ended {
 };
 
 struct Search {
-  const std::int32_t target;
+  std::vector<RouteEnd> ends;  ///< by node
   const std::function<bool()>& stop;
   std::vector<double> distance;
   std::int32_t settled = 0;
+  double best = kInfinity;  ///< of the routes to the ends that are settled
+  std::int32_t last = -1;   ///< the end of that route
+
+  RouteOutcome outcome() const { return last < 0 ? RouteOutcome::unreachable : RouteOutcome::found; }
 
   /// Boost also queues nodes that it could not relax; the first of them means that the rest is out of reach.
   void examine(std::int32_t node) {
-    if (!(distance[static_cast<std::size_t>(node)] < kInfinity)) throw Ended{RouteOutcome::unreachable};
-    if (node == target) throw Ended{RouteOutcome::found};
+    const double here = distance[static_cast<std::size_t>(node)];
+    if (!(here < best)) throw Ended{outcome()};
     if (++settled % kStopInterval == 0 && stop && stop()) throw Ended{RouteOutcome::stopped};
+    const auto end = std::lower_bound(ends.begin(), ends.end(), node,
+                                      [](const RouteEnd& e, std::int32_t wanted) { return e.node < wanted; });
+    if (end == ends.end() || end->node != node || !(here + end->cost < best)) return;
+    best = here + end->cost;
+    last = node;
   }
 };
 
@@ -43,33 +52,45 @@ struct Visitor : boost::default_dijkstra_visitor {
 
 }  // namespace
 
-GraphRoute shortest_route(const SparseGraph& graph, std::int32_t source, std::int32_t target, const EdgeCost& cost,
-                          const std::function<bool()>& stop) {
+GraphRoute shortest_route(const SparseGraph& graph, const std::vector<RouteEnd>& starts,
+                          const std::vector<RouteEnd>& ends, const EdgeCost& cost, const std::function<bool()>& stop) {
   const Graph& rows = graph.rows().graph;
   const auto index = get(boost::vertex_index, rows);
   const auto nodes = static_cast<std::size_t>(graph.size());
-  std::vector<std::int32_t> predecessor(nodes);
-  Search search{target, stop, std::vector<double>(nodes, kInfinity)};
+  Search search{ends, stop, std::vector<double>(nodes, kInfinity)};
+  std::sort(search.ends.begin(), search.ends.end(),
+            [](const RouteEnd& a, const RouteEnd& b) { return a.node < b.node; });
+  std::vector<std::int32_t> predecessor(nodes), open;
+  for (const RouteEnd& start : starts) {
+    const auto at = static_cast<std::size_t>(start.node);
+    if (!(start.cost < search.distance[at])) continue;
+    search.distance[at] = start.cost;
+    predecessor[at] = start.node;
+    open.push_back(start.node);
+  }
   const auto weight = [&](const Graph::edge_descriptor& edge) {
     return cost(boost::source(edge, rows), boost::target(edge, rows));
   };
   GraphRoute route;
   try {
-    boost::dijkstra_shortest_paths(
-        rows, source,
-        boost::visitor(Visitor{&search})
-            .predecessor_map(boost::make_iterator_property_map(predecessor.begin(), index))
-            .distance_map(boost::make_iterator_property_map(search.distance.begin(), index))
-            .distance_inf(kInfinity)
-            .weight_map(boost::make_function_property_map<Graph::edge_descriptor, double>(weight)));
+    boost::dijkstra_shortest_paths_no_init(
+        rows, open.begin(), open.end(), boost::make_iterator_property_map(predecessor.begin(), index),
+        boost::make_iterator_property_map(search.distance.begin(), index),
+        boost::make_function_property_map<Graph::edge_descriptor, double>(weight), index, std::less<>(),
+        boost::closed_plus<double>(kInfinity), 0.0, Visitor{&search});
+    route.outcome = search.outcome();
   } catch (const Ended& ended) {
     route.outcome = ended.outcome;
   }
   route.settled = search.settled;
   if (route.outcome != RouteOutcome::found) return route;
-  route.cost = search.distance[static_cast<std::size_t>(target)];
-  route.nodes.assign(1, target);
-  while (route.nodes.back() != source) route.nodes.push_back(predecessor[static_cast<std::size_t>(route.nodes.back())]);
+  route.cost = search.best;
+  route.nodes.assign(1, search.last);
+  for (std::int32_t before = -1; before != route.nodes.back();) {
+    before = route.nodes.back();
+    const std::int32_t next = predecessor[static_cast<std::size_t>(before)];
+    if (next != before) route.nodes.push_back(next);
+  }
   std::reverse(route.nodes.begin(), route.nodes.end());
   return route;
 }

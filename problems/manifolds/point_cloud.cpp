@@ -16,8 +16,8 @@ void PointCloudManifoldOptions::fields(FieldVisitor& visit) {
   visit.field("neighbours", settings.neighbours,
               {.help = "Nearest neighbours of a point: its links in the graph, and what its local spacing is measured "
                        "from.",
-               .minimum = 4,
-               .maximum = 100});
+               .minimum = PointCloudSettings::kFewestNeighbours,
+               .maximum = PointCloudSettings::kMostNeighbours});
   visit.field_or_zero("radius", settings.radius,
                       {.help = "Support of the moving least squares fit; 0: 4, and wider where the cloud is noisy.",
                        .unit = "local spacings",

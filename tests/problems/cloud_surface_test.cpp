@@ -148,6 +148,14 @@ TEST_CASE("there is no surface beyond the border, far away, or in a cloud that i
   CHECK_THROWS_AS(PointCloud(sphere_cloud(100), given), OptionError);
 }
 
+TEST_CASE("a number of neighbours that no neighbourhood has is refused") {
+  for (const int neighbours : {-1, 0, 3, 101}) {
+    PointCloudSettings settings;
+    settings.neighbours = neighbours;
+    CHECK_THROWS_AS(PointCloud(sphere_cloud(200), settings), OptionError);
+  }
+}
+
 TEST_CASE("outliers take no part, noise is averaged") {
   Random random;
   PointSamples noisy = sphere_cloud(4000);

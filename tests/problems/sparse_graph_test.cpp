@@ -68,7 +68,7 @@ TEST_CASE("routes cost what Bellman and Ford say, and are routes of the graph") 
     const WeightedGraph g = random_graph(random, 30, 70);
     const std::vector<double> expected = least_costs(g, 0);
     for (const std::int32_t target : {1, 7, 29}) {
-      const GraphRoute route = shortest_route(g.graph, 0, target, [&](std::int32_t from, std::int32_t to) {
+      const GraphRoute route = shortest_route(g.graph, {{0}}, {{target}}, [&](std::int32_t from, std::int32_t to) {
         return g.weight.at({from, to});
       });
       const double best = expected[static_cast<std::size_t>(target)];
@@ -89,13 +89,38 @@ TEST_CASE("a search ends at its target, and when it is told to") {
   for (std::int32_t i = 0; i + 1 < 10000; ++i) chain.emplace_back(i, i + 1);
   const SparseGraph graph(10000, chain);
   const EdgeCost one = [](std::int32_t, std::int32_t) { return 1.0; };
-  CHECK(shortest_route(graph, 0, 10, one).settled == 10);
-  CHECK(shortest_route(graph, 5, 5, one).nodes == std::vector<std::int32_t>{5});
-  CHECK(shortest_route(graph, 5, 4, one).outcome == RouteOutcome::unreachable);
-  const GraphRoute stopped = shortest_route(graph, 0, 9999, one, [] { return true; });
+  CHECK(shortest_route(graph, {{0}}, {{10}}, one).settled == 11);
+  CHECK(shortest_route(graph, {{5}}, {{5}}, one).nodes == std::vector<std::int32_t>{5});
+  CHECK(shortest_route(graph, {{5}}, {{4}}, one).outcome == RouteOutcome::unreachable);
+  const GraphRoute stopped = shortest_route(graph, {{0}}, {{9999}}, one, [] { return true; });
   CHECK(stopped.outcome == RouteOutcome::stopped);
   CHECK(stopped.settled < 1000);
   CHECK(stopped.nodes.empty());
+}
+
+TEST_CASE("of several starts and ends the cheapest pair is joined, their own costs included") {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> cost(0, 3);
+  for (int trial = 0; trial < 100; ++trial) {
+    const WeightedGraph g = random_graph(random, 30, 70);
+    const std::vector<RouteEnd> starts = {{0, cost(random)}, {3, cost(random)}, {11, kInfinity}, {0, cost(random)}};
+    const std::vector<RouteEnd> ends = {{20, cost(random)}, {3, 100.0}, {7, cost(random)}};
+    double best = kInfinity;
+    for (const RouteEnd& start : starts) {
+      const std::vector<double> from = least_costs(g, start.node);
+      for (const RouteEnd& end : ends)
+        best = std::min(best, start.cost + from[static_cast<std::size_t>(end.node)] + end.cost);
+    }
+    const GraphRoute route = shortest_route(g.graph, starts, ends, [&](std::int32_t from, std::int32_t to) {
+      return g.weight.at({from, to});
+    });
+    REQUIRE(route.outcome == RouteOutcome::found);  // 3 is a start and an end
+    CHECK(route.cost == Approx(best).epsilon(1e-14));
+    for (std::size_t i = 1; i < route.nodes.size(); ++i)
+      CHECK(g.weight.count({route.nodes[i - 1], route.nodes[i]}) == 1);
+  }
+  CHECK(shortest_route(SparseGraph(2, {{0, 1}}), {}, {{1}}, [](auto, auto) { return 1.0; }).outcome ==
+        RouteOutcome::unreachable);
 }
 
 TEST_CASE("components are numbered by size") {
