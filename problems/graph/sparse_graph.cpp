@@ -76,10 +76,10 @@ Components connected_components(const SparseGraph& graph) {
 
 std::vector<SparseGraph::Edge> minimum_spanning_forest(std::int32_t nodes, std::span<const SparseGraph::Edge> edges,
                                                        std::span<const double> weights) {
-  using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
-                                      boost::property<boost::edge_weight_t, double>>;
-  const Graph graph(edges.begin(), edges.end(), weights.begin(), static_cast<std::size_t>(nodes));
-  std::vector<boost::graph_traits<Graph>::edge_descriptor> chosen;
+  using Weighted = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
+                                         boost::property<boost::edge_weight_t, double>>;
+  const Weighted graph(edges.begin(), edges.end(), weights.begin(), static_cast<std::size_t>(nodes));
+  std::vector<boost::graph_traits<Weighted>::edge_descriptor> chosen;
   boost::kruskal_minimum_spanning_tree(graph, std::back_inserter(chosen));
   std::vector<SparseGraph::Edge> forest;
   forest.reserve(chosen.size());

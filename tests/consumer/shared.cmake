@@ -1,5 +1,6 @@
 # Shared libraries: as a subdirectory, and as Debian packages unpacked into a scratch root, found there by CMake and
-# pkg-config. Without the tools of Debian the same after a plain installation.
+# pkg-config; the packages of this static build beside them. Without the tools of Debian the same after a plain
+# installation.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/consumer.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/packages.cmake)
@@ -24,6 +25,10 @@ if(dpkg_deb AND dpkg_shlibdeps AND file_program)
   unpack_packages(${SCRATCH}/packages ${SCRATCH}/unpacked)
   make_packages(${BUILD_DIR} ${SCRATCH}/static_packages)
   check_packages(${SCRATCH}/static_packages static)
+  file(REMOVE_RECURSE ${SCRATCH}/unpacked_static)
+  unpack_packages(${SCRATCH}/static_packages ${SCRATCH}/unpacked_static)
+  catalogue_consumer(${SCRATCH}/unpacked_static/usr ${SCRATCH}/catalogue_static)  # stands on all of them
+  run("the program of archives" ${SCRATCH}/unpacked_static/usr/bin/leastcost --version)
 else()
   skip("Debian packages" "no dpkg-shlibdeps (package dpkg-dev) or no file")
   run("install" ${CMAKE_COMMAND} --install ${SCRATCH}/build --prefix ${SCRATCH}/unpacked/usr)
