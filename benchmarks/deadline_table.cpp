@@ -133,7 +133,7 @@ double overrun_of(const Row& row, const Solver& solver, int points, double budge
 
 }  // namespace
 
-/// An argument: only the domains whose names contain it.
+/// Arguments: a part of the names of the domains, and one of the solvers, that are asked for.
 int main(int count, char** arguments) {
   std::vector<Column> columns = {{std::make_shared<const Newton>(), 1e-3}, {std::make_shared<const Lbfgs>(), 1e-3}};
 #ifdef LEASTCOST_HAS_NLOPT
@@ -146,7 +146,8 @@ int main(int count, char** arguments) {
   std::printf("%-10s %-7s %6s %9s %12s\n", "domain", "solver", "n", "budget", "p99 overrun");
   for (const Row& row : rows()) {
     if (count > 1 && row.name.find(arguments[1]) == std::string::npos) continue;
-    for (const Column& column : columns)
+    for (const Column& column : columns) {
+      if (count > 2 && column.solver->name().find(arguments[2]) == std::string::npos) continue;
       for (const int points : {20, 100, 1000, 10000})
         for (const double budget : {1e-3, 5e-3, 25e-3}) {
           const double over = overrun_of(row, *column.solver, points, budget);
@@ -157,6 +158,7 @@ int main(int count, char** arguments) {
                       met ? "met" : "MISSED");
           std::fflush(stdout);
         }
+    }
   }
   std::printf("%d missed\n", missed);
   return missed;

@@ -46,7 +46,7 @@ Points ChainVariables::steps(const Eigen::VectorXd& z) const {
 
 bool ChainVariables::path_at(const Eigen::VectorXd& z, CoordinatePath& path) {
   energy_.count({.projections = 1});
-  return move_freely(*energy_.problem().manifold, base_, steps(z), path);
+  return move_freely(*energy_.problem().manifold, base_, steps(z), path, energy_.deadline());
 }
 
 void ChainVariables::pull_back(const Eigen::VectorXd& z, const Points& path_gradient, Eigen::VectorXd& gradient) {

@@ -3,6 +3,7 @@
 #include "solvers/free_move.hpp"
 
 #include <leastcost/framework/goes_beyond_bounds.hpp>
+#include "framework/in_parts.hpp"
 
 namespace leastcost {
 namespace {
@@ -11,9 +12,9 @@ constexpr double kSame = 1e-13;  ///< of the size of the coordinates
 
 }  // namespace
 
-bool move_freely(const ConstraintManifold& manifold, const CoordinatePath& from, const Points& step,
-                 CoordinatePath& to) {
-  manifold.retract(from, step, to);
+bool move_freely(const ConstraintManifold& manifold, const CoordinatePath& from, const Points& step, CoordinatePath& to,
+                 const Deadline& deadline) {
+  retract(manifold, from, step, to, deadline);
   const Index first = from.free_begin(), n = from.free_count();
   const double size = from.u.cwiseAbs().maxCoeff() + step.cwiseAbs().maxCoeff();
   const auto is_at = [&](const Points& there) {
@@ -21,9 +22,9 @@ bool move_freely(const ConstraintManifold& manifold, const CoordinatePath& from,
   };
   if (manifold.shape() == Shape::flat || find_ability<HasChart>(manifold) != nullptr)
     return is_at(from.u.middleCols(first, n) + step);
-  if (const auto* beyond = find_ability<GoesBeyondBounds>(manifold)) {
+  if (find_ability<GoesBeyondBounds>(manifold) != nullptr) {
     CoordinatePath unstopped;
-    beyond->retract_beyond(from, step, unstopped);
+    retract(manifold, from, step, unstopped, deadline, true);
     return is_at(unstopped.u.middleCols(first, n));
   }
   return true;

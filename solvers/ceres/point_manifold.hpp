@@ -4,6 +4,7 @@
 
 #include <ceres/manifold.h>
 
+#include <leastcost/framework/deadline.hpp>
 #include <leastcost/framework/manifold.hpp>
 
 namespace leastcost {
@@ -13,8 +14,8 @@ namespace leastcost {
 class PointManifold final : public ceres::Manifold {
  public:
   /// free: orthonormal, coordinate x m; without columns: every direction of the tangent plane. stopped: set by a move
-  /// that a bound has stopped.
-  PointManifold(const ConstraintManifold& manifold, Points free, bool& stopped);
+  /// that a bound has stopped. Past the deadline no point moves any more (Plus fails, Ceres rejects the step).
+  PointManifold(const ConstraintManifold& manifold, Points free, bool& stopped, const Deadline& deadline);
 
   int AmbientSize() const override { return dims_.coordinate; }
   int TangentSize() const override { return free_.cols() > 0 ? static_cast<int>(free_.cols()) : dims_.tangent; }
@@ -24,6 +25,7 @@ class PointManifold final : public ceres::Manifold {
   bool MinusJacobian(const double* x, double* jacobian) const override;
 
  private:
+  bool is_late() const;
   CoordinatePath at(const double* x) const;
   Points basis(const CoordinatePath& one) const;
 
@@ -31,6 +33,7 @@ class PointManifold final : public ceres::Manifold {
   Dimensions dims_;
   Points free_;
   bool& stopped_;
+  const Deadline& deadline_;
 };
 
 }  // namespace leastcost

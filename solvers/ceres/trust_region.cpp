@@ -4,6 +4,7 @@
 
 #include <ceres/ceres.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <exception>
@@ -80,7 +81,7 @@ class TrustRegion final : public ceres::IterationCallback {
  private:
   static constexpr double kMayBeDone = 1e-9;        ///< relative gain of a step
   static constexpr double kSecondsPerPoint = 5e-6;  ///< to set a round up, with its first iteration
-  static constexpr double kAfterDeadline = 3e-3;    ///< seconds that an iteration may last beyond the deadline
+  static constexpr double kAfterDeadline = 1e-3;    ///< seconds that an iteration may last beyond the deadline
   static constexpr int kPatience = 2;               ///< rounds in a row without a lower energy
 
   /// Ceres cannot be stopped in the midst of an iteration: none is begun that would end long after the deadline.
@@ -91,7 +92,8 @@ class TrustRegion final : public ceres::IterationCallback {
   }
 
   void run_round() {
-    if (too_late_for(kSecondsPerPoint * static_cast<double>(path_.u.cols()))) {
+    longest_ = kSecondsPerPoint * static_cast<double>(path_.u.cols());
+    if (too_late_for(longest_)) {
       end_ = Termination::time_limit;
       return;
     }
@@ -150,8 +152,9 @@ class TrustRegion final : public ceres::IterationCallback {
     const int blocked = free_index < 0 || frames.identity ? 0 : frames.blocked[static_cast<std::size_t>(free_index)];
     Points free(dims.coordinate, 0);
     if (blocked > 0) free = frames.bases.middleCols(dims.tangent * free_index, dims.tangent - blocked);
-    problem.AddParameterBlock(residuals.point(column), dims.coordinate,
-                              new PointManifold(*energy_.problem().manifold, std::move(free), residuals.stopped()));
+    problem.AddParameterBlock(
+        residuals.point(column), dims.coordinate,
+        new PointManifold(*energy_.problem().manifold, std::move(free), residuals.stopped(), energy_.deadline()));
     if (free_index < 0 || blocked == dims.tangent) problem.SetParameterBlockConstant(residuals.point(column));
   }
 
@@ -166,7 +169,8 @@ class TrustRegion final : public ceres::IterationCallback {
     }
     loop_.record(best_value_, cost_error, summary.step_norm);
     if (!end_) end_ = loop_.must_end(path_);
-    if (!end_ && too_late_for(summary.iteration_time_in_seconds)) end_ = Termination::time_limit;
+    longest_ = std::max(longest_, summary.iteration_time_in_seconds);  // the first is an evaluation only
+    if (!end_ && too_late_for(longest_)) end_ = Termination::time_limit;
     return end_ || residuals_->stopped_energy() < best_value_ ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
                                                               : ceres::SOLVER_CONTINUE;
   }
@@ -206,6 +210,7 @@ class TrustRegion final : public ceres::IterationCallback {
   ChainModel model_;                     ///< at the first path of the round
   ChainResiduals* residuals_ = nullptr;  ///< of the round
   double best_value_ = 0;
+  double longest_ = 0;  ///< seconds of an iteration of the round, as expected or measured
   std::optional<Termination> end_;
   std::exception_ptr thrown_;
   std::string words_;
