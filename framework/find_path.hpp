@@ -64,8 +64,8 @@ struct Result {
 /// InputError for a problem or options whose parts do not fit, InitializationError when there is no first path.
 ///
 /// **Time.** After the monitor's deadline it comes back within max(1 ms, a tenth of the budget) of thread time, with
-/// NLopt and Ceres within 5 ms, plus one call of a user's function: the work in hand is abandoned, nothing new is
-/// begun, and the status is `interrupted`. A domain builds in its constructor what it needs; what is made only when it
+/// NLopt and Ceres within 5 ms, plus one call of a user's function (chains of up to 10,000 points; beyond, in proportion
+/// to their memory): the work in hand is abandoned, nothing new is begun, and the status is `interrupted`. A domain builds in its constructor what it needs; what is made only when it
 /// is asked for is made by prepare(), which the certificate of a sampled domain calls unless you did.
 Result find_path(const Problem& problem, const Initializer& initializer, const Solver& solver,
                  const FindOptions& options = {}, const Monitor& monitor = {});

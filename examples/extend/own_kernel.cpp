@@ -4,6 +4,7 @@
 // A kernel of one's own: H(s) = cosh s - 1. It changes how stiffly the points hold their equal spacing, not the path.
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <numbers>
 
 #include <leastcost/framework/find_path.hpp>
@@ -22,6 +23,8 @@ struct Cosh {
   /// phi(q) = H(sqrt q) with two derivatives in q. Near 0 by its series: the quotients there are 0 / 0.
   Jet2 operator()(double q) const {
     if (q < 1e-4) return {q / 2 + q * q / 24, 0.5 + q / 12 + q * q / 240, 1.0 / 12 + q / 120};
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    if (q > 5e5) return {kInfinity, kInfinity, kInfinity};  // cosh s overflows at s = 710
     const double s = std::sqrt(q), c = std::cosh(s), by_s = std::sinh(s) / s;
     return {c - 1, by_s / 2, (c - by_s) / (4 * q)};
   }
