@@ -61,6 +61,7 @@ Family find_family(const std::vector<FamilyStart>& starts, const Solver& solver,
   std::exception_ptr first_error;
   std::vector<FamilyMember> pathless;
   for (const FamilyStart& start : starts) {
+    if (!start.initializer) throw InputError("family, " + start.origin + ": the initializer is null");
     if (!family.members.empty() && monitor.interrupted()) break;
     try {
       FamilyMember member{

@@ -42,6 +42,9 @@ Deadline last_words(const Deadline& deadline, Monitor::Clock::time_point start) 
 void check(const FindOptions& options) {
   if (options.points && *options.points < 1)
     throw InputError("a path has at least one free point, not " + std::to_string(*options.points));
+  constexpr int kMostPoints = 100'000'000;
+  if (options.points && *options.points > kMostPoints)
+    throw InputError("a path has at most 10^8 free points, not " + std::to_string(*options.points));
   if (options.reference_cost && !(*options.reference_cost > 0 && std::isfinite(*options.reference_cost)))
     throw InputError("the reference cost is positive and finite, not " + std::to_string(*options.reference_cost));
   for (const auto& step : options.post_processors)
@@ -103,6 +106,21 @@ void check_path(const Problem& problem, const CoordinatePath& path, Index least,
   if (!path.u.allFinite()) throw InputError(what + " has coordinates that are not finite");
 }
 
+/// Throws InputError for what is no curve with the points of `before` on it.
+void check_processed(const Problem& problem, const CoordinatePath& before, const PostProcessed& after) {
+  const CoordinatePath& chain = after.chain;
+  check_path(problem, chain, before.u.cols(), "the chain of a post-processor");
+  if (chain.u.cols() != before.u.cols())
+    throw InputError("a post-processor made " + std::to_string(chain.u.cols()) + " points of " +
+                     std::to_string(before.u.cols()));
+  if (after.curve_costs.size() != chain.segment_count())
+    throw InputError("a post-processor returned " + std::to_string(after.curve_costs.size()) + " costs for " +
+                     std::to_string(chain.segment_count()) + " segments");
+  if (after.curve.x.rows() != problem.manifold->dimensions().ambient || after.curve.x.cols() < 2)
+    throw InputError("a post-processor returned a curve of " + std::to_string(after.curve.x.rows()) + " x " +
+                     std::to_string(after.curve.x.cols()) + " coordinates");
+}
+
 /// What the post-processors make of a chain.
 PostProcessed post_process(const Problem& problem, PathEnergy& energy, const FirstPath& first,
                            const CoordinatePath& chain, const FindOptions& options, const Monitor& monitor) {
@@ -110,6 +128,7 @@ PostProcessed post_process(const Problem& problem, PathEnergy& energy, const Fir
   for (const auto& step : options.post_processors) {
     look_at_clock(monitor.deadline);
     processed = step->apply(problem, first, std::move(processed), monitor);
+    check_processed(problem, chain, processed);
   }
   return processed;
 }
@@ -150,8 +169,8 @@ Result unfinished(Result result, const Problem& problem) {
 
 Status status_of(const Result& result, bool collapsed, const Monitor& monitor) {
   const Termination end = result.solve.termination;
-  if (end == Termination::cancelled || end == Termination::time_limit || monitor.interrupted())
-    return Status::interrupted;
+  if (end == Termination::cancelled || end == Termination::time_limit) return Status::interrupted;
+  if (monitor.interrupted() && !result.certificate.certified()) return Status::interrupted;
   if (collapsed) return Status::collapsed;
   return result.certificate.certified() ? Status::certified : Status::uncertified;
 }
@@ -291,8 +310,14 @@ class Search {
   void certify_delivered(const PostProcessed& processed, const ToCurve& to_curve) {
     if (monitor_.interrupted()) return not_certified();
     stage(Stage::certify, monitor_, result_.seconds.certify, [&] {
-      result_.certificate =
-          certify(problem_, result_.reference_cost, processed, to_curve, options_.certificate, monitor_);
+      try {
+        result_.certificate =
+            certify(problem_, result_.reference_cost, processed, to_curve, options_.certificate, monitor_);
+      } catch (const Interrupted&) {
+        throw;
+      } catch (const std::exception& error) {  // the path is found: what a part throws now takes nothing away from it
+        result_.certificate.failures.push_back({"exception", std::string("while certifying: ") + error.what()});
+      }
     });
   }
 
@@ -357,6 +382,9 @@ Result improve_path(const Problem& problem, const CoordinatePath& chain, const S
 
 void complete_interrupted(const Problem& problem, const FindOptions& options, Result& result) {
   if (result.status != Status::interrupted || result.post_processed || result.path.u.size() == 0) return;
+  check(problem);
+  check(options);
+  check_path(problem, result.path, problem.ring ? 1 : 2, "the path");
   Monitor stopped;  // post-processors that improve a path step by step return at once
   stopped.stop_requested = [] { return true; };
   PathEnergy energy(problem, 1);

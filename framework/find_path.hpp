@@ -61,12 +61,15 @@ struct Result {
 
 /// The library's front door; the command line and an embedder call this same function. Never prints, never exits;
 /// may run from several threads at once (one Monitor each), and leaves signals, locale and streams alone. Throws
-/// InputError for a problem or options whose parts do not fit, InitializationError when there is no first path.
+/// InputError for a problem or options whose parts do not fit, InitializationError when there is no first path. What a
+/// user's own part throws ends a solve (Termination::exception, the best path is kept) or a certificate (failure
+/// `exception`); thrown by a first path, a post-processor or the monitor it passes through as it is.
 ///
 /// **Time.** After the monitor's deadline it comes back within max(1 ms, a tenth of the budget) of thread time, with
-/// NLopt and Ceres within 5 ms, plus one call of a user's function (chains of up to 10,000 points; beyond, in proportion
-/// to their memory): the work in hand is abandoned, nothing new is begun, and the status is `interrupted`. A domain builds in its constructor what it needs; what is made only when it
-/// is asked for is made by prepare(), which the certificate of a sampled domain calls unless you did.
+/// NLopt and Ceres within 5 ms, plus one call of a user's function (chains of up to 10,000 points; beyond, in
+/// proportion to their memory): the work in hand is abandoned, nothing new is begun, and the status is `interrupted`. A
+/// domain builds in its constructor what it needs; what is made only when it is asked for is made by prepare(), which
+/// the certificate of a sampled domain calls unless you did.
 Result find_path(const Problem& problem, const Initializer& initializer, const Solver& solver,
                  const FindOptions& options = {}, const Monitor& monitor = {});
 

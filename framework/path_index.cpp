@@ -27,14 +27,14 @@ std::optional<ChainHessians> chain_hessians(PathEnergy& energy, const Coordinate
 
 PathIndex path_index(PathEnergy& energy, const CoordinatePath& path, double shift) {
   PathIndex index;
-  const std::optional<ChainHessians> h = chain_hessians(energy, path);
+  std::optional<ChainHessians> h = chain_hessians(energy, path);
   if (!h) return index;
-  ChainSystem up = h->exact, down = h->exact;
-  up.add(shift, h->gauss_newton);
-  down.add(-shift, h->gauss_newton);
-  index.negatives = h->exact.negative_eigenvalues(energy.deadline());
-  index.saddle_order = up.negative_eigenvalues(energy.deadline());
-  index.nullity = down.negative_eigenvalues(energy.deadline()) - index.saddle_order;
+  const Deadline& deadline = energy.deadline();
+  index.negatives = h->exact.negative_eigenvalues(deadline);
+  h->exact.add(shift, h->gauss_newton);  // in place: a copy of a long chain takes longer than its eigenvalues
+  index.saddle_order = h->exact.negative_eigenvalues(deadline);
+  h->exact.add(-2 * shift, h->gauss_newton);
+  index.nullity = h->exact.negative_eigenvalues(deadline) - index.saddle_order;
   index.verdict = index.saddle_order > 0 ? IndexVerdict::saddle
                   : index.nullity > 0    ? IndexVerdict::degenerate
                                          : IndexVerdict::minimum;

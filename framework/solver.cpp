@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <sstream>
+#include <string>
 #include <utility>
 
 #include <leastcost/framework/errors.hpp>
@@ -50,6 +51,17 @@ bool no_worse(PathEnergy& energy, const CoordinatePath& path, const CoordinatePa
   } catch (...) {
     return false;
   }
+}
+
+/// What a solver did to a path that it must not: another shape, other ends, numbers that are none.
+std::string damage(const CoordinatePath& path, const CoordinatePath& start) {
+  if (path.u.rows() != start.u.rows() || path.u.cols() != start.u.cols() || path.ring != start.ring ||
+      (!path.sites.empty() && path.sites.size() != static_cast<std::size_t>(path.u.cols())))
+    return "the solver returned a path of another shape";
+  if (!path.u.allFinite()) return "the solver returned coordinates that are not finite";
+  if (!path.ring && (path.u.col(0) != start.u.col(0) || path.u.rightCols(1) != start.u.rightCols(1)))
+    return "the solver moved an end of the path";
+  return "";
 }
 
 /// Stopped from outside, or without a path to measure.
@@ -140,9 +152,14 @@ SolveReport Solver::guarded(PathEnergy& energy, CoordinatePath& path, double& in
     initial = energy.value(path);
     if (std::isfinite(initial)) {
       report = do_solve(energy, path, listening);
+      if (const std::string why = damage(path, start); !why.empty()) {
+        path = start;
+        throw InputError(why);
+      }
       doubt(energy, path, report);
       return report;
     }
+    report.termination = Termination::non_finite;
     report.message = "the energy of the first path is not finite";
     return report;
   } catch (const Interrupted&) {

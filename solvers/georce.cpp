@@ -150,7 +150,7 @@ std::optional<std::string> Georce::cannot_solve(const PathEnergy& energy, const 
   if (!chart) return "georce works in a chart: a euclidean or a parametric manifold";
   if (!problem.cost->traits().quadratic_at_rest)
     return "georce needs a metric; this cost says that it has none (a Finsler cost)";
-  PathEnergy own(problem, energy.reference_cost());
+  PathEnergy own(problem, energy.reference_cost(), energy.deadline());
   Points metric;
   own.metrics(path, metric);
   const Index d = metric.rows();

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/path_energy.hpp>
 
 namespace leastcost {
@@ -13,7 +15,11 @@ namespace leastcost {
 /// Stored steps s and gradient changes y, as coordinate-space vectors of the free points, newest last.
 class LbfgsHistory {
  public:
-  explicit LbfgsHistory(int memory) : pairs_(static_cast<std::size_t>(memory)) {}
+  /// Throws OptionError for a memory that holds no pair.
+  explicit LbfgsHistory(int memory) {
+    if (memory < 1) throw OptionError("memory", "at least one pair is stored, not " + std::to_string(memory));
+    pairs_.resize(static_cast<std::size_t>(memory));
+  }
   bool empty() const { return count_ == 0; }
   void clear() { count_ = 0; }
 

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <span>
 
+#include <leastcost/framework/errors.hpp>
 #include "catalogue/output/manifest.hpp"
 #include "catalogue/output/path_table.hpp"
 #include "catalogue/run/run_origin.hpp"
@@ -81,6 +82,8 @@ void write_results(RunOutcome& outcome, const std::vector<std::string>& argument
 }
 
 std::filesystem::path write_run(const RunOutcome& outcome, const fs::path& folder, const WriteOptions& options) {
+  if (folder.empty()) throw OutputError("an output folder needs a name");
+  if (!outcome.origin) throw InputError("only what solve() returned can be written");
   OutputFolder out(folder, options.replace);
   RunOutcome timed = outcome;
   write_results(timed, options.arguments, out);

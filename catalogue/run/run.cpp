@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include <leastcost/framework/errors.hpp>
 #include "catalogue/run/compose.hpp"
 #include "catalogue/run/run_origin.hpp"
 
@@ -145,6 +146,8 @@ Run compose_run(const RunConfig& config, const std::filesystem::path& folder) {
 }
 
 RunOutcome solve(Run run, const Monitor& monitor) {
+  if (!run.origin) throw InputError("a run is made by load_run() or parse_run()");
+  if (!run.parts.solver || !run.parts.initializer) throw InputError("the run has no solver, or no initializer");
   const Clock::time_point start = Clock::now();
   RunOutcome outcome;
   outcome.name = std::move(run.name);

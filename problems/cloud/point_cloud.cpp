@@ -95,7 +95,11 @@ void PointCloud::place(const PointSamples& samples) {
     throw InputError(source_ + ": " + std::to_string(all.size()) + " points, at least " + std::to_string(fewest) +
                      " are needed to fit surfaces to " + std::to_string(settings_.neighbours) + " neighbours");
   Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : all) box.extend(p);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!all[i].allFinite())
+      throw InputError(source_ + ": point " + std::to_string(i) + " has coordinates that are not finite");
+    box.extend(all[i]);
+  }
   centre_ = box.min() + box.sizes() / 2;
   diameter_ = box.diagonal().norm();
   if (!std::isfinite(diameter_)) throw InputError(source_ + ": the points are too far apart for double precision");

@@ -161,6 +161,10 @@ void check_travel_time(const TravelTimeOptions& options, bool has_source) {
 std::shared_ptr<const SegmentCost> make_travel_time_cost(const TravelTimeOptions& options, int dim,
                                                          const std::optional<Eigen::VectorXd>& source) {
   check_travel_time(options, source.has_value());
+  if (dim < 1) throw OptionError("dimension", "a path falls in R^d, d at least 1");
+  if (source && source->size() != dim)
+    throw InputError("the source has " + std::to_string(source->size()) + " coordinates, the space has " +
+                     std::to_string(dim));
   const double level = options.level
                            ? *options.level
                            : (*source)[dim - 1] + options.start_speed * options.start_speed / (2 * options.gravity);

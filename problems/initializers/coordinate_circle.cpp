@@ -11,7 +11,7 @@
 namespace leastcost {
 namespace {
 
-constexpr int kPointsPerTurn = 64;
+constexpr int kPointsPerTurn = 64, kMostTurns = 1000;
 
 /// Which seam the coordinate crosses.
 Index seam_of(const std::vector<Seam>& seams, int coordinate) {
@@ -26,11 +26,14 @@ void CoordinateCircleOptions::fields(FieldVisitor& visit) {
   visit.field("coordinate", coordinate, {.help = "The coordinate that runs around, from 0.", .minimum = 0});
   visit.field("through", through,
               {.help = "A point of the circle, in the coordinates of the chart.", .required = true});
-  visit.field("turns", turns, {.help = "How many times it runs around.", .minimum = 1, .maximum = 1000});
+  visit.field("turns", turns, {.help = "How many times it runs around.", .minimum = 1, .maximum = kMostTurns});
 }
 
 CoordinateCircleInitializer::CoordinateCircleInitializer(CoordinateCircleOptions options)
-    : options_(std::move(options)) {}
+    : options_(std::move(options)) {
+  if (options_.turns < 1 || options_.turns > kMostTurns)
+    throw OptionError("turns", "from 1 to " + std::to_string(kMostTurns) + ", not " + std::to_string(options_.turns));
+}
 
 FirstPath CoordinateCircleInitializer::first_path(const Problem& problem, const Monitor&) const {
   const auto* domain = find_ability<HasSeams>(*problem.manifold);
@@ -53,8 +56,7 @@ FirstPath CoordinateCircleInitializer::first_path(const Problem& problem, const 
   if ((first.path.column(count) - end).norm() > 1e-9 * (1 + end.norm()))
     throw InitializationError(
         "the circle does not close: crossing the seam turns another coordinate over; start where that one is 0, or "
-        "take "
-        "an even number of turns");
+        "take an even number of turns");
   return first;
 }
 

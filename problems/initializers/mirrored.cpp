@@ -46,12 +46,18 @@ double longest_move(const Points& u) {
 
 }  // namespace
 
+MirroredInitializer::MirroredInitializer(std::shared_ptr<const Initializer> original) : original_(std::move(original)) {
+  if (!original_) throw InputError("there is no initializer to mirror");
+}
+
 FirstPath MirroredInitializer::first_path(const Problem& problem, const Monitor& monitor) const {
   if (problem.ring) throw InitializationError("a ring has no ends to mirror it at");
   if (problem.source.u == problem.target.u)
     throw InitializationError("a loop has no line between its ends to mirror it at");
   FirstPath first = original_->first_path(problem, monitor);
   Points& u = first.path.u;
+  if (u.rows() != problem.source.u.size() || u.cols() < 2)
+    throw InputError("the path to mirror is " + std::to_string(u.rows()) + " x " + std::to_string(u.cols()));
   const Points kept = kept_directions(problem);
   const double before = longest_move(u);
   const Points off = u.colwise() - problem.source.u;

@@ -15,7 +15,8 @@ namespace leastcost {
 /// For families (family.mirrored).
 class MirroredInitializer final : public Initializer {
  public:
-  explicit MirroredInitializer(std::shared_ptr<const Initializer> original) : original_(std::move(original)) {}
+  /// Throws InputError for none.
+  explicit MirroredInitializer(std::shared_ptr<const Initializer> original);
   std::string_view name() const override { return "mirrored"; }
   /// Throws InitializationError for rings and where the image has no continuous projection.
   FirstPath first_path(const Problem& problem, const Monitor& monitor) const override;

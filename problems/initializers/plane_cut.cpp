@@ -75,7 +75,7 @@ PlaneCutInitializer::PlaneCutInitializer(const PlaneCutOptions& options)
   normal_.stableNormalize();
 }
 
-FirstPath PlaneCutInitializer::first_path(const Problem& problem, const Monitor&) const {
+FirstPath PlaneCutInitializer::first_path(const Problem& problem, const Monitor& monitor) const {
   const ConstraintManifold& domain = *problem.manifold;
   const bool surface = domain.dimensions().ambient == 3 && domain.dimensions().tangent == 2;
   if (!surface || domain.shape() == Shape::flat)
@@ -88,7 +88,7 @@ FirstPath PlaneCutInitializer::first_path(const Problem& problem, const Monitor&
     return first;
   }
   const TriangleMesh& mesh = mesh_of(problem, "initializer plane_cut").mesh();
-  const SectionCurves curves = section_curves(mesh, point_, normal_);
+  const SectionCurves curves = section_curves(mesh, point_, normal_, monitor.deadline);
   if (curves.closed.empty()) throw InitializationError(failure(mesh, curves, point_, normal_));
   const auto nearer = [this](const SurfacePath& a, const SurfacePath& b) {
     return distance(a, point_) < distance(b, point_);

@@ -14,7 +14,7 @@ namespace leastcost {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kStopInterval = 256;  // settled nodes between two questions to the stop predicate
+constexpr int kStopInterval = 32;  // settled nodes between two questions to the stop predicate: a move may be dear
 
 /// The crossing point of edge ab on the straight line from c (one side) to d (other side) in the unfolding, if it is
 /// strictly inside the edge.

@@ -53,12 +53,15 @@ Eigen::Vector3d PlaneSection::crossing(std::int32_t h) const {
   return t < 0.5 ? Eigen::Vector3d(p + t * (q - p)) : Eigen::Vector3d(q + (1 - t) * (p - q));
 }
 
-SectionCurves section_curves(const TriangleMesh& mesh, const Eigen::Vector3d& through, const Eigen::Vector3d& normal) {
+SectionCurves section_curves(const TriangleMesh& mesh, const Eigen::Vector3d& through, const Eigen::Vector3d& normal,
+                             const Deadline& deadline) {
+  constexpr std::int32_t kLook = 4096;  // faces between two looks at the clock
   const PlaneSection section(mesh, through, normal);
   CurveFollower follower(mesh, section);
   SectionCurves curves;
   SurfacePath path;
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    if (f % kLook == 0) look_at_clock(deadline);
     std::int32_t h = 3 * f;
     while (h < 3 * f + 3 && !section.crosses(h)) ++h;
     if (h == 3 * f + 3 || follower.done(f)) continue;

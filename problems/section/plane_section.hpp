@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <leastcost/framework/deadline.hpp>
 #include <leastcost/problems/mesh/surface_path.hpp>
 #include <leastcost/problems/mesh/triangle_mesh.hpp>
 
@@ -40,6 +41,7 @@ struct SectionCurves {
 };
 
 /// All of them, in the order of their first faces; what is a single point is left out. Linear in the number of faces.
-SectionCurves section_curves(const TriangleMesh& mesh, const Eigen::Vector3d& through, const Eigen::Vector3d& normal);
+SectionCurves section_curves(const TriangleMesh& mesh, const Eigen::Vector3d& through, const Eigen::Vector3d& normal,
+                             const Deadline& deadline = {});
 
 }  // namespace leastcost

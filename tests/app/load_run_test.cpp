@@ -69,6 +69,20 @@ void compare_files(const fs::path& here, const fs::path& program) {
 
 }  // namespace
 
+TEST_CASE("a run without its parts, and results that no run made, are errors of the library") {
+  const std::filesystem::path slide = test::project_dir() / "examples/load_run/slide.yaml";
+  CHECK_THROWS_AS(solve(Run{}), InputError);
+  Run run = load_run(slide);
+  run.parts.solver = nullptr;
+  CHECK_THROWS_AS(solve(run), InputError);
+  run = load_run(slide);
+  run.parts.initializer = nullptr;
+  CHECK_THROWS_AS(solve(run), InputError);
+  CHECK_THROWS_AS(write_run(RunOutcome{}, "nowhere"), InputError);
+  CHECK_THROWS_AS(write_run(solve(load_run(slide)), ""), OutputError);
+  CHECK_FALSE(std::filesystem::exists("nowhere"));
+}
+
 TEST_CASE("load_run: every shipped configuration gives the files of the command line", "[slow]") {
   const ScratchDir dir;
   int compared = 0;
