@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include <leastcost/framework/errors.hpp>
 #include "framework/fault_list.hpp"
 #include "framework/observed_order.hpp"
 #include "framework/symmetric_eigen.hpp"
@@ -217,9 +218,11 @@ std::vector<Fault> check_cost(const SegmentCost& cost, const PointSampler& insid
                               const CheckCostOptions& options) {
   FaultList faults;
   const Index d = cost.dim();
+  const PointSampler in_domain = of_dimension(inside, d);
+  for (const Eigen::VectorXd& point : options.outside) check_dimension(point, d);
   for (int repeat = 0; repeat < options.samples; ++repeat) {
     Points x(d, 4);
-    for (Index i = 0; i < 4; ++i) x.col(i) = inside(engine);
+    for (Index i = 0; i < 4; ++i) x.col(i) = in_domain(engine);
     const Points near = x.col(0).replicate(1, 4) + 1e-8 * random_matrix(d, 4, engine);
     check_values(cost, x.col(0), x.col(1), faults);
     check_values(cost, near.col(0), near.col(1), faults);
@@ -243,6 +246,8 @@ std::vector<Fault> check_cost(const SegmentCost& cost, const PointSampler& insid
 std::vector<Fault> check_cost_derivatives(const SegmentCost& cost, const Points& path, bool ring,
                                           std::mt19937_64& engine) {
   FaultList faults;
+  if (path.cols() < 3) throw InputError("slopes are checked along a path of three points at least");
+  check_dimension(path.col(0), cost.dim());
   check_derivatives(cost, path, ring, engine, faults);
   return faults.take();
 }

@@ -221,7 +221,9 @@ std::vector<Fault> check_manifold(const ConstraintManifold& manifold, const Poin
   check.faults.at_most("dimensions", check.dims.tangent, check.dims.coordinate, "degrees of freedom of a point");
   const int d = check.dims.coordinate;
   Points points(d, std::max(options.samples, 3)), special(d, static_cast<Index>(options.special.size()));
-  for (Index i = 0; i < points.cols(); ++i) points.col(i) = near(engine);
+  const PointSampler in_space = of_dimension(near, d);
+  for (const Eigen::VectorXd& point : options.special) check_dimension(point, d);
+  for (Index i = 0; i < points.cols(); ++i) points.col(i) = in_space(engine);
   for (Index i = 0; i < special.cols(); ++i) special.col(i) = options.special[static_cast<std::size_t>(i)];
   for (const Points& some : {points, special}) {
     if (some.cols() == 0) continue;

@@ -12,6 +12,12 @@
 
 namespace leastcost {
 
+/// Throws InputError for a point of another dimension.
+void check_dimension(const Eigen::VectorXd& point, Eigen::Index dimension);
+
+/// The sampler, whose points are looked at; throws InputError where there is none.
+PointSampler of_dimension(const PointSampler& sampler, Eigen::Index dimension);
+
 /// Faults by name, each with its worst number.
 class FaultList {
  public:

@@ -3,6 +3,9 @@
 #include <leastcost/framework/segment_cost.hpp>
 
 #include <cmath>
+#include <string>
+
+#include <leastcost/framework/errors.hpp>
 
 namespace leastcost {
 
@@ -15,6 +18,8 @@ Eigen::VectorXd segment_costs(const SegmentCost& cost, const AmbientPath& path) 
 double total_cost(const SegmentCost& cost, const AmbientPath& path) { return segment_costs(cost, path).sum(); }
 
 double move_cost(const SegmentCost& cost, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  if (a.size() != cost.dim() || b.size() != cost.dim())
+    throw InputError("a move of this cost joins two points of dimension " + std::to_string(cost.dim()));
   Points ends(a.size(), 2);
   ends << a, b;
   double q = 0;

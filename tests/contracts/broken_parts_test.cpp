@@ -137,6 +137,17 @@ TEST_CASE("options that cannot work, and parts that are missing, are errors of t
   cloud.positions[3][0] = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(PointCloud(cloud, {}), InputError);
 
+  std::mt19937_64 engine(1);
+  const PointSampler in_space = sample_box(Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones());
+  const std::shared_ptr<const SegmentCost> cost = plane().cost;
+  CHECK_THROWS_AS(check_cost(*cost, in_space, engine), InputError);
+  CHECK_THROWS_AS(check_cost(*cost, {}, engine), InputError);
+  CHECK_THROWS_AS(check_manifold(*plane().manifold, in_space, engine), InputError);
+  CHECK_THROWS_AS(check_manifold(*plane().manifold, {}, engine), InputError);
+  CHECK_THROWS_AS(check_cost_derivatives(*cost, Points::Zero(2, 1), false, engine), InputError);
+  CHECK_THROWS_AS(check_cost_derivatives(*cost, Points::Zero(3, 4), false, engine), InputError);
+  CHECK_THROWS_AS(move_cost(*cost, Eigen::Vector2d::Zero(), Eigen::Vector3d::Zero()), InputError);
+
   Problem falling = plane();
   falling.target.u = Eigen::Vector2d(1, -1);
   falling.cost = make_travel_time_cost({}, 2, falling.source.u);
