@@ -84,7 +84,7 @@ FirstPath PlaneCutInitializer::first_path(const Problem& problem, const Monitor&
     throw InitializationError("a plane cut is a closed curve and this path has two ends: use path.ring: true");
   if (domain.shape() == Shape::smooth) {
     FirstPath first;
-    first.path = smooth_section(domain, point_, normal_);
+    first.path = smooth_section(domain, point_, normal_, monitor.deadline);
     return first;
   }
   const TriangleMesh& mesh = mesh_of(problem, "initializer plane_cut").mesh();

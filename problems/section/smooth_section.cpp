@@ -29,12 +29,14 @@ constexpr int kMostSteps = 20000;
 
 class Follower {
  public:
-  Follower(const ConstraintManifold& surface, const Eigen::Vector3d& point, const Eigen::Vector3d& normal)
+  Follower(const ConstraintManifold& surface, const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
+           const Deadline& deadline)
       : surface_(surface),
         chart_(find_ability<HasChart>(surface)),
         point_(point),
         normal_(normal),
-        stations_(surface, point, normal) {}
+        stations_(surface, point, normal),
+        deadline_(deadline) {}
 
   CoordinatePath follow() {
     const Station start = first_station();
@@ -61,6 +63,7 @@ class Follower {
   Station first_station() {
     std::optional<Station> best;
     const auto take = [&](std::optional<Station> s) {
+      look_at_clock(deadline_);
       if (s && (!best || (s->x - point_).norm() < (best->x - point_).norm())) best = std::move(s);
     };
     if (chart_ != nullptr) {
@@ -89,6 +92,7 @@ class Follower {
   /// The next station; `step` is adapted to how fast the curve turns.
   Station advance(const Station& now, double& step) {
     for (; step > kShortestStep * size_; step /= 2) {
+      look_at_clock(deadline_);
       std::optional<Station> found = stations_.reach(now.u + now.pulled_back(step * now.along));
       if (!found) continue;
       Station next = std::move(*found);
@@ -138,14 +142,15 @@ class Follower {
   const HasChart* chart_;
   Eigen::Vector3d point_, normal_;
   StationFinder stations_;
+  const Deadline& deadline_;
   double size_ = 1;
 };
 
 }  // namespace
 
 CoordinatePath smooth_section(const ConstraintManifold& surface, const Eigen::Vector3d& point,
-                              const Eigen::Vector3d& normal) {
-  return Follower(surface, point, normal).follow();
+                              const Eigen::Vector3d& normal, const Deadline& deadline) {
+  return Follower(surface, point, normal, deadline).follow();
 }
 
 }  // namespace leastcost

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <leastcost/framework/deadline.hpp>
 #include <leastcost/framework/manifold.hpp>
 
 namespace leastcost {
@@ -14,8 +15,8 @@ namespace leastcost {
 /// sets, clouds and charts alike. `normal` has length 1.
 ///
 /// Throws InitializationError where no point of the curve is found near `point`, where the curve comes to a bound or to
-/// where the surface ends, and where it does not come back.
+/// where the surface ends, and where it does not come back; Interrupted past the deadline.
 CoordinatePath smooth_section(const ConstraintManifold& surface, const Eigen::Vector3d& point,
-                              const Eigen::Vector3d& normal);
+                              const Eigen::Vector3d& normal, const Deadline& deadline = {});
 
 }  // namespace leastcost
