@@ -113,6 +113,12 @@ void check_processed(const Problem& problem, const CoordinatePath& before, const
   if (chain.u.cols() != before.u.cols())
     throw InputError("a post-processor made " + std::to_string(chain.u.cols()) + " points of " +
                      std::to_string(before.u.cols()));
+  constexpr double kSame = 1e-6;  // of the extent: what rounding and projections may move an end
+  const double extent = (before.u.rowwise().maxCoeff() - before.u.rowwise().minCoeff()).norm();
+  const Index last = chain.u.cols() - 1;
+  if (!chain.ring && std::max((chain.u.col(0) - before.u.col(0)).norm(),
+                              (chain.u.col(last) - before.u.col(last)).norm()) > kSame * extent)
+    throw InputError("a post-processor moved an end of the path");
   if (after.curve_costs.size() != chain.segment_count())
     throw InputError("a post-processor returned " + std::to_string(after.curve_costs.size()) + " costs for " +
                      std::to_string(chain.segment_count()) + " segments");
@@ -317,6 +323,9 @@ class Search {
         throw;
       } catch (const std::exception& error) {  // the path is found: what a part throws now takes nothing away from it
         result_.certificate.failures.push_back({"exception", std::string("while certifying: ") + error.what()});
+      } catch (...) {
+        result_.certificate.failures.push_back(
+            {"exception", "while certifying: an exception that is no std::exception"});
       }
     });
   }
@@ -384,7 +393,9 @@ void complete_interrupted(const Problem& problem, const FindOptions& options, Re
   if (result.status != Status::interrupted || result.post_processed || result.path.u.size() == 0) return;
   check(problem);
   check(options);
-  check_path(problem, result.path, problem.ring ? 1 : 2, "the path");
+  if (result.path.u.rows() != problem.manifold->dimensions().coordinate)  // (a based ring is open in its result)
+    throw InputError("the path has " + std::to_string(result.path.u.rows()) + " coordinates, the domain " +
+                     std::to_string(problem.manifold->dimensions().coordinate));
   Monitor stopped;  // post-processors that improve a path step by step return at once
   stopped.stop_requested = [] { return true; };
   PathEnergy energy(problem, 1);

@@ -31,7 +31,7 @@ PathIndex path_index(PathEnergy& energy, const CoordinatePath& path, double shif
   if (!h) return index;
   const Deadline& deadline = energy.deadline();
   index.negatives = h->exact.negative_eigenvalues(deadline);
-  h->exact.add(shift, h->gauss_newton);  // in place: a copy of a long chain takes longer than its eigenvalues
+  h->exact.add(shift, h->gauss_newton);  // in place: copies of a long chain are dear, and nobody looks at the clock
   index.saddle_order = h->exact.negative_eigenvalues(deadline);
   h->exact.add(-2 * shift, h->gauss_newton);
   index.nullity = h->exact.negative_eigenvalues(deadline) - index.saddle_order;

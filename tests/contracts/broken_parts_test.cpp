@@ -3,6 +3,7 @@
 // Parts of a user's own that break their contracts: nothing of it is believed, nothing of it ends the host.
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 
 #include <leastcost/leastcost.hpp>
@@ -95,6 +96,7 @@ TEST_CASE("a post-processor that returns what is no curve with the points on it 
       [](PostProcessed& p) { p = {}; },
       [](PostProcessed& p) { p.chain.u.conservativeResize(2, 3); },
       [](PostProcessed& p) { p.chain.u = Points::Zero(2, 1); },
+      [](PostProcessed& p) { p.chain.u.rightCols(1).array() += 1; },
       [](PostProcessed& p) { p.curve_costs.resize(0); },
       [](PostProcessed& p) { p.curve.x.resize(0, 0); },
       [](PostProcessed& p) { p.curve.x = Points::Zero(7, 3); },
@@ -122,6 +124,24 @@ TEST_CASE("a cost that throws while the path is certified takes nothing away fro
   REQUIRE(result.certificate.failures.size() == 1);
   CHECK(result.certificate.failures[0].name == "exception");
   CHECK_THAT(result.certificate.failures[0].message, Catch::Contains("late boom"));
+}
+
+TEST_CASE("an interrupted loop with a fixed point, whose path is open, is completed") {
+  Problem problem = plane();
+  problem.manifold = make_parametric_manifold({.surface = parametric::Torus{}});
+  problem.cost = make_euclidean_cost(3);
+  problem.source.u = Eigen::Vector2d(0.3, std::numbers::pi);
+  problem.target = {};
+  problem.ring = problem.based = true;
+  const CoordinateCircleInitializer circle({.through = Eigen::Vector2d(1, 2.9)});
+  Result result = find_path(problem, circle, Newton(), {.points = 30});
+  REQUIRE_FALSE(result.path.ring);
+  const double cost = result.costs.sum();
+  result.status = Status::interrupted;
+  result.post_processed = false;
+  complete_interrupted(problem, {}, result);
+  CHECK(result.post_processed);
+  CHECK(result.costs.sum() == Approx(cost));
 }
 
 TEST_CASE("options that cannot work, and parts that are missing, are errors of the library") {
