@@ -3,9 +3,11 @@
 #include <leastcost/framework/certificate.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <leastcost/framework/chain_model.hpp>
@@ -53,9 +55,9 @@ class Certifier {
     } catch (const Interrupted&) {
       interrupted = true;
     }
-    if (interrupted || monitor_.interrupted()) {
-      fail("interrupted", "the certificate was interrupted");
-      c_.estimate = {};  // half a measurement says nothing
+    if (interrupted || monitor_.interrupted()) fail("interrupted", "the certificate was interrupted");
+    if (voids_the_bar()) {
+      c_.estimate = {};
       c_.estimate.value = path_.curve.cost;
     }
     return std::move(c_);
@@ -78,6 +80,17 @@ class Certifier {
   }
 
   void fail(const char* name, std::string message) { c_.failures.push_back({name, std::move(message)}); }
+
+  /// Whether a failure says that the levels and the delivered path are not of one kind, so that nothing is known about
+  /// the cost but what the delivered path itself costs.
+  bool voids_the_bar() const {
+    static constexpr std::array<std::string_view, 8> kVoiding = {"interrupted",     "infinite_cost", "residual",
+                                                                 "stationarity",    "refinement",    "collapsed",
+                                                                 "longest_segment", "unresolved"};
+    return std::any_of(c_.failures.begin(), c_.failures.end(), [](const CertificateFailure& failure) {
+      return std::find(kVoiding.begin(), kVoiding.end(), failure.name) != kVoiding.end();
+    });
+  }
 
   double extent() const {
     const Points& u = path_.chain.u;
@@ -202,10 +215,23 @@ class Certifier {
     c_.estimate = std::move(estimated.estimate);
     for (CertificateFailure& failure : estimated.failures) c_.failures.push_back(std::move(failure));
     if (between) c_.estimate.error = std::max(c_.estimate.error, kBetween * std::abs(*between - c_.estimate.value));
+    measure_resolution(refinement);
     if (!(c_.estimate.error <= kWidestBar * c_.estimate.value))
       fail("error_bar", "the error bar is " + short_number(c_.estimate.error / c_.estimate.value) +
                             " of the cost: too few points for this path");
     measure_domain();
+  }
+
+  /// Only of a path that has no other failure: a proof about another one would say nothing. What is proved needs no
+  /// extrapolation.
+  void measure_resolution(const Refinement& refinement) {
+    constexpr std::string_view kNotAsymptotic = "not_asymptotic";
+    const auto extrapolates = [&](const CertificateFailure& failure) { return failure.name == kNotAsymptotic; };
+    if (hugs_bound_ || !std::all_of(c_.failures.begin(), c_.failures.end(), extrapolates)) return;
+    ExaminedResolution examined = examine_resolution(problem_, path_.chain, refinement, c_.estimate, monitor_);
+    c_.resolution = examined.resolution;
+    if (examined.resolution.minimum_proved) c_.failures.clear();
+    for (CertificateFailure& failure : examined.failures) c_.failures.push_back(std::move(failure));
   }
 
   void measure_domain() {

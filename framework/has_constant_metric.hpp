@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <string_view>
 
+#include <leastcost/framework/encloses_metric.hpp>
 #include <leastcost/framework/segment_cost.hpp>
 
 #include <leastcost/eigen_alignment.hpp>
@@ -21,6 +22,19 @@ class HasConstantMetric {
 };
 
 /// A cost that has it, in any dimension.
-class ConstantMetricCost : public SegmentCost, public HasConstantMetric {};
+class ConstantMetricCost : public SegmentCost, public HasConstantMetric, public EnclosesMetric {
+ public:
+  void enclose_metric(std::span<const IntervalJet<2>>, std::span<IntervalJet<2>> upper) const override { fill(upper); }
+  void enclose_metric(std::span<const IntervalJet<3>>, std::span<IntervalJet<3>> upper) const override { fill(upper); }
+
+ private:
+  template <class Jet>
+  void fill(std::span<Jet> upper) const {
+    const Eigen::MatrixXd g = metric();
+    std::size_t k = 0;
+    for (Eigen::Index i = 0; i < g.rows(); ++i)
+      for (Eigen::Index j = i; j < g.cols(); ++j) upper[k++] = Jet(g(i, j));
+  }
+};
 
 }  // namespace leastcost

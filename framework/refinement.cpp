@@ -30,23 +30,6 @@ double mean_cost(const Problem& problem, const CoordinatePath& path, const Monit
 /// As a reference cost: a path may cost nothing, or infinitely much.
 bool usable(double s0) { return s0 > 0 && std::isfinite(s0); }
 
-/// Half as many segments as the first level, or about that: one more difference to judge the others by.
-void solve_coarser(const Problem& problem, const CoordinatePath& chain, int segments, const Monitor& monitor,
-                   Refinement& result) {
-  const int least = chain.ring ? 3 : 2;
-  try {
-    CoordinatePath path = sample(problem, chain, std::max(least, segments / 2), monitor);
-    const double s0 = mean_cost(problem, path, monitor);
-    if (!usable(s0)) return;
-    PathEnergy energy(problem, s0, monitor.deadline);
-    if (!solved(ChainNewton().solve(energy, path, monitor).termination)) return;
-    result.coarser = energy.cost(path);
-    result.coarser_segments = static_cast<int>(path.segment_count());
-  } catch (const InitializationError&) {
-    // Too few points for this path: there is nothing to compare with.
-  }
-}
-
 /// Solves one level; false where there is nothing to solve, or it came to nothing.
 bool solve_level(const Problem& problem, CoordinatePath& path, const Monitor& monitor, Refinement& result) {
   const int segments = static_cast<int>(path.segment_count());
@@ -68,6 +51,20 @@ bool solve_level(const Problem& problem, CoordinatePath& path, const Monitor& mo
 
 }  // namespace
 
+std::optional<double> solved_cost(const Problem& problem, const CoordinatePath& chain, int segments,
+                                  const Monitor& monitor) {
+  try {
+    CoordinatePath path = sample(problem, chain, segments, monitor);
+    const double s0 = mean_cost(problem, path, monitor);
+    if (!usable(s0)) return std::nullopt;
+    PathEnergy energy(problem, s0, monitor.deadline);
+    if (!solved(ChainNewton().solve(energy, path, monitor).termination)) return std::nullopt;
+    return energy.cost(path);
+  } catch (const InitializationError&) {
+    return std::nullopt;  // too few points for this path: there is nothing to compare with
+  }
+}
+
 Refinement refine_levels(const Problem& problem, const CoordinatePath& chain, const Monitor& monitor) {
   Refinement result;
   const int coarse = std::max(4, (static_cast<int>(chain.segment_count()) + 1) / 2);
@@ -83,7 +80,9 @@ Refinement refine_levels(const Problem& problem, const CoordinatePath& chain, co
     if (k > 0) path = refine(problem, path, monitor.deadline);
     if (!solve_level(problem, path, monitor, result)) return result;
   }
-  solve_coarser(problem, chain, result.levels[0].segments, monitor, result);
+  // Half as many segments as the first level: one more difference to judge the others by.
+  result.coarser_segments = std::max(chain.ring ? 3 : 2, result.levels[0].segments / 2);
+  result.coarser = solved_cost(problem, chain, result.coarser_segments, monitor);
   // Energies of all levels at one s0, that of the middle level, so that they can be compared.
   const double s0 = result.levels[1].cost / result.levels[1].segments;
   if (!usable(s0)) {

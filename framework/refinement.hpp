@@ -30,6 +30,11 @@ struct Refinement {
   bool collapsed = false;  ///< a ring that shrinks to a point, or is one
   std::string trouble;     ///< why it is incomplete, or which level did not converge; empty: all is well
 };
+/// The cost of a chain with another number of segments, solved from the same path; nothing where that fails. Throws
+/// Interrupted.
+std::optional<double> solved_cost(const Problem& problem, const CoordinatePath& chain, int segments,
+                                  const Monitor& monitor);
+
 /// Throws Interrupted after the monitor's deadline.
 Refinement refine_levels(const Problem& problem, const CoordinatePath& chain, const Monitor& monitor);
 

@@ -76,6 +76,14 @@ Json problem_json(const RunOutcome& run) {
           {"dimensions", {{"coordinate", d.coordinate}, {"ambient", d.ambient}, {"tangent", d.tangent}}}};
 }
 
+/// Where a minimum is proved, and between which bounds the least cost lies.
+Json tube(const Certificate& c) {
+  if (!c.resolution || !c.resolution->half_width) return nullptr;
+  return {{"half_width", number(c.resolution->half_width)},
+          {"lower", number(c.resolution->lower)},
+          {"upper", number(c.resolution->upper)}};
+}
+
 Json certificate_json(const Certificate& c, const CertificateOptions& options) {
   return {{"measured", c.measured},
           {"stationarity", number(c.stationarity)},
@@ -89,6 +97,10 @@ Json certificate_json(const Certificate& c, const CertificateOptions& options) {
             {"negatives", c.index.negatives},
             {"saddle_order", c.index.saddle_order},
             {"nullity", c.index.nullity}}},
+          {"curve_cost", c.resolution ? Json(c.resolution->curve_enclosed ? "enclosed" : "measured") : Json(nullptr)},
+          {"resolution", c.resolution ? Json(std::string(word_of(c.resolution->verdict))) : Json(nullptr)},
+          {"minimum", c.resolution ? Json(c.resolution->minimum_proved ? "proved" : "measured") : Json(nullptr)},
+          {"tube", tube(c)},
           {"straightness", number(c.straightness)},
           {"asymmetry", number(c.asymmetry)},
           {"geometry_error", number(c.geometry_error)},

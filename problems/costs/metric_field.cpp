@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include <leastcost/framework/encloses_metric.hpp>
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/segment_cost_function.hpp>
 #include <leastcost/problems/costs/sampled_tensors.hpp>
@@ -214,6 +215,32 @@ class MetricFieldCost : public SegmentCostOf<MetricField<Field>> {
   }
 };
 
+/// A field by formula.
+template <class Field>
+class MetricByFormula final : public MetricFieldCost<Field>, public EnclosesMetric {
+ public:
+  using MetricFieldCost<Field>::MetricFieldCost;
+  void enclose_metric(std::span<const IntervalJet<2>> x, std::span<IntervalJet<2>> upper) const override {
+    enclose(x, upper);
+  }
+  void enclose_metric(std::span<const IntervalJet<3>> x, std::span<IntervalJet<3>> upper) const override {
+    enclose(x, upper);
+  }
+
+ private:
+  template <class Jet>
+  void enclose(std::span<const Jet> x, std::span<Jet> upper) const {
+    constexpr int d = Field::dim;
+    Point<Jet, d> place;
+    for (int i = 0; i < d; ++i) place[i] = x[static_cast<std::size_t>(i)];
+    Tensor<Jet, d> t = this->function().field(place);
+    if (this->function().is_root) t = Tensor<Jet, d>(t.transpose() * t);
+    std::size_t k = 0;
+    for (int i = 0; i < d; ++i)
+      for (int j = i; j < d; ++j) upper[k++] = t(i, j);
+  }
+};
+
 /// Tensors on the data of a domain, which are others on another version of it.
 class MetricOnData final : public MetricFieldCost<SampledTensors>, public FollowsDomain {
  public:
@@ -241,7 +268,7 @@ std::shared_ptr<const SegmentCost> lifted(Field field, const MetricFieldOptions&
   if (dim != Field::dim)
     throw OptionError("field", "this metric lives in dimension " + std::to_string(Field::dim) +
                                    ", the ambient space has " + std::to_string(dim));
-  return std::make_shared<MetricFieldCost<Field>>(
+  return std::make_shared<MetricByFormula<Field>>(
       MetricField<Field>{std::move(field), o.reading == TensorReading::root, o.averages()});
 }
 

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <string>
 
+#include <leastcost/framework/encloses_metric.hpp>
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/segment_cost_function.hpp>
 
@@ -119,10 +120,32 @@ struct Midpoint : TravelTimeBase<D> {
   }
 };
 
+/// Both rules are the length under the metric I / v^2 in the limit of short segments.
+template <class Rule>
+class TravelTimeCost final : public SegmentCostOf<Rule>, public EnclosesMetric {
+ public:
+  using SegmentCostOf<Rule>::SegmentCostOf;
+  void enclose_metric(std::span<const IntervalJet<2>> x, std::span<IntervalJet<2>> upper) const override {
+    enclose(x, upper);
+  }
+  void enclose_metric(std::span<const IntervalJet<3>> x, std::span<IntervalJet<3>> upper) const override {
+    enclose(x, upper);
+  }
+
+ private:
+  template <class Jet>
+  void enclose(std::span<const Jet> x, std::span<Jet> upper) const {
+    const Jet g = Jet(1.0) / this->function().energy.squared_speed(x.back());
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      for (std::size_t j = i; j < x.size(); ++j) upper[k++] = i == j ? g : Jet(0.0);
+  }
+};
+
 template <template <int> class Rule>
 std::shared_ptr<const SegmentCost> make_rule(const EnergyLevel& energy, int dim) {
-  if (dim == 2) return make_segment_cost(Rule<2>{{energy}});
-  if (dim == 3) return make_segment_cost(Rule<3>{{energy}});
+  if (dim == 2) return std::make_shared<TravelTimeCost<Rule<2>>>(Rule<2>{{energy}});
+  if (dim == 3) return std::make_shared<TravelTimeCost<Rule<3>>>(Rule<3>{{energy}});
   return make_segment_cost(Rule<Eigen::Dynamic>{{energy}}, dim);
 }
 

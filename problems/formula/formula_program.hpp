@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <leastcost/framework/dual.hpp>
+#include <leastcost/framework/interval.hpp>
 
 namespace leastcost {
 
@@ -70,6 +71,50 @@ inline void set_quotient(double& to, double a, double b) { to = a / b; }
 inline void set_shifted(double& to, double a, double c) { to = a + c; }
 inline void set_scaled(double& to, double a, double c) { to = a * c; }
 inline void set_divided(double& to, double a, double c) { to = a / c; }
+
+template <IntervalBased S>
+void set_sum(S& to, const S& a, const S& b) {
+  to = a + b;
+}
+template <IntervalBased S>
+void set_difference(S& to, const S& a, const S& b) {
+  to = a - b;
+}
+/// The square of an interval is less than the product of two that are the same.
+template <IntervalBased S>
+void set_product(S& to, const S& a, const S& b) {
+  if (&a == &b)
+    to = square(a);
+  else
+    to = a * b;
+}
+template <IntervalBased S>
+void set_quotient(S& to, const S& a, const S& b) {
+  to = a / b;
+}
+template <IntervalBased S>
+void set_shifted(S& to, const S& a, double c) {
+  to = a + S(c);
+}
+template <IntervalBased S>
+void set_scaled(S& to, const S& a, double c) {
+  to = a * S(c);
+}
+template <IntervalBased S>
+void set_divided(S& to, const S& a, double c) {
+  to = a / S(c);
+}
+
+template <class S>
+S lesser(const S& a, const S& b) {
+  if constexpr (IntervalBased<S>) return min(a, b);
+  return b < a ? b : a;
+}
+template <class S>
+S greater(const S& a, const S& b) {
+  if constexpr (IntervalBased<S>) return max(a, b);
+  return a < b ? b : a;
+}
 
 template <class S, int N>
 void set_sum(Dual<S, N>& to, const Dual<S, N>& a, const Dual<S, N>& b) {
@@ -143,8 +188,8 @@ void apply(FormulaOp op, S& to, const S& a, const S& b, double c) {
     case FormulaOp::abs: to = abs(a); return;
     case FormulaOp::atan2: to = atan2(a, b); return;
     case FormulaOp::hypot: to = hypot(a, b); return;
-    case FormulaOp::min: to = b < a ? b : a; return;
-    case FormulaOp::max: to = a < b ? b : a; return;
+    case FormulaOp::min: to = lesser(a, b); return;
+    case FormulaOp::max: to = greater(a, b); return;
   }
 }
 

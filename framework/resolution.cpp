@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/framework/resolution.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <numeric>
+#include <string>
+
+#include "framework/calibration.hpp"
+#include "framework/point_text.hpp"
+
+namespace leastcost {
+namespace {
+
+/// FNV-1a of numbers, bit by bit.
+std::uint64_t hash(const double* numbers, Index count) {
+  std::uint64_t h = 14695981039346656037ULL;
+  for (Index i = 0; i < count; ++i) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, numbers + i, sizeof bits);
+    for (int byte = 0; byte < 8; ++byte) h = (h ^ (bits >> (8 * byte) & 0xff)) * 1099511628211ULL;
+  }
+  return h;
+}
+
+/// A number of segments that no other level divides, about a third more than the path has. Which one depends on the
+/// path, so that no frequency can be made to fit all levels for everybody.
+int other_segments(const CoordinatePath& chain) {
+  const int segments = static_cast<int>(chain.segment_count());
+  const double part =
+      static_cast<double>(hash(chain.u.data(), chain.u.rows()) % 1000 + hash(chain.u.data(), chain.u.size()) % 1000) /
+      2000;
+  int other = static_cast<int>(std::lround((1.25 + 0.25 * part) * segments)) + 3;
+  while (std::gcd(other, segments) > 1 || other % 2 == 0) ++other;
+  return other;
+}
+
+class Examiner {
+ public:
+  Examiner(const Problem& problem, const CoordinatePath& chain, const Refinement& refinement, CostEstimate& estimate,
+           const Monitor& monitor)
+      : problem_(problem), chain_(chain), refinement_(refinement), estimate_(estimate), monitor_(monitor) {}
+
+  ExaminedResolution run() {
+    compare_other_chain();
+    calibrate_finest();
+    return std::move(out_);
+  }
+
+ private:
+  void unresolved(std::string why) {
+    out_.resolution.verdict = ResolutionVerdict::unresolved;
+    out_.failures.push_back({"unresolved", std::move(why)});
+  }
+
+  /// The cost of a chain with any number of segments follows from the levels where these see what there is to see.
+  void compare_other_chain() {
+    constexpr double kOfBar = 5, kOfDifference = 0.5, kRounding = 1e-11;
+    const auto& levels = refinement_.levels;
+    if (levels.size() < 3 || !std::isfinite(estimate_.error)) return;
+    const int segments = other_segments(chain_);
+    const std::optional<double> cost = solved_cost(problem_, chain_, segments, monitor_);
+    if (!cost) return;
+    const double c2 = levels[1].cost, c4 = levels[2].cost, limit = (4 * c4 - c2) / 3;
+    const double ratio = static_cast<double>(levels[2].segments) / segments;
+    const double expected = limit + (c4 - limit) * ratio * ratio;
+    const double allowed = kOfBar * estimate_.error + kOfDifference * std::abs(expected - limit) + kRounding * c4;
+    if (std::abs(*cost - expected) <= allowed) return;
+    unresolved("a chain with " + std::to_string(segments) + " segments costs " + short_number(*cost) + " where " +
+               short_number(expected) +
+               " follows from the others: the cost or the domain has details finer than the segments; use more points");
+  }
+
+  void calibrate_finest() {
+    if (refinement_.paths.size() < 3 || !out_.failures.empty()) return;
+    const CalibrationOptions options{chain_.segment_count(), estimate_.error / estimate_.value};
+    const Calibration found = calibrate(problem_, refinement_.paths[2], options, monitor_.deadline);
+    if (!found.applies) return;
+    Resolution& r = out_.resolution;
+    r.half_width = found.half_width;
+    if (!found.proved) {
+      const Eigen::VectorXd place = refinement_.paths[2].u.col(std::max<Index>(found.segment, 0));
+      return unresolved(found.segment < 0 ? found.trouble : "near " + point_text(place) + ": " + found.trouble);
+    }
+    r.verdict = ResolutionVerdict::proved;
+    r.curve_enclosed = r.minimum_proved = true;
+    r.lower = found.lower;
+    r.upper = found.upper;
+    quote_bounds(found);
+  }
+
+  /// What is proved replaces a bar that contradicts it, and one that is wider.
+  void quote_bounds(const Calibration& found) {
+    const double proved = found.upper - found.lower;
+    const bool agrees =
+        estimate_.value - estimate_.error <= found.upper && estimate_.value + estimate_.error >= found.lower;
+    if (agrees && estimate_.error <= proved) return;
+    estimate_.value = found.upper;
+    estimate_.error = proved;
+    estimate_.method = "bracket";
+    estimate_.lower = found.lower;
+    estimate_.upper = found.upper;
+  }
+
+  const Problem& problem_;
+  const CoordinatePath& chain_;
+  const Refinement& refinement_;
+  CostEstimate& estimate_;
+  const Monitor& monitor_;
+  ExaminedResolution out_;
+};
+
+}  // namespace
+
+Words<ResolutionVerdict> words(ResolutionVerdict) {
+  static constexpr std::array<Word<ResolutionVerdict>, 3> kWords = {{{ResolutionVerdict::sampled, "sampled"},
+                                                                     {ResolutionVerdict::proved, "proved"},
+                                                                     {ResolutionVerdict::unresolved, "unresolved"}}};
+  return kWords;
+}
+
+ExaminedResolution examine_resolution(const Problem& problem, const CoordinatePath& chain, const Refinement& refinement,
+                                      CostEstimate& estimate, const Monitor& monitor) {
+  return Examiner(problem, chain, refinement, estimate, monitor).run();
+}
+
+}  // namespace leastcost

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <leastcost/framework/certificate_failure.hpp>
+#include <leastcost/framework/cost_estimate.hpp>
+#include <leastcost/framework/monitor.hpp>
+#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/refinement.hpp>
+
+namespace leastcost {
+
+/// Whether cost and domain have details that the points of the chains did not see (docs/numerics.md Sec. 6.7).
+enum class ResolutionVerdict {
+  sampled,    ///< only at the points of the chains, of one more that is not nested with them, and along the curve
+  proved,     ///< everywhere in a tube around the path, by interval arithmetic
+  unresolved  ///< they have such details, or may have
+};
+Words<ResolutionVerdict> words(ResolutionVerdict);
+
+struct Resolution {
+  ResolutionVerdict verdict = ResolutionVerdict::sampled;
+  bool curve_enclosed = false;       ///< the cost of the smooth curve through the finest chain, by validated quadrature
+  bool minimum_proved = false;       ///< no curve in the tube costs less than `lower`
+  std::optional<double> half_width;  ///< of the tube where it is narrowest, units of the cost
+  std::optional<double> lower, upper;  ///< of the least cost of all curves in the tube
+};
+
+struct ExaminedResolution {
+  Resolution resolution;
+  std::vector<CertificateFailure> failures;  ///< "unresolved"
+};
+
+/// Looks for what the levels of the refinement did not see: solves a chain that is not nested with them, and where
+/// cost and domain are formulas proves that the path is the cheapest in a tube around it (framework/calibration.hpp).
+/// `segments` are those of the delivered path. An estimate that contradicts what is proved, or that is wider, is
+/// replaced by the bounds. Throws Interrupted.
+ExaminedResolution examine_resolution(const Problem& problem, const CoordinatePath& chain, const Refinement& refinement,
+                                      CostEstimate& estimate, const Monitor& monitor);
+
+}  // namespace leastcost
