@@ -60,15 +60,17 @@ bool barely_begun(const fs::path& folder) {
   return true;
 }
 
-/// Why the results of the request may not be put there; empty when they may.
-std::string refusal(const StudyRequest& request, const fs::path& folder) {
+/// Throws OutputRefused where the results of the request may not be put there.
+void check_place(const StudyRequest& request, const fs::path& folder) {
   std::error_code error;
   const bool holds_study = fs::exists(folder / "journal.jsonl", error);
-  if (request.resume && (holds_study || barely_begun(folder))) return "";
+  if (request.resume && (holds_study || barely_begun(folder))) return;
   if (request.resume && fs::is_directory(folder, error))
-    return folder.string() + ": holds no study that could be resumed (no journal.jsonl)";
-  const std::string reason = output_refusal(folder, request.force);
-  return reason.empty() || !holds_study || request.force ? reason : reason + ", --resume goes on with the study in it";
+    throw OutputRefused(folder.string() + ": holds no study that could be resumed (no journal.jsonl)");
+  OutputRefusal refusal = output_refusal(folder, request.force);
+  if (refusal.empty()) return;
+  if (holds_study && !request.force) refusal.reason += "; --resume goes on with the study in it";
+  throw OutputRefused(refusal.reason, refusal.replaceable);
 }
 
 /// A folder for a new study, or the one to go on in.
@@ -77,8 +79,7 @@ fs::path prepare_folder(const StudyRequest& request, const StudyGrid& grid) {
   fs::path folder = fs::weakly_canonical(fs::absolute(output_of(request, grid)), error);
   if (!folder.has_filename()) folder = folder.parent_path();
   if (error) throw OutputError(fmt::format("{}: {}", folder.string(), error.message()));
-  const std::string reason = refusal(request, folder);
-  if (!reason.empty()) throw OutputRefused(reason);
+  check_place(request, folder);
   fs::create_directories(folder, error);
   if (error) throw OutputError(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
   return folder;
@@ -149,6 +150,7 @@ StudyOutcome run_study(const StudyRequest& request) {
   manifest.started = std::chrono::system_clock::now();
   const StudyGrid grid = load_grid(request.config_file, request.overrides);
   const StudyFacts facts = facts_of(grid);
+  if (request.loaded) request.loaded();
   manifest.seed = facts.seed;
   manifest.inputs = inputs_of(grid, facts);
 

@@ -91,7 +91,15 @@ TEST_CASE("command line: exit codes of run") {
   const std::string plane = write_text(dir / "plane.yaml", kPlane);
   CHECK(call({"run", plane, "-o", out, "--set", "certificate.enabled=false"}).exit == 5);
   CHECK(call({"run", plane, "-o", out}).exit == 2);
-  CHECK(call({"run", plane, "-o", "/proc/leastcost/x"}).exit == 1);
+  CHECK(call({"run", plane, "-o", "/proc/leastcost/x"}).exit == 8);
+}
+
+TEST_CASE("command line: words that are not expected are named in their order") {
+  const Called schema = call({"schema", "-o", "x"});
+  CHECK(schema.exit == 2);
+  CHECK_THAT(schema.err, Contains("not expected here: -o x"));
+  CHECK_THAT(call({"list", "costs", "b", "c"}).err, Contains("not expected here: b c"));
+  CHECK_THAT(call({"run", "a.yaml", "--outptu", "x"}).err, Contains("did you mean '--output'"));
 }
 
 TEST_CASE("command line: --set and --seed") {
