@@ -85,12 +85,16 @@ fs::path prepare_folder(const StudyRequest& request, const StudyGrid& grid) {
   return folder;
 }
 
-/// The folder of an earlier study or run, for a new one: everything in it is ours. The journal has been emptied.
+/// The folder of an earlier study or run, for a new one. The journal has been emptied. What is none of ours has come
+/// since the folder was looked at, and stays.
 void clear(const fs::path& folder) {
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (entry.path().filename() != "journal.jsonl" && entry.path().filename() != "manifest.json")
-      fs::remove(entry.path(), ignored);
+  std::error_code error;
+  std::vector<fs::path> ours;
+  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator(); entry.increment(error))
+    if (is_result_file(entry->path()) && entry->path().filename() != "journal.jsonl" &&
+        entry->path().filename() != "manifest.json")
+      ours.push_back(entry->path());
+  for (const fs::path& file : ours) fs::remove(file, error);
 }
 
 std::vector<InputFile> inputs_of(const StudyGrid& grid, const StudyFacts& facts) {
@@ -131,7 +135,7 @@ bool run_tasks(const StudyRequest& request, const StudyGrid& grid, const std::ve
 Journal open_journal(const StudyRequest& request, const StudyFacts& facts, StudyOutcome& outcome) {
   const fs::path file = outcome.output / "journal.jsonl";
   if (request.resume) return Journal::resume(file, facts, request.shard, outcome.journal);
-  Journal journal = Journal::create(file, facts, request.shard);
+  Journal journal = Journal::create(file, facts, request.shard, request.force);
   clear(outcome.output);
   outcome.journal = {facts, request.shard, {}};
   return journal;

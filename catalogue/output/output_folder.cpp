@@ -40,19 +40,27 @@ std::string without_temporary(std::string name) {
   return name;
 }
 
-/// A file that no run of ours wrote, or an empty path: --force must not take it away. What cannot be looked at is
-/// foreign.
-fs::path foreign_file(const fs::path& folder) {
+}  // namespace
+
+bool is_result_file(const fs::path& file) {
   static const std::set<std::string> ours = {
       "config.resolved.yaml", "curve.csv", "first_path.csv", "history.csv", "manifest.json", "path.csv", "path.obj",
       "path.vtp", "report.html", "residuals.csv", "result.json", "scene.json",
       // of studies
       "journal.jsonl", "runs.csv", "study.resolved.yaml", "summary.json", "traces.csv", "accuracy.svg", "data.svg",
       "evaluations.svg", "order.svg", "performance.svg", "seconds.svg"};
+  return ours.count(without_temporary(file.filename().string())) > 0;
+}
+
+namespace {
+
+/// A file that no run of ours wrote, or an empty path: --force must not take it away. What cannot be looked at is
+/// foreign.
+fs::path foreign_file(const fs::path& folder) {
   std::error_code error;
   fs::directory_iterator entry(folder, error);
   for (; !error && entry != fs::directory_iterator(); entry.increment(error))
-    if (ours.count(without_temporary(entry->path().filename().string())) == 0) return entry->path();
+    if (!is_result_file(entry->path())) return entry->path();
   return error ? folder : fs::path();
 }
 

@@ -20,6 +20,9 @@ struct OutputRefusal {
 /// there is a file that no run of ours wrote.
 OutputRefusal output_refusal(const std::filesystem::path& target, bool force);
 
+/// Whether runs or studies write files of this name.
+bool is_result_file(const std::filesystem::path& file);
+
 /// Writes a file that appears complete or not at all, in the place of one that is there. Throws OutputError.
 void write_whole_file(const std::filesystem::path& file, const std::string& content);
 

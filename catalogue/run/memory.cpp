@@ -30,7 +30,7 @@ double limit_of_group() {
 }  // namespace
 
 double bytes_of_path(double points, const Dimensions& dimensions) {
-  constexpr double kFixed = 1200, kPerNumber = 200, kPerBlockEntry = 48;
+  constexpr double kFixed = 1200, kPerNumber = 200, kPerBlockEntry = 24;
   const double d = std::max(dimensions.ambient, dimensions.coordinate), t = dimensions.tangent;
   return points * (kFixed + kPerNumber * d + kPerBlockEntry * t * t);
 }

@@ -13,6 +13,7 @@
 #include <fstream>
 #include <thread>
 
+#include "app/study/cell/isolation.hpp"
 #include "tests/app/child_program.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
@@ -30,6 +31,12 @@ std::function<void()> file_limit(rlim_t bytes) {
     const rlimit limit{bytes, bytes};
     ::setrlimit(RLIMIT_FSIZE, &limit);
   };
+}
+
+/// A GiB, where the build can live with that (a sanitizer cannot).
+void little_memory() {
+  const rlimit limit{rlim_t{1} << 30, rlim_t{1} << 30};
+  if (app::can_limit_memory()) ::setrlimit(RLIMIT_AS, &limit);
 }
 
 /// The folders that runs have left beside `name`.
@@ -179,7 +186,7 @@ TEST_CASE("program: of two runs into one place one is in it, and the other besid
   if (!built()) return;
   const ScratchDir dir, second;
   const std::string out = (dir / "out").string();
-  const std::vector<std::string> run = {"run", endless(dir), "-o", out, "--set", "max_seconds=1"};
+  const std::vector<std::string> run = {"run", endless(dir), "-o", out, "--set", "max_seconds=2"};
   const Child one = start(dir, run), two = start(second, run);
   const int first_exit = one.wait(), second_exit = two.wait();
   CHECK(std::min(first_exit, second_exit) == 8);
@@ -198,21 +205,41 @@ TEST_CASE("program: a configuration that never comes can be given up") {
   for (const std::string command : {"run", "study"}) {
     CAPTURE(command);
     const Child child = start(dir, {command, pipe, "-o", (dir / "out").string(), "--format", "json"});
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    std::this_thread::sleep_for(std::chrono::seconds(1));
     ::kill(child.pid, SIGTERM);
     CHECK(child.wait() == 130);
     CHECK_THAT(content(child.out), Contains("\"status\": \"interrupted\""));
     CHECK_THAT(content(child.err), Contains("nothing was written"));
   }
-  // Read to where it is too long, and no further.
-  const auto little_memory = [] {
-    const rlimit limit{rlim_t{1} << 30, rlim_t{1} << 30};
-    ::setrlimit(RLIMIT_AS, &limit);
-  };
+  // Opened, it still says nothing. (That it can be opened for writing shows that the program waits for it.)
+  const Child child = start(dir, {"run", pipe, "-o", (dir / "out").string()});
+  int writer = -1;
+  for (int i = 0; i < 1000 && writer < 0; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    writer = ::open(pipe.c_str(), O_WRONLY | O_NONBLOCK);
+  }
+  ::kill(child.pid, SIGTERM);
+  CHECK(child.wait() == 130);
+  ::close(writer);
+}
+
+TEST_CASE("program: a configuration without an end is read to where it is too long") {
+  if (!built()) return;
+  const ScratchDir dir;
   for (const std::string command : {"run", "validate", "study"}) {
-    const Child endless_file = start(dir, {command, "/dev/zero"}, little_memory);
-    CHECK(endless_file.wait() == 3);
-    CHECK_THAT(content(endless_file.err), Contains("at most 1048576 bytes"));
+    const Child child = start(dir, {command, "/dev/zero"}, little_memory);
+    CHECK(child.wait() == 3);
+    CHECK_THAT(content(child.err), Contains("at most 1048576 bytes"));
+  }
+}
+
+TEST_CASE("program: more points than a limit leaves memory for are refused before it is taken") {
+  if (!built() || !app::can_limit_memory()) return;
+  const ScratchDir dir;
+  for (const std::string command : {"run", "validate"}) {
+    const Child child = start(dir, {command, plane(dir), "--set", "path.points=2000000"}, little_memory);
+    CHECK(child.wait() == 3);
+    CHECK_THAT(content(child.err), Contains("2000000 points take about") && Contains("there are 1.0 GiB"));
   }
 }
 

@@ -259,6 +259,21 @@ TEST_CASE("study: a folder is not resumed by another study, shard or process, no
   CHECK_FALSE(app::run_study(request).interrupted);
 }
 
+TEST_CASE("journal: one that another study has written since the folder was looked at is not begun anew unasked") {
+  const ScratchDir dir;
+  const fs::path file = dir / "journal.jsonl";
+  app::StudyFacts facts;
+  facts.name = "first";
+  facts.cells = facts.repetitions = 1;
+  app::Journal::create(file, facts, {}, false);
+  const std::string before = content(file);
+  CHECK_THROWS_AS(app::Journal::create(file, facts, {}, false), OutputRefused);
+  CHECK(content(file) == before);
+  facts.name = "second";
+  app::Journal::create(file, facts, {}, true);
+  CHECK_THAT(content(file), Contains("second"));
+}
+
 TEST_CASE("study: shards merged are one run") {
   const ScratchDir dir;
   app::run_study(request_in(dir, "whole"));
