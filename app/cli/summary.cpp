@@ -44,6 +44,7 @@ std::string cost_line(const WrittenRun& run) {
   const Result& result = run.result;
   const std::string& unit = run.parts.problem.cost->traits().unit;
   const CostEstimate& estimate = result.certificate.estimate;
+  if (std::isinf(result.curve.cost)) return "infinite: the path leaves the domain of the cost";
   if (result.status == Status::interrupted && !std::isfinite(estimate.error))
     return fmt::format("{:.15g} {} (interrupted: error not measured)", result.curve.cost, unit);
   if (!result.certificate.measured) return fmt::format("{:.15g} {} (error not measured)", result.curve.cost, unit);
@@ -124,7 +125,7 @@ std::string summary_text(const WrittenRun& run, bool verbose) {
   for (const CertificateFailure& f : result.certificate.failures)
     out += row("", fmt::format("{}: {}", f.name, f.message));
   out += row("cost", cost_line(run));
-  if (result.certificate.measured)
+  if (result.certificate.measured && std::isfinite(result.curve.cost))
     out += row("spacing", fmt::format("{:.3g} (largest / smallest segment cost - 1)", result.certificate.spacing));
   out += row("points", fmt::format("{}{}", result.path.free_count(), shape_of(run)));
   out += row("solver", solver_line(run));

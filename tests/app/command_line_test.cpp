@@ -80,7 +80,9 @@ TEST_CASE("command line: exit codes of run") {
   CHECK(call({"run", (dir / "none.yaml").string(), "-o", out}).exit == 4);
   const std::string mesh =
       "manifold: {type: mesh, file: none.obj}\ncost: euclidean\nends: {source: {vertex: 0}, target: {vertex: 1}}\n";
-  CHECK(call({"run", write_text(dir / "b.yaml", mesh), "-o", out}).exit == 4);
+  const Called missing = call({"run", write_text(dir / "b.yaml", mesh), "-o", out});
+  CHECK(missing.exit == 4);
+  CHECK_THAT(missing.err, Contains("b.yaml:1:30: ") && Contains("none.obj: no such file"));
   CHECK_FALSE(fs::exists(out));
   const Called no_path =
       call({"run", (project_dir() / "configs/no_path.yaml").string(), "-o", out, "--format", "json"});

@@ -63,6 +63,8 @@ TEST_CASE("study command: exit 7 when a part failed, with the reason on stderr; 
   CHECK(refused.exit == 0);
   CHECK_THAT(refused.out, Contains("cannot_solve: 2 of georce"));
   CHECK_THAT(content(dir / "b/runs.csv"), Contains("georce works in a chart"));
+  for (const app::RunRow& row : app::read_runs_csv(content(dir / "b/runs.csv"), "runs.csv").rows)
+    CHECK((row.outcome != app::outcome::kCannotSolve || (!row.solver_error && !row.initial_energy)));
 }
 
 TEST_CASE("study command: a dry run prints the grid and makes nothing") {

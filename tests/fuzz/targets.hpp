@@ -5,6 +5,7 @@
 // What fuzzers and their replay ask of every reader: whatever the bytes are, it returns or throws an Error of the
 // library. Anything else, a crash or a sanitizer's report included, is a finding.
 #include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
