@@ -6,6 +6,9 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <new>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include <leastcost/framework/errors.hpp>
@@ -127,16 +130,36 @@ void check_processed(const Problem& problem, const CoordinatePath& before, const
                      std::to_string(after.curve.x.cols()) + " coordinates");
 }
 
-/// What the post-processors make of a chain.
-PostProcessed post_process(const Problem& problem, PathEnergy& energy, const FirstPath& first,
-                           const CoordinatePath& chain, const FindOptions& options, const Monitor& monitor) {
-  PostProcessed processed = chain_as_curve(energy, chain);
+/// What the post-processors make of a chain. Each takes the curve that the one before it has made: `so_far` keeps it,
+/// for the case that the next one throws.
+void post_process(const Problem& problem, const FirstPath& first, const FindOptions& options, const Monitor& monitor,
+                  PostProcessed& so_far) {
+  const CoordinatePath chain = so_far.chain;
   for (const auto& step : options.post_processors) {
     look_at_clock(monitor.deadline);
-    processed = step->apply(problem, first, std::move(processed), monitor);
+    PostProcessed processed = step->apply(problem, first, so_far, monitor);
     check_processed(problem, chain, processed);
+    so_far = std::move(processed);
   }
-  return processed;
+}
+
+/// The same, but a path that is solved stays, whatever becomes of its curve: `so_far` is what there was before the step
+/// that threw, and the reason is returned. Throws Interrupted only.
+std::optional<std::string> post_process_or_say_why(const Problem& problem, const FirstPath& first,
+                                                   const FindOptions& options, const Monitor& monitor,
+                                                   PostProcessed& so_far) {
+  try {
+    post_process(problem, first, options, monitor, so_far);
+    return std::nullopt;
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    return "there is not enough memory";
+  } catch (const std::exception& error) {
+    return error.what();
+  } catch (...) {
+    return "an exception that is no std::exception";
+  }
 }
 
 void deliver(const PostProcessed& processed, Eigen::VectorXd costs, Result& result) {
@@ -302,14 +325,19 @@ class Search {
   void deliver_and_certify() {
     PathEnergy energy(problem_, result_.reference_cost, monitor_.deadline);
     const ToCurve to_curve = [&](const CoordinatePath& chain) {
-      return post_process(problem_, energy, result_.first, chain, options_, monitor_);
+      PostProcessed curve = chain_as_curve(energy, chain);
+      post_process(problem_, result_.first, options_, monitor_, curve);
+      return curve;
     };
-    PostProcessed processed;
-    stage(Stage::post_process, monitor_, result_.seconds.post_process, [&] { processed = to_curve(result_.path); });
+    PostProcessed processed = chain_as_curve(energy, result_.path);
+    std::optional<std::string> fault;
+    stage(Stage::post_process, monitor_, result_.seconds.post_process,
+          [&] { fault = post_process_or_say_why(problem_, result_.first, options_, monitor_, processed); });
     const bool collapsed = has_collapsed(result_, processed);
     deliver(processed, energy.costs(processed.chain), result_);
     result_.post_processed = true;
-    if (options_.certificate.enabled && !collapsed) certify_delivered(processed, to_curve);
+    if (fault) result_.certificate.failures.push_back({"post_process", "the curve stays as it was before: " + *fault});
+    if (options_.certificate.enabled && !collapsed && !fault) certify_delivered(processed, to_curve);
     result_.status = status_of(result_, collapsed, monitor_);
   }
 
@@ -400,7 +428,9 @@ void complete_interrupted(const Problem& problem, const FindOptions& options, Re
   stopped.stop_requested = [] { return true; };
   PathEnergy energy(problem, 1);
   try {
-    const PostProcessed processed = post_process(problem, energy, result.first, result.path, options, stopped);
+    PostProcessed processed = chain_as_curve(energy, result.path);
+    if (const auto fault = post_process_or_say_why(problem, result.first, options, stopped, processed))
+      processed.notes.push_back("the curve stays as it was before: " + *fault);
     deliver(processed, energy.costs(processed.chain), result);
     result.post_processed = true;
   } catch (const Interrupted&) {

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+
 #include <algorithm>
 #include <functional>
 #include <optional>
@@ -62,6 +65,13 @@ void add_set(CLI::App& command, Values& v) {
   command.add_option("--seed", v.seed, "Same as --set seed=N")->type_name("N");
 }
 
+/// An empty name of a folder is a variable of a shell that is not set, not a wish for the default.
+std::string empty_fault(const std::string& value) { return value.empty() ? "must not be empty" : ""; }
+
+void add_output(CLI::App& command, Values& v, const char* help, const char* type) {
+  command.add_option("-o,--output", v.output, help)->type_name(type)->check(empty_fault);
+}
+
 void add_run(CLI::App& app, Values& v, const std::vector<std::string>& arguments, const Streams& streams,
              Command& chosen) {
   CLI::App& c = *app.add_subcommand("run", "Find a least-cost path and write its results");
@@ -71,7 +81,7 @@ void add_run(CLI::App& app, Values& v, const std::vector<std::string>& arguments
       ->type_name("CONFIG");
   add_set(c, v);
   add_format(c, v);
-  c.add_option("-o,--output", v.output, "Output folder; default: results/<name>")->type_name("DIR");
+  add_output(c, v, "Output folder; default: results/<name>", "DIR");
   c.add_flag("--force", v.force, "Replace an output folder of an earlier run");
   c.add_flag("-n,--dry-run", v.dry_run, "Check everything, input files included, and say what would be done");
   auto* quiet = c.add_flag("-q,--quiet", v.quiet, "No progress");
@@ -102,7 +112,7 @@ void add_study(CLI::App& app, Values& v, const std::vector<std::string>& argumen
   c.add_option("config", v.config, "Study (YAML with `problems`)")->required()->type_name("CONFIG");
   add_set(c, v);
   add_format(c, v);
-  c.add_option("-o,--output", v.output, "Output folder; default: results/<name>")->type_name("DIR");
+  add_output(c, v, "Output folder; default: results/<name>", "DIR");
   c.add_option("-j,--jobs", v.parallel, "Cells at once")->type_name("N")->check(CLI::Range(1, 1024));
   c.add_option("--shard", v.shard, "Only part i of N, i from 0 to N - 1")->type_name("i/N");
   c.add_option("--timeout", v.timeout, "Same as --set max_seconds=S")->type_name("S");
@@ -134,7 +144,7 @@ void add_merge(CLI::App& app, Values& v, const std::vector<std::string>& argumen
                Command& chosen) {
   CLI::App& c = *app.add_subcommand("merge", "Join the shards of a study");
   c.add_option("folders", v.configs, "Output folders of its shards")->required()->type_name("DIR...");
-  c.add_option("-o,--output", v.output, "Output folder")->required()->type_name("DIR");
+  c.add_option("-o,--output", v.output, "Output folder")->required()->type_name("DIR")->check(empty_fault);
   c.add_flag("--force", v.force, "Replace the folder of an earlier study");
   add_format(c, v);
   c.callback([&] {
@@ -184,7 +194,7 @@ void add_helpers(CLI::App& app, Values& v, const Streams& streams, Command& chos
       "The first line of each names the schema, for editors with the YAML language server; it is made by\n"
       "  leastcost schema > leastcost.schema.json");
   init.add_option("template", v.name, "Name of the template")->type_name("TEMPLATE");
-  init.add_option("-o,--output", v.output, "Write to this file instead")->type_name("FILE");
+  add_output(init, v, "Write to this file instead", "FILE");
   init.add_flag("--force", v.force, "Overwrite the file");
   init.callback([&] { chosen = [&] { return init_command(v.name, v.output, v.force, streams); }; });
 
@@ -226,6 +236,9 @@ Exit parse_outcome(const CLI::App& app, const CLI::ParseError& e, const std::vec
     return Exit::certified;
   }
   std::string message = e.what();
+  if (const std::vector<std::string> extra = app.remaining(true);
+      !extra.empty())  // its own message has them in reverse
+    message = fmt::format("not expected here: {}", fmt::join(extra, " "));
   std::replace(message.begin(), message.end(), '\n', ' ');
   streams.err << "error: " << message << option_hint(app, arguments)
               << "\nTry: leastcost --help, leastcost COMMAND --help\n";
@@ -238,7 +251,7 @@ Exit parse_and_run(const std::vector<std::string>& arguments, const Streams& str
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 certified, 1 internal error, 2 usage, 3 configuration, 4 input, 5 uncertified or collapsed,\n"
-      "6 no path, 7 part of a study failed, 130 interrupted");
+      "6 no path, 7 part of a study failed, 8 output or another condition of the host, 130 interrupted");
   Command chosen;
   add_run(app, values, arguments, streams, chosen);
   add_study(app, values, arguments, streams, chosen);
@@ -272,7 +285,7 @@ int run_program(const std::vector<std::string>& arguments, const Streams& stream
     const Exit exit = parse_and_run(arguments, streams, values);
     if (streams.out.flush()) return static_cast<int>(exit);
     streams.err << "error: the result could not be written to standard output\n";
-    return static_cast<int>(Exit::internal);
+    return static_cast<int>(Exit::output);
   } catch (...) {
     return static_cast<int>(exit_of_exception(streams, values.json()));
   }

@@ -189,7 +189,7 @@ Exit init_command(const std::string& name, const std::string& file, bool force, 
   out << found->text << std::flush;
   if (out) return Exit::certified;
   streams.err << fmt::format("error: {} cannot be written\n", file);
-  return Exit::internal;
+  return Exit::output;
 }
 
 }  // namespace leastcost::app

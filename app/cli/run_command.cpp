@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -26,11 +27,19 @@ Exit dry_run(const RunArguments& arguments, const Streams& streams) {
 std::string error_label(const Streams& streams) { return streams.color ? "\033[1;31merror:\033[0m" : "error:"; }
 
 /// A run without a result still gives a program one object to read.
-void print_without_result(const Streams& streams, bool json, const char* status, const std::string& message) {
-  if (!json) return;
+std::string without_result(bool json, const char* status, const std::string& message) {
+  if (!json) return "";
   const nlohmann::ordered_json out = {
       {"schema_version", kSchemaVersion}, {"status", status}, {"certified", false}, {"message", message}};
-  streams.out << to_text(out);
+  return to_text(out);
+}
+
+/// Reads the files and makes the domain; an interrupt then ends the program at once.
+Run load_or_end(const RunRequest& request, bool json, const Streams& streams) {
+  const std::string message = "interrupted before there was a path";
+  const EndsAtOnce reading(without_result(json, "interrupted", message),
+                           (streams.err_is_terminal ? "\r\033[K" : "") + message + "; nothing was written\n");
+  return load(request);
 }
 
 /// What an exception means for the program: exit code, status for programs, message for people.
@@ -57,11 +66,13 @@ Verdict verdict_on_exception(const Streams& streams) {
   } catch (const InitializationError& e) {
     return verdict(Exit::no_path, "no_path", e.what(), "no path: ");
   } catch (const OutputRefused& e) {
-    return verdict(Exit::usage, "output_refused", e.what());
-  } catch (const OutputError& e) {
-    return verdict(Exit::internal, "output_error", e.what());
+    return verdict(Exit::usage, "output_refused", with_advice(e.what(), e.replaceable()));
+  } catch (const HostError& e) {
+    return verdict(Exit::output, "output_error", e.what());
+  } catch (const std::filesystem::filesystem_error& e) {
+    return verdict(Exit::output, "output_error", e.path1().string() + ": " + e.code().message());
   } catch (const std::bad_alloc&) {
-    return verdict(Exit::internal, "internal_error", "out of memory");
+    return verdict(Exit::output, "out_of_memory", "there is not enough memory");
   } catch (const std::exception& e) {
     return verdict(Exit::internal, "internal_error", e.what(), "internal: ", " (please report this)");
   } catch (...) {
@@ -79,23 +90,22 @@ Exit run_command(const RunArguments& arguments, const Streams& streams) {
   monitor.observe = [&](const Progress& p) { progress.show(p); };
   monitor.stop_requested = interrupted;
   RunRequest request = arguments.request;
-  request.building = [&](double part, std::string_view phase) {
-    if (interrupted()) throw StoppedEarly("interrupted while the domain was being made");
-    progress.show_building(part, phase);
-  };
+  request.building = [&](double part, std::string_view phase) { progress.show_building(part, phase); };
   try {
-    const WrittenRun outcome = run(request, monitor);
+    const WrittenRun outcome = run(load_or_end(request, arguments.json, streams), request, monitor);
     progress.clear();
     streams.out << (arguments.json ? summary_json(outcome)
                                    : summary_text(outcome, arguments.verbosity == Verbosity::verbose))
                 << std::flush;
     if (outcome.output_error.empty()) return exit_of(outcome.result.status);
-    streams.err << error_label(streams) << " the results are not in their place: " << outcome.output_error << '\n';
-    return Exit::internal;
+    streams.err << error_label(streams)
+                << (outcome.in_place ? " not all could be written: " : " the results are not in their place: ")
+                << outcome.output_error << '\n';
+    return Exit::output;
   } catch (const StoppedEarly& e) {
     progress.clear();
     streams.err << e.what() << "; nothing was written\n";
-    print_without_result(streams, arguments.json, "interrupted", e.what());
+    streams.out << without_result(arguments.json, "interrupted", e.what());
     return Exit::interrupted;
   }
 }
@@ -103,7 +113,7 @@ Exit run_command(const RunArguments& arguments, const Streams& streams) {
 Exit exit_of_exception(const Streams& streams, bool json) {
   const Verdict verdict = verdict_on_exception(streams);
   streams.err << verdict.message;
-  print_without_result(streams, json, verdict.status, verdict.reason);
+  streams.out << without_result(json, verdict.status, verdict.reason);
   return verdict.exit;
 }
 

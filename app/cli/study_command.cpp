@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <ostream>
+#include <utility>
 
 #include "app/cli/commands.hpp"
 #include "app/cli/interrupt.hpp"
@@ -57,6 +59,10 @@ std::string grid_json(const StudyRequest& request, const StudyGrid& grid) {
                   {"cells", cells}});
 }
 
+std::string interrupted_json(const std::string& message) {
+  return to_text({{"schema_version", kSchemaVersion}, {"status", "interrupted"}, {"message", message}});
+}
+
 Exit finish(const StudyOutcome& outcome, bool json, const Streams& streams) {
   if (!outcome.journal.results.empty()) write_report(outcome.output);
   const StudySummary summary = summarize(outcome.journal);
@@ -83,6 +89,10 @@ Exit study_command(const StudyArguments& arguments, const Streams& streams) {
   StudyRequest request = arguments.request;
   request.observe = [&](const StudyProgress& p) { progress.show(p); };
   request.stop_requested = interrupted;
+  const std::string early = "interrupted before the study began";
+  std::optional<EndsAtOnce> reading(std::in_place, arguments.json ? interrupted_json(early) : "",
+                                    early + "; nothing was written\n");
+  request.loaded = [&] { reading.reset(); };
   const StudyOutcome outcome = run_study(request);
   progress.clear();
   if (!outcome.interrupted) return finish(outcome, arguments.json, streams);
@@ -90,8 +100,7 @@ Exit study_command(const StudyArguments& arguments, const Streams& streams) {
   const std::string message = fmt::format("{} results are in {}; the same command with --resume goes on",
                                           outcome.journal.results.size(), outcome.output.string());
   streams.err << "interrupted: " << message << '\n';
-  if (arguments.json)
-    streams.out << to_text({{"schema_version", kSchemaVersion}, {"status", "interrupted"}, {"message", message}});
+  if (arguments.json) streams.out << interrupted_json(message);
   return Exit::interrupted;
 }
 

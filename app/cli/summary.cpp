@@ -13,6 +13,7 @@
 #include "catalogue/output/json_numbers.hpp"
 #include "catalogue/output/output_folder.hpp"
 #include "catalogue/run/compose.hpp"
+#include "catalogue/run/memory.hpp"
 #include "catalogue/run/run_origin.hpp"
 
 namespace leastcost::app {
@@ -43,6 +44,7 @@ std::string cost_line(const WrittenRun& run) {
   const Result& result = run.result;
   const std::string& unit = run.parts.problem.cost->traits().unit;
   const CostEstimate& estimate = result.certificate.estimate;
+  if (std::isinf(result.curve.cost)) return "infinite: the path leaves the domain of the cost";
   if (result.status == Status::interrupted && !std::isfinite(estimate.error))
     return fmt::format("{:.15g} {} (interrupted: error not measured)", result.curve.cost, unit);
   if (!result.certificate.measured) return fmt::format("{:.15g} {} (error not measured)", result.curve.cost, unit);
@@ -106,6 +108,11 @@ std::string steps(const Run& prepared) {
   return line + (parts.options.certificate.enabled ? ", certificate" : "");
 }
 
+std::string memory_text(int points, const Dimensions& dims) {
+  return fmt::format("about {} for the path, of {}", size_in_words(bytes_of_path(points, dims)),
+                     size_in_words(memory_of_host()));
+}
+
 std::string points_text(const RunConfig& config) {
   return config.points ? std::to_string(*config.points) : "as many as the first edge path";
 }
@@ -118,7 +125,7 @@ std::string summary_text(const WrittenRun& run, bool verbose) {
   for (const CertificateFailure& f : result.certificate.failures)
     out += row("", fmt::format("{}: {}", f.name, f.message));
   out += row("cost", cost_line(run));
-  if (result.certificate.measured)
+  if (result.certificate.measured && std::isfinite(result.curve.cost))
     out += row("spacing", fmt::format("{:.3g} (largest / smallest segment cost - 1)", result.certificate.spacing));
   out += row("points", fmt::format("{}{}", result.path.free_count(), shape_of(run)));
   out += row("solver", solver_line(run));
@@ -131,13 +138,13 @@ std::string summary_text(const WrittenRun& run, bool verbose) {
   for (const std::string& note : run.parts.notes) out += row("note", note);
   for (const std::string& note : result.notes) out += row("note", note);
   out += row("time", time_line(run));
-  if (run.output_error.empty()) out += row("output", run.output.string());
+  if (run.in_place) out += row("output", run.output.string());
   return out;
 }
 
 std::string summary_json(const WrittenRun& run) {
   Json out = Json::parse(result_json(run));
-  out["output"] = run.output_error.empty() ? Json(run.output.string()) : Json(nullptr);
+  out["output"] = run.in_place ? Json(run.output.string()) : Json(nullptr);
   return to_text(out);
 }
 
@@ -163,10 +170,11 @@ std::string dry_run_text(const RunRequest& request, const Run& prepared) {
   const std::vector<FamilyStart> family = family_of(prepared.parts);
   for (const FamilyStart& start : family) out += row(&start == &family.front() ? "family" : "", "from " + start.origin);
   out += row("points", points_text(config));
+  if (config.points) out += row("memory", memory_text(*config.points, dims));
   out += row("would run", steps(prepared));
   out += row("would write", output_of(request, prepared).string());
-  const std::string refusal = output_refusal(output_of(request, prepared), request.force);
-  if (!refusal.empty()) out += row("but", refusal);
+  const OutputRefusal refusal = output_refusal(output_of(request, prepared), request.force);
+  if (!refusal.empty()) out += row("but", with_advice(refusal.reason, refusal.replaceable));
   return out;
 }
 
@@ -177,13 +185,14 @@ std::string dry_run_json(const RunRequest& request, const Run& prepared) {
   out["dimensions"] = {{"coordinate", dims.coordinate}, {"ambient", dims.ambient}, {"tangent", dims.tangent}};
   for (const DataCount& c : counts_of(prepared.parts)) out[config.manifold.plugin->type][c.many] = c.count;
   out["points"] = config.points ? Json(*config.points) : Json("auto");
+  out["path_bytes"] = config.points ? Json(bytes_of_path(*config.points, dims)) : Json(nullptr);
   if (!config.ring)
     out["moved"] = {{"source", number(prepared.parts.source.moved)}, {"target", number(prepared.parts.target.moved)}};
   for (const FamilyStart& start : family_of(prepared.parts)) out["family"].push_back(start.origin);
   out["read_seconds"] = prepared.seconds.read;
   out["output"] = output_of(request, prepared).string();
-  const std::string refusal = output_refusal(output_of(request, prepared), request.force);
-  out["output_refused"] = refusal.empty() ? Json(nullptr) : Json(refusal);
+  const OutputRefusal refusal = output_refusal(output_of(request, prepared), request.force);
+  out["output_refused"] = refusal.empty() ? Json(nullptr) : Json(with_advice(refusal.reason, refusal.replaceable));
   return to_text(out);
 }
 

@@ -44,12 +44,12 @@ path: {points: 64}
 )";
 
 constexpr std::string_view kMesh =
-    R"(# A geodesic on a triangle mesh. The file is relative to the folder of this configuration.
+    R"(# A geodesic on a triangle mesh of yours: put its name below, relative to the folder of this configuration.
 # What is wrong with a mesh, if anything: leastcost doctor bunny.obj
 name: mesh
 manifold:
   type: mesh
-  file: bunny.obj         # OBJ, OFF, PLY or STL
+  file: bunny.obj         # yours: OBJ, OFF, PLY or STL
   weld: false             # true: merge vertices with equal positions
 cost: euclidean
 ends:                     # a vertex, a point inside a face, or coordinates (moved to the surface)
@@ -119,11 +119,11 @@ path: {points: 64}
 )";
 
 constexpr std::string_view kCloud =
-    R"(# A geodesic on the smooth surface through a point cloud. The file is relative to the folder of this file.
+    R"(# A geodesic on the smooth surface through a point cloud of yours: put its name below, relative to this folder.
 name: cloud
 manifold:
   type: point_cloud
-  file: cloud.xyz         # XYZ: x y z, or x y z nx ny nz, per line; or PLY
+  file: cloud.xyz         # yours. XYZ: x y z, or x y z nx ny nz, per line; or PLY
   # normals: estimate     # auto: those of the file where it has them
 cost: euclidean
 ends:                     # a sample of the file, or coordinates (moved to the surface)

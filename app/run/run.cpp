@@ -3,12 +3,14 @@
 #include "app/run/run.hpp"
 
 #include <chrono>
+#include <exception>
 #include <iostream>
-#include <iterator>
+#include <new>
 #include <utility>
 
 #include "app/report/report.hpp"
 #include "catalogue/output/results.hpp"
+#include "catalogue/run/run_config.hpp"
 #include "catalogue/run/run_origin.hpp"
 
 namespace leastcost::app {
@@ -16,13 +18,57 @@ namespace {
 
 bool is_standard_input(const std::filesystem::path& file) { return file == "-" || file == "/dev/stdin"; }
 
+/// As `leastcost report` would make it: from the files alone. Why there is none; empty when there is one.
+std::string add_report(WrittenRun& outcome, OutputFolder& folder) {
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    for (const ReportFile& file : make_report(folder.staging())) folder.write(file.name, file.content);
+    outcome.seconds.report = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    folder.write("result.json", result_json(outcome));  // once more, with the time of the report
+  } catch (const std::bad_alloc&) {
+    return "there is not enough memory for the report";
+  } catch (const std::exception& e) {
+    return std::string("the report cannot be made: ") + e.what();
+  }
+  return "";
+}
+
+/// Who asks for an end does not want to wait for a picture of a million points.
+bool leaves_out_report(const WrittenRun& outcome, const Monitor& monitor) {
+  constexpr Index kMany = 100'000;
+  return outcome.result.path.u.cols() > kMany && monitor.cancelled();
+}
+
+/// The files of a path that is found: whatever goes wrong, they stay where the outcome says.
+void write_files(WrittenRun& outcome, const RunRequest& request, const Monitor& monitor, OutputFolder& folder) {
+  try {
+    write_results(outcome, request.arguments, folder);
+    std::string missing;
+    if (leaves_out_report(outcome, monitor))
+      outcome.result.notes.emplace_back("interrupted: the report was left out; leastcost report makes it");
+    else
+      missing = add_report(outcome, folder);
+    folder.commit();
+    outcome.in_place = true;
+    outcome.output_error = missing;
+  } catch (const OutputRefused& e) {
+    outcome.output_error = e.what();
+  } catch (const OutputError& e) {
+    outcome.output_error = e.what() + folder.leave();
+  } catch (const std::bad_alloc&) {
+    outcome.output_error = "there is not enough memory to write them" + folder.leave();
+  } catch (const std::exception& e) {
+    outcome.output_error = e.what() + folder.leave();
+  }
+}
+
 }  // namespace
 
 ConfigText config_source(const std::filesystem::path& file) {
   if (!is_standard_input(file)) return {config_text(file), file.string(), file.parent_path(), file};
-  const std::string text(std::istreambuf_iterator<char>(std::cin), {});
+  std::string text = config_text(std::cin);
   if (std::cin.bad()) throw InputError("standard input: cannot be read");
-  return {text, "stdin", {}, {}};
+  return {std::move(text), "stdin", {}, {}};
 }
 
 Run load(const RunRequest& request) {
@@ -48,22 +94,17 @@ std::filesystem::path output_of(const RunRequest& request, const Run& run) {
   return std::filesystem::path("results") / run.name;
 }
 
-WrittenRun run(const RunRequest& request, const Monitor& monitor) {
-  Run loaded = load(request);
+std::string with_advice(const std::string& refusal, bool replaceable) {
+  return refusal + (replaceable ? "; --force replaces it, -o chooses another" : "; -o chooses another");
+}
+
+WrittenRun run(Run loaded, const RunRequest& request, const Monitor& monitor) {
   OutputFolder folder(output_of(request, loaded), request.force);
-  WrittenRun outcome{solve(std::move(loaded), monitor), folder.target(), ""};
-  try {
-    write_results(outcome, request.arguments, folder);
-    // As `leastcost report` would make it: from the files alone.
-    const auto start = std::chrono::steady_clock::now();
-    for (const ReportFile& file : make_report(folder.staging())) folder.write(file.name, file.content);
-    outcome.seconds.report = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    folder.write("result.json", result_json(outcome));  // once more, with the time of the report
-    folder.commit();
-  } catch (const OutputError& e) {
-    outcome.output_error = e.what();
-  }
+  WrittenRun outcome{solve(std::move(loaded), monitor), folder.target(), false, ""};
+  write_files(outcome, request, monitor, folder);
   return outcome;
 }
+
+WrittenRun run(const RunRequest& request, const Monitor& monitor) { return run(load(request), request, monitor); }
 
 }  // namespace leastcost::app

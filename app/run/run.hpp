@@ -20,6 +20,7 @@ enum class Exit {
   uncertified = 5,
   no_path = 6,
   study_failed = 7,  ///< part of a study
+  output = 8,        ///< the host: a disk, a permission, a closed pipe, memory; what was solved is said where it can be
   interrupted = 130
 };
 Exit exit_of(Status status);
@@ -35,9 +36,13 @@ struct RunRequest {
 
 /// A run whose results, and the report made from them, are on disk.
 struct WrittenRun : RunOutcome {
-  std::filesystem::path output;  ///< where it was written, absolute
-  std::string output_error;      ///< why it could not be written; the result stands all the same
+  std::filesystem::path output;  ///< where it was to be written, absolute
+  bool in_place = false;         ///< it is there
+  std::string output_error;      ///< why not, or what of it is missing; the result stands all the same
 };
+
+/// Why an output folder is refused, with what the command line can do about it.
+std::string with_advice(const std::string& refusal, bool replaceable);
 
 /// Where the results of a request go.
 std::filesystem::path output_of(const RunRequest& request, const Run& run);
@@ -50,14 +55,17 @@ struct ConfigText {
   std::filesystem::path file;    ///< empty for standard input
 };
 
-/// The text of a file, or of standard input ("-", or its device). Throws InputError.
+/// The text of a file, or of standard input ("-", or its device), as far as it can be a configuration's. Throws
+/// InputError.
 ConfigText config_source(const std::filesystem::path& file);
 
 /// load_run() of a file or of standard input.
 Run load(const RunRequest& request);
 
-/// load(), solve(), write results and report. Throws ConfigError, InputError, InitializationError, and OutputError
-/// when the output folder cannot be used from the start.
+/// solve(), write results and report. Throws InitializationError, StoppedEarly, and OutputError when the output folder
+/// cannot be used from the start. Once there is a path nothing is thrown: what goes wrong then is in the outcome.
+WrittenRun run(Run loaded, const RunRequest& request, const Monitor& monitor);
+/// The same after load(), which throws ConfigError and InputError.
 WrittenRun run(const RunRequest& request, const Monitor& monitor);
 
 }  // namespace leastcost::app

@@ -60,15 +60,17 @@ bool barely_begun(const fs::path& folder) {
   return true;
 }
 
-/// Why the results of the request may not be put there; empty when they may.
-std::string refusal(const StudyRequest& request, const fs::path& folder) {
+/// Throws OutputRefused where the results of the request may not be put there.
+void check_place(const StudyRequest& request, const fs::path& folder) {
   std::error_code error;
   const bool holds_study = fs::exists(folder / "journal.jsonl", error);
-  if (request.resume && (holds_study || barely_begun(folder))) return "";
+  if (request.resume && (holds_study || barely_begun(folder))) return;
   if (request.resume && fs::is_directory(folder, error))
-    return folder.string() + ": holds no study that could be resumed (no journal.jsonl)";
-  const std::string reason = output_refusal(folder, request.force);
-  return reason.empty() || !holds_study || request.force ? reason : reason + ", --resume goes on with the study in it";
+    throw OutputRefused(folder.string() + ": holds no study that could be resumed (no journal.jsonl)");
+  OutputRefusal refusal = output_refusal(folder, request.force);
+  if (refusal.empty()) return;
+  if (holds_study && !request.force) refusal.reason += "; --resume goes on with the study in it";
+  throw OutputRefused(refusal.reason, refusal.replaceable);
 }
 
 /// A folder for a new study, or the one to go on in.
@@ -77,19 +79,22 @@ fs::path prepare_folder(const StudyRequest& request, const StudyGrid& grid) {
   fs::path folder = fs::weakly_canonical(fs::absolute(output_of(request, grid)), error);
   if (!folder.has_filename()) folder = folder.parent_path();
   if (error) throw OutputError(fmt::format("{}: {}", folder.string(), error.message()));
-  const std::string reason = refusal(request, folder);
-  if (!reason.empty()) throw OutputRefused(reason);
+  check_place(request, folder);
   fs::create_directories(folder, error);
   if (error) throw OutputError(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
   return folder;
 }
 
-/// The folder of an earlier study or run, for a new one: everything in it is ours. The journal has been emptied.
+/// The folder of an earlier study or run, for a new one. The journal has been emptied. What is none of ours has come
+/// since the folder was looked at, and stays.
 void clear(const fs::path& folder) {
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (entry.path().filename() != "journal.jsonl" && entry.path().filename() != "manifest.json")
-      fs::remove(entry.path(), ignored);
+  std::error_code error;
+  std::vector<fs::path> ours;
+  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator(); entry.increment(error))
+    if (is_result_file(entry->path()) && entry->path().filename() != "journal.jsonl" &&
+        entry->path().filename() != "manifest.json")
+      ours.push_back(entry->path());
+  for (const fs::path& file : ours) fs::remove(file, error);
 }
 
 std::vector<InputFile> inputs_of(const StudyGrid& grid, const StudyFacts& facts) {
@@ -130,7 +135,7 @@ bool run_tasks(const StudyRequest& request, const StudyGrid& grid, const std::ve
 Journal open_journal(const StudyRequest& request, const StudyFacts& facts, StudyOutcome& outcome) {
   const fs::path file = outcome.output / "journal.jsonl";
   if (request.resume) return Journal::resume(file, facts, request.shard, outcome.journal);
-  Journal journal = Journal::create(file, facts, request.shard);
+  Journal journal = Journal::create(file, facts, request.shard, request.force);
   clear(outcome.output);
   outcome.journal = {facts, request.shard, {}};
   return journal;
@@ -149,6 +154,7 @@ StudyOutcome run_study(const StudyRequest& request) {
   manifest.started = std::chrono::system_clock::now();
   const StudyGrid grid = load_grid(request.config_file, request.overrides);
   const StudyFacts facts = facts_of(grid);
+  if (request.loaded) request.loaded();
   manifest.seed = facts.seed;
   manifest.inputs = inputs_of(grid, facts);
 

@@ -31,6 +31,7 @@ struct StudyRequest {
   std::function<CellResult(const StudyCell&, long repetition)> run = run_cell;
   std::function<void(const StudyProgress&)> observe = {};
   std::function<bool()> stop_requested = {};
+  std::function<void()> loaded = {};  ///< told when all files have been read; nothing has been written then
 };
 
 struct StudyOutcome {

@@ -194,7 +194,7 @@ void OptionsReader::block(std::string_view key, const FieldDoc& doc, const std::
 void OptionsReader::points(std::string_view key, std::optional<int>& value, const FieldDoc& doc) {
   const ConfigEntry* e = entry(key, doc);
   if (e == nullptr) return;
-  if (e->value.is_scalar() && !e->value.quoted && e->value.text == "auto") {
+  if (e->value.is_scalar() && e->value.text == "auto") {
     value.reset();
     return;
   }

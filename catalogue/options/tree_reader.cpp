@@ -16,7 +16,7 @@ namespace {
 std::string entry_fault(const ConfigNode& item, TreeForm form) {
   if (form == TreeForm::plugins && !item.is_scalar() && item.find("type") == nullptr)
     return "must be a type or a block with a type (" + found(item) + ")";
-  const bool automatic = form == TreeForm::counts && item.is_scalar() && !item.quoted && item.text == "auto";
+  const bool automatic = form == TreeForm::counts && item.is_scalar() && item.text == "auto";
   if ((form == TreeForm::counts || form == TreeForm::integers) && !automatic) return parse_int(item).fault;
   return "";
 }

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include <leastcost/catalogue/output/write_run.hpp>
@@ -29,7 +31,7 @@ Json cost(const RunOutcome& run) {
   const CostEstimate& estimate = result.certificate.estimate;
   const bool measured = result.certificate.measured;
   Json out;
-  out["value"] = number(measured ? estimate.value : result.curve.cost);
+  out["value"] = number(measured && !std::isnan(estimate.value) ? estimate.value : result.curve.cost);
   out["unit"] = run.parts.problem.cost->traits().unit;
   out["error_estimate"] = measured ? number(estimate.error) : Json(nullptr);
   out["initial"] = number(result.initial_cost);
@@ -84,14 +86,19 @@ Json tube(const Certificate& c) {
           {"upper", number(c.resolution->upper)}};
 }
 
+/// Of the certificate where it got that far: a path that costs infinitely much has no spacing.
+double where_measured(const Certificate& c, double value) {
+  return c.measured && c.longest_segment > 0 ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
 Json certificate_json(const Certificate& c, const CertificateOptions& options) {
   return {{"measured", c.measured},
           {"stationarity", number(c.stationarity)},
           {"residual", number(c.residual)},
-          {"spacing", number(c.spacing)},
+          {"spacing", number(where_measured(c, c.spacing))},
           {"doubling", number(c.doubling)},
           {"doubling_expected", number(c.doubling_expected)},
-          {"longest_segment", number(c.longest_segment)},
+          {"longest_segment", number(where_measured(c, c.longest_segment))},
           {"index",
            {{"verdict", std::string(name(c.index.verdict))},
             {"negatives", c.index.negatives},
@@ -187,8 +194,7 @@ std::string result_json(const RunOutcome& run) {
   out["failures"] = failures(result.certificate);
   out["scope"] = result.certificate.measured ? Json(result.certificate.scope) : Json(nullptr);
   out["cost"] = cost(run);
-  out["spacing"] =
-      number(result.certificate.measured ? result.certificate.spacing : std::numeric_limits<double>::quiet_NaN());
+  out["spacing"] = number(where_measured(result.certificate, result.certificate.spacing));
   out["points"] = result.path.free_count();
   out["ring"] = run.parts.problem.ring || run.parts.problem.based;
   out["certificate"] = certificate_json(result.certificate, run.parts.options.certificate);

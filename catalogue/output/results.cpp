@@ -45,7 +45,6 @@ void write_paths(const RunOutcome& outcome, OutputFolder& folder) {
   const PathTable points = delivered_points(outcome.parts.problem, outcome.result);
   const PathTable curve = delivered_curve(outcome.parts.problem, outcome.result);
   const bool curve_differs = curve.x.cols() != points.x.cols() || curve.x != points.x;
-  folder.write("path.csv", csv_text(points));
   folder.write("curve.csv", csv_text(curve));
   std::vector<PathTable> lines = {points};
   if (curve_differs) lines.push_back(curve);
@@ -69,6 +68,9 @@ RenameFile from_output(const fs::path& folder_of_config, const fs::path& output)
 
 void write_results(RunOutcome& outcome, const std::vector<std::string>& arguments, OutputFolder& folder) {
   const auto start = std::chrono::steady_clock::now();
+  // What was solved comes first: a disk may be full after it.
+  folder.write("result.json", result_json(outcome));
+  folder.write("path.csv", csv_text(delivered_points(outcome.parts.problem, outcome.result)));
   folder.write("config.resolved.yaml", resolved_config(outcome, folder.target()));
   folder.write("manifest.json", manifest_json(facts_of(outcome, arguments)));
   write_paths(outcome, folder);
@@ -86,7 +88,11 @@ std::filesystem::path write_run(const RunOutcome& outcome, const fs::path& folde
   if (!outcome.origin) throw InputError("only what solve() returned can be written");
   OutputFolder out(folder, options.replace);
   RunOutcome timed = outcome;
-  write_results(timed, options.arguments, out);
+  try {
+    write_results(timed, options.arguments, out);
+  } catch (const OutputError& e) {
+    throw OutputError(e.what() + out.leave());
+  }
   out.commit();
   return out.target();
 }

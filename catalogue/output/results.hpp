@@ -12,8 +12,9 @@
 
 namespace leastcost {
 
-/// All files of a finished run into its (not yet committed) folder; result.json last, with the time that the others
-/// took in outcome.seconds.write. `arguments`: of the program, for the manifest.
+/// All files of a finished run into its (not yet committed) folder: result.json and path.csv first, and result.json
+/// again at the end, with the time that the others took in outcome.seconds.write. `arguments`: of the program, for the
+/// manifest.
 void write_results(RunOutcome& outcome, const std::vector<std::string>& arguments, OutputFolder& folder);
 
 /// What files of a configuration are called in one that lies in `output`: relative ones work from there.

@@ -11,27 +11,39 @@
 
 namespace leastcost {
 
-/// The output folder cannot be used or written.
-class OutputError : public Error {
+/// The machine does not give what is needed: a place on the disk, a permission, a process.
+class HostError : public Error {
  public:
   using Error::Error;
+};
+
+/// The output folder cannot be used or written.
+class OutputError : public HostError {
+ public:
+  using HostError::HostError;
 };
 
 /// The folder exists and may not be replaced.
 class OutputRefused : public OutputError {
  public:
-  using OutputError::OutputError;
+  explicit OutputRefused(const std::string& message, bool replaceable = false)
+      : OutputError(message), replaceable_(replaceable) {}
+  /// It holds what an earlier run left and nothing else: WriteOptions::replace would replace it.
+  bool replaceable() const { return replaceable_; }
+
+ private:
+  bool replaceable_;
 };
 
 struct WriteOptions {
-  bool replace = false;                     ///< a folder that an earlier run has written
+  bool replace = false;  ///< a folder that an earlier run has written, as it is when write_run() begins
   std::vector<std::string> arguments = {};  ///< how the program was called, for manifest.json
 };
 
 /// Writes the files of a finished run into `folder` (relative to the current one), which appears complete or not at
 /// all: result.json, path.*, curve.csv, history.csv, first_path.csv, scene.json, config.resolved.yaml, manifest.json.
 /// Returns where they are, absolute. Throws OutputRefused when the folder is not empty and may not be replaced,
-/// OutputError.
+/// OutputError; what was written by then stays beside the folder, where the message says.
 std::filesystem::path write_run(const RunOutcome& outcome, const std::filesystem::path& folder,
                                 const WriteOptions& options = {});
 

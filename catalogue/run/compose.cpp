@@ -19,6 +19,7 @@
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/registry/registry.hpp"
 #include "catalogue/run/ends.hpp"
+#include "catalogue/run/memory.hpp"
 #include "problems/chart/has_images.hpp"
 #include "problems/formula/coordinate_names.hpp"
 
@@ -128,6 +129,7 @@ void Composer::make_or_check(const PluginChoice& choice, Made& made) {
 
 /// What is known of a domain that waits for its files: meshes, clouds and grids lie in R^3.
 void Composer::assume_domain() {
+  check_memory({3, 3, 2});
   context_.dimension = 3;
   context_.coordinates = coordinate_names(3);
   if (!config_.ring || config_.source) context_.source = Eigen::VectorXd::Zero(3);
@@ -143,8 +145,20 @@ void Composer::check_all_needs() {
   for (const PluginChoice& choice : config_.post_process.value_or(PluginList{})) check(choice);
 }
 
+/// Before the memory is taken: a machine that swaps, or kills, says less.
+void Composer::check_memory(const Dimensions& dimensions) {
+  if (!config_.points) return;
+  const double need = bytes_of_path(*config_.points, dimensions), have = memory_of_host();
+  if (need <= have) return;
+  attempt([&] {
+    throw OptionError("path.points", fmt::format("{} points take about {} of memory, and there are {}", *config_.points,
+                                                 size_in_words(need), size_in_words(have)));
+  });
+}
+
 void Composer::take_domain() {
   const ConstraintManifold& manifold = *out_.problem.manifold;
+  check_memory(manifold.dimensions());
   const int dimension = manifold.dimensions().ambient;
   if (context_.dimension != dimension) out_.problem.cost.reset();  // made for another space
   context_.manifold = out_.problem.manifold;

@@ -42,6 +42,7 @@ class Composer {
   void make_or_check(const PluginChoice& choice, Made& made);
   void assume_domain();
   void check_all_needs();
+  void check_memory(const Dimensions& dimensions);
   void take_domain();
   void make_parts();
 

@@ -4,6 +4,8 @@
 
 #include <chrono>
 #include <optional>
+#include <string>
+#include <system_error>
 #include <utility>
 
 #include <leastcost/framework/errors.hpp>
@@ -34,6 +36,30 @@ std::vector<InputFile> inputs_of(const LoadedConfig& loaded) {
   return inputs;
 }
 
+/// The place of a text in a configuration; null where it has none of its own.
+const ConfigNode* find_text(const ConfigNode& node, const std::string& text) {
+  if (node.is_scalar() && node.text == text) return &node;
+  const ConfigNode* found = nullptr;
+  for (auto item = node.items.begin(); found == nullptr && item != node.items.end(); ++item)
+    found = find_text(*item, text);
+  for (auto entry = node.entries.begin(); found == nullptr && entry != node.entries.end(); ++entry)
+    found = find_text(entry->value, text);
+  return found;
+}
+
+/// Throws InputError for a file that is not there, with the place where the configuration names it.
+void check_files(const LoadedConfig& loaded) {
+  for (const std::string& name : files_of(loaded.config)) {
+    const std::filesystem::path file = loaded.folder / name;
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(file, error);
+    if (status.type() != std::filesystem::file_type::not_found) continue;
+    const ConfigNode* named = find_text(loaded.tree, name);
+    throw InputError(loaded.errors.where(named == nullptr ? Place{} : named->place) + ": " + file.string() +
+                     ": no such file");
+  }
+}
+
 Run run_of(RunConfig config, std::filesystem::path folder, std::vector<InputFile> inputs, RunParts parts,
            const Start& start) {
   Run run;
@@ -53,6 +79,7 @@ Run composed(LoadedConfig loaded, const BuildProgress& progress, const Start& st
   Composer composer(loaded.config, loaded.folder, [&](const OptionError& e) { loaded.add_error(e.key(), e.what()); });
   composer.make_from_options();
   stop_at_errors();
+  check_files(loaded);
   composer.make_from_files(progress);
   stop_at_errors();
   const Clock::time_point hashing = Clock::now();

@@ -169,10 +169,10 @@ void check_name(LoadedConfig& loaded) {
 void check_expected_exit(LoadedConfig& loaded) {
   const ConfigEntry* note = loaded.tree.find("x-expect-exit");
   if (note == nullptr) return;
-  constexpr std::array<int, 7> kCodes = {0, 1, 3, 4, 5, 6, 130};
+  constexpr std::array<int, 8> kCodes = {0, 1, 3, 4, 5, 6, 8, 130};
   const Parsed<int> code = parse_int(note->value);
   if (code.value && std::count(kCodes.begin(), kCodes.end(), *code.value) > 0) return;
-  loaded.errors.error(note->value.place, "'x-expect-exit' must be an exit code of a run: 0, 1, 3, 4, 5, 6 or 130 (" +
+  loaded.errors.error(note->value.place, "'x-expect-exit' must be an exit code of a run: 0, 1, 3, 4, 5, 6, 8 or 130 (" +
                                              found(note->value) + ")");
 }
 

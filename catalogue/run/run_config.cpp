@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <sstream>
 
 #include "catalogue/options/options_reader.hpp"
 #include "catalogue/registry/registry.hpp"
@@ -131,10 +130,21 @@ std::string config_text(const std::filesystem::path& file) {
     throw InputError(file.string() + ": is a folder, not a configuration file");
   std::ifstream in(file, std::ios::binary);
   if (!in) throw InputError(file.string() + ": cannot be opened: " + std::generic_category().message(errno));
-  std::ostringstream text;
-  text << in.rdbuf();
+  std::string text = config_text(in);
   if (in.bad()) throw InputError(file.string() + ": cannot be read");
-  return text.str();
+  return text;
+}
+
+std::string config_text(std::istream& in) {
+  std::string text;
+  constexpr std::size_t kPart = 1 << 16;
+  while (in && text.size() <= kLargestConfiguration) {
+    const std::size_t before = text.size(), part = std::min(kPart, kLargestConfiguration + 1 - before);
+    text.resize(before + part);
+    in.read(text.data() + before, static_cast<std::streamsize>(part));
+    text.resize(before + static_cast<std::size_t>(in.gcount()));
+  }
+  return text;
 }
 
 LoadedConfig load_config(const std::filesystem::path& file, const std::vector<Override>& overrides) {

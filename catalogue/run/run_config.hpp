@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <istream>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -71,8 +72,10 @@ LoadedConfig parse_config(std::string text, const std::string& file_name, const 
 
 /// Reads `tree` into `config` and checks it. Done by the two above; `name`: of a run that has none.
 void read_tree(LoadedConfig& loaded, const std::string& name);
-/// The text of a configuration file. Throws InputError.
+/// The text of a configuration file. Throws InputError. Of a text that is too long for a configuration no more is read
+/// than shows it: a device may have no end.
 std::string config_text(const std::filesystem::path& file);
+std::string config_text(std::istream& in);
 
 /// The configuration with every default, as YAML that reads back as the same one.
 std::string resolved_yaml(const RunConfig& config, const RenameFile& rename = {});

@@ -10,6 +10,7 @@
 namespace leastcost {
 namespace {
 
+constexpr std::size_t kMostKept = 100;
 constexpr std::size_t kWidestExcerpt = 160;  // bytes of a source line that are shown
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
@@ -53,7 +54,9 @@ std::size_t characters_in(std::string_view text) {
 
 Diagnostics::Diagnostics(std::string file, std::string_view text) : file_(std::move(file)), lines_(split_lines(text)) {}
 
-void Diagnostics::error(const Place& place, std::string message) { errors_.push_back({place, std::move(message)}); }
+void Diagnostics::error(const Place& place, std::string message) {
+  if (count_++ < kMostKept) errors_.push_back({place, std::move(message)});
+}
 
 std::vector<Diagnostic> Diagnostics::sorted() const {
   std::vector<Diagnostic> out = errors_;
@@ -96,7 +99,9 @@ std::string Diagnostics::render(bool color) const {
 }
 
 std::string Diagnostics::count() const {
-  return fmt::format("{} error{} in {}", errors_.size(), errors_.size() == 1 ? "" : "s", file_);
+  std::string text = fmt::format("{} error{} in {}", count_, count_ == 1 ? "" : "s", file_);
+  if (count_ > errors_.size()) text += fmt::format(", of which the first {} are shown", errors_.size());
+  return text;
 }
 
 std::string in_quotes(std::string_view text) {

@@ -34,24 +34,28 @@ class Diagnostics {
   /// `file`: the name to print; `text`: its content, for the source lines.
   Diagnostics(std::string file, std::string_view text);
 
+  /// The first hundred are kept, the others counted.
   void error(const Place& place, std::string message);
-  bool empty() const { return errors_.empty(); }
-  std::size_t size() const { return errors_.size(); }
+  bool empty() const { return count_ == 0; }
+  /// Errors, kept or not.
+  std::size_t size() const { return count_; }
   const std::string& file() const { return file_; }
-  /// In the order of the file; what came from the command line last.
+  /// Those that are kept, in the order of the file; what came from the command line last.
   std::vector<Diagnostic> sorted() const;
-  /// All errors with their source lines, without the count.
+  /// The same with their source lines, without the count.
   std::string render(bool color = false) const;
-  /// "2 errors in torus.yaml".
+  /// "2 errors in torus.yaml", "60000 errors in torus.yaml, of which the first 100 are shown".
   std::string count() const;
+  /// "torus.yaml:12:5", or the argument of the command line.
+  std::string where(const Place& place) const;
 
  private:
-  std::string where(const Place& place) const;
   std::string excerpt(const Place& place) const;
 
   std::string file_;
   std::vector<std::string> lines_;
   std::vector<Diagnostic> errors_;
+  std::size_t count_ = 0;
 };
 
 /// The configuration is not valid. what() is the rendered list with its count.

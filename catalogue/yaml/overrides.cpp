@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "catalogue/yaml/overrides.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "catalogue/yaml/scalars.hpp"
@@ -30,6 +32,15 @@ bool is_path(const std::vector<std::string>& parts) {
   });
 }
 
+/// The deepest option is named by a few words; every further one would be a block around it.
+constexpr std::size_t kMostWords = 16;
+
+/// What an override is called in messages: one that nobody would read to its end is cut, because every place has it.
+std::string shown(const std::string& origin) {
+  constexpr std::size_t kLongest = 200;
+  return origin.size() <= kLongest ? origin : origin.substr(0, kLongest) + "...";
+}
+
 /// The node that `key` names in `node`, made when missing; null (with an error) where a list has no such position.
 ConfigNode* step_into(ConfigNode& node, const std::string& key, const Place& place, Diagnostics& errors) {
   if (node.is_list()) {
@@ -53,7 +64,7 @@ ConfigNode* step_into(ConfigNode& node, const std::string& key, const Place& pla
 }
 
 void apply(const Override& override, ConfigNode& root, Diagnostics& errors) {
-  const std::string& origin = override.origin.empty() ? override.assignment : override.origin;
+  const std::string origin = shown(override.origin.empty() ? override.assignment : override.origin);
   const Place place{0, 0, 1, origin};
   const std::size_t equals = override.assignment.find('=');
   const std::string path = override.assignment.substr(0, equals);
@@ -68,7 +79,7 @@ void apply(const Override& override, ConfigNode& root, Diagnostics& errors) {
 
 }  // namespace
 
-Override set_option(const std::string& assignment) { return {assignment, "--set " + assignment}; }
+Override set_option(const std::string& assignment) { return {assignment, shown("--set " + assignment)}; }
 Override seed_option(const std::string& number) { return {"seed=" + number, "--seed " + number}; }
 
 void apply_overrides(const std::vector<Override>& overrides, ConfigNode& root, Diagnostics& errors) {
@@ -79,6 +90,9 @@ void put_option(const std::string& path, ConfigNode value, const Place& place, C
   const std::vector<std::string> keys = split_path(path);
   if (!is_path(keys))
     return errors.error(place, in_quotes(path) + " is no option: it must have the form key or block.key");
+  if (keys.size() > kMostWords)
+    return errors.error(
+        place, fmt::format("{} is no option: none is named by more than {} words", in_quotes(path), kMostWords));
   ConfigNode* node = &root;
   for (const std::string& key : keys) {
     node = step_into(*node, key, place, errors);

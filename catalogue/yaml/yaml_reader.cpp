@@ -11,11 +11,14 @@
 #include <algorithm>
 #include <optional>
 #include <sstream>
+#include <string>
+#include <unordered_map>
 
 namespace leastcost {
 namespace {
 
-constexpr std::size_t kLargestText = 1 << 20;
+/// Far more than any option is, and far less than what the stack of a recursion bears.
+constexpr std::size_t kDeepest = 100;
 
 /// Builds the tree from the parser's events. The events, not the library's own tree: that one follows aliases (a bomb
 /// of a few lines), keeps only one of two equal keys findable, and forgets where keys stand.
@@ -71,7 +74,8 @@ class TreeBuilder final : public YAML::EventHandler {
  private:
   struct Frame {
     ConfigNode node;
-    std::optional<ConfigNode> key;  ///< of a block: read, its value not yet
+    std::optional<ConfigNode> key;               ///< of a block: read, its value not yet
+    std::unordered_map<std::string, int> known;  ///< keys of the block, and the lines they stand in
   };
 
   static Place place(const YAML::Mark& mark, int length) { return {mark.line + 1, mark.column + 1, length, ""}; }
@@ -94,6 +98,8 @@ class TreeBuilder final : public YAML::EventHandler {
   void open(ConfigNode::Kind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
     no_anchor(mark, anchor);
     no_tag(mark, tag);
+    if (stack_.size() >= kDeepest)
+      throw YAML::ParserException(mark, fmt::format("blocks and lists in each other are at most {} deep", kDeepest));
     Frame frame;
     frame.node.kind = kind;
     frame.node.place = place(mark, 1);
@@ -117,22 +123,23 @@ class TreeBuilder final : public YAML::EventHandler {
     } else if (!frame.key) {
       frame.key = std::move(node);
     } else {
-      add_entry(frame.node, *frame.key, std::move(node));
+      add_entry(frame, *frame.key, std::move(node));
       frame.key.reset();
     }
   }
 
-  void add_entry(ConfigNode& block, const ConfigNode& key, ConfigNode value) {
+  void add_entry(Frame& frame, const ConfigNode& key, ConfigNode value) {
     if (!key.is_scalar())
       return errors_.error(key.place, "a key must be a word (" + std::string("found ") + kind_of(key) + ")");
     if (key.text == "<<" && !key.quoted)
       return errors_.error(key.place, "merge keys (<<) are not supported: write the keys out");
-    if (const ConfigEntry* first = block.find(key.text)) {
+    const auto [first, is_new] = frame.known.try_emplace(key.text, key.place.line);
+    if (!is_new) {
       errors_.error(key.place,
-                    fmt::format("duplicate key {} (first given in line {})", in_quotes(key.text), first->place.line));
+                    fmt::format("duplicate key {} (first given in line {})", in_quotes(key.text), first->second));
       return;
     }
-    block.entries.push_back({key.text, key.place, std::move(value)});
+    frame.node.entries.push_back({key.text, key.place, std::move(value)});
   }
 
   static const char* kind_of(const ConfigNode& node) {
@@ -212,8 +219,8 @@ Place place_of_byte(std::string_view text, std::size_t position) {
 
 /// What must hold before the parser sees the text; false when it must not.
 bool acceptable(std::string_view text, Diagnostics& errors) {
-  if (text.size() > kLargestText) {
-    errors.error({}, fmt::format("a configuration has at most {} bytes, this file has {}", kLargestText, text.size()));
+  if (text.size() > kLargestConfiguration) {
+    errors.error({}, fmt::format("a configuration has at most {} bytes, this one has more", kLargestConfiguration));
     return false;
   }
   const std::size_t bad = first_invalid_byte(text);

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 #include "catalogue/yaml/config_node.hpp"
 
 namespace leastcost {
+
+inline constexpr std::size_t kLargestConfiguration = 1 << 20;  ///< bytes
 
 /// The one document of a YAML text as a tree. Stricter than YAML: duplicate keys, further documents, anchors, aliases,
 /// merge keys, tags, tabs in the indentation and keys that are not words are errors, each at its place, added to

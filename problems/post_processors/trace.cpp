@@ -40,15 +40,20 @@ PostProcessed TracePostProcessor::apply(const Problem& problem, const FirstPath&
   const TriangleMesh& mesh = mesh_of(problem, "post-processor trace").mesh();
   std::vector<SurfacePoint> points = surface_points(mesh, current.chain);
   if (current.curve.straightness) return current;  // it lies on the mesh already
-  if (!current.chain.ring && leaves_component(mesh, points)) {
-    const TracedPath start = trace_chain(mesh, surface_points(mesh, first.path), monitor.deadline);
-    points = resample(mesh, start.path, static_cast<int>(points.size()));
+  const bool ring = current.chain.ring;
+  if (leaves_component(mesh, points)) {
+    std::vector<SurfacePoint> start = surface_points(mesh, first.path);
+    if (ring) start.push_back(start.front());
+    points = resample(mesh, trace_chain(mesh, start, monitor.deadline).path,
+                      static_cast<int>(points.size()) + (ring ? 1 : 0));
+    if (ring) points.pop_back();
     current.chain = coordinate_path(mesh, points);
+    current.chain.ring = ring;
     pin_ends(problem, current.chain);
     current.notes.emplace_back(
         "trace: the solved path slid onto another component of the mesh; the first path is taken");
   }
-  if (current.chain.ring) points.push_back(points.front());
+  if (ring) points.push_back(points.front());
   const TracedPath traced = trace_chain(mesh, points, monitor.deadline);
   current.curve = as_curve(problem, traced.path);
   current.curve_costs = costs_between(problem, current.curve, traced.chain_points);

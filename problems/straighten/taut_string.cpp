@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -36,14 +37,19 @@ bool same_edge(const TriangleMesh& mesh, std::int32_t h, std::int32_t k) {
 
 std::string vertex_name(const TriangleMesh& mesh, std::int32_t v) {
   const std::int32_t file = mesh.file_vertex(v);
-  return file >= 0 ? std::to_string(file) : std::to_string(v) + " (made by subdivision)";
+  if (file >= 0) return "vertex " + std::to_string(file);
+  const Eigen::Vector3d& p = mesh.position(v);
+  std::ostringstream name;
+  name << "the vertex that subdivision made at (" << p.x() << ", " << p.y() << ", " << p.z() << ")";
+  return name.str();
 }
 
 }  // namespace
 
 void throw_non_manifold(const TriangleMesh& mesh, std::int32_t halfedge) {
   throw InputError(
-      "straightening: edge " + vertex_name(mesh, mesh.tail(halfedge)) + "-" + vertex_name(mesh, mesh.head(halfedge)) +
+      "straightening: the edge from " + vertex_name(mesh, mesh.tail(halfedge)) + " to " +
+      vertex_name(mesh, mesh.head(halfedge)) +
       " has three or more faces, so the surface has no unfolding there; remove the extra faces, or use the "
       "path without straightening it");
 }

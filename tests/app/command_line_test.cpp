@@ -80,7 +80,9 @@ TEST_CASE("command line: exit codes of run") {
   CHECK(call({"run", (dir / "none.yaml").string(), "-o", out}).exit == 4);
   const std::string mesh =
       "manifold: {type: mesh, file: none.obj}\ncost: euclidean\nends: {source: {vertex: 0}, target: {vertex: 1}}\n";
-  CHECK(call({"run", write_text(dir / "b.yaml", mesh), "-o", out}).exit == 4);
+  const Called missing = call({"run", write_text(dir / "b.yaml", mesh), "-o", out});
+  CHECK(missing.exit == 4);
+  CHECK_THAT(missing.err, Contains("b.yaml:1:30: ") && Contains("none.obj: no such file"));
   CHECK_FALSE(fs::exists(out));
   const Called no_path =
       call({"run", (project_dir() / "configs/no_path.yaml").string(), "-o", out, "--format", "json"});
@@ -91,7 +93,15 @@ TEST_CASE("command line: exit codes of run") {
   const std::string plane = write_text(dir / "plane.yaml", kPlane);
   CHECK(call({"run", plane, "-o", out, "--set", "certificate.enabled=false"}).exit == 5);
   CHECK(call({"run", plane, "-o", out}).exit == 2);
-  CHECK(call({"run", plane, "-o", "/proc/leastcost/x"}).exit == 1);
+  CHECK(call({"run", plane, "-o", "/proc/leastcost/x"}).exit == 8);
+}
+
+TEST_CASE("command line: words that are not expected are named in their order") {
+  const Called schema = call({"schema", "-o", "x"});
+  CHECK(schema.exit == 2);
+  CHECK_THAT(schema.err, Contains("not expected here: -o x"));
+  CHECK_THAT(call({"list", "costs", "b", "c"}).err, Contains("not expected here: b c"));
+  CHECK_THAT(call({"run", "a.yaml", "--outptu", "x"}).err, Contains("did you mean '--output'"));
 }
 
 TEST_CASE("command line: --set and --seed") {

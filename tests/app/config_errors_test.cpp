@@ -227,6 +227,15 @@ TEST_CASE("config errors: notes mean nothing, but x-expect-exit is an exit code"
   CHECK(errors_of(kPlane + "x-anything: [1, {a: b}]\nx-expect-exit: 5\n") == "");
   CHECK(errors_of("manifold: {type: euclidean, x-why: because}\n" + kPlane.substr(kPlane.find('\n') + 1)) == "");
   CHECK_THAT(errors_of(kPlane + "x-expect-exit: 9\n"), Contains("must be an exit code of a run"));
+  CHECK(errors_of(kPlane + "x-expect-exit: 8\n") == "");
+}
+
+TEST_CASE("config errors: auto is the same word in quotes, a number is not") {
+  const std::string plain = errors_of(kPlane + "path: {points: auto}\n");
+  CHECK_THAT(plain, Contains("'auto' takes the number of points"));
+  std::string quoted = errors_of(kPlane + "path: {points: 'auto'}\n");
+  CHECK_THAT(quoted, Contains("'auto' takes the number of points"));
+  CHECK_THAT(errors_of(kPlane + "path: {points: '64'}\n"), Contains("must be a whole number or auto"));
 }
 
 TEST_CASE("config errors: source lines are shown safely") {

@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "catalogue/output/manifest.hpp"
 #include "tests/support/catch.hpp"
@@ -72,7 +73,11 @@ TEST_CASE("output folder: --force replaces only what is ours") {
 
   write_below(dir / "ours/manifest.json", "{\"program\": \"leastcost\"}");
   write_below(dir / "ours/path.csv", "old");
-  CHECK_THROWS_WITH(OutputFolder(dir / "ours", false), Contains("--force replaces it"));
+  const OutputRefusal refusal = output_refusal(dir / "ours", false);
+  CHECK(refusal.replaceable);
+  CHECK_THAT(refusal.reason, Contains("not empty") && !Contains("--"));  // flags are words of the program
+  CHECK_FALSE(output_refusal(dir / "plain", false).replaceable);
+  CHECK_THROWS_AS(OutputFolder(dir / "ours", false), OutputRefused);
   write_below(dir / "ours/notes.txt", "precious");  // of the user, in a folder of ours
   CHECK_THROWS_WITH(OutputFolder(dir / "ours", true), Contains("notes.txt") && Contains("move it away"));
   CHECK(content(dir / "ours/notes.txt") == "precious");
@@ -129,6 +134,63 @@ TEST_CASE("output folder: what appeared while it was written is not replaced, an
     CHECK_THAT(refused(forced), Contains("notes.txt"));
   }
   CHECK(content(dir / "both/notes.txt") == "precious");
+  {
+    // What may be replaced is what was there at first, not what another run has written meanwhile.
+    write_below(dir / "forced/manifest.json", "{\"program\": \"leastcost\", \"run\": 0}");
+    OutputFolder one(dir / "forced", true), two(dir / "forced", true), none(dir / "nothing", true);
+    one.write("manifest.json", "{\"program\": \"leastcost\", \"run\": 1}");
+    two.write("x.txt", "two");
+    none.write("x.txt", "none");
+    one.commit();
+    CHECK(content(kept(refused(two)) / "x.txt") == "two");
+    CHECK_THAT(content(dir / "forced/manifest.json"), Contains("1}"));
+    write_below(dir / "nothing/manifest.json", "{\"program\": \"leastcost\"}");
+    CHECK(content(kept(refused(none)) / "x.txt") == "none");
+    CHECK(fs::exists(dir / "nothing/manifest.json"));
+  }
+}
+
+TEST_CASE("output folder: a folder is never taken from under somebody who writes into it, whatever the moment") {
+  const ScratchDir dir;
+  constexpr int kRounds = 40;
+  for (int round = 0; round < kRounds; ++round) {
+    const fs::path target = dir / std::to_string(round);
+    OutputFolder folder(target, false);
+    folder.write("x.txt", "mine");
+    std::thread other([&] {
+      std::error_code error;
+      fs::create_directory(target, error);
+      std::ofstream(target / "precious.txt") << "precious";
+    });
+    bool committed = true;
+    try {
+      folder.commit();
+    } catch (const OutputRefused&) {
+      committed = false;
+    }
+    other.join();
+    CAPTURE(round, committed);
+    CHECK(fs::exists(target / "x.txt") == committed);
+    // It was made in one of the two folders, and is still there, unless the other one came before there was a folder.
+    CHECK((committed || content(target / "precious.txt") == "precious"));
+  }
+}
+
+TEST_CASE("output folder: what could be written stays when the rest cannot") {
+  const ScratchDir dir;
+  fs::path left;
+  {
+    OutputFolder folder(dir / "run", false);
+    CHECK(folder.leave() == "");  // nothing was written
+    folder.write("path.csv", "1,2,3");
+    CHECK_THROWS_AS(folder.write("no/such/place", "x"), OutputError);
+    const std::string where = folder.leave();
+    const std::string before = "; what could be written lies in ";
+    REQUIRE(where.rfind(before, 0) == 0);
+    left = where.substr(before.size());
+  }
+  CHECK(content(left / "path.csv") == "1,2,3");
+  CHECK_FALSE(fs::exists(dir / "run"));
 }
 
 TEST_CASE("output folder: a place that cannot be written is found out at once") {

@@ -83,14 +83,14 @@ TEST_CASE("plot: what is no text becomes the replacement character") {
 }
 
 TEST_CASE("plot: numbers for people") {
-  CHECK(number_text(0) == "0");
-  CHECK(number_text(1234.5678, 6) == "1234.57");
-  CHECK(number_text(0.05, 2) == "0.050");
-  CHECK(number_text(1.149e-30) == "1.15 × 10⁻³⁰");
-  CHECK(number_text(-2e7, 1) == "−2 × 10⁷");
-  CHECK(number_text(9.996e-4, 3) == "0.00100");  // rounding carries
-  CHECK(number_text(std::nan("")) == "n/a");
-  CHECK(number_text(-1.0 / 0.0) == "−∞");
+  CHECK(app::number_text(0) == "0");
+  CHECK(app::number_text(1234.5678, 6) == "1234.57");
+  CHECK(app::number_text(0.05, 2) == "0.050");
+  CHECK(app::number_text(1.149e-30) == "1.15 × 10⁻³⁰");
+  CHECK(app::number_text(-2e7, 1) == "−2 × 10⁷");
+  CHECK(app::number_text(9.996e-4, 3) == "0.00100");  // rounding carries
+  CHECK(app::number_text(std::nan("")) == "n/a");
+  CHECK(app::number_text(-1.0 / 0.0) == "−∞");
 }
 
 TEST_CASE("plot: linear ticks are round, and within the range") {

@@ -4,16 +4,17 @@
 // The built program from outside: signals, a full disk, the streams of a shell.
 #include <fcntl.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <fstream>
-#include <sstream>
 #include <thread>
 
-#include "tests/app/config_text.hpp"
+#include "app/study/cell/isolation.hpp"
+#include "tests/app/child_program.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
 
@@ -24,59 +25,26 @@ using Catch::Contains;
 
 namespace {
 
-struct Child {
-  pid_t pid = -1;
-  fs::path out, err;
-
-  /// Exit code, or 1000 + the signal that ended it.
-  int wait() const {
-    int status = 0;
-    ::waitpid(pid, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
-  }
-};
-
-/// Starts the program with its streams in files of `dir`. `file_limit`: bytes that one of its files may have; 0: no
-/// limit.
-Child start(const ScratchDir& dir, std::vector<std::string> arguments, rlim_t file_limit = 0) {
-  Child child{-1, dir / "stdout", dir / "stderr"};
-  arguments.insert(arguments.begin(), program().string());
-  std::vector<char*> argv;
-  for (std::string& a : arguments) argv.push_back(a.data());
-  argv.push_back(nullptr);
-  child.pid = ::fork();
-  if (child.pid != 0) return child;
-  ::dup2(::open(child.out.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600), STDOUT_FILENO);
-  ::dup2(::open(child.err.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600), STDERR_FILENO);
-  if (file_limit > 0) {
-    const rlimit limit{file_limit, file_limit};
+/// A write beyond so many bytes of a file then fails, as on a full disk.
+std::function<void()> file_limit(rlim_t bytes) {
+  return [bytes] {
+    const rlimit limit{bytes, bytes};
     ::setrlimit(RLIMIT_FSIZE, &limit);
-    ::signal(SIGXFSZ, SIG_IGN);  // a write beyond the limit then fails, as on a full disk
-  }
-  ::execv(argv[0], argv.data());
-  ::_exit(127);
+  };
 }
 
-/// A run of minutes: plain L-BFGS on many points.
-std::string endless(const ScratchDir& dir) {
-  const fs::path file = dir / "endless.yaml";
-  std::ofstream(file)
-      << "manifold: euclidean\ncost: {type: travel_time, gravity: 1, start_speed: 1}\n"
-         "ends: {source: {point: [0, 0]}, target: {point: [3, -1]}}\npath: {points: 20000}\n"
-         "solver: {type: lbfgs, precondition: none, max_iterations: 1000000, max_evaluations: 100000000}\n";
-  return file.string();
+/// A GiB, where the build can live with that (a sanitizer cannot).
+void little_memory() {
+  const rlimit limit{rlim_t{1} << 30, rlim_t{1} << 30};
+  if (app::can_limit_memory()) ::setrlimit(RLIMIT_AS, &limit);
 }
 
-std::string plane(const ScratchDir& dir) {
-  const fs::path file = dir / "plane.yaml";
-  std::ofstream(file) << kPlane;
-  return file.string();
-}
-
-bool built() {
-  if (!program().empty()) return true;
-  record_skip("the program from outside", "the program was not built");
-  return false;
+/// The folders that runs have left beside `name`.
+std::vector<fs::path> beside(const ScratchDir& dir, const std::string& name) {
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(dir.path()))
+    if (entry.path().filename().string().rfind("." + name + ".", 0) == 0) found.push_back(entry.path());
+  return found;
 }
 
 }  // namespace
@@ -103,19 +71,176 @@ TEST_CASE("program: killed, it leaves no half-written output folder") {
   CHECK_FALSE(fs::exists(dir / "out"));
 }
 
-TEST_CASE("program: a full disk loses neither the result on stdout nor the folder that was there") {
+TEST_CASE("program: a full disk loses neither the result nor the folder that was there") {
   if (!built()) return;
   const ScratchDir dir;
   REQUIRE(start(dir, {"run", plane(dir), "-o", (dir / "out").string()}).wait() == 0);
   const std::string before = content(dir / "out/result.json");
-  const Child child =
-      start(dir, {"run", plane(dir), "-o", (dir / "out").string(), "--force", "--set", "path.points=200"}, 4000);
-  CHECK(child.wait() == 1);
+  const Child child = start(
+      dir, {"run", plane(dir), "-o", (dir / "out").string(), "--force", "--set", "path.points=200"}, file_limit(8000));
+  CHECK(child.wait() == 8);
   CHECK_THAT(content(child.out), Contains("certified"));
   CHECK_THAT(content(child.err), Contains("the results are not in their place: ") && Contains("File too large"));
   CHECK(content(dir / "out/result.json") == before);
-  for (const auto& entry : fs::directory_iterator(dir.path()))
-    CHECK(entry.path().filename().string().rfind(".out.", 0) != 0);
+  const std::vector<fs::path> kept = beside(dir, "out");
+  REQUIRE(kept.size() == 1);
+  CHECK_THAT(content(child.err), Contains("what could be written lies in " + kept[0].string()));
+  CHECK_THAT(content(kept[0] / "result.json"), Contains("\"status\": \"certified\""));
+  for (const auto& entry : fs::directory_iterator(kept[0])) CHECK(entry.file_size() < 8000);  // nothing half-written
+}
+
+TEST_CASE("program: a disk without any room is said, and nothing is left") {
+  if (!built()) return;
+  const ScratchDir dir;
+  const Child child =
+      start(dir, {"run", plane(dir), "-o", (dir / "out").string(), "--format", "json"}, file_limit(1500));
+  CHECK(child.wait() == 8);
+  CHECK_THAT(content(child.err), Contains("File too large"));
+  CHECK_FALSE(fs::exists(dir / "out"));
+  CHECK(beside(dir, "out").empty());
+}
+
+TEST_CASE("program: what a closed stream is told is lost, the results are not") {
+  if (!built()) return;
+  const ScratchDir dir;
+  const std::vector<std::string> run = {"run", plane(dir), "-o", (dir / "out").string(), "--force"};
+  const auto stream_to = [](int stream, const char* device) {
+    return [=] { ::dup2(::open(device, O_WRONLY), stream); };
+  };
+  const Child full = start(dir, run, stream_to(STDOUT_FILENO, "/dev/full"));
+  CHECK(full.wait() == 8);
+  CHECK_THAT(content(full.err), Contains("could not be written to standard output"));
+  CHECK(fs::exists(dir / "out/path.csv"));
+  const std::string path = content(dir / "out/path.csv"), result = content(dir / "out/config.resolved.yaml");
+
+  // Closed, its number must not go to a file that then gets the summary.
+  const Child closed = start(dir, run, [] { ::close(STDOUT_FILENO); });
+  CHECK(closed.wait() == 8);
+  CHECK(content(dir / "out/path.csv") == path);
+  CHECK(content(dir / "out/config.resolved.yaml") == result);
+  CHECK(start(dir, run, [] { ::close(STDERR_FILENO); }).wait() == 0);
+  CHECK(start(dir, run, [] { ::close(STDIN_FILENO); }).wait() == 0);
+  CHECK(content(dir / "out/path.csv") == path);
+
+  for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
+    CAPTURE(stream);
+    const auto broken_pipe = [stream] {
+      int ends[2];
+      if (::pipe(ends) != 0) ::_exit(126);
+      ::dup2(ends[1], stream);
+      ::close(ends[0]);
+      ::close(ends[1]);
+    };
+    CHECK(start(dir, run, broken_pipe).wait() == (stream == STDOUT_FILENO ? 8 : 0));
+    CHECK(content(dir / "out/path.csv") == path);
+  }
+  // Progress of a longer run to a pipe that nobody reads any more.
+  const Child longer =
+      start(dir, {"run", endless(dir), "-o", (dir / "longer").string(), "--set", "max_seconds=1.5"}, [] {
+        int ends[2];
+        if (::pipe(ends) != 0) ::_exit(126);
+        ::dup2(ends[1], STDERR_FILENO);
+        ::close(ends[0]);
+        ::close(ends[1]);
+      });
+  CHECK(longer.wait() == 130);
+  CHECK(fs::exists(dir / "longer/path.csv"));
+}
+
+TEST_CASE("program: an output folder that cannot be is said before the run") {
+  if (!built()) return;
+  const ScratchDir dir;
+  std::ofstream(dir / "file") << "x";
+  for (const std::string& place : {std::string("/proc/x"), (dir / "file/out").string()}) {
+    CAPTURE(place);
+    const Child child = start(dir, {"run", plane(dir), "-o", place, "--format", "json"});
+    CHECK(child.wait() == 8);
+    CHECK_THAT(content(child.out), Contains("\"status\": \"output_error\""));
+    CHECK_THAT(content(child.err), !Contains("please report"));
+  }
+  const Child empty = start(dir, {"run", plane(dir), "-o", ""});
+  CHECK(empty.wait() == 2);
+  CHECK_THAT(content(empty.err), Contains("must not be empty"));
+  CHECK(start(dir, {"init", "plane", "-o", (dir / "file/x.yaml").string()}).wait() == 8);
+}
+
+TEST_CASE("program: killed at any time, a folder of results is whole or not there, and what was there stays") {
+  if (!built()) return;
+  const ScratchDir dir;
+  const std::string config = plane(dir), out = (dir / "out").string();
+  REQUIRE(start(dir, {"run", config, "-o", out}).wait() == 0);
+  constexpr int kTries = 12;
+  for (int i = 0; i < kTries; ++i) {
+    const Child child = start(dir, {"run", config, "-o", out, "--force", "--set", "path.points=400"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(7 * i));
+    ::kill(child.pid, i % 3 == 0 ? SIGTERM : SIGKILL);
+    child.wait();
+    CAPTURE(i);
+    for (const char* file : {"result.json", "path.csv", "manifest.json", "report.html"})
+      CHECK(fs::exists(fs::path(out) / file));
+    CHECK(start(dir, {"report", out}).wait() == 0);
+  }
+}
+
+TEST_CASE("program: of two runs into one place one is in it, and the other beside it") {
+  if (!built()) return;
+  const ScratchDir dir, second;
+  const std::string out = (dir / "out").string();
+  const std::vector<std::string> run = {"run", endless(dir), "-o", out, "--set", "max_seconds=2"};
+  const Child one = start(dir, run), two = start(second, run);
+  const int first_exit = one.wait(), second_exit = two.wait();
+  CHECK(std::min(first_exit, second_exit) == 8);
+  CHECK(std::max(first_exit, second_exit) == 130);
+  const std::vector<fs::path> kept = beside(dir, "out");
+  REQUIRE(kept.size() == 1);
+  CHECK_THAT(content(first_exit == 8 ? one.err : two.err), Contains("the results lie in " + kept[0].string()));
+  for (const fs::path& place : {fs::path(out), kept[0]}) CHECK(fs::exists(place / "report.html"));
+}
+
+TEST_CASE("program: a configuration that never comes can be given up") {
+  if (!built()) return;
+  const ScratchDir dir;
+  const std::string pipe = (dir / "pipe").string();
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  for (const std::string command : {"run", "study"}) {
+    CAPTURE(command);
+    const Child child = start(dir, {command, pipe, "-o", (dir / "out").string(), "--format", "json"});
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    ::kill(child.pid, SIGTERM);
+    CHECK(child.wait() == 130);
+    CHECK_THAT(content(child.out), Contains("\"status\": \"interrupted\""));
+    CHECK_THAT(content(child.err), Contains("nothing was written"));
+  }
+  // Opened, it still says nothing. (That it can be opened for writing shows that the program waits for it.)
+  const Child child = start(dir, {"run", pipe, "-o", (dir / "out").string()});
+  int writer = -1;
+  for (int i = 0; i < 1000 && writer < 0; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    writer = ::open(pipe.c_str(), O_WRONLY | O_NONBLOCK);
+  }
+  ::kill(child.pid, SIGTERM);
+  CHECK(child.wait() == 130);
+  ::close(writer);
+}
+
+TEST_CASE("program: a configuration without an end is read to where it is too long") {
+  if (!built()) return;
+  const ScratchDir dir;
+  for (const std::string command : {"run", "validate", "study"}) {
+    const Child child = start(dir, {command, "/dev/zero"}, little_memory);
+    CHECK(child.wait() == 3);
+    CHECK_THAT(content(child.err), Contains("at most 1048576 bytes"));
+  }
+}
+
+TEST_CASE("program: more points than a limit leaves memory for are refused before it is taken") {
+  if (!built() || !app::can_limit_memory()) return;
+  const ScratchDir dir;
+  for (const std::string command : {"run", "validate"}) {
+    const Child child = start(dir, {command, plane(dir), "--set", "path.points=2000000"}, little_memory);
+    CHECK(child.wait() == 3);
+    CHECK_THAT(content(child.err), Contains("2000000 points take about") && Contains("there are 1.0 GiB"));
+  }
 }
 
 TEST_CASE("program: progress of a longer run goes to stderr as plain lines") {

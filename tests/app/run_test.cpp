@@ -5,6 +5,8 @@
 #include "app/run/run.hpp"
 
 #include <fstream>
+#include <limits>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
@@ -237,6 +239,38 @@ TEST_CASE("run: statuses") {
   CHECK(app::exit_of(Status::certified) == app::Exit::certified);
   CHECK(app::exit_of(Status::uncertified) == app::Exit::uncertified);
   CHECK(app::exit_of(Status::collapsed) == app::Exit::uncertified);
+}
+
+namespace {
+
+/// Makes a curve that leaves the domain of its cost.
+class LeadsAstray final : public PostProcessor {
+ public:
+  std::string_view name() const override { return "leads_astray"; }
+  PostProcessed apply(const Problem&, const FirstPath&, PostProcessed path, const Monitor&) const override {
+    path.curve_costs[1] = path.curve.cost = std::numeric_limits<double>::infinity();
+    return path;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("run: a path that costs infinitely much has no error bar, no spacing and no nan in any output") {
+  const ScratchDir dir;
+  Run loaded = parse_run(kPlane, "a");
+  loaded.parts.options.post_processors = {std::make_shared<const LeadsAstray>()};
+  const app::WrittenRun outcome =
+      app::run(std::move(loaded), {"a.yaml", {}, dir / "out", false, {"leastcost", "run"}}, {});
+  CHECK(outcome.output_error == "");
+  CHECK(outcome.result.status == Status::uncertified);
+  const std::string summary = app::summary_text(outcome, true);
+  CHECK_THAT(summary, Contains("cost        infinite") && !Contains("+-") && !Contains("nan") && !Contains("spacing"));
+  const Json result = result_of(dir / "out");
+  CHECK(result["cost"]["value"] == "Infinity");
+  CHECK(result["cost"]["error_estimate"].is_null());
+  CHECK(result["spacing"].is_null());
+  CHECK(result["certificate"]["spacing"].is_null());
+  CHECK_FALSE(std::regex_search(content(dir / "out/report.html"), std::regex("[^a-z]nan[^a-z]")));
 }
 
 TEST_CASE("run: a ring is closed in every file") {

@@ -63,6 +63,8 @@ TEST_CASE("study command: exit 7 when a part failed, with the reason on stderr; 
   CHECK(refused.exit == 0);
   CHECK_THAT(refused.out, Contains("cannot_solve: 2 of georce"));
   CHECK_THAT(content(dir / "b/runs.csv"), Contains("georce works in a chart"));
+  for (const app::RunRow& row : app::read_runs_csv(content(dir / "b/runs.csv"), "runs.csv").rows)
+    CHECK((row.outcome != app::outcome::kCannotSolve || (!row.solver_error && !row.initial_energy)));
 }
 
 TEST_CASE("study command: a dry run prints the grid and makes nothing") {
@@ -95,7 +97,7 @@ TEST_CASE("study command: wrong usage is exit 2, a wrong study 3, none 4") {
   CHECK(call({"study", (dir / "none.yaml").string()}).exit == 4);
   CHECK(call({"merge", (dir / "none").string(), "-o", (dir / "m").string()}).exit == 4);
   std::ofstream(dir / "run.yaml") << kPlane;
-  CHECK_THAT(call({"study", (dir / "run.yaml").string()}).err, Contains("missing key 'problems'"));
+  CHECK_THAT(call({"study", (dir / "run.yaml").string()}).err, Contains("makes this a run: leastcost run runs it"));
   CHECK_THAT(call({"run", study}).err, Contains("'problems' makes this a study: leastcost study runs it"));
 }
 

@@ -132,19 +132,27 @@ TEST_CASE("study errors: each at its place, said once for all cells") {
   check("problems:\n  - {config: {manifold: euclidean}}\n", "a problem that is written here needs a name");
   check("problems:\n  - {name: a, config: {manifold: euclidean}}\n", "a.yaml:2:23: error: missing key 'cost'");
   check("problems:\n  - {config: nowhere.yaml}\n", "a.yaml:2:14: error: nowhere.yaml: cannot be opened");
+  CHECK(study_errors("manifold: euclidean\ncost: euclidean\nsolver: newton\n") ==
+        "a.yaml:1:1: error: 'manifold' makes this a run: leastcost run runs it\n    1 | manifold: euclidean\n      | "
+        "^~~~~~~~\n");
+  CHECK_THAT(study_errors("points: ['auto']\n"), !Contains("whole number"));
 
   const std::string twice = study_errors(kStudy + "set: {path.points: 0}\nsweep: {kernel: [expp]}\n");
   CHECK(twice.find("unknown kernel 'expp'") == twice.rfind("unknown kernel 'expp'"));
 }
 
-TEST_CASE("study errors: those of a problem's file are named with their place in it") {
+TEST_CASE("study errors: those of a problem's file are named at its place in the study, with their place in the file") {
   const ScratchDir dir;
   std::ofstream(dir / "run.yaml") << "manifold: euclidean\ncost: euclidian\nends: {source: {point: [0, 0]}, target: "
                                      "{point: [1, 0]}}\n";
   std::ofstream(dir / "study.yaml") << "problems: [{config: run.yaml}]\nsolvers: [newton, lbfgs]\n";
-  CHECK_THROWS_WITH(
-      app::load_grid(dir / "study.yaml", {}),
-      Contains("run.yaml:2:7: error: unknown cost 'euclidian' (did you mean 'euclidean'?)") && Contains("1 error in"));
+  CHECK_THROWS_WITH(app::load_grid(dir / "study.yaml", {}),
+                    Contains("study.yaml:1:21: error: ") && Contains("| problems: [{config: run.yaml}]\n") &&
+                        Contains("run.yaml:2:7: unknown cost 'euclidian' (did you mean 'euclidean'?)") &&
+                        Contains("1 error in"));
+  std::ofstream(dir / "run.yaml") << "manifold: [\n";
+  CHECK_THROWS_WITH(app::load_grid(dir / "study.yaml", {}),
+                    Contains("study.yaml:1:21: error: ") && Contains("run.yaml:2:1: YAML"));
   std::ofstream(dir / "run.yaml") << "problems: []\n";
   CHECK_THROWS_WITH(app::load_grid(dir / "study.yaml", {}), Contains("makes this a study"));
 }

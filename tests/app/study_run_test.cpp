@@ -230,7 +230,7 @@ TEST_CASE("study: a folder is not resumed by another study, shard or process, no
   const ScratchDir dir;
   app::StudyRequest request = request_in(dir, "a");
   app::run_study(request);
-  CHECK_THROWS_WITH(app::run_study(request), Contains("--force replaces it") && Contains("--resume"));
+  CHECK_THROWS_WITH(app::run_study(request), Contains("is not empty") && Contains("--resume goes on"));
   request.resume = true;
   app::StudyRequest changed = request;
   changed.overrides = {set_option("set.certificate.spacing=0.3")};
@@ -257,6 +257,21 @@ TEST_CASE("study: a folder is not resumed by another study, shard or process, no
   CHECK(fs::exists(dir / "other/mine.txt"));
   request.output = dir / "a";
   CHECK_FALSE(app::run_study(request).interrupted);
+}
+
+TEST_CASE("journal: one that another study has written since the folder was looked at is not begun anew unasked") {
+  const ScratchDir dir;
+  const fs::path file = dir / "journal.jsonl";
+  app::StudyFacts facts;
+  facts.name = "first";
+  facts.cells = facts.repetitions = 1;
+  app::Journal::create(file, facts, {}, false);
+  const std::string before = content(file);
+  CHECK_THROWS_AS(app::Journal::create(file, facts, {}, false), OutputRefused);
+  CHECK(content(file) == before);
+  facts.name = "second";
+  app::Journal::create(file, facts, {}, true);
+  CHECK_THAT(content(file), Contains("second"));
 }
 
 TEST_CASE("study: shards merged are one run") {

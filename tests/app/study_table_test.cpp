@@ -54,6 +54,22 @@ TEST_CASE("runs.csv reads back as it was, to the last bit") {
   CHECK(back.rows[1].outcome == "crash");
 }
 
+TEST_CASE("runs.csv: a text that a spreadsheet would take for a formula is none, a number stays a number") {
+  app::RunTable formulas = table();
+  const std::vector<std::string> texts = {"=1+1", "+x", "-cmd", "@SUM(A1)", "\tx", "'quoted'", "=\"a\",b", "'"};
+  for (const std::string& text : texts) {
+    CAPTURE(text);
+    const std::string field = app::csv_text_field(text);
+    CHECK((field[0] == '\'' || field.substr(0, 2) == "\"'"));
+    formulas.rows[0].problem = formulas.rows[0].message = text;
+    const app::RunTable back = app::read_runs_csv(app::runs_csv(formulas), "runs.csv");
+    CHECK(back.rows[0].problem == text);
+    CHECK(back.rows[0].message == text);
+  }
+  for (const std::string number : {"-1", "+2.5", "-1e-3", "-inf", "plain", ""})
+    CHECK(app::csv_text_field(number) == number);
+}
+
 TEST_CASE("runs.csv: windows line breaks and other column orders are read") {
   std::string text = app::runs_csv(table());
   for (std::size_t at = 0; (at = text.find("\n", at)) != std::string::npos; at += 2)

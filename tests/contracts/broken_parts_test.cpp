@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 // Parts of a user's own that break their contracts: nothing of it is believed, nothing of it ends the host.
+#include <cmath>
 #include <functional>
 #include <limits>
+#include <new>
 #include <numbers>
 #include <stdexcept>
 
@@ -91,7 +93,7 @@ TEST_CASE("a solver that returns another path than it was given leaves the path 
   }
 }
 
-TEST_CASE("a post-processor that returns what is no curve with the points on it is refused") {
+TEST_CASE("a post-processor that returns what is no curve with the points on it, or throws, takes nothing away") {
   const std::vector<std::function<void(PostProcessed&)>> deeds = {
       [](PostProcessed& p) { p = {}; },
       [](PostProcessed& p) { p.chain.u.conservativeResize(2, 3); },
@@ -100,12 +102,24 @@ TEST_CASE("a post-processor that returns what is no curve with the points on it 
       [](PostProcessed& p) { p.curve_costs.resize(0); },
       [](PostProcessed& p) { p.curve.x.resize(0, 0); },
       [](PostProcessed& p) { p.curve.x = Points::Zero(7, 3); },
-      [](PostProcessed& p) { p.chain.u.array() += std::numeric_limits<double>::infinity(); }};
+      [](PostProcessed& p) { p.chain.u.array() += std::numeric_limits<double>::infinity(); },
+      [](PostProcessed&) { throw InputError("dirty data"); },
+      [](PostProcessed&) { throw InitializationError("no way"); },
+      [](PostProcessed&) { throw std::bad_alloc(); },
+      [](PostProcessed&) { throw 7; }};
   for (std::size_t i = 0; i < deeds.size(); ++i) {
     INFO("deed " << i);
     FindOptions options{.points = 10};
-    options.post_processors = {std::make_shared<const Botch>(deeds[i])};
-    CHECK_THROWS_AS(find_path(plane(), StraightInitializer(), Newton(), options), InputError);
+    const auto shorten = [](PostProcessed& p) { p.notes.emplace_back("the first step"); };
+    options.post_processors = {std::make_shared<const Botch>(shorten), std::make_shared<const Botch>(deeds[i])};
+    const Result result = find_path(plane(), StraightInitializer(), Newton(), options);
+    CHECK(result.status == Status::uncertified);
+    CHECK(result.path.u.cols() == 12);
+    CHECK(result.curve.cost == Approx(std::sqrt(2.0)));
+    REQUIRE(result.certificate.failures.size() == 1);
+    CHECK(result.certificate.failures[0].name == "post_process");
+    CHECK(result.certificate.failures[0].message.size() >= 40);
+    CHECK(result.notes == std::vector<std::string>{"the first step"});
   }
 }
 

@@ -213,6 +213,31 @@ TEST_CASE("post_processor contract: straighten, rings", "[contract]") {
   }
 }
 
+TEST_CASE("post_processor contract: a ring that slid onto another component gives way to the first one", "[contract]") {
+  PolygonSoup two = grid(12, 9, Closing::kRound, true);
+  const auto vertices = static_cast<std::int32_t>(two.positions.size());
+  const PolygonSoup one = two;
+  for (const Eigen::Vector3d& p : one.positions) two.positions.push_back(p + Eigen::Vector3d(20, 0, 0));
+  for (const std::int32_t corner : one.corners) two.corners.push_back(corner + vertices);
+  for (std::size_t f = 1; f < one.polygon_begin.size(); ++f)
+    two.polygon_begin.push_back(one.polygon_begin[f] + one.polygon_begin.back());
+  const auto mesh = std::make_shared<const MeshManifold>(TriangleMesh(two));
+  const Problem problem = closed(mesh, make_euclidean_cost(3));
+  const FirstPath first =
+      PlaneCutInitializer(PlaneCutOptions{Eigen::Vector3d(-2, 0, 0.1), Eigen::Vector3d(0.1, 0.2, 1)})
+          .first_path(problem, {});
+  CoordinatePath chain = sample_equally(problem, first.path, kPoints);
+  for (Index i = 0; i < kPoints / 2; ++i) chain.u(0, i) += 20;
+  mesh->project(chain);
+  const PostProcessed made = TracePostProcessor().apply(problem, first, as_delivered(problem, chain), {});
+  CHECK(made.chain.ring);
+  CHECK(made.chain.u.cols() == kPoints);
+  CHECK(made.chain.u.row(0).maxCoeff() < 10);
+  CHECK(made.curve.x.col(0) == made.curve.x.rightCols(1));
+  REQUIRE_FALSE(made.notes.empty());
+  CHECK_THAT(made.notes[0], Catch::Contains("slid onto another component"));
+}
+
 TEST_CASE("post_processor contract: what does not fit is refused", "[contract]") {
   const Problem plane = between(space(2), make_euclidean_cost(2), Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0));
   const FirstPath first = StraightInitializer().first_path(plane, {});

@@ -239,7 +239,7 @@ TEST_CASE("an edge with three faces in the way is named") {
   const SurfacePath over =
       path_from_vertices(mesh, vertex_point(mesh, mesh.vertex_of_file(0)),
                          std::vector<std::int32_t>{mesh.vertex_of_file(2)}, vertex_point(mesh, mesh.vertex_of_file(1)));
-  REQUIRE_THROWS_WITH(straighten(mesh, over), Catch::Contains("edge 4-2") || Catch::Contains("edge 2-4"));
+  REQUIRE_THROWS_WITH(straighten(mesh, over), Catch::Contains("vertex 4") && Catch::Contains("vertex 2"));
   CHECK(check_straight(mesh, over) < kStraight);
   // Along that edge itself nothing needs to be unfolded.
   const SurfacePath along = path_from_vertices(mesh, vertex_point(mesh, mesh.vertex_of_file(2)),

@@ -31,14 +31,21 @@ std::vector<std::string> key_of(const RunRow& row) {
   return key;
 }
 
-/// Position of a value in a list that grows by it.
+/// A list of different values, each with its position.
 template <class T>
-std::size_t place_in(std::vector<T>& list, const T& value) {
-  const auto found = std::find(list.begin(), list.end(), value);
-  if (found != list.end()) return static_cast<std::size_t>(found - list.begin());
-  list.push_back(value);
-  return list.size() - 1;
-}
+class Places {
+ public:
+  std::size_t of(const T& value) {
+    const auto [place, is_new] = places_.try_emplace(value, list_.size());
+    if (is_new) list_.push_back(value);
+    return place->second;
+  }
+  const std::vector<T>& list() const { return list_; }
+
+ private:
+  std::vector<T> list_;
+  std::map<T, std::size_t> places_;
+};
 
 /// What a group is measured against.
 struct Best {
@@ -55,12 +62,15 @@ class Analysis {
   }
 
   StudyAnalysis study() {
-    std::vector<std::vector<std::string>> keys;
+    Places<std::vector<std::string>> groups;
+    Places<std::string> solvers;
     for (const RunRow& row : runs_.rows) {
-      const std::size_t group = place_in(keys, key_of(row)), solver = place_in(out_.solvers, row.solver);
-      rows_.resize(std::max(rows_.size(), group + 1));
+      const std::size_t group = groups.of(key_of(row)), solver = solvers.of(row.solver);
+      if (group == rows_.size()) rows_.emplace_back();
       rows_[group][solver].push_back(&row);
     }
+    out_.solvers = solvers.list();
+    const std::vector<std::vector<std::string>>& keys = groups.list();
     const std::vector<char> varies = varying(keys);
     for (std::size_t g = 0; g < keys.size(); ++g) out_.groups.push_back(make_group(g, keys[g], varies));
     return std::move(out_);
@@ -230,6 +240,11 @@ StudyAnalysis analyse(const RunTable& runs, const std::vector<TraceRow>& traces)
   StudyAnalysis study = Analysis(runs, traces).study();
   for (Group& group : study.groups) group.tasks.resize(study.solvers.size());
   return study;
+}
+
+StudyAnalysis first_groups(const StudyAnalysis& study, std::size_t most) {
+  const auto count = static_cast<std::ptrdiff_t>(std::min(most, study.groups.size()));
+  return {study.solvers, {study.groups.begin(), study.groups.begin() + count}};
 }
 
 WorkTable work_table(const StudyAnalysis& study, Work work, double tau, Test test) {

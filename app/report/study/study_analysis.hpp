@@ -69,6 +69,9 @@ struct StudyAnalysis {
 /// Groups the rows, finds the best chain of every group and measures all others against it.
 StudyAnalysis analyse(const RunTable& runs, const std::vector<TraceRow>& traces);
 
+/// The same study with its first groups only, for what has a line or a figure for each of them.
+StudyAnalysis first_groups(const StudyAnalysis& study, std::size_t most);
+
 enum class Work { evaluations, seconds };
 
 /// What has to fall to the tolerance.

@@ -27,10 +27,14 @@ void share_width(std::vector<Chart>& panels) {
   }
 }
 
+constexpr double kFinest = 1e-3;  ///< step of a share: a third of a pixel
+
 /// Steps from the left edge of the chart to the right one.
 Series steps_of(const std::string& name, const Profile& profile, double from, double to, int number) {
   Series s{name, {from}, {0}, {number}, {}, {}, true};
   for (std::size_t i = 0; i < profile.at.size(); ++i) {
+    const bool told = profile.share[i] - s.y.back() >= kFinest || i + 1 == profile.at.size();
+    if (!told) continue;
     s.x.push_back(std::max(from, profile.at[i]));
     s.y.push_back(profile.share[i]);
   }

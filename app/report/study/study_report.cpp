@@ -125,6 +125,16 @@ std::string meaning_of_solved() {
       "soft");
 }
 
+constexpr std::size_t kMostShown = 500;  ///< groups of which a page has a line or a figure each
+
+/// What does not have room on a page.
+std::string only_the_first(const StudyAnalysis& study) {
+  if (study.groups.size() <= kMostShown) return "";
+  return paragraph(fmt::format("Problem by problem, here and below, are the first {} of {}; runs.csv has all.",
+                               kMostShown, study.groups.size()),
+                   "soft");
+}
+
 std::string fold(const std::string& title, const std::string& body) { return body.empty() ? "" : section(title, body); }
 
 }  // namespace
@@ -136,27 +146,28 @@ std::vector<ReportFile> study_report(const fs::path& folder) {
   const RunTable runs = read_runs_csv(read("runs.csv"), shown("runs.csv"));
   if (runs.rows.empty()) throw InputError(shown("runs.csv") + ": has no rows: nothing was run yet");
   const StudyAnalysis study = analyse(runs, read_traces_csv(read("traces.csv"), shown("traces.csv")));
+  const StudyAnalysis shown_part = first_groups(study, kMostShown);
   const Counts counts = count(study);
   std::vector<ReportFile> files(1);
   std::string body = key_figures(key_figures_of(study, counts));
   body += section("Solvers", solver_table(study) + meaning_of_solved() + rules_of_their_own(study));
   body += section(
       "The best of each problem",
-      winners_table(study) +
+      only_the_first(study) + winners_table(shown_part) +
           paragraph(
               "Time and evaluations to a relative cost excess of 1e-10; the solve goes on until its own test stops it.",
               "soft"));
-  body += section("Which solver for which problem", legend_of_success() + success_table(study));
+  body += section("Which solver for which problem", legend_of_success() + success_table(shown_part));
   add_figure(
-      "Work against the number of points", evaluations_figure(study),
+      "Work against the number of points", evaluations_figure(shown_part),
       "Evaluations to a relative cost excess of 1e-10 over the best chain of all solvers. An evaluation is an energy "
       "or "
       "a gradient of the whole path; Hessians and factorisations are counted apart (in runs.csv), so that time is the "
       "fairer measure between methods of first and second order. A "
       "solver whose work does not depend on the number of points is flat; where it never gets there, it has no marker.",
-      growth_table(study), body, files);
-  add_figure("Time against the number of points", seconds_figure(study), "Seconds to the same excess.",
-             ratio_table(study), body, files);
+      growth_table(shown_part), body, files);
+  add_figure("Time against the number of points", seconds_figure(shown_part), "Seconds to the same excess.",
+             ratio_table(shown_part), body, files);
   add_figure(
       "Performance profiles", performance_figure(study),
       "Dolan and Moré (2002): the share of problems that a solver solves to 1e-10 with at most so many times "
@@ -172,16 +183,17 @@ std::vector<ReportFile> study_report(const fs::path& folder) {
       "and E* the least energy of all solvers, for τ = 10⁻⁵ and 10⁻¹⁰. Runs that are certified at the least "
       "certified cost are there at the latest at their end.",
       "", body, files);
-  if (const std::string accuracy = accuracy_svg(study, false); !accuracy.empty()) {
+  if (const std::string accuracy = accuracy_svg(shown_part, false); !accuracy.empty()) {
     body += section(
         "Accuracy",
         figures({accuracy},
                 "Blue: the first solver of the study that certified; grey: the others; stroke: its error bar. An "
                 "error left of its stroke is covered. Errors of zero stand at 10⁻¹⁷."));
-    files.push_back({"accuracy.svg", accuracy_svg(study, true)});
+    files.push_back({"accuracy.svg", accuracy_svg(shown_part, true)});
   }
-  add_figure("Order", order_figure(study), "Of the first solver that certified.", order_table(study), body, files);
-  body += fold("Convergence", convergence_charts(study));
+  add_figure("Order", order_figure(shown_part), "Of the first solver that certified.", order_table(shown_part), body,
+             files);
+  body += fold("Convergence", convergence_charts(shown_part));
   body += section("Configuration", "<pre>" + escaped(read("study.resolved.yaml")) + "</pre>\n", false);
   body += section("Provenance", provenance_part(manifest), false);
   files[0] = {"report.html", page(headline_of(summary.text("name"), study, counts, summary.size("missing")), body, "")};

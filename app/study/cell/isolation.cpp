@@ -23,7 +23,7 @@
 #include <system_error>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/catalogue/output/write_run.hpp>
 
 namespace leastcost::app {
 namespace {
@@ -117,7 +117,7 @@ void limit(int what, rlim_t value) {
 
 Child start(std::size_t index, const IsolatedJob& job) {
   std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw Error("no process for a cell: " + last_error());
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw HostError("no process for a cell: " + last_error());
   Child child;
   child.job = index;
   child.pipe = Descriptor(ends[0]);
@@ -126,7 +126,7 @@ Child start(std::size_t index, const IsolatedJob& job) {
   const pid_t parent = ::getpid();
   child.pid = ::fork();
   if (child.pid == 0) live(job, write_end.get(), child.said.get(), parent);
-  if (child.pid < 0) throw Error("no process for a cell: " + last_error());
+  if (child.pid < 0) throw HostError("no process for a cell: " + last_error());
   if (job.max_seconds > 0)
     child.deadline =
         Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(job.max_seconds));

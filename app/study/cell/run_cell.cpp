@@ -88,7 +88,12 @@ CellResult solved(const StudyCell& cell, RunRow row) {
   const RunOutcome run = solve(compose_run(cell.config, cell.folder));
   fill_solve(run.result.solve, row);
   row.outcome = outcome::kCannotSolve;
-  if (run.result.solve.termination == Termination::refused) return {row, {}};
+  if (run.result.solve.termination == Termination::refused) {  // nothing was measured
+    row.initial_energy.reset();
+    row.final_energy.reset();
+    row.solver_error.reset();
+    return {row, {}};
+  }
   row.outcome = outcome::kOk;
   fill_result(run, row);
   return {row, trace_of(run.result.solve.history, row)};

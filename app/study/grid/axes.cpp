@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <unordered_set>
 
 #include <leastcost/framework/errors.hpp>
 #include "catalogue/run/run_config.hpp"
@@ -33,8 +34,7 @@ ConfigNode read_problem_file(LoadedStudy& study, const ConfigNode& name, const s
     const std::string text = config_text(file);
     Diagnostics errors(file.string(), text);
     ConfigNode tree = read_yaml(text, errors);
-    for (const Diagnostic& e : errors.sorted())
-      study.errors.error({e.place.line, e.place.column, 1, where(file, e.place)}, e.message);
+    for (const Diagnostic& e : errors.sorted()) study.errors.error(name.place, where(file, e.place) + ": " + e.message);
     name_places(file, tree);
     return tree;
   } catch (const InputError& e) {
@@ -79,12 +79,11 @@ AxisValue named_value(ConfigNode node) {
 
 Axis axis_of(std::string name, std::string key, const ConfigNode& list, bool plugins, Diagnostics& errors) {
   Axis axis{std::move(name), std::move(key), {}};
+  std::unordered_set<std::string> known;
   for (const ConfigNode& item : list.items) {
     AxisValue value =
         plugins || item.is_scalar() ? named_value(item) : AxisValue{without_line_breaks(to_yaml(item)), item};
-    const bool known =
-        std::any_of(axis.values.begin(), axis.values.end(), [&](const AxisValue& v) { return v.name == value.name; });
-    if (known)
+    if (!known.insert(value.name).second)
       errors.error(item.place,
                    fmt::format("two values of the axis {} are called {}{}", axis.name, in_quotes(value.name),
                                plugins ? ": give one another name, like {name: .., type: ..}" : ""));
@@ -97,6 +96,7 @@ Axis axis_of(std::string name, std::string key, const ConfigNode& list, bool plu
 
 std::vector<ProblemBase> read_problems(LoadedStudy& study) {
   std::vector<ProblemBase> problems;
+  std::unordered_set<std::string> known;
   for (const StudyProblem& problem : study.config.problems) {
     ProblemBase& base = problems.emplace_back();
     base.folder = study.folder;
@@ -110,8 +110,7 @@ std::vector<ProblemBase> read_problems(LoadedStudy& study) {
     }
     base.name = name_of(problem, base);
     if (base.name.empty()) study.errors.error(base.place, "a problem that is written here needs a name");
-    const auto same = [&](const ProblemBase& other) { return &other != &base && other.name == base.name; };
-    if (std::any_of(problems.begin(), problems.end(), same))
+    if (!known.insert(base.name).second)
       study.errors.error(base.place,
                          fmt::format("two problems are called {}: give one another name", in_quotes(base.name)));
     put_options(study.config.set, base.tree, study.errors);

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <set>
 #include <tuple>
+#include <unordered_set>
 
 #include "app/study/grid/axes.hpp"
 #include "catalogue/options/options_reader.hpp"
@@ -30,6 +31,7 @@ std::string key_of(const Axis& axis) {
 
 /// Which value of each axis a cell has, the problem first.
 using Choice = std::vector<std::size_t>;
+using Words = std::unordered_set<std::string>;
 
 class GridBuilder {
  public:
@@ -87,7 +89,7 @@ class GridBuilder {
     const std::string absent = take_absent_solver(loaded.tree, out.skipped);
     read_tree(loaded, problem.name);
     if (loaded.errors.empty()) check_parts(loaded);
-    add_errors(loaded.errors);
+    add_errors(loaded.errors, problem);
     if (!loaded.errors.empty()) return out;
     complete(loaded, problem);
     out.config = std::move(loaded.config);
@@ -181,16 +183,25 @@ class GridBuilder {
     return "";
   }
 
+  /// The values of a skip by the number of their axis, for a quick look in every cell.
+  std::vector<Words> words_of(const StudySkip& skip) const {
+    std::vector<Words> out(axes_.size() + 1);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      const auto wanted = skip.values.find(i == 0 ? "problem" : axes_[i - 1].name);
+      if (wanted != skip.values.end()) out[i] = Words(wanted->second.begin(), wanted->second.end());
+    }
+    return out;
+  }
+
   /// Why the cell is left out on purpose; empty when it is not.
-  std::string skip_reason(const std::vector<std::string>& values) const {
-    for (const StudySkip& skip : study_.config.skip) {
+  std::string skip_reason(const std::vector<std::string>& values) {
+    if (skips_.empty())
+      for (const StudySkip& skip : study_.config.skip) skips_.push_back(words_of(skip));
+    for (std::size_t s = 0; s < skips_.size(); ++s) {
       bool all = true;
-      for (std::size_t i = 0; i < values.size(); ++i) {
-        const auto wanted = skip.values.find(i == 0 ? "problem" : axes_[i - 1].name);
-        if (wanted == skip.values.end() || wanted->second.empty()) continue;
-        all = all && std::count(wanted->second.begin(), wanted->second.end(), values[i]) > 0;
-      }
-      if (all) return skip.because;
+      for (std::size_t i = 0; i < values.size(); ++i)
+        all = all && (skips_[s][i].empty() || skips_[s][i].count(values[i]) > 0);
+      if (all) return study_.config.skip[s].because;
     }
     return "";
   }
@@ -212,8 +223,9 @@ class GridBuilder {
         // value.
         const std::string key = i == 0 ? "problems" : key_of(axes_[i - 1]);
         if (known.empty() || !place_of(study_.tree, key).origin.empty()) continue;
+        const Words words(known.begin(), known.end());
         for (const std::string& value : values)
-          if (std::count(known.begin(), known.end(), value) == 0)
+          if (words.count(value) == 0)
             errors_.error(place_of(study_.tree, fmt::format("skip.{}.{}", s, axis)),
                           fmt::format("no value of the axis {} is called {}{}", axis, in_quotes(value),
                                       did_you_mean(value, known)));
@@ -224,11 +236,17 @@ class GridBuilder {
     }
   }
 
-  /// What is wrong in one cell is mostly wrong in many: said once.
-  void add_errors(const Diagnostics& errors) {
-    for (const Diagnostic& e : errors.sorted())
-      if (seen_.insert({e.place.origin, e.place.line, e.place.column, e.message}).second)
+  /// What is wrong in one cell is mostly wrong in many: said once. What stands in the file of a problem is reported
+  /// where the study names that file.
+  void add_errors(const Diagnostics& errors, const ProblemBase& problem) {
+    for (const Diagnostic& e : errors.sorted()) {
+      if (!seen_.insert({e.place.origin, e.place.line, e.place.column, e.message}).second) continue;
+      const bool in_file = !problem.file.empty() && e.place.origin.rfind(problem.file.string() + ":", 0) == 0;
+      if (in_file)
+        errors_.error(problem.place, e.place.origin + ": " + e.message);
+      else
         errors_.error(e.place, e.message);
+    }
   }
 
   LoadedStudy& study_;
@@ -236,6 +254,7 @@ class GridBuilder {
   std::vector<Axis> axes_;
   Diagnostics& errors_;
   std::set<std::tuple<std::string, int, int, std::string>> seen_;
+  std::vector<std::vector<Words>> skips_;  ///< one per skip of the study, made when it is first needed
 };
 
 }  // namespace

@@ -120,6 +120,10 @@ LoadedStudy parse_study(std::string text, const std::string& file_name, const st
   if (!readable && !loaded.tree.is_block()) return loaded;
   const std::string stem = std::filesystem::path(file_name).stem().string();
   loaded.config.name = stem.empty() ? "study" : stem;
+  if (const ConfigEntry* run = loaded.tree.find("manifold"); run != nullptr && !loaded.tree.find("problems")) {
+    loaded.errors.error(run->place, "'manifold' makes this a run: leastcost run runs it");
+    return loaded;
+  }
   OptionsReader reader(loaded.tree, "", {1, 1, 1, ""}, loaded.errors);
   loaded.config.fields(reader);
   reader.finish();

@@ -93,6 +93,18 @@ std::string csv_field(std::string_view text) {
   return out + "\"";
 }
 
+std::string csv_text_field(std::string_view text) {
+  constexpr std::string_view kDangerous = "=+-@\t\r\n'";
+  const bool dangerous = !text.empty() && kDangerous.find(text.front()) != std::string_view::npos;
+  const bool signed_up = !text.empty() && text.front() == '+';
+  if (!dangerous || csv_double(std::string(text.substr(signed_up ? 1 : 0)))) return csv_field(text);
+  return csv_field("'" + std::string(text));
+}
+
+std::string csv_text(const std::string& field) {
+  return field.size() > 1 && field.front() == '\'' ? field.substr(1) : field;
+}
+
 std::string csv_number(double value) {
   if (std::isnan(value)) return "nan";
   if (std::isinf(value)) return value > 0 ? "inf" : "-inf";

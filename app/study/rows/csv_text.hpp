@@ -20,6 +20,12 @@ std::vector<CsvRecord> csv_records(std::string_view text, const std::string& nam
 /// One field, in quotes where it needs them.
 std::string csv_field(std::string_view text);
 
+/// The same for a text of a user's, which a spreadsheet must not take for a formula: one that begins with =, +, -, @, a
+/// tab or a line break, and is no number, gets an apostrophe before it; so does one that begins with an apostrophe.
+std::string csv_text_field(std::string_view text);
+/// What csv_text_field() was given.
+std::string csv_text(const std::string& field);
+
 /// 17 digits; nan, inf, -inf.
 std::string csv_number(double value);
 /// The whole text as a number, or nothing.

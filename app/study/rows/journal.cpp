@@ -161,8 +161,10 @@ void Journal::cut(std::size_t size) {
     throw OutputError(fmt::format("{}: cannot be written: {}", file_.string(), last_error()));
 }
 
-Journal Journal::create(const fs::path& file, const StudyFacts& facts, const Shard& shard) {
+Journal Journal::create(const fs::path& file, const StudyFacts& facts, const Shard& shard, bool replace) {
   Journal journal(file);
+  if (!replace && ::lseek(journal.fd_, 0, SEEK_END) > 0)
+    throw OutputRefused(file.string() + ": another study has been written there meanwhile");
   journal.cut(0);
   journal.write_line(facts_line(facts, shard));
   return journal;

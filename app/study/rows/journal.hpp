@@ -56,8 +56,9 @@ JournalContent read_journal(const std::filesystem::path& file);
 /// process does. What append() has returned from is on the disk.
 class Journal {
  public:
-  /// A new journal with its first line. Throws OutputError.
-  static Journal create(const std::filesystem::path& file, const StudyFacts& facts, const Shard& shard);
+  /// A new journal with its first line. Throws OutputRefused when another process writes to it, or has written since
+  /// the folder was looked at, unless it may be replaced; OutputError.
+  static Journal create(const std::filesystem::path& file, const StudyFacts& facts, const Shard& shard, bool replace);
   /// Goes on with one that exists, its torn last line cut off; `content` is what it holds. Throws OutputRefused when
   /// another process writes to it, or it belongs to another study or shard; OutputError, InputError.
   static Journal resume(const std::filesystem::path& file, const StudyFacts& facts, const Shard& shard,

@@ -26,7 +26,7 @@ void visit_trace_columns(Row& row, Visit&& visit) {
 
 std::string text_of(long value) { return std::to_string(value); }
 std::string text_of(double value) { return csv_number(value); }
-std::string text_of(const std::string& value) { return csv_field(value); }
+std::string text_of(const std::string& value) { return csv_text_field(value); }
 template <class T>
 std::string text_of(const std::optional<T>& value) {
   return value ? text_of(*value) : "";
@@ -84,7 +84,7 @@ class NamedFields {
   }
 
  private:
-  void read(const char* column, std::string& value) const { value = field(column); }
+  void read(const char* column, std::string& value) const { value = csv_text(field(column)); }
   void read(const char* column, long& value) const { value = parsed(column, csv_long(field(column))); }
   void read(const char* column, double& value) const { value = parsed(column, csv_double(field(column))); }
   template <class T>
@@ -125,7 +125,7 @@ std::string runs_csv(const RunTable& table) {
   for (const RunRow& row : table.rows) {
     LineOfValues values;
     visit_axis_columns(row, values);
-    for (const std::string& value : row.swept) values.add(csv_field(value));
+    for (const std::string& value : row.swept) values.add(csv_text_field(value));
     visit_result_columns(row, values);
     out += values.line + "\n";
   }
@@ -152,7 +152,7 @@ RunTable read_runs_csv(const std::string& text, const std::string& name) {
     fields.go_to(i);
     RunRow& row = table.rows.emplace_back();
     visit_axis_columns(row, fields);
-    for (const std::string& key : table.swept_keys) row.swept.push_back(fields.field(key.c_str()));
+    for (const std::string& key : table.swept_keys) row.swept.push_back(csv_text(fields.field(key.c_str())));
     visit_result_columns(row, fields);
   }
   return table;

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What fuzzers and their replay ask of every reader: whatever the bytes are, it returns or throws an Error of the
+// library. Anything else, a crash or a sanitizer's report included, is a finding.
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/readers/mesh_reader.hpp>
+#include <leastcost/problems/readers/point_cloud_reader.hpp>
+#include <leastcost/problems/readers/sdf_reader.hpp>
+#include <leastcost/problems/readers/tensor_reader.hpp>
+#include "app/report/page/json_file.hpp"
+#include "app/report/run/run_files.hpp"
+#include "app/study/grid/grid.hpp"
+#include "app/study/rows/journal.hpp"
+#include "app/study/rows/run_table.hpp"
+#include "catalogue/run/compose.hpp"
+#include "catalogue/run/run_config.hpp"
+#include "catalogue/scene/scene.hpp"
+#include "problems/formula/formula.hpp"
+#include "problems/readers/waypoint_reader.hpp"
+
+namespace leastcost::fuzz {
+
+/// A file with these bytes, for readers that take files. One per process and ending.
+inline std::filesystem::path file_with(std::string_view bytes, const std::string& ending) {
+  static const std::filesystem::path folder = [] {
+    std::string name = (std::filesystem::temp_directory_path() / "leastcost-fuzz-XXXXXX").string();
+    return std::filesystem::path(::mkdtemp(name.data()));
+  }();
+  std::filesystem::path file = folder / ("input" + ending);
+  std::ofstream(file, std::ios::binary) << bytes;
+  return file;
+}
+
+/// Reads a mesh, and makes one of what was read: most of what can be wrong shows there.
+inline void mesh(std::string_view bytes, const std::string& ending) {
+  const TriangleMesh made(read_mesh(file_with(bytes, ending)));
+}
+
+inline void configuration(std::string_view bytes) {
+  LoadedConfig loaded = parse_config(std::string(bytes), "fuzz.yaml", "/nonexistent");
+  if (loaded.errors.empty()) check_parts(loaded);
+  loaded.errors.render();
+}
+
+inline void study(std::string_view bytes) {
+  app::LoadedStudy loaded = app::parse_study(std::string(bytes), "fuzz.yaml", "/nonexistent");
+  loaded.errors.render();
+}
+
+inline void formula(std::string_view bytes) {
+  const Formula f(bytes, {"x", "y"}, {{"a", 2}});
+  const std::array<double, 2> at = {0.3, -1.5};
+  f.operator()<double>(at);
+}
+
+inline void csv(std::string_view bytes) {
+  const std::string text(bytes);
+  try {
+    app::read_runs_csv(text, "runs.csv");
+  } catch (const Error&) {
+  }
+  try {
+    app::read_traces_csv(text, "traces.csv");
+  } catch (const Error&) {
+  }
+  const app::NumberTable table(file_with(bytes, ".csv"));
+}
+
+inline void json(std::string_view bytes) {
+  try {
+    read_scene(bytes, "scene.json");
+  } catch (const Error&) {
+  }
+  const app::JsonFile file(file_with(bytes, ".json"));
+  for (const std::string key : {"a", "a.b", "status", "failures"}) {
+    try {
+      static_cast<void>(file.number(key));
+    } catch (const Error&) {
+    }
+    try {
+      static_cast<void>(file.objects(key));
+    } catch (const Error&) {
+    }
+  }
+}
+
+struct Target {
+  std::string name;  ///< of its corpus, too
+  void (*read)(std::string_view bytes);
+};
+
+inline const std::vector<Target>& targets() {
+  static const std::vector<Target> all = {
+      {"obj", [](std::string_view b) { mesh(b, ".obj"); }},
+      {"off", [](std::string_view b) { mesh(b, ".off"); }},
+      {"ply", [](std::string_view b) { mesh(b, ".ply"); }},
+      {"stl", [](std::string_view b) { mesh(b, ".stl"); }},
+      {"xyz", [](std::string_view b) { read_point_cloud(file_with(b, ".xyz")); }},
+      {"cloud_ply", [](std::string_view b) { read_point_cloud(file_with(b, ".ply")); }},
+      {"sdf", [](std::string_view b) { read_sdf(b, "fuzz.sdf", 1e8); }},
+      {"tensors", [](std::string_view b) { read_tensors(file_with(b, ".txt")); }},
+      {"waypoints",
+       [](std::string_view b) {
+         read_waypoints(file_with(b, ".csv"), {"x", "y", "z"});
+       }},
+      {"configuration", configuration},
+      {"study", study},
+      {"formula", formula},
+      {"journal", [](std::string_view b) { app::read_journal(file_with(b, ".jsonl")); }},
+      {"csv", csv},
+      {"json", json},
+  };
+  return all;
+}
+
+/// Runs a target; an Error of the library is an answer.
+inline void ask(const Target& target, std::string_view bytes) {
+  try {
+    target.read(bytes);
+  } catch (const Error&) {
+  }
+}
+
+}  // namespace leastcost::fuzz
