@@ -30,6 +30,7 @@ constexpr double kSpacingFall = 3;         ///< second order halves the step and
 constexpr double kBoundJitter = 4;         ///< room for where points happen to meet a bound
 constexpr double kTracedSafety = 4;        ///< of the largest difference between traced levels
 constexpr double kBetween = 1.25;          ///< room for the chords of the path between the points
+constexpr double kSoftestRounding = 1e-6;  ///< of the softest eigenvalue: curvature from second differences
 constexpr double kJump = 1.3;              ///< straight move in a chart against the chord: pi / 2 for one around a pole
 constexpr int kBundleSteps = 20;
 
@@ -237,13 +238,26 @@ class Certifier {
 
   /// With few points a path past its conjugate point may still look like a minimum: the finest chain has the last word.
   void measure_fine_index(const Refinement& refinement) {
-    if (c_.index.verdict != IndexVerdict::minimum || refinement.paths.size() < 3) return;
-    const CoordinatePath& fine = refinement.paths[2];
-    const double s0 = refinement.levels[2].cost / refinement.levels[2].segments;
-    if (!(s0 > 0) || !std::isfinite(s0)) return;
+    const bool soft = c_.index.verdict == IndexVerdict::degenerate;
+    if ((c_.index.verdict != IndexVerdict::minimum && !soft) || refinement.paths.size() < 3) return;
+    const PathIndex index = index_of_level(refinement, 2);
+    if (index.verdict == IndexVerdict::not_applicable) return;
+    c_.index = index;
+    if (index.verdict == IndexVerdict::degenerate) judge_softest(index_of_level(refinement, 1));
+  }
+
+  PathIndex index_of_level(const Refinement& refinement, std::size_t k) {
+    const double s0 = refinement.levels[k].cost / refinement.levels[k].segments;
+    if (!(s0 > 0) || !std::isfinite(s0)) return {};
     PathEnergy energy(problem_, s0, monitor_.deadline);
-    const PathIndex index = path_index(energy, fine, options_.index_shift);
-    if (index.verdict != IndexVerdict::not_applicable) c_.index = index;
+    return path_index(energy, refinement.paths[k], options_.index_shift);
+  }
+
+  /// A shallow minimum: the softest direction is stiffer than what it changes between two levels, and than rounding.
+  void judge_softest(const PathIndex& coarse) {
+    if (!c_.index.softest || !coarse.softest || c_.index.nullity != coarse.nullity) return;
+    const double uncertain = kSoftestRounding + std::abs(*c_.index.softest - *coarse.softest);
+    if (*c_.index.softest > uncertain) c_.index.verdict = IndexVerdict::minimum;
   }
 
   void measure_chart_jumps() {
@@ -290,6 +304,9 @@ class Certifier {
       case IndexVerdict::degenerate:
         return fail("degenerate", "the path is degenerate with nullity " + std::to_string(c_.index.nullity) +
                                       ": neighbouring paths cost the same to second order");
+      case IndexVerdict::undecidable:
+        return fail("undecidable",
+                    "whether the path is a minimum or a saddle is lost in rounding: the metric is too ill-conditioned");
       case IndexVerdict::not_applicable:
         if (problem_.kernel->strictly_convex())
           return fail("index_not_applicable", "the energy of the path is not finite: no index");
