@@ -27,6 +27,9 @@ constexpr double kPolyhedronSpacing = 0.05;
 constexpr double kPolyhedronError = 0.01;  ///< relative error bar above which it is a failure
 constexpr double kWidestBar = 0.1;         ///< relative error bar above which a path on a smooth domain says nothing
 constexpr double kSpacingFall = 3;         ///< second order halves the step and quarters the spread; 3 leaves room
+constexpr double kGentleFall = 2.2;  ///< of a small spread: a bend sharper than a segment is met at places that differ
+constexpr double kSmallSpread = 0.05;      ///< as for an unstraightened path on a polyhedron
+constexpr double kWidestSpread = 1;        ///< a segment of twice the cost of another: not equally spaced in any sense
 constexpr double kBoundJitter = 4;         ///< room for where points happen to meet a bound
 constexpr double kTracedSafety = 4;        ///< of the largest difference between traced levels
 constexpr double kBetween = 1.25;          ///< room for the chords of the path between the points
@@ -321,8 +324,10 @@ class Certifier {
     if (c_.spacing <= options_.spacing) return;
     const bool additive = problem_.cost->traits().additive && problem_.manifold->shape() == Shape::flat && !hugs_bound_;
     if (additive || c_.levels.size() < 3) return fail_spacing(options_.spacing);
+    if (!(c_.spacing <= kWidestSpread)) return fail_spacing(kWidestSpread);
     const double s1 = c_.levels[0].spacing, s2 = c_.levels[1].spacing, s4 = c_.levels[2].spacing;
-    bool falls = s2 <= options_.spacing || (s1 / s2 >= kSpacingFall && s2 / s4 >= kSpacingFall);
+    bool falls = s2 <= options_.spacing || (s1 / s2 >= kSpacingFall && s2 / s4 >= kSpacingFall) ||
+                 (s2 <= kSmallSpread && s1 > s2 && s2 / s4 >= kGentleFall);
     double second_order = s2;
     if (hugs_bound_) {
       // Where the path meets the bound one segment is off by h^2 times a factor between 0 and a constant, which depends
