@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kMostDoublings = 4;
 constexpr int kMostLooks = 64;          ///< members that are looked at, saddles' lower neighbours included
-constexpr Index kMostPoints = 1 << 20;  ///< of a refined member
+constexpr Index kMostPoints = 100'000;  ///< of a refined member
 
 /// Failures that no number of points mends.
 bool beyond_help(const Certificate& certificate) {

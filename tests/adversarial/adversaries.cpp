@@ -202,14 +202,14 @@ const std::vector<AdversaryFamily>& adversary_families() {
       {"ellipsoid f = 0.8, n = 50", [](std::uint64_t seed) { return ellipsoid(seed, 50); }},
       {"ellipsoid f = 0.8, n = 100", [](std::uint64_t seed) { return ellipsoid(seed, 100); }},
       {"ellipsoid f = 0.8, few points",
-       [](std::uint64_t seed) { return ellipsoid(seed, 6 + static_cast<int>(seed / 2 % 36)); }},
+       [](std::uint64_t seed) { return ellipsoid(seed, 6 + static_cast<int>(seed / 2 % 36)); }, false},
       {"ellipsoids in charts", chart},
       {"rings on necks", ring},
       {"constant tensors", tensor},
       {"pull-back metrics", pulled_back},
-      {"layered media", layered},
+      {"layered media", layered, false},
       {"corrugated sheets", corrugated},
-      {"washboards", washboard}};
+      {"washboards", washboard, false}};
   return families;
 }
 

@@ -27,6 +27,7 @@ struct Adversary {
 struct AdversaryFamily {
   std::string name;
   std::function<Adversary(std::uint64_t seed)> make;
+  bool resolved = true;  ///< a segment is shorter than what it has to see: to refuse is too cautious
 };
 const std::vector<AdversaryFamily>& adversary_families();
 
