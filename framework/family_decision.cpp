@@ -3,8 +3,8 @@
 #include "framework/family_decision.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -22,13 +22,16 @@ constexpr int kMostDoublings = 4;
 constexpr int kMostLooks = 64;          ///< members that are looked at, saddles' lower neighbours included
 constexpr Index kMostPoints = 100'000;  ///< of a refined member
 
+bool fails_one_of(const Certificate& certificate, std::initializer_list<std::string_view> names) {
+  return std::any_of(certificate.failures.begin(), certificate.failures.end(), [&](const CertificateFailure& f) {
+    return std::find(names.begin(), names.end(), f.name) != names.end();
+  });
+}
+
 /// Failures that no number of points mends.
 bool beyond_help(const Certificate& certificate) {
-  constexpr std::array<std::string_view, 6> kBeyond = {"degenerate", "index_not_applicable", "costs_nothing",
-                                                       "exception",  "inconsistent",         "interrupted"};
-  return std::any_of(certificate.failures.begin(), certificate.failures.end(), [&](const CertificateFailure& f) {
-    return std::find(kBeyond.begin(), kBeyond.end(), f.name) != kBeyond.end();
-  });
+  return fails_one_of(
+      certificate, {"degenerate", "index_not_applicable", "costs_nothing", "exception", "inconsistent", "interrupted"});
 }
 
 /// Every `factor`-th point of a chain.
@@ -93,10 +96,11 @@ class Decision {
  private:
   static bool certified(const Result& result) { return result.status == Status::certified; }
 
-  /// The least cost that the member may turn out to have.
+  /// The least cost that the member may turn out to have. Levels that were not solved promise nothing.
   static double promise(const FamilyMember& m) {
-    const CostEstimate& e = m.result.certificate.estimate;
-    return m.result.certificate.measured && e.value > 0 ? std::min(m.rank_cost, e.value) : m.rank_cost;
+    const Certificate& c = m.result.certificate;
+    const bool solved = c.measured && !fails_one_of(c, {"stationarity", "refinement"});
+    return solved && c.estimate.value > 0 ? std::min(m.rank_cost, c.estimate.value) : m.rank_cost;
   }
 
   /// What a member has to be cheaper than to matter.
@@ -137,6 +141,7 @@ class Decision {
         return;
       }
       if (certified(fine)) return take(i, std::move(fine), factor);
+      if (fails_one_of(fine.certificate, {"stationarity"})) return;  // the solver does not get there
     }
   }
 
