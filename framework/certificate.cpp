@@ -29,9 +29,13 @@ constexpr double kPolyhedronSpacing = 0.05;
 constexpr double kPolyhedronError = 0.01;  ///< relative error bar above which it is a failure
 constexpr double kWidestBar = 0.1;         ///< relative error bar above which a path on a smooth domain says nothing
 constexpr double kSpacingFall = 3;         ///< second order halves the step and quarters the spread; 3 leaves room
+constexpr double kGentleFall = 2.2;  ///< of a small spread: a bend sharper than a segment is met at places that differ
+constexpr double kSmallSpread = 0.05;      ///< as for an unstraightened path on a polyhedron
+constexpr double kWidestSpread = 1;        ///< a segment of twice the cost of another: not equally spaced in any sense
 constexpr double kBoundJitter = 4;         ///< room for where points happen to meet a bound
 constexpr double kTracedSafety = 4;        ///< of the largest difference between traced levels
 constexpr double kBetween = 1.25;          ///< room for the chords of the path between the points
+constexpr double kSoftestRounding = 1e-6;  ///< of the softest eigenvalue: curvature from second differences
 constexpr double kJump = 1.3;              ///< straight move in a chart against the chord: pi / 2 for one around a pole
 constexpr int kBundleSteps = 20;
 
@@ -263,13 +267,26 @@ class Certifier {
 
   /// With few points a path past its conjugate point may still look like a minimum: the finest chain has the last word.
   void measure_fine_index(const Refinement& refinement) {
-    if (c_.index.verdict != IndexVerdict::minimum || refinement.paths.size() < 3) return;
-    const CoordinatePath& fine = refinement.paths[2];
-    const double s0 = refinement.levels[2].cost / refinement.levels[2].segments;
-    if (!(s0 > 0) || !std::isfinite(s0)) return;
+    const bool soft = c_.index.verdict == IndexVerdict::degenerate;
+    if ((c_.index.verdict != IndexVerdict::minimum && !soft) || refinement.paths.size() < 3) return;
+    const PathIndex index = index_of_level(refinement, 2);
+    if (index.verdict == IndexVerdict::not_applicable) return;
+    c_.index = index;
+    if (index.verdict == IndexVerdict::degenerate) judge_softest(index_of_level(refinement, 1));
+  }
+
+  PathIndex index_of_level(const Refinement& refinement, std::size_t k) {
+    const double s0 = refinement.levels[k].cost / refinement.levels[k].segments;
+    if (!(s0 > 0) || !std::isfinite(s0)) return {};
     PathEnergy energy(problem_, s0, monitor_.deadline);
-    const PathIndex index = path_index(energy, fine, options_.index_shift);
-    if (index.verdict != IndexVerdict::not_applicable) c_.index = index;
+    return path_index(energy, refinement.paths[k], options_.index_shift);
+  }
+
+  /// A shallow minimum: the softest direction is stiffer than what it changes between two levels, and than rounding.
+  void judge_softest(const PathIndex& coarse) {
+    if (!c_.index.softest || !coarse.softest || c_.index.nullity != coarse.nullity) return;
+    const double uncertain = kSoftestRounding + std::abs(*c_.index.softest - *coarse.softest);
+    if (*c_.index.softest > uncertain) c_.index.verdict = IndexVerdict::minimum;
   }
 
   void measure_chart_jumps() {
@@ -316,6 +333,9 @@ class Certifier {
       case IndexVerdict::degenerate:
         return fail("degenerate", "the path is degenerate with nullity " + std::to_string(c_.index.nullity) +
                                       ": neighbouring paths cost the same to second order");
+      case IndexVerdict::undecidable:
+        return fail("undecidable",
+                    "whether the path is a minimum or a saddle is lost in rounding: the metric is too ill-conditioned");
       case IndexVerdict::not_applicable:
         if (problem_.kernel->strictly_convex())
           return fail("index_not_applicable", "the energy of the path is not finite: no index");
@@ -330,8 +350,10 @@ class Certifier {
     if (c_.spacing <= options_.spacing) return;
     const bool additive = problem_.cost->traits().additive && problem_.manifold->shape() == Shape::flat && !hugs_bound_;
     if (additive || c_.levels.size() < 3) return fail_spacing(options_.spacing);
+    if (!(c_.spacing <= kWidestSpread)) return fail_spacing(kWidestSpread);
     const double s1 = c_.levels[0].spacing, s2 = c_.levels[1].spacing, s4 = c_.levels[2].spacing;
-    bool falls = s2 <= options_.spacing || (s1 / s2 >= kSpacingFall && s2 / s4 >= kSpacingFall);
+    bool falls = s2 <= options_.spacing || (s1 / s2 >= kSpacingFall && s2 / s4 >= kSpacingFall) ||
+                 (s2 <= kSmallSpread && s1 > s2 && s2 / s4 >= kGentleFall);
     double second_order = s2;
     if (hugs_bound_) {
       // Where the path meets the bound one segment is off by h^2 times a factor between 0 and a constant, which depends

@@ -180,23 +180,21 @@ void ChainSystem::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
 
 ChainSystem::Elimination ChainSystem::eliminate(const Deadline& deadline) const {
   Elimination e;
-  e.inverse.resize(static_cast<std::size_t>(n_));
-  e.border.resize(static_cast<std::size_t>(n_));
-  // Counts the negative eigenvalues of a pivot and returns its inverse; an eigenvalue lost to rounding counts as
-  // positive.
-  const auto invert = [&e](const Points& pivot, Index i) -> Points {
+  for (auto* blocks : {&e.root, &e.border}) blocks->resize(static_cast<std::size_t>(n_));
+  e.signs.resize(static_cast<std::size_t>(n_));
+  // Counts the negative eigenvalues of a pivot; one that is lost to rounding counts as positive.
+  const auto split = [&e](const Points& pivot, Index i) {
     const SymmetricEigen eigen = symmetric_eigen(pivot);
-    Eigen::VectorXd values = eigen.values;
-    const double tiny = 1e-300 + 1e-15 * values.cwiseAbs().maxCoeff();
-    if (values[0] < 0 && e.first_negative < 0) {
+    const double tiny = 1e-300 + 1e-15 * eigen.values.cwiseAbs().maxCoeff();
+    if (eigen.values[0] < 0 && e.first_negative < 0) {
       e.first_negative = i;
       e.negative = eigen.vectors.col(0);
     }
-    for (double& value : values) {
-      if (value < 0) ++e.negatives;
-      if (std::abs(value) < tiny) value = value < 0 ? -tiny : tiny;
-    }
-    return eigen.with_values(values.cwiseInverse());
+    e.negatives += static_cast<int>((eigen.values.array() < 0).count());
+    const auto at = static_cast<std::size_t>(i);
+    e.signs[at] = (eigen.values.array() < 0).select(-1.0, Eigen::VectorXd::Ones(eigen.values.size()));
+    const Eigen::VectorXd scale = eigen.values.cwiseAbs().cwiseMax(tiny).cwiseSqrt().cwiseInverse();
+    e.root[at] = scale.asDiagonal() * eigen.vectors.transpose();
   };
   const Index first = ring_ ? 1 : 0;
   Points schur;
@@ -208,18 +206,20 @@ ChainSystem::Elimination ChainSystem::eliminate(const Deadline& deadline) const 
     Points pivot = diagonal(i);
     Points border = Points::Zero(k_, k_);
     if (i > first) {
-      const Points eliminated = coupling(i - 1).transpose() * e.inverse[at - 1];
-      pivot -= eliminated * coupling(i - 1);
-      if (ring_) border -= eliminated * e.border[at - 1];
+      const Points w = e.root[at - 1] * coupling(i - 1);
+      const Points eliminated = w.transpose() * e.signs[at - 1].asDiagonal();
+      pivot -= eliminated * w;
+      if (ring_) border -= eliminated * (e.root[at - 1] * e.border[at - 1]);
     }
-    e.inverse[at] = invert(pivot, i);
+    split(pivot, i);
     if (!ring_) continue;
     if (i == 1) border += coupling(0).transpose();
     if (i == n_ - 1) border += coupling(n_ - 1);
-    schur -= border.transpose() * e.inverse[at] * border;
+    const Points w = e.root[at] * border;
+    schur -= w.transpose() * e.signs[at].asDiagonal() * w;
     e.border[at] = std::move(border);
   }
-  if (ring_) invert(schur, 0);
+  if (ring_) split(schur, 0);
   return e;
 }
 
@@ -236,7 +236,7 @@ Eigen::VectorXd ChainSystem::negative_direction(const Deadline& deadline) const 
     Eigen::VectorXd pull = Eigen::VectorXd::Zero(k_);
     if (i + 1 < n_) pull += coupling(i) * x.segment(k_ * (i + 1), k_);
     if (at_pin) pull += e.border[at] * e.negative;
-    x.segment(k_ * i, k_) = -e.inverse[at] * pull;
+    x.segment(k_ * i, k_) = -(e.root[at].transpose() * e.signs[at].asDiagonal() * (e.root[at] * pull));
   }
   return x;
 }

@@ -55,9 +55,12 @@ class ChainSystem {
   Eigen::VectorXd negative_direction(const Deadline& deadline = {}) const;
 
  private:
-  /// Block elimination that goes on through indefinite pivots.
+  /// Block elimination that goes on through indefinite pivots. The inverse of a pivot is never formed: with R =
+  /// |D|^-1/2 V' of its eigenvalues D and vectors V it is R' sign(D) R, and what R does to a stiff coupling is right to
+  /// rounding where the inverse would lose the square of the condition.
   struct Elimination {
-    std::vector<Points> inverse, border;  ///< of the pivots; ring: their coupling to x_0
+    std::vector<Points> root, border;    ///< R of the pivots; ring: their coupling to x_0
+    std::vector<Eigen::VectorXd> signs;  ///< of D
     int negatives = 0;
     Index first_negative = -1;  ///< pivot, -1: none
     Eigen::VectorXd negative;   ///< its eigenvector

@@ -46,10 +46,27 @@ void quote(CostEstimate& e, const char* method, double value, double error) {
   e.method = method;
 }
 
-}  // namespace
+/// What rounding leaves of the sum of costs sqrt(d'Gd): the terms of an ill-conditioned G cancel. 0 where there is no
+/// such G, and on curved domains, whose chords are no moves in coordinates.
+double rounding_of_costs(const Problem& problem, PathEnergy& energy, const CoordinatePath& chain) {
+  constexpr double kOperations = 4;
+  if (problem.manifold->shape() != Shape::flat || !problem.cost->traits().quadratic_at_rest) return 0;
+  if (find_ability<HasChart>(*problem.manifold) != nullptr) return 0;
+  Points metrics;
+  energy.metrics(chain, metrics);
+  const Eigen::VectorXd costs = energy.costs(chain);
+  const Index d = chain.u.rows();
+  double sum = 0;
+  for (Index i = 0; i < costs.size(); ++i) {
+    const Eigen::VectorXd move = (chain.column(i + 1) - chain.column(i)).cwiseAbs();
+    const double terms = move.dot(metrics.middleCols(d * i, d).cwiseAbs() * move);
+    if (std::isfinite(terms) && costs[i] > 0) sum += terms / (2 * costs[i]);
+  }
+  return kOperations * std::numeric_limits<double>::epsilon() * sum;
+}
 
-EstimatedCost estimate_cost(const Problem& problem, PathEnergy& energy, const CoordinatePath& chain,
-                            const Refinement& refinement, const PathIndex& index, bool hugs_bound) {
+EstimatedCost estimate_from_levels(const Problem& problem, PathEnergy& energy, const CoordinatePath& chain,
+                                   const Refinement& refinement, const PathIndex& index, bool hugs_bound) {
   EstimatedCost out;
   CostEstimate& e = out.estimate;
   const CostTraits& traits = problem.cost->traits();
@@ -119,6 +136,15 @@ EstimatedCost estimate_cost(const Problem& problem, PathEnergy& energy, const Co
   // It has order 4 as well, and it exists: quote it, with room for both. A bracket has order 2.
   const double error = richardson + std::abs(*curve - fine);
   if (!bracketed || error < e.error) quote(e, "curve", *curve, error);
+  return out;
+}
+
+}  // namespace
+
+EstimatedCost estimate_cost(const Problem& problem, PathEnergy& energy, const CoordinatePath& chain,
+                            const Refinement& refinement, const PathIndex& index, bool hugs_bound) {
+  EstimatedCost out = estimate_from_levels(problem, energy, chain, refinement, index, hugs_bound);
+  out.estimate.error = std::max(out.estimate.error, rounding_of_costs(problem, energy, chain));
   return out;
 }
 

@@ -43,16 +43,35 @@ class LineElement {
   Points x_, jacobian_;
 };
 
-/// Cost of the straight line a -> b in coordinates; +infinity where it leaves the domain.
-double straight_cost(const Problem& problem, LineElement& element, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+/// Cost of the line a -> b in coordinates, which in its middle is off the straight one by `sag`; +infinity where it
+/// leaves the domain.
+double bent_cost(const Problem& problem, LineElement& element, const Eigen::VectorXd& a, const Eigen::VectorXd& b,
+                 const Eigen::VectorXd& sag) {
   CoordinatePath point{a, {}, true};
   double sum = 0;
   for (std::size_t g = 0; g < kNodes.size(); ++g) {
-    point.u = a + kNodes[g] * (b - a);
+    const double t = kNodes[g];
+    point.u = a + t * (b - a) + 4 * t * (1 - t) * sag;
     if (problem.manifold->residual(point) > 0) return std::numeric_limits<double>::infinity();
-    sum += kWeights[g] * element(point, b - a);
+    sum += kWeights[g] * element(point, b - a + 4 * (1 - 2 * t) * sag);
   }
   return sum;
+}
+
+double straight_cost(const Problem& problem, LineElement& element, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  return bent_cost(problem, element, a, b, Eigen::VectorXd::Zero(a.size()));
+}
+
+/// Beside a pole what is straight on the domain is bent in the chart, towards the pole.
+double cost_beside_pole(const Problem& problem, LineElement& element, const SeamMap& pole, const Eigen::VectorXd& a,
+                        const Eigen::VectorXd& b) {
+  Eigen::VectorXd to_pole = Eigen::VectorXd::Zero(a.size());  // the map mirrors at the pole
+  for (Index k = 0; k < a.size(); ++k)
+    if (pole.sign[k] < 0) to_pole[k] = pole.shift[k] / 2 - (a[k] + b[k]) / 2;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double part : {0.25, 0.5, 0.75})
+    least = std::min(least, bent_cost(problem, element, a, b, part * to_pole));
+  return least;
 }
 
 }  // namespace
@@ -113,8 +132,9 @@ ChartJump worst_chart_jump(const Problem& problem, const CoordinatePath& path, c
     const Eigen::VectorXd a = path.column(i), b = path.column(i + 1);
     double direct = straight_cost(problem, element, a, b);
     for (const SeamMap& pole : chart->poles())
-      direct = std::min({direct, straight_cost(problem, element, a, pole.apply(b)),
-                         straight_cost(problem, element, a, pole.undo(b))});
+      direct =
+          std::min({direct, straight_cost(problem, element, a, pole.apply(b)),
+                    straight_cost(problem, element, a, pole.undo(b)), cost_beside_pole(problem, element, pole, a, b)});
     const double ratio = direct / costs[i];
     if (ratio > worst.ratio) worst = {ratio, i};
   }

@@ -19,7 +19,7 @@ std::optional<double> smooth_curve_cost(const Problem& problem, const Coordinate
 /// Where a chain in a chart jumps: the largest ratio of what the straight move in coordinates between two neighbours
 /// costs to what the chain pays for the chord. It tends to 1 with the step. Far above 1 the chord cuts through space
 /// beside the surface, around a hole of the chart say, and the chain is no path of the chart's class. A move over a
-/// pole may be straight towards the image of a point instead.
+/// pole may be straight towards the image of a point instead, one beside a pole bent towards it.
 struct ChartJump {
   double ratio = 1;
   Index segment = -1;

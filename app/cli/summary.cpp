@@ -73,9 +73,10 @@ std::string family_rows(const WrittenRun& run) {
   std::string out;
   for (const FamilyMember& m : run.family) {
     const Certificate& c = m.result.certificate;
-    out += row(out.empty() ? "family" : "",
-               fmt::format("{:.12g}  {}, {}  from {}", c.measured ? c.estimate.value : m.result.curve.cost,
-                           name(m.result.status), name(c.index.verdict), fmt::join(m.origins, "; ")));
+    out += row(
+        out.empty() ? "family" : "",
+        fmt::format("{:.12g}  {}, {}{}  from {}", c.measured ? c.estimate.value : m.result.curve.cost,
+                    name(m.result.status), name(c.index.verdict), m.tied ? ", tied" : "", fmt::join(m.origins, "; ")));
   }
   return out;
 }

@@ -145,6 +145,8 @@ Json family(const RunOutcome& run) {
     item["status"] = std::string(name(m.result.status));
     item["cost"] = number(c.measured ? c.estimate.value : m.result.curve.cost);
     item["error_estimate"] = c.measured ? number(c.estimate.error) : Json(nullptr);
+    item["rank_cost"] = number(m.rank_cost);
+    item["tied"] = m.tied;
     item["index"] = std::string(name(c.index.verdict));
     item["failures"] = failures(c);
     item["iterations"] = m.result.solve.iterations;

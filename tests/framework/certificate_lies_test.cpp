@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/manifolds/mesh.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>
@@ -139,6 +140,39 @@ TEST_CASE("lie: unequal times of an additive cost, though the total is right to 
   CHECK(PathEnergy(rest, 1).cost(result.path) == Approx(before).epsilon(1e-9));
   CHECK(failed(c, "spacing"));
   CHECK_FALSE(failed(c, "stationarity"));
+}
+
+TEST_CASE("lie: segments that cost nothing where a bound is hugged", "[framework]") {
+  // The soap film between two rings that are too far apart: down to y = 0, along it for nothing, and up again.
+  MetricFieldOptions options;
+  options.field = metric::Formula{{"y^2", "0", "y^2"}};
+  const int n = GENERATE(15, 31, 63);
+  const double height = GENERATE(1, 2);
+  const Result result =
+      find(between(box(Eigen::Vector2d(-5, 0), Eigen::Vector2d(5, 5)), make_metric_field_cost(options, 2),
+                   Eigen::Vector2d(-0.67 * height, height), Eigen::Vector2d(0.67 * height, height)),
+           n);
+  CAPTURE(n, height, failures(result.certificate), result.certificate.spacing);
+  CHECK(result.certificate.spacing > 1);
+  CHECK(failed(result.certificate, "spacing"));
+}
+
+TEST_CASE("lie: a bar below the rounding of an ill-conditioned tensor", "[framework]") {
+  MetricFieldOptions options;
+  options.field = metric::Formula{{"30161626.53531196", "-36296095.80716718", "43678236.090502486"}};
+  const Problem problem = between(space(2), make_metric_field_cost(options, 2), Eigen::Vector2d(0, 0),
+                                  Eigen::Vector2d(0.913668311176993, 0.7592475403307616));
+  const int n = GENERATE(20, 63, 64, 100);
+  const Result result = find(problem, n);
+  const long double x = 0.913668311176993, y = 0.7592475403307616;
+  const long double truth = std::sqrt(static_cast<long double>(30161626.53531196) * x * x -
+                                      2 * static_cast<long double>(36296095.80716718) * x * y +
+                                      static_cast<long double>(43678236.090502486) * y * y);
+  const CostEstimate& e = result.certificate.estimate;
+  CAPTURE(n, e.value, e.error, static_cast<double>(truth), failures(result.certificate));
+  CHECK(result.status == Status::certified);
+  CHECK(std::abs(e.value - static_cast<double>(truth)) <= e.error);
+  CHECK(e.error < 1e-6);
 }
 
 TEST_CASE("lie: a path that has not converged", "[framework]") {

@@ -6,9 +6,11 @@
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
+#include <leastcost/problems/manifolds/parametric.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/hill.hpp"
+#include "tests/support/pi.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -49,6 +51,88 @@ TEST_CASE("family: distinct paths by cost, the same path once", "[framework]") {
   CHECK_FALSE(same_path(problem, first.result.path, second.result.path));
   REQUIRE(family.notes.size() == 1);
   CHECK_THAT(family.notes[0], Catch::Contains("blocked"));
+}
+
+TEST_CASE("family: a shorter path that few points cannot certify comes before a longer one that they can",
+          "[framework]") {
+  // Across the flat face of an oblate ellipsoid or around its sharp rim.
+  const auto [from, to] = GENERATE(std::pair(Eigen::Vector2d(0, -0.046293), Eigen::Vector2d(-2.801967, -0.646658)),
+                                   std::pair(Eigen::Vector2d(0, 0.459907), Eigen::Vector2d(-2.343115, 0.094936)));
+  const int points = GENERATE(12, 24, 50);
+  const Problem problem =
+      between(make_parametric_manifold({.surface = parametric::Ellipsoid{Eigen::Vector3d(1, 1, 0.2)}}),
+              make_euclidean_cost(3), from, to);
+  std::vector<FamilyStart> starts = {{"straight", problem, std::make_shared<const StraightInitializer>()}};
+  for (const double angle : {0.0, 90.0, 180.0, 270.0}) starts.push_back(bow(problem, angle, 0.5));
+  FindOptions options;
+  options.points = points;
+  const Family family = find_family(starts, Newton(), options);
+  const FamilyMember& first = family.members.front();
+  CAPTURE(points, failures(first.result.certificate), family.members.size());
+  CHECK(first.result.status == Status::certified);
+  CHECK(first.result.path.free_count() == points);
+  CHECK(first.result.costs.size() == points + 1);
+  CHECK(first.result.curve_costs.size() == points + 1);
+  CHECK(first.result.curve_costs.sum() == Approx(first.result.curve.cost));
+  const double longest = first.result.curve_costs.maxCoeff(), shortest = first.result.curve_costs.minCoeff();
+  CHECK(longest / shortest < 1.05);
+  for (const FamilyMember& m : family.members) {
+    CHECK(first.result.certificate.estimate.value <= m.rank_cost + first.result.certificate.estimate.error);
+    CHECK(std::isfinite(m.rank_cost));
+  }
+}
+
+TEST_CASE("family: a saddle that is the cheapest path found is left downwards", "[framework]") {
+  // From the straight start alone: over the hill. The other start is sent far around.
+  const Problem problem = between(space(2), make_segment_cost(Hill{}), Eigen::Vector2d(-2, 0), Eigen::Vector2d(2, 0));
+  const Family family =
+      find_family({{"straight", problem, std::make_shared<const StraightInitializer>()}}, Newton(), with_certificate());
+  REQUIRE(family.members.size() == 2);
+  CHECK(family.members[0].result.status == Status::certified);
+  CHECK_THAT(family.members[0].origins.front(), Catch::Contains("saddle"));
+  CHECK(family.members[1].left);
+  CHECK(family.members[0].rank_cost < family.members[1].rank_cost);
+}
+
+TEST_CASE("family: paths whose bars overlap are tied", "[framework]") {
+  const auto ways_around = [](double aside) {
+    const Problem problem =
+        between(space(2), make_segment_cost(Hill{}), Eigen::Vector2d(-2, aside), Eigen::Vector2d(2, aside));
+    return find_family({bow(problem, 180, 0.4), bow(problem, 0, 0.4)}, Newton(), with_certificate());
+  };
+  const Family even = ways_around(0), odd = ways_around(0.05);
+  REQUIRE(even.members.size() == 2);
+  CHECK((even.members[0].tied && even.members[1].tied));
+  REQUIRE(odd.members.size() == 2);
+  CHECK_FALSE((odd.members[0].tied || odd.members[1].tied));
+}
+
+TEST_CASE("family: a cheaper path that stays undecided comes first, and is not certified", "[framework]") {
+  const Problem problem =
+      between(space(2), make_segment_cost(Hill{}), Eigen::Vector2d(-2, 0.05), Eigen::Vector2d(2, 0.05));
+  // On the cheaper side of the hill the solver stops short of convergence, and does nothing for finer chains.
+  class GivesUp final : public Solver {
+   public:
+    std::string_view name() const override { return "gives_up"; }
+
+   private:
+    SolveReport do_solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const override {
+      if (path.u.row(1).mean() < 0) return Newton().solve(energy, path, monitor);
+      if (path.segment_count() <= 32) return Newton({.max_iterations = 2}).solve(energy, path, monitor);
+      SolveReport report;
+      report.termination = Termination::iteration_limit;
+      return report;
+    }
+  };
+  const Family family = find_family({bow(problem, 180, 0.4), bow(problem, 0, 0.4)}, GivesUp(), with_certificate());
+  REQUIRE(family.members.size() == 2);
+  const FamilyMember& first = family.members.front();
+  CAPTURE(first.rank_cost, family.members[1].rank_cost, failures(first.result.certificate));
+  CHECK(family.members[1].result.status == Status::certified);
+  CHECK(first.result.status == Status::uncertified);
+  CHECK(first.result.path.free_count() == 31);
+  REQUIRE(family.notes.size() == 1);
+  CHECK_THAT(family.notes[0], Catch::Contains("neither certified nor ruled out"));
 }
 
 TEST_CASE("family: twice around a circle is not once around", "[framework]") {

@@ -5,6 +5,9 @@
 
 #include <numbers>
 
+#include <leastcost/problems/costs/metric_field.hpp>
+#include <leastcost/problems/costs/metric_tensor.hpp>
+#include <leastcost/problems/manifolds/implicit.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/pi.hpp"
@@ -67,6 +70,55 @@ TEST_CASE("index of a straight line is 0 in any dimension; H = s has none", "[fr
   const PathIndex index = index_on(space(d), line);
   CHECK((index.verdict == IndexVerdict::minimum && index.negatives == 0 && index.nullity == 0));
   CHECK(index_on(space(d), line, make_kernel<Linear>()).verdict == IndexVerdict::not_applicable);
+}
+
+TEST_CASE("index of a straight line under an ill-conditioned tensor: a minimum, not rounding", "[framework]") {
+  const double condition = GENERATE(1e6, 1e9, 1e11, 1e13), turn = GENERATE(0.3, 1.1, 2.5);
+  const double c = std::cos(turn), s = std::sin(turn);
+  Eigen::Matrix2d m;
+  m << c * c + condition * s * s, (1 - condition) * c * s, (1 - condition) * c * s, s * s + condition * c * c;
+  const Problem problem =
+      between(space(2), make_metric_tensor_cost({.matrix = m}, 2), Eigen::Vector2d(0, 0), Eigen::Vector2d(0.9, 0.75));
+  const Result result = find(problem, 60);
+  CAPTURE(condition, turn, failures(result.certificate));
+  CHECK(result.certificate.index.verdict == IndexVerdict::minimum);
+}
+
+TEST_CASE("index by elimination keeps its digits where a metric is ill-conditioned", "[framework]") {
+  // The same tensor by formulas: nothing says that it is constant. Beyond 1e11 rounding decides, and that is said.
+  const double condition = GENERATE(1e6, 1e9, 1e10, 1e15), turn = GENERATE(0.3, 1.1, 2.5);
+  const double c = std::cos(turn), s = std::sin(turn);
+  const auto text = [](double x) {
+    char buffer[40];
+    std::snprintf(buffer, sizeof buffer, "(%.17g)", x);
+    return std::string(buffer);
+  };
+  MetricFieldOptions options;
+  options.field = metric::Formula{
+      {text(c * c + condition * s * s), text((1 - condition) * c * s), text(s * s + condition * c * c)}};
+  const Problem problem =
+      between(space(2), make_metric_field_cost(options, 2), Eigen::Vector2d(0, 0), Eigen::Vector2d(0.9, 0.75));
+  const Result result = find(problem, 60);
+  CAPTURE(condition, turn, failures(result.certificate));
+  CHECK_FALSE(failed(result.certificate, "saddle"));
+  if (condition < 1e12) CHECK(result.certificate.index.verdict == IndexVerdict::minimum);
+}
+
+TEST_CASE("index of a ring on a shallow neck: a minimum; on a cylinder: degenerate", "[framework]") {
+  const double opening = GENERATE(0.0, 1e-9, 1e-4, 1e-3);
+  const ImplicitManifoldOptions options{
+      .surface = implicit::Formula{.f = "x^2 + y^2 - k*z^2 - 1", .parameters = {{"k", opening}}}};
+  Points loop(3, 24);
+  for (Index i = 0; i < 24; ++i) {
+    const double t = 2 * kPi * static_cast<double>(i) / 24;
+    loop.col(i) = Eigen::Vector3d(std::cos(t), std::sin(t), 0.1 * std::sin(2 * t));
+  }
+  const int n = GENERATE(15, 40);
+  const Result result =
+      find(closed(make_implicit_manifold(options), make_euclidean_cost(3)), n, WaypointsInitializer(loop));
+  CAPTURE(opening, n, failures(result.certificate));
+  CHECK(result.certificate.index.verdict == (opening > 1e-6 ? IndexVerdict::minimum : IndexVerdict::degenerate));
+  if (opening > 1e-6) CHECK(std::abs(result.certificate.estimate.value - 2 * kPi) <= result.certificate.estimate.error);
 }
 
 }  // namespace leastcost::test

@@ -96,13 +96,14 @@ std::string family_of(const JsonFile& result) {
     table.rows.push_back({{fmt::format("{:.12g}", m.number("cost"))},
                           {number_text(m.number("error_estimate"), 2)},
                           {status, status == "certified" ? "good" : "bad", why},
-                          {m.text("index")},
+                          {m.text("index") + (m.flag("tied") ? ", tied" : "")},
                           {m.text("iterations")},
                           {from}});
   }
   return section(
       "Family",
-      paragraph("The distinct locally least-cost paths that were found, by cost; the first one was delivered.") +
+      paragraph("The distinct locally least-cost paths that were found, by cost; the first one was delivered. Tied: "
+                "within the bars they cost the same.") +
           html(table));
 }
 

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "framework/family_decision.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include <leastcost/framework/path_energy.hpp>
+#include "framework/family_rank.hpp"
+#include "framework/feasible_cost.hpp"
+#include "framework/point_text.hpp"
+#include "framework/spacing.hpp"
+
+namespace leastcost {
+namespace {
+
+constexpr int kMostDoublings = 4;
+constexpr int kMostLooks = 64;          ///< members that are looked at, saddles' lower neighbours included
+constexpr Index kMostPoints = 100'000;  ///< of a refined member
+
+bool fails_one_of(const Certificate& certificate, std::initializer_list<std::string_view> names) {
+  return std::any_of(certificate.failures.begin(), certificate.failures.end(), [&](const CertificateFailure& f) {
+    return std::find(names.begin(), names.end(), f.name) != names.end();
+  });
+}
+
+/// Failures that no number of points mends.
+bool beyond_help(const Certificate& certificate) {
+  return fails_one_of(
+      certificate, {"degenerate", "index_not_applicable", "costs_nothing", "exception", "inconsistent", "interrupted"});
+}
+
+/// Every `factor`-th point of a chain.
+CoordinatePath every(const CoordinatePath& fine, Index factor) {
+  CoordinatePath path{Points(fine.u.rows(), (fine.u.cols() - 1) / factor + 1), {}, fine.ring, fine.closing};
+  for (Index i = 0; i < path.u.cols(); ++i) {
+    path.u.col(i) = fine.u.col(factor * i);
+    if (!fine.sites.empty()) path.sites.push_back(fine.site(factor * i));
+  }
+  return path;
+}
+
+/// The points that were asked for, of a chain with `factor` times as many: the curve and the certificate stay those of
+/// the finer one.
+void thin(const Problem& problem, Index factor, Result& result) {
+  if (factor == 1) return;
+  result.notes.push_back("found and certified with " + std::to_string(result.path.free_count()) + " points; every " +
+                         (factor == 2 ? "2nd" : std::to_string(factor) + "th") + " of them is delivered");
+  result.path = every(result.path, factor);
+  const Index segments = result.path.segment_count();
+  const Eigen::VectorXd fine = result.curve_costs;
+  result.curve_costs.resize(segments);
+  for (Index i = 0; i < segments; ++i) result.curve_costs[i] = fine.segment(factor * i, factor).sum();
+  result.costs = PathEnergy(problem, 1).costs(result.path);
+}
+
+/// A later result of the same search: where it began, and what it took, are those of the whole.
+Result continued(const Result& before, Result after) {
+  after.first = before.first;
+  after.initial = before.initial;
+  after.initial_cost = before.initial_cost;
+  after.reference_cost = before.reference_cost;
+  after.solve = joined(before.solve, std::move(after.solve));
+  after.seconds.initialize += before.seconds.initialize;
+  after.seconds.solve += before.seconds.solve;
+  after.seconds.post_process += before.seconds.post_process;
+  after.seconds.certify += before.seconds.certify;
+  after.notes.insert(after.notes.begin(), before.notes.begin(), before.notes.end());
+  return after;
+}
+
+class Decision {
+ public:
+  Decision(std::vector<FamilyMember>& members, const Solver& solver, const FindOptions& options, const Monitor& monitor)
+      : members_(members), solver_(solver), options_(options), monitor_(monitor), undecided_(members.size(), true) {}
+
+  void run() {
+    for (int look = 0; look < kMostLooks && !monitor_.interrupted(); ++look) {
+      const std::size_t member = next();
+      if (member == members_.size()) return;
+      undecided_[member] = false;
+      try {
+        look_at(member);
+      } catch (const InputError&) {  // a finer chain could not be made: the member stays as it is
+      } catch (const InitializationError&) {
+      } catch (const Interrupted&) {
+        return;
+      }
+    }
+  }
+
+ private:
+  static bool certified(const Result& result) { return result.status == Status::certified; }
+
+  /// The least cost that the member may turn out to have. Levels that were not solved promise nothing.
+  static double promise(const FamilyMember& m) {
+    const Certificate& c = m.result.certificate;
+    const bool solved = c.measured && !fails_one_of(c, {"stationarity", "refinement"});
+    return solved && c.estimate.value > 0 ? std::min(m.rank_cost, c.estimate.value) : m.rank_cost;
+  }
+
+  /// What a member has to be cheaper than to matter.
+  double bound() const {
+    double least = std::numeric_limits<double>::infinity(), sure = least;
+    for (const FamilyMember& m : members_) {
+      if (!is_candidate(m)) continue;
+      least = std::min(least, m.rank_cost);
+      if (certified(m.result)) sure = std::min(sure, cost_range(m).low);
+    }
+    return std::isfinite(sure) ? sure : std::nextafter(least, std::numeric_limits<double>::infinity());
+  }
+
+  /// The most promising member about which something is to be decided; members_.size(): none.
+  std::size_t next() const {
+    const double most = bound();
+    std::size_t best = members_.size();
+    for (std::size_t i = 0; i < members_.size(); ++i) {
+      const FamilyMember& m = members_[i];
+      if (!undecided_[i] || !is_candidate(m) || certified(m.result) || beyond_help(m.result.certificate)) continue;
+      if (promise(m) < most && (best == members_.size() || promise(m) < promise(members_[best]))) best = i;
+    }
+    return best;
+  }
+
+  void look_at(std::size_t i) {
+    Result fine = members_[i].result;
+    Index factor = 1;
+    for (int doubling = 0;; ++doubling) {
+      if (fine.certificate.index.verdict == IndexVerdict::saddle && leave(i, fine, factor)) return;
+      if (doubling == kMostDoublings || 2 * fine.path.free_count() > kMostPoints) return;
+      fine = continued(fine, doubled(members_[i].problem, fine, factor));
+      factor *= 2;
+      if (fine.status == Status::interrupted) return;
+      if (fine.status == Status::collapsed) {
+        members_[i].result.status = Status::collapsed;
+        members_[i].result.notes.emplace_back("with more points it collapses");
+        return;
+      }
+      if (certified(fine)) return take(i, std::move(fine), factor);
+      if (fails_one_of(fine.certificate, {"stationarity"})) return;  // the solver does not get there
+    }
+  }
+
+  Result doubled(const Problem& problem, const Result& coarse, Index factor) {
+    FindOptions finer = options_;
+    finer.reference_cost = coarse.reference_cost / static_cast<double>(2 * factor);
+    finer.cascade = false;
+    return improve_path(problem, refine(problem, coarse.path, monitor_.deadline), solver_, finer, monitor_);
+  }
+
+  /// Down from a saddle; false where no cheaper path was found there.
+  bool leave(std::size_t i, const Result& saddle, Index factor) {
+    const FamilyMember& from = members_[i];
+    FindOptions down = options_;
+    down.reference_cost = saddle.reference_cost / static_cast<double>(factor);
+    down.escape_saddle = true;
+    down.cascade = false;
+    Result lower = continued(saddle, improve_path(from.problem, saddle.path, solver_, down, monitor_));
+    if (lower.status == Status::interrupted || lower.path.u.size() == 0) return false;
+    FamilyMember found{{"down from the saddle of " + from.origins.front()}, from.problem, std::move(lower)};
+    found.rank_cost = rank_cost(found.problem, found.result);
+    if (!(found.rank_cost < feasible_cost(from.problem, saddle, monitor_.deadline))) return false;
+    if (same_path(from.problem, found.result.path, saddle.path)) return false;
+    thin(found.problem, factor, found.result);
+    members_[i].left = true;
+    add_member(std::move(found), members_);
+    undecided_.resize(members_.size(), true);
+    return true;
+  }
+
+  /// The member is certified by its finer chain, and is perhaps one that was certified before.
+  void take(std::size_t i, Result fine, Index factor) {
+    FamilyMember& m = members_[i];
+    thin(m.problem, factor, fine);
+    m.result = std::move(fine);
+    m.rank_cost = rank_cost(m.problem, m.result);
+    for (std::size_t k = 0; k < members_.size(); ++k) {
+      FamilyMember& known = members_[k];
+      if (k == i || !certified(known.result) || !same_path(known.problem, known.result.path, m.result.path)) continue;
+      known.origins.insert(known.origins.end(), m.origins.begin(), m.origins.end());
+      members_.erase(members_.begin() + static_cast<std::ptrdiff_t>(i));
+      undecided_.erase(undecided_.begin() + static_cast<std::ptrdiff_t>(i));
+      return;
+    }
+  }
+
+  double rank_cost(const Problem& problem, const Result& result) const {
+    return certified(result) ? result.certificate.estimate.value : feasible_cost(problem, result, monitor_.deadline);
+  }
+
+  std::vector<FamilyMember>& members_;
+  const Solver& solver_;
+  const FindOptions& options_;
+  const Monitor& monitor_;
+  std::vector<bool> undecided_;
+};
+
+}  // namespace
+
+std::vector<std::string> decide_family(std::vector<FamilyMember>& members, const Solver& solver,
+                                       const FindOptions& options, const Monitor& monitor) {
+  if (options.certificate.enabled) Decision(members, solver, options, monitor).run();
+  rank_members(members);
+  if (members.empty() || members.front().result.status != Status::uncertified || !options.certificate.enabled)
+    return {};
+  const auto sure = std::find_if(members.begin(), members.end(),
+                                 [](const FamilyMember& m) { return m.result.status == Status::certified; });
+  if (sure == members.end()) return {};
+  return {"family: the least path, of cost " + short_number(members.front().rank_cost) +
+          ", could be neither certified nor ruled out" +
+          (monitor.interrupted() ? " in the time given" : ", with more points either") +
+          "; the least certified one costs " + short_number(sure->rank_cost)};
+}
+
+}  // namespace leastcost

@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "tests/adversarial/adversaries.hpp"
+
+#include <cstdio>
+#include <random>
+
+#include <leastcost/problems/costs/metric_field.hpp>
+#include <leastcost/problems/costs/metric_tensor.hpp>
+#include <leastcost/problems/manifolds/implicit.hpp>
+#include <leastcost/problems/manifolds/parametric.hpp>
+#include "tests/support/compose.hpp"
+#include "tests/support/pi.hpp"
+
+namespace leastcost::test {
+namespace {
+
+using Eigen::Vector2d, Eigen::Vector3d;
+using Real = long double;
+
+/// Draws that are the same with every standard library.
+class Draw {
+ public:
+  Draw(std::uint64_t family, std::uint64_t seed) : engine_(1000003 * seed + family) { engine_.discard(8); }
+  double uniform(double low, double high) {
+    return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
+  }
+  double decades(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
+  int integer(int low, int high) { return static_cast<int>(uniform(low, high + 1)); }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+std::string text(double x) {
+  char buffer[40];
+  std::snprintf(buffer, sizeof buffer, "(%.17g)", x);
+  return buffer;
+}
+
+template <class F>
+Real integral(F f, Real a, Real b, int parts) {  // Simpson
+  const Real h = (b - a) / parts;
+  Real sum = 0;
+  for (int i = 0; i < parts; ++i) {
+    const Real x = a + h * static_cast<Real>(i);
+    sum += f(x) + 4 * f(x + h / 2) + f(x + h);
+  }
+  return sum * h / 6;
+}
+
+std::function<std::optional<TrueGeodesic>(const Result&)> known(Real length) {
+  return [length](const Result&) { return TrueGeodesic{static_cast<double>(length), true}; };
+}
+
+std::shared_ptr<const Initializer> straight() { return std::make_shared<const StraightInitializer>(); }
+
+std::shared_ptr<const SegmentCost> field(std::vector<std::string> entries) {
+  MetricFieldOptions options;
+  options.field = metric::Formula{std::move(entries)};
+  return make_metric_field_cost(options, 2);
+}
+
+Problem on_ellipsoid(const Vector3d& axes, Draw& draw) {
+  const auto manifold = make_parametric_manifold({.surface = parametric::Ellipsoid{axes}});
+  const auto place = [&](double around) { return Vector2d(around, std::asin(draw.uniform(-1, 1))); };
+  const Vector2d from = place(0), to = place(draw.uniform(-kPi, kPi));
+  return between(manifold, make_euclidean_cost(3), from, to);
+}
+
+Adversary ellipsoid(std::uint64_t seed, int points) {
+  Problem problem = oblate_pair(seed);
+  return {problem, straight(), points,
+          [problem](const Result& r) { return geodesic_near(Vector3d(1, 1, 0.2), problem, r); }};
+}
+
+Adversary chart(std::uint64_t seed) {
+  Draw draw(2, seed);
+  const Vector3d axes(draw.uniform(0.4, 1.6), draw.uniform(0.4, 1.6), draw.uniform(0.4, 1.6));
+  Problem problem = on_ellipsoid(axes, draw);
+  return {problem, straight(), draw.integer(12, 80),
+          [problem, axes](const Result& r) { return geodesic_near(axes, problem, r); }};
+}
+
+/// The waist of x^2 + y^2 / b^2 - k z^2 = 1, an ellipse: a strict minimum however small k is.
+Adversary ring(std::uint64_t seed) {
+  Draw draw(3, seed);
+  const double b = draw.uniform(0.6, 1), k = draw.decades(1e-5, 1), lift = draw.uniform(0.02, 0.2);
+  const ImplicitManifoldOptions options{
+      .surface = implicit::Formula{.f = "x^2 + y^2/" + text(b) + "^2 - " + text(k) + "*z^2 - 1"}};
+  Points loop(3, 24);
+  for (Index i = 0; i < 24; ++i) {
+    const double t = 2 * kPi * static_cast<double>(i) / 24;
+    loop.col(i) = Vector3d(std::cos(t), b * std::sin(t), lift * (std::sin(2 * t) + 0.5));
+  }
+  const Real e = b;
+  const auto speed = [e](Real t) { return std::sqrt(std::sin(t) * std::sin(t) + e * e * std::cos(t) * std::cos(t)); };
+  return {closed(make_implicit_manifold(options), make_euclidean_cost(3)),
+          std::make_shared<const WaypointsInitializer>(loop), draw.integer(16, 64),
+          known(4 * integral(speed, 0, std::acos(Real(0)), 2000))};
+}
+
+/// Constant tensors of a condition up to 1e13.
+Adversary tensor(std::uint64_t seed) {
+  Draw draw(4, seed);
+  const double turn = draw.uniform(0, kPi), condition = draw.decades(1, 1e13), size = draw.decades(1e-3, 1e3);
+  const double c = std::cos(turn), s = std::sin(turn), l = size * condition;
+  const double xx = size * c * c + l * s * s, xy = (size - l) * c * s, yy = size * s * s + l * c * c;
+  const Vector2d d(draw.uniform(-1, 1), draw.uniform(-1, 1));
+  const Real x = d[0], y = d[1], q = Real(xx) * x * x + 2 * Real(xy) * x * y + Real(yy) * y * y;
+  std::shared_ptr<const SegmentCost> cost;
+  if (draw.uniform(0, 1) < 0.5) {
+    cost = field({text(xx), text(xy), text(yy)});
+  } else {
+    Eigen::Matrix2d m;
+    m << xx, xy, xy, yy;
+    try {
+      cost = make_metric_tensor_cost({.matrix = m}, 2);
+    } catch (const Error&) {  // refused as it is not positive definite to rounding
+      cost = field({text(xx), text(xy), text(yy)});
+    }
+  }
+  return {between(space(2), cost, Vector2d(0, 0), d), straight(), draw.integer(15, 100), known(std::sqrt(q))};
+}
+
+/// The plane, sheared by x + a sin(k y): straight lines in disguise.
+Adversary pulled_back(std::uint64_t seed) {
+  Draw draw(5, seed);
+  const double a = draw.uniform(0.05, 0.6), k = draw.uniform(0.5, 6);
+  const std::string q = text(a) + "*" + text(k) + "*cos(" + text(k) + "*y)";
+  const Vector2d from(draw.uniform(-1, 1), draw.uniform(-1, 1)), to(draw.uniform(-1, 1), draw.uniform(-1, 1));
+  const auto image = [a, k](const Vector2d& p) {
+    return Eigen::Matrix<Real, 2, 1>(Real(p[0]) + Real(a) * std::sin(Real(k) * Real(p[1])), Real(p[1]));
+  };
+  return {between(space(2), field({"1", q, "1+(" + q + ")^2"}), from, to), straight(), draw.integer(20, 100),
+          known((image(to) - image(from)).norm())};
+}
+
+/// n(x) = 1 + A exp(-((x - c) / w)^2), by Snell's law: p = n sin(angle) is constant.
+Adversary layered(std::uint64_t seed) {
+  Draw draw(6, seed);
+  const double height = draw.uniform(0.1, 3), c = draw.uniform(-0.5, 0.5), w = draw.decades(2e-3, 0.5);
+  const std::string n = "(1+" + text(height) + "*exp(-((x-" + text(c) + ")/" + text(w) + ")^2))^2";
+  const Real rise = draw.uniform(0, 1.5);
+  const auto index = [&](Real x) {
+    return 1 + Real(height) * std::exp(-(x - Real(c)) * (x - Real(c)) / (Real(w) * Real(w)));
+  };
+  const auto over = [&](auto f) {  // split where the bump is
+    const Real a = std::max<Real>(-1, Real(c) - 7 * Real(w)), b = std::min<Real>(1, Real(c) + 7 * Real(w));
+    return integral(f, -1, a, 400) + integral(f, a, b, 4000) + integral(f, b, 1, 400);
+  };
+  Real low = 0, high = 1;
+  for (int i = 0; i < 64; ++i) {
+    const Real p = (low + high) / 2;
+    const Real y = over([&](Real x) { return p / std::sqrt(index(x) * index(x) - p * p); });
+    (y < rise ? low : high) = p;
+  }
+  const Real time = over([&](Real x) { return index(x) * index(x) / std::sqrt(index(x) * index(x) - low * low); });
+  return {between(space(2), field({n, "0", n}), Vector2d(-1, 0), Vector2d(1, static_cast<double>(rise))), straight(),
+          draw.integer(30, 120), known(time)};
+}
+
+/// z = a sin(k x): the sheet unrolls.
+Adversary corrugated(std::uint64_t seed) {
+  Draw draw(7, seed);
+  const double k = draw.decades(0.5, 60), a = draw.uniform(0.05, 1) / k;
+  parametric::Formula surface{.x = "u", .y = "v", .z = text(a) + "*sin(" + text(k) + "*u)"};
+  const Vector2d from(draw.uniform(-1, 0), 0), to(draw.uniform(0.2, 1), draw.uniform(0, 1.5));
+  const Real across =
+      integral([&](Real x) { return std::sqrt(1 + std::pow(Real(a) * Real(k) * std::cos(Real(k) * x), 2)); }, from[0],
+               to[0], 4000);
+  return {between(make_parametric_manifold({.surface = surface}), make_euclidean_cost(3), from, to), straight(),
+          draw.integer(20, 120), known(std::hypot(across, Real(to[1])))};
+}
+
+/// n(x) = 1 - 0.5 cos(2 pi k x), along x: commensurate with the levels where k is a multiple of the segments.
+Adversary washboard(std::uint64_t seed) {
+  Draw draw(8, seed);
+  const int k = draw.integer(1, 300);
+  const std::string n = "(1-0.5*cos(2*3.141592653589793*" + std::to_string(k) + "*x))^2";
+  return {between(space(2), field({n, "0", n}), Vector2d(0, 0), Vector2d(1, 0)), straight(), draw.integer(20, 127),
+          known(1)};
+}
+
+}  // namespace
+
+std::optional<TrueGeodesic> geodesic_near(const Vector3d& axes, const Problem& problem, const Result& result) {
+  if (result.path.u.cols() < 3 || !result.certificate.measured) return std::nullopt;
+  const Points x = positions(*problem.manifold, result.path);
+  // The chord turns by half of what the path turns in a segment: two of them give the direction at the start.
+  const Vector3d a = x.col(0), next = a + 2 * (x.col(1) - a) - 0.5 * (x.col(2) - a);
+  return EllipsoidShooting(axes).between(a, x.rightCols(1), next, result.certificate.estimate.value);
+}
+
+Problem oblate_pair(std::uint64_t seed) {
+  Draw draw(1, seed);
+  return on_ellipsoid(Vector3d(1, 1, 0.2), draw);
+}
+
+const std::vector<AdversaryFamily>& adversary_families() {
+  static const std::vector<AdversaryFamily> families = {
+      {"ellipsoid f = 0.8, n = 50", [](std::uint64_t seed) { return ellipsoid(seed, 50); }},
+      {"ellipsoid f = 0.8, n = 100", [](std::uint64_t seed) { return ellipsoid(seed, 100); }},
+      {"ellipsoid f = 0.8, few points",
+       [](std::uint64_t seed) { return ellipsoid(seed, 6 + static_cast<int>(seed / 2 % 36)); }, false},
+      {"ellipsoids in charts", chart},
+      {"rings on necks", ring},
+      {"constant tensors", tensor},
+      {"pull-back metrics", pulled_back},
+      {"layered media", layered, false},
+      {"corrugated sheets", corrugated},
+      {"washboards", washboard, false}};
+  return families;
+}
+
+}  // namespace leastcost::test

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+// How often the certificate is wrong, and how often it refuses what is right, on random problems whose answers are
+// known. LEASTCOST_ADVERSARIES sets how many of each family, LEASTCOST_ADVERSARIES_SEED the first seed (in steps of
+// two): what was tuned on even seeds is measured on odd ones.
+#include <cstdio>
+#include <cstdlib>
+
+#include "tests/adversarial/measure.hpp"
+#include "tests/support/catch.hpp"
+
+namespace leastcost::test {
+namespace {
+
+int number_from(const char* variable, int otherwise) {
+  const char* text = std::getenv(variable);  // NOLINT(concurrency-mt-unsafe)
+  return text == nullptr ? otherwise : std::atoi(text);
+}
+
+}  // namespace
+
+TEST_CASE("adversaries: false and over-cautious certificates by family", "[adversarial]") {
+  const int count = number_from("LEASTCOST_ADVERSARIES", 6);
+  const auto first = static_cast<std::uint64_t>(number_from("LEASTCOST_ADVERSARIES_SEED", 2));
+  std::printf("  %-28s %5s %5s %9s %5s %8s  reasons\n", "family", "asked", "known", "certified", "false", "cautious");
+  for (const AdversaryFamily& family : adversary_families()) {
+    const Tally tally = measure(family, first, count);
+    std::printf("%s\n", tally.row(family.name).c_str());
+    CAPTURE(family.name, count, first);
+    CHECK(tally.known > 0);
+    CHECK(tally.false_ones == 0);
+    if (family.resolved) CHECK(tally.cautious <= (count + 49) / 50);
+  }
+}
+
+TEST_CASE("adversaries: a family never delivers a longer certified path", "[adversarial]") {
+  const int count = number_from("LEASTCOST_ADVERSARIES", 6);
+  const auto first = static_cast<std::uint64_t>(number_from("LEASTCOST_ADVERSARIES_SEED", 2));
+  for (const int points : {50, 100}) {
+    const FamilyTally tally = measure_families(first, count, points);
+    std::printf("  family, n = %d: %d pairs, %d certified, %d longer than another (at most by %.2g %%), %d false\n",
+                points, tally.pairs, tally.certified, tally.longer, 100 * tally.worst, tally.false_ones);
+    CHECK(tally.longer == 0);
+    CHECK(tally.false_ones == 0);
+  }
+}
+
+}  // namespace leastcost::test
