@@ -317,6 +317,7 @@ class Search {
     if (monitor_.interrupted()) return not_certified();
     stage(Stage::certify, monitor_, result_.seconds.certify, [&] {
       try {
+        make_coarser_versions();
         result_.certificate =
             certify(problem_, result_.reference_cost, processed, to_curve, options_.certificate, monitor_);
       } catch (const Interrupted&) {
@@ -328,6 +329,16 @@ class Search {
             {"exception", "while certifying: an exception that is no std::exception"});
       }
     });
+    result_.seconds.certify -= result_.seconds.prepare;
+  }
+
+  /// Without a deadline they are made now. With one there are those that prepare() has made, or none.
+  void make_coarser_versions() {
+    if (monitor_.deadline) return;
+    const auto start = Monitor::Clock::now();
+    prepare(problem_);
+    if (find_ability<HasCoarserVersion>(*problem_.manifold) == nullptr) return;
+    result_.seconds.prepare = std::chrono::duration<double>(Monitor::Clock::now() - start).count();
   }
 
   void not_certified() {
