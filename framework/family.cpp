@@ -62,7 +62,10 @@ Family find_family(const std::vector<FamilyStart>& starts, const Solver& solver,
   std::vector<FamilyMember> pathless;
   for (const FamilyStart& start : starts) {
     if (!start.initializer) throw InputError("family, " + start.origin + ": the initializer is null");
-    if (!family.members.empty() && monitor.interrupted()) break;
+    if (monitor.interrupted() && (!family.members.empty() || first_error)) {
+      family.notes.push_back("family, " + start.origin + " and what comes after it: not tried, there was no time");
+      break;
+    }
     try {
       FamilyMember member{
           {start.origin}, start.problem, find_path(start.problem, *start.initializer, solver, options, monitor)};
