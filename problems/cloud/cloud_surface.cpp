@@ -25,9 +25,10 @@ constexpr double kOtherSheet = -0.5;   ///< cosine of 120 degrees
 constexpr int kFewest = 6;             ///< samples with a say
 constexpr double kSheetGap = 4;        ///< distance of two sheets over their widths; noise has 2.6, a crease 3.5
 constexpr double kSheetValley = 0.06;  ///< part of the samples between two sheets; noise has 0.31, a crease 0.25
-constexpr double kSheetMixing = 0.75;   ///< of what sheets above each other have; a crease less than half
-constexpr double kSheetShare = 0.05;   ///< part of the samples that a sheet has at least
-constexpr double kSheetsApart = 0.5;   ///< spacings between two sheets that are told from noise
+constexpr double kSheetSteepness = 1;  ///< from a sample to the one below it; see steepness()
+constexpr double kSheetsParallel = 0.9;  ///< mean cosine of the normals of either sheet against those of the sphere
+constexpr double kSheetShare = 0.05;     ///< part of the samples that a sheet has at least
+constexpr double kSheetsApart = 0.5;     ///< spacings between two sheets that are told from noise
 constexpr int kSheetSamples = 4;
 constexpr double kFlattest = 1e-12;  ///< spread of the samples, in squared supports, below which no sphere is seen
 
@@ -68,6 +69,7 @@ class LocalField {
   struct Heights {
     std::vector<WeightedHeight> heights;
     std::vector<Eigen::Vector2d> places;  ///< in the tangent plane
+    std::vector<double> cosines;          ///< of the normals of the samples against those of the sphere
   };
   Heights heights(const Vector3d& x, const Field& sphere) const;
 
@@ -157,10 +159,12 @@ LocalField::Heights LocalField::heights(const Vector3d& x, const Field& sphere) 
   Heights out;
   for_samples(x, [&](const CloudSample& sample, const Vector3d& q, double t) {
     const double value = sphere.value + sphere.slope.dot(q) + sphere.bend * q.squaredNorm();
-    const double slope = (sphere.slope + 2 * sphere.bend * q).norm();
+    const Vector3d up = sphere.slope + 2 * sphere.bend * q;
+    const double slope = up.norm();
     if (!(slope > 0 && sample.trust > 0)) return;
     out.heights.push_back({value / slope, sample.trust * t});
     out.places.emplace_back(e.dot(q), f.dot(q));
+    out.cosines.push_back(std::abs(up.dot(sample.normal)) / slope);
   });
   return out;
 }
@@ -219,6 +223,21 @@ std::optional<Vector3d> CloudSurface::normal(const Vector3d& x) const {
   return f.gradient.normalized();
 }
 
+namespace {
+
+/// Whether both groups lie along the fit. Where a surface bends away from it, the far part does not.
+bool parallel(const LocalField::Heights& over, double middle) {
+  double cosine[2] = {0, 0}, weight[2] = {0, 0};
+  for (std::size_t i = 0; i < over.heights.size(); ++i) {
+    const int group = over.heights[i].height > middle ? 1 : 0;
+    cosine[group] += over.heights[i].weight * over.cosines[i];
+    weight[group] += over.heights[i].weight;
+  }
+  return cosine[0] >= kSheetsParallel * weight[0] && cosine[1] >= kSheetsParallel * weight[1];
+}
+
+}  // namespace
+
 std::optional<CloudSurface::OtherSheet> CloudSurface::other_sheet(const Vector3d& x) const {
   if (!x.allFinite()) return std::nullopt;
   const Vector3d y = x - cloud_->centre();
@@ -231,7 +250,8 @@ std::optional<CloudSurface::OtherSheet> CloudSurface::other_sheet(const Vector3d
   const double apart = groups.apart / field.spacing();
   if (!(apart >= kSheetsApart && groups.share >= kSheetShare && groups.fewest >= kSheetSamples)) return std::nullopt;
   if (!(groups.apart >= kSheetGap * groups.width && groups.valley <= kSheetValley)) return std::nullopt;
-  if (!(mixing(over.heights, over.places, groups.middle) >= kSheetMixing)) return std::nullopt;
+  if (!(steepness(over.heights, over.places, groups.middle) >= kSheetSteepness)) return std::nullopt;
+  if (!parallel(over, groups.middle)) return std::nullopt;
   return OtherSheet{apart, groups.share};
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace leastcost {
 namespace {
@@ -55,24 +56,26 @@ TwoGroups two_groups(std::vector<WeightedHeight> heights) {
   return best;
 }
 
-double mixing(const std::vector<WeightedHeight>& heights, const std::vector<Eigen::Vector2d>& places, double middle) {
-  const auto upper = [&](std::size_t i) { return heights[i].height > middle; };
-  std::size_t above = 0, crossing = 0;
-  for (std::size_t i = 0; i < heights.size(); ++i) {
-    std::size_t nearest = i;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t j = 0; j < heights.size(); ++j) {
-      const double squared = (places[i] - places[j]).squaredNorm();
-      if (j == i || !(squared < least)) continue;
-      least = squared;
-      nearest = j;
+double steepness(const std::vector<WeightedHeight>& heights, const std::vector<Eigen::Vector2d>& places,
+                 double middle) {
+  std::vector<std::size_t> below, above;
+  for (std::size_t i = 0; i < heights.size(); ++i) (heights[i].height > middle ? above : below).push_back(i);
+  if (below.size() < above.size()) std::swap(below, above);
+  if (above.empty()) return 0;
+  std::vector<double> slopes;
+  for (const std::size_t i : above) {
+    double least = std::numeric_limits<double>::infinity(), rise = 0;
+    for (const std::size_t j : below) {
+      const double distance = (places[i] - places[j]).norm();
+      if (!(distance < least)) continue;
+      least = distance;
+      rise = std::abs(heights[i].height - heights[j].height);
     }
-    above += upper(i) ? 1 : 0;
-    crossing += upper(i) != upper(nearest) ? 1 : 0;
+    slopes.push_back(least > 0 ? rise / least : std::numeric_limits<double>::infinity());
   }
-  const auto count = static_cast<double>(heights.size());
-  const double part = static_cast<double>(above) / count, at_random = 2 * part * (1 - part);
-  return at_random > 0 ? static_cast<double>(crossing) / count / at_random : 0;
+  const auto half = slopes.begin() + static_cast<std::ptrdiff_t>(slopes.size() / 2);
+  std::nth_element(slopes.begin(), half, slopes.end());
+  return *half;
 }
 
 }  // namespace leastcost

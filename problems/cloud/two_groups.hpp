@@ -26,10 +26,10 @@ struct TwoGroups {
 /// distribution, 3.5 and 0.25 for a uniform one; two normal ones 6 deviations apart have 6 and 0.07.
 TwoGroups two_groups(std::vector<WeightedHeight> heights);
 
-/// Part of the points whose nearest other point, seen from above, is of the other group (height above or below
-/// `middle`), over what it would be if the groups were spread at random over the same ground: about 1 for two sheets
-/// above each other, small where the groups have grounds of their own (the two sides of a crease, and its edge).
-/// `places`: where each height stands.
-double mixing(const std::vector<WeightedHeight>& heights, const std::vector<Eigen::Vector2d>& places, double middle);
+/// How steep it is from one group (heights above or below `middle`) to the other: the median over the smaller group of
+/// the difference of heights over the distance, seen from above, to the nearest point of the larger one. Two sheets
+/// above each other are steeper than 1, the sides of a crease of less than 90 degrees are not. `places`: where each
+/// height stands.
+double steepness(const std::vector<WeightedHeight>& heights, const std::vector<Eigen::Vector2d>& places, double middle);
 
 }  // namespace leastcost

@@ -65,17 +65,18 @@ TEST_CASE("two groups of heights: what parts them, and what is between them") {
   CHECK(two.middle == Approx(0.9875).epsilon(1e-12));
 }
 
-TEST_CASE("two groups of heights: above each other, or on grounds of their own") {
+TEST_CASE("two groups of heights: above each other, or the sides of a crease") {
   Random random(3);
-  std::vector<WeightedHeight> above, beside;
+  std::vector<WeightedHeight> above, crease;
   std::vector<Eigen::Vector2d> places;
   for (int i = 0; i < 400; ++i) {
     places.emplace_back(random.uniform(-1, 1), random.uniform(-1, 1));
     above.push_back({i % 3 == 0 ? 1.0 : 0.0, 1});
-    beside.push_back({places.back()[0] > 0.3 ? 1.0 : 0.0, 1});
+    crease.push_back({std::abs(places.back()[0]) - 0.3, 1});
   }
-  CHECK(mixing(above, places, 0.5) == Approx(1).margin(0.2));
-  CHECK(mixing(beside, places, 0.5) < 0.2);
+  CHECK(steepness(above, places, 0.5) > 5);
+  CHECK(steepness(crease, places, 0) < 1.01);
+  CHECK(steepness({}, {}, 0) == 0);
 }
 
 TEST_CASE("between two sheets within one support no path is certified, and the certificate says where") {
