@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 
 // Two sheets of a cloud within one support: no path on the surface between them is certified.
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/manifolds/point_cloud.hpp>
 #include <leastcost/problems/manifolds/signed_distance.hpp>
