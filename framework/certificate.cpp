@@ -224,6 +224,7 @@ class Certifier {
       fail("error_bar", "the error bar is " + short_number(c_.estimate.error / c_.estimate.value) +
                             " of the cost: too few points for this path");
     measure_domain();
+    if (const std::string why = why_unresolved(problem_, path_.chain, monitor_); !why.empty()) fail("unresolved", why);
   }
 
   /// Only of a path that has no other failure: a proof about another one would say nothing. What is proved needs no

@@ -38,7 +38,7 @@ Family find_family(const std::vector<FamilyStart>& starts, const Solver& solver,
   std::vector<FamilyMember> pathless;
   for (const FamilyStart& start : starts) {
     if (!start.initializer) throw InputError("family, " + start.origin + ": the initializer is null");
-    if (!family.members.empty() && monitor.interrupted()) {
+    if (monitor.interrupted() && (!family.members.empty() || first_error)) {
       family.notes.push_back(no_time(start));
       break;
     }

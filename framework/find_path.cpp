@@ -18,6 +18,8 @@
 #include "framework/escape_saddle.hpp"
 #include "framework/geometry_error.hpp"
 #include "framework/in_parts.hpp"
+#include "framework/other_images.hpp"
+#include "framework/point_text.hpp"
 #include "framework/spacing.hpp"
 
 namespace leastcost {
@@ -72,6 +74,15 @@ Problem with_sites(Problem problem, std::vector<std::string>& notes) {
   place(*problem.manifold, "the source", problem.source, notes);
   if (!problem.ring) place(*problem.manifold, "the target", problem.target, notes);
   return problem;
+}
+
+/// Two names of one point between which the straight line has no length, two longitudes of a pole say: there is nothing
+/// to minimise. (A target that is the source after a turn around a seam states a loop; see cheaper_image().)
+void refuse_one_point(const Problem& problem) {
+  std::optional<PointImage> image;
+  if (!ends_are_one_point(problem, &image) || image) return;
+  throw InputError("source " + point_text(problem.source.u) + " and target " + point_text(problem.target.u) +
+                   " are one point of the domain; a closed path is a ring (path.ring: true)");
 }
 
 int point_count(const FindOptions& options, const FirstPath& first) {
@@ -212,6 +223,7 @@ class Search {
     check(problem);
     check(options);
     problem_ = with_sites(problem, result_.notes);
+    refuse_one_point(problem_);
   }
 
   Result from(const Initializer& initializer) {
@@ -345,8 +357,10 @@ class Search {
     if (monitor_.interrupted()) return not_certified();
     stage(Stage::certify, monitor_, result_.seconds.certify, [&] {
       try {
+        make_coarser_versions();
         result_.certificate =
             certify(problem_, result_.reference_cost, processed, to_curve, options_.certificate, monitor_);
+        if (std::string note = name_cheaper_image(); !note.empty()) result_.notes.push_back(std::move(note));
       } catch (const Interrupted&) {
         throw;
       } catch (const std::exception& error) {  // the path is found: what a part throws now takes nothing away from it
@@ -356,6 +370,28 @@ class Search {
             {"exception", "while certifying: an exception that is no std::exception"});
       }
     });
+    result_.seconds.certify -= result_.seconds.prepare;
+  }
+
+  /// The path goes to the coordinates that were given; where it would be cheaper to go to others of the same point, the
+  /// result says so.
+  std::string name_cheaper_image() {
+    Monitor quiet = monitor_;
+    quiet.observe = nullptr;
+    try {
+      return cheaper_image(problem_, result_.curve.cost, quiet);
+    } catch (const Interrupted&) {
+      return "";  // the certificate stands
+    }
+  }
+
+  /// Without a deadline they are made now. With one there are those that prepare() has made, or none.
+  void make_coarser_versions() {
+    if (monitor_.deadline) return;
+    const auto start = Monitor::Clock::now();
+    prepare(problem_);
+    if (find_ability<HasCoarserVersion>(*problem_.manifold) == nullptr) return;
+    result_.seconds.prepare = std::chrono::duration<double>(Monitor::Clock::now() - start).count();
   }
 
   void not_certified() {

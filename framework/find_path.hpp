@@ -37,7 +37,8 @@ struct StageSeconds {
   double initialize = 0;
   double solve = 0;
   double post_process = 0;
-  double certify = 0;
+  double prepare = 0;  ///< the coarser versions of the domain, by the search that asks for them first; see prepare()
+  double certify = 0;  ///< without them
 };
 
 /// NaN is what was not measured. An interrupted result has the best feasible path so far, or none yet (`path` is empty,
@@ -87,7 +88,8 @@ Result improve_path(const Problem& problem, const CoordinatePath& chain, const S
 void complete_interrupted(const Problem& problem, const FindOptions& options, Result& result);
 
 /// Makes now what parts of a problem make only when they are asked for (HasCoarserVersion::coarser), so that it does
-/// not count against a deadline. May take as long as the making of the domain.
+/// not count against a deadline. They are kept by the domain, whatever problem asks next, and take no longer than the
+/// domain itself.
 void prepare(const Problem& problem);
 
 }  // namespace leastcost

@@ -109,4 +109,22 @@ GeometryError measure_geometry_error(const Problem& problem, const CoordinatePat
   return {kSafety * *largest, ""};
 }
 
+std::string why_unresolved(const Problem& problem, const CoordinatePath& chain, const Monitor& monitor) {
+  const auto* domain = find_ability<HasUnresolvedPlaces>(*problem.manifold);
+  if (domain == nullptr) return "";
+  constexpr Index kPart = 8;
+  std::string why;
+  in_parts(chain.segment_count(), kPart, monitor.deadline, [&](Index begin, Index count) {
+    if (!why.empty()) return;
+    CoordinatePath part{Points(chain.u.rows(), 2 * count + 1), {}, true};
+    for (Index i = 0; i < count; ++i) {
+      part.u.col(2 * i) = chain.column(begin + i);
+      part.u.col(2 * i + 1) = (chain.column(begin + i) + chain.column(begin + i + 1)) / 2;
+    }
+    part.u.col(2 * count) = chain.column(begin + count);
+    why = domain->why_unresolved(part);
+  });
+  return why;
+}
+
 }  // namespace leastcost

@@ -34,4 +34,9 @@ struct GeometryError {
 /// Throws Interrupted after the monitor's deadline.
 GeometryError measure_geometry_error(const Problem& problem, const CoordinatePath& chain, const Monitor& monitor);
 
+/// Where the data of the domain do not say what it is (HasUnresolvedPlaces), at the points of the chain or in the
+/// middle between two of them: why and where. Empty where nothing is known against them. Throws Interrupted after the
+/// monitor's deadline.
+std::string why_unresolved(const Problem& problem, const CoordinatePath& chain, const Monitor& monitor);
+
 }  // namespace leastcost

@@ -112,6 +112,15 @@ class HasCoarserVersion {
   virtual bool has_made_coarser() const = 0;
 };
 
+/// Ability: the domain is made from data and can tell where they do not say what it is: two sheets of a cloud within
+/// one fit, say. No path that leads there is certified.
+class HasUnresolvedPlaces {
+ public:
+  virtual ~HasUnresolvedPlaces() = default;
+  /// What is wrong at the first column where something is, with the place; empty: nothing is known against any.
+  virtual std::string why_unresolved(const CoordinatePath& path) const = 0;
+};
+
 /// Gives `to` the size, sites and fixed columns of `from`, for implementations of retract().
 void prepare_like(const CoordinatePath& from, CoordinatePath& to);
 

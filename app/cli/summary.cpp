@@ -84,10 +84,13 @@ std::string family_rows(const WrittenRun& run) {
 std::string time_line(const WrittenRun& run) {
   const StageSeconds& s = run.result.seconds;
   const RunSeconds& all = run.seconds;
+  constexpr double kWorthSaying = 1e-3;
+  const std::string coarser =
+      s.prepare > kWorthSaying ? fmt::format("coarser versions of the domain {:.3g} s, ", s.prepare) : "";
   std::string line = fmt::format(
       "read {:.3g} s, compose {:.3g} s, first path {:.3g} s, solve {:.3g} s, post-process {:.3g} s, "
-      "certify {:.3g} s, write {:.3g} s, report {:.3g} s",
-      all.read, all.compose, s.initialize, s.solve, s.post_process, s.certify, all.write, all.report);
+      "{}certify {:.3g} s, write {:.3g} s, report {:.3g} s",
+      all.read, all.compose, s.initialize, s.solve, s.post_process, coarser, s.certify, all.write, all.report);
   if (!run.family.empty()) line += fmt::format("; the whole family {:.3g} s", all.search);
   return line;
 }

@@ -161,8 +161,10 @@ Json seconds(const RunOutcome& run) {
   const StageSeconds& s = run.result.seconds;
   Json out = {{"read", run.seconds.read}, {"compose", run.seconds.compose}, {"initialize", s.initialize},
               {"solve", s.solve},         {"post_process", s.post_process}, {"certify", s.certify}};
+  if (s.prepare > 0) out["prepare"] = s.prepare;  // a domain that has coarser versions
   if (!run.family.empty())
-    out["other_members"] = std::max(0.0, run.seconds.search - s.initialize - s.solve - s.post_process - s.certify);
+    out["other_members"] =
+        std::max(0.0, run.seconds.search - s.initialize - s.solve - s.post_process - s.prepare - s.certify);
   out["write"] = run.seconds.write;
   out["report"] = run.seconds.report;
   return out;

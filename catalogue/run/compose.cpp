@@ -3,6 +3,7 @@
 #include "catalogue/run/compose.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -20,28 +21,42 @@
 #include "catalogue/registry/registry.hpp"
 #include "catalogue/run/ends.hpp"
 #include "catalogue/run/memory.hpp"
-#include "problems/chart/has_images.hpp"
+#include "framework/other_images.hpp"
 #include "problems/formula/coordinate_names.hpp"
 
 namespace leastcost {
 namespace {
 
-/// Where several points stand for the same, the path ends at the one nearest to its source.
-void take_nearest_image(RunParts& out) {
-  const auto* domain = find_ability<HasImages>(*out.problem.manifold);
-  if (domain == nullptr) return;
-  const Eigen::VectorXd image = domain->nearest_image(out.target.end.u, out.source.end.u);
-  if (image == out.target.end.u) return;
-  out.target.end.u = image;
-  out.notes.emplace_back("the target was replaced by the image of it that is nearer to the source");
-}
-
 void place_target(const RunConfig& config, RunParts& out) {
   out.target = place_end(*out.problem.manifold, config.target.value_or(EndOptions{}), "ends.target");
-  take_nearest_image(out);
   out.problem.target = out.target.end;
   if (out.problem.source.u == out.problem.target.u)
     throw OptionError("ends.target", "is the same point as the source; a closed path is a ring (path.ring: true)");
+  const auto* domain = find_ability<HasImages>(*out.problem.manifold);
+  if (domain == nullptr || !ends_are_one_point(out.problem)) return;
+  if (!domain->states_way(out.problem.target.u, out.problem.source.u))
+    throw OptionError("ends.target",
+                      "names the same point as the source, by other coordinates; a closed path is a ring (path.ring: "
+                      "true), and a target a whole period away from the source states a winding");
+}
+
+/// A straight start does not insist on the coordinates of its target where others name the same point.
+void take_cheapest_image(const RunConfig& config, RunParts& out) {
+  Problem& problem = out.problem;
+  const auto* domain = find_ability<HasImages>(*problem.manifold);
+  if (domain == nullptr || problem.ring || config.family.windings > 0) return;
+  if (config.target_image == TargetImageChoice::given) return;
+  const bool chart = find_ability<HasChart>(*problem.manifold) != nullptr;  // where other starts have their own way
+  if (chart && out.initializer->name() != "straight") return;
+  if (domain->states_way(problem.target.u, problem.source.u)) return;
+  const std::optional<CheaperImage> best = find_cheaper_image(problem);
+  if (!best) return;
+  problem.target.u = out.target.end.u = best->image.u;
+  out.notes.push_back(
+      fmt::format("the target was replaced by ({:.6g}), {}, another name of the same point: a path to "
+                  "it costs about {:.3g}, not {:.3g} (images tried: {}; path: "
+                  "{{target_image: given}} keeps the given one)",
+                  fmt::join(best->image.u, ", "), best->image.where, best->cost, best->given, best->tried));
 }
 
 Eigen::VectorXd source_position(const Problem& problem) {
@@ -212,6 +227,8 @@ void Composer::make_from_files(const BuildProgress& progress) {
     take_domain();
   }
   make_parts();
+  if (out_.problem.cost && out_.initializer && out_.problem.target.u.size() > 0)
+    attempt([&] { take_cheapest_image(config_, out_); });
 }
 
 RunParts Composer::take() {

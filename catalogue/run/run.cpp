@@ -187,8 +187,14 @@ RunOutcome solve(Run run, const Monitor& monitor) {
   outcome.replaced = replaced_parts(parts, outcome.origin->parts);
   for (const std::string& part : outcome.replaced)
     parts.notes.push_back(part + ": replaced after the configuration was read");
-  if ((run.max_seconds || monitor.deadline) && parts.options.certificate.enabled) prepare(parts.problem);
+  double prepared = 0;
+  if ((run.max_seconds || monitor.deadline) && parts.options.certificate.enabled) {
+    const Clock::time_point begin = Clock::now();
+    prepare(parts.problem);
+    prepared = seconds_since(begin);
+  }
   find(outcome, with_budget(monitor, run.max_seconds));
+  outcome.result.seconds.prepare += prepared;
   const Result& result = outcome.result;
   if (result.path.u.size() == 0) throw StoppedEarly(result.notes.empty() ? "no path yet" : result.notes.back());
   complete_interrupted(parts.problem, parts.options, outcome.result);

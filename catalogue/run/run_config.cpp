@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 
 #include "catalogue/options/options_reader.hpp"
@@ -45,6 +46,12 @@ void FamilyOptions::fields(RunVisitor& visit) {
   visit.plugins("initializers", initializers, kind("initializer"), {.help = "Also these first paths."});
 }
 
+Words<TargetImageChoice> words(TargetImageChoice) {
+  static constexpr std::array<Word<TargetImageChoice>, 2> kWords = {
+      {{TargetImageChoice::cheapest, "cheapest"}, {TargetImageChoice::given, "given"}}};
+  return kWords;
+}
+
 void RunConfig::fields(RunVisitor& visit) {
   visit.field("name", name, {.help = "Name of the run and of its output folder; default: that of the file."});
   visit.field("seed", seed, {.help = "Master seed of everything random.", .minimum = 0});
@@ -67,6 +74,11 @@ void RunConfig::fields(RunVisitor& visit) {
                         .unit = "cost",
                         .minimum = 0});
     path.field("cascade", cascade, {.help = "Solve coarse first, then with twice the segments until all are there."});
+    path.choice(
+        "target_image", target_image,
+        {.help = "Where several coordinates name the target (seams and poles of a chart, quaternions), a straight "
+                 "start goes to those to which a path is cheapest, unless they state a winding, a period or more from "
+                 "the source. given: to those in 'ends'."});
     path.field("escape_saddle", escape_saddle, {.help = "Leave a saddle to its lower side and solve again."});
   });
   visit.plugin("initializer", initializer, kind("initializer"),

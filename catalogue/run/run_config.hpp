@@ -29,6 +29,11 @@ struct FamilyOptions {
   bool wanted() const { return windings > 0 || bows > 0 || routes > 1 || mirrored || !initializers.empty(); }
 };
 
+/// Which of the coordinates of one point the path ends at: those to which a path is cheapest, where the given ones
+/// state no winding, or those that were given.
+enum class TargetImageChoice { cheapest, given };
+Words<TargetImageChoice> words(TargetImageChoice);
+
 /// One run as its configuration describes it. Everything typed, checked and with its default in place; nothing read
 /// from the disk and nothing computed yet.
 struct RunConfig {
@@ -41,6 +46,7 @@ struct RunConfig {
   bool ring = false;
   bool cascade = false;
   bool escape_saddle = false;
+  TargetImageChoice target_image = TargetImageChoice::cheapest;
   std::optional<double> reference_cost;  ///< s0; else the mean segment cost of the first path
   PluginChoice initializer, solver;
   FamilyOptions family;

@@ -2,9 +2,31 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/chart/target_images.hpp>
 
+#include <cmath>
+#include <cstddef>
+
+#include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/chart/seams.hpp>
 
 namespace leastcost {
+
+namespace {
+
+/// Refuses more images than anybody waits for; counted in doubles, which do not overflow.
+void check_count(int turns, Index seams, std::size_t poles) {
+  if (turns < 0) throw OptionError("windings", "must be at least 0, not " + std::to_string(turns));
+  const auto count = [&](int t) {
+    return std::pow(2.0 * t + 1, static_cast<double>(seams)) * static_cast<double>(1 + poles);
+  };
+  if (count(turns) <= static_cast<double>(kMostTargetImages)) return;
+  int most = 0;
+  while (count(most + 1) <= static_cast<double>(kMostTargetImages)) ++most;
+  throw OptionError("windings", std::to_string(turns) + " turns across " + std::to_string(seams) +
+                                    " seams and over the poles make more than " + std::to_string(kMostTargetImages) +
+                                    " images of the target; at most " + std::to_string(most) + " turns here");
+}
+
+}  // namespace
 
 std::vector<TargetImage> target_images(const Problem& problem, int turns) {
   std::vector<TargetImage> all;
@@ -14,6 +36,7 @@ std::vector<TargetImage> target_images(const Problem& problem, int turns) {
   const auto* chart = find_ability<HasChart>(*problem.manifold);
   const std::vector<SeamMap> poles = chart != nullptr ? chart->poles() : std::vector<SeamMap>();
   const auto count = static_cast<Index>(seams.size());
+  if (count > 0) check_count(turns, count, poles.size());
   Eigen::VectorXi winding = Eigen::VectorXi::Constant(count, -turns);
   const auto next = [&] {  // counts through all of -turns .. turns
     for (Index s = 0; s < count; ++s) {

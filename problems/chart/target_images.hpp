@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,12 @@ struct TargetImage {
   std::string winding;  ///< turns across each seam, "(1, 0)" or "(1, 0) over pole 1"
 };
 
+/// Most images of a family: each is a search of its own.
+inline constexpr std::size_t kMostTargetImages = 1000;
+
 /// The images of the target up to `turns` turns either way across each seam of a chart and over its poles, the given
-/// one first. Empty where the domain has no seams, and for rings.
+/// one first. Empty where the domain has no seams, and for rings. Throws OptionError("windings") where they are more
+/// than kMostTargetImages, or `turns` is negative.
 std::vector<TargetImage> target_images(const Problem& problem, int turns);
 
 }  // namespace leastcost

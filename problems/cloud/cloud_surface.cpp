@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/cloud/cloud_surface.hpp>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "problems/cloud/two_groups.hpp"
 
 namespace leastcost {
 namespace {
@@ -16,17 +19,26 @@ constexpr int kMaxSteps = 30;
 constexpr double kConverged =
     1e-8;                        ///< supports: the step after one this small is below rounding (quadratic convergence)
 constexpr double kSlack = 0.15;  ///< supports that x may move before its samples are gathered again
-constexpr double kFarthest = 1.0;     ///< supports between x and the tangent plane of its nearest sample
-constexpr double kOneSided = 0.3;     ///< supports from the foot to the mean of its samples: 0.23 on a straight border
-constexpr double kOtherSheet = -0.5;  ///< cosine of 120 degrees
-constexpr int kFewest = 6;            ///< samples with a say
-constexpr double kFlattest = 1e-12;   ///< spread of the samples, in squared supports, below which no sphere is seen
+constexpr double kFarthest = 1.0;      ///< supports between x and the tangent plane of its nearest sample
+constexpr double kOneSided = 0.3;      ///< supports from the foot to the mean of its samples: 0.23 on a straight border
+constexpr double kOtherSheet = -0.5;   ///< cosine of 120 degrees
+constexpr int kFewest = 6;             ///< samples with a say
+constexpr double kSheetGap = 4;        ///< distance of two sheets over their widths; noise has 2.6, a crease 3.5
+constexpr double kSheetValley = 0.06;  ///< part of the samples between two sheets; noise has 0.31, a crease 0.25
+constexpr double kSheetSteepness = 1;  ///< from a sample to the one below it; see steepness()
+constexpr double kSheetsParallel = 0.9;  ///< mean cosine of the normals of either sheet against those of the sphere
+constexpr double kSheetShare = 0.05;     ///< part of the samples that a sheet has at least
+constexpr double kSheetsApart = 0.5;     ///< spacings between two sheets that are told from noise
+constexpr int kSheetSamples = 4;
+constexpr double kFlattest = 1e-12;  ///< spread of the samples, in squared supports, below which no sphere is seen
 
-/// Value and gradient of f, and where its samples lie.
+/// Value and gradient of f, where its samples lie, and the algebraic sphere value + slope . q + bend |q|^2 itself.
 struct Field {
   double value = 0;
   Vector3d gradient = Vector3d::Zero();
   Vector3d mean = Vector3d::Zero();  ///< of the samples, relative to x
+  Vector3d slope = Vector3d::Zero();
+  double bend = 0;
 };
 
 /// f near one place, from samples gathered once.
@@ -47,11 +59,33 @@ class LocalField {
   double support() const { return cloud_.radius(nearest_); }
   double distance() const { return distance_; }
   const CloudSample& nearest() const { return cloud_.sample(nearest_); }
+  double spacing() const { return cloud_.spacing(nearest_); }
 
   /// False where too few samples reach x.
   bool evaluate(const Vector3d& x, Field& out) const;
 
+  /// Heights of the samples that reach x over the algebraic sphere there, length units. Their weights are flatter than
+  /// those of the fit, whose few effective samples fall into groups by chance.
+  struct Heights {
+    std::vector<WeightedHeight> heights;
+    std::vector<Eigen::Vector2d> places;  ///< in the tangent plane
+    std::vector<double> cosines;          ///< of the normals of the samples against those of the sphere
+  };
+  Heights heights(const Vector3d& x, const Field& sphere) const;
+
  private:
+  /// Calls visit(sample, q, t) for the samples that have a say at x: q = position - x, t = 1 - |q|^2 / support^2.
+  template <class Visit>
+  void for_samples(const Vector3d& x, Visit visit) const {
+    const Vector3d& side = nearest().normal;
+    for (const Neighbour& near : found_) {
+      const CloudSample& sample = cloud_.sample(near.index);
+      const Vector3d q = sample.position - x;
+      const double t = 1 - q.squaredNorm() * sample.inverse_radius2;
+      if (t > 0 && !(side.dot(sample.normal) < kOtherSheet)) visit(sample, q, t);
+    }
+  }
+
   const PointCloud& cloud_;
   std::vector<Neighbour>& found_;
   Vector3d gathered_at_ = Vector3d::Zero();
@@ -79,6 +113,8 @@ bool sphere_value(const Moments& m, double support, Field& out) {
   const Vector3d ul = s * m.n - 2 * u4 * q;
   out.value = -ul.dot(q) - s * u4 * m.q_q;
   out.mean = q;
+  out.slope = ul;
+  out.bend = u4;
 
   // Gradients of the moments: of the weights, and of q = p - x itself.
   const Vector3d d_weight = m.w;
@@ -99,14 +135,9 @@ bool sphere_value(const Moments& m, double support, Field& out) {
 bool LocalField::evaluate(const Vector3d& x, Field& out) const {
   Moments m;
   int count = 0;
-  const Vector3d& side = nearest().normal;
-  for (const Neighbour& near : found_) {
-    const CloudSample& sample = cloud_.sample(near.index);
-    const Vector3d q = sample.position - x;
-    const double d2 = q.squaredNorm(), t = 1 - d2 * sample.inverse_radius2;
-    if (!(t > 0) || side.dot(sample.normal) < kOtherSheet) continue;
+  for_samples(x, [&](const CloudSample& sample, const Vector3d& q, double t) {
     const Vector3d& n = sample.normal;
-    const double t3 = sample.trust * t * t * t, w = t3 * t, qn = q.dot(n);
+    const double d2 = q.squaredNorm(), t3 = sample.trust * t * t * t, w = t3 * t, qn = q.dot(n);
     const Vector3d dw = (8 * t3 * sample.inverse_radius2) * q;  // gradient of the weight with respect to x
     m.weight += w;
     m.q += w * q;
@@ -119,8 +150,23 @@ bool LocalField::evaluate(const Vector3d& x, Field& out) const {
     m.w_q += dw * q.transpose();
     m.w_n += dw * n.transpose();
     if (sample.trust > 0) ++count;
-  }
+  });
   return count >= kFewest && m.weight > 0 && sphere_value(m, support(), out);
+}
+
+LocalField::Heights LocalField::heights(const Vector3d& x, const Field& sphere) const {
+  const Vector3d n = sphere.gradient.normalized(), e = n.unitOrthogonal(), f = n.cross(e);
+  Heights out;
+  for_samples(x, [&](const CloudSample& sample, const Vector3d& q, double t) {
+    const double value = sphere.value + sphere.slope.dot(q) + sphere.bend * q.squaredNorm();
+    const Vector3d up = sphere.slope + 2 * sphere.bend * q;
+    const double slope = up.norm();
+    if (!(slope > 0 && sample.trust > 0)) return;
+    out.heights.push_back({value / slope, sample.trust * t});
+    out.places.emplace_back(e.dot(q), f.dot(q));
+    out.cosines.push_back(std::abs(up.dot(sample.normal)) / slope);
+  });
+  return out;
 }
 
 /// All samples on one side of the foot, along the surface.
@@ -175,6 +221,38 @@ std::optional<Vector3d> CloudSurface::normal(const Vector3d& x) const {
   Field f;
   if (!field.evaluate(y, f)) return std::nullopt;
   return f.gradient.normalized();
+}
+
+namespace {
+
+/// Whether both groups lie along the fit. Where a surface bends away from it, the far part does not.
+bool parallel(const LocalField::Heights& over, double middle) {
+  double cosine[2] = {0, 0}, weight[2] = {0, 0};
+  for (std::size_t i = 0; i < over.heights.size(); ++i) {
+    const int group = over.heights[i].height > middle ? 1 : 0;
+    cosine[group] += over.heights[i].weight * over.cosines[i];
+    weight[group] += over.heights[i].weight;
+  }
+  return cosine[0] >= kSheetsParallel * weight[0] && cosine[1] >= kSheetsParallel * weight[1];
+}
+
+}  // namespace
+
+std::optional<CloudSurface::OtherSheet> CloudSurface::other_sheet(const Vector3d& x) const {
+  if (!x.allFinite()) return std::nullopt;
+  const Vector3d y = x - cloud_->centre();
+  LocalField field(*cloud_, buffer());
+  field.gather(y);
+  Field sphere;
+  if (!field.evaluate(y, sphere)) return std::nullopt;
+  const LocalField::Heights over = field.heights(y, sphere);
+  const TwoGroups groups = two_groups(over.heights);
+  const double apart = groups.apart / field.spacing();
+  if (!(apart >= kSheetsApart && groups.share >= kSheetShare && groups.fewest >= kSheetSamples)) return std::nullopt;
+  if (!(groups.apart >= kSheetGap * groups.width && groups.valley <= kSheetValley)) return std::nullopt;
+  if (!(steepness(over.heights, over.places, groups.middle) >= kSheetSteepness)) return std::nullopt;
+  if (!parallel(over, groups.middle)) return std::nullopt;
+  return OtherSheet{apart, groups.share};
 }
 
 }  // namespace leastcost

@@ -19,6 +19,12 @@ namespace leastcost {
 /// count.
 class CloudSurface {
  public:
+  /// Another sheet among the samples that make the surface somewhere.
+  struct OtherSheet {
+    double apart = 0;  ///< distance of the two sheets, local spacings
+    double share = 0;  ///< part of the samples there, at most one half
+  };
+
   /// The cloud must outlive the surface.
   explicit CloudSurface(const PointCloud& cloud) : cloud_(&cloud) {}
 
@@ -29,6 +35,11 @@ class CloudSurface {
 
   /// Unit normal of the level set of f through x, on the side of the samples' normals; nothing where f is not defined.
   std::optional<Eigen::Vector3d> normal(const Eigen::Vector3d& x) const;
+
+  /// Whether the samples that make the surface near x lie on two sheets, so that it runs between them: their heights
+  /// over the algebraic sphere fall into two groups that are far apart against their widths and stand on the same
+  /// ground. Noise does not, nor does a crease. Sheets nearer than half a spacing are noise.
+  std::optional<OtherSheet> other_sheet(const Eigen::Vector3d& x) const;
 
  private:
   const PointCloud* cloud_;

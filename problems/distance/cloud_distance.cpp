@@ -7,6 +7,7 @@
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/cloud/cloud_surface.hpp>
+#include "problems/cloud/unresolved.hpp"
 #include "problems/distance/distance_signs.hpp"
 #include "problems/distance/foot_points.hpp"
 
@@ -39,6 +40,10 @@ class CloudDistance final : public DistanceSource {
   double exact_cells() const override { return 4; }  // they take long, and a cloud is no exact surface
   std::shared_ptr<const DistanceSource> coarser() const override {
     return std::make_shared<CloudDistance>(cloud_.thinned(), sides_);
+  }
+  std::string why_unresolved(const Vector3d& x) const override {
+    const std::optional<Foot> found = nearest(x);
+    return found ? why_unresolved_at(surface_, found->position) : "";
   }
   std::optional<Vector3d> foot(const Vector3d& x) const override {
     const std::optional<Foot> found = nearest(x);

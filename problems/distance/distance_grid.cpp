@@ -137,11 +137,7 @@ double DistanceGrid::at_node(int i, int j, int k) const {
 }
 
 DistanceGrid DistanceGrid::every_second() const {
-  GridShape half = shape_;
-  half.cell *= 2;
-  for (int& count : half.count) count = (count + 1) / 2;
-  if (*std::min_element(half.count.begin(), half.count.end()) < GridShape::kFewest)
-    throw InputError("the distance grid is too small for a coarser version of it: " + text(shape_));
+  const GridShape half = leastcost::every_second(shape_);
   std::vector<double> values;
   values.reserve(half.nodes());
   for (int k = 0; k < half.count[2]; ++k)

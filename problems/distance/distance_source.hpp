@@ -33,6 +33,11 @@ class DistanceSource {
   /// data.
   virtual bool is_sample() const { return false; }
   virtual std::shared_ptr<const DistanceSource> coarser() const { return nullptr; }
+  /// Why the source does not say where its surface is near x, with the place; empty: nothing is known against it.
+  virtual std::string why_unresolved(const Eigen::Vector3d& x) const {
+    static_cast<void>(x);
+    return "";
+  }
   /// What a user should know about the source.
   virtual std::vector<std::string> notes() const { return {}; }
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/distance/grid_shape.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -60,6 +61,15 @@ std::string bytes_in_words(double bytes) {
   else
     out << bytes / 0x1p30 << " GiB";
   return out.str();
+}
+
+GridShape every_second(const GridShape& shape) {
+  GridShape half = shape;
+  half.cell *= 2;
+  for (int& count : half.count) count = (count + 1) / 2;
+  if (*std::min_element(half.count.begin(), half.count.end()) < GridShape::kFewest)
+    throw InputError("the distance grid is too small for a coarser version of it: " + text(shape));
+  return half;
 }
 
 std::string text(const GridShape& shape) {

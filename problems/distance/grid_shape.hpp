@@ -32,6 +32,9 @@ struct GridShape {
   Eigen::Vector3d upper() const { return node(count[0] - 1, count[1] - 1, count[2] - 1); }
 };
 
+/// Every second node of a grid. Throws InputError when too few are left.
+GridShape every_second(const GridShape& shape);
+
 /// "128 x 128 x 96 nodes of cell 0.02".
 std::string text(const GridShape& shape);
 

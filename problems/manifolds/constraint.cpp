@@ -3,7 +3,7 @@
 #include <leastcost/problems/manifolds/constraint.hpp>
 
 #include <leastcost/framework/errors.hpp>
-#include "problems/chart/has_images.hpp"
+#include <leastcost/framework/has_images.hpp>
 #include "problems/formula/coordinate_names.hpp"
 #include "problems/level_set/formula_constraint.hpp"
 #include "problems/level_set/named_surfaces.hpp"
@@ -14,10 +14,15 @@ namespace {
 /// Unit quaternions.
 class RotationSet final : public LevelSet, public HasImages {
  public:
-  RotationSet() : LevelSet(make_sphere_function(4, 1)) {}
-  Eigen::VectorXd nearest_image(const Eigen::VectorXd& q, const Eigen::VectorXd& reference) const override {
-    return q.dot(reference) < 0 ? Eigen::VectorXd(-q) : q;
+  explicit RotationSet(bool nearest_image) : LevelSet(make_sphere_function(4, 1)), nearest_image_(nearest_image) {}
+  std::vector<PointImage> images(const Eigen::VectorXd& q, const Eigen::VectorXd&, std::size_t most) const override {
+    if (most == 0) return {};
+    return {{-q, "-q"}};
   }
+  bool states_way(const Eigen::VectorXd&, const Eigen::VectorXd&) const override { return !nearest_image_; }
+
+ private:
+  bool nearest_image_;
 };
 
 using LevelSetPtr = std::shared_ptr<const LevelSet>;
@@ -36,8 +41,7 @@ LevelSetPtr from_equations(const ConstraintManifoldOptions& o) {
 
 LevelSetPtr named(const constraint::Rotations& rotations, std::optional<int> dimension) {
   if (dimension.value_or(4) != 4) throw OptionError("dimension", "quaternions have 4 coordinates");
-  if (rotations.nearest_image) return std::make_shared<RotationSet>();
-  return std::make_shared<LevelSet>(make_sphere_function(4, 1));
+  return std::make_shared<RotationSet>(rotations.nearest_image);
 }
 
 LevelSetPtr named(const constraint::Sphere& sphere, std::optional<int> dimension) {
@@ -60,7 +64,7 @@ void Sphere::fields(FieldVisitor& visit) {
 }
 void Rotations::fields(FieldVisitor& visit) {
   visit.field("nearest_image", nearest_image,
-              {.help = "Takes, of the two quaternions of the target, the one nearer to the source."});
+              {.help = "Takes, of the two quaternions of the target, the one to which a path is cheaper."});
 }
 
 }  // namespace constraint

@@ -29,7 +29,7 @@ struct Rotations {
   static constexpr std::string_view kType = "so3";
   static constexpr std::string_view kHelp =
       "Rotations of space as unit quaternions (w, x, y, z); length is half the angle.";
-  bool nearest_image = true;  ///< of the two quaternions of the target the one nearer to the source
+  bool nearest_image = true;  ///< of the two quaternions of the target the one to which a path is cheaper
   void fields(FieldVisitor& visit);
 };
 

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/manifolds/parametric.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "problems/chart/chart_images.hpp"
 #include "problems/drawing/domain_shapes.hpp"
 
 namespace leastcost {
@@ -61,6 +64,19 @@ void ParametricManifold::curvatures(const CoordinatePath& path, const Points& we
 
 void ParametricManifold::draw(const DrawnPaths& paths, Drawing& out) const {
   out.surface = chart_surface(*this, *this, paths.u);
+}
+
+std::vector<PointImage> ParametricManifold::images(const Eigen::VectorXd& x, const Eigen::VectorXd& reference,
+                                                   std::size_t most) const {
+  return chart_images(seams_, poles_, x, reference, most);
+}
+
+bool ParametricManifold::states_way(const Eigen::VectorXd& target, const Eigen::VectorXd& source) const {
+  constexpr double kRounding = 1e-9;
+  const auto turned = [&](const Seam& seam) {
+    return std::abs(target[seam.coordinate] - source[seam.coordinate]) >= (1 - kRounding) * seam.period;
+  };
+  return std::any_of(seams_.begin(), seams_.end(), turned);
 }
 
 int ParametricManifold::active_bounds(const CoordinatePath& path, Index column, Eigen::Ref<Points> normals) const {

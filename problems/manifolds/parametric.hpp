@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include <leastcost/framework/has_images.hpp>
 #include <leastcost/framework/manifold.hpp>
 #include <leastcost/framework/options.hpp>
 #include <leastcost/problems/chart/seams.hpp>
@@ -140,6 +141,7 @@ class ParametricManifold final : public ConstraintManifold,
                                  public HasChart,
                                  public HasBounds,
                                  public HasSeams,
+                                 public HasImages,
                                  public IsSurface,
                                  public DrawsItself {
  public:
@@ -159,6 +161,9 @@ class ParametricManifold final : public ConstraintManifold,
   int active_bounds(const CoordinatePath& path, Index column, Eigen::Ref<Points> normals) const override;
   const std::vector<Seam>& seams() const override { return seams_; }
   const std::vector<SeamMap>& poles() const override { return poles_; }
+  std::vector<PointImage> images(const Eigen::VectorXd& x, const Eigen::VectorXd& reference,
+                                 std::size_t most) const override;
+  bool states_way(const Eigen::VectorXd& target, const Eigen::VectorXd& source) const override;
   std::vector<std::string> coordinate_names() const override { return {"u", "v"}; }
   void draw(const DrawnPaths& paths, Drawing& out) const override;
 

@@ -32,6 +32,7 @@ struct PointCloudManifoldOptions {
 class PointCloudManifold final : public EmbeddedManifold,
                                  public HasPointCloud,
                                  public HasCoarserVersion,
+                                 public HasUnresolvedPlaces,
                                  public HasGraph,
                                  public HasVertices,
                                  public IsSurface,
@@ -47,6 +48,7 @@ class PointCloudManifold final : public EmbeddedManifold,
   const CloudGraph& graph() const override { return graph_; }
   std::shared_ptr<const ConstraintManifold> coarser() const override;
   bool has_made_coarser() const override { return has_coarser_; }
+  std::string why_unresolved(const CoordinatePath& path) const override;
   FirstPath least_cost_edges(const Problem& problem, const Monitor& monitor) const override;
   /// The sample with this number.
   PathEnd vertex(int number) const override;

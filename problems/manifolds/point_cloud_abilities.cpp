@@ -8,6 +8,7 @@
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/manifolds/point_cloud.hpp>
 #include "problems/cloud/cloud_route.hpp"
+#include "problems/cloud/unresolved.hpp"
 #include "problems/drawing/domain_shapes.hpp"
 
 namespace leastcost {
@@ -19,6 +20,12 @@ FirstPath PointCloudManifold::least_cost_edges(const Problem& problem, const Mon
   for (std::size_t i = 0; i < route.points.size(); ++i) first.path.u.col(static_cast<Index>(i)) = route.points[i];
   first.graph_vertices = route.vertices;
   return first;
+}
+
+std::string PointCloudManifold::why_unresolved(const CoordinatePath& path) const {
+  for (Index i = 0; i < path.u.cols(); ++i)
+    if (const std::string why = why_unresolved_at(surface_, path.u.col(i)); !why.empty()) return why;
+  return "";
 }
 
 PathEnd PointCloudManifold::vertex(int number) const {

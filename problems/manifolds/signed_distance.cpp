@@ -223,6 +223,13 @@ std::shared_ptr<const ConstraintManifold> SignedDistanceManifold::coarser() cons
   return coarser_;
 }
 
+std::string SignedDistanceManifold::why_unresolved(const CoordinatePath& path) const {
+  if (!source_) return "";
+  for (Index i = 0; i < path.u.cols(); ++i)
+    if (const std::string why = source_->why_unresolved(path.u.col(i)); !why.empty()) return why;
+  return "";
+}
+
 std::string SignedDistanceManifold::why_not_projected(const Eigen::VectorXd& x) const {
   const Vector3d lower = grid_->shape().origin, upper = grid_->shape().upper();
   if ((x.array() >= lower.array()).all() && (x.array() <= upper.array()).all()) return LevelSet::why_not_projected(x);
@@ -238,7 +245,7 @@ std::shared_ptr<const ConstraintManifold> SignedDistanceManifold::make_coarser()
   const bool first = level_ == 0;
   if (level_ == 2 || (!first && !source_ && mean_miss_ == 0)) return nullptr;
   const auto grid_of = [&](const DistanceSource& coarse) {
-    const GridShape shape = first ? grid_->every_second().shape() : grid_->shape();
+    const GridShape shape = first ? every_second(grid_->shape()) : grid_->shape();
     return DistanceGrid(shape, sample_distances(coarse, shape, offset_));
   };
   const std::shared_ptr<const DistanceSource> coarse = source_ ? source_->coarser() : nullptr;

@@ -92,6 +92,7 @@ struct SignedDistanceOptions {
 /// lost. Paths cannot leave the grid.
 class SignedDistanceManifold final : public LevelSet,
                                      public HasCoarserVersion,
+                                     public HasUnresolvedPlaces,
                                      public HasDistanceGrid,
                                      public MadeFromData {
  public:
@@ -112,6 +113,8 @@ class SignedDistanceManifold final : public LevelSet,
   /// none (null).
   std::shared_ptr<const ConstraintManifold> coarser() const override;
   bool has_made_coarser() const override { return has_coarser_; }
+  /// Of the cloud behind it.
+  std::string why_unresolved(const CoordinatePath& path) const override;
   std::string why_not_projected(const Eigen::VectorXd& x) const override;
 
  private:

@@ -3,10 +3,10 @@
 
 // The domains that are given by equations: contract, and the errors of what is no domain.
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/has_images.hpp>
 #include <leastcost/framework/problem.hpp>
 #include <leastcost/problems/manifolds/constraint.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
-#include "problems/chart/has_images.hpp"
 #include "tests/contracts/manifold_contract.hpp"
 #include "tests/support/words.hpp"
 
@@ -122,8 +122,9 @@ TEST_CASE("manifold contract: constraint, so3", "[contract]") {
   const auto* images = dynamic_cast<const HasImages*>(rotations.get());
   REQUIRE(images != nullptr);
   const Eigen::Vector4d q(0.5, 0.5, 0.5, 0.5), r(1, 0, 0, 0);
-  CHECK(images->nearest_image(q, r) == q);
-  CHECK(images->nearest_image(-q, r) == q);
+  REQUIRE(images->images(q, r, 5).size() == 1);
+  CHECK(images->images(q, r, 5)[0].u == -q);
+  CHECK(images->images(q, r, 0).empty());
 }
 
 TEST_CASE("level sets: where there is no projection, the reason is given", "[contract]") {

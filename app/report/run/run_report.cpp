@@ -34,7 +34,7 @@ std::string duration(double seconds) {
 double total_seconds(const JsonFile& result) {
   double sum = 0;
   for (const char* stage :
-       {"read", "compose", "initialize", "solve", "post_process", "certify", "other_members", "write"}) {
+       {"read", "compose", "initialize", "solve", "post_process", "prepare", "certify", "other_members", "write"}) {
     const std::string key = std::string("seconds.") + stage;
     if (result.has(key)) sum += result.number(key);  // older files, and runs without a family, have fewer stages
   }
@@ -115,14 +115,12 @@ std::string notes_of(const JsonFile& result) {
 
 std::string work_of(const JsonFile& result) {
   Table table{{{"stage"}, {"time", true}}, {}, ""};
-  const std::pair<const char*, const char*> stages[] = {{"read", "read the domain"},
-                                                        {"compose", "compose"},
-                                                        {"initialize", "first path"},
-                                                        {"solve", "solve"},
-                                                        {"post_process", "post-process"},
-                                                        {"certify", "certify"},
-                                                        {"other_members", "other members of the family"},
-                                                        {"write", "write files"}};
+  const std::pair<const char*, const char*> stages[] = {
+      {"read", "read the domain"},      {"compose", "compose"},
+      {"initialize", "first path"},     {"solve", "solve"},
+      {"post_process", "post-process"}, {"prepare", "coarser versions of the domain"},
+      {"certify", "certify"},           {"other_members", "other members of the family"},
+      {"write", "write files"}};
   for (const auto& [key, name] : stages) {
     const std::string stage = std::string("seconds.") + key;
     if (result.has(stage)) table.rows.push_back({{name}, {fmt::format("{:.3f} ms", 1e3 * result.number(stage))}});

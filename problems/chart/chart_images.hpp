@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include <leastcost/framework/has_images.hpp>
+#include <leastcost/problems/chart/seams.hpp>
+
+namespace leastcost {
+
+/// The images of u across the seams of a chart and over up to two of its poles in turn, without u itself: the `most`
+/// nearest to `reference`, nearest first. Across each seam those up to one turn either way from the nearest are looked
+/// at, however many turns off u itself is.
+std::vector<PointImage> chart_images(const std::vector<Seam>& seams, const std::vector<SeamMap>& poles,
+                                     const Eigen::VectorXd& u, const Eigen::VectorXd& reference, std::size_t most);
+
+}  // namespace leastcost

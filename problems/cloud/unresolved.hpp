@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+#include <leastcost/problems/cloud/cloud_surface.hpp>
+
+namespace leastcost {
+
+/// Why the surface of a cloud is none near x (in the coordinates of the file), with the place:
+/// CloudSurface::other_sheet in words. Empty where nothing is known against it.
+std::string why_unresolved_at(const CloudSurface& surface, const Eigen::Vector3d& x);
+
+}  // namespace leastcost
