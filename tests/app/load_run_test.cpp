@@ -108,6 +108,17 @@ TEST_CASE("load_run: every shipped configuration gives the files of the command 
   CHECK(compared > 30);
 }
 
+TEST_CASE("load_run: ways around a hill that cost the same are tied in the file of results") {
+  const ScratchDir dir;
+  const Run run = load_run(project_dir() / "configs/two_ways_around.yaml");
+  const Json family = json(write_run(solve(run), dir / "out") / "result.json")["family"];
+  REQUIRE(family.size() == 2);
+  for (const Json& member : family) {
+    CHECK(member["tied"] == true);
+    CHECK(member["rank_cost"].get<double>() == Approx(member["cost"].get<double>()));
+  }
+}
+
 TEST_CASE("load_run: what is replaced in memory is solved, and said in the files") {
   const ScratchDir dir;
   std::ofstream(dir / "a.yaml") << kPlane << "family: {bows: 2}\n";
