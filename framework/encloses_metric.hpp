@@ -21,12 +21,4 @@ class EnclosesMetric {
   virtual void enclose_metric(std::span<const IntervalJet<3>> x, std::span<IntervalJet<3>> upper) const = 0;
 };
 
-/// Ability of a domain with a chart x(u), u in R^2, given by formula.
-class EnclosesEmbedding {
- public:
-  virtual ~EnclosesEmbedding() = default;
-  using Jet = Dual<IntervalJet<2>, 2>;
-  virtual void enclose_embedding(std::span<const Jet> u, std::span<Jet> x) const = 0;
-};
-
 }  // namespace leastcost

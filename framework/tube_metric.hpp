@@ -15,36 +15,22 @@ using JetMatrix = std::array<IntervalJet<N>, static_cast<std::size_t>(N* N)>;
 template <int N>
 using JetPoint = std::array<IntervalJet<N>, static_cast<std::size_t>(N)>;
 
-/// The metric tensor of a problem in the coordinates in which its paths are given: that of the cost in a flat space,
-/// pulled back to the chart on a surface, J'GJ.
+/// The metric tensor of a problem in a flat space, enclosed.
 template <int N>
 class TubeMetric {
  public:
-  explicit TubeMetric(const Problem& problem)
-      : cost_(find_ability<EnclosesMetric>(*problem.cost)),
-        chart_(find_ability<EnclosesEmbedding>(*problem.manifold)),
-        ambient_(problem.manifold->dimensions().ambient) {}
+  explicit TubeMetric(const Problem& problem) : cost_(find_ability<EnclosesMetric>(*problem.cost)) {}
 
-  /// Whether there is one: cost and domain are formulas.
+  /// Whether there is one: a flat space of N dimensions, and a cost by formula.
   static bool exists(const Problem& problem) {
-    const Dimensions d = problem.manifold->dimensions();
-    if (find_ability<EnclosesMetric>(*problem.cost) == nullptr || d.coordinate != N) return false;
-    return problem.manifold->shape() == Shape::flat ||
-           (N == 2 && find_ability<EnclosesEmbedding>(*problem.manifold) != nullptr);
+    const ConstraintManifold& domain = *problem.manifold;
+    return domain.dimensions().coordinate == N && domain.shape() == Shape::flat &&
+           find_ability<HasChart>(domain) == nullptr && find_ability<EnclosesMetric>(*problem.cost) != nullptr;
   }
 
   /// G at u, which depends on N variables.
   JetMatrix<N> operator()(const JetPoint<N>& u) const {
-    if (chart_ == nullptr) return of_cost(u);
-    if constexpr (N == 2) return pulled_back(u);
-    return {};
-  }
-
- private:
-  static constexpr std::size_t kUpper = N * (N + 1) / 2;
-
-  JetMatrix<N> of_cost(const JetPoint<N>& u) const {
-    std::array<IntervalJet<N>, kUpper> upper;
+    std::array<IntervalJet<N>, static_cast<std::size_t>(N * (N + 1) / 2)> upper;
     cost_->enclose_metric(u, upper);
     JetMatrix<N> g;
     std::size_t k = 0;
@@ -53,38 +39,8 @@ class TubeMetric {
     return g;
   }
 
-  JetMatrix<N> pulled_back(const JetPoint<N>& u) const {
-    using Outer = EnclosesEmbedding::Jet;
-    constexpr std::size_t kMost = 3;
-    std::array<Outer, 2> at;
-    for (std::size_t i = 0; i < 2; ++i) {
-      at[i].value = u[i];
-      at[i].d[i] = IntervalJet<2>(1.0);
-    }
-    std::array<Outer, kMost> x;
-    chart_->enclose_embedding(at, x);
-    std::array<IntervalJet<2>, kMost> place;
-    for (std::size_t i = 0; i < kMost; ++i) place[i] = x[i].value;
-    std::array<IntervalJet<2>, kMost*(kMost + 1) / 2> upper;
-    cost_->enclose_metric(place, upper);
-    JetMatrix<N> g;
-    for (std::size_t p = 0; p < 2; ++p)
-      for (std::size_t q = p; q < 2; ++q) {
-        IntervalJet<2> sum(0.0);
-        std::size_t k = 0;
-        for (std::size_t i = 0; i < kMost; ++i)
-          for (std::size_t j = i; j < kMost; ++j, ++k) {
-            sum += upper[k] * x[i].d[p] * x[j].d[q];
-            if (j > i) sum += upper[k] * x[j].d[p] * x[i].d[q];
-          }
-        g[2 * p + q] = g[2 * q + p] = sum;
-      }
-    return g;
-  }
-
+ private:
   const EnclosesMetric* cost_;
-  const EnclosesEmbedding* chart_;
-  int ambient_;
 };
 
 }  // namespace leastcost

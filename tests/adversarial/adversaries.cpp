@@ -136,28 +136,96 @@ Adversary pulled_back(std::uint64_t seed) {
           known((image(to) - image(from)).norm())};
 }
 
-/// n(x) = 1 + A exp(-((x - c) / w)^2), by Snell's law: p = n sin(angle) is constant.
-Adversary layered(std::uint64_t seed) {
-  Draw draw(6, seed);
-  const double height = draw.uniform(0.1, 3), c = draw.uniform(-0.5, 0.5), w = draw.decades(2e-3, 0.5);
-  const std::string n = "(1+" + text(height) + "*exp(-((x-" + text(c) + ")/" + text(w) + ")^2))^2";
-  const Real rise = draw.uniform(0, 1.5);
-  const auto index = [&](Real x) {
-    return 1 + Real(height) * std::exp(-(x - Real(c)) * (x - Real(c)) / (Real(w) * Real(w)));
+/// A path from (-1, 0) to (1, rise) where the index n depends on x alone, at least `least`: by Snell's law p = n
+/// sin(angle) is constant. `parts`: limits between which Simpson's rule with 4000 parts resolves n.
+template <class Index>
+Adversary stratified(const std::string& n, Index index, Real least, const std::vector<Real>& limits, double rise,
+                     int points) {
+  const auto over = [&](auto f) {
+    Real sum = 0;
+    for (std::size_t i = 0; i + 1 < limits.size(); ++i) sum += integral(f, limits[i], limits[i + 1], 4000);
+    return sum;
   };
-  const auto over = [&](auto f) {  // split where the bump is
-    const Real a = std::max<Real>(-1, Real(c) - 7 * Real(w)), b = std::min<Real>(1, Real(c) + 7 * Real(w));
-    return integral(f, -1, a, 400) + integral(f, a, b, 4000) + integral(f, b, 1, 400);
-  };
-  Real low = 0, high = 1;
+  Real low = 0, high = least;
   for (int i = 0; i < 64; ++i) {
     const Real p = (low + high) / 2;
     const Real y = over([&](Real x) { return p / std::sqrt(index(x) * index(x) - p * p); });
-    (y < rise ? low : high) = p;
+    (y < Real(rise) ? low : high) = p;
   }
   const Real time = over([&](Real x) { return index(x) * index(x) / std::sqrt(index(x) * index(x) - low * low); });
-  return {between(space(2), field({n, "0", n}), Vector2d(-1, 0), Vector2d(1, static_cast<double>(rise))), straight(),
-          draw.integer(30, 120), known(time)};
+  const std::string squared = "(" + n + ")^2";
+  return {between(space(2), field({squared, "0", squared}), Vector2d(-1, 0), Vector2d(1, rise)), straight(), points,
+          known(time)};
+}
+
+/// n(x) = 1 + A exp(-((x - c) / w)^2).
+Adversary wall(Draw& draw, double height, double w) {
+  const double c = draw.uniform(-0.5, 0.5);
+  const auto index = [=](Real x) {
+    return 1 + Real(height) * std::exp(-(x - Real(c)) * (x - Real(c)) / (Real(w) * Real(w)));
+  };
+  const Real a = std::max<Real>(-1, Real(c) - 7 * Real(w)), b = std::min<Real>(1, Real(c) + 7 * Real(w));
+  const double rise = draw.uniform(0, 1.5);
+  return stratified("1+" + text(height) + "*exp(-((x-" + text(c) + ")/" + text(w) + ")^2)", index, 1, {-1, a, b, 1},
+                    rise, draw.integer(30, 120));
+}
+
+Adversary layered(std::uint64_t seed) {
+  Draw draw(6, seed);
+  const double height = draw.uniform(0.1, 3), w = draw.decades(2e-3, 0.5);
+  return wall(draw, height, w);
+}
+
+/// Walls of any height that are mostly narrower than a segment.
+Adversary narrow_wall(std::uint64_t seed) {
+  Draw draw(9, seed);
+  const double height = draw.decades(1e-3, 10), w = draw.decades(1e-4, 0.05);
+  return wall(draw, height, w);
+}
+
+/// n(x) = 1 + A cos(k x + phase), from smooth to much finer than the segments.
+Adversary rippled(std::uint64_t seed) {
+  Draw draw(10, seed);
+  const double height = draw.decades(1e-3, 0.6), k = draw.decades(1, 2000), phase = draw.uniform(0, 6.28);
+  std::vector<Real> limits;
+  for (int i = 0; i <= 16; ++i) limits.push_back(-1 + Real(i) / 8);
+  const double rise = draw.uniform(0, 1.5);
+  return stratified(
+      "1+" + text(height) + "*cos(" + text(k) + "*x+" + text(phase) + ")",
+      [=](Real x) { return 1 + Real(height) * std::cos(Real(k) * x + Real(phase)); }, 1 - Real(height), limits, rise,
+      draw.integer(12, 150));
+}
+
+/// n(x) = 1 + A cos(k (x + 1.2)^2): every frequency up to that of the end. Held out: nothing was chosen on it.
+Adversary chirp(std::uint64_t seed) {
+  Draw draw(12, seed);
+  const double height = draw.decades(1e-3, 0.6), k = draw.decades(1, 500);
+  std::vector<Real> limits;
+  for (int i = 0; i <= 16; ++i) limits.push_back(-1 + Real(i) / 8);
+  const double rise = draw.uniform(0, 1.5);
+  return stratified(
+      "1+" + text(height) + "*cos(" + text(k) + "*(x+1.2)^2)",
+      [=](Real x) { return 1 + Real(height) * std::cos(Real(k) * (x + Real(1.2)) * (x + Real(1.2))); },
+      1 - Real(height), limits, rise, draw.integer(12, 150));
+}
+
+/// n(x) = 1 - A log((x - c)^2 + w^2) / 10: a wall with a logarithmic foot. Held out: nothing was chosen on it.
+Adversary logarithmic_wall(std::uint64_t seed) {
+  Draw draw(13, seed);
+  const double height = draw.decades(1e-2, 1), w = draw.decades(1e-4, 0.2), c = draw.uniform(-0.5, 0.5);
+  const auto index = [=](Real x) {
+    return 1 + Real(height) / 10 * (2 - std::log((x - Real(c)) * (x - Real(c)) + Real(w) * Real(w)));
+  };
+  std::vector<Real> limits = {-1};
+  for (const double part : {-100., -30., -10., -3., 3., 10., 30., 100.}) {
+    const Real x = Real(c) + Real(part) * Real(w);
+    if (x > limits.back() && x < 1) limits.push_back(x);
+  }
+  limits.push_back(1);
+  const Real least = std::min(index(-1), index(1));
+  const double rise = draw.uniform(0, 1.5);
+  return stratified("1+" + text(height) + "/10*(2-log((x-" + text(c) + ")^2+" + text(w) + "^2))", index, least, limits,
+                    rise, draw.integer(12, 150));
 }
 
 /// z = a sin(k x): the sheet unrolls.
@@ -209,7 +277,11 @@ const std::vector<AdversaryFamily>& adversary_families() {
       {"pull-back metrics", pulled_back},
       {"layered media", layered, false},
       {"corrugated sheets", corrugated},
-      {"washboards", washboard, false}};
+      {"washboards", washboard, false},
+      {"narrow walls", narrow_wall, false},
+      {"ripples", rippled, false},
+      {"chirps (held out)", chirp, false},
+      {"logarithmic walls (held out)", logarithmic_wall, false}};
   return families;
 }
 

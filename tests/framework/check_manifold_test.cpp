@@ -13,38 +13,38 @@
 namespace leastcost::test {
 namespace {
 
-enum class Defect { none, slow_projection, long_basis, wrong_plane, overshoots, first_order, moves_ends };
+enum class DomainDefect { none, slow_projection, long_basis, wrong_plane, overshoots, first_order, moves_ends };
 
 /// The unit sphere, and one defect.
 class Globe final : public EmbeddedManifold {
  public:
-  explicit Globe(Defect defect) : EmbeddedManifold({3, 3, 2}), defect_(defect) {}
+  explicit Globe(DomainDefect defect) : EmbeddedManifold({3, 3, 2}), defect_(defect) {}
 
   void retract(const CoordinatePath& from, const Points& step, CoordinatePath& to) const override {
     Points bent = step;
-    if (defect_ == Defect::overshoots) bent *= 2;
-    if (defect_ == Defect::first_order)  // slides sideways at second order
+    if (defect_ == DomainDefect::overshoots) bent *= 2;
+    if (defect_ == DomainDefect::first_order)  // slides sideways at second order
       for (Index i = 0; i < step.cols(); ++i)
         bent.col(i) +=
             step.col(i).norm() * Eigen::Vector3d(from.u.col(from.free_begin() + i)).cross(Eigen::Vector3d(step.col(i)));
     EmbeddedManifold::retract(from, bent, to);
-    if (defect_ == Defect::moves_ends) to.u = -to.u;
+    if (defect_ == DomainDefect::moves_ends) to.u = -to.u;
   }
 
  private:
   bool project_point(Eigen::Ref<Eigen::VectorXd> x) const override {
     if (!(x.norm() > 0)) return false;
-    x *= defect_ == Defect::slow_projection ? 0.5 + 0.5 / x.norm() : 1 / x.norm();
+    x *= defect_ == DomainDefect::slow_projection ? 0.5 + 0.5 / x.norm() : 1 / x.norm();
     return true;
   }
   void tangent_basis(const Eigen::VectorXd& x, Eigen::Ref<Points> basis) const override {
-    const Eigen::Vector3d n = defect_ == Defect::wrong_plane ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d(x);
+    const Eigen::Vector3d n = defect_ == DomainDefect::wrong_plane ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d(x);
     basis.col(0) = n.unitOrthogonal();
     basis.col(1) = n.cross(Eigen::Vector3d(basis.col(0)));
-    if (defect_ == Defect::long_basis) basis.col(0) *= 1.001;
+    if (defect_ == DomainDefect::long_basis) basis.col(0) *= 1.001;
   }
 
-  Defect defect_;
+  DomainDefect defect_;
 };
 
 /// x >= 0 in the plane, with normals that point outwards or not.
@@ -117,7 +117,7 @@ std::string named(const ConstraintManifold& manifold, const PointSampler& near,
   return names;
 }
 
-std::string named(Defect defect) {
+std::string named(DomainDefect defect) {
   return named(Globe(defect), [](std::mt19937_64& engine) -> Eigen::VectorXd {
     std::normal_distribution<double> normal;
     const Eigen::Vector3d x(normal(engine), normal(engine), normal(engine));
@@ -128,13 +128,13 @@ std::string named(Defect defect) {
 }  // namespace
 
 TEST_CASE("check_manifold: the sphere has no faults, each defect its name", "[framework]") {
-  CHECK(named(Defect::none) == "");
-  CHECK(named(Defect::long_basis) == "tangent_bases");
-  CHECK(named(Defect::overshoots) == "retraction second_order");
-  CHECK(named(Defect::first_order) == "second_order");
-  CHECK_THAT(named(Defect::slow_projection), Catch::Contains("idempotent"));
-  CHECK_THAT(named(Defect::wrong_plane), Catch::Contains("tangent_bases"));
-  CHECK_THAT(named(Defect::moves_ends), Catch::Contains("retraction"));
+  CHECK(named(DomainDefect::none) == "");
+  CHECK(named(DomainDefect::long_basis) == "tangent_bases");
+  CHECK(named(DomainDefect::overshoots) == "retraction second_order");
+  CHECK(named(DomainDefect::first_order) == "second_order");
+  CHECK_THAT(named(DomainDefect::slow_projection), Catch::Contains("idempotent"));
+  CHECK_THAT(named(DomainDefect::wrong_plane), Catch::Contains("tangent_bases"));
+  CHECK_THAT(named(DomainDefect::moves_ends), Catch::Contains("retraction"));
 }
 
 TEST_CASE("check_manifold: bounds and charts", "[framework]") {

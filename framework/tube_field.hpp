@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+
+#include "framework/tube_metric.hpp"
+#include "framework/tube_segment.hpp"
+
+namespace leastcost {
+
+/// The dual norm of the potential of framework/calibration.hpp and what it is made of, as jets in t (variable 0) and z
+/// (1 .. K).
+template <int N>
+class TubeField {
+ public:
+  static constexpr int K = N - 1;
+  using Jet = IntervalJet<N>;
+  using Small = Eigen::Matrix<double, K, K>;
+
+  explicit TubeField(const TubeMetric<N>& metric) : metric_(metric) {}
+
+  /// What is known of the curve alone for t in a range: its speed, and the part of its momentum across it.
+  struct OnCurve {
+    Jet speed;
+    std::array<Jet, K> across, across_rate;
+  };
+
+  OnCurve on_curve(const TubeSegment<N>& segment, const Interval& range) const {
+    const Jet t = IntervalJet<N>::variable(range, 0);
+    JetPoint<N> x, dx;
+    for (std::size_t i = 0; i < N; ++i) {
+      x[i] = segment.curve[i](t);
+      dx[i] = segment.curve[i].derivative()(t);
+    }
+    const JetMatrix<N> g = metric_(x);
+    JetPoint<N> momentum;
+    Jet speed2(0.0);
+    for (std::size_t i = 0; i < N; ++i) {
+      momentum[i] = Jet(0.0);
+      for (std::size_t j = 0; j < N; ++j) momentum[i] += g[N * i + j] * dx[j];
+      speed2 += momentum[i] * dx[i];
+    }
+    OnCurve out;
+    out.speed = sqrt(speed2);
+    for (std::size_t k = 0; k < K; ++k) {
+      Jet sum(0.0);
+      for (std::size_t i = 0; i < N; ++i) sum += segment.frame[i][k](t) * momentum[i];
+      out.across[k] = sum / out.speed;
+      out.across_rate[k] = out.across[k].derivative(0);
+    }
+    return out;
+  }
+
+  /// f = |grad u|^2 in the dual norm, and what of its Hessian across the curve does not depend on W and its rate.
+  Jet squared_norm(const TubeSegment<N>& segment, const OnCurve& curve, const Interval& range,
+                   const std::array<Interval, K>& across) const {
+    const Jet t = IntervalJet<N>::variable(range, 0);
+    std::array<Jet, K> z;
+    for (std::size_t k = 0; k < K; ++k) z[k] = IntervalJet<N>::variable(across[k], static_cast<int>(k) + 1);
+    return norm_of(gradient(segment, curve, t, z), metric_in_tube(segment, t, z));
+  }
+
+  /// The metric in the coordinates (t, z).
+  JetMatrix<N> metric_in_tube(const TubeSegment<N>& segment, const Jet& t, const std::array<Jet, K>& z) const {
+    JetPoint<N> x;
+    JetMatrix<N> d;  // dx / d(t, z), column by column
+    for (std::size_t i = 0; i < N; ++i) {
+      x[i] = segment.curve[i](t);
+      d[i] = segment.curve[i].derivative()(t);
+      for (std::size_t k = 0; k < K; ++k) {
+        const Jet n = segment.frame[i][k](t);
+        x[i] += n * z[k];
+        d[i] += segment.frame[i][k].derivative()(t) * z[k];
+        d[N * (k + 1) + i] = n;
+      }
+    }
+    const JetMatrix<N> g = metric_(x);
+    JetMatrix<N> out;
+    for (std::size_t p = 0; p < N; ++p) {
+      JetPoint<N> gd;
+      for (std::size_t i = 0; i < N; ++i) {
+        gd[i] = Jet(0.0);
+        for (std::size_t j = 0; j < N; ++j) gd[i] += g[N * i + j] * d[N * p + j];
+      }
+      for (std::size_t q = p; q < N; ++q) {
+        Jet sum(0.0);
+        for (std::size_t i = 0; i < N; ++i) sum += d[N * q + i] * gd[i];
+        out[N * p + q] = out[N * q + p] = sum;
+      }
+    }
+    return out;
+  }
+
+  /// du / d(t, z).
+  JetPoint<N> gradient(const TubeSegment<N>& segment, const OnCurve& curve, const Jet& t,
+                       const std::array<Jet, K>& z) const {
+    JetPoint<N> y;
+    y[0] = curve.speed;
+    for (std::size_t k = 0; k < K; ++k) {
+      y[0] += curve.across_rate[k] * z[k];
+      y[k + 1] = curve.across[k];
+      for (std::size_t l = 0; l < K; ++l) {
+        y[k + 1] += segment.w[k][l](t) * z[l];
+        const Jet zz = z[k] * z[l];
+        y[0] += Jet(0.5) * (segment.w[k][l].derivative()(t) * zz);
+        for (std::size_t m = 0; m < K; ++m) {
+          y[m + 1] += Jet(0.5) * (segment.third[m][k][l](t) * zz);
+          y[0] += Jet(1.0 / 6) * (segment.third[m][k][l].derivative()(t) * zz * z[m]);
+        }
+      }
+    }
+    return y;
+  }
+
+  /// y' g^-1 y, by elimination.
+  static Jet norm_of(JetPoint<N> y, JetMatrix<N> g) {
+    Jet sum(0.0);
+    for (std::size_t i = N; i-- > 0;) {  // the direction along the curve last
+      const Jet inverse = Jet(1.0) / g[N * i + i];
+      sum += y[i] * y[i] * inverse;
+      for (std::size_t j = 0; j < i; ++j) {
+        const Jet factor = g[N * i + j] * inverse;
+        y[j] -= factor * y[i];
+        for (std::size_t k = 0; k < i; ++k) g[N * j + k] -= factor * g[N * i + k];
+      }
+    }
+    return sum;
+  }
+
+ private:
+  const TubeMetric<N>& metric_;
+};
+
+}  // namespace leastcost

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace leastcost {
+
+/// c0 + c1 s + c2 s^2 + c3 s^3.
+struct Cubic {
+  std::array<double, 4> c = {};
+
+  /// With values a, b and slopes da, db at 0 and 1.
+  static Cubic hermite(double a, double b, double da, double db) {
+    return {{a, da, 3 * (b - a) - 2 * da - db, 2 * (a - b) + da + db}};
+  }
+  static Cubic line(double a, double b) { return {{a, b - a, 0, 0}}; }
+  /// The same, around another origin.
+  Cubic around(double t) const {
+    return {
+        {c[0] + t * (c[1] + t * (c[2] + t * c[3])), c[1] + t * (2 * c[2] + t * 3 * c[3]), c[2] + 3 * t * c[3], c[3]}};
+  }
+  Cubic derivative() const { return {{c[1], 2 * c[2], 3 * c[3], 0}}; }
+  template <class S>
+  S operator()(const S& s) const {
+    return S(c[0]) + s * (S(c[1]) + s * (S(c[2]) + s * S(c[3])));
+  }
+  double at(double s) const { return c[0] + s * (c[1] + s * (c[2] + s * c[3])); }
+};
+
+/// One segment of the tube: the curve, its frame, and the matrix of the potential, as functions of t in [0, 1].
+template <int N>
+struct TubeSegment {
+  static constexpr int K = N - 1;
+  std::array<Cubic, N> curve;
+  std::array<std::array<Cubic, K>, N> frame;
+  std::array<std::array<Cubic, K>, K> w;
+  std::array<std::array<std::array<Cubic, K>, K>, K> third;
+
+  TubeSegment around(double t) const {
+    TubeSegment moved = *this;
+    for (Cubic& c : moved.curve) c = c.around(t);
+    for (auto& row : moved.frame)
+      for (Cubic& c : row) c = c.around(t);
+    for (auto& row : moved.w)
+      for (Cubic& c : row) c = c.around(t);
+    for (auto& rows : moved.third)
+      for (auto& row : rows)
+        for (Cubic& c : row) c = c.around(t);
+    return moved;
+  }
+};
+
+}  // namespace leastcost
