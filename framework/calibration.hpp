@@ -26,6 +26,7 @@ struct Calibration {
   double gap = 0;               ///< relative; no curve in the tube costs less than (1 - gap) times the curve
   double half_width = 0;        ///< of the tube where it is narrowest, units of the cost
   double lower = 0, upper = 0;  ///< no curve in the tube costs less; the curve costs no more. Units of the cost
+  bool contradicted = false;    ///< not proved, and far from it: the Hessian of f may be positive by some margins
   Index segment = -1;           ///< where it failed; -1: nowhere
   std::string trouble;          ///< why it is not proved
 };

@@ -17,8 +17,8 @@
 
 namespace leastcost {
 
-/// The potential of a tube: W by its Riccati equation, with the largest margin of a few that leaves it bounded, and the
-/// third derivatives. Written into the segments of the tube.
+/// The potential of a tube: W by its Riccati equation, with the largest margin of a few that leaves it bounded. Written
+/// into the segments of the tube.
 template <int N>
 class ExtremalField {
  public:
@@ -33,6 +33,10 @@ class ExtremalField {
     }
     exists_ = solve();
   }
+
+  /// Adds third derivatives to the potential, so that those of f vanish on the curve: f then falls on both sides
+  /// farther out where it is lopsided, and less far where these derivatives grow along the path. Throws Interrupted.
+  void add_third_derivatives();
 
   /// False: the path is no strict minimum, or nearly not.
   bool exists() const { return exists_; }
@@ -69,51 +73,10 @@ class ExtremalField {
         if (!flattest()) continue;
         margin_ /= 4;
         flattest();
-        solve_third();
         return true;
       }
     }
     return false;
-  }
-
-  /// The third derivatives of u across the curve, so that those of f vanish on it: f then falls on both sides farther
-  /// out.
-  void solve_third() {
-    using Cube = typename RiccatiPoint<N>::Cube;
-    const auto plus = [](const Cube& a, const Cube& b, double factor) {
-      Cube sum;
-      for (std::size_t k = 0; k < K; ++k) sum[k] = a[k] + factor * b[k];
-      return sum;
-    };
-    Cube c;
-    c.fill(Small::Zero());
-    for (std::size_t i = 0; i < tube_.segments.size(); ++i) {
-      look_at_clock(deadline_);
-      std::array<Cube, 3> rest;
-      std::array<Small, 3> w;
-      for (int stage = 0; stage < 3; ++stage) {
-        const TubeSegment<N> here = tube_.segments[i].around(stage / 2.0);
-        const IntervalJet<N> f = field_.squared_norm(here, field_.on_curve(here, Interval(0)), Interval(0), {});
-        const auto s = static_cast<std::size_t>(stage);
-        for (int k = 0; k < K; ++k)
-          for (int l = 0; l < K; ++l) {
-            w[s](k, l) = here.w[static_cast<std::size_t>(k)][static_cast<std::size_t>(l)].c[0];
-            for (int m = 0; m < K; ++m) rest[s][static_cast<std::size_t>(k)](l, m) = f.d(k + 1, l + 1, m + 1).middle();
-          }
-      }
-      const RiccatiPoint<N>* at = &riccati_[3 * i];
-      const Cube k1 = at[0].third_rate(w[0], c, rest[0]), k2 = at[1].third_rate(w[1], plus(c, k1, 0.5), rest[1]),
-                 k3 = at[1].third_rate(w[1], plus(c, k2, 0.5), rest[1]),
-                 k4 = at[2].third_rate(w[2], plus(c, k3, 1), rest[2]);
-      const Cube next = plus(plus(plus(plus(c, k1, 1. / 6), k2, 1. / 3), k3, 1. / 3), k4, 1. / 6);
-      const Cube rate = at[2].third_rate(w[2], next, rest[2]);
-      for (std::size_t k = 0; k < K; ++k)
-        for (Index l = 0; l < K; ++l)
-          for (Index m = 0; m < K; ++m)
-            tube_.segments[i].third[k][static_cast<std::size_t>(l)][static_cast<std::size_t>(m)] =
-                Cubic::hermite(c[k](l, m), next[k](l, m), k1[k](l, m), rate[k](l, m));
-      c = next;
-    }
   }
 
   /// Whether W stays bounded from some start; from the one that keeps it smallest.
@@ -157,5 +120,44 @@ class ExtremalField {
   double margin_ = 0, own_part_ = 1;
   bool exists_ = false;
 };
+
+template <int N>
+void ExtremalField<N>::add_third_derivatives() {
+  using Cube = typename RiccatiPoint<N>::Cube;
+  const auto plus = [](const Cube& a, const Cube& b, double factor) {
+    Cube sum;
+    for (std::size_t k = 0; k < K; ++k) sum[k] = a[k] + factor * b[k];
+    return sum;
+  };
+  Cube c;
+  c.fill(Small::Zero());
+  for (std::size_t i = 0; i < tube_.segments.size(); ++i) {
+    look_at_clock(deadline_);
+    std::array<Cube, 3> rest;
+    std::array<Small, 3> w;
+    for (int stage = 0; stage < 3; ++stage) {
+      const TubeSegment<N> here = tube_.segments[i].around(stage / 2.0);
+      const IntervalJet<N> f = field_.squared_norm(here, field_.on_curve(here, Interval(0)), Interval(0), {});
+      const auto s = static_cast<std::size_t>(stage);
+      for (int k = 0; k < K; ++k)
+        for (int l = 0; l < K; ++l) {
+          w[s](k, l) = here.w[static_cast<std::size_t>(k)][static_cast<std::size_t>(l)].c[0];
+          for (int m = 0; m < K; ++m) rest[s][static_cast<std::size_t>(k)](l, m) = f.d(k + 1, l + 1, m + 1).middle();
+        }
+    }
+    const RiccatiPoint<N>* at = &riccati_[3 * i];
+    const Cube k1 = at[0].third_rate(w[0], c, rest[0]), k2 = at[1].third_rate(w[1], plus(c, k1, 0.5), rest[1]),
+               k3 = at[1].third_rate(w[1], plus(c, k2, 0.5), rest[1]),
+               k4 = at[2].third_rate(w[2], plus(c, k3, 1), rest[2]);
+    const Cube next = plus(plus(plus(plus(c, k1, 1. / 6), k2, 1. / 3), k3, 1. / 3), k4, 1. / 6);
+    const Cube rate = at[2].third_rate(w[2], next, rest[2]);
+    for (std::size_t k = 0; k < K; ++k)
+      for (Index l = 0; l < K; ++l)
+        for (Index m = 0; m < K; ++m)
+          tube_.segments[i].third[k][static_cast<std::size_t>(l)][static_cast<std::size_t>(m)] =
+              Cubic::hermite(c[k](l, m), next[k](l, m), k1[k](l, m), rate[k](l, m));
+    c = next;
+  }
+}
 
 }  // namespace leastcost

@@ -81,11 +81,12 @@ class Examiner {
     const Calibration found = calibrate(problem_, refinement_.paths[2], options, monitor_.deadline);
     if (!found.applies) return;
     Resolution& r = out_.resolution;
-    r.half_width = found.half_width;
     if (!found.proved) {
+      if (!found.contradicted) return;  // too wide a tube or too wide intervals: sampled
       const Eigen::VectorXd place = refinement_.paths[2].u.col(std::max<Index>(found.segment, 0));
-      return unresolved(found.segment < 0 ? found.trouble : "near " + point_text(place) + ": " + found.trouble);
+      return unresolved("near " + point_text(place) + ": " + found.trouble);
     }
+    r.half_width = found.half_width;
     r.verdict = ResolutionVerdict::proved;
     r.curve_enclosed = r.minimum_proved = true;
     r.lower = found.lower;

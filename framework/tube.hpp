@@ -23,6 +23,7 @@ namespace leastcost {
 struct TubeTrouble {
   Index segment = -1;  ///< -1: nowhere in particular
   std::string why;
+  bool at_singular_end = false;  ///< the metric is infinite at an end (a bead at rest)
 };
 
 /// The tube of framework/calibration.hpp: the piecewise cubic curve with continuous tangents through the points of an
@@ -51,7 +52,9 @@ class Tube {
   static constexpr double kWidth = 0.25;  ///< of a segment, to each side
 
   bool fail(Index segment, std::string why) {
-    trouble = {segment, std::move(why)};
+    const Index last = chain_.u.cols() - 1;
+    const bool singular = !metric_at(chain_.u.col(0)).allFinite() || !metric_at(chain_.u.col(last)).allFinite();
+    trouble = {segment, std::move(why), singular};
     return false;
   }
 

@@ -32,7 +32,8 @@ std::vector<FamilyStart> family_of(const RunParts& parts) {
 std::string status_line(const WrittenRun& run) {
   const Certificate& c = run.result.certificate;
   std::string line(name(run.result.status));
-  if (run.result.status == Status::certified) return line + fmt::format(" ({})", c.scope);
+  if (run.result.status == Status::certified)
+    return line + fmt::format(" ({}{})", c.scope, c.resolution && c.resolution->minimum_proved ? ", proved" : "");
   if (run.result.status == Status::interrupted) return line;
   if (!c.measured)
     line += run.parts.options.certificate.enabled ? ": the certificate was not measured"

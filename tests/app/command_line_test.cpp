@@ -61,7 +61,7 @@ TEST_CASE("command line: run prints the result and nothing else on stdout") {
   const Called text = call({"run", config, "-o", (dir / "out").string()});
   CHECK(text.exit == 0);
   CHECK(text.err == "");
-  CHECK_THAT(text.out, Contains("status      certified (local)") && Contains("cost        5 +- ") &&
+  CHECK_THAT(text.out, Contains("status      certified (local, proved)") && Contains("cost        5 +- ") &&
                            Contains("length") && Contains("spacing") && Contains("time        read ") &&
                            Contains((dir / "out").string()));
   const Called json = call({"run", config, "-o", (dir / "out").string(), "--force", "--format", "json"});

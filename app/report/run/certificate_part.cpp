@@ -40,6 +40,7 @@ class CertificateTable {
     simple("longest segment", "certificate.longest_segment", "certificate.thresholds.longest_segment",
            "Costliest piece of the curve between two points over the mean.", {"longest_segment"});
     index();
+    resolution();
     simple(
         "straightness", "certificate.straightness", "",
         "Smallest angle beside a point of the straightened path minus π, measured by a checker of its own; radians.");
@@ -128,6 +129,18 @@ class CertificateTable {
             "Energy over that of twice as many segments, {}, against {} for an evenly spaced path (VFCS Eq. 8); "
             "relative deviation.",
             number_text(measured, 6), number_text(expected, 6)));
+  }
+
+  void resolution() {
+    const std::string verdict = result_.text("certificate.resolution");
+    if (verdict.empty()) return;
+    const std::string words =
+        verdict == "proved"
+            ? fmt::format("In interval arithmetic: no path within {} of this one, in cost, costs less than {}.",
+                          number_text(result_.number("certificate.tube.half_width"), 2),
+                          number_text(result_.number("certificate.tube.lower"), 10))
+            : "Whether cost and domain have details that the points do not see; looked for with one chain more.";
+    row("resolution", verdict, "", {"unresolved"}, words, verdict != "unresolved");
   }
 
   void index() {
