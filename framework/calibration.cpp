@@ -16,6 +16,7 @@ namespace leastcost {
 namespace {
 
 constexpr double kLeastGap = 1e-12;  ///< relative
+constexpr double kSteep = 1.5;       ///< how much the speed of the curve may vary within one of its segments
 constexpr double kFarPositive = 4;   ///< of the margin: what a wide tube or intervals too wide do not explain
 
 Calibration failed(Calibration out, Index segment, std::string why) {
@@ -61,7 +62,9 @@ Calibration calibrate_with(const TubeField<N>& field, const Tube<N>& tube, const
     const auto n = static_cast<Index>(i);
     const double curvature = bounds.mean_curvature(tube.segments[i], tube.widths[n]);
     if (!(curvature < 0)) {
-      out.contradicted = std::isfinite(curvature) && curvature > kFarPositive * 2 * extremals.margin();
+      const Interval speed = field.on_curve(tube.segments[i], {0, 1}).speed.value();
+      out.contradicted = (std::isfinite(curvature) && curvature > kFarPositive * 2 * extremals.margin()) ||
+                         (speed.lo > 0 && speed.is_finite() && speed.hi > kSteep * speed.lo);
       return failed(out, n, "the cost is not resolved, or a path nearby is cheaper");
     }
     const double excess = bounds.squared_slope(tube.segments[i], -2 * curvature * enough) / (-2 * curvature);
