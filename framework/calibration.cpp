@@ -96,7 +96,7 @@ Calibration calibrate_in(const Problem& problem, const CoordinatePath& chain, co
   ExtremalField<N> extremals(field, tube, deadline);
   if (!extremals.exists())
     return failed(out, -1, "no field of extremals: the path is not a strict minimum, or nearly not");
-  const Calibration found = calibrate_with(field, tube, extremals, options, out, deadline);
+  Calibration found = calibrate_with(field, tube, extremals, options, out, deadline);
   if (found.proved || found.contradicted) return found;
   extremals.add_third_derivatives();
   return calibrate_with(field, tube, extremals, options, out, deadline);

@@ -22,7 +22,7 @@ namespace leastcost {
 template <int N>
 class ExtremalField {
  public:
-  static constexpr int K = N - 1;
+  static constexpr int kAcross = N - 1;
 
   /// Throws Interrupted.
   ExtremalField(const TubeField<N>& field, Tube<N>& tube, const Deadline& deadline)
@@ -49,12 +49,12 @@ class ExtremalField {
   bool varies_little_across() const {
     double most = 0;
     for (std::size_t i = 0; i < tube_.segments.size(); ++i) {
-      const double r = tube_.widths[static_cast<Index>(i)] * std::sqrt(static_cast<double>(K));
+      const double r = tube_.widths[static_cast<Index>(i)] * std::sqrt(static_cast<double>(kAcross));
       double w = 0, third = 0;
-      for (std::size_t k = 0; k < K; ++k)
-        for (std::size_t l = 0; l < K; ++l) {
+      for (std::size_t k = 0; k < kAcross; ++k)
+        for (std::size_t l = 0; l < kAcross; ++l) {
           w += std::abs(tube_.segments[i].w[k][l].c[0]);
-          for (std::size_t m = 0; m < K; ++m) third += std::abs(tube_.segments[i].third[k][l][m].c[0]);
+          for (std::size_t m = 0; m < kAcross; ++m) third += std::abs(tube_.segments[i].third[k][l][m].c[0]);
         }
       most = std::max(most, r * (riccati_[3 * i].momentum_across() + r * (w / 2 + r * third / 6)));
     }
@@ -62,7 +62,7 @@ class ExtremalField {
   }
 
  private:
-  using Small = Eigen::Matrix<double, K, K>;
+  using Small = Eigen::Matrix<double, kAcross, kAcross>;
 
   bool solve() {
     const double unit = std::numbers::pi / tube_.cost;
@@ -104,8 +104,8 @@ class ExtremalField {
       largest = std::max(largest, next.cwiseAbs().maxCoeff());
       if (!(largest <= most)) return std::numeric_limits<double>::infinity();
       const Small rate = at[2].rate(next, margin_, own_part_);
-      for (Index r = 0; r < K; ++r)
-        for (Index c = 0; c < K; ++c)
+      for (Index r = 0; r < kAcross; ++r)
+        for (Index c = 0; c < kAcross; ++c)
           tube_.segments[i].w[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)] =
               Cubic::hermite(w(r, c), next(r, c), k1(r, c), rate(r, c));
       w = next;
@@ -126,7 +126,7 @@ void ExtremalField<N>::add_third_derivatives() {
   using Cube = typename RiccatiPoint<N>::Cube;
   const auto plus = [](const Cube& a, const Cube& b, double factor) {
     Cube sum;
-    for (std::size_t k = 0; k < K; ++k) sum[k] = a[k] + factor * b[k];
+    for (std::size_t k = 0; k < kAcross; ++k) sum[k] = a[k] + factor * b[k];
     return sum;
   };
   Cube c;
@@ -139,10 +139,11 @@ void ExtremalField<N>::add_third_derivatives() {
       const TubeSegment<N> here = tube_.segments[i].around(stage / 2.0);
       const IntervalJet<N> f = field_.squared_norm(here, field_.on_curve(here, Interval(0)), Interval(0), {});
       const auto s = static_cast<std::size_t>(stage);
-      for (int k = 0; k < K; ++k)
-        for (int l = 0; l < K; ++l) {
+      for (int k = 0; k < kAcross; ++k)
+        for (int l = 0; l < kAcross; ++l) {
           w[s](k, l) = here.w[static_cast<std::size_t>(k)][static_cast<std::size_t>(l)].c[0];
-          for (int m = 0; m < K; ++m) rest[s][static_cast<std::size_t>(k)](l, m) = f.d(k + 1, l + 1, m + 1).middle();
+          for (int m = 0; m < kAcross; ++m)
+            rest[s][static_cast<std::size_t>(k)](l, m) = f.d(k + 1, l + 1, m + 1).middle();
         }
     }
     const RiccatiPoint<N>* at = &riccati_[3 * i];
@@ -151,9 +152,9 @@ void ExtremalField<N>::add_third_derivatives() {
                k4 = at[2].third_rate(w[2], plus(c, k3, 1), rest[2]);
     const Cube next = plus(plus(plus(plus(c, k1, 1. / 6), k2, 1. / 3), k3, 1. / 3), k4, 1. / 6);
     const Cube rate = at[2].third_rate(w[2], next, rest[2]);
-    for (std::size_t k = 0; k < K; ++k)
-      for (Index l = 0; l < K; ++l)
-        for (Index m = 0; m < K; ++m)
+    for (std::size_t k = 0; k < kAcross; ++k)
+      for (Index l = 0; l < kAcross; ++l)
+        for (Index m = 0; m < kAcross; ++m)
           tube_.segments[i].third[k][static_cast<std::size_t>(l)][static_cast<std::size_t>(m)] =
               Cubic::hermite(c[k](l, m), next[k](l, m), k1[k](l, m), rate[k](l, m));
     c = next;

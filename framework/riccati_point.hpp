@@ -16,8 +16,8 @@ namespace leastcost {
 template <int N>
 class RiccatiPoint {
  public:
-  static constexpr int K = N - 1;
-  using Small = Eigen::Matrix<double, K, K>;
+  static constexpr int kAcross = N - 1;
+  using Small = Eigen::Matrix<double, kAcross, kAcross>;
   using Square = Eigen::Matrix<double, N, N>;
   using Vector = Eigen::Matrix<double, N, 1>;
 
@@ -25,33 +25,33 @@ class RiccatiPoint {
     const TubeSegment<N> here = segment.around(t);
     const Interval zero(0);
     const typename TubeField<N>::OnCurve curve = field.on_curve(here, zero);
-    std::array<IntervalJet<N>, K> z;
-    for (int k = 0; k < K; ++k) z[static_cast<std::size_t>(k)] = IntervalJet<N>::variable(zero, k + 1);
+    std::array<IntervalJet<N>, kAcross> z;
+    for (int k = 0; k < kAcross; ++k) z[static_cast<std::size_t>(k)] = IntervalJet<N>::variable(zero, k + 1);
     const JetMatrix<N> g = field.metric_in_tube(here, IntervalJet<N>::variable(zero, 0), z);
     Square g0;
-    std::array<Square, K> g1;
-    std::array<std::array<Square, K>, K> g2;
+    std::array<Square, kAcross> g1;
+    std::array<std::array<Square, kAcross>, kAcross> g2;
     for (std::size_t i = 0; i < N; ++i)
       for (std::size_t j = 0; j < N; ++j) {
         const IntervalJet<N>& entry = g[N * i + j];
         const auto r = static_cast<Index>(i), c = static_cast<Index>(j);
         g0(r, c) = entry.value().middle();
-        for (int k = 0; k < K; ++k) {
+        for (int k = 0; k < kAcross; ++k) {
           g1[static_cast<std::size_t>(k)](r, c) = entry.d(k + 1).middle();
-          for (int l = 0; l < K; ++l)
+          for (int l = 0; l < kAcross; ++l)
             g2[static_cast<std::size_t>(k)][static_cast<std::size_t>(l)](r, c) = entry.d(k + 1, l + 1).middle();
         }
       }
     h_ = g0.inverse();
     y_[0] = curve.speed.value().middle();
-    for (int k = 0; k < K; ++k) {
+    for (int k = 0; k < kAcross; ++k) {
       const auto n = static_cast<std::size_t>(k);
       y_[k + 1] = curve.across[n].value().middle();
       across_rate_[k] = curve.across_rate[n].value().middle();
     }
-    for (std::size_t k = 0; k < K; ++k) hy_[k] = -h_ * g1[k] * h_ * y_;
-    for (int k = 0; k < K; ++k)
-      for (int l = 0; l < K; ++l) {
+    for (std::size_t k = 0; k < kAcross; ++k) hy_[k] = -h_ * g1[k] * h_ * y_;
+    for (int k = 0; k < kAcross; ++k)
+      for (int l = 0; l < kAcross; ++l) {
         const auto a = static_cast<std::size_t>(k), b = static_cast<std::size_t>(l);
         const Square hkl = h_ * (g1[a] * h_ * g1[b] + g1[b] * h_ * g1[a] - g2[a][b]) * h_;
         free_(k, l) = y_.dot(hkl * y_);
@@ -62,12 +62,12 @@ class RiccatiPoint {
 
   /// W' such that the Hessian of f across the curve is -2m, m at least `margin`.
   Small rate(const Small& w, double margin, double own_part) const {
-    Eigen::Matrix<double, N, K> yz;
+    Eigen::Matrix<double, N, kAcross> yz;
     yz.row(0) = across_rate_.transpose();
-    yz.bottomRows(K) = w;
+    yz.bottomRows(kAcross) = w;
     Small rest = free_ + 2 * yz.transpose() * h_ * yz;
-    for (int l = 0; l < K; ++l) {
-      const Eigen::Matrix<double, K, 1> column = 2 * yz.transpose() * hy_[static_cast<std::size_t>(l)];
+    for (int l = 0; l < kAcross; ++l) {
+      const Eigen::Matrix<double, kAcross, 1> column = 2 * yz.transpose() * hy_[static_cast<std::size_t>(l)];
       rest.col(l) += column;
       rest.row(l) += column.transpose();
     }
@@ -75,27 +75,27 @@ class RiccatiPoint {
     return -rest / (2 * h_.row(0).dot(y_));
   }
 
-  double momentum_across() const { return y_.template tail<K>().norm(); }
+  double momentum_across() const { return y_.template tail<kAcross>().norm(); }
 
-  using Cube = std::array<Small, K>;
+  using Cube = std::array<Small, kAcross>;
 
   /// The rate of the third derivatives of u for which those of f vanish; `rest` are those of f without them.
   Cube third_rate(const Small& w, const Cube& c, const Cube& rest) const {
-    Eigen::Matrix<double, N, K> yz;
+    Eigen::Matrix<double, N, kAcross> yz;
     yz.row(0) = across_rate_.transpose();
-    yz.bottomRows(K) = w;
-    Eigen::Matrix<double, K, K> momentum_slope;  // d(Hy)_j / dz_k
-    for (int k = 0; k < K; ++k) {
+    yz.bottomRows(kAcross) = w;
+    Eigen::Matrix<double, kAcross, kAcross> momentum_slope;  // d(Hy)_j / dz_k
+    for (int k = 0; k < kAcross; ++k) {
       const Vector slope = hy_[static_cast<std::size_t>(k)] + h_ * yz.col(k);
-      momentum_slope.col(k) = slope.template tail<K>();
+      momentum_slope.col(k) = slope.template tail<kAcross>();
     }
     Cube out;
     const double along = 2 * h_.row(0).dot(y_);
-    for (int k = 0; k < K; ++k)
-      for (int l = 0; l < K; ++l)
-        for (int m = 0; m < K; ++m) {
+    for (int k = 0; k < kAcross; ++k)
+      for (int l = 0; l < kAcross; ++l)
+        for (int m = 0; m < kAcross; ++m) {
           double sum = rest[static_cast<std::size_t>(k)](l, m);
-          for (int j = 0; j < K; ++j) {
+          for (int j = 0; j < kAcross; ++j) {
             const Small& cj = c[static_cast<std::size_t>(j)];
             sum += 2 * (momentum_slope(j, k) * cj(l, m) + momentum_slope(j, l) * cj(k, m) +
                         momentum_slope(j, m) * cj(k, l));
@@ -108,9 +108,9 @@ class RiccatiPoint {
  private:
   Square h_;
   Vector y_;
-  Eigen::Matrix<double, K, 1> across_rate_;
-  std::array<Vector, K> hy_;  ///< (dH / dz_k) y
-  Small free_;                ///< y' d2H y
+  Eigen::Matrix<double, kAcross, 1> across_rate_;
+  std::array<Vector, kAcross> hy_;  ///< (dH / dz_k) y
+  Small free_;                      ///< y' d2H y
   double own_margin_ = 0;
 };
 

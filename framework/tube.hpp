@@ -31,7 +31,7 @@ struct TubeTrouble {
 template <int N>
 class Tube {
  public:
-  static constexpr int K = N - 1;
+  static constexpr int kAcross = N - 1;
 
   /// It reaches a part of one of `delivered` segments to each side. Throws Interrupted.
   Tube(const TubeMetric<N>& metric, const CoordinatePath& chain, Index delivered, const Deadline& deadline)
@@ -48,7 +48,7 @@ class Tube {
  private:
   using Vector = Eigen::Matrix<double, N, 1>;
   using Square = Eigen::Matrix<double, N, N>;
-  using Frame = Eigen::Matrix<double, N, K>;
+  using Frame = Eigen::Matrix<double, N, kAcross>;
   static constexpr double kWidth = 0.25;  ///< of a segment, to each side
 
   bool fail(Index segment, std::string why) {
@@ -90,7 +90,7 @@ class Tube {
       out << -gd[1], gd[0];
       return out / std::sqrt(out.col(0).dot(g * out.col(0)));
     }
-    for (int k = 0; k < K; ++k) {
+    for (int k = 0; k < kAcross; ++k) {
       Vector n = before.col(k);
       n -= gd.dot(n) / gd.dot(d) * d;
       for (int l = 0; l < k; ++l) n -= out.col(l).dot(g * n) * out.col(l);
@@ -106,7 +106,7 @@ class Tube {
     Vector d = slope(0);
     Index longest = 0;
     d.cwiseAbs().maxCoeff(&longest);
-    for (int k = 0; k < K; ++k) across.col(k) = Vector::Unit((longest + 1 + k) % N);
+    for (int k = 0; k < kAcross; ++k) across.col(k) = Vector::Unit((longest + 1 + k) % N);
     across = frame(metric_at(chain_.u.col(0)), d, across);
     segments.resize(static_cast<std::size_t>(count));
     for (Index i = 0; i < count; ++i) {
@@ -118,7 +118,7 @@ class Tube {
       for (Index r = 0; r < N; ++r) {
         const auto n = static_cast<std::size_t>(r);
         segment.curve[n] = Cubic::hermite(chain_.u(r, i), chain_.u(r, i + 1), d[r], next_d[r]);
-        for (Index k = 0; k < K; ++k)
+        for (Index k = 0; k < kAcross; ++k)
           segment.frame[n][static_cast<std::size_t>(k)] = Cubic::line(across(r, k), next(r, k));
       }
       d = next_d;
@@ -142,7 +142,7 @@ class Tube {
     for (Index i = 0; i < costs.size(); ++i) {
       const TubeSegment<N>& segment = segments[static_cast<std::size_t>(i)];
       double longest2 = 0;
-      for (std::size_t k = 0; k < K; ++k) {
+      for (std::size_t k = 0; k < kAcross; ++k) {
         double length2 = 0;
         for (const auto& row : segment.frame) length2 += row[k].c[0] * row[k].c[0];
         longest2 = std::max(longest2, length2);

@@ -18,7 +18,7 @@ namespace leastcost {
 template <int N>
 class TubeBounds {
  public:
-  static constexpr int K = N - 1;
+  static constexpr int kAcross = N - 1;
 
   /// `margin`: -1/2 of what the Hessian of f is on the curve. `segments` of the tube, for the effort.
   TubeBounds(const TubeField<N>& field, double margin, std::size_t segments, const Deadline& deadline)
@@ -45,7 +45,7 @@ class TubeBounds {
   /// not seen. f is the double integral of its Hessian along the way from the curve to z, so that a bound on each of a
   /// few shells around the curve is enough, and farther out it may be positive.
   double mean_curvature(const TubeSegment<N>& segment, double half_width) {
-    constexpr int kShells = K == 1 ? 6 : 3;
+    constexpr int kShells = kAcross == 1 ? 6 : 3;
     Box all;
     all.fill({-half_width, half_width});
     const CurvatureBound at_once = curvature_bound(segment, {0, 1}, all);
@@ -75,13 +75,13 @@ class TubeBounds {
   }
 
  private:
-  using Box = std::array<Interval, K>;
+  using Box = std::array<Interval, kAcross>;
   static constexpr Index kMostBoxes = 200;  ///< per segment, in the mean
 
   /// A bound of the eigenvalues of the Hessian of f across the curve where the largest coordinate is in `radius`.
   double shell_curvature(const TubeSegment<N>& segment, const Interval& radius) {
     double largest = -std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < K; ++k)
+    for (std::size_t k = 0; k < kAcross; ++k)
       for (const Interval& side : {radius, -radius}) {
         Box box;
         box.fill({-radius.hi, radius.hi});
@@ -106,7 +106,7 @@ class TubeBounds {
     const TubeSegment<N> here = segment.around(middle);
     const Interval local(-half, half);
     Box center, off;
-    for (std::size_t k = 0; k < K; ++k) {
+    for (std::size_t k = 0; k < kAcross; ++k) {
       center[k] = Interval(across[k].middle());
       off[k] = across[k] - center[k];
     }
@@ -131,7 +131,7 @@ class TubeBounds {
 
   /// The same, halved in every direction until the bound is good.
   double largest_curvature(const TubeSegment<N>& segment, const Interval& range, const Box& across, int depth) {
-    constexpr int kDeepest = K == 1 ? 5 : 3;
+    constexpr int kDeepest = kAcross == 1 ? 5 : 3;
     const CurvatureBound found = curvature_bound(segment, range, across);
     if (is_good(found) || found.bound - found.at_center <= margin_ / 4 || depth == kDeepest) return found.bound;
     if (boxes_ > most_boxes_) return found.bound;
@@ -140,7 +140,7 @@ class TubeBounds {
       const double middle = range.middle();
       const Interval t = part & 1 ? Interval(middle, range.hi) : Interval(range.lo, middle);
       Box z = across;
-      for (std::size_t k = 0; k < K; ++k) (part >> (k + 1) & 1 ? z[k].lo : z[k].hi) = across[k].middle();
+      for (std::size_t k = 0; k < kAcross; ++k) (part >> (k + 1) & 1 ? z[k].lo : z[k].hi) = across[k].middle();
       largest = std::max(largest, largest_curvature(segment, t, z, depth + 1));
     }
     return largest;

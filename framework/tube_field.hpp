@@ -12,20 +12,20 @@
 namespace leastcost {
 
 /// The dual norm of the potential of framework/calibration.hpp and what it is made of, as jets in t (variable 0) and z
-/// (1 .. K).
+/// (1 .. kAcross).
 template <int N>
 class TubeField {
  public:
-  static constexpr int K = N - 1;
+  static constexpr int kAcross = N - 1;
   using Jet = IntervalJet<N>;
-  using Small = Eigen::Matrix<double, K, K>;
+  using Small = Eigen::Matrix<double, kAcross, kAcross>;
 
   explicit TubeField(const TubeMetric<N>& metric) : metric_(metric) {}
 
   /// What is known of the curve alone for t in a range: its speed, and the part of its momentum across it.
   struct OnCurve {
     Jet speed;
-    std::array<Jet, K> across, across_rate;
+    std::array<Jet, kAcross> across, across_rate;
   };
 
   OnCurve on_curve(const TubeSegment<N>& segment, const Interval& range) const {
@@ -45,7 +45,7 @@ class TubeField {
     }
     OnCurve out;
     out.speed = sqrt(speed2);
-    for (std::size_t k = 0; k < K; ++k) {
+    for (std::size_t k = 0; k < kAcross; ++k) {
       Jet sum(0.0);
       for (std::size_t i = 0; i < N; ++i) sum += segment.frame[i][k](t) * momentum[i];
       out.across[k] = sum / out.speed;
@@ -56,21 +56,21 @@ class TubeField {
 
   /// f = |grad u|^2 in the dual norm, and what of its Hessian across the curve does not depend on W and its rate.
   Jet squared_norm(const TubeSegment<N>& segment, const OnCurve& curve, const Interval& range,
-                   const std::array<Interval, K>& across) const {
+                   const std::array<Interval, kAcross>& across) const {
     const Jet t = IntervalJet<N>::variable(range, 0);
-    std::array<Jet, K> z;
-    for (std::size_t k = 0; k < K; ++k) z[k] = IntervalJet<N>::variable(across[k], static_cast<int>(k) + 1);
+    std::array<Jet, kAcross> z;
+    for (std::size_t k = 0; k < kAcross; ++k) z[k] = IntervalJet<N>::variable(across[k], static_cast<int>(k) + 1);
     return norm_of(gradient(segment, curve, t, z), metric_in_tube(segment, t, z));
   }
 
   /// The metric in the coordinates (t, z).
-  JetMatrix<N> metric_in_tube(const TubeSegment<N>& segment, const Jet& t, const std::array<Jet, K>& z) const {
+  JetMatrix<N> metric_in_tube(const TubeSegment<N>& segment, const Jet& t, const std::array<Jet, kAcross>& z) const {
     JetPoint<N> x;
     JetMatrix<N> d;  // dx / d(t, z), column by column
     for (std::size_t i = 0; i < N; ++i) {
       x[i] = segment.curve[i](t);
       d[i] = segment.curve[i].derivative()(t);
-      for (std::size_t k = 0; k < K; ++k) {
+      for (std::size_t k = 0; k < kAcross; ++k) {
         const Jet n = segment.frame[i][k](t);
         x[i] += n * z[k];
         d[i] += segment.frame[i][k].derivative()(t) * z[k];
@@ -96,17 +96,17 @@ class TubeField {
 
   /// du / d(t, z).
   JetPoint<N> gradient(const TubeSegment<N>& segment, const OnCurve& curve, const Jet& t,
-                       const std::array<Jet, K>& z) const {
+                       const std::array<Jet, kAcross>& z) const {
     JetPoint<N> y;
     y[0] = curve.speed;
-    for (std::size_t k = 0; k < K; ++k) {
+    for (std::size_t k = 0; k < kAcross; ++k) {
       y[0] += curve.across_rate[k] * z[k];
       y[k + 1] = curve.across[k];
-      for (std::size_t l = 0; l < K; ++l) {
+      for (std::size_t l = 0; l < kAcross; ++l) {
         y[k + 1] += segment.w[k][l](t) * z[l];
         const Jet zz = z[k] * z[l];
         y[0] += Jet(0.5) * (segment.w[k][l].derivative()(t) * zz);
-        for (std::size_t m = 0; m < K; ++m) {
+        for (std::size_t m = 0; m < kAcross; ++m) {
           y[m + 1] += Jet(0.5) * (segment.third[m][k][l](t) * zz);
           y[0] += Jet(1.0 / 6) * (segment.third[m][k][l].derivative()(t) * zz * z[m]);
         }

@@ -32,11 +32,11 @@ struct Cubic {
 /// One segment of the tube: the curve, its frame, and the matrix of the potential, as functions of t in [0, 1].
 template <int N>
 struct TubeSegment {
-  static constexpr int K = N - 1;
+  static constexpr int kAcross = N - 1;
   std::array<Cubic, N> curve;
-  std::array<std::array<Cubic, K>, N> frame;
-  std::array<std::array<Cubic, K>, K> w;
-  std::array<std::array<std::array<Cubic, K>, K>, K> third;
+  std::array<std::array<Cubic, kAcross>, N> frame;
+  std::array<std::array<Cubic, kAcross>, kAcross> w;
+  std::array<std::array<std::array<Cubic, kAcross>, kAcross>, kAcross> third;
 
   TubeSegment around(double t) const {
     TubeSegment moved = *this;
