@@ -224,7 +224,7 @@ class Certifier {
       fail("error_bar", "the error bar is " + short_number(c_.estimate.error / c_.estimate.value) +
                             " of the cost: too few points for this path");
     measure_domain();
-    if (const std::string why = why_unresolved(problem_, path_.chain, monitor_); !why.empty()) fail("unresolved", why);
+    measure_places();
   }
 
   /// Only of a path that has no other failure: a proof about another one would say nothing. What is proved needs no
@@ -237,6 +237,14 @@ class Certifier {
     c_.resolution = examined.resolution;
     if (examined.resolution.minimum_proved) c_.failures.clear();
     for (CertificateFailure& failure : examined.failures) c_.failures.push_back(std::move(failure));
+  }
+
+  /// Where the domain itself says that it is not resolved.
+  void measure_places() {
+    const std::string why = why_unresolved(problem_, path_.chain, monitor_);
+    if (why.empty()) return;
+    fail("unresolved", why);
+    c_.resolution.emplace().verdict = ResolutionVerdict::unresolved;
   }
 
   void measure_domain() {

@@ -45,7 +45,7 @@ struct Certificate {
   std::optional<double> doubling_expected;  ///< H(s_2M) / (2 H(s_4M))
   double longest_segment = 0;               ///< max / mean cost of the curve between two points
   PathIndex index;
-  std::optional<Resolution> resolution;  ///< of chains; a straightened path has nothing between its points
+  std::optional<Resolution> resolution;  ///< of chains; null beside another failure, and on a bound
   std::optional<double> straightness;    ///< smallest side angle minus pi, radians
   std::optional<double> asymmetry;       ///< backward cost / forward cost - 1
   std::optional<double> geometry_error;  ///< what the representation of the domain costs; null: exact or unknown

@@ -7,14 +7,10 @@
 #include <cmath>
 #include <limits>
 
+#include "framework/gauss.hpp"
+
 namespace leastcost {
 namespace {
-
-/// Gauss-Legendre nodes and weights on [0, 1], Abramowitz and Stegun 25.4.30.
-constexpr std::array<double, 5> kNodes = {0.04691007703066800, 0.23076534494715845, 0.5, 0.76923465505284155,
-                                          0.95308992296933200};
-constexpr std::array<double, 5> kWeights = {0.11846344252809454, 0.23931433524968324, 0.28444444444444444,
-                                            0.23931433524968324, 0.11846344252809454};
 
 /// Cubic Lagrange weights at parameter t for nodes 0, 1, 2, 3, and their derivatives.
 void cubic(double t, Eigen::Vector4d& w, Eigen::Vector4d& dw) {
@@ -49,11 +45,11 @@ double bent_cost(const Problem& problem, LineElement& element, const Eigen::Vect
                  const Eigen::VectorXd& sag) {
   CoordinatePath point{a, {}, true};
   double sum = 0;
-  for (std::size_t g = 0; g < kNodes.size(); ++g) {
-    const double t = kNodes[g];
+  for (std::size_t g = 0; g < kGaussNodes.size(); ++g) {
+    const double t = kGaussNodes[g];
     point.u = a + t * (b - a) + 4 * t * (1 - t) * sag;
     if (problem.manifold->residual(point) > 0) return std::numeric_limits<double>::infinity();
-    sum += kWeights[g] * element(point, b - a + 4 * (1 - 2 * t) * sag);
+    sum += kGaussWeights[g] * element(point, b - a + 4 * (1 - 2 * t) * sag);
   }
   return sum;
 }
@@ -111,11 +107,11 @@ std::optional<double> smooth_curve_cost(const Problem& problem, const Coordinate
     look_at_clock(deadline);
     const Index begin = path.ring ? i - 1 : std::clamp<Index>(i - 1, 0, columns - 4);
     for (Index j = 0; j < 4; ++j) four.col(j) = path.column(begin + j);
-    for (std::size_t g = 0; g < kNodes.size(); ++g) {
-      const double t = static_cast<double>(i - begin) + kNodes[g];
+    for (std::size_t g = 0; g < kGaussNodes.size(); ++g) {
+      const double t = static_cast<double>(i - begin) + kGaussNodes[g];
       cubic(t, w, dw);
       point.u = four * w;
-      sum += kWeights[g] * (problem.manifold->residual(point) > 0 ? element_inside(t) : line_element(four * dw));
+      sum += kGaussWeights[g] * (problem.manifold->residual(point) > 0 ? element_inside(t) : line_element(four * dw));
     }
   }
   return std::isfinite(sum) ? std::optional(sum) : std::nullopt;

@@ -21,4 +21,17 @@ class EnclosesMetric {
   virtual void enclose_metric(std::span<const IntervalJet<3>> x, std::span<IntervalJet<3>> upper) const = 0;
 };
 
+/// Writes both from one member template of Derived: `template <class Jet> void enclose(std::span<const Jet> x,
+/// std::span<Jet> upper) const`.
+template <class Derived>
+class EnclosesMetricBy : public EnclosesMetric {
+ public:
+  void enclose_metric(std::span<const IntervalJet<2>> x, std::span<IntervalJet<2>> upper) const override {
+    static_cast<const Derived&>(*this).enclose(x, upper);
+  }
+  void enclose_metric(std::span<const IntervalJet<3>> x, std::span<IntervalJet<3>> upper) const override {
+    static_cast<const Derived&>(*this).enclose(x, upper);
+  }
+};
+
 }  // namespace leastcost

@@ -16,10 +16,10 @@
 #include "framework/based_loop.hpp"
 #include "framework/cascade.hpp"
 #include "framework/escape_saddle.hpp"
+#include "framework/find_path_checks.hpp"
 #include "framework/geometry_error.hpp"
 #include "framework/in_parts.hpp"
 #include "framework/other_images.hpp"
-#include "framework/point_text.hpp"
 #include "framework/spacing.hpp"
 
 namespace leastcost {
@@ -44,18 +44,6 @@ Deadline last_words(const Deadline& deadline, Monitor::Clock::time_point start) 
   return *deadline + std::max<Monitor::Clock::duration>(kLeast, (*deadline - start) / kPart);
 }
 
-void check(const FindOptions& options) {
-  if (options.points && *options.points < 1)
-    throw InputError("a path has at least one free point, not " + std::to_string(*options.points));
-  constexpr int kMostPoints = 100'000'000;
-  if (options.points && *options.points > kMostPoints)
-    throw InputError("a path has at most 10^8 free points, not " + std::to_string(*options.points));
-  if (options.reference_cost && !(*options.reference_cost > 0 && std::isfinite(*options.reference_cost)))
-    throw InputError("the reference cost is positive and finite, not " + std::to_string(*options.reference_cost));
-  for (const auto& step : options.post_processors)
-    if (!step) throw InputError("a post-processor is null");
-}
-
 /// An end that was given by its coordinates alone, on a domain that has sites: it is found.
 void place(const ConstraintManifold& manifold, const char* which, PathEnd& end, std::vector<std::string>& notes) {
   constexpr double kSame = 1e-9;  // of the size of the coordinates: rounding moves no end
@@ -76,15 +64,6 @@ Problem with_sites(Problem problem, std::vector<std::string>& notes) {
   return problem;
 }
 
-/// Two names of one point between which the straight line has no length, two longitudes of a pole say: there is nothing
-/// to minimise. (A target that is the source after a turn around a seam states a loop; see cheaper_image().)
-void refuse_one_point(const Problem& problem) {
-  std::optional<PointImage> image;
-  if (!ends_are_one_point(problem, &image) || image) return;
-  throw InputError("source " + point_text(problem.source.u) + " and target " + point_text(problem.target.u) +
-                   " are one point of the domain; a closed path is a ring (path.ring: true)");
-}
-
 int point_count(const FindOptions& options, const FirstPath& first) {
   if (options.points) return *options.points;
   if (!first.graph_vertices)
@@ -100,45 +79,6 @@ PostProcessed chain_as_curve(PathEnergy& energy, const CoordinatePath& path) {
   out.curve.cost = out.curve_costs.sum();
   out.curve.x = energy.ambient(path).x;
   return out;
-}
-
-/// Throws InputError for a path that is none of this problem, by its shape or its numbers.
-void check_path(const Problem& problem, const CoordinatePath& path, Index least, const std::string& what) {
-  const Index columns = path.u.cols(), rows = problem.manifold->dimensions().coordinate;
-  if (path.ring != problem.ring)
-    throw InputError(path.ring ? what + " is a ring, the problem has two ends"
-                               : what + " is open, the problem is a ring");
-  if (path.u.rows() != rows || columns < least)
-    throw InputError(what + " is " + std::to_string(path.u.rows()) + " x " + std::to_string(columns) +
-                     "; this problem needs " + std::to_string(rows) + " rows and at least " + std::to_string(least) +
-                     " columns");
-  if (!path.sites.empty() && path.sites.size() != static_cast<std::size_t>(columns))
-    throw InputError(what + " has " + std::to_string(path.sites.size()) + " sites for " + std::to_string(columns) +
-                     " columns");
-  if (!path.closing.identity() && (path.closing.sign.size() != rows || path.closing.shift.size() != rows))
-    throw InputError(what + " closes by a map of another dimension");
-  if (!path.u.allFinite()) throw InputError(what + " has coordinates that are not finite");
-}
-
-/// Throws InputError for what is no curve with the points of `before` on it.
-void check_processed(const Problem& problem, const CoordinatePath& before, const PostProcessed& after) {
-  const CoordinatePath& chain = after.chain;
-  check_path(problem, chain, before.u.cols(), "the chain of a post-processor");
-  if (chain.u.cols() != before.u.cols())
-    throw InputError("a post-processor made " + std::to_string(chain.u.cols()) + " points of " +
-                     std::to_string(before.u.cols()));
-  constexpr double kSame = 1e-6;  // of the extent: what rounding and projections may move an end
-  const double extent = (before.u.rowwise().maxCoeff() - before.u.rowwise().minCoeff()).norm();
-  const Index last = chain.u.cols() - 1;
-  if (!chain.ring && std::max((chain.u.col(0) - before.u.col(0)).norm(),
-                              (chain.u.col(last) - before.u.col(last)).norm()) > kSame * extent)
-    throw InputError("a post-processor moved an end of the path");
-  if (after.curve_costs.size() != chain.segment_count())
-    throw InputError("a post-processor returned " + std::to_string(after.curve_costs.size()) + " costs for " +
-                     std::to_string(chain.segment_count()) + " segments");
-  if (after.curve.x.rows() != problem.manifold->dimensions().ambient || after.curve.x.cols() < 2)
-    throw InputError("a post-processor returned a curve of " + std::to_string(after.curve.x.rows()) + " x " +
-                     std::to_string(after.curve.x.cols()) + " coordinates");
 }
 
 /// What the post-processors make of a chain. Each takes the curve that the one before it has made: `so_far` keeps it,

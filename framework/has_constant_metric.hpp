@@ -22,14 +22,10 @@ class HasConstantMetric {
 };
 
 /// A cost that has it, in any dimension.
-class ConstantMetricCost : public SegmentCost, public HasConstantMetric, public EnclosesMetric {
+class ConstantMetricCost : public SegmentCost, public HasConstantMetric, public EnclosesMetricBy<ConstantMetricCost> {
  public:
-  void enclose_metric(std::span<const IntervalJet<2>>, std::span<IntervalJet<2>> upper) const override { fill(upper); }
-  void enclose_metric(std::span<const IntervalJet<3>>, std::span<IntervalJet<3>> upper) const override { fill(upper); }
-
- private:
   template <class Jet>
-  void fill(std::span<Jet> upper) const {
+  void enclose(std::span<const Jet>, std::span<Jet> upper) const {
     const Eigen::MatrixXd g = metric();
     std::size_t k = 0;
     for (Eigen::Index i = 0; i < g.rows(); ++i)

@@ -33,7 +33,7 @@ class TubeBounds {
     const TubeSegment<N> here = segment.around(middle);
     const IntervalJet<N> all = field_.on_curve(here, {-half, half}).speed,
                          at = field_.on_curve(here, Interval(0)).speed;
-    const Interval r(half), r3 = r * square(r), third = all.d(0, 0, 0);
+    const Interval r(range.width() / 2 * (1 - 1e-15), half), r3 = r * square(r), third = all.d(0, 0, 0);
     const double odd = third.width() * (r3 * r).hi / 24;
     const Interval sum = Interval(2) * at.value() * r + at.d(0, 0) * r3 / Interval(3) + Interval(-odd, odd);
     if (sum.width() <= enough || depth == kDeepest) return sum;
@@ -169,6 +169,7 @@ class TubeBounds {
     return std::max(slope2(segment, {range.lo, middle}, enough, depth + 1),
                     slope2(segment, {middle, range.hi}, enough, depth + 1));
   }
+
   const TubeField<N>& field_;
   double margin_;
   Index boxes_ = 0, most_boxes_;

@@ -118,7 +118,8 @@ class TubeField {
   /// y' g^-1 y, by elimination.
   static Jet norm_of(JetPoint<N> y, JetMatrix<N> g) {
     Jet sum(0.0);
-    for (std::size_t i = N; i-- > 0;) {  // the direction along the curve last
+    for (std::size_t i = N; i-- > 0;) {                           // the direction along the curve last
+      if (!(g[N * i + i].value().lo > 0)) return Jet::unknown();  // no metric
       const Jet inverse = Jet(1.0) / g[N * i + i];
       sum += y[i] * y[i] * inverse;
       for (std::size_t j = 0; j < i; ++j) {

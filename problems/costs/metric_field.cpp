@@ -217,17 +217,10 @@ class MetricFieldCost : public SegmentCostOf<MetricField<Field>> {
 
 /// A field by formula.
 template <class Field>
-class MetricByFormula final : public MetricFieldCost<Field>, public EnclosesMetric {
+class MetricByFormula final : public MetricFieldCost<Field>, public EnclosesMetricBy<MetricByFormula<Field>> {
  public:
   using MetricFieldCost<Field>::MetricFieldCost;
-  void enclose_metric(std::span<const IntervalJet<2>> x, std::span<IntervalJet<2>> upper) const override {
-    enclose(x, upper);
-  }
-  void enclose_metric(std::span<const IntervalJet<3>> x, std::span<IntervalJet<3>> upper) const override {
-    enclose(x, upper);
-  }
 
- private:
   template <class Jet>
   void enclose(std::span<const Jet> x, std::span<Jet> upper) const {
     constexpr int d = Field::dim;

@@ -122,17 +122,10 @@ struct Midpoint : TravelTimeBase<D> {
 
 /// Both rules are the length under the metric I / v^2 in the limit of short segments.
 template <class Rule>
-class TravelTimeCost final : public SegmentCostOf<Rule>, public EnclosesMetric {
+class TravelTimeCost final : public SegmentCostOf<Rule>, public EnclosesMetricBy<TravelTimeCost<Rule>> {
  public:
   using SegmentCostOf<Rule>::SegmentCostOf;
-  void enclose_metric(std::span<const IntervalJet<2>> x, std::span<IntervalJet<2>> upper) const override {
-    enclose(x, upper);
-  }
-  void enclose_metric(std::span<const IntervalJet<3>> x, std::span<IntervalJet<3>> upper) const override {
-    enclose(x, upper);
-  }
 
- private:
   template <class Jet>
   void enclose(std::span<const Jet> x, std::span<Jet> upper) const {
     const Jet g = Jet(1.0) / this->function().energy.squared_speed(x.back());

@@ -74,6 +74,18 @@ TEST_CASE("right chains pass: by formula", "[framework]") {
   }
 }
 
+TEST_CASE("lie: a bar beside a path that is not stationary", "[framework]") {
+  CoordinatePath bent = great_circle(2, 32);
+  bent.u.col(10) = (bent.u.col(10) + Eigen::Vector3d(0, 0, 0.02)).normalized();
+  const Certificate c = certify_on_sphere(bent);
+  CHECK(failed(c, "stationarity"));
+  CHECK(std::isnan(c.estimate.error));
+  CHECK_FALSE((c.estimate.lower || c.estimate.upper));
+  double chords = 0;
+  for (Index i = 0; i + 1 < bent.u.cols(); ++i) chords += (bent.u.col(i + 1) - bent.u.col(i)).norm();
+  CHECK(c.estimate.value == Approx(chords).epsilon(1e-12));
+}
+
 TEST_CASE("lie: a saddle", "[framework]") {
   const Certificate arc = certify_on_sphere(great_circle(1.5 * kPi, 48));
   CAPTURE(failures(arc));

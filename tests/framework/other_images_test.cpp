@@ -70,6 +70,12 @@ TEST_CASE("a path to a dearer image says which one is cheaper", "[framework]") {
   CHECK_THAT(said_of(on_surface(parametric::KleinBottle{}, {0.2, 0.1}, {6.1, 0})), Contains("winding (-1, 0)"));
 }
 
+TEST_CASE("a chain that slides over a pole to the shorter way is not certified", "[framework]") {
+  const Result result = find(on_surface(parametric::Sphere{}, {0, 0.2}, {5.9, 0.2}), 31);
+  CHECK(result.curve.cost < 1);
+  CHECK(failed(result.certificate, "longest_segment"));
+}
+
 TEST_CASE("a path to the cheapest image says nothing", "[framework]") {
   CHECK(said_of(on_surface(parametric::Cylinder{}, {0.1, 0}, {1, 0.5})) == "");
   CHECK(said_of(on_surface(parametric::Torus{}, {0, 0}, {1, 2})) == "");
