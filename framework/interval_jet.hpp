@@ -109,6 +109,21 @@ class IntervalJet {
     return out;
   }
 
+  /// A function of variable k alone, from its value and derivatives there.
+  static IntervalJet along(int k, const Interval& f, const Interval& f1, const Interval& f2, const Interval& f3) {
+    IntervalJet out(f);
+    out.c_[static_cast<std::size_t>(place(k))] = f1;
+    out.c_[static_cast<std::size_t>(place(k, k))] = f2 / Interval(2);
+    out.c_[static_cast<std::size_t>(place(k, k, k))] = f3 / Interval(6);
+    return out;
+  }
+
+  IntervalJet scaled(const Interval& factor) const {
+    IntervalJet out = *this;
+    for (Interval& c : out.c_) c *= factor;
+    return out;
+  }
+
   IntervalJet& operator+=(const IntervalJet& o) {
     for (std::size_t i = 0; i < c_.size(); ++i) c_[i] += o.c_[i];
     return *this;
@@ -160,8 +175,9 @@ class IntervalJet {
     change.c_[0] = Interval(0);
     if (x.is_constant()) return IntervalJet(f);
     const IntervalJet change2 = change * change;
-    IntervalJet out = IntervalJet(f1) * change + IntervalJet(f2 / Interval(2)) * change2 +
-                      IntervalJet(f3 / Interval(6)) * (change2 * change);
+    IntervalJet out = (change2 * change).scaled(f3 / Interval(6));
+    out += change2.scaled(f2 / Interval(2));
+    out += change.scaled(f1);
     out.c_[0] = f;
     return out;
   }

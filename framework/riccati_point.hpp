@@ -27,7 +27,7 @@ class RiccatiPoint {
     const typename TubeField<N>::OnCurve curve = field.on_curve(here, zero);
     std::array<IntervalJet<N>, kAcross> z;
     for (int k = 0; k < kAcross; ++k) z[static_cast<std::size_t>(k)] = IntervalJet<N>::variable(zero, k + 1);
-    const JetMatrix<N> g = field.metric_in_tube(here, IntervalJet<N>::variable(zero, 0), z);
+    const JetMatrix<N> g = field.metric_in_tube(here, zero, z);
     Square g0;
     std::array<Square, kAcross> g1;
     std::array<std::array<Square, kAcross>, kAcross> g2;

@@ -29,11 +29,10 @@ class TubeField {
   };
 
   OnCurve on_curve(const TubeSegment<N>& segment, const Interval& range) const {
-    const Jet t = IntervalJet<N>::variable(range, 0);
     JetPoint<N> x, dx;
     for (std::size_t i = 0; i < N; ++i) {
-      x[i] = segment.curve[i](t);
-      dx[i] = segment.curve[i].derivative()(t);
+      x[i] = jet(segment.curve[i], range);
+      dx[i] = jet(segment.curve[i].derivative(), range);
     }
     const JetMatrix<N> g = metric_(x);
     JetPoint<N> momentum;
@@ -47,7 +46,7 @@ class TubeField {
     out.speed = sqrt(speed2);
     for (std::size_t k = 0; k < kAcross; ++k) {
       Jet sum(0.0);
-      for (std::size_t i = 0; i < N; ++i) sum += segment.frame[i][k](t) * momentum[i];
+      for (std::size_t i = 0; i < N; ++i) sum += jet(segment.frame[i][k], range) * momentum[i];
       out.across[k] = sum / out.speed;
       out.across_rate[k] = out.across[k].derivative(0);
     }
@@ -57,23 +56,22 @@ class TubeField {
   /// f = |grad u|^2 in the dual norm, and what of its Hessian across the curve does not depend on W and its rate.
   Jet squared_norm(const TubeSegment<N>& segment, const OnCurve& curve, const Interval& range,
                    const std::array<Interval, kAcross>& across) const {
-    const Jet t = IntervalJet<N>::variable(range, 0);
     std::array<Jet, kAcross> z;
     for (std::size_t k = 0; k < kAcross; ++k) z[k] = IntervalJet<N>::variable(across[k], static_cast<int>(k) + 1);
-    return norm_of(gradient(segment, curve, t, z), metric_in_tube(segment, t, z));
+    return norm_of(gradient(segment, curve, range, z), metric_in_tube(segment, range, z));
   }
 
   /// The metric in the coordinates (t, z).
-  JetMatrix<N> metric_in_tube(const TubeSegment<N>& segment, const Jet& t, const std::array<Jet, kAcross>& z) const {
+  JetMatrix<N> metric_in_tube(const TubeSegment<N>& segment, const Interval& t, const std::array<Jet, kAcross>& z) const {
     JetPoint<N> x;
     JetMatrix<N> d;  // dx / d(t, z), column by column
     for (std::size_t i = 0; i < N; ++i) {
-      x[i] = segment.curve[i](t);
-      d[i] = segment.curve[i].derivative()(t);
+      x[i] = jet(segment.curve[i], t);
+      d[i] = jet(segment.curve[i].derivative(), t);
       for (std::size_t k = 0; k < kAcross; ++k) {
-        const Jet n = segment.frame[i][k](t);
+        const Jet n = jet(segment.frame[i][k], t);
         x[i] += n * z[k];
-        d[i] += segment.frame[i][k].derivative()(t) * z[k];
+        d[i] += jet(segment.frame[i][k].derivative(), t) * z[k];
         d[N * (k + 1) + i] = n;
       }
     }
@@ -95,7 +93,7 @@ class TubeField {
   }
 
   /// du / d(t, z).
-  JetPoint<N> gradient(const TubeSegment<N>& segment, const OnCurve& curve, const Jet& t,
+  JetPoint<N> gradient(const TubeSegment<N>& segment, const OnCurve& curve, const Interval& t,
                        const std::array<Jet, kAcross>& z) const {
     JetPoint<N> y;
     y[0] = curve.speed;
@@ -103,12 +101,12 @@ class TubeField {
       y[0] += curve.across_rate[k] * z[k];
       y[k + 1] = curve.across[k];
       for (std::size_t l = 0; l < kAcross; ++l) {
-        y[k + 1] += segment.w[k][l](t) * z[l];
+        y[k + 1] += jet(segment.w[k][l], t) * z[l];
         const Jet zz = z[k] * z[l];
-        y[0] += Jet(0.5) * (segment.w[k][l].derivative()(t) * zz);
+        y[0] += (jet(segment.w[k][l].derivative(), t) * zz).scaled(0.5);
         for (std::size_t m = 0; m < kAcross; ++m) {
-          y[m + 1] += Jet(0.5) * (segment.third[m][k][l](t) * zz);
-          y[0] += Jet(1.0 / 6) * (segment.third[m][k][l].derivative()(t) * zz * z[m]);
+          y[m + 1] += (jet(segment.third[m][k][l], t) * zz).scaled(0.5);
+          y[0] += (jet(segment.third[m][k][l].derivative(), t) * zz * z[m]).scaled(Interval(1) / Interval(6));
         }
       }
     }
@@ -132,6 +130,8 @@ class TubeField {
   }
 
  private:
+  static Jet jet(const Cubic& c, const Interval& t) { return c.template jet<N>(t); }
+
   const TubeMetric<N>& metric_;
 };
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "framework/interval_jet.hpp"
+
 namespace leastcost {
 
 /// c0 + c1 s + c2 s^2 + c3 s^3.
@@ -26,7 +28,13 @@ struct Cubic {
   S operator()(const S& s) const {
     return S(c[0]) + s * (S(c[1]) + s * (S(c[2]) + s * S(c[3])));
   }
-  double at(double s) const { return c[0] + s * (c[1] + s * (c[2] + s * c[3])); }
+  double at(double s) const { return (*this)(s); }
+  /// As a function of variable 0, which is in `range`.
+  template <int N>
+  IntervalJet<N> jet(const Interval& range) const {
+    const Cubic first = derivative(), second = first.derivative();
+    return IntervalJet<N>::along(0, (*this)(range), first(range), second(range), Interval(second.c[1]));
+  }
 };
 
 /// One segment of the tube: the curve, its frame, and the matrix of the potential, as functions of t in [0, 1].

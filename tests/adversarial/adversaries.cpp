@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <random>
+#include <utility>
 
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
@@ -137,22 +138,35 @@ Adversary pulled_back(std::uint64_t seed) {
 }
 
 /// A path from (-1, 0) to (1, rise) where the index n depends on x alone, at least `least`: by Snell's law p = n
-/// sin(angle) is constant. `parts`: limits between which Simpson's rule with 4000 parts resolves n.
+/// sin(angle) is constant. `limits`: between them Simpson's rule with 4000 parts resolves n.
 template <class Index>
 Adversary stratified(const std::string& n, Index index, Real least, const std::vector<Real>& limits, double rise,
                      int points) {
-  const auto over = [&](auto f) {
-    Real sum = 0;
-    for (std::size_t i = 0; i + 1 < limits.size(); ++i) sum += integral(f, limits[i], limits[i + 1], 4000);
-    return sum;
-  };
-  Real low = 0, high = least;
-  for (int i = 0; i < 64; ++i) {
-    const Real p = (low + high) / 2;
-    const Real y = over([&](Real x) { return p / std::sqrt(index(x) * index(x) - p * p); });
-    (y < Real(rise) ? low : high) = p;
+  constexpr int kParts = 4000;
+  std::vector<std::pair<Real, Real>> nodes;  // weight, n^2
+  for (std::size_t i = 0; i + 1 < limits.size(); ++i) {
+    const Real h = (limits[i + 1] - limits[i]) / (2 * kParts);
+    for (int k = 0; k <= 2 * kParts; ++k) {
+      const Real here = index(limits[i] + h * static_cast<Real>(k));
+      nodes.emplace_back(h / 3 * static_cast<Real>(k == 0 || k == 2 * kParts ? 1 : k % 2 == 1 ? 4 : 2), here * here);
+    }
   }
-  const Real time = over([&](Real x) { return index(x) * index(x) / std::sqrt(index(x) * index(x) - low * low); });
+  // The rise grows with p: Newton's steps, halved back into what is left of [0, least].
+  Real low = 0, high = least, p = 0;
+  for (int i = 0; i < 100 && high - low > 1e-18L * least; ++i) {
+    Real y = 0, slope = 0;
+    for (const auto& [weight, n2] : nodes) {
+      const Real root2 = n2 - p * p, part = weight / std::sqrt(root2);
+      y += p * part;
+      slope += part * n2 / root2;
+    }
+    (y < Real(rise) ? low : high) = p;
+    const Real next = p - (y - Real(rise)) / slope;
+    if (std::abs(next - p) <= 1e-18L * least) break;
+    p = next > low && next < high ? next : (low + high) / 2;
+  }
+  Real time = 0;
+  for (const auto& [weight, n2] : nodes) time += weight * n2 / std::sqrt(n2 - p * p);
   const std::string squared = "(" + n + ")^2";
   return {between(space(2), field({squared, "0", squared}), Vector2d(-1, 0), Vector2d(1, rise)), straight(), points,
           known(time)};

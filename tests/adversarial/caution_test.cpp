@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 // How often the certificate is wrong, and how often it refuses what is right, on random problems whose answers are
 // known. LEASTCOST_ADVERSARIES sets how many of each family, LEASTCOST_ADVERSARIES_SEED the first seed (in steps of
-// two): what was tuned on even seeds is measured on odd ones.
+// two): what was tuned on even seeds is measured on odd ones. LEASTCOST_ADVERSARIES_FAMILY: only those whose names hold
+// this text; LEASTCOST_ADVERSARIES_CSV: a file to which each problem adds a line.
 #include <cstdio>
 #include <cstdlib>
 
@@ -23,7 +24,9 @@ TEST_CASE("adversaries: false and over-cautious certificates by family", "[adver
   const int count = number_from("LEASTCOST_ADVERSARIES", 6);
   const auto first = static_cast<std::uint64_t>(number_from("LEASTCOST_ADVERSARIES_SEED", 2));
   std::printf("  %-28s %5s %5s %9s %5s %8s  reasons\n", "family", "asked", "known", "certified", "false", "cautious");
+  const char* only = std::getenv("LEASTCOST_ADVERSARIES_FAMILY");  // NOLINT(concurrency-mt-unsafe)
   for (const AdversaryFamily& family : adversary_families()) {
+    if (only != nullptr && family.name.find(only) == std::string::npos) continue;
     const Tally tally = measure(family, first, count);
     std::printf("%s\n", tally.row(family.name).c_str());
     CAPTURE(family.name, count, first);
