@@ -3,6 +3,7 @@
 #include "framework/calibration.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -11,13 +12,12 @@
 #include "framework/extremal_field.hpp"
 #include "framework/tube.hpp"
 #include "framework/tube_bounds.hpp"
+#include "framework/tube_details.hpp"
 
 namespace leastcost {
 namespace {
 
 constexpr double kLeastGap = 1e-12;  ///< relative
-constexpr double kSteep = 1.5;       ///< how much the speed of the curve may vary within one of its segments
-constexpr double kFarPositive = 4;   ///< of the margin: what a wide tube or intervals too wide do not explain
 
 Calibration failed(Calibration out, Index segment, std::string why) {
   out.segment = segment;
@@ -43,40 +43,56 @@ std::optional<Calibration> calibrate_constant(const TubeMetric<N>& metric, const
   const Interval cost = sqrt(squared);
   Calibration out;
   out.applies = out.proved = cost.is_finite() && cost.lo > 0;
+  out.details = DetailVerdict::none;
   out.lower = cost.lo;
-  out.upper = out.half_width = cost.hi;
+  out.half_width = cost.hi;
+  out.upper = cost.hi;
   return out;
 }
 
-/// Bounds for a field that is there.
+/// The cost of the curve, to what `enough` of it is.
 template <int N>
-Calibration calibrate_with(const TubeField<N>& field, const Tube<N>& tube, const ExtremalField<N>& extremals,
-                           const CalibrationOptions& options, Calibration out, const Deadline& deadline) {
-  TubeBounds<N> bounds(field, extremals.margin(), tube.segments.size(), deadline);
-  const double enough = std::max(kLeastGap, options.gap / 2);
-  const double enough_of_cost =
-      std::max(kLeastGap, enough / 10) * tube.cost / static_cast<double>(tube.segments.size());
-  Interval curve(0);
+Interval curve_cost(const TubeBounds<N>& bounds, const Tube<N>& tube, double enough) {
+  Interval sum(0);
+  for (const TubeSegment<N>& segment : tube.segments)
+    sum += bounds.curve_cost(segment, {0, 1}, enough * tube.cost / static_cast<double>(tube.segments.size()));
+  return sum;
+}
+
+/// The bounds of the proof, for a field that is there.
+template <int N>
+Calibration prove(TubeBounds<N>& bounds, const Tube<N>& tube, const ExtremalField<N>& extremals, const Interval& curve,
+                  double enough, Calibration out) {
   double loss = 0, worst = 0;
   for (std::size_t i = 0; i < tube.segments.size(); ++i) {
     const auto n = static_cast<Index>(i);
-    const double curvature = bounds.mean_curvature(tube.segments[i], tube.widths[n]);
-    if (!(curvature < 0)) {
-      const Interval speed = field.on_curve(tube.segments[i], {0, 1}).speed.value();
-      out.contradicted = (std::isfinite(curvature) && curvature > kFarPositive * 2 * extremals.margin()) ||
-                         (speed.lo > 0 && speed.is_finite() && speed.hi > kSteep * speed.lo);
-      return failed(out, n, "the cost is not resolved, or a path nearby is cheaper");
-    }
+    const double curvature = bounds.mean_curvature(tube.segments[i], tube.widths[n], extremals.margin());
+    if (!(curvature < 0)) return failed(out, n, "the bounds are too wide, or a path nearby is cheaper");
     const double excess = bounds.squared_slope(tube.segments[i], -2 * curvature * enough) / (-2 * curvature);
     worst = std::max(worst, excess);
     loss += excess * tube.costs[n];
-    curve += bounds.curve_cost(tube.segments[i], {0, 1}, enough_of_cost);
   }
   out.gap = extremals.varies_little_across() ? loss / tube.cost : worst;
-  out.upper = curve.hi;
   out.lower = curve.lo * (1 - out.gap);
-  out.proved = std::isfinite(out.lower) && std::isfinite(out.upper);
+  out.proved = std::isfinite(out.lower) && out.upper;
   return out.proved ? out : failed(out, 0, "the cost of the curve has no bounds");
+}
+
+/// Whether f is concave across the curve at the sides of the tube, looked at in the middle of each segment.
+template <int N>
+bool concave(const TubeField<N>& field, const Tube<N>& tube) {
+  for (std::size_t i = 0; i < tube.segments.size(); ++i) {
+    const typename TubeField<N>::OnCurve curve = field.on_curve(tube.segments[i], Interval(0.5));
+    const double w = tube.widths[static_cast<Index>(i)];
+    for (int corner = 0; corner < 1 << (N - 1); ++corner) {
+      std::array<Interval, N - 1> z;
+      for (std::size_t k = 0; k < z.size(); ++k) z[k] = Interval(corner >> k & 1 ? w : -w);
+      const IntervalJet<N> f = field.squared_norm(tube.segments[i], curve, Interval(0.5), z);
+      for (int k = 1; k < N; ++k)
+        if (!(f.d(k, k).hi < 0)) return false;
+    }
+  }
+  return true;
 }
 
 template <int N>
@@ -93,13 +109,19 @@ Calibration calibrate_in(const Problem& problem, const CoordinatePath& chain, co
     return failed(out, tube.trouble->segment, tube.trouble->why);
   }
   out.half_width = tube.widths.minCoeff();
+  TubeDetails<N> details(field, tube, deadline);
+  out.details = details.examine();
+  if (out.details == DetailVerdict::found)
+    return failed(out, details.segment(), "the cost has details finer than the segments");
+  TubeBounds<N> bounds(field, options.boxes * static_cast<Index>(tube.segments.size()), deadline);
+  const double enough = std::max(kLeastGap, options.gap / 2);
+  const Interval curve = curve_cost(bounds, tube, std::max(kLeastGap, enough / 10));
+  if (curve.is_finite()) out.upper = curve.hi;
   ExtremalField<N> extremals(field, tube, deadline);
   if (!extremals.exists())
     return failed(out, -1, "no field of extremals: the path is not a strict minimum, or nearly not");
-  Calibration found = calibrate_with(field, tube, extremals, options, out, deadline);
-  if (found.proved || found.contradicted) return found;
-  extremals.add_third_derivatives();
-  return calibrate_with(field, tube, extremals, options, out, deadline);
+  if (!concave(field, tube)) extremals.add_third_derivatives();
+  return prove(bounds, tube, extremals, curve, enough, out);
 }
 
 }  // namespace

@@ -2,12 +2,23 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <leastcost/framework/deadline.hpp>
 #include <leastcost/framework/problem.hpp>
 
 namespace leastcost {
+
+/// Whether a metric varies in a tube on a scale finer than the segments of the chain in its middle, by bounds of its
+/// third derivatives in interval arithmetic.
+enum class DetailVerdict {
+  none,       ///< it does not, nowhere
+  kink,       ///< but for kinks (abs, min, max), it does not
+  found,      ///< it does, at a place
+  undecided,  ///< the bounds are too wide
+  not_asked   ///< there is no tube
+};
 
 /// A proof that a smooth curve is nearly the cheapest of all in a tube around it.
 ///
@@ -25,15 +36,17 @@ struct Calibration {
   bool proved = false;
   double gap = 0;               ///< relative; no curve in the tube costs less than (1 - gap) times the curve
   double half_width = 0;        ///< of the tube where it is narrowest, units of the cost
-  double lower = 0, upper = 0;  ///< no curve in the tube costs less; the curve costs no more. Units of the cost
-  bool contradicted = false;    ///< not proved, and far from it: the Hessian of f may be positive by some margins
-  Index segment = -1;           ///< where it failed; -1: nowhere
-  std::string trouble;          ///< why it is not proved
+  double lower = 0;             ///< where proved: no curve in the tube costs less. Units of the cost
+  std::optional<double> upper;  ///< the curve costs no more
+  DetailVerdict details = DetailVerdict::not_asked;
+  Index segment = -1;   ///< where it failed, or where details were found; -1: nowhere
+  std::string trouble;  ///< why it is not proved
 };
 
 struct CalibrationOptions {
   Index segments = 0;  ///< of the delivered path: the tube reaches a quarter of one to each side
   double gap = 0;      ///< relative; no more effort where it is reached
+  int boxes = 10;      ///< at most this many per segment of the chain, in the mean: the effort for the proof
 };
 
 /// For the piecewise cubic curve with continuous tangents through the points of an open chain. Throws Interrupted.

@@ -233,7 +233,8 @@ class Certifier {
     constexpr std::string_view kNotAsymptotic = "not_asymptotic";
     const auto extrapolates = [&](const CertificateFailure& failure) { return failure.name == kNotAsymptotic; };
     if (hugs_bound_ || !std::all_of(c_.failures.begin(), c_.failures.end(), extrapolates)) return;
-    ExaminedResolution examined = examine_resolution(problem_, path_.chain, refinement, c_.estimate, monitor_);
+    ExaminedResolution examined =
+        examine_resolution(problem_, path_.chain, refinement, !c_.failures.empty(), c_.estimate, monitor_);
     c_.resolution = examined.resolution;
     if (examined.resolution.minimum_proved) c_.failures.clear();
     for (CertificateFailure& failure : examined.failures) c_.failures.push_back(std::move(failure));

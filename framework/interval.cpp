@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/framework/interval.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -15,6 +16,14 @@ Interval around(double lo, double hi) {
                most = hi + std::max(kUlps * std::abs(hi), detail::kTiny);
   return {std::isnan(least) ? -std::numeric_limits<double>::infinity() : least,
           std::isnan(most) ? std::numeric_limits<double>::infinity() : most};
+}
+
+/// Outward from the bounds of a product, which may underflow.
+Interval product_outward(double lo, double hi, bool never_negative, bool never_positive) {
+  Interval x = detail::outward(lo, hi);
+  if (std::abs(lo) < detail::kTiny) x.lo = never_negative ? 0 : -detail::kTiny;
+  if (std::abs(hi) < detail::kTiny) x.hi = never_positive ? 0 : detail::kTiny;
+  return x;
 }
 
 Interval clamped(const Interval& x, double least, double most) { return {std::max(x.lo, least), std::min(x.hi, most)}; }
@@ -47,9 +56,19 @@ bool is_whole(double p) { return std::floor(p) == p && std::abs(p) < 1e9; }
 
 }  // namespace
 
+Interval detail::rare_product(const Interval& x, const Interval& y) {
+  if ((x.lo == 0 && x.hi == 0) || (y.lo == 0 && y.hi == 0)) return {};  // also times all of R
+  const double a = x.lo * y.lo, b = x.lo * y.hi, c = x.hi * y.lo, d = x.hi * y.hi;
+  if (std::isnan(a + b + c + d)) return Interval::all();
+  const bool same_sign = (x.lo >= 0 && y.lo >= 0) || (x.hi <= 0 && y.hi <= 0);
+  const bool other_sign = (x.lo >= 0 && y.hi <= 0) || (x.hi <= 0 && y.lo >= 0);
+  return product_outward(std::min(std::min(a, b), std::min(c, d)), std::max(std::max(a, b), std::max(c, d)), same_sign,
+                         other_sign);
+}
+
 Interval square(const Interval& x) {
   const double a = x.lo * x.lo, b = x.hi * x.hi;
-  return detail::product_outward(x.contains(0) ? 0 : std::min(a, b), std::max(a, b), true, x.lo == 0 && x.hi == 0);
+  return product_outward(x.contains(0) ? 0 : std::min(a, b), std::max(a, b), true, x.lo == 0 && x.hi == 0);
 }
 
 Interval sqrt(const Interval& x) {

@@ -62,27 +62,23 @@ inline double rounded_down(double x) {
 inline double rounded_up(double x) { return -rounded_down(-x); }
 inline Interval outward(double lo, double hi) { return {rounded_down(lo), rounded_up(hi)}; }
 
-/// The same for products, which may underflow. kTiny is far above the subnormal numbers, which are slow.
+/// Products with an infinite bound, and those that may underflow. kTiny is far above the subnormal numbers, which are
+/// slow.
 inline constexpr double kTiny = 1e-290;
-inline Interval product_outward(double lo, double hi, bool never_negative, bool never_positive) {
-  Interval x = outward(lo, hi);
-  if (std::abs(lo) < kTiny) x.lo = never_negative ? 0 : -kTiny;
-  if (std::abs(hi) < kTiny) x.hi = never_positive ? 0 : kTiny;
-  return x;
-}
+Interval rare_product(const Interval& x, const Interval& y);
 
 }  // namespace detail
 
 inline Interval& Interval::operator+=(const Interval& o) { return *this = detail::outward(lo + o.lo, hi + o.hi); }
 inline Interval& Interval::operator-=(const Interval& o) { return *this = detail::outward(lo - o.hi, hi - o.lo); }
 inline Interval& Interval::operator*=(const Interval& o) {
-  if ((lo == 0 && hi == 0) || (o.lo == 0 && o.hi == 0)) return *this = Interval(0);  // also times all of R
   const double a = lo * o.lo, b = lo * o.hi, c = hi * o.lo, d = hi * o.hi;
-  if (std::isnan(a + b + c + d)) return *this = all();
-  const bool same_sign = (lo >= 0 && o.lo >= 0) || (hi <= 0 && o.hi <= 0);
-  const bool other_sign = (lo >= 0 && o.hi <= 0) || (hi <= 0 && o.lo >= 0);
-  return *this = detail::product_outward(std::min(std::min(a, b), std::min(c, d)),
-                                         std::max(std::max(a, b), std::max(c, d)), same_sign, other_sign);
+  const double least = std::min(std::min(a, b), std::min(c, d)), most = std::max(std::max(a, b), std::max(c, d));
+  constexpr double kUlp = std::numeric_limits<double>::epsilon();
+  const double least_size = std::abs(least), most_size = std::abs(most), sum = (a + b) + (c + d);
+  if (sum == sum && least_size >= detail::kTiny && most_size >= detail::kTiny)  // neither NaN nor underflow
+    return *this = {least - least_size * kUlp, most + most_size * kUlp};
+  return *this = detail::rare_product(*this, o);
 }
 inline Interval& Interval::operator/=(const Interval& o) {
   if (o.lo <= 0 && o.hi >= 0) return *this = all();

@@ -41,9 +41,14 @@ int other_segments(const CoordinatePath& chain) {
 
 class Examiner {
  public:
-  Examiner(const Problem& problem, const CoordinatePath& chain, const Refinement& refinement, CostEstimate& estimate,
-           const Monitor& monitor)
-      : problem_(problem), chain_(chain), refinement_(refinement), estimate_(estimate), monitor_(monitor) {}
+  Examiner(const Problem& problem, const CoordinatePath& chain, const Refinement& refinement, bool insist,
+           CostEstimate& estimate, const Monitor& monitor)
+      : problem_(problem),
+        chain_(chain),
+        refinement_(refinement),
+        insist_(insist),
+        estimate_(estimate),
+        monitor_(monitor) {}
 
   ExaminedResolution run() {
     compare_other_chain();
@@ -77,39 +82,50 @@ class Examiner {
 
   void calibrate_finest() {
     if (refinement_.paths.size() < 3 || !out_.failures.empty()) return;
-    const CalibrationOptions options{chain_.segment_count(), estimate_.error / estimate_.value};
+    CalibrationOptions options{chain_.segment_count(), estimate_.error / estimate_.value};
+    if (insist_) options.boxes *= 10;
     const Calibration found = calibrate(problem_, refinement_.paths[2], options, monitor_.deadline);
     if (!found.applies) return;
     Resolution& r = out_.resolution;
-    if (!found.proved) {
-      if (!found.contradicted) return;  // too wide a tube or too wide intervals: sampled
-      const Eigen::VectorXd place = refinement_.paths[2].u.col(std::max<Index>(found.segment, 0));
-      return unresolved("near " + point_text(place) + ": " + found.trouble);
-    }
-    r.half_width = found.half_width;
-    r.verdict = ResolutionVerdict::proved;
-    r.curve_enclosed = r.minimum_proved = true;
-    r.lower = found.lower;
+    r.curve_enclosed = found.upper.has_value();
     r.upper = found.upper;
-    quote_bounds(found);
+    if (found.proved) {
+      r.minimum_proved = true;
+      r.lower = found.lower;
+      quote_bounds(found);
+    } else if (has_poles()) {
+      if (found.details != DetailVerdict::none) return;  // near a pole coordinates vary much where the surface does not
+    } else if (found.details == DetailVerdict::found || found.details == DetailVerdict::undecided) {
+      const Eigen::VectorXd place = refinement_.paths[2].u.col(std::max<Index>(found.segment, 0));
+      return unresolved("near " + point_text(place) + ": " + found.trouble + "; use more points");
+    } else if (found.details != DetailVerdict::none) {
+      return;  // a kink, or no tube: sampled
+    }
+    r.verdict = ResolutionVerdict::proved;
+    r.half_width = found.half_width;
+  }
+
+  bool has_poles() const {
+    const HasChart* chart = find_ability<HasChart>(*problem_.manifold);
+    return chart != nullptr && !chart->poles().empty();
   }
 
   /// What is proved replaces a bar that contradicts it, and one that is wider.
   void quote_bounds(const Calibration& found) {
-    const double proved = found.upper - found.lower;
-    const bool agrees =
-        estimate_.value - estimate_.error <= found.upper && estimate_.value + estimate_.error >= found.lower;
+    const double upper = *found.upper, proved = upper - found.lower;
+    const bool agrees = estimate_.value - estimate_.error <= upper && estimate_.value + estimate_.error >= found.lower;
     if (agrees && estimate_.error <= proved) return;
-    estimate_.value = found.upper;
+    estimate_.value = upper;
     estimate_.error = proved;
     estimate_.method = "bracket";
     estimate_.lower = found.lower;
-    estimate_.upper = found.upper;
+    estimate_.upper = upper;
   }
 
   const Problem& problem_;
   const CoordinatePath& chain_;
   const Refinement& refinement_;
+  bool insist_;
   CostEstimate& estimate_;
   const Monitor& monitor_;
   ExaminedResolution out_;
@@ -125,8 +141,8 @@ Words<ResolutionVerdict> words(ResolutionVerdict) {
 }
 
 ExaminedResolution examine_resolution(const Problem& problem, const CoordinatePath& chain, const Refinement& refinement,
-                                      CostEstimate& estimate, const Monitor& monitor) {
-  return Examiner(problem, chain, refinement, estimate, monitor).run();
+                                      bool insist, CostEstimate& estimate, const Monitor& monitor) {
+  return Examiner(problem, chain, refinement, insist, estimate, monitor).run();
 }
 
 }  // namespace leastcost

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
+#include <utility>
 
 #include <leastcost/framework/deadline.hpp>
 #include "framework/tube_field.hpp"
@@ -20,9 +22,9 @@ class TubeBounds {
  public:
   static constexpr int kAcross = N - 1;
 
-  /// `margin`: -1/2 of what the Hessian of f is on the curve. `segments` of the tube, for the effort.
-  TubeBounds(const TubeField<N>& field, double margin, std::size_t segments, const Deadline& deadline)
-      : field_(field), margin_(margin), most_boxes_(kMostBoxes * static_cast<Index>(segments)), deadline_(deadline) {}
+  /// Looks at `most_boxes` before it takes the bounds as they are.
+  TubeBounds(const TubeField<N>& field, Index most_boxes, const Deadline& deadline)
+      : field_(field), most_boxes_(most_boxes), deadline_(deadline) {}
 
   /// The cost of a part of the curve, by Taylor's theorem: the third derivative of the speed bounds what its parabola
   /// leaves out.
@@ -31,11 +33,11 @@ class TubeBounds {
     look_at_clock(deadline_);
     const double middle = range.middle(), half = range.width() / 2 * (1 + 1e-15);
     const TubeSegment<N> here = segment.around(middle);
-    const IntervalJet<N> all = field_.on_curve(here, {-half, half}).speed,
-                         at = field_.on_curve(here, Interval(0)).speed;
-    const Interval r(range.width() / 2 * (1 - 1e-15), half), r3 = r * square(r), third = all.d(0, 0, 0);
-    const double odd = third.width() * (r3 * r).hi / 24;
-    const Interval sum = Interval(2) * at.value() * r + at.d(0, 0) * r3 / Interval(3) + Interval(-odd, odd);
+    const IntervalJet<N> speed = field_.on_curve(here, {-half, half}).speed;
+    const Interval r(range.width() / 2 * (1 - 1e-15), half), r3 = r * square(r);
+    const double odd = speed.d(0, 0, 0).width() * (r3 * r).hi / 24;
+    const Interval sum =
+        Interval(2) * speed.value_at_center() * r + speed.d_at_center(0, 0) * r3 / Interval(3) + Interval(-odd, odd);
     if (sum.width() <= enough || depth == kDeepest) return sum;
     return curve_cost(segment, {range.lo, middle}, enough / 2, depth + 1) +
            curve_cost(segment, {middle, range.hi}, enough / 2, depth + 1);
@@ -43,8 +45,11 @@ class TubeBounds {
 
   /// c < 0 such that f(t, z) <= 1 + r.z + c |z|^2 / 2 in the tube, r the slope on the curve; not negative where that is
   /// not seen. f is the double integral of its Hessian along the way from the curve to z, so that a bound on each of a
-  /// few shells around the curve is enough, and farther out it may be positive.
-  double mean_curvature(const TubeSegment<N>& segment, double half_width) {
+  /// few shells around the curve is enough, and farther out it may be positive. `margin`: -1/2 of that Hessian on the
+  /// curve.
+  double mean_curvature(const TubeSegment<N>& segment, double half_width, double margin) {
+    margin_ = margin;
+    on_curve_.clear();
     constexpr int kShells = kAcross == 1 ? 6 : 3;
     Box all;
     all.fill({-half_width, half_width});
@@ -76,7 +81,6 @@ class TubeBounds {
 
  private:
   using Box = std::array<Interval, kAcross>;
-  static constexpr Index kMostBoxes = 200;  ///< per segment, in the mean
 
   /// A bound of the eigenvalues of the Hessian of f across the curve where the largest coordinate is in `radius`.
   double shell_curvature(const TubeSegment<N>& segment, const Interval& radius) {
@@ -97,31 +101,22 @@ class TubeBounds {
 
   static bool is_good(const CurvatureBound& found) { return found.bound < 0 && found.bound <= found.at_center / 2; }
 
-  /// A bound of the eigenvalues of the Hessian of f across the curve in a part of the tube, by the mean value theorem
-  /// and Gershgorin's circles.
+  /// A bound of the eigenvalues of the Hessian of f across the curve in a part of the tube, by Gershgorin's circles.
   CurvatureBound curvature_bound(const TubeSegment<N>& segment, const Interval& range, const Box& across) {
     look_at_clock(deadline_);
     ++boxes_;
     const double middle = range.middle(), half = range.width() / 2 * (1 + 1e-12);
     const TubeSegment<N> here = segment.around(middle);
     const Interval local(-half, half);
-    Box center, off;
-    for (std::size_t k = 0; k < kAcross; ++k) {
-      center[k] = Interval(across[k].middle());
-      off[k] = across[k] - center[k];
-    }
-    const IntervalJet<N> f = field_.squared_norm(here, field_.on_curve(here, local), local, across);
-    const IntervalJet<N> at = field_.squared_norm(here, field_.on_curve(here, Interval(0)), Interval(0), center);
-    const auto second = [&](int k, int l) {
-      Interval sum = at.d(k, l) + f.d(0, k, l) * local;
-      for (int m = 1; m < N; ++m) sum += f.d(m, k, l) * off[static_cast<std::size_t>(m - 1)];
-      return sum;
-    };
+    auto on_curve = on_curve_.find({range.lo, range.hi});
+    if (on_curve == on_curve_.end())
+      on_curve = on_curve_.emplace(std::pair(range.lo, range.hi), field_.on_curve(here, local)).first;
+    const IntervalJet<N> f = field_.squared_norm(here, on_curve->second, local, across);
     CurvatureBound out{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (int k = 1; k < N; ++k) {
-      double row = second(k, k).hi, center_row = at.d(k, k).hi;
+      double row = f.d(k, k).hi, center_row = f.d_at_center(k, k).hi;
       for (int l = 1; l < N; ++l)
-        if (l != k) row += second(k, l).magnitude(), center_row += at.d(k, l).magnitude();
+        if (l != k) row += f.d(k, l).magnitude(), center_row += f.d_at_center(k, l).magnitude();
       out.bound = std::max(out.bound, row);
       out.at_center = std::max(out.at_center, center_row);
     }
@@ -154,12 +149,10 @@ class TubeBounds {
     const TubeSegment<N> here = segment.around(middle);
     const Interval local(-half, half);
     const Box zero = {};
-    const IntervalJet<N> on_curve = field_.squared_norm(here, field_.on_curve(here, local), local, zero),
-                         at_middle = field_.squared_norm(here, field_.on_curve(here, Interval(0)), Interval(0), zero);
+    const IntervalJet<N> f = field_.squared_norm(here, field_.on_curve(here, local), local, zero);
     double sum = 0, least = 0;
     for (int k = 1; k < N; ++k) {
-      const Interval& there = at_middle.d(k);
-      const Interval slope = there + (at_middle.d(0, k) + on_curve.d(0, 0, k) * local) * local;
+      const Interval there = f.d_at_center(k), slope = f.d(k);
       sum += slope.magnitude() * slope.magnitude();
       least += there.magnitude() * there.magnitude();
     }
@@ -171,7 +164,8 @@ class TubeBounds {
   }
 
   const TubeField<N>& field_;
-  double margin_;
+  double margin_ = 0;
+  std::map<std::pair<double, double>, typename TubeField<N>::OnCurve> on_curve_;  ///< of parts of the segment at hand
   Index boxes_ = 0, most_boxes_;
   double seen_ = 0;  ///< largest squared slope met on the curve in a segment
   const Deadline& deadline_;

@@ -58,11 +58,12 @@ class TubeField {
                    const std::array<Interval, kAcross>& across) const {
     std::array<Jet, kAcross> z;
     for (std::size_t k = 0; k < kAcross; ++k) z[k] = IntervalJet<N>::variable(across[k], static_cast<int>(k) + 1);
-    return norm_of(gradient(segment, curve, range, z), metric_in_tube(segment, range, z));
+    return norm_of(gradient(segment, curve, range, z), metric_in_tube(segment, range, z)).tighten();
   }
 
   /// The metric in the coordinates (t, z).
-  JetMatrix<N> metric_in_tube(const TubeSegment<N>& segment, const Interval& t, const std::array<Jet, kAcross>& z) const {
+  JetMatrix<N> metric_in_tube(const TubeSegment<N>& segment, const Interval& t,
+                              const std::array<Jet, kAcross>& z) const {
     JetPoint<N> x;
     JetMatrix<N> d;  // dx / d(t, z), column by column
     for (std::size_t i = 0; i < N; ++i) {

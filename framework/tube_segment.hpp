@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include "framework/interval_jet.hpp"
+#include <leastcost/framework/interval_jet.hpp>
 
 namespace leastcost {
 
@@ -33,7 +33,9 @@ struct Cubic {
   template <int N>
   IntervalJet<N> jet(const Interval& range) const {
     const Cubic first = derivative(), second = first.derivative();
-    return IntervalJet<N>::along(0, (*this)(range), first(range), second(range), Interval(second.c[1]));
+    return IntervalJet<N>::along(0, range, [&](const Interval& s) -> typename IntervalJet<N>::Derivatives {
+      return {(*this)(s), first(s), second(s), second.c[1]};
+    });
   }
 };
 

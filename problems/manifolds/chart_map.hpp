@@ -3,10 +3,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <memory>
+#include <span>
 #include <utility>
 
 #include <leastcost/framework/dual.hpp>
+#include <leastcost/framework/interval_jet.hpp>
 #include <leastcost/framework/path.hpp>
 
 namespace leastcost {
@@ -20,6 +23,9 @@ class ChartMap {
   virtual Eigen::Matrix<double, 3, 2> jacobian(const Eigen::Vector2d& u) const = 0;
   /// Hessian of w . x(u, v).
   virtual Eigen::Matrix2d curvature(const Eigen::Vector2d& u, const Eigen::Vector3d& w) const = 0;
+  /// Position and Jacobian, the latter row by row, in intervals: see EnclosesChart.
+  virtual void enclose(std::span<const IntervalJet<2>, 2> u, std::span<IntervalJet<2>, 3> x,
+                       std::span<IntervalJet<2>, 6> jacobian) const = 0;
 };
 
 /// Lifts a struct with `template <class S> Eigen::Matrix<S, 3, 1> operator()(const S& u, const S& v) const`; the
@@ -49,6 +55,18 @@ class ChartMapOf final : public ChartMap {
       for (std::size_t p = 0; p < 2; ++p)
         for (std::size_t q = 0; q < 2; ++q) h(static_cast<Index>(p), static_cast<Index>(q)) += w[i] * x[i].d[p].d[q];
     return h;
+  }
+
+  void enclose(std::span<const IntervalJet<2>, 2> u, std::span<IntervalJet<2>, 3> x,
+               std::span<IntervalJet<2>, 6> jacobian) const override {
+    using Jet = IntervalJet<2>;
+    using S = Dual<Jet, 2>;
+    const Eigen::Matrix<S, 3, 1> at = function_(S(u[0], {Jet(1.0), Jet(0.0)}), S(u[1], {Jet(0.0), Jet(1.0)}));
+    for (std::size_t i = 0; i < 3; ++i) {
+      const S& xi = at[static_cast<Index>(i)];
+      x[i] = xi.value;
+      for (std::size_t k = 0; k < 2; ++k) jacobian[2 * i + k] = xi.d[k];
+    }
   }
 
  private:

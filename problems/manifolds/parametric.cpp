@@ -62,6 +62,11 @@ void ParametricManifold::curvatures(const CoordinatePath& path, const Points& we
   for (Index i = 0; i < path.u.cols(); ++i) h.middleCols(2 * i, 2) = map_->curvature(path.u.col(i), weights.col(i));
 }
 
+void ParametricManifold::enclose_chart(std::span<const IntervalJet<2>, 2> u, std::span<IntervalJet<2>> x,
+                                       std::span<IntervalJet<2>> jacobian) const {
+  map_->enclose(u, x.first<3>(), jacobian.first<6>());
+}
+
 void ParametricManifold::draw(const DrawnPaths& paths, Drawing& out) const {
   out.surface = chart_surface(*this, *this, paths.u);
 }

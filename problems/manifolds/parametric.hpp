@@ -5,11 +5,13 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include <leastcost/framework/encloses_chart.hpp>
 #include <leastcost/framework/has_images.hpp>
 #include <leastcost/framework/manifold.hpp>
 #include <leastcost/framework/options.hpp>
@@ -139,6 +141,7 @@ struct ParametricOptions {
 /// bounds.
 class ParametricManifold final : public ConstraintManifold,
                                  public HasChart,
+                                 public EnclosesChart,
                                  public HasBounds,
                                  public HasSeams,
                                  public HasImages,
@@ -158,6 +161,8 @@ class ParametricManifold final : public ConstraintManifold,
   void embed(const CoordinatePath& path, Points& x) const override;
   void jacobians(const CoordinatePath& path, Points& j) const override;
   void curvatures(const CoordinatePath& path, const Points& weights, Points& h) const override;
+  void enclose_chart(std::span<const IntervalJet<2>, 2> u, std::span<IntervalJet<2>> x,
+                     std::span<IntervalJet<2>> jacobian) const override;
   int active_bounds(const CoordinatePath& path, Index column, Eigen::Ref<Points> normals) const override;
   const std::vector<Seam>& seams() const override { return seams_; }
   const std::vector<SeamMap>& poles() const override { return poles_; }
