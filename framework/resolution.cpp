@@ -83,7 +83,7 @@ class Examiner {
   void calibrate_finest() {
     if (refinement_.paths.size() < 3 || !out_.failures.empty()) return;
     CalibrationOptions options{chain_.segment_count(), estimate_.error / estimate_.value};
-    if (insist_) options.boxes *= 10;
+    if (insist_) options.boxes *= 25;
     const Calibration found = calibrate(problem_, refinement_.paths[2], options, monitor_.deadline);
     if (!found.applies) return;
     Resolution& r = out_.resolution;
