@@ -32,7 +32,8 @@ class TubeMetric {
     const ConstraintManifold& domain = *problem.manifold;
     if (domain.dimensions().coordinate != N || find_ability<EnclosesMetric>(*problem.cost) == nullptr) return false;
     if (find_ability<HasChart>(domain) == nullptr) return domain.shape() == Shape::flat;
-    return N == 2 && domain.dimensions().ambient <= kMostAmbient && find_ability<EnclosesChart>(domain) != nullptr;
+    return N == 2 && domain.dimensions().ambient <= static_cast<Index>(kMostAmbient) &&
+           find_ability<EnclosesChart>(domain) != nullptr;
   }
 
   /// G at u, which depends on N variables.
