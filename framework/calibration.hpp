@@ -46,7 +46,7 @@ struct Calibration {
 struct CalibrationOptions {
   Index segments = 0;  ///< of the delivered path: the tube reaches a quarter of one to each side
   double gap = 0;      ///< relative; no more effort where it is reached
-  int boxes = 4;      ///< at most this many per segment of the chain, in the mean: the effort for the proof
+  int boxes = 4;       ///< at most this many per segment of the chain, in the mean: the effort for the proof
 };
 
 /// For the piecewise cubic curve with continuous tangents through the points of an open chain. Throws Interrupted.
