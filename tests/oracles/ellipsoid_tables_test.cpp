@@ -3,6 +3,7 @@
 // Shortest geodesics on ellipsoids of revolution from the tables of the data set (GeodTest and exact integrals), in a
 // chart and as an implicit surface. From the straight start most pairs end on the shortest path; the family finds the
 // others.
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <numbers>
