@@ -6,8 +6,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <string>
-#include <utility>
 
 #include "framework/extremal_field.hpp"
 #include "framework/tube.hpp"
@@ -19,20 +17,14 @@ namespace {
 
 constexpr double kLeastGap = 1e-12;  ///< relative
 
-Calibration failed(Calibration out, Index segment, std::string why) {
-  out.segment = segment;
-  out.trouble = std::move(why);
-  return out;
-}
-
 /// Under a constant metric the straight line is the least of all paths, and nothing is hidden.
 template <int N>
 std::optional<Calibration> calibrate_constant(const TubeMetric<N>& metric, const CoordinatePath& chain) {
-  JetPoint<N> box;
-  for (int i = 0; i < N; ++i)
-    box[static_cast<std::size_t>(i)] =
-        IntervalJet<N>::variable({chain.u.row(i).minCoeff(), chain.u.row(i).maxCoeff()}, i);
-  const JetMatrix<N> g = metric(box);
+  constexpr double kFar = 1e9;  // times the coordinates: a formula may be constant on the path and not beside it
+  const double far = kFar * (1 + chain.u.cwiseAbs().maxCoeff());
+  JetPoint<N> everywhere;
+  for (int i = 0; i < N; ++i) everywhere[static_cast<std::size_t>(i)] = IntervalJet<N>::variable({-far, far}, i);
+  const JetMatrix<N> g = metric(everywhere);
   if (!std::all_of(g.begin(), g.end(), [](const IntervalJet<N>& entry) { return entry.is_constant(); })) return {};
   Interval squared(0);
   for (int i = 0; i < N; ++i)
@@ -59,7 +51,7 @@ Interval curve_cost(const TubeBounds<N>& bounds, const Tube<N>& tube, double eno
   return sum;
 }
 
-/// The bounds of the proof, for a field that is there.
+/// The bounds of the proof, for a field that is there. Not proved where they are too wide, or a path nearby is cheaper.
 template <int N>
 Calibration prove(TubeBounds<N>& bounds, const Tube<N>& tube, const ExtremalField<N>& extremals, const Interval& curve,
                   double enough, Calibration out) {
@@ -67,7 +59,7 @@ Calibration prove(TubeBounds<N>& bounds, const Tube<N>& tube, const ExtremalFiel
   for (std::size_t i = 0; i < tube.segments.size(); ++i) {
     const auto n = static_cast<Index>(i);
     const double curvature = bounds.mean_curvature(tube.segments[i], tube.widths[n], extremals.margin());
-    if (!(curvature < 0)) return failed(out, n, "the bounds are too wide, or a path nearby is cheaper");
+    if (!(curvature < 0)) return out;
     const double excess = bounds.squared_slope(tube.segments[i], -2 * curvature * enough) / (-2 * curvature);
     worst = std::max(worst, excess);
     loss += excess * tube.costs[n];
@@ -75,7 +67,7 @@ Calibration prove(TubeBounds<N>& bounds, const Tube<N>& tube, const ExtremalFiel
   out.gap = extremals.varies_little_across() ? loss / tube.cost : worst;
   out.lower = curve.lo * (1 - out.gap);
   out.proved = std::isfinite(out.lower) && out.upper;
-  return out.proved ? out : failed(out, 0, "the cost of the curve has no bounds");
+  return out;
 }
 
 /// Whether f is concave across the curve at the sides of the tube, looked at in the middle of each segment.
@@ -99,27 +91,23 @@ template <int N>
 Calibration calibrate_in(const Problem& problem, const CoordinatePath& chain, const CalibrationOptions& options,
                          const Deadline& deadline) {
   Calibration out;
-  out.applies = true;
   const TubeMetric<N> metric(problem);
   if (const std::optional<Calibration> constant = calibrate_constant(metric, chain)) return *constant;
   const TubeField<N> field(metric);
   Tube<N> tube(metric, chain, options.segments, deadline);
-  if (tube.trouble) {
-    out.applies = !tube.trouble->at_singular_end;
-    return failed(out, tube.trouble->segment, tube.trouble->why);
-  }
+  if (!tube.exists()) return out;
+  out.applies = true;
   out.half_width = tube.widths.minCoeff();
   TubeDetails<N> details(field, tube, deadline);
   out.details = details.examine();
-  if (out.details == DetailVerdict::found)
-    return failed(out, details.segment(), "the cost has details finer than the segments");
+  out.detail = details.segment();
+  if (out.details == DetailVerdict::found) return out;
   TubeBounds<N> bounds(field, options.boxes * static_cast<Index>(tube.segments.size()), deadline);
   const double enough = std::max(kLeastGap, options.gap / 2);
   const Interval curve = curve_cost(bounds, tube, std::max(kLeastGap, enough / 10));
   if (curve.is_finite()) out.upper = curve.hi;
   ExtremalField<N> extremals(field, tube, deadline);
-  if (!extremals.exists())
-    return failed(out, -1, "no field of extremals: the path is not a strict minimum, or nearly not");
+  if (!extremals.exists()) return out;
   if (!concave(field, tube)) extremals.add_third_derivatives();
   return prove(bounds, tube, extremals, curve, enough, out);
 }

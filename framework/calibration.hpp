@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include <leastcost/framework/deadline.hpp>
 #include <leastcost/framework/problem.hpp>
@@ -13,11 +12,10 @@ namespace leastcost {
 /// Whether a metric varies in a tube on a scale finer than the segments of the chain in its middle, by bounds of its
 /// third derivatives in interval arithmetic.
 enum class DetailVerdict {
-  none,       ///< it does not, nowhere
-  kink,       ///< but for kinks (abs, min, max), it does not
-  found,      ///< it does, at a place
-  undecided,  ///< the bounds are too wide
-  not_asked   ///< there is no tube
+  none,      ///< it does not, nowhere
+  kink,      ///< but for kinks (abs, min, max), it does not
+  found,     ///< it does, at a place
+  undecided  ///< the bounds are too wide
 };
 
 /// A proof that a smooth curve is nearly the cheapest of all in a tube around it.
@@ -32,15 +30,14 @@ enum class DetailVerdict {
 ///
 /// So a feature of the cost that no point of a chain saw, in the tube, makes the proof fail.
 struct Calibration {
-  bool applies = false;  ///< cost and domain are formulas; two or three coordinates; no ring
+  bool applies = false;  ///< there is a tube: cost and domain are formulas, two or three coordinates, no ring
   bool proved = false;
   double gap = 0;               ///< relative; no curve in the tube costs less than (1 - gap) times the curve
   double half_width = 0;        ///< of the tube where it is narrowest, units of the cost
   double lower = 0;             ///< where proved: no curve in the tube costs less. Units of the cost
   std::optional<double> upper;  ///< the curve costs no more
-  DetailVerdict details = DetailVerdict::not_asked;
-  Index segment = -1;   ///< where it failed, or where details were found; -1: nowhere
-  std::string trouble;  ///< why it is not proved
+  DetailVerdict details = DetailVerdict::undecided;
+  Index detail = 0;  ///< the segment of the chain where there are details, or may be
 };
 
 struct CalibrationOptions {

@@ -76,7 +76,7 @@ inline Interval& Interval::operator*=(const Interval& o) {
   const double least = std::min(std::min(a, b), std::min(c, d)), most = std::max(std::max(a, b), std::max(c, d));
   constexpr double kUlp = std::numeric_limits<double>::epsilon();
   const double least_size = std::abs(least), most_size = std::abs(most), sum = (a + b) + (c + d);
-  if (sum == sum && least_size >= detail::kTiny && most_size >= detail::kTiny)  // neither NaN nor underflow
+  if (sum - sum == 0 && least_size >= detail::kTiny && most_size >= detail::kTiny)  // finite, and no underflow
     return *this = {least - least_size * kUlp, most + most_size * kUlp};
   return *this = detail::rare_product(*this, o);
 }
@@ -150,12 +150,12 @@ Dual<S, N> either(const Dual<S, N>& a, const Dual<S, N>& b) {
 template <IntervalBased S>
 S min(const S& a, const S& b) {
   const Interval &x = range_of(a), &y = range_of(b);
-  return x <= y ? a : y <= x ? b : either(a, b);
+  return x < y ? a : y < x ? b : either(a, b);  // where they touch there is a kink
 }
 template <IntervalBased S>
 S max(const S& a, const S& b) {
   const Interval &x = range_of(a), &y = range_of(b);
-  return x <= y ? b : y <= x ? a : either(a, b);
+  return x < y ? b : y < x ? a : either(a, b);
 }
 template <IntervalBased S, int N>
 Dual<S, N> abs(const Dual<S, N>& x) {

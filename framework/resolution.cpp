@@ -93,13 +93,13 @@ class Examiner {
       r.minimum_proved = true;
       r.lower = found.lower;
       quote_bounds(found);
-    } else if (has_poles()) {
-      if (found.details != DetailVerdict::none) return;  // near a pole coordinates vary much where the surface does not
-    } else if (found.details == DetailVerdict::found || found.details == DetailVerdict::undecided) {
-      const Eigen::VectorXd place = refinement_.paths[2].u.col(std::max<Index>(found.segment, 0));
-      return unresolved("near " + point_text(place) + ": " + found.trouble + "; use more points");
     } else if (found.details != DetailVerdict::none) {
-      return;  // a kink, or no tube: sampled
+      // Near a pole coordinates vary much where the surface does not, and a kink has no scale: sampled.
+      if (has_poles() || found.details == DetailVerdict::kink) return;
+      return unresolved(
+          "near " + point_text(refinement_.paths[2].u.col(found.detail)) +
+          (found.details == DetailVerdict::found ? " the cost or the domain has" : " the cost or the domain may have") +
+          " details finer than the segments: use more points");
     }
     r.verdict = ResolutionVerdict::proved;
     r.half_width = found.half_width;

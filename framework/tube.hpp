@@ -7,9 +7,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include <leastcost/framework/deadline.hpp>
@@ -18,13 +15,6 @@
 #include "framework/tube_segment.hpp"
 
 namespace leastcost {
-
-/// Where the making of a tube, or a proof in it, came to nothing.
-struct TubeTrouble {
-  Index segment = -1;  ///< -1: nowhere in particular
-  std::string why;
-  bool at_singular_end = false;  ///< the metric is infinite at an end (a bead at rest)
-};
 
 /// The tube of framework/calibration.hpp: the piecewise cubic curve with continuous tangents through the points of an
 /// open chain, its frame, and its width, segment by segment.
@@ -36,27 +26,24 @@ class Tube {
   /// It reaches a part of one of `delivered` segments to each side. Throws Interrupted.
   Tube(const TubeMetric<N>& metric, const CoordinatePath& chain, Index delivered, const Deadline& deadline)
       : metric_(metric), chain_(chain) {
-    if (make_segments(deadline) && measure()) set_widths(delivered);
+    exists_ = make_segments(deadline) && measure();
+    if (exists_) set_widths(delivered);
   }
+
+  /// False: too few points, or a metric that is not finite and positive definite on the curve (motion from rest, a
+  /// pole).
+  bool exists() const { return exists_; }
 
   std::vector<TubeSegment<N>> segments;
   Eigen::VectorXd costs;   ///< of the curve in each segment, by Gauss' rule
   Eigen::VectorXd widths;  ///< half the width, units of the cost
   double cost = 0;         ///< of the curve
-  std::optional<TubeTrouble> trouble;
 
  private:
   using Vector = Eigen::Matrix<double, N, 1>;
   using Square = Eigen::Matrix<double, N, N>;
   using Frame = Eigen::Matrix<double, N, kAcross>;
   static constexpr double kWidth = 0.25;  ///< of a segment, to each side
-
-  bool fail(Index segment, std::string why) {
-    const Index last = chain_.u.cols() - 1;
-    const bool singular = !metric_at(chain_.u.col(0)).allFinite() || !metric_at(chain_.u.col(last)).allFinite();
-    trouble = {segment, std::move(why), singular};
-    return false;
-  }
 
   Square metric_at(const Eigen::VectorXd& x) const {
     JetPoint<N> at;
@@ -101,7 +88,7 @@ class Tube {
 
   bool make_segments(const Deadline& deadline) {
     const Index count = chain_.segment_count();
-    if (count < 4) return fail(0, "too few points");
+    if (count < 4) return false;
     Frame across;
     Vector d = slope(0);
     Index longest = 0;
@@ -113,7 +100,7 @@ class Tube {
       look_at_clock(deadline);
       const Vector next_d = slope(i + 1);
       const Frame next = frame(metric_at(chain_.u.col(i + 1)), next_d, across);
-      if (!next.allFinite() || !across.allFinite()) return fail(i, "the metric is not positive definite");
+      if (!next.allFinite() || !across.allFinite()) return false;
       TubeSegment<N>& segment = segments[static_cast<std::size_t>(i)];
       for (Index r = 0; r < N; ++r) {
         const auto n = static_cast<std::size_t>(r);
@@ -131,7 +118,7 @@ class Tube {
     costs.resize(static_cast<Index>(segments.size()));
     for (Index i = 0; i < costs.size(); ++i) costs[i] = cost_of(segments[static_cast<std::size_t>(i)]);
     cost = costs.sum();
-    return std::isfinite(cost) ? true : fail(0, "the curve costs infinitely much");
+    return std::isfinite(cost);
   }
 
   /// Half the width of the tube at each segment, in units of the cost: a part of a segment, both in cost and in
@@ -167,6 +154,7 @@ class Tube {
 
   const TubeMetric<N>& metric_;
   const CoordinatePath& chain_;
+  bool exists_ = false;
 };
 
 }  // namespace leastcost

@@ -45,14 +45,15 @@ class TubeDetails {
  private:
   static constexpr std::size_t kAcross = N - 1;
   using Box = std::array<Interval, kAcross>;
-  static constexpr double kFiner = 2;     ///< third derivatives over lower ones: a scale of half a segment
-  static constexpr double kOfAll = 1e-3;  ///< what does no harm, of the most that was seen anywhere
+  static constexpr double kFiner = 2;         ///< third derivatives over lower ones: a scale of half a segment
+  static constexpr double kOfAll = 1e-3;      ///< what does no harm, of the most that was seen anywhere
+  static constexpr double kRounding = 1e-11;  ///< of intervals, in derivatives that vanish
   static constexpr std::size_t kBoxes = 40, kBeside = 2;  ///< per segment; segments on each side that count as seen
 
   double width(std::size_t i) const { return tube_.widths[static_cast<Index>(i)]; }
 
   double allowed(std::size_t i) const {
-    double most = kOfAll * most_seen_;
+    double most = std::max(kRounding, kOfAll * most_seen_);
     for (std::size_t j = i - std::min(i, kBeside); j <= std::min(i + kBeside, seen_.size() - 1); ++j)
       most = std::max(most, seen_[j]);
     return kFiner * most;
@@ -88,8 +89,10 @@ class TubeDetails {
     double most = 0;
     for (const double t : {0.0, 0.5, 1.0}) {
       const JetMatrix<N> g = metric(i, Interval(t), {});
-      most = std::max(most, largest(i, 1, [&](std::size_t e, int k, int, int) { return g[e].d(k).magnitude(); }));
-      most = std::max(most, largest(i, 2, [&](std::size_t e, int k, int l, int) { return g[e].d(k, l).magnitude(); }));
+      const double first = largest(i, 1, [&](std::size_t e, int k, int, int) { return g[e].d(k).magnitude(); }),
+                   second = largest(i, 2, [&](std::size_t e, int k, int l, int) { return g[e].d(k, l).magnitude(); });
+      for (const double seen : {first, second})
+        if (std::isfinite(seen)) most = std::max(most, seen);  // at a kink nothing is, which excuses nothing
     }
     return most;
   }

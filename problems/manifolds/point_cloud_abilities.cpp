@@ -24,7 +24,7 @@ FirstPath PointCloudManifold::least_cost_edges(const Problem& problem, const Mon
 
 std::string PointCloudManifold::why_unresolved(const CoordinatePath& path) const {
   for (Index i = 0; i < path.u.cols(); ++i)
-    if (const std::string why = why_unresolved_at(surface_, path.u.col(i)); !why.empty()) return why;
+    if (std::string why = why_unresolved_at(surface_, path.u.col(i)); !why.empty()) return why;
   return "";
 }
 

@@ -226,7 +226,7 @@ std::shared_ptr<const ConstraintManifold> SignedDistanceManifold::coarser() cons
 std::string SignedDistanceManifold::why_unresolved(const CoordinatePath& path) const {
   if (!source_) return "";
   for (Index i = 0; i < path.u.cols(); ++i)
-    if (const std::string why = source_->why_unresolved(path.u.col(i)); !why.empty()) return why;
+    if (std::string why = source_->why_unresolved(path.u.col(i)); !why.empty()) return why;
   return "";
 }
 

@@ -9,6 +9,7 @@
 
 #include <leastcost/framework/refinement.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
+#include <leastcost/problems/manifolds/parametric.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/pi.hpp"
@@ -82,7 +83,66 @@ TEST_CASE("bounds of a proof hold the closed form", "[calibration]") {
   }
 }
 
+TEST_CASE("bounds of a proof in a chart hold the closed form", "[calibration]") {
+  const auto check = [](const parametric::Surface& surface, const Eigen::Vector2d& a, const Eigen::Vector2d& b,
+                        double truth) {
+    const Calibration c =
+        proof(between(make_parametric_manifold({.surface = surface}), make_euclidean_cost(3), a, b), 64);
+    REQUIRE(c.proved);
+    CHECK(c.details != DetailVerdict::found);  // bounds of cos^2 + sin^2 on the cylinder decide nothing
+    CHECK(c.lower <= truth);
+    CHECK(truth <= c.upper.value());
+    CHECK(c.upper.value() - c.lower < 1e-4);
+  };
+  const auto on_sphere = [](const Eigen::Vector2d& u) {
+    return Eigen::Vector3d(std::cos(u[1]) * std::cos(u[0]), std::cos(u[1]) * std::sin(u[0]), std::sin(u[1]));
+  };
+  const Eigen::Vector2d a(0, 0.2), b(1.3, 0.7);
+  check(parametric::Sphere{}, a, b, std::acos(on_sphere(a).dot(on_sphere(b))));
+  check(parametric::Cylinder{.radius = 2}, {0, 0}, {1, 1}, std::hypot(2, 1));
+  check(parametric::Formula{.x = "u", .y = "v", .z = "u^2 - v^2"}, {-1, 0}, {1, 0},
+        std::sqrt(5) + std::asinh(2) / 2);  // the parabola z = x^2, a line of symmetry
+}
+
+TEST_CASE("details finer than the segments are found, and kinks told apart", "[calibration]") {
+  const Eigen::Vector2d a(0, 0), b(1, 0);
+  const auto details = [](const Problem& problem) {
+    const Calibration c = proof(problem, 64);
+    REQUIRE(c.applies);
+    CHECK_FALSE((c.proved && c.details == DetailVerdict::found));
+    return c.details;
+  };
+  const auto in_plane = [&](const std::string& n) { return details(between(space(2), index(n), a, b)); };
+  CHECK(in_plane("1 + 0.3*exp(-6*((x-0.5)^2+(y-0.1)^2))") == DetailVerdict::none);
+  CHECK(in_plane("1 + 1e-4*exp(-((x-0.5037)^2+(y-0.001)^2)/4e-4^2)") == DetailVerdict::found);
+  CHECK(in_plane("1 - 5e-4*exp(-((y-0.003)/3e-4)^2)") == DetailVerdict::found);
+  // On the path, where the derivatives of the metric are not known, and beside it.
+  CHECK(in_plane("1 + abs(y)") == DetailVerdict::kink);
+  CHECK(in_plane("2 + abs(x - 0.5)") == DetailVerdict::kink);
+  CHECK(in_plane("1 + abs(y - 0.001)") == DetailVerdict::kink);
+  SECTION("a bump of the surface beside the path") {
+    const parametric::Formula bump{.x = "u", .y = "v", .z = "2e-4*exp(-((u-0.5037)^2+(v-0.001)^2)/1e-3^2)"};
+    const auto surface = make_parametric_manifold({.surface = bump});
+    CHECK(details(between(surface, make_euclidean_cost(3), a, b)) == DetailVerdict::found);
+    CHECK(find(between(surface, make_euclidean_cost(3), a, b), 64).status == Status::uncertified);
+  }
+}
+
 TEST_CASE("no proof of what a chain did not see", "[calibration]") {
+  SECTION("a kink along the path, cheaper on one side of it") {
+    for (const char* n : {"1 - max(0, 5*y)", "1 - max(5*y, 0)", "1 + min(0, 5*y)", "1 + min(5*y, 0)"}) {
+      CAPTURE(n);
+      const Problem problem = between(space(2), index(n), Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0));
+      const CoordinatePath straight = sample_equally(problem, StraightInitializer().first_path(problem, {}).path, 127);
+      CHECK_FALSE(calibrate(problem, straight, {64, 1e-9, 200}, {}).proved);
+    }
+  }
+  SECTION("constant on the path, and cheaper within the tube") {
+    CHECK_FALSE(proof(between(space(2), index("max(0.5, min(1, 1.5 - 1000*(y-0.002)))"), Eigen::Vector2d(0, 0),
+                              Eigen::Vector2d(1, 0)),
+                      64)
+                    .proved);
+  }
   SECTION("a wall a fiftieth of a segment wide, met at an angle") {
     CHECK_FALSE(proof(between(space(2), index("1 + 10*exp(-((x-0.123)/2e-4)^2)"), Eigen::Vector2d(-1, 0),
                               Eigen::Vector2d(1, 1)),

@@ -122,6 +122,13 @@ TEST_CASE("jets of intervals contain all derivatives up to the third", "[interva
   }
 }
 
+TEST_CASE("products beyond the largest number have bounds", "[interval]") {
+  const Interval huge = Interval(1e200) * Interval(1e150, 1e200), less = Interval(-1e200) * Interval(1e200);
+  CHECK((huge.lo <= 1.7e308 && huge.hi > 1.7e308));
+  CHECK((less.lo < -1.7e308 && less.hi >= -1.8e308));
+  CHECK_FALSE((std::isnan(huge.lo) || std::isnan(less.hi)));
+}
+
 TEST_CASE("at a kink a jet knows the slopes of both sides and nothing more", "[interval]") {
   const Formula formula("abs(x) + max(y, 2*y)", {"x", "y"});
   const std::array<IntervalJet<2>, 2> box = {IntervalJet<2>::variable({-1, 2}, 0), IntervalJet<2>::variable({1, 2}, 1)};

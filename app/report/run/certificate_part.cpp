@@ -134,11 +134,14 @@ class CertificateTable {
   void resolution() {
     const std::string verdict = result_.text("certificate.resolution");
     if (verdict.empty()) return;
+    const std::string half_width = number_text(result_.number("certificate.tube.half_width"), 2);
     const std::string words =
-        verdict == "proved"
+        result_.text("certificate.minimum") == "proved"
             ? fmt::format("In interval arithmetic: no path within {} of this one, in cost, costs less than {}.",
-                          number_text(result_.number("certificate.tube.half_width"), 2),
-                          number_text(result_.number("certificate.tube.lower"), 10))
+                          half_width, number_text(result_.number("certificate.tube.lower"), 10))
+        : verdict == "proved"
+            ? fmt::format("In interval arithmetic: within {} of the path, in cost, nothing is finer than its segments.",
+                          half_width)
             : "Whether cost and domain have details that the points do not see; looked for with one chain more.";
     row("resolution", verdict, "", {"unresolved"}, words, verdict != "unresolved");
   }
