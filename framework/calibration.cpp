@@ -114,6 +114,8 @@ Calibration calibrate_in(const Problem& problem, const CoordinatePath& chain, co
 
 }  // namespace
 
+bool can_calibrate(const Problem& problem) { return TubeMetric<2>::exists(problem) || TubeMetric<3>::exists(problem); }
+
 Calibration calibrate(const Problem& problem, const CoordinatePath& chain, const CalibrationOptions& options,
                       const Deadline& deadline) {
   if (chain.ring) return {};

@@ -46,6 +46,9 @@ struct CalibrationOptions {
   int boxes = 4;       ///< at most this many per segment of the chain, in the mean: the effort for the proof
 };
 
+/// Whether there can be a proof: cost and domain are formulas, in two or three coordinates.
+bool can_calibrate(const Problem& problem);
+
 /// For the piecewise cubic curve with continuous tangents through the points of an open chain. Throws Interrupted.
 Calibration calibrate(const Problem& problem, const CoordinatePath& chain, const CalibrationOptions& options,
                       const Deadline& deadline);

@@ -233,8 +233,10 @@ class Certifier {
     constexpr std::string_view kNotAsymptotic = "not_asymptotic";
     const auto extrapolates = [&](const CertificateFailure& failure) { return failure.name == kNotAsymptotic; };
     if (hugs_bound_ || !std::all_of(c_.failures.begin(), c_.failures.end(), extrapolates)) return;
-    ExaminedResolution examined =
-        examine_resolution(problem_, path_.chain, refinement, !c_.failures.empty(), c_.estimate, monitor_);
+    const ProofEffort effort = !c_.failures.empty() ? ProofEffort::insist
+                               : options_.prove     ? ProofEffort::normal
+                                                    : ProofEffort::none;
+    ExaminedResolution examined = examine_resolution(problem_, path_.chain, refinement, effort, c_.estimate, monitor_);
     c_.resolution = examined.resolution;
     if (examined.resolution.minimum_proved) c_.failures.clear();
     for (CertificateFailure& failure : examined.failures) c_.failures.push_back(std::move(failure));
@@ -418,6 +420,8 @@ class Certifier {
 
 void CertificateOptions::fields(FieldVisitor& visit) {
   visit.field("enabled", enabled, {.help = "Whether the path is certified; without it the status is uncertified."});
+  visit.field("prove", prove,
+              {.help = "Whether a proof of the local minimum is tried, where cost and domain are formulas."});
   visit.field("stationarity", stationarity, {.help = "Largest relative cost error.", .minimum = 0});
   visit.field("residual", residual, {.help = "Largest distance off the domain.", .unit = "diameters", .minimum = 0});
   visit.field("spacing", spacing, {.help = "Largest max c / min c - 1 where the cost is additive.", .minimum = 0});

@@ -22,6 +22,7 @@ namespace leastcost {
 /// Thresholds of the certificate; the defaults are those of the table in docs/numerics.md.
 struct CertificateOptions {
   bool enabled = true;
+  bool prove = true;  ///< without it a path may still be certified; what would be refused otherwise is proved anyway
   double stationarity = 1e-10;
   double residual = 1e-10;
   double spacing = 1e-6;

@@ -36,6 +36,8 @@ Family find_family(const std::vector<FamilyStart>& starts, const Solver& solver,
   Family family;
   std::exception_ptr first_error;
   std::vector<FamilyMember> pathless;
+  FindOptions each = options;  // proofs are dear: decide_family() asks for that of the least path
+  each.certificate.prove = options.certificate.prove && starts.size() == 1;
   for (const FamilyStart& start : starts) {
     if (!start.initializer) throw InputError("family, " + start.origin + ": the initializer is null");
     if (monitor.interrupted() && (!family.members.empty() || first_error)) {
@@ -44,7 +46,7 @@ Family find_family(const std::vector<FamilyStart>& starts, const Solver& solver,
     }
     try {
       FamilyMember member{
-          {start.origin}, start.problem, find_path(start.problem, *start.initializer, solver, options, monitor)};
+          {start.origin}, start.problem, find_path(start.problem, *start.initializer, solver, each, monitor)};
       if (member.result.path.u.size() == 0) {
         if (!family.members.empty()) family.notes.push_back(no_time(start));
         pathless.push_back(std::move(member));

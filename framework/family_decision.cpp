@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <leastcost/framework/path_energy.hpp>
+#include "framework/calibration.hpp"
 #include "framework/family_rank.hpp"
 #include "framework/feasible_cost.hpp"
 #include "framework/point_text.hpp"
@@ -32,6 +33,11 @@ bool fails_one_of(const Certificate& certificate, std::initializer_list<std::str
 bool beyond_help(const Certificate& certificate) {
   return fails_one_of(
       certificate, {"degenerate", "index_not_applicable", "costs_nothing", "exception", "inconsistent", "interrupted"});
+}
+
+double ranking_cost(const Problem& problem, const Result& result, const Deadline& deadline) {
+  return result.status == Status::certified ? result.certificate.estimate.value
+                                            : feasible_cost(problem, result, deadline);
 }
 
 /// Every `factor`-th point of a chain.
@@ -189,7 +195,7 @@ class Decision {
   }
 
   double rank_cost(const Problem& problem, const Result& result) const {
-    return certified(result) ? result.certificate.estimate.value : feasible_cost(problem, result, monitor_.deadline);
+    return ranking_cost(problem, result, monitor_.deadline);
   }
 
   std::vector<FamilyMember>& members_;
@@ -199,11 +205,36 @@ class Decision {
   std::vector<bool> undecided_;
 };
 
+/// Certifies the first member anew, with a proof where there can be one; true where it is no longer certified.
+bool is_refuted(std::vector<FamilyMember>& members, const Solver& solver, const FindOptions& options,
+                const Monitor& monitor) {
+  if (!options.certificate.prove || members.empty()) return false;
+  FamilyMember& first = members.front();
+  const Certificate& c = first.result.certificate;
+  const bool sampled = c.resolution && c.resolution->verdict == ResolutionVerdict::sampled;
+  // Half as many segments, as many and twice as many; those of a finer chain were asked for a proof when it was made.
+  const bool by_finer = c.levels.size() < 2 || c.levels[1].segments > first.result.path.segment_count() + 1;
+  if (first.result.status != Status::certified || !sampled || by_finer || !can_calibrate(first.problem)) return false;
+  FindOptions again = options;
+  again.reference_cost = first.result.reference_cost;
+  again.cascade = false;
+  Result proved = improve_path(first.problem, first.result.path, solver, again, monitor);
+  if (proved.status == Status::interrupted) return false;
+  first.result = continued(first.result, std::move(proved));
+  first.rank_cost = ranking_cost(first.problem, first.result, monitor.deadline);
+  return first.result.status != Status::certified;
+}
+
 }  // namespace
 
 std::vector<std::string> decide_family(std::vector<FamilyMember>& members, const Solver& solver,
                                        const FindOptions& options, const Monitor& monitor) {
-  if (options.certificate.enabled) Decision(members, solver, options, monitor).run();
+  rank_members(members);
+  for (bool again = options.certificate.enabled; again && !monitor.interrupted();) {
+    Decision(members, solver, options, monitor).run();
+    rank_members(members);
+    again = is_refuted(members, solver, options, monitor);
+  }
   rank_members(members);
   if (members.empty() || members.front().result.status != Status::uncertified || !options.certificate.enabled)
     return {};

@@ -126,7 +126,7 @@ struct IsIntervalBased<Dual<S, N>> : IsIntervalBased<S> {};
 /// The range of a function, without its derivatives.
 inline const Interval& range_of(const Interval& x) { return x; }
 template <class S, int N>
-const Interval& range_of(const Dual<S, N>& x) {
+decltype(auto) range_of(const Dual<S, N>& x) {
   return range_of(x.value);
 }
 

@@ -6,70 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 
+#include <leastcost/framework/ball_polynomial.hpp>
 #include <leastcost/framework/interval.hpp>
 
 namespace leastcost {
-
-namespace detail {
-
-/// The monomials in N variables up to a degree of three, by degree, and which of them multiply to a third.
-template <int N>
-struct Monomials {
-  static constexpr int kDegree = 3;
-  static constexpr int kCount = (N + 1) * (N + 2) * (N + 3) / 6;
-  using Exponents = std::array<int, static_cast<std::size_t>(N)>;
-
-  struct Product {
-    int a, b, to;
-  };
-  static constexpr int kProducts = [] {
-    int count = 1;  // pairs of monomials are monomials in 2N variables
-    for (int i = 1; i <= kDegree; ++i) count = count * (2 * N + i) / i;
-    return count;
-  }();
-
-  std::array<Exponents, static_cast<std::size_t>(kCount)> exponents = {};
-  std::array<int, static_cast<std::size_t>(kCount)> degree = {};
-  std::array<Product, static_cast<std::size_t>(kProducts)> products = {};
-
-  constexpr Monomials() {
-    int count = 0;
-    for (int d = 0; d <= kDegree; ++d) {
-      Exponents e = {};
-      for (int code = 0; code < 64; ++code) {
-        int rest = code, sum = 0;
-        for (auto& exponent : e) {
-          exponent = rest % 4;
-          sum += exponent;
-          rest /= 4;
-        }
-        if (rest != 0 || sum != d) continue;
-        exponents[static_cast<std::size_t>(count)] = e;
-        degree[static_cast<std::size_t>(count++)] = d;
-      }
-    }
-    std::size_t k = 0;
-    for (int a = 0; a < kCount; ++a)
-      for (int b = 0; b < kCount; ++b) {
-        if (degree[static_cast<std::size_t>(a)] + degree[static_cast<std::size_t>(b)] > kDegree) continue;
-        Exponents e = exponents[static_cast<std::size_t>(a)];
-        for (std::size_t v = 0; v < e.size(); ++v) e[v] += exponents[static_cast<std::size_t>(b)][v];
-        products[k++] = {a, b, index(e)};
-      }
-  }
-
-  constexpr int index(const Exponents& e) const {
-    for (int i = 0; i < kCount; ++i)
-      if (exponents[static_cast<std::size_t>(i)] == e) return i;
-    return -1;
-  }
-};
-template <int N>
-inline constexpr Monomials<N> kMonomials;
-
-}  // namespace detail
 
 /// A function of N variables (two or three) over a box: enclosures of the value and of all derivatives up to the third,
 /// over the whole of it and at its centre, as Taylor coefficients. After each operation the mean value theorem bounds
@@ -79,13 +20,18 @@ inline constexpr Monomials<N> kMonomials;
 template <int N>
 class IntervalJet {
  public:
-  static constexpr int kCount = detail::Monomials<N>::kCount;
   /// Value and first three derivatives of a function of one variable.
   using Derivatives = std::array<Interval, 4>;
 
   IntervalJet() = default;
-  IntervalJet(double constant) : IntervalJet(Interval(constant)) {}     // NOLINT: numbers convert, as everywhere
-  IntervalJet(const Interval& constant) { c_[0] = at_[0] = constant; }  // NOLINT
+  IntervalJet(double constant) {  // NOLINT: numbers convert, as everywhere
+    c_.set(0, constant);
+    at_ = c_;
+  }
+  IntervalJet(const Interval& constant) {  // NOLINT
+    c_.set(0, constant);
+    at_ = c_;
+  }
 
   /// The variable number k, in `range`.
   static IntervalJet variable(const Interval& range, int k) {
@@ -97,70 +43,61 @@ class IntervalJet {
     IntervalJet x;
     const double middle = range.middle();
     x.radius_[static_cast<std::size_t>(k)] = std::max(range.hi - middle, middle - range.lo) * (1 + kRounding);
-    x.c_ = along(k, derivatives(range));
     x.at_ = along(k, derivatives(Interval(middle)));
+    x.c_ = x.is_thin() ? x.at_ : along(k, derivatives(range));
     x.tighten();
     return x;
   }
   /// A function of which nothing is known.
   static IntervalJet unknown() {
     IntervalJet x;
-    x.c_.fill(Interval::all());
-    x.at_.fill(Interval::all());
+    for (std::size_t i = 0; i < kCount; ++i) x.c_.forget(i);
+    x.at_ = x.c_;
     return x;
   }
 
-  const Interval& value() const { return c_[0]; }
-  Interval d(int k) const { return c_[kFirst[static_cast<std::size_t>(k)]]; }
+  Interval value() const { return c_[0]; }
+  Interval d(int k) const { return c_[first(k)]; }
   Interval d(int k, int l) const { return factor(k, l) * c_[place(k, l)]; }
   Interval d(int k, int l, int m) const { return factor(k, l, m) * c_[place(k, l, m)]; }
   /// The same at the centre of the box.
-  const Interval& value_at_center() const { return at_[0]; }
-  Interval d_at_center(int k) const { return at_[kFirst[static_cast<std::size_t>(k)]]; }
+  Interval value_at_center() const { return at_[0]; }
+  Interval d_at_center(int k) const { return at_[first(k)]; }
   Interval d_at_center(int k, int l) const { return factor(k, l) * at_[place(k, l)]; }
 
   /// The derivative of a function of variable k alone; its own third derivative is unknown.
-  IntervalJet derivative(int k) const {
-    IntervalJet out;
-    out.radius_ = radius_;
-    out.c_ = derivative(k, c_);
-    out.at_ = derivative(k, at_);
-    return out;
-  }
+  IntervalJet derivative(int k) const { return {derivative(k, c_), derivative(k, at_), radius_}; }
   IntervalJet scaled(const Interval& factor) const {
-    IntervalJet out = *this;
-    for (Interval& c : out.c_) c *= factor;
-    for (Interval& c : out.at_) c *= factor;
-    return out;
+    if (factor.lo == 0 && factor.hi == 0) return {};
+    const Coefficients at = at_.scaled(factor);
+    return {is_thin() ? at : c_.scaled(factor), at, radius_};
   }
 
   IntervalJet& operator+=(const IntervalJet& o) {
-    for (std::size_t i = 0; i < c_.size(); ++i) c_[i] += o.c_[i], at_[i] += o.at_[i];
+    c_ += o.c_;
+    at_ += o.at_;
     widen(o);
     return *this;
   }
   IntervalJet& operator-=(const IntervalJet& o) {
-    for (std::size_t i = 0; i < c_.size(); ++i) c_[i] -= o.c_[i], at_[i] -= o.at_[i];
+    c_ -= o.c_;
+    at_ -= o.at_;
     widen(o);
     return *this;
   }
   IntervalJet& operator*=(const IntervalJet& o) { return *this = *this * o; }
   IntervalJet& operator/=(const IntervalJet& o) { return *this = *this * reciprocal(o); }
-  IntervalJet operator-() const {
-    IntervalJet out = *this;
-    for (std::size_t i = 0; i < c_.size(); ++i) out.c_[i] = -c_[i], out.at_[i] = -at_[i];
-    return out;
-  }
+  IntervalJet operator-() const { return {-c_, -at_, radius_}; }
 
   friend IntervalJet operator+(IntervalJet a, const IntervalJet& b) { return a += b; }
   friend IntervalJet operator-(IntervalJet a, const IntervalJet& b) { return a -= b; }
   friend IntervalJet operator*(const IntervalJet& a, const IntervalJet& b) {
     if (a.is_constant()) return b.scaled(a.c_[0]);
     if (b.is_constant()) return a.scaled(b.c_[0]);
-    IntervalJet out = a;
+    const bool thin = a.is_thin() && b.is_thin();
+    const Coefficients at = a.at_ * b.at_;
+    IntervalJet out(thin ? at : a.c_ * b.c_, at, a.radius_);
     out.widen(b);
-    out.at_ = product(a.at_, b.at_);
-    out.c_ = out.is_thin() ? out.at_ : product(a.c_, b.c_);
     out.tighten();
     return out;
   }
@@ -171,24 +108,22 @@ class IntervalJet {
   friend bool operator>=(const IntervalJet& a, const IntervalJet& b) { return b <= a; }
 
   bool is_constant() const {
-    for (std::size_t i = 1; i < c_.size(); ++i)
-      if (c_[i].lo != 0 || c_[i].hi != 0) return false;
-    return c_[0].is_number();
+    for (std::size_t i = 1; i < kCount; ++i)
+      if (!c_.is_zero(i)) return false;
+    return c_.is_number(0);
   }
 
   friend IntervalJet square(const IntervalJet& x) {
     IntervalJet out = x * x;
-    out.c_[0] = common(out.c_[0], square(x.c_[0]));
-    out.at_[0] = common(out.at_[0], square(x.at_[0]));
+    out.c_.narrow(0, square(x.c_[0]));
+    out.at_.narrow(0, square(x.at_[0]));
     return out;
   }
   /// f(x), where `derivatives` of an interval encloses f and its first three derivatives over it.
   template <class F>
   friend IntervalJet compose(const IntervalJet& x, const F& derivatives) {
-    IntervalJet out;
-    out.radius_ = x.radius_;
-    out.at_ = composed(x.at_, derivatives(x.at_[0]));
-    out.c_ = x.is_thin() ? out.at_ : composed(x.c_, derivatives(x.c_[0]));
+    const Coefficients at = Coefficients::composed(x.at_, derivatives(x.at_[0]));
+    IntervalJet out(x.is_thin() ? at : Coefficients::composed(x.c_, derivatives(x.c_[0])), at, x.radius_);
     out.tighten();
     return out;
   }
@@ -204,8 +139,8 @@ class IntervalJet {
     const Interval angle = atan2(y.value(), x.value());
     if (!angle.is_finite()) return unknown();
     IntervalJet out = x.value().contains(0) ? -atan(x / y) : atan(y / x);
-    out.c_[0] = angle;
-    out.at_[0] = atan2(y.at_[0], x.at_[0]);
+    out.c_.set(0, angle);
+    out.at_.set(0, atan2(y.at_[0], x.at_[0]));
     return out;
   }
 
@@ -218,20 +153,21 @@ class IntervalJet {
   IntervalJet& tighten() {
     if (is_thin()) return *this;
     for (std::size_t i = kLowOrders; i-- > 0;) {
-      Interval there = at_[i];
+      double off = 0;
       for (std::size_t k = 0; k < N; ++k) {
         const Rise& rise = kRises[i * N + k];
-        const double off = radius_[k] * rise.factor;
-        there += c_[rise.to] * Interval(-off, off);
+        off += radius_[k] == 0 ? 0 : radius_[k] * rise.factor * c_.magnitude(rise.to);
       }
-      c_[i] = common(c_[i], there);
+      c_.narrow(i, at_, off * (1 + kRounding));
     }
     return *this;
   }
 
  private:
-  using Coefficients = std::array<Interval, static_cast<std::size_t>(kCount)>;
-  static constexpr double kRounding = 1e-15;
+  using Coefficients = BallPolynomial<N>;
+  using Radii = std::array<double, static_cast<std::size_t>(N)>;
+  static constexpr std::size_t kCount = Coefficients::kCount;
+  static constexpr double kRounding = 4e-15;
   /// Monomials up to the second degree come first: they have derivatives among the others.
   static constexpr std::size_t kLowOrders = static_cast<std::size_t>((N + 1) * (N + 2) / 2);
 
@@ -244,20 +180,14 @@ class IntervalJet {
     std::array<Rise, kLowOrders* static_cast<std::size_t>(N)> rises = {};
     for (std::size_t i = 0; i < kLowOrders; ++i)
       for (std::size_t k = 0; k < static_cast<std::size_t>(N); ++k) {
-        auto e = detail::kMonomials<N>.exponents[i];
+        auto e = kMonomials<N>.exponents[i];
         ++e[k];
-        rises[i * N + k] = {static_cast<std::size_t>(detail::kMonomials<N>.index(e)), static_cast<double>(e[k])};
+        rises[i * N + k] = {kMonomials<N>.index(e), static_cast<double>(e[k])};
       }
     return rises;
   }();
-  static constexpr std::array<std::size_t, static_cast<std::size_t>(N)> kFirst = [] {
-    std::array<std::size_t, static_cast<std::size_t>(N)> first = {};
-    for (std::size_t k = 0; k < static_cast<std::size_t>(N); ++k) first[k] = kRises[k].to;
-    return first;
-  }();
-  static constexpr std::size_t place(int k, int l) {
-    return kRises[kFirst[static_cast<std::size_t>(k)] * N + static_cast<std::size_t>(l)].to;
-  }
+  static constexpr std::size_t first(int k) { return kRises[static_cast<std::size_t>(k)].to; }
+  static constexpr std::size_t place(int k, int l) { return kRises[first(k) * N + static_cast<std::size_t>(l)].to; }
   static constexpr std::size_t place(int k, int l, int m) {
     return kRises[place(k, l) * N + static_cast<std::size_t>(m)].to;
   }
@@ -266,45 +196,23 @@ class IntervalJet {
     return Interval(k == l && l == m ? 6 : k == l || l == m || k == m ? 2 : 1);
   }
 
-  /// What is in both of two enclosures of the same.
-  static Interval common(const Interval& a, const Interval& b) {
-    const Interval both(std::max(a.lo, b.lo), std::min(a.hi, b.hi));
-    return both.lo <= both.hi ? both : a;
-  }
+  IntervalJet(const Coefficients& over_box, const Coefficients& at_center, const Radii& radius)
+      : c_(over_box), at_(at_center), radius_(radius) {}
 
   static Coefficients along(int k, const Derivatives& f) {
     Coefficients out;
-    out[0] = f[0];
-    out[kFirst[static_cast<std::size_t>(k)]] = f[1];
-    out[place(k, k)] = f[2] / Interval(2);
-    out[place(k, k, k)] = f[3] / Interval(6);
+    out.set(0, f[0]);
+    out.set(first(k), f[1]);
+    out.set(place(k, k), f[2] / Interval(2));
+    out.set(place(k, k, k), f[3] / Interval(6));
     return out;
   }
   static Coefficients derivative(int k, const Coefficients& c) {
     Coefficients out;
-    out[0] = c[kFirst[static_cast<std::size_t>(k)]];
-    out[kFirst[static_cast<std::size_t>(k)]] = factor(k, k) * c[place(k, k)];
-    out[place(k, k)] = Interval(3) * c[place(k, k, k)];
-    out[place(k, k, k)] = Interval::all();
-    return out;
-  }
-  static Coefficients product(const Coefficients& a, const Coefficients& b) {
-    Coefficients out;
-    for (const auto& p : detail::kMonomials<N>.products) {
-      const Interval &x = a[static_cast<std::size_t>(p.a)], &y = b[static_cast<std::size_t>(p.b)];
-      if ((x.lo == 0 && x.hi == 0) || (y.lo == 0 && y.hi == 0)) continue;
-      out[static_cast<std::size_t>(p.to)] += x * y;
-    }
-    return out;
-  }
-  static Coefficients composed(const Coefficients& x, const Derivatives& f) {
-    Coefficients change = x;
-    change[0] = Interval(0);
-    const Coefficients change2 = product(change, change), change3 = product(change2, change);
-    const Interval half = f[2] / Interval(2), sixth = f[3] / Interval(6);
-    Coefficients out;
-    out[0] = f[0];
-    for (std::size_t i = 1; i < out.size(); ++i) out[i] = f[1] * change[i] + half * change2[i] + sixth * change3[i];
+    out.set(0, c[first(k)]);
+    out.set(first(k), factor(k, k) * c[place(k, k)]);
+    out.set(place(k, k), Interval(3) * c[place(k, k, k)]);
+    out.forget(place(k, k, k));
     return out;
   }
   static IntervalJet either(const IntervalJet& a, const IntervalJet& b, std::size_t known) {
@@ -312,8 +220,8 @@ class IntervalJet {
     out.radius_ = a.radius_;
     out.widen(b);
     for (std::size_t i = 0; i < known; ++i) {
-      out.c_[i] = hull(a.c_[i], b.c_[i]);
-      out.at_[i] = hull(a.at_[i], b.at_[i]);
+      out.c_.set(i, hull(a.c_[i], b.c_[i]));
+      out.at_.set(i, hull(a.at_[i], b.at_[i]));
     }
     return out;
   }
@@ -325,8 +233,8 @@ class IntervalJet {
     for (std::size_t k = 0; k < radius_.size(); ++k) radius_[k] = std::max(radius_[k], o.radius_[k]);
   }
 
-  Coefficients c_ = {}, at_ = {};                                ///< over the box, at its centre
-  std::array<double, static_cast<std::size_t>(N)> radius_ = {};  ///< of the box, in the variables it depends on
+  Coefficients c_, at_;  ///< over the box, at its centre
+  Radii radius_ = {};    ///< of the box, in the variables it depends on
 };
 
 namespace detail {
@@ -335,7 +243,7 @@ struct IsIntervalBased<IntervalJet<N>> : std::true_type {};
 }  // namespace detail
 
 template <int N>
-const Interval& range_of(const IntervalJet<N>& x) {
+Interval range_of(const IntervalJet<N>& x) {
   return x.value();
 }
 

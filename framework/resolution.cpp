@@ -41,12 +41,12 @@ int other_segments(const CoordinatePath& chain) {
 
 class Examiner {
  public:
-  Examiner(const Problem& problem, const CoordinatePath& chain, const Refinement& refinement, bool insist,
+  Examiner(const Problem& problem, const CoordinatePath& chain, const Refinement& refinement, ProofEffort effort,
            CostEstimate& estimate, const Monitor& monitor)
       : problem_(problem),
         chain_(chain),
         refinement_(refinement),
-        insist_(insist),
+        effort_(effort),
         estimate_(estimate),
         monitor_(monitor) {}
 
@@ -81,9 +81,9 @@ class Examiner {
   }
 
   void calibrate_finest() {
-    if (refinement_.paths.size() < 3 || !out_.failures.empty()) return;
+    if (effort_ == ProofEffort::none || refinement_.paths.size() < 3 || !out_.failures.empty()) return;
     CalibrationOptions options{chain_.segment_count(), estimate_.error / estimate_.value};
-    if (insist_) options.boxes *= 25;
+    if (effort_ == ProofEffort::insist) options.boxes *= 25;
     const Calibration found = calibrate(problem_, refinement_.paths[2], options, monitor_.deadline);
     if (!found.applies) return;
     Resolution& r = out_.resolution;
@@ -125,7 +125,7 @@ class Examiner {
   const Problem& problem_;
   const CoordinatePath& chain_;
   const Refinement& refinement_;
-  bool insist_;
+  ProofEffort effort_;
   CostEstimate& estimate_;
   const Monitor& monitor_;
   ExaminedResolution out_;
@@ -141,8 +141,8 @@ Words<ResolutionVerdict> words(ResolutionVerdict) {
 }
 
 ExaminedResolution examine_resolution(const Problem& problem, const CoordinatePath& chain, const Refinement& refinement,
-                                      bool insist, CostEstimate& estimate, const Monitor& monitor) {
-  return Examiner(problem, chain, refinement, insist, estimate, monitor).run();
+                                      ProofEffort effort, CostEstimate& estimate, const Monitor& monitor) {
+  return Examiner(problem, chain, refinement, effort, estimate, monitor).run();
 }
 
 }  // namespace leastcost

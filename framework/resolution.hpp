@@ -36,11 +36,17 @@ struct ExaminedResolution {
   std::vector<CertificateFailure> failures;  ///< "unresolved"
 };
 
+/// What is done for a proof.
+enum class ProofEffort {
+  none,
+  normal,
+  insist  ///< the path would be refused without it, which is worth far more
+};
+
 /// Looks for what the levels of the refinement did not see: solves a chain that is not nested with them, and where
 /// cost and domain are formulas proves that the path is the cheapest in a tube around it (framework/calibration.hpp).
-/// `insist`: the path would be refused without a proof, which is worth far more effort. An estimate that
-/// contradicts what is proved, or that is wider, is replaced by the bounds. Throws Interrupted.
+/// An estimate that contradicts what is proved, or that is wider, is replaced by the bounds. Throws Interrupted.
 ExaminedResolution examine_resolution(const Problem& problem, const CoordinatePath& chain, const Refinement& refinement,
-                                      bool insist, CostEstimate& estimate, const Monitor& monitor);
+                                      ProofEffort effort, CostEstimate& estimate, const Monitor& monitor);
 
 }  // namespace leastcost

@@ -29,7 +29,7 @@ class TubeBounds {
   /// The cost of a part of the curve, by Taylor's theorem: the third derivative of the speed bounds what its parabola
   /// leaves out.
   Interval curve_cost(const TubeSegment<N>& segment, const Interval& range, double enough, int depth = 0) const {
-    constexpr int kDeepest = 6;
+    constexpr int kDeepest = 3, kMostParts = 4;
     look_at_clock(deadline_);
     const double middle = range.middle(), half = range.width() / 2 * (1 + 1e-15);
     const TubeSegment<N> here = segment.around(middle);
@@ -39,8 +39,16 @@ class TubeBounds {
     const Interval sum =
         Interval(2) * speed.value_at_center() * r + speed.d_at_center(0, 0) * r3 / Interval(3) + Interval(-odd, odd);
     if (sum.width() <= enough || depth == kDeepest) return sum;
-    return curve_cost(segment, {range.lo, middle}, enough / 2, depth + 1) +
-           curve_cost(segment, {middle, range.hi}, enough / 2, depth + 1);
+    const double parts_needed = std::sqrt(std::sqrt(sum.width() / enough));  // the error is of fourth order
+    const int parts = parts_needed <= 2 ? 2 : parts_needed <= 3 ? 3 : kMostParts;
+    Interval all(0);
+    double from = range.lo;
+    for (int part = 1; part <= parts; ++part) {
+      const double to = part == parts ? range.hi : range.lo + range.width() * part / parts;
+      all += curve_cost(segment, {from, to}, enough / parts, depth + 1);
+      from = to;
+    }
+    return all;
   }
 
   /// c < 0 such that f(t, z) <= 1 + r.z + c |z|^2 / 2 in the tube, r the slope on the curve; not negative where that is

@@ -3,8 +3,10 @@
 #include <leastcost/framework/family.hpp>
 
 #include <numbers>
+#include <string>
 
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
 #include "tests/support/catch.hpp"
@@ -133,6 +135,34 @@ TEST_CASE("family: a cheaper path that stays undecided comes first, and is not c
   CHECK(first.result.path.free_count() == 31);
   REQUIRE(family.notes.size() == 1);
   CHECK_THAT(family.notes[0], Catch::Contains("neither certified nor ruled out"));
+}
+
+TEST_CASE("family: the least path is proved, the others are not asked", "[framework]") {
+  const auto around_hill = [](const std::string& more) {
+    const std::string index2 = "(1 + 2*exp(-2*(x^2 + y^2))" + more + ")^2";
+    MetricFieldOptions cost;
+    cost.field = metric::Formula{{index2, "0", index2}, {}};
+    const Problem problem =
+        between(space(2), make_metric_field_cost(cost, 2), Eigen::Vector2d(-2, 0.05), Eigen::Vector2d(2, 0.05));
+    return find_family({bow(problem, 180, 0.4), bow(problem, 0, 0.4)}, Newton(), with_certificate());
+  };
+  const auto minimum_proved = [](const FamilyMember& m) { return m.result.certificate.resolution->minimum_proved; };
+  const Family smooth = around_hill("");
+  REQUIRE(smooth.members.size() == 2);
+  for (const FamilyMember& m : smooth.members) CHECK(m.result.status == Status::certified);
+  CHECK(minimum_proved(smooth.members[0]));
+  CHECK_FALSE(minimum_proved(smooth.members[1]));
+
+  // A detail beside the least path that no point sees: the proof refutes it, whatever the other one looks like.
+  const Points& u = smooth.members[0].result.path.u;
+  const Eigen::Vector2d place = u.col(10) + 0.37 * (u.col(11) - u.col(10));
+  const Family rough = around_hill(" + 1e-3*exp(-((x - (" + std::to_string(place.x()) + "))^2 + (y - (" +
+                                   std::to_string(place.y()) + "))^2)/2e-4^2)");
+  const FamilyMember& first = rough.members.front();
+  CHECK(first.rank_cost == Approx(smooth.members[0].rank_cost));
+  CHECK(first.result.status == Status::uncertified);
+  CHECK_THAT(failures(first.result.certificate), Catch::Contains("unresolved"));
+  CHECK_FALSE(rough.notes.empty());
 }
 
 TEST_CASE("family: twice around a circle is not once around", "[framework]") {
