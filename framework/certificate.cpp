@@ -233,9 +233,9 @@ class Certifier {
     constexpr std::string_view kNotAsymptotic = "not_asymptotic";
     const auto extrapolates = [&](const CertificateFailure& failure) { return failure.name == kNotAsymptotic; };
     if (hugs_bound_ || !std::all_of(c_.failures.begin(), c_.failures.end(), extrapolates)) return;
-    const ProofEffort effort = !c_.failures.empty() ? ProofEffort::insist
-                               : options_.prove     ? ProofEffort::normal
-                                                    : ProofEffort::none;
+    const bool needed = !c_.failures.empty();
+    const bool asked = options_.proof == ProofRule::always || (options_.proof == ProofRule::needed && needed);
+    const ProofEffort effort = !asked ? ProofEffort::none : needed ? ProofEffort::insist : ProofEffort::normal;
     ExaminedResolution examined = examine_resolution(problem_, path_.chain, refinement, effort, c_.estimate, monitor_);
     c_.resolution = examined.resolution;
     if (examined.resolution.minimum_proved) c_.failures.clear();
@@ -418,10 +418,17 @@ class Certifier {
 
 }  // namespace
 
+Words<ProofRule> words(ProofRule) {
+  static constexpr std::array<Word<ProofRule>, 3> kWords = {
+      {{ProofRule::always, "always"}, {ProofRule::needed, "needed"}, {ProofRule::never, "never"}}};
+  return kWords;
+}
+
 void CertificateOptions::fields(FieldVisitor& visit) {
   visit.field("enabled", enabled, {.help = "Whether the path is certified; without it the status is uncertified."});
-  visit.field("prove", prove,
-              {.help = "Whether a proof of the local minimum is tried, where cost and domain are formulas."});
+  visit.choice("proof", proof,
+               {.help = "When a proof of the local minimum is tried, where cost and domain are formulas. needed: where "
+                        "the path would be refused without it."});
   visit.field("stationarity", stationarity, {.help = "Largest relative cost error.", .minimum = 0});
   visit.field("residual", residual, {.help = "Largest distance off the domain.", .unit = "diameters", .minimum = 0});
   visit.field("spacing", spacing, {.help = "Largest max c / min c - 1 where the cost is additive.", .minimum = 0});

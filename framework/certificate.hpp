@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,10 +20,18 @@
 
 namespace leastcost {
 
+/// When a proof of the local minimum is tried, where cost and domain are formulas.
+enum class ProofRule {
+  always,
+  needed,  ///< only where the path would be refused without it
+  never
+};
+Words<ProofRule> words(ProofRule);
+
 /// Thresholds of the certificate; the defaults are those of the table in docs/numerics.md.
 struct CertificateOptions {
   bool enabled = true;
-  bool prove = true;  ///< without it a path may still be certified; what would be refused otherwise is proved anyway
+  ProofRule proof = ProofRule::always;
   double stationarity = 1e-10;
   double residual = 1e-10;
   double spacing = 1e-6;
@@ -32,19 +41,21 @@ struct CertificateOptions {
   void fields(FieldVisitor& visit);
 };
 
-/// What was measured about a path, independently of the solver that made it. An empty list of failures means
-/// certified. It never says "global": a local method cannot know.
+/// What was measured about a path, independently of the solver that made it; NaN: not measured. An empty list of
+/// failures means certified. It never says "global": a local method cannot know.
 struct Certificate {
   bool measured = false;
   std::string scope;  ///< "local", "local_on_polyhedron", "chain_on_polyhedron"
   std::vector<CertificateFailure> failures;
   CostEstimate estimate;
-  std::optional<double> stationarity;       ///< relative cost error
-  std::optional<double> residual;           ///< diameters
-  double spacing = 0;                       ///< max c / min c - 1; of a straightened path by arc length
+  std::optional<double> stationarity;  ///< relative cost error
+  std::optional<double> residual;      ///< diameters
+  /// max c / min c - 1; of a straightened path by arc length.
+  double spacing = std::numeric_limits<double>::quiet_NaN();
   std::optional<double> doubling;           ///< E_2M / E_4M
   std::optional<double> doubling_expected;  ///< H(s_2M) / (2 H(s_4M))
-  double longest_segment = 0;               ///< max / mean cost of the curve between two points
+  /// max / mean cost of the curve between two points.
+  double longest_segment = std::numeric_limits<double>::quiet_NaN();
   PathIndex index;
   std::optional<Resolution> resolution;  ///< of chains; null beside another failure, and on a bound
   std::optional<double> straightness;    ///< smallest side angle minus pi, radians

@@ -37,9 +37,10 @@ Family find_family(const std::vector<FamilyStart>& starts, const Solver& solver,
   std::exception_ptr first_error;
   std::vector<FamilyMember> pathless;
   FindOptions each = options;  // proofs are dear: decide_family() asks for that of the least path
-  each.certificate.prove = options.certificate.prove && starts.size() == 1;
-  for (const FamilyStart& start : starts) {
+  if (options.certificate.proof == ProofRule::always && starts.size() > 1) each.certificate.proof = ProofRule::needed;
+  for (const FamilyStart& start : starts)
     if (!start.initializer) throw InputError("family, " + start.origin + ": the initializer is null");
+  for (const FamilyStart& start : starts) {
     if (monitor.interrupted() && (!family.members.empty() || first_error)) {
       family.notes.push_back(no_time(start));
       break;
@@ -57,6 +58,9 @@ Family find_family(const std::vector<FamilyStart>& starts, const Solver& solver,
     } catch (const InitializationError& error) {
       if (!first_error) first_error = std::current_exception();
       family.notes.push_back("family, " + start.origin + ": no first path: " + error.what());
+    } catch (const std::exception& error) {  // a start that does not fit, or what a user's part threw
+      if (!first_error) first_error = std::current_exception();
+      family.notes.push_back("family, " + start.origin + ": " + error.what());
     }
   }
   if (family.members.empty() && !pathless.empty()) return {std::move(pathless), std::move(family.notes)};

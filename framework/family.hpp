@@ -43,9 +43,10 @@ bool same_path(const Problem& problem, const CoordinatePath& a, const Coordinate
 /// find_path() from every start. What is cheaper than every certified path without being certified itself is solved
 /// again with twice the points, up to four times, until it is certified, or left where it is a saddle; what is then
 /// delivered are the points that were asked for, of the finer chain. Where that decides nothing it stays first,
-/// uncertified, and a note says so. Not done with the certificate switched off. A proof (CertificateOptions::prove) is
-/// tried of the first member only.
-/// A start without a first path is a note; throws the InitializationError of the first one when none has any. Stops
+/// uncertified, and a note says so. Not done with the certificate switched off. A proof is always
+/// tried of the first member only, of others where it is needed.
+/// A start without a first path, or one that throws otherwise, is a note and loses no other; where none has a path the
+/// exception of the first one is thrown. Throws InputError where an initializer is null. Stops
 /// early, with what it has, when the monitor says so; interrupted before there was any path the family is one member
 /// without a path.
 Family find_family(const std::vector<FamilyStart>& starts, const Solver& solver, const FindOptions& options,

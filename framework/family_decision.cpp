@@ -208,7 +208,7 @@ class Decision {
 /// Certifies the first member anew, with a proof where there can be one; true where it is no longer certified.
 bool is_refuted(std::vector<FamilyMember>& members, const Solver& solver, const FindOptions& options,
                 const Monitor& monitor) {
-  if (!options.certificate.prove || members.empty()) return false;
+  if (options.certificate.proof != ProofRule::always || members.empty()) return false;
   FamilyMember& first = members.front();
   const Certificate& c = first.result.certificate;
   const bool sampled = c.resolution && c.resolution->verdict == ResolutionVerdict::sampled;

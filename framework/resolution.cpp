@@ -7,8 +7,10 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <numeric>
 #include <string>
+#include <vector>
 
 #include "framework/calibration.hpp"
 #include "framework/point_text.hpp"
@@ -39,6 +41,25 @@ int other_segments(const CoordinatePath& chain) {
   return other;
 }
 
+/// The part w of [0, 1] such that all but a thousandth of its parts of that width hold one of the points i / a or j /
+/// b: the sum of what the gaps between them exceed w by is that thousandth.
+double widest_gap(int a, int b) {
+  constexpr double kMissed = 1e-3;
+  std::vector<double> at, gaps;
+  for (int i = 0; i <= a; ++i) at.push_back(static_cast<double>(i) / a);
+  for (int j = 1; j < b; ++j) at.push_back(static_cast<double>(j) / b);
+  std::sort(at.begin(), at.end());
+  for (std::size_t i = 0; i + 1 < at.size(); ++i) gaps.push_back(at[i + 1] - at[i]);
+  std::sort(gaps.begin(), gaps.end(), std::greater<>());
+  double sum = 0;
+  for (std::size_t k = 0; k < gaps.size(); ++k) {
+    sum += gaps[k];
+    const double width = (sum - kMissed) / static_cast<double>(k + 1);
+    if (k + 1 == gaps.size() || width >= gaps[k + 1]) return std::max(width, 0.0);
+  }
+  return 0;
+}
+
 class Examiner {
  public:
   Examiner(const Problem& problem, const CoordinatePath& chain, const Refinement& refinement, ProofEffort effort,
@@ -53,6 +74,7 @@ class Examiner {
   ExaminedResolution run() {
     compare_other_chain();
     calibrate_finest();
+    if (out_.resolution.verdict != ResolutionVerdict::sampled) out_.resolution.narrowest.reset();
     return std::move(out_);
   }
 
@@ -70,6 +92,7 @@ class Examiner {
     const int segments = other_segments(chain_);
     const std::optional<double> cost = solved_cost(problem_, chain_, segments, monitor_);
     if (!cost) return;
+    out_.resolution.narrowest = widest_gap(levels[2].segments, segments) * levels[2].cost;
     const double c2 = levels[1].cost, c4 = levels[2].cost, limit = (4 * c4 - c2) / 3;
     const double ratio = static_cast<double>(levels[2].segments) / segments;
     const double expected = limit + (c4 - limit) * ratio * ratio;

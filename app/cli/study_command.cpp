@@ -105,7 +105,13 @@ Exit study_command(const StudyArguments& arguments, const Streams& streams) {
 }
 
 Exit merge_command(const MergeArguments& arguments, const Streams& streams) {
-  return finish(merge_studies(arguments.request), arguments.json, streams);
+  catch_interrupts();
+  const std::string early = "interrupted before the shards were read";
+  std::optional<EndsAtOnce> reading(std::in_place, arguments.json ? interrupted_json(early) : "",
+                                    early + "; nothing was written\n");
+  MergeRequest request = arguments.request;
+  request.loaded = [&] { reading.reset(); };
+  return finish(merge_studies(request), arguments.json, streams);
 }
 
 }  // namespace leastcost::app

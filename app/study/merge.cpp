@@ -72,18 +72,19 @@ StudyOutcome merge_studies(const MergeRequest& request) {
   manifest.kind = "study";
   manifest.arguments = request.arguments;
   manifest.started = std::chrono::system_clock::now();
-  OutputFolder folder(request.output, request.force);
   Joined joined;
   for (const fs::path& shard : request.folders) {
     const fs::path file = shard / "journal.jsonl";
     joined.add(shard, read_journal(file));
     manifest.inputs.push_back({"journal", fs::absolute(file).lexically_normal(), sha256_of_file(file)});
   }
+  const StudyGrid grid = load_grid(request.folders.front() / "study.resolved.yaml", {});
+  if (request.loaded) request.loaded();
+  OutputFolder folder(request.output, request.force);
   StudyOutcome outcome{joined.take(), folder.target(), false};
   manifest.seed = outcome.journal.facts.seed;
   folder.write("journal.jsonl", journal_text(outcome.journal));
-  folder.write("study.resolved.yaml",
-               resolved_study(load_grid(request.folders.front() / "study.resolved.yaml", {}), folder.target()));
+  folder.write("study.resolved.yaml", resolved_study(grid, folder.target()));
   for (const auto& [name, content] : study_files(outcome.journal)) folder.write(name, content);
   manifest.finished = std::chrono::system_clock::now();
   folder.write("manifest.json", manifest_json(manifest));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct MergeRequest {
   std::filesystem::path output;
   bool force = false;
   std::vector<std::string> arguments;  ///< of the program, for the manifest
+  std::function<void()> loaded = {};   ///< told when all files have been read; nothing has been written then
 };
 
 /// Joins the journals of shards and derives the same files as one run would have. Results that two of them hold must

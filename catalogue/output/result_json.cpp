@@ -107,6 +107,7 @@ Json certificate_json(const Certificate& c, const CertificateOptions& options) {
           {"curve_cost", c.resolution ? Json(c.resolution->curve_enclosed ? "enclosed" : "measured") : Json(nullptr)},
           {"resolution", c.resolution ? Json(std::string(word_of(c.resolution->verdict))) : Json(nullptr)},
           {"minimum", c.resolution ? Json(c.resolution->minimum_proved ? "proved" : "measured") : Json(nullptr)},
+          {"narrowest", c.resolution ? number(c.resolution->narrowest) : Json(nullptr)},
           {"tube", tube(c)},
           {"straightness", number(c.straightness)},
           {"asymmetry", number(c.asymmetry)},

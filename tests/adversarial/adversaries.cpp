@@ -194,6 +194,8 @@ Adversary stratified(const std::string& n, Index index, const std::vector<Real>&
           truth};
 }
 
+constexpr double kWidthAtHalf = 1.665;  ///< of exp(-x^2), where it is half as high
+
 /// n(x) = 1 + A exp(-((x - c) / w)^2).
 Adversary wall(Draw& draw, double height, double w) {
   const double c = draw.uniform(-0.5, 0.5);
@@ -202,8 +204,10 @@ Adversary wall(Draw& draw, double height, double w) {
   };
   const Real a = std::max<Real>(-1, Real(c) - 7 * Real(w)), b = std::min<Real>(1, Real(c) + 7 * Real(w));
   const double rise = draw.uniform(0, 1.5);
-  return stratified("1+" + text(height) + "*exp(-((x-" + text(c) + ")/" + text(w) + ")^2)", index, {-1, a, b, 1}, rise,
-                    draw.integer(30, 120));
+  Adversary made = stratified("1+" + text(height) + "*exp(-((x-" + text(c) + ")/" + text(w) + ")^2)", index,
+                              {-1, a, b, 1}, rise, draw.integer(30, 120));
+  made.feature = kWidthAtHalf * w * (1 + 0.8 * height);  // the mean index there
+  return made;
 }
 
 Adversary layered(std::uint64_t seed) {
@@ -226,10 +230,12 @@ Adversary rippled(std::uint64_t seed) {
   std::vector<Real> limits;
   for (int i = 0; i <= 16; ++i) limits.push_back(-1 + Real(i) / 8);
   const double rise = draw.uniform(0, 1.5);
-  return stratified(
+  Adversary made = stratified(
       "1+" + text(height) + "*cos(" + text(k) + "*x+" + text(phase) + ")",
       [=](Real x) { return 1 + Real(height) * std::cos(Real(k) * x + Real(phase)); }, limits, rise,
       draw.integer(12, 150));
+  made.feature = kPi / k * (1 - height);
+  return made;
 }
 
 /// n(x) = 1 + A cos(k (x + 1.2)^2): every frequency up to that of the end. Held out: nothing was chosen on it.
@@ -239,10 +245,12 @@ Adversary chirp(std::uint64_t seed) {
   std::vector<Real> limits;
   for (int i = 0; i <= 16; ++i) limits.push_back(-1 + Real(i) / 8);
   const double rise = draw.uniform(0, 1.5);
-  return stratified(
+  Adversary made = stratified(
       "1+" + text(height) + "*cos(" + text(k) + "*(x+1.2)^2)",
       [=](Real x) { return 1 + Real(height) * std::cos(Real(k) * (x + Real(1.2)) * (x + Real(1.2))); }, limits, rise,
       draw.integer(12, 150));
+  made.feature = kPi / (4.4 * k) * (1 - height);  // the last ripple
+  return made;
 }
 
 /// n(x) = 1 - A log((x - c)^2 + w^2) / 10: a wall with a logarithmic foot. Held out: nothing was chosen on it.
@@ -259,8 +267,10 @@ Adversary logarithmic_wall(std::uint64_t seed) {
   }
   limits.push_back(1);
   const double rise = draw.uniform(0, 1.5);
-  return stratified("1+" + text(height) + "/10*(2-log((x-" + text(c) + ")^2+" + text(w) + "^2))", index, limits, rise,
-                    draw.integer(12, 150));
+  Adversary made = stratified("1+" + text(height) + "/10*(2-log((x-" + text(c) + ")^2+" + text(w) + "^2))", index,
+                              limits, rise, draw.integer(12, 150));
+  made.feature = 2 * w;
+  return made;
 }
 
 /// z = a sin(k x): the sheet unrolls.
@@ -282,7 +292,7 @@ Adversary washboard(std::uint64_t seed) {
   const int k = draw.integer(1, 300);
   const std::string n = "(1-0.5*cos(2*3.141592653589793*" + std::to_string(k) + "*x))^2";
   return {between(space(2), field({n, "0", n}), Vector2d(0, 0), Vector2d(1, 0)), straight(), draw.integer(20, 127),
-          known(1)};
+          known(1), 0.25 / k};
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,6 +22,8 @@ struct Adversary {
   int points = 0;
   /// The locally least path that a result stands for; nothing where the truth is not known.
   std::function<std::optional<TrueGeodesic>(const Result&)> truth;
+  /// The width along the path of the narrowest thing that is to be seen, about; units of the cost.
+  double feature = std::numeric_limits<double>::infinity();
 };
 
 /// A family of them; the same seed always makes the same problem.

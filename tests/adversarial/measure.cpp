@@ -15,7 +15,7 @@ namespace leastcost::test {
 namespace {
 
 void write_line(const std::string& family, std::uint64_t seed, const Result& r,
-                const std::optional<TrueGeodesic>& truth, const std::string& outcome) {
+                const std::optional<TrueGeodesic>& truth, double feature, const std::string& outcome) {
   const char* file = std::getenv("LEASTCOST_ADVERSARIES_CSV");  // NOLINT(concurrency-mt-unsafe)
   if (file == nullptr) return;
   const Certificate& c = r.certificate;
@@ -25,7 +25,8 @@ void write_line(const std::string& family, std::uint64_t seed, const Result& r,
       << c.estimate.error << ',' << c.estimate.method << ',' << (truth ? truth->length : 0) << ',' << c.spacing;
   for (std::size_t k = 0; k < 3; ++k) out << ',' << (k < c.levels.size() ? c.levels[k].spacing : -1);
   out << ',' << c.longest_segment << ',' << c.estimate.order.value_or(0) << ','
-      << (c.resolution ? word_of(c.resolution->verdict) : "not examined") << ',';
+      << (c.resolution ? word_of(c.resolution->verdict) : "not examined") << ',' << feature << ','
+      << (c.resolution ? c.resolution->narrowest.value_or(0) : 0) << ',';
   for (const CertificateFailure& f : c.failures) out << f.name << ' ';
   out << '\n';
 }
@@ -41,13 +42,15 @@ std::string Tally::row(const std::string& family) const {
   return line;
 }
 
-Tally measure(const AdversaryFamily& family, std::uint64_t first, int count) {
+Tally measure(const AdversaryFamily& family, std::uint64_t first, int count, ProofRule proof) {
   constexpr double kRight = 1e-4;
   Tally tally;
   for (int i = 0; i < count; ++i) {
     const std::uint64_t seed = first + 2 * static_cast<std::uint64_t>(i);
     const Adversary a = family.make(seed);
-    const Result r = find(a.problem, a.points, *a.initializer);
+    FindOptions options{.points = a.points};
+    options.certificate.proof = proof;
+    const Result r = find_path(a.problem, *a.initializer, Newton(), options);
     const std::optional<TrueGeodesic> truth = a.truth(r);
     const bool certified = r.status == Status::certified;
     const double value = r.certificate.estimate.value;
@@ -64,7 +67,7 @@ Tally measure(const AdversaryFamily& family, std::uint64_t first, int count) {
       if (outcome == "cautious")
         for (const CertificateFailure& f : r.certificate.failures) ++tally.reasons[f.name];
     }
-    write_line(family.name, seed, r, truth, outcome);
+    write_line(family.name, seed, r, truth, a.feature, outcome);
   }
   return tally;
 }

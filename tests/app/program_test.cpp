@@ -223,6 +223,19 @@ TEST_CASE("program: a configuration that never comes can be given up") {
   ::close(writer);
 }
 
+TEST_CASE("program: a merge that waits for a journal can be given up and leaves nothing") {
+  if (!built()) return;
+  const ScratchDir dir;
+  fs::create_directory(dir / "shard");
+  REQUIRE(::mkfifo((dir / "shard/journal.jsonl").c_str(), 0600) == 0);
+  const Child child = start(dir, {"merge", (dir / "shard").string(), "-o", (dir / "out").string()});
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  ::kill(child.pid, SIGTERM);
+  CHECK(child.wait() == 130);
+  CHECK_THAT(content(child.err), Contains("nothing was written"));
+  CHECK(beside(dir, "out").empty());
+}
+
 TEST_CASE("program: a configuration without an end is read to where it is too long") {
   if (!built()) return;
   const ScratchDir dir;

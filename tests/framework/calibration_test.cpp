@@ -128,6 +128,28 @@ TEST_CASE("details finer than the segments are found, and kinks told apart", "[c
   }
 }
 
+TEST_CASE("a proof is tried as it is asked for, and what is only sampled says what it sees", "[calibration]") {
+  const Problem problem = between(space(2), index("1 + 0.3*exp(-6*((x-0.5)^2+(y-0.1)^2))"), Eigen::Vector2d(0, 0),
+                                  Eigen::Vector2d(1, 0));
+  const auto resolution = [&](ProofRule rule) {
+    FindOptions options{.points = 63};
+    options.certificate.proof = rule;
+    return find_path(problem, StraightInitializer(), Newton(), options).certificate;
+  };
+  const Certificate proved = resolution(ProofRule::always);
+  CHECK(proved.resolution->minimum_proved);
+  CHECK_FALSE(proved.resolution->narrowest);
+  for (const ProofRule rule : {ProofRule::needed, ProofRule::never}) {
+    const Certificate c = resolution(rule);
+    CHECK(c.certified());
+    CHECK(c.resolution->verdict == ResolutionVerdict::sampled);
+    CHECK_FALSE(c.resolution->minimum_proved);
+    // Two chains that share their ends only, with 128 segments and some 90: the widest gap is that of the finer one.
+    CHECK(c.resolution->narrowest.value() <= c.estimate.value / 128);
+    CHECK(c.resolution->narrowest.value() > 0.7 * c.estimate.value / 128);
+  }
+}
+
 TEST_CASE("no proof of what a chain did not see", "[calibration]") {
   SECTION("a kink along the path, cheaper on one side of it") {
     for (const char* n : {"1 - max(0, 5*y)", "1 - max(5*y, 0)", "1 + min(0, 5*y)", "1 + min(5*y, 0)"}) {

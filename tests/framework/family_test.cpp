@@ -3,6 +3,7 @@
 #include <leastcost/framework/family.hpp>
 
 #include <numbers>
+#include <stdexcept>
 #include <string>
 
 #include <leastcost/framework/errors.hpp>
@@ -177,6 +178,28 @@ TEST_CASE("family: twice around a circle is not once around", "[framework]") {
   };
   CHECK(same_path(problem, circle(1), circle(1)));
   CHECK_FALSE(same_path(problem, circle(1), circle(2)));
+}
+
+TEST_CASE("family: a start that throws loses none of the others", "[framework]") {
+  class Throws final : public Initializer {
+   public:
+    std::string_view name() const override { return "throws"; }
+    FirstPath first_path(const Problem&, const Monitor&) const override { throw std::runtime_error("of the user"); }
+  };
+  const Problem problem = between(space(2), make_euclidean_cost(2), Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0));
+  Problem misfit = problem;
+  misfit.cost = make_euclidean_cost(3);
+  const FamilyStart good = {"straight", problem, std::make_shared<const StraightInitializer>()},
+                    wrong = {"wrong", misfit, std::make_shared<const StraightInitializer>()},
+                    throwing = {"throwing", problem, std::make_shared<const Throws>()};
+  const Family family = find_family({throwing, good, wrong}, Newton(), with_certificate());
+  REQUIRE(family.members.size() == 1);
+  CHECK(family.members[0].result.status == Status::certified);
+  REQUIRE(family.notes.size() == 2);
+  CHECK_THAT(family.notes[0], Catch::Contains("throwing: of the user"));
+  CHECK_THAT(family.notes[1], Catch::Contains("wrong"));
+  CHECK_THROWS_AS(find_family({wrong, throwing}, Newton(), with_certificate()), InputError);
+  CHECK_THROWS_AS(find_family({good, {"null", problem, nullptr}}, Newton(), with_certificate()), InputError);
 }
 
 TEST_CASE("family: without any first path the first reason is the error", "[framework]") {

@@ -81,7 +81,7 @@ void solve_pair(const std::vector<FamilyStart>& starts, double truth, bool near_
   const Newton newton;
   FindOptions options;
   options.points = 63;
-  options.certificate.prove = prove;
+  options.certificate.proof = prove ? ProofRule::always : ProofRule::needed;
   ++(near_antipodal ? count.near : count.pairs);
   if (!near_antipodal) {
     const Result result = find_path(starts.front().problem, *starts.front().initializer, newton, options);

@@ -131,19 +131,29 @@ class CertificateTable {
             number_text(measured, 6), number_text(expected, 6)));
   }
 
+  std::string narrowest() const {
+    const double width = result_.number("certificate.narrowest");
+    if (!(width > 0)) return "";
+    return fmt::format(" What is {} wide along the path, in cost, has a point in it with 99.9 %.",
+                       number_text(width, 2));
+  }
+
   void resolution() {
     const std::string verdict = result_.text("certificate.resolution");
     if (verdict.empty()) return;
+    row("resolution", verdict, "", {"unresolved"}, words_of_resolution(verdict), verdict != "unresolved");
+  }
+
+  std::string words_of_resolution(const std::string& verdict) const {
+    if (verdict != "proved")
+      return "Whether cost and domain have details that the points do not see; looked for with one chain more." +
+             narrowest();
     const std::string half_width = number_text(result_.number("certificate.tube.half_width"), 2);
-    const std::string words =
-        result_.text("certificate.minimum") == "proved"
-            ? fmt::format("In interval arithmetic: no path within {} of this one, in cost, costs less than {}.",
-                          half_width, number_text(result_.number("certificate.tube.lower"), 10))
-        : verdict == "proved"
-            ? fmt::format("In interval arithmetic: within {} of the path, in cost, nothing is finer than its segments.",
-                          half_width)
-            : "Whether cost and domain have details that the points do not see; looked for with one chain more.";
-    row("resolution", verdict, "", {"unresolved"}, words, verdict != "unresolved");
+    if (result_.text("certificate.minimum") != "proved")
+      return fmt::format("In interval arithmetic: within {} of the path, in cost, nothing is finer than its segments.",
+                         half_width);
+    return fmt::format("In interval arithmetic: no path within {} of this one, in cost, costs less than {}.",
+                       half_width, number_text(result_.number("certificate.tube.lower"), 10));
   }
 
   void index() {
