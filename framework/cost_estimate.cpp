@@ -71,12 +71,12 @@ EstimatedCost estimate_from_levels(const Problem& problem, PathEnergy& energy, c
   CostEstimate& e = out.estimate;
   const CostTraits& traits = problem.cost->traits();
   const bool flat = problem.manifold->shape() == Shape::flat;
-  const bool chart = find_ability<HasChart>(*problem.manifold) != nullptr;
+  const HasChart* chart = find_ability<HasChart>(*problem.manifold);
   const double cost = energy.cost(chain), segments = static_cast<double>(chain.segment_count());
   e.value = cost;
   const bool chords_exist = flat && traits.additive;  // the chain itself is a curve of the domain
   std::optional<double> curve =
-      !chords_exist && (flat || chart) ? smooth_curve_cost(problem, chain, energy.deadline()) : std::nullopt;
+      !chords_exist && (flat || chart != nullptr) ? smooth_curve_cost(problem, chain, energy.deadline()) : std::nullopt;
   e.upper = chords_exist ? std::optional(cost) : curve;
   if (traits.below_curves && index.verdict == IndexVerdict::minimum)
     e.lower = segments * energy.reference_cost() * kernel_inverse(*problem.kernel, energy.value(chain) / segments);
@@ -96,9 +96,13 @@ EstimatedCost estimate_from_levels(const Problem& problem, PathEnergy& energy, c
   const double fine = (4 * c4 - c2) / 3, coarse = (4 * c2 - c1) / 3;
   const bool second_order = e.order && std::abs(*e.order - 2) <= kOrderTolerance;
   // Beside a pole a chart turns so fast that the cubic in its coordinates leaves the path, and the chains know better.
-  if (chart && curve && second_order && !hugs_bound && !(std::abs(*curve - fine) <= kCurveTolerance * largest)) {
+  double beside = 0;
+  if (chart != nullptr && curve && second_order && !hugs_bound &&
+      !(std::abs(*curve - fine) <= kCurveTolerance * largest)) {
     curve.reset();
     e.upper.reset();
+    if (chart->poles().empty())  // then it is the points that are few, and the finest chain has four times as many
+      beside = std::abs(smooth_curve_cost(problem, refinement.paths[2], energy.deadline()).value_or(fine) - fine);
   }
   // Bounds that contradict each other: the chords cut what the curve goes around.
   if (e.lower && e.upper && *e.lower > *e.upper * (1 + kExact)) {
@@ -130,7 +134,7 @@ EstimatedCost estimate_from_levels(const Problem& problem, PathEnergy& energy, c
   }
   const double richardson = richardson_bar(refinement);
   if (!curve) {
-    if (!bracketed) quote(e, "richardson", fine, richardson);
+    if (!bracketed) quote(e, "richardson", fine, std::max(richardson, beside));
     return out;
   }
   // It has order 4 as well, and it exists: quote it, with room for both. A bracket has order 2.
