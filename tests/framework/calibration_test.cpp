@@ -129,8 +129,8 @@ TEST_CASE("details finer than the segments are found, and kinks told apart", "[c
 }
 
 TEST_CASE("a proof is tried as it is asked for, and what is only sampled says what it sees", "[calibration]") {
-  const Problem problem = between(space(2), index("1 + 0.3*exp(-6*((x-0.5)^2+(y-0.1)^2))"), Eigen::Vector2d(0, 0),
-                                  Eigen::Vector2d(1, 0));
+  const Problem problem =
+      between(space(2), index("1 + 0.3*exp(-6*((x-0.5)^2+(y-0.1)^2))"), Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0));
   const auto resolution = [&](ProofRule rule) {
     FindOptions options{.points = 63};
     options.certificate.proof = rule;
