@@ -214,14 +214,21 @@ bool is_refuted(std::vector<FamilyMember>& members, const Solver& solver, const 
   const bool sampled = c.resolution && c.resolution->verdict == ResolutionVerdict::sampled;
   // Half as many segments, as many and twice as many; those of a finer chain were asked for a proof when it was made.
   const bool by_finer = c.levels.size() < 2 || c.levels[1].segments > first.result.path.segment_count() + 1;
-  if (first.result.status != Status::certified || !sampled || by_finer || !can_calibrate(first.problem)) return false;
+  if (first.result.status != Status::certified || !sampled || by_finer) return false;
+  if (first.result.path.ring || !can_calibrate(first.problem)) return false;
   FindOptions again = options;
   again.reference_cost = first.result.reference_cost;
   again.cascade = false;
-  Result proved = improve_path(first.problem, first.result.path, solver, again, monitor);
-  if (proved.status == Status::interrupted) return false;
-  first.result = continued(first.result, std::move(proved));
-  first.rank_cost = ranking_cost(first.problem, first.result, monitor.deadline);
+  try {
+    Result proved = improve_path(first.problem, first.result.path, solver, again, monitor);
+    if (proved.status == Status::interrupted) return false;
+    proved = continued(first.result, std::move(proved));
+    first.rank_cost = ranking_cost(first.problem, proved, monitor.deadline);
+    first.result = std::move(proved);
+  } catch (const InputError&) {  // it stays as it is, sampled
+  } catch (const InitializationError&) {
+  } catch (const Interrupted&) {
+  }
   return first.result.status != Status::certified;
 }
 
@@ -229,7 +236,6 @@ bool is_refuted(std::vector<FamilyMember>& members, const Solver& solver, const 
 
 std::vector<std::string> decide_family(std::vector<FamilyMember>& members, const Solver& solver,
                                        const FindOptions& options, const Monitor& monitor) {
-  rank_members(members);
   for (bool again = options.certificate.enabled; again && !monitor.interrupted();) {
     Decision(members, solver, options, monitor).run();
     rank_members(members);

@@ -43,7 +43,7 @@ int other_segments(const CoordinatePath& chain) {
 
 /// The part w of [0, 1] such that all but a thousandth of its parts of that width hold one of the points i / a or j /
 /// b: the sum of what the gaps between them exceed w by is that thousandth.
-double widest_gap(int a, int b) {
+double seen_width(int a, int b) {
   constexpr double kMissed = 1e-3;
   std::vector<double> at, gaps;
   for (int i = 0; i <= a; ++i) at.push_back(static_cast<double>(i) / a);
@@ -92,7 +92,7 @@ class Examiner {
     const int segments = other_segments(chain_);
     const std::optional<double> cost = solved_cost(problem_, chain_, segments, monitor_);
     if (!cost) return;
-    out_.resolution.narrowest = widest_gap(levels[2].segments, segments) * levels[2].cost;
+    out_.resolution.narrowest = seen_width(levels[2].segments, segments) * levels[2].cost;
     const double c2 = levels[1].cost, c4 = levels[2].cost, limit = (4 * c4 - c2) / 3;
     const double ratio = static_cast<double>(levels[2].segments) / segments;
     const double expected = limit + (c4 - limit) * ratio * ratio;
