@@ -13,14 +13,14 @@ namespace leastcost {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
-constexpr double kJump = 4;  ///< largest over mean segment of a curve that lies on the domain all along
+constexpr double kUneven = 4;  ///< largest over mean segment of a curve that lies on the domain all along
 
 /// The points joined along a curved domain: chords of two dense chains, extrapolated.
 double projected_cost(const Problem& problem, const CoordinatePath& path, const Deadline& deadline) {
   PathEnergy energy(problem, 1, deadline);
   const CoordinatePath dense = refine(problem, refine(problem, path, deadline), deadline);
   const Eigen::VectorXd costs = energy.costs(refine(problem, dense, deadline));
-  if (!(costs.maxCoeff() <= kJump * costs.mean())) return kNone;  // a move that no point between its ends could shorten
+  if (!(costs.maxCoeff() <= kUneven * costs.mean())) return kNone;  // a move that no point between its ends could shorten
   return (4 * costs.sum() - energy.cost(dense)) / 3;
 }
 

@@ -9,7 +9,7 @@
 namespace leastcost {
 namespace {
 
-constexpr Index kLook = 256;  ///< points between two looks at the clock
+constexpr Index kPointsAtOnce = 256;  ///< points between two looks at the clock
 
 /// Turns an orthonormal basis so that its last columns span `directions` (its first `count` columns, projected onto the
 /// basis); returns how many independent ones there are.
@@ -52,7 +52,7 @@ void PathEnergy::frames(const CoordinatePath& path, const Points& gradient, Fram
   Points normals(d, d);
   std::vector<std::pair<Index, Points>> turned;
   for (Index i = 0; bounds && i < n; ++i) {
-    if (i % kLook == 0) look_at_clock(deadline_);
+    if (i % kPointsAtOnce == 0) look_at_clock(deadline_);
     int count = bounds->active_bounds(path, first + i, normals);
     if (count > 0) count = keep_pushed(normals, count, -gradient.col(i));
     if (count > 0) turned.emplace_back(i, normals.leftCols(count));
