@@ -18,8 +18,8 @@ namespace {
 constexpr double kLeastGap = 1e-12;  ///< relative
 
 /// Under a constant metric the straight line is the least of all paths, and nothing is hidden.
-template <int N>
-std::optional<Calibration> calibrate_constant(const TubeMetric<N>& metric, const CoordinatePath& chain) {
+template <int N, int D>
+std::optional<Calibration> calibrate_constant(const TubeMetric<N, D>& metric, const CoordinatePath& chain) {
   constexpr double kFar = 1e9;  // times the coordinates: a formula may be constant on the path and not beside it
   const double far = kFar * (1 + chain.u.cwiseAbs().maxCoeff());
   JetPoint<N> everywhere;
@@ -43,18 +43,18 @@ std::optional<Calibration> calibrate_constant(const TubeMetric<N>& metric, const
 }
 
 /// The cost of the curve, to what `enough` of it is.
-template <int N>
-Interval curve_cost(const TubeBounds<N>& bounds, const Tube<N>& tube, double enough) {
+template <int N, int D>
+Interval curve_cost(const TubeBounds<N, D>& bounds, const Tube<N, D>& tube, double enough) {
   Interval sum(0);
-  for (const TubeSegment<N>& segment : tube.segments)
+  for (const TubeSegment<N, D>& segment : tube.segments)
     sum += bounds.curve_cost(segment, {0, 1}, enough * tube.cost / static_cast<double>(tube.segments.size()));
   return sum;
 }
 
 /// The bounds of the proof, for a field that is there. Not proved where they are too wide, or a path nearby is cheaper.
-template <int N>
-Calibration prove(TubeBounds<N>& bounds, const Tube<N>& tube, const ExtremalField<N>& extremals, const Interval& curve,
-                  double enough, Calibration out) {
+template <int N, int D>
+Calibration prove(TubeBounds<N, D>& bounds, const Tube<N, D>& tube, const ExtremalField<N, D>& extremals,
+                  const Interval& curve, double enough, Calibration out) {
   double loss = 0, worst = 0;
   for (std::size_t i = 0; i < tube.segments.size(); ++i) {
     const auto n = static_cast<Index>(i);
@@ -71,10 +71,10 @@ Calibration prove(TubeBounds<N>& bounds, const Tube<N>& tube, const ExtremalFiel
 }
 
 /// Whether f is concave across the curve at the sides of the tube, looked at in the middle of each segment.
-template <int N>
-bool concave(const TubeField<N>& field, const Tube<N>& tube) {
+template <int N, int D>
+bool concave(const TubeField<N, D>& field, const Tube<N, D>& tube) {
   for (std::size_t i = 0; i < tube.segments.size(); ++i) {
-    const typename TubeField<N>::OnCurve curve = field.on_curve(tube.segments[i], Interval(0.5));
+    const typename TubeField<N, D>::OnCurve curve = field.on_curve(tube.segments[i], Interval(0.5));
     const double w = tube.widths[static_cast<Index>(i)];
     for (int corner = 0; corner < 1 << (N - 1); ++corner) {
       std::array<Interval, N - 1> z;
@@ -87,26 +87,28 @@ bool concave(const TubeField<N>& field, const Tube<N>& tube) {
   return true;
 }
 
-template <int N>
+template <int N, int D>
 Calibration calibrate_in(const Problem& problem, const CoordinatePath& chain, const CalibrationOptions& options,
                          const Deadline& deadline) {
   Calibration out;
-  const TubeMetric<N> metric(problem);
-  if (const std::optional<Calibration> constant = calibrate_constant(metric, chain)) return *constant;
-  const TubeField<N> field(metric);
-  Tube<N> tube(metric, chain, options.segments, deadline);
+  const TubeMetric<N, D> metric(problem);
+  if constexpr (D == N)
+    if (const std::optional<Calibration> constant = calibrate_constant(metric, chain)) return *constant;
+  const TubeField<N, D> field(metric);
+  Tube<N, D> tube(metric, chain, options.segments, deadline);
+  out.applies = tube.exists() || tube.torn;
+  out.detail = tube.torn.value_or(0);
   if (!tube.exists()) return out;
-  out.applies = true;
   out.half_width = tube.widths.minCoeff();
-  TubeDetails<N> details(field, tube, deadline);
+  TubeDetails<N, D> details(field, tube, deadline);
   out.details = details.examine();
   out.detail = details.segment();
   if (out.details == DetailVerdict::found) return out;
-  TubeBounds<N> bounds(field, options.boxes * static_cast<Index>(tube.segments.size()), deadline);
+  TubeBounds<N, D> bounds(field, options.boxes * static_cast<Index>(tube.segments.size()), deadline);
   const double enough = std::max(kLeastGap, options.gap / 2);
   const Interval curve = curve_cost(bounds, tube, std::max(kLeastGap, enough / 10));
   if (curve.is_finite()) out.upper = curve.hi;
-  ExtremalField<N> extremals(field, tube, deadline);
+  ExtremalField<N, D> extremals(field, tube, deadline);
   if (!extremals.exists()) return out;
   if (!concave(field, tube)) extremals.add_third_derivatives();
   return prove(bounds, tube, extremals, curve, enough, out);
@@ -114,13 +116,16 @@ Calibration calibrate_in(const Problem& problem, const CoordinatePath& chain, co
 
 }  // namespace
 
-bool can_calibrate(const Problem& problem) { return TubeMetric<2>::exists(problem) || TubeMetric<3>::exists(problem); }
+bool can_calibrate(const Problem& problem) {
+  return TubeMetric<2, 2>::exists(problem) || TubeMetric<3, 3>::exists(problem) || TubeMetric<2, 3>::exists(problem);
+}
 
 Calibration calibrate(const Problem& problem, const CoordinatePath& chain, const CalibrationOptions& options,
                       const Deadline& deadline) {
   if (chain.ring) return {};
-  if (TubeMetric<2>::exists(problem)) return calibrate_in<2>(problem, chain, options, deadline);
-  if (TubeMetric<3>::exists(problem)) return calibrate_in<3>(problem, chain, options, deadline);
+  if (TubeMetric<2, 2>::exists(problem)) return calibrate_in<2, 2>(problem, chain, options, deadline);
+  if (TubeMetric<3, 3>::exists(problem)) return calibrate_in<3, 3>(problem, chain, options, deadline);
+  if (TubeMetric<2, 3>::exists(problem)) return calibrate_in<2, 3>(problem, chain, options, deadline);
   return {};
 }
 

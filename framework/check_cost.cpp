@@ -3,9 +3,12 @@
 #include <leastcost/framework/check_cost.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
+#include <leastcost/framework/encloses_metric.hpp>
 #include <leastcost/framework/errors.hpp>
 #include "framework/fault_list.hpp"
 #include "framework/observed_order.hpp"
@@ -95,6 +98,26 @@ void check_line_element(const SegmentCost& cost, const Eigen::VectorXd& x, const
   const double q = v.dot(blocks.blocks.block(d, d, d, d) * v) / 2;
   faults.at_most("quadratic_at_rest", std::isfinite(q) ? std::abs(q / (element * element) - 1) : kInfinity, 1e-7,
                  "v' q_bb v / 2 at a = b over line_element(x, v)^2, less 1: q is twice differentiable at a = b");
+}
+
+/// The metric in intervals, at one point.
+void check_enclosure(const SegmentCost& cost, const Eigen::VectorXd& x, const Eigen::VectorXd& v, FaultList& faults) {
+  const auto* metric = find_ability<EnclosesMetric>(cost);
+  const Index d = x.size();
+  if (metric == nullptr || (d != 2 && d != 3)) return;
+  std::array<IntervalJet<2>, 3> at;
+  for (Index i = 0; i < d; ++i) at[static_cast<std::size_t>(i)] = IntervalJet<2>(x[i]);
+  std::array<IntervalJet<2>, 6> upper;
+  metric->enclose_metric(std::span<const IntervalJet<2>>(at).first(static_cast<std::size_t>(d)), upper);
+  Interval squared(0);
+  std::size_t k = 0;
+  for (Index i = 0; i < d; ++i)
+    for (Index j = i; j < d; ++j)
+      squared += upper[k++].value() * Interval(i == j ? 1 : 2) * Interval(v[i]) * Interval(v[j]);
+  const double element = cost.line_element(x, v), middle = squared.middle() / (element * element);
+  faults.at_most("enclosure",
+                 squared.is_finite() ? std::abs(middle - 1) + squared.width() / (element * element) : kInfinity, 1e-10,
+                 "v'G v in intervals at a point over line_element(x, v)^2, less 1, and its width");
 }
 
 /// A direction for the columns that may move, a tenth of a move long or so.
@@ -230,6 +253,7 @@ std::vector<Fault> check_cost(const SegmentCost& cost, const PointSampler& insid
     check_chord(cost, x.col(0), x.col(1), x.col(2), faults);
     check_chord(cost, x.col(0), (x.col(0) + x.col(2)) / 2, x.col(2), faults);
     check_line_element(cost, x.col(0), x.col(1) - x.col(0), faults);
+    check_enclosure(cost, x.col(0), x.col(1) - x.col(0), faults);
     for (const Eigen::VectorXd& point : options.outside) check_outside(cost, x.col(0), point, faults);
     for (const Points& path : {x, near}) {
       check_gauss_newton(cost, options, KernelOf<PhiIsQ>(), path, faults);

@@ -35,6 +35,7 @@ struct CheckCostOptions {
 ///     line_element     is not the limit of c(x, x + e v) / e, or not proportional to the length of v
 ///     quadratic_at_rest                      declared, but half the Hessian of q at a = b is not the metric of the
 ///                      line element: q is not twice differentiable there (Finsler: set the trait to false)
+///     enclosure        the metric in intervals (EnclosesMetric) is not that of the line element
 ///     outside          a move to or from a given outside point is not infinitely expensive
 std::vector<Fault> check_cost(const SegmentCost& cost, const PointSampler& inside, std::mt19937_64& engine,
                               const CheckCostOptions& options = {});

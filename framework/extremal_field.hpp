@@ -19,15 +19,15 @@ namespace leastcost {
 
 /// The potential of a tube: W by its Riccati equation, with the largest margin of a few that leaves it bounded. Written
 /// into the segments of the tube.
-template <int N>
+template <int N, int D>
 class ExtremalField {
  public:
   static constexpr int kAcross = N - 1;
 
   /// Throws Interrupted.
-  ExtremalField(const TubeField<N>& field, Tube<N>& tube, const Deadline& deadline)
+  ExtremalField(const TubeField<N, D>& field, Tube<N, D>& tube, const Deadline& deadline)
       : field_(field), tube_(tube), deadline_(deadline) {
-    for (const TubeSegment<N>& segment : tube_.segments) {
+    for (const TubeSegment<N, D>& segment : tube_.segments) {
       look_at_clock(deadline_);
       for (const double t : {0.0, 0.5, 1.0}) riccati_.emplace_back(field_, segment, t);
     }
@@ -96,7 +96,7 @@ class ExtremalField {
     const double most = 4 * static_cast<double>(tube_.segments.size()) / tube_.cost + 100 * start;
     double largest = start;
     for (std::size_t i = 0; i < tube_.segments.size(); ++i) {
-      const RiccatiPoint<N>* at = &riccati_[3 * i];
+      const RiccatiPoint<N, D>* at = &riccati_[3 * i];
       const Small k1 = at[0].rate(w, margin_, own_part_), k2 = at[1].rate(w + k1 / 2, margin_, own_part_),
                   k3 = at[1].rate(w + k2 / 2, margin_, own_part_), k4 = at[2].rate(w + k3, margin_, own_part_);
       Small next = w + (k1 + 2 * k2 + 2 * k3 + k4) / 6;
@@ -113,17 +113,17 @@ class ExtremalField {
     return largest;
   }
 
-  const TubeField<N>& field_;
-  Tube<N>& tube_;
+  const TubeField<N, D>& field_;
+  Tube<N, D>& tube_;
   const Deadline& deadline_;
-  std::vector<RiccatiPoint<N>> riccati_;  ///< at the start, the middle and the end of each segment
+  std::vector<RiccatiPoint<N, D>> riccati_;  ///< at the start, the middle and the end of each segment
   double margin_ = 0, own_part_ = 1;
   bool exists_ = false;
 };
 
-template <int N>
-void ExtremalField<N>::add_third_derivatives() {
-  using Cube = typename RiccatiPoint<N>::Cube;
+template <int N, int D>
+void ExtremalField<N, D>::add_third_derivatives() {
+  using Cube = typename RiccatiPoint<N, D>::Cube;
   const auto plus = [](const Cube& a, const Cube& b, double factor) {
     Cube sum;
     for (std::size_t k = 0; k < kAcross; ++k) sum[k] = a[k] + factor * b[k];
@@ -136,7 +136,7 @@ void ExtremalField<N>::add_third_derivatives() {
     std::array<Cube, 3> rest;
     std::array<Small, 3> w;
     for (int stage = 0; stage < 3; ++stage) {
-      const TubeSegment<N> here = tube_.segments[i].around(stage / 2.0);
+      const TubeSegment<N, D> here = tube_.segments[i].around(stage / 2.0);
       const IntervalJet<N> f = field_.squared_norm(here, field_.on_curve(here, Interval(0)), Interval(0), {});
       const auto s = static_cast<std::size_t>(stage);
       for (int k = 0; k < kAcross; ++k)
@@ -146,7 +146,7 @@ void ExtremalField<N>::add_third_derivatives() {
             rest[s][static_cast<std::size_t>(k)](l, m) = f.d(k + 1, l + 1, m + 1).middle();
         }
     }
-    const RiccatiPoint<N>* at = &riccati_[3 * i];
+    const RiccatiPoint<N, D>* at = &riccati_[3 * i];
     const Cube k1 = at[0].third_rate(w[0], c, rest[0]), k2 = at[1].third_rate(w[1], plus(c, k1, 0.5), rest[1]),
                k3 = at[1].third_rate(w[1], plus(c, k2, 0.5), rest[1]),
                k4 = at[2].third_rate(w[2], plus(c, k3, 1), rest[2]);

@@ -20,7 +20,8 @@ double projected_cost(const Problem& problem, const CoordinatePath& path, const 
   PathEnergy energy(problem, 1, deadline);
   const CoordinatePath dense = refine(problem, refine(problem, path, deadline), deadline);
   const Eigen::VectorXd costs = energy.costs(refine(problem, dense, deadline));
-  if (!(costs.maxCoeff() <= kUneven * costs.mean())) return kNone;  // a move that no point between its ends could shorten
+  if (!(costs.maxCoeff() <= kUneven * costs.mean()))
+    return kNone;  // a move that no point between its ends could shorten
   return (4 * costs.sum() - energy.cost(dense)) / 3;
 }
 

@@ -8,6 +8,7 @@
 #include <cstddef>
 
 #include <leastcost/framework/ball_polynomial.hpp>
+#include <leastcost/framework/implicit_function.hpp>
 #include <leastcost/framework/interval.hpp>
 
 namespace leastcost {
@@ -41,12 +42,18 @@ class IntervalJet {
   template <class F>
   static IntervalJet along(int k, const Interval& range, const F& derivatives) {
     IntervalJet x;
-    const double middle = range.middle();
-    x.radius_[static_cast<std::size_t>(k)] = std::max(range.hi - middle, middle - range.lo) * (1 + kRounding);
-    x.at_ = along(k, derivatives(Interval(middle)));
+    x.radius_[static_cast<std::size_t>(k)] = radius(range);
+    x.at_ = along(k, derivatives(Interval(range.middle())));
     x.c_ = x.is_thin() ? x.at_ : along(k, derivatives(range));
     x.tighten();
     return x;
+  }
+  /// A function of which all this is known, over `box` and at its centre.
+  static IntervalJet from(const IntervalDerivatives<N>& over_box, const IntervalDerivatives<N>& at_center,
+                          const std::array<Interval, static_cast<std::size_t>(N)>& box) {
+    IntervalJet x(coefficients(over_box), coefficients(at_center), {});
+    for (std::size_t k = 0; k < x.radius_.size(); ++k) x.radius_[k] = radius(box[k]);
+    return x.tighten();
   }
   /// A function of which nothing is known.
   static IntervalJet unknown() {
@@ -64,6 +71,21 @@ class IntervalJet {
   Interval value_at_center() const { return at_[0]; }
   Interval d_at_center(int k) const { return at_[first(k)]; }
   Interval d_at_center(int k, int l) const { return factor(k, l) * at_[place(k, l)]; }
+  /// All of them, over the box.
+  IntervalDerivatives<N> derivatives() const {
+    IntervalDerivatives<N> out;
+    out.value = value();
+    for (int k = 0; k < N; ++k) {
+      const auto a = static_cast<std::size_t>(k);
+      out.first[a] = d(k);
+      for (int l = 0; l < N; ++l) {
+        const auto b = static_cast<std::size_t>(l);
+        out.second[a][b] = d(k, l);
+        for (int m = 0; m < N; ++m) out.third[a][b][static_cast<std::size_t>(m)] = d(k, l, m);
+      }
+    }
+    return out;
+  }
 
   /// The derivative of a function of variable k alone; its own third derivative is unknown.
   IntervalJet derivative(int k) const { return {derivative(k, c_), derivative(k, at_), radius_}; }
@@ -199,6 +221,25 @@ class IntervalJet {
   IntervalJet(const Coefficients& over_box, const Coefficients& at_center, const Radii& radius)
       : c_(over_box), at_(at_center), radius_(radius) {}
 
+  static double radius(const Interval& range) {
+    const double middle = range.middle();
+    return std::max(range.hi - middle, middle - range.lo) * (1 + kRounding);
+  }
+  static Coefficients coefficients(const IntervalDerivatives<N>& f) {
+    Coefficients out;
+    out.set(0, f.value);
+    for (int k = 0; k < N; ++k) {
+      const auto a = static_cast<std::size_t>(k);
+      out.set(first(k), f.first[a]);
+      for (int l = k; l < N; ++l) {
+        const auto b = static_cast<std::size_t>(l);
+        out.set(place(k, l), f.second[a][b] / factor(k, l));
+        for (int m = l; m < N; ++m)
+          out.set(place(k, l, m), f.third[a][b][static_cast<std::size_t>(m)] / factor(k, l, m));
+      }
+    }
+    return out;
+  }
   static Coefficients along(int k, const Derivatives& f) {
     Coefficients out;
     out.set(0, f[0]);

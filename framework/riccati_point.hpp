@@ -13,7 +13,7 @@
 namespace leastcost {
 
 /// The coefficients of the Riccati equation at one place of the curve.
-template <int N>
+template <int N, int D>
 class RiccatiPoint {
  public:
   static constexpr int kAcross = N - 1;
@@ -21,10 +21,10 @@ class RiccatiPoint {
   using Square = Eigen::Matrix<double, N, N>;
   using Vector = Eigen::Matrix<double, N, 1>;
 
-  RiccatiPoint(const TubeField<N>& field, const TubeSegment<N>& segment, double t) {
-    const TubeSegment<N> here = segment.around(t);
+  RiccatiPoint(const TubeField<N, D>& field, const TubeSegment<N, D>& segment, double t) {
+    const TubeSegment<N, D> here = segment.around(t);
     const Interval zero(0);
-    const typename TubeField<N>::OnCurve curve = field.on_curve(here, zero);
+    const typename TubeField<N, D>::OnCurve curve = field.on_curve(here, zero);
     std::array<IntervalJet<N>, kAcross> z;
     for (int k = 0; k < kAcross; ++k) z[static_cast<std::size_t>(k)] = IntervalJet<N>::variable(zero, k + 1);
     const JetMatrix<N> g = field.metric_in_tube(here, zero, z);

@@ -8,9 +8,11 @@
 #include <concepts>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 
+#include <leastcost/framework/encloses_metric.hpp>
 #include <leastcost/framework/segment_blocks.hpp>
 #include <leastcost/framework/segment_cost.hpp>
 
@@ -114,9 +116,46 @@ class SegmentCostOf : public Base, public ExplainsInfinity {
   int dim_;
 };
 
+/// A cost in two or three dimensions that says `static constexpr bool encloses = true` is compiled with intervals as
+/// well, and its certificates can be proved: what it does with S are the operators and functions of
+/// framework/interval_jet.hpp, and no branch depends on a value but one that returns infinity unless a condition holds,
+/// `if (!(speed > S(0.0)))`.
+template <class C>
+concept EnclosedSegmentCost = SegmentCostFunction<C> && requires {
+  requires C::encloses;
+  requires C::dim == 2 || C::dim == 3;
+};
+
+/// Its metric is half the Hessian of q in the move, at rest.
+template <EnclosedSegmentCost C>
+class EnclosedSegmentCostOf final : public SegmentCostOf<C>, public EnclosesMetricBy<EnclosedSegmentCostOf<C>> {
+ public:
+  using SegmentCostOf<C>::SegmentCostOf;
+
+  template <class Jet>
+  void enclose(std::span<const Jet> x, std::span<Jet> upper) const {
+    constexpr int d = C::dim;
+    using S = Dual<Dual<Jet, d>, d>;
+    Point<S, d> from, to;
+    for (int i = 0; i < d; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      from[i].value.value = to[i].value.value = x[k];
+      to[i].d[k].value = to[i].value.d[k] = Jet(1.0);
+    }
+    const S q = this->function().template value<S>(from, to);
+    const bool defined = this->traits().quadratic_at_rest && q.value.value.value().is_finite();
+    std::size_t entry = 0;
+    for (std::size_t i = 0; i < d; ++i)
+      for (std::size_t j = i; j < d; ++j) upper[entry++] = defined ? q.d[i].d[j].scaled(Interval(0.5)) : Jet::unknown();
+  }
+};
+
 template <SegmentCostFunction C>
 std::shared_ptr<const SegmentCost> make_segment_cost(C function, int dim = C::dim) {
-  return std::make_shared<SegmentCostOf<C>>(std::move(function), dim);
+  if constexpr (EnclosedSegmentCost<C>)
+    return std::make_shared<EnclosedSegmentCostOf<C>>(std::move(function), dim);
+  else
+    return std::make_shared<SegmentCostOf<C>>(std::move(function), dim);
 }
 
 }  // namespace leastcost

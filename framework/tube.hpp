@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include <leastcost/framework/deadline.hpp>
 #include "framework/gauss.hpp"
+#include "framework/tube_field.hpp"
 #include "framework/tube_metric.hpp"
 #include "framework/tube_segment.hpp"
 
@@ -18,15 +21,15 @@ namespace leastcost {
 
 /// The tube of framework/calibration.hpp: the piecewise cubic curve with continuous tangents through the points of an
 /// open chain, its frame, and its width, segment by segment.
-template <int N>
+template <int N, int D>
 class Tube {
  public:
   static constexpr int kAcross = N - 1;
 
   /// It reaches a part of one of `delivered` segments to each side. Throws Interrupted.
-  Tube(const TubeMetric<N>& metric, const CoordinatePath& chain, Index delivered, const Deadline& deadline)
+  Tube(const TubeMetric<N, D>& metric, const CoordinatePath& chain, Index delivered, const Deadline& deadline)
       : metric_(metric), chain_(chain) {
-    exists_ = make_segments(deadline) && measure();
+    exists_ = make_segments(delivered, deadline) && measure();
     if (exists_) set_widths(delivered);
   }
 
@@ -34,38 +37,58 @@ class Tube {
   /// pole).
   bool exists() const { return exists_; }
 
-  std::vector<TubeSegment<N>> segments;
+  std::vector<TubeSegment<N, D>> segments;
+  std::optional<Index> torn;  ///< a segment without a tube, because the surface is no graph over it
+
   Eigen::VectorXd costs;   ///< of the curve in each segment, by Gauss' rule
   Eigen::VectorXd widths;  ///< half the width, units of the cost
   double cost = 0;         ///< of the curve
 
  private:
-  using Vector = Eigen::Matrix<double, N, 1>;
-  using Square = Eigen::Matrix<double, N, N>;
-  using Frame = Eigen::Matrix<double, N, kAcross>;
+  using Vector = Eigen::Matrix<double, D, 1>;
+  using Square = Eigen::Matrix<double, D, D>;
+  using Frame = Eigen::Matrix<double, D, kAcross>;
   static constexpr double kWidth = 0.25;  ///< of a segment, to each side
 
   Square metric_at(const Eigen::VectorXd& x) const {
-    JetPoint<N> at;
-    for (std::size_t i = 0; i < N; ++i) at[i] = IntervalJet<N>(x[static_cast<Index>(i)]);
-    const JetMatrix<N> g = metric_(at);
+    JetPoint<N, D> at;
+    for (std::size_t i = 0; i < D; ++i) at[i] = IntervalJet<N>(x[static_cast<Index>(i)]);
+    const JetMatrix<N, D> g = metric_(at);
     Square out;
-    for (Index i = 0; i < N; ++i)
-      for (Index j = 0; j < N; ++j) out(i, j) = g[static_cast<std::size_t>(N * i + j)].value().middle();
+    for (Index i = 0; i < D; ++i)
+      for (Index j = 0; j < D; ++j) out(i, j) = g[static_cast<std::size_t>(D * i + j)].value().middle();
     return out;
   }
 
-  /// dx/di at point i, of order 4.
-  Vector slope(Index i) const {
+  /// Unit normals of the surface at all points; none for D = N.
+  Points make_normals() const {
+    Points normals(D, D > N ? chain_.u.cols() : 0);
+    if constexpr (D > N)
+      for (Index c = 0; c < normals.cols(); ++c) {
+        using Sloped = LevelSetEnclosure::Sloped;
+        std::array<Sloped, D> at;
+        for (std::size_t i = 0; i < D; ++i) {
+          at[i] = Sloped(chain_.u(static_cast<Index>(i), c));
+          at[i].d[i] = IntervalJet<N>(1.0);
+        }
+        const Sloped f = metric_.surface().enclose(std::span<const Sloped, D>(at));
+        for (std::size_t i = 0; i < D; ++i) normals(static_cast<Index>(i), c) = f.d[i].value().middle();
+        normals.col(c).normalize();
+      }
+    return normals;
+  }
+
+  /// dx/di of the points x at point i, of order 4.
+  static Vector slope(const Points& x, Index i) {
     static constexpr double kStencils[3][5] = {{-25. / 12, 4, -3, 4. / 3, -1. / 4},
                                                {-1. / 4, -5. / 6, 3. / 2, -1. / 2, 1. / 12},
                                                {1. / 12, -2. / 3, 0, 2. / 3, -1. / 12}};
-    const Index last = chain_.u.cols() - 1;
+    const Index last = x.cols() - 1;
     const bool mirrored = i > last / 2;
     const Index from_end = mirrored ? last - i : i;
     const Index row = std::min<Index>(from_end, 2), begin = from_end - row;
     Vector d = Vector::Zero();
-    for (Index j = 0; j < 5; ++j) d += kStencils[row][j] * chain_.u.col(mirrored ? last - begin - j : begin + j);
+    for (Index j = 0; j < 5; ++j) d += kStencils[row][j] * x.col(mirrored ? last - begin - j : begin + j);
     return mirrored ? Vector(-d) : d;
   }
 
@@ -73,7 +96,7 @@ class Tube {
   static Frame frame(const Square& g, const Vector& d, const Frame& before) {
     Frame out;
     const Vector gd = g * d;
-    if constexpr (N == 2) {
+    if constexpr (D == 2) {
       out << -gd[1], gd[0];
       return out / std::sqrt(out.col(0).dot(g * out.col(0)));
     }
@@ -86,23 +109,53 @@ class Tube {
     return out;
   }
 
-  bool make_segments(const Deadline& deadline) {
-    const Index count = chain_.segment_count();
-    if (count < 4) return false;
-    Frame across;
-    Vector d = slope(0);
+  /// dx/di of the chain, in the tangent plane.
+  Vector slope_at(const Points& normals, Index i) const {
+    Vector d = slope(chain_.u, i);
+    if constexpr (D > N) d -= normals.col(i).dot(d) * normals.col(i);
+    return d;
+  }
+
+  Frame first_frame(const Points& normals, const Vector& d) const {
+    Frame seed = Frame::Zero();
     Index longest = 0;
     d.cwiseAbs().maxCoeff(&longest);
-    for (int k = 0; k < kAcross; ++k) across.col(k) = Vector::Unit((longest + 1 + k) % N);
-    across = frame(metric_at(chain_.u.col(0)), d, across);
+    for (int k = 0; k < kAcross; ++k) seed.col(k) = Vector::Unit((longest + 1 + k) % D);
+    return next_frame(normals, 0, d, seed);
+  }
+
+  Frame next_frame(const Points& normals, Index i, const Vector& d, Frame before) const {
+    if constexpr (D > N) before.col(0) = Vector(normals.col(i)).cross(d);
+    return frame(metric_at(chain_.u.col(i)), d, before);
+  }
+
+  /// The part of a delivered segment that the tube reaches to each side, in coordinates.
+  double reach(Index i, Index delivered) const {
+    const double per_segment = static_cast<double>(chain_.segment_count()) / static_cast<double>(delivered);
+    return kWidth * per_segment * (chain_.u.col(i + 1) - chain_.u.col(i)).norm();
+  }
+
+  bool make_segments(Index delivered, const Deadline& deadline) {
+    const Index count = chain_.segment_count();
+    if (count < 4) return false;
+    const Points normals = make_normals();
+    Vector d = slope_at(normals, 0);
+    Frame across = first_frame(normals, d);
     segments.resize(static_cast<std::size_t>(count));
     for (Index i = 0; i < count; ++i) {
       look_at_clock(deadline);
-      const Vector next_d = slope(i + 1);
-      const Frame next = frame(metric_at(chain_.u.col(i + 1)), next_d, across);
+      const Vector next_d = slope_at(normals, i + 1);
+      const Frame next = next_frame(normals, i + 1, next_d, across);
       if (!next.allFinite() || !across.allFinite()) return false;
-      TubeSegment<N>& segment = segments[static_cast<std::size_t>(i)];
-      for (Index r = 0; r < N; ++r) {
+      TubeSegment<N, D>& segment = segments[static_cast<std::size_t>(i)];
+      if constexpr (D > N) {
+        segment.reach = reach(i, delivered);
+        const Vector turn = slope(normals, i), next_turn = slope(normals, i + 1);
+        for (Index r = 0; r < D; ++r)
+          segment.normal[static_cast<std::size_t>(r)][0] =
+              Cubic::hermite(normals(r, i), normals(r, i + 1), turn[r], next_turn[r]);
+      }
+      for (Index r = 0; r < D; ++r) {
         const auto n = static_cast<std::size_t>(r);
         segment.curve[n] = Cubic::hermite(chain_.u(r, i), chain_.u(r, i + 1), d[r], next_d[r]);
         for (Index k = 0; k < kAcross; ++k)
@@ -116,7 +169,17 @@ class Tube {
 
   bool measure() {
     costs.resize(static_cast<Index>(segments.size()));
-    for (Index i = 0; i < costs.size(); ++i) costs[i] = cost_of(segments[static_cast<std::size_t>(i)]);
+    const TubeField<N, D> field(metric_);
+    for (Index i = 0; i < costs.size(); ++i) {
+      costs[i] = 0;
+      for (std::size_t g = 0; g < kGaussNodes.size(); ++g) {
+        const TubeSegment<N, D> here = segments[static_cast<std::size_t>(i)].around(kGaussNodes[g]);
+        costs[i] += kGaussWeights[g] * field.on_curve(here, Interval(0)).speed.value().middle();
+      }
+      if (std::isfinite(costs[i]) || torn) continue;
+      for (const double node : kGaussNodes)
+        if (!field.lies_on_surface(segments[static_cast<std::size_t>(i)], node)) torn = i;
+    }
     cost = costs.sum();
     return std::isfinite(cost);
   }
@@ -124,35 +187,20 @@ class Tube {
   /// Half the width of the tube at each segment, in units of the cost: a part of a segment, both in cost and in
   /// coordinates, so that no soft direction makes it reach far.
   void set_widths(Index delivered) {
-    const double per_segment = static_cast<double>(segments.size()) / static_cast<double>(delivered);
     widths.resize(costs.size());
     for (Index i = 0; i < costs.size(); ++i) {
-      const TubeSegment<N>& segment = segments[static_cast<std::size_t>(i)];
+      const TubeSegment<N, D>& segment = segments[static_cast<std::size_t>(i)];
       double longest2 = 0;
       for (std::size_t k = 0; k < kAcross; ++k) {
         double length2 = 0;
         for (const auto& row : segment.frame) length2 += row[k].c[0] * row[k].c[0];
         longest2 = std::max(longest2, length2);
       }
-      const double length = (chain_.u.col(i + 1) - chain_.u.col(i)).norm();
-      widths[i] = kWidth * std::min(cost / static_cast<double>(delivered), per_segment * length / std::sqrt(longest2));
+      widths[i] = std::min(kWidth * cost / static_cast<double>(delivered), reach(i, delivered) / std::sqrt(longest2));
     }
   }
 
-  double cost_of(const TubeSegment<N>& segment) const {
-    double sum = 0;
-    for (std::size_t g = 0; g < kGaussNodes.size(); ++g) {
-      Vector x, dx;
-      for (Index r = 0; r < N; ++r) {
-        x[r] = segment.curve[static_cast<std::size_t>(r)].at(kGaussNodes[g]);
-        dx[r] = segment.curve[static_cast<std::size_t>(r)].derivative().at(kGaussNodes[g]);
-      }
-      sum += kGaussWeights[g] * std::sqrt(dx.dot(metric_at(x) * dx));
-    }
-    return sum;
-  }
-
-  const TubeMetric<N>& metric_;
+  const TubeMetric<N, D>& metric_;
   const CoordinatePath& chain_;
   bool exists_ = false;
 };

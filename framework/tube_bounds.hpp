@@ -17,22 +17,22 @@ namespace leastcost {
 
 /// Bounds in interval arithmetic on the potential of a tube: of f, the squared dual norm of its gradient, and of the
 /// cost of the curve.
-template <int N>
+template <int N, int D>
 class TubeBounds {
  public:
   static constexpr int kAcross = N - 1;
 
   /// Looks at `most_boxes` before it takes the bounds as they are.
-  TubeBounds(const TubeField<N>& field, Index most_boxes, const Deadline& deadline)
+  TubeBounds(const TubeField<N, D>& field, Index most_boxes, const Deadline& deadline)
       : field_(field), most_boxes_(most_boxes), deadline_(deadline) {}
 
   /// The cost of a part of the curve, by Taylor's theorem: the third derivative of the speed bounds what its parabola
   /// leaves out.
-  Interval curve_cost(const TubeSegment<N>& segment, const Interval& range, double enough, int depth = 0) const {
+  Interval curve_cost(const TubeSegment<N, D>& segment, const Interval& range, double enough, int depth = 0) const {
     constexpr int kDeepest = 3, kMostParts = 4;
     look_at_clock(deadline_);
     const double middle = range.middle(), half = range.width() / 2 * (1 + 1e-15);
-    const TubeSegment<N> here = segment.around(middle);
+    const TubeSegment<N, D> here = segment.around(middle);
     const IntervalJet<N> speed = field_.on_curve(here, {-half, half}).speed;
     const Interval r(range.width() / 2 * (1 - 1e-15), half), r3 = r * square(r);
     const double odd = speed.d(0, 0, 0).width() * (r3 * r).hi / 24;
@@ -55,7 +55,7 @@ class TubeBounds {
   /// not seen. f is the double integral of its Hessian along the way from the curve to z, so that a bound on each of a
   /// few shells around the curve is enough, and farther out it may be positive. `margin`: -1/2 of that Hessian on the
   /// curve.
-  double mean_curvature(const TubeSegment<N>& segment, double half_width, double margin) {
+  double mean_curvature(const TubeSegment<N, D>& segment, double half_width, double margin) {
     margin_ = margin;
     on_curve_.clear();
     constexpr int kShells = kAcross == 1 ? 6 : 3;
@@ -82,7 +82,7 @@ class TubeBounds {
   }
 
   /// A bound of the squared slope of f across the curve, on the curve; `enough` is good enough.
-  double squared_slope(const TubeSegment<N>& segment, double enough) {
+  double squared_slope(const TubeSegment<N, D>& segment, double enough) {
     seen_ = 0;
     return slope2(segment, {0, 1}, enough, 0);
   }
@@ -91,7 +91,7 @@ class TubeBounds {
   using Box = std::array<Interval, kAcross>;
 
   /// A bound of the eigenvalues of the Hessian of f across the curve where the largest coordinate is in `radius`.
-  double shell_curvature(const TubeSegment<N>& segment, const Interval& radius) {
+  double shell_curvature(const TubeSegment<N, D>& segment, const Interval& radius) {
     double largest = -std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < kAcross; ++k)
       for (const Interval& side : {radius, -radius}) {
@@ -110,11 +110,11 @@ class TubeBounds {
   static bool is_good(const CurvatureBound& found) { return found.bound < 0 && found.bound <= found.at_center / 2; }
 
   /// A bound of the eigenvalues of the Hessian of f across the curve in a part of the tube, by Gershgorin's circles.
-  CurvatureBound curvature_bound(const TubeSegment<N>& segment, const Interval& range, const Box& across) {
+  CurvatureBound curvature_bound(const TubeSegment<N, D>& segment, const Interval& range, const Box& across) {
     look_at_clock(deadline_);
     ++boxes_;
     const double middle = range.middle(), half = range.width() / 2 * (1 + 1e-12);
-    const TubeSegment<N> here = segment.around(middle);
+    const TubeSegment<N, D> here = segment.around(middle);
     const Interval local(-half, half);
     auto on_curve = on_curve_.find({range.lo, range.hi});
     if (on_curve == on_curve_.end())
@@ -133,7 +133,7 @@ class TubeBounds {
   }
 
   /// The same, halved in every direction until the bound is good.
-  double largest_curvature(const TubeSegment<N>& segment, const Interval& range, const Box& across, int depth) {
+  double largest_curvature(const TubeSegment<N, D>& segment, const Interval& range, const Box& across, int depth) {
     constexpr int kDeepest = kAcross == 1 ? 5 : 3;
     const CurvatureBound found = curvature_bound(segment, range, across);
     if (is_good(found) || found.bound - found.at_center <= margin_ / 4 || depth == kDeepest) return found.bound;
@@ -150,11 +150,11 @@ class TubeBounds {
   }
 
   /// A bound of the squared slope of f across the curve, on the curve.
-  double slope2(const TubeSegment<N>& segment, const Interval& range, double enough, int depth) {
+  double slope2(const TubeSegment<N, D>& segment, const Interval& range, double enough, int depth) {
     constexpr int kDeepest = 4;
     look_at_clock(deadline_);
     const double middle = range.middle(), half = range.width() / 2 * (1 + 1e-12);
-    const TubeSegment<N> here = segment.around(middle);
+    const TubeSegment<N, D> here = segment.around(middle);
     const Interval local(-half, half);
     const Box zero = {};
     const IntervalJet<N> f = field_.squared_norm(here, field_.on_curve(here, local), local, zero);
@@ -171,9 +171,10 @@ class TubeBounds {
                     slope2(segment, {middle, range.hi}, enough, depth + 1));
   }
 
-  const TubeField<N>& field_;
+  const TubeField<N, D>& field_;
   double margin_ = 0;
-  std::map<std::pair<double, double>, typename TubeField<N>::OnCurve> on_curve_;  ///< of parts of the segment at hand
+  std::map<std::pair<double, double>, typename TubeField<N, D>::OnCurve>
+      on_curve_;  ///< of parts of the segment at hand
   Index boxes_ = 0, most_boxes_;
   double seen_ = 0;  ///< largest squared slope met on the curve in a segment
   const Deadline& deadline_;

@@ -20,10 +20,10 @@ namespace leastcost {
 /// its segments: by a bound of its third derivatives, over the whole tube, against the first and second ones on the
 /// curve, which the chain has seen. All in units of a segment along the curve, of the tube's half width across it, and
 /// of the metric on the curve.
-template <int N>
+template <int N, int D>
 class TubeDetails {
  public:
-  TubeDetails(const TubeField<N>& field, const Tube<N>& tube, const Deadline& deadline)
+  TubeDetails(const TubeField<N, D>& field, const Tube<N, D>& tube, const Deadline& deadline)
       : field_(field), tube_(tube), deadline_(deadline), left_(kBoxes * tube.segments.size()) {
     for (std::size_t i = 0; i < tube_.segments.size(); ++i) seen_.push_back(seen_on_curve(i));
     most_seen_ = *std::max_element(seen_.begin(), seen_.end());
@@ -84,9 +84,23 @@ class TubeDetails {
     return field_.metric_in_tube(tube_.segments[i], t, z);
   }
 
+  /// The third derivative of |dgamma/dt|^2, relative: what the cubic brings into the metric by itself, on a sphere as
+  /// well as in the plane.
+  double of_parameter(std::size_t i) const {
+    double at_start = 0, at_end = 0, speed2 = 0;
+    for (const Cubic& c : tube_.segments[i].curve) {
+      const Cubic first = c.derivative(), second = first.derivative();
+      const double third = second.c[1], speed = first.at(0.5);
+      at_start += 6 * second.at(0) * third;
+      at_end += 6 * second.at(1) * third;
+      speed2 += speed * speed;
+    }
+    return std::max(std::abs(at_start), std::abs(at_end)) / speed2;
+  }
+
   double seen_on_curve(std::size_t i) const {
     look_at_clock(deadline_);
-    double most = 0;
+    double most = of_parameter(i);
     for (const double t : {0.0, 0.5, 1.0}) {
       const JetMatrix<N> g = metric(i, Interval(t), {});
       const double first = largest(i, 1, [&](std::size_t e, int k, int, int) { return g[e].d(k).magnitude(); }),
@@ -136,8 +150,8 @@ class TubeDetails {
     });
   }
 
-  const TubeField<N>& field_;
-  const Tube<N>& tube_;
+  const TubeField<N, D>& field_;
+  const Tube<N, D>& tube_;
   const Deadline& deadline_;
   bool kink_ = false;
   std::vector<double> seen_;

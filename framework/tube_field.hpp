@@ -3,9 +3,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
 
+#include "framework/tube_graph.hpp"
 #include "framework/tube_metric.hpp"
 #include "framework/tube_segment.hpp"
 
@@ -13,14 +16,15 @@ namespace leastcost {
 
 /// The dual norm of the potential of framework/calibration.hpp and what it is made of, as jets in t (variable 0) and z
 /// (1 .. kAcross).
-template <int N>
+template <int N, int D>
 class TubeField {
  public:
   static constexpr int kAcross = N - 1;
   using Jet = IntervalJet<N>;
   using Small = Eigen::Matrix<double, kAcross, kAcross>;
 
-  explicit TubeField(const TubeMetric<N>& metric) : metric_(metric) {}
+  /// The metric must outlive this object.
+  explicit TubeField(const TubeMetric<N, D>& metric) : metric_(metric) {}
 
   /// What is known of the curve alone for t in a range: its speed, and the part of its momentum across it.
   struct OnCurve {
@@ -28,73 +32,44 @@ class TubeField {
     std::array<Jet, kAcross> across, across_rate;
   };
 
-  OnCurve on_curve(const TubeSegment<N>& segment, const Interval& range) const {
-    JetPoint<N> x, dx;
-    for (std::size_t i = 0; i < N; ++i) {
-      x[i] = jet(segment.curve[i], range);
-      dx[i] = jet(segment.curve[i].derivative(), range);
-    }
-    const JetMatrix<N> g = metric_(x);
-    JetPoint<N> momentum;
-    Jet speed2(0.0);
-    for (std::size_t i = 0; i < N; ++i) {
-      momentum[i] = Jet(0.0);
-      for (std::size_t j = 0; j < N; ++j) momentum[i] += g[N * i + j] * dx[j];
-      speed2 += momentum[i] * dx[i];
-    }
+  OnCurve on_curve(const TubeSegment<N, D>& segment, const Interval& range) const {
+    const JetPoint<N> row = metric_on_curve(segment, range);
     OnCurve out;
-    out.speed = sqrt(speed2);
+    out.speed = sqrt(row[0]);
     for (std::size_t k = 0; k < kAcross; ++k) {
-      Jet sum(0.0);
-      for (std::size_t i = 0; i < N; ++i) sum += jet(segment.frame[i][k], range) * momentum[i];
-      out.across[k] = sum / out.speed;
+      out.across[k] = row[k + 1] / out.speed;
       out.across_rate[k] = out.across[k].derivative(0);
     }
     return out;
   }
 
   /// f = |grad u|^2 in the dual norm, and what of its Hessian across the curve does not depend on W and its rate.
-  Jet squared_norm(const TubeSegment<N>& segment, const OnCurve& curve, const Interval& range,
+  Jet squared_norm(const TubeSegment<N, D>& segment, const OnCurve& curve, const Interval& range,
                    const std::array<Interval, kAcross>& across) const {
     std::array<Jet, kAcross> z;
     for (std::size_t k = 0; k < kAcross; ++k) z[k] = IntervalJet<N>::variable(across[k], static_cast<int>(k) + 1);
     return norm_of(gradient(segment, curve, range, z), metric_in_tube(segment, range, z)).tighten();
   }
 
+  /// Whether there is a metric at t on the curve because a surface lies beside it as a graph; else the fault is the
+  /// cost's.
+  bool lies_on_surface(const TubeSegment<N, D>& segment, double t) const {
+    if constexpr (D > N)
+      return TubeGraph(metric_.surface()).height(segment.around(t), Interval(0), Jet(0.0)).value().is_finite();
+    return true;
+  }
+
   /// The metric in the coordinates (t, z).
-  JetMatrix<N> metric_in_tube(const TubeSegment<N>& segment, const Interval& t,
+  JetMatrix<N> metric_in_tube(const TubeSegment<N, D>& segment, const Interval& t,
                               const std::array<Jet, kAcross>& z) const {
-    JetPoint<N> x;
-    JetMatrix<N> d;  // dx / d(t, z), column by column
-    for (std::size_t i = 0; i < N; ++i) {
-      x[i] = jet(segment.curve[i], t);
-      d[i] = jet(segment.curve[i].derivative(), t);
-      for (std::size_t k = 0; k < kAcross; ++k) {
-        const Jet n = jet(segment.frame[i][k], t);
-        x[i] += n * z[k];
-        d[i] += jet(segment.frame[i][k].derivative(), t) * z[k];
-        d[N * (k + 1) + i] = n;
-      }
-    }
-    const JetMatrix<N> g = metric_(x);
-    JetMatrix<N> out;
-    for (std::size_t p = 0; p < N; ++p) {
-      JetPoint<N> gd;
-      for (std::size_t i = 0; i < N; ++i) {
-        gd[i] = Jet(0.0);
-        for (std::size_t j = 0; j < N; ++j) gd[i] += g[N * i + j] * d[N * p + j];
-      }
-      for (std::size_t q = p; q < N; ++q) {
-        Jet sum(0.0);
-        for (std::size_t i = 0; i < N; ++i) sum += d[N * q + i] * gd[i];
-        out[N * p + q] = out[N * q + p] = sum;
-      }
-    }
-    return out;
+    if constexpr (D > N)
+      return metric_on_surface(segment, t, z);
+    else
+      return metric_in_space(segment, t, z);
   }
 
   /// du / d(t, z).
-  JetPoint<N> gradient(const TubeSegment<N>& segment, const OnCurve& curve, const Interval& t,
+  JetPoint<N> gradient(const TubeSegment<N, D>& segment, const OnCurve& curve, const Interval& t,
                        const std::array<Jet, kAcross>& z) const {
     JetPoint<N> y;
     y[0] = curve.speed;
@@ -131,9 +106,93 @@ class TubeField {
   }
 
  private:
+  /// The first row of the metric for z = 0.
+  JetPoint<N> metric_on_curve(const TubeSegment<N, D>& segment, const Interval& t) const {
+    JetPoint<N> row;
+    if constexpr (D > N) {
+      const JetMatrix<N> g = metric_on_surface(segment, t, {});
+      std::copy_n(g.begin(), N, row.begin());
+    } else {
+      JetPoint<N> x, dx;
+      for (std::size_t i = 0; i < N; ++i) {
+        x[i] = jet(segment.curve[i], t);
+        dx[i] = jet(segment.curve[i].derivative(), t);
+      }
+      const JetMatrix<N> g = metric_(x);
+      row.fill(Jet(0.0));
+      for (std::size_t i = 0; i < N; ++i) {
+        Jet momentum(0.0);
+        for (std::size_t j = 0; j < N; ++j) momentum += g[N * i + j] * dx[j];
+        row[0] += momentum * dx[i];
+        for (std::size_t k = 0; k < kAcross; ++k) row[k + 1] += jet(segment.frame[i][k], t) * momentum;
+      }
+    }
+    return row;
+  }
+
+  JetMatrix<N> metric_in_space(const TubeSegment<N, D>& segment, const Interval& t,
+                               const std::array<Jet, kAcross>& z) const {
+    JetPoint<N> x;
+    JetMatrix<N> d;  // dx / d(t, z), column by column
+    for (std::size_t i = 0; i < N; ++i) {
+      x[i] = jet(segment.curve[i], t);
+      d[i] = jet(segment.curve[i].derivative(), t);
+      for (std::size_t k = 0; k < kAcross; ++k) {
+        const Jet n = jet(segment.frame[i][k], t);
+        x[i] += n * z[k];
+        d[i] += jet(segment.frame[i][k].derivative(), t) * z[k];
+        d[N * (k + 1) + i] = n;
+      }
+    }
+    const JetMatrix<N> g = metric_(x);
+    JetMatrix<N> out;
+    for (std::size_t p = 0; p < N; ++p) {
+      JetPoint<N> gd;
+      for (std::size_t i = 0; i < N; ++i) {
+        gd[i] = Jet(0.0);
+        for (std::size_t j = 0; j < N; ++j) gd[i] += g[N * i + j] * d[N * p + j];
+      }
+      for (std::size_t q = p; q < N; ++q) {
+        Jet sum(0.0);
+        for (std::size_t i = 0; i < N; ++i) sum += d[N * q + i] * gd[i];
+        out[N * p + q] = out[N * q + p] = sum;
+      }
+    }
+    return out;
+  }
+
+  /// x = gamma + z n + h normal, whose height h is a function of t and z: F(x) = 0 gives its value and its slopes.
+  JetMatrix<N> metric_on_surface(const TubeSegment<N, D>& segment, const Interval& t,
+                                 const std::array<Jet, kAcross>& z) const {
+    static_assert(N == 2 && D == 3);
+    const Jet h = TubeGraph(metric_.surface()).height(segment, t, z[0]);
+    std::array<LevelSetEnclosure::Sloped, D> at;
+    JetPoint<N, D> x, normal, d[N];
+    for (std::size_t i = 0; i < D; ++i) {
+      normal[i] = jet(segment.normal[i][0], t);
+      d[1][i] = jet(segment.frame[i][0], t);
+      d[0][i] = jet(segment.curve[i].derivative(), t) + jet(segment.frame[i][0].derivative(), t) * z[0] +
+                jet(segment.normal[i][0].derivative(), t) * h;
+      x[i] = jet(segment.curve[i], t) + d[1][i] * z[0] + normal[i] * h;
+      at[i].value = x[i];
+      at[i].d[i] = Jet(1.0);
+    }
+    const JetPoint<N, D> gradient = metric_.surface().enclose(std::span<const LevelSetEnclosure::Sloped, D>(at)).d;
+    const auto along_gradient = [&gradient](const JetPoint<N, D>& v) {
+      return (gradient[0] * v[0] + gradient[1] * v[1] + gradient[2] * v[2]).tighten();
+    };
+    const Jet steepness = along_gradient(normal);
+    std::array<Jet, N * D> jacobian;
+    for (std::size_t p = 0; p < N; ++p) {
+      const Jet slope = -(along_gradient(d[p]) / steepness);
+      for (std::size_t i = 0; i < D; ++i) jacobian[N * i + p] = (d[p][i] + slope * normal[i]).tighten();
+    }
+    return metric_.pulled_back(x, jacobian);
+  }
+
   static Jet jet(const Cubic& c, const Interval& t) { return c.template jet<N>(t); }
 
-  const TubeMetric<N>& metric_;
+  const TubeMetric<N, D>& metric_;
 };
 
 }  // namespace leastcost

@@ -39,12 +39,16 @@ struct Cubic {
   }
 };
 
-/// One segment of the tube: the curve, its frame, and the matrix of the potential, as functions of t in [0, 1].
-template <int N>
+/// One segment of a tube of N coordinates (t, z) in a space of D dimensions: the curve, its frame, and the matrix of
+/// the potential, as functions of t in [0, 1]. For D = N + 1 the tube is the part of a level set that is a graph over
+/// it: what lies within `reach` along `normal`, a unit vector.
+template <int N, int D>
 struct TubeSegment {
-  static constexpr int kAcross = N - 1;
-  std::array<Cubic, N> curve;
-  std::array<std::array<Cubic, kAcross>, N> frame;
+  static constexpr int kAcross = N - 1, kNormals = D - N;
+  std::array<Cubic, D> curve;
+  std::array<std::array<Cubic, kAcross>, D> frame;
+  std::array<std::array<Cubic, kNormals>, D> normal;
+  double reach = 0;
   std::array<std::array<Cubic, kAcross>, kAcross> w;
   std::array<std::array<std::array<Cubic, kAcross>, kAcross>, kAcross> third;
 
@@ -52,6 +56,8 @@ struct TubeSegment {
     TubeSegment moved = *this;
     for (Cubic& c : moved.curve) c = c.around(t);
     for (auto& row : moved.frame)
+      for (Cubic& c : row) c = c.around(t);
+    for (auto& row : moved.normal)
       for (Cubic& c : row) c = c.around(t);
     for (auto& row : moved.w)
       for (Cubic& c : row) c = c.around(t);

@@ -21,7 +21,8 @@ using namespace leastcost;
 
 struct RayTime {
   static constexpr int dim = 2;
-  double gain;  // speed 1 + gain * depth
+  static constexpr bool encloses = true;  // compile it with intervals, too: certificates can be proved
+  double gain;                            // speed 1 + gain * depth
   CostTraits traits() const { return {.unit = "s", .symmetric = true}; }
 
   template <class S>

@@ -15,7 +15,7 @@ namespace {
 constexpr double kMostCells = 9000;
 constexpr double kPadding = 0.3;  ///< put on each side where the surface goes on, in parts of the extent of the path
 
-struct Interval {
+struct ShownRange {
   double from = 0, to = 0;
   double length() const { return to - from; }
   double at(Index i, Index cells) const {
@@ -46,7 +46,7 @@ class ChartExtent {
     size_ = around(x).extent().norm();
   }
 
-  Interval interval(Index c) const {
+  ShownRange interval(Index c) const {
     for (const Seam& seam : seams_)
       if (seam.coordinate == c) return {0, seam.period};
     std::vector<double> poles;
@@ -69,13 +69,13 @@ class ChartExtent {
     return kPadding * std::max(path_.extent()[c], rate > 0 ? size_ / rate : 0);
   }
 
-  Interval beyond(Index c, double pole) const {
+  ShownRange beyond(Index c, double pole) const {
     const double reach = std::max(std::abs(path_.lower[c] - pole), std::abs(path_.upper[c] - pole));
     return {pole, std::min(pole + reach + padding(c), bounds_.upper[c])};
   }
 
-  Interval within_bounds(Index c) const {
-    Interval shown{path_.lower[c] - padding(c), path_.upper[c] + padding(c)};
+  ShownRange within_bounds(Index c) const {
+    ShownRange shown{path_.lower[c] - padding(c), path_.upper[c] + padding(c)};
     // Bounds that are not far away are shown, and what a seam turns over is shown on both sides of zero.
     const double more = shown.length();
     if (bounds_.lower[c] > shown.from - more) shown.from = bounds_.lower[c];
@@ -93,7 +93,7 @@ class ChartExtent {
   double size_ = 0;
 };
 
-Points grid_of(const Interval& u, const Interval& v, Index columns, Index rows) {
+Points grid_of(const ShownRange& u, const ShownRange& v, Index columns, Index rows) {
   Points nodes(2, (columns + 1) * (rows + 1));
   for (Index j = 0; j <= rows; ++j)
     for (Index i = 0; i <= columns; ++i) nodes.col(j * (columns + 1) + i) << u.at(i, columns), v.at(j, rows);
@@ -105,7 +105,7 @@ Points grid_of(const Interval& u, const Interval& v, Index columns, Index rows) 
 TriangleSoup chart_surface(const ConstraintManifold& manifold, const HasChart& chart, const Points& u) {
   if (u.rows() != 2) return {};
   const ChartExtent extent(manifold, chart, u);
-  const Interval first = extent.interval(0), second = extent.interval(1);
+  const ShownRange first = extent.interval(0), second = extent.interval(1);
   const Points coarse = grid_of(first, second, 9, 9);
   const double ratio = first.length() * stretch(chart, coarse, 0) / (second.length() * stretch(chart, coarse, 1));
   const double wanted = std::isfinite(ratio) && ratio > 0 ? std::sqrt(kMostCells * ratio) : std::sqrt(kMostCells);

@@ -5,9 +5,11 @@
 #include <Eigen/Core>
 #include <array>
 #include <memory>
+#include <span>
 #include <utility>
 
 #include <leastcost/framework/dual.hpp>
+#include <leastcost/framework/encloses_level_set.hpp>
 #include <leastcost/framework/manifold.hpp>
 #include <leastcost/framework/segment_derivatives.hpp>
 
@@ -23,6 +25,8 @@ class ConstraintFunction {
   /// F(x), k numbers, and the gradients of its components, n x k (the transposed Jacobian).
   virtual void evaluate(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> value,
                         Eigen::Ref<Points> gradients) const = 0;
+  /// F in intervals, of a surface in space; null where only its values are known. Lives as long as this object.
+  virtual const LevelSetEnclosure* enclosure() const { return nullptr; }
 };
 
 /// Lifts a struct that knows its value; gradients by dual numbers:
@@ -32,9 +36,11 @@ class ConstraintFunction {
 ///       template <class S> S value(const Point<S, 3>& x) const { return x.squaredNorm() - 1.0; }
 ///     };
 ///
-/// With more than one output, `value` returns a Point<S, outputs>.
+/// With more than one output, `value` returns a Point<S, outputs>. A surface in space that says `static constexpr bool
+/// encloses = true` is compiled with intervals as well (framework/interval.hpp, interval_jet.hpp), and certificates on
+/// it can be proved: what it does with S are the operators and functions of these, and no branch depends on a value.
 template <class F>
-class ConstraintFunctionOf final : public ConstraintFunction {
+class ConstraintFunctionOf final : public ConstraintFunction, private LevelSetEnclosure {
  public:
   static constexpr int n = F::inputs, k = F::outputs;
 
@@ -59,8 +65,22 @@ class ConstraintFunctionOf final : public ConstraintFunction {
       for (int i = 0; i < n; ++i) gradients(i, j) = f[j].d[static_cast<std::size_t>(i)];
     }
   }
+  const LevelSetEnclosure* enclosure() const override { return kEncloses ? this : nullptr; }
 
  private:
+  static constexpr bool kEncloses = n == 3 && k == 1 && requires { requires F::encloses; };
+
+  IntervalJet<3> enclose(std::span<const IntervalJet<3>, 3> x) const override { return value_at(x); }
+  Sloped enclose(std::span<const Sloped, 3> x) const override { return value_at(x); }
+
+  template <class S>
+  S value_at(std::span<const S, 3> x) const {
+    if constexpr (kEncloses)
+      return function_.template value<S>(Point<S, 3>(x[0], x[1], x[2]));
+    else
+      return S();
+  }
+
   F function_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 
 namespace leastcost {
@@ -11,7 +12,7 @@ namespace {
 
 /// Gradients by dual numbers of width W: in one sweep for n = W, else in sweeps of W coordinates each.
 template <int W>
-class FormulaConstraint final : public ConstraintFunction {
+class FormulaConstraint final : public ConstraintFunction, private LevelSetEnclosure {
  public:
   explicit FormulaConstraint(Formulas formulas) : formulas_(std::move(formulas)) {}
   int inputs() const override { return formulas_.inputs(); }
@@ -36,7 +37,19 @@ class FormulaConstraint final : public ConstraintFunction {
     }
   }
 
+  const LevelSetEnclosure* enclosure() const override { return inputs() == 3 && outputs() == 1 ? this : nullptr; }
+
  private:
+  IntervalJet<3> enclose(std::span<const IntervalJet<3>, 3> x) const override { return value_at(x); }
+  Sloped enclose(std::span<const Sloped, 3> x) const override { return value_at(x); }
+
+  template <class S>
+  S value_at(std::span<const S, 3> x) const {
+    S f;
+    formulas_.evaluate<S>(x, std::span<S>(&f, 1));
+    return f;
+  }
+
   Formulas formulas_;
 };
 

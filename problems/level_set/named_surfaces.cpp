@@ -3,6 +3,7 @@
 #include "problems/level_set/named_surfaces.hpp"
 
 #include <numbers>
+#include <span>
 #include <string>
 
 #include <leastcost/framework/errors.hpp>
@@ -11,7 +12,7 @@ namespace leastcost {
 namespace {
 
 /// (|x|^2 / R - R) / 2, whose gradient is a unit vector on the sphere.
-class SphereFunction final : public ConstraintFunction {
+class SphereFunction final : public ConstraintFunction, private LevelSetEnclosure {
  public:
   SphereFunction(int dimension, double radius) : dimension_(dimension), radius_(radius) {}
   int inputs() const override { return dimension_; }
@@ -21,14 +22,24 @@ class SphereFunction final : public ConstraintFunction {
     value[0] = (x.squaredNorm() / radius_ - radius_) / 2;
     gradients.col(0) = x / radius_;
   }
+  const LevelSetEnclosure* enclosure() const override { return dimension_ == 3 ? this : nullptr; }
 
  private:
+  IntervalJet<3> enclose(std::span<const IntervalJet<3>, 3> x) const override { return value_at(x); }
+  Sloped enclose(std::span<const Sloped, 3> x) const override { return value_at(x); }
+
+  template <class S>
+  S value_at(std::span<const S, 3> x) const {
+    return ((x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) / S(radius_) - radius_) / S(2.0);
+  }
+
   int dimension_;
   double radius_;
 };
 
 struct Ellipsoid {
   static constexpr int inputs = 3, outputs = 1;
+  static constexpr bool encloses = true;
   Eigen::Vector3d inverse;  ///< 1/a, 1/b, 1/c
   template <class S>
   S value(const Point<S, 3>& p) const {
@@ -39,6 +50,7 @@ struct Ellipsoid {
 
 struct Torus {
   static constexpr int inputs = 3, outputs = 1;
+  static constexpr bool encloses = true;
   double major_radius, minor_radius;
   template <class S>
   S value(const Point<S, 3>& p) const {
@@ -50,6 +62,7 @@ struct Torus {
 
 struct Genus2 {
   static constexpr int inputs = 3, outputs = 1;
+  static constexpr bool encloses = true;
   template <class S>
   S value(const Point<S, 3>& p) const {
     const S x2 = p[0] * p[0], y2 = p[1] * p[1], z2 = p[2] * p[2], cap = 1.0 - z2, r2 = x2 + y2;
@@ -59,6 +72,7 @@ struct Genus2 {
 
 struct Gyroid {
   static constexpr int inputs = 3, outputs = 1;
+  static constexpr bool encloses = true;
   double scale;  ///< 2 pi / period
   template <class S>
   S value(const Point<S, 3>& p) const {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include <leastcost/framework/encloses_level_set.hpp>
 #include <leastcost/framework/manifold.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/level_set/constraint_function.hpp>
@@ -22,6 +23,7 @@ namespace leastcost {
 class LevelSet : public EmbeddedManifold,
                  public ExplainsProjection,
                  public HasLevelSet,
+                 public EnclosesLevelSet,
                  public IsSurface,
                  public DrawsItself {
  public:
@@ -30,6 +32,7 @@ class LevelSet : public EmbeddedManifold,
 
   std::string why_not_projected(const Eigen::VectorXd& x) const override;
   const ConstraintFunction& function() const override { return *function_; }
+  const LevelSetEnclosure* level_set_enclosure() const override { return function_->enclosure(); }
   bool is_surface() const override { return dimensions().ambient == 3 && dimensions().tangent == 2; }
   /// Of one function: a surface in space, curves in the plane.
   void draw(const DrawnPaths& paths, Drawing& out) const override;

@@ -84,6 +84,23 @@ Adversary chart(std::uint64_t seed) {
           [problem, axes](const Result& r) { return geodesic_near(axes, problem, r); }};
 }
 
+/// The same without a chart, whose poles are no places of the surface.
+Adversary level_set(std::uint64_t seed) {
+  Draw draw(14, seed);
+  const Vector3d axes(draw.uniform(0.4, 1.6), draw.uniform(0.4, 1.6), draw.uniform(0.4, 1.6));
+  const Problem in_chart = on_ellipsoid(axes, draw);
+  const auto place = [&](const PathEnd& end) {
+    Vector3d x;
+    x << axes[0] * std::cos(end.u[1]) * std::cos(end.u[0]), axes[1] * std::cos(end.u[1]) * std::sin(end.u[0]),
+        axes[2] * std::sin(end.u[1]);
+    return x;
+  };
+  const Problem problem = between(make_implicit_manifold({.surface = implicit::Ellipsoid{axes}}),
+                                  make_euclidean_cost(3), place(in_chart.source), place(in_chart.target));
+  return {problem, straight(), draw.integer(12, 80),
+          [problem, axes](const Result& r) { return geodesic_near(axes, problem, r); }};
+}
+
 /// The waist of x^2 + y^2 / b^2 - k z^2 = 1, an ellipse: a strict minimum however small k is.
 Adversary ring(std::uint64_t seed) {
   Draw draw(3, seed);
@@ -286,6 +303,20 @@ Adversary corrugated(std::uint64_t seed) {
           draw.integer(20, 120), known(std::hypot(across, Real(to[1])))};
 }
 
+/// The same by its equation, with ripples that may be much finer than the segments.
+Adversary corrugated_level_set(std::uint64_t seed) {
+  Draw draw(15, seed);
+  const double k = draw.decades(0.5, 600), a = draw.uniform(0.05, 1) / k;
+  const implicit::Formula surface{.f = "z - " + text(a) + "*sin(" + text(k) + "*x)"};
+  const auto place = [&](double x, double y) { return Vector3d(x, y, a * std::sin(k * x)); };
+  const Vector3d from = place(draw.uniform(-1, 0), 0), to = place(draw.uniform(0.2, 1), draw.uniform(0, 1.5));
+  const Real across =
+      integral([&](Real x) { return std::sqrt(1 + std::pow(Real(a) * Real(k) * std::cos(Real(k) * x), 2)); }, from[0],
+               to[0], 4000);
+  return {between(make_implicit_manifold({.surface = surface}), make_euclidean_cost(3), from, to), straight(),
+          draw.integer(20, 120), known(std::hypot(across, Real(to[1]))), kPi / k};
+}
+
 /// n(x) = 1 - 0.5 cos(2 pi k x), along x: commensurate with the levels where k is a multiple of the segments.
 Adversary washboard(std::uint64_t seed) {
   Draw draw(8, seed);
@@ -322,6 +353,8 @@ const std::vector<AdversaryFamily>& adversary_families() {
       {"pull-back metrics", pulled_back},
       {"layered media", layered, false},
       {"corrugated sheets", corrugated},
+      {"ellipsoids by equation", level_set},
+      {"corrugated sheets by equation", corrugated_level_set, false},
       {"washboards", washboard, false},
       {"narrow walls", narrow_wall, false},
       {"ripples", rippled, false},

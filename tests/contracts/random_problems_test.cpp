@@ -187,13 +187,19 @@ std::uint64_t number_from(const char* variable, std::uint64_t otherwise) {
   return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
 }
 
+#ifdef __SANITIZE_ADDRESS__
+constexpr std::uint64_t kProblems = 60;  // in the time of a thousand without
+#else
+constexpr std::uint64_t kProblems = 400;
+#endif
+
 }  // namespace
 
 TEST_CASE("random problems end in a status or in an error of the library") {
   const ScratchDir folder;
   Asker asker(folder.path(), write_files(folder.path()));
   const std::uint64_t first = number_from("LEASTCOST_RANDOM_SEED", 1),
-                      count = number_from("LEASTCOST_RANDOM_PROBLEMS", 400);
+                      count = number_from("LEASTCOST_RANDOM_PROBLEMS", kProblems);
   std::map<std::string, int> outcomes;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     CAPTURE(seed);

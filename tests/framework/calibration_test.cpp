@@ -4,11 +4,16 @@
 #include "framework/calibration.hpp"
 
 #include <cmath>
+#include <limits>
+#include <random>
 #include <string>
 #include <vector>
 
+#include <leastcost/framework/check_cost.hpp>
 #include <leastcost/framework/refinement.hpp>
+#include <leastcost/framework/segment_cost_function.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
+#include <leastcost/problems/manifolds/implicit.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
@@ -32,6 +37,33 @@ Calibration proof(const Problem& problem, int points) {
   const CoordinatePath chain = find(problem, points).path;
   return calibrate(problem, refine_levels(problem, chain, {}).paths.at(2), {chain.segment_count(), 1e-9, 200}, {});
 }
+
+/// Time of a ray where the speed is 1 + y / 2, less in a narrow trench.
+struct RayTime {
+  static constexpr int dim = 2;
+  static constexpr bool encloses = true;
+  double depth;
+  CostTraits traits() const { return {.unit = "s", .symmetric = true}; }
+  template <class S>
+  S value(const Point<S, 2>& a, const Point<S, 2>& b) const {
+    using std::exp;
+    const S off = (0.5 * (a[0] + b[0]) - 2.005) / 1e-3;
+    const S speed = 1.0 + 0.25 * (a[1] + b[1]) + depth * exp(-(off * off));
+    if (!(speed > S(0.0))) return S(std::numeric_limits<double>::infinity());
+    return (b - a).squaredNorm() / (speed * speed);
+  }
+};
+
+/// With intervals it is another.
+struct OtherMetric {
+  static constexpr int dim = 2;
+  static constexpr bool encloses = true;
+  CostTraits traits() const { return {.unit = "s", .symmetric = true}; }
+  template <class S>
+  S value(const Point<S, 2>& a, const Point<S, 2>& b) const {
+    return (IntervalBased<S> ? 2.0 : 1.0) * (b - a).squaredNorm();
+  }
+};
 
 /// Certified, with an error bar that does not hold the truth.
 bool is_false(const Result& result, double truth) {
@@ -102,6 +134,72 @@ TEST_CASE("bounds of a proof in a chart hold the closed form", "[calibration]") 
   check(parametric::Cylinder{.radius = 2}, {0, 0}, {1, 1}, std::hypot(2, 1));
   check(parametric::Formula{.x = "u", .y = "v", .z = "u^2 - v^2"}, {-1, 0}, {1, 0},
         std::sqrt(5) + std::asinh(2) / 2);  // the parabola z = x^2, a line of symmetry
+}
+
+TEST_CASE("bounds of a proof on a surface by equation hold the closed form", "[calibration]") {
+  const auto check = [](const implicit::Surface& surface, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                        double truth) {
+    for (const int points : {32, 64}) {
+      const Calibration c =
+          proof(between(make_implicit_manifold({.surface = surface}), make_euclidean_cost(3), a, b), points);
+      CAPTURE(points, static_cast<int>(c.details), c.gap, c.lower, c.upper.value_or(0), c.half_width);
+      REQUIRE(c.proved);
+      CHECK(c.details == DetailVerdict::none);
+      CHECK(c.lower <= truth);
+      CHECK(truth <= c.upper.value());
+      CHECK(c.upper.value() - c.lower < 1e-4);
+    }
+  };
+  const Eigen::Vector3d a(1, 2, -1), b(-1, 0.5, 1);
+  check(implicit::Sphere{2}, 2 * a.normalized(), 2 * b.normalized(), 2 * std::acos(a.normalized().dot(b.normalized())));
+  // A line of symmetry of a saddle, a parabola.
+  check(implicit::Formula{.f = "z - x^2 + y^2"}, {-1, 0, 1}, {1, 0, 1}, std::sqrt(5) + std::asinh(2) / 2);
+  check(implicit::Torus{2, 1}, {0, 1, 0}, {1, 0, 0}, kPi / 2);  // around the hole
+  check(implicit::Torus{2, 0.5}, {2.5, 0, 0}, {2, 0, 0.5}, kPi / 4);
+}
+
+TEST_CASE("a surface by equation: details and second sheets beside the path", "[calibration]") {
+  const auto between_on = [](const std::string& f, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    const implicit::Formula surface{.f = f};
+    return between(make_implicit_manifold({.surface = surface}), make_euclidean_cost(3), a, b);
+  };
+  const Eigen::Vector3d a(0, 0, 0), b(1, 0, 0);
+  const auto details = [&](const std::string& f) { return proof(between_on(f, a, b), 64).details; };
+  CHECK(details("z - 2e-3*x*(1-x)*cos(y)") == DetailVerdict::none);
+  CHECK(details("z - 2e-4*exp(-((x-0.5037)^2+(y-0.001)^2)/1e-3^2)") == DetailVerdict::found);
+  // The other sheet is within the tube, or half way beyond it.
+  for (const char* apart : {"0.001", "0.004"}) {
+    const std::string f = std::string("z*(z - ") + apart + ")";
+    CHECK(proof(between_on(f, a, b), 64).details == DetailVerdict::undecided);
+    const Result result = find(between_on(f, a, b), 64);
+    CHECK(result.status == Status::uncertified);
+    REQUIRE_FALSE(result.certificate.failures.empty());
+    CHECK(result.certificate.failures.front().name == "unresolved");
+  }
+  const Result far = find(between_on("z*(z - 0.1)", a, b), 64);
+  CHECK(far.status == Status::certified);
+  CHECK(far.certificate.resolution->verdict == ResolutionVerdict::proved);
+}
+
+TEST_CASE("a cost in C++ that compiles with intervals is proved", "[calibration]") {
+  const auto costs = [](double depth) {
+    return between(space(2), make_segment_cost(RayTime{depth}), Eigen::Vector2d(0, 0), Eigen::Vector2d(4, 0));
+  };
+  const double truth = std::acosh(1 + 0.25 * 16 / 2) / 0.5;
+  const Calibration c = proof(costs(0), 64);
+  REQUIRE(c.proved);
+  CHECK(c.details == DetailVerdict::none);
+  CHECK(c.lower <= truth);
+  CHECK(truth <= c.upper.value());
+  CHECK(c.upper.value() - c.lower < 1e-3);
+  CHECK(proof(costs(1e-4), 64).details == DetailVerdict::found);  // a trench beside the path
+  std::mt19937_64 engine(1);
+  CHECK(
+      text(check_cost(*make_segment_cost(RayTime{0}), sample_box(Eigen::Vector2d(0, 0), Eigen::Vector2d(4, 2)), engine))
+          .empty());
+  CHECK(text(check_cost(*make_segment_cost(OtherMetric{}), sample_box(Eigen::Vector2d(0, 0), Eigen::Vector2d(4, 2)),
+                        engine))
+            .find("enclosure") != std::string::npos);
 }
 
 TEST_CASE("details finer than the segments are found, and kinks told apart", "[calibration]") {

@@ -29,7 +29,7 @@ struct Table {
   const char* file;
   double a, f;
   const char* length_column;
-  bool prove;  ///< a proof is dear where there are a hundred pairs
+  bool prove;  ///< in the chart; a proof is dear where there are a hundred pairs
   /// The tables give lengths to 1e-9 of the axis and coordinates to 1e-6 degrees or better.
 };
 
@@ -139,7 +139,7 @@ void check_table(const Table& table, bool implicit) {
     const Problem image = between(in_chart, make_euclidean_cost(3), from, to);
     const Points a = positions(*in_chart, {from, {}, true}), b = positions(*in_chart, {to, {}, true});
     solve_pair(implicit ? starts_in_space(between(in_space, make_euclidean_cost(3), a, b)) : starts_in_chart(image),
-               p.length / scale, near_antipodal, table.prove, count);
+               p.length / scale, near_antipodal, table.prove && !implicit, count);
   }
   std::printf("  %-32s %-10s straight start %d of %d, with the family %d; near-antipodal %d of %d\n", table.file,
               implicit ? "implicit" : "parametric", count.first, count.pairs, count.family, count.near_found,
