@@ -2,8 +2,9 @@
 # together, at most eight at a time: headers are parsed once for all, which is most of the time. What it asks for: names
 # in the unnamed namespaces of one folder differ. The lint compiles file by file and finds the include that a neighbour
 # would hide; the preset dev is not a unity build either.
+set(LEASTCOST_UNITY_MOST 8 CACHE STRING "Most sources of a folder that are compiled together")
 function(leastcost_unity target)
-  set(most 8)
+  set(most ${LEASTCOST_UNITY_MOST})
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
   if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # GCC takes for a header what a unity source includes, and finds types of its unnamed namespaces in it.

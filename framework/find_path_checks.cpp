@@ -16,8 +16,8 @@ namespace leastcost {
 void check(const FindOptions& options) {
   if (options.points && *options.points < 1)
     throw InputError("a path has at least one free point, not " + std::to_string(*options.points));
-  constexpr int kMostPoints = 100'000'000;
-  if (options.points && *options.points > kMostPoints)
+  constexpr int kMostAllowed = 100'000'000;
+  if (options.points && *options.points > kMostAllowed)
     throw InputError("a path has at most 10^8 free points, not " + std::to_string(*options.points));
   if (options.reference_cost && !(*options.reference_cost > 0 && std::isfinite(*options.reference_cost)))
     throw InputError("the reference cost is positive and finite, not " + std::to_string(*options.reference_cost));

@@ -58,18 +58,18 @@ std::vector<PointImage> images_of(const Problem& problem) {
 
 /// Cost of a path that 32 segments make of the straight start; infinite where they make none.
 double solved_cost(const Problem& problem, const Monitor& monitor) {
-  constexpr double kNone = std::numeric_limits<double>::infinity();
+  constexpr double kUnsolved = std::numeric_limits<double>::infinity();
   try {
     const std::optional<CoordinatePath> line = straight_line(problem, monitor.deadline);
-    if (!line) return kNone;
+    if (!line) return kUnsolved;
     CoordinatePath path = sample_equally(problem, *line, kPieces - 1, 0.05, 8, monitor.deadline);
     const double s0 = PathEnergy(problem, 1, monitor.deadline).cost(path) / static_cast<double>(kPieces);
-    if (!(s0 > 0) || !std::isfinite(s0)) return kNone;
+    if (!(s0 > 0) || !std::isfinite(s0)) return kUnsolved;
     PathEnergy energy(problem, s0, monitor.deadline);
     const Termination end = ChainNewton().solve(energy, path, monitor).termination;
-    return end == Termination::converged || end == Termination::round_off ? energy.cost(path) : kNone;
+    return end == Termination::converged || end == Termination::round_off ? energy.cost(path) : kUnsolved;
   } catch (const InitializationError&) {
-    return kNone;
+    return kUnsolved;
   }
 }
 

@@ -86,7 +86,7 @@ class Examiner {
 
   /// The cost of a chain with any number of segments follows from the levels where these see what there is to see.
   void compare_other_chain() {
-    constexpr double kOfBar = 5, kOfDifference = 0.5, kRounding = 1e-11;
+    constexpr double kOfBar = 5, kOfDifference = 0.5, kOfCost = 1e-11;
     const auto& levels = refinement_.levels;
     if (levels.size() < 3 || !std::isfinite(estimate_.error)) return;
     const int segments = other_segments(chain_);
@@ -96,7 +96,7 @@ class Examiner {
     const double c2 = levels[1].cost, c4 = levels[2].cost, limit = (4 * c4 - c2) / 3;
     const double ratio = static_cast<double>(levels[2].segments) / segments;
     const double expected = limit + (c4 - limit) * ratio * ratio;
-    const double allowed = kOfBar * estimate_.error + kOfDifference * std::abs(expected - limit) + kRounding * c4;
+    const double allowed = kOfBar * estimate_.error + kOfDifference * std::abs(expected - limit) + kOfCost * c4;
     if (std::abs(*cost - expected) <= allowed) return;
     unresolved("a chain with " + std::to_string(segments) + " segments costs " + short_number(*cost) + " where " +
                short_number(expected) +

@@ -9,6 +9,7 @@
 #include "problems/level_set/formula_constraint.hpp"
 #include "problems/level_set/named_surfaces.hpp"
 #include "problems/manifolds/bounded_level_set.hpp"
+#include "problems/manifolds/length_field.hpp"
 
 namespace leastcost {
 namespace {
@@ -26,25 +27,21 @@ Function function_of(const implicit::Formula& o) {
   return make_formula_constraint(formulas_of_option("f", {o.f}, coordinate_names(o.dimension), o.parameters));
 }
 
-void length(FieldVisitor& visit, const char* key, double& value, const char* help) {
-  visit.field(key, value, {.help = help, .unit = "length", .minimum = 0, .exclusive_minimum = true});
-}
-
 }  // namespace
 
 namespace implicit {
 
-void Sphere::fields(FieldVisitor& visit) { length(visit, "radius", radius, "Radius."); }
+void Sphere::fields(FieldVisitor& visit) { length_field(visit, "radius", radius, "Radius."); }
 void Ellipsoid::fields(FieldVisitor& visit) {
   visit.field(
       "axes", axes,
       {.help = "Half axes [a, b, c].", .unit = "length", .minimum = 0, .exclusive_minimum = true, .required = true});
 }
 void Torus::fields(FieldVisitor& visit) {
-  length(visit, "major_radius", major_radius, "Radius of the circle in the middle of the tube.");
-  length(visit, "minor_radius", minor_radius, "Radius of the tube, smaller than major_radius.");
+  length_field(visit, "major_radius", major_radius, "Radius of the circle in the middle of the tube.");
+  length_field(visit, "minor_radius", minor_radius, "Radius of the tube, smaller than major_radius.");
 }
-void Gyroid::fields(FieldVisitor& visit) { length(visit, "period", period, "Period along each coordinate."); }
+void Gyroid::fields(FieldVisitor& visit) { length_field(visit, "period", period, "Period along each coordinate."); }
 void Formula::fields(FieldVisitor& visit) {
   visit.field("f", f,
               {.help = "Formula that vanishes on the surface, with a gradient that does not.", .required = true});

@@ -13,6 +13,7 @@
 #include <leastcost/problems/manifolds/parametric.hpp>
 #include "problems/formula/formula.hpp"
 #include "problems/manifolds/chart_surfaces.hpp"
+#include "problems/manifolds/length_field.hpp"
 
 namespace leastcost {
 namespace {
@@ -144,26 +145,22 @@ Box box_of(const ParametricOptions& o, const Parts& parts) {
   return Box(2, {lower, upper});
 }
 
-void length(FieldVisitor& visit, const char* key, double& value, const char* help) {
-  visit.field(key, value, {.help = help, .unit = "length", .minimum = 0, .exclusive_minimum = true});
-}
-
 void tube(FieldVisitor& visit, double& major_radius, double& minor_radius) {
-  length(visit, "major_radius", major_radius, "From the axis to the middle of the tube (a of VFCS Eq. 17).");
-  length(visit, "minor_radius", minor_radius, "Of the tube (b of VFCS Eq. 17).");
+  length_field(visit, "major_radius", major_radius, "From the axis to the middle of the tube (a of VFCS Eq. 17).");
+  length_field(visit, "minor_radius", minor_radius, "Of the tube (b of VFCS Eq. 17).");
 }
 
 }  // namespace
 
 namespace parametric {
 
-void Sphere::fields(FieldVisitor& visit) { length(visit, "radius", radius, "Radius."); }
+void Sphere::fields(FieldVisitor& visit) { length_field(visit, "radius", radius, "Radius."); }
 void Ellipsoid::fields(FieldVisitor& visit) {
   visit.field("axes", axes,
               {.help = "Half axes along x, y, z.", .unit = "length", .minimum = 0, .exclusive_minimum = true});
 }
 void Torus::fields(FieldVisitor& visit) { tube(visit, major_radius, minor_radius); }
-void Cylinder::fields(FieldVisitor& visit) { length(visit, "radius", radius, "Radius."); }
+void Cylinder::fields(FieldVisitor& visit) { length_field(visit, "radius", radius, "Radius."); }
 void Cone::fields(FieldVisitor& visit) {
   visit.field("half_angle", half_angle,
               {.help = "Between axis and ruling.",
@@ -172,17 +169,17 @@ void Cone::fields(FieldVisitor& visit) {
                .maximum = kPi / 2,
                .exclusive_minimum = true});
 }
-void Catenoid::fields(FieldVisitor& visit) { length(visit, "waist", waist, "Least distance from the axis."); }
+void Catenoid::fields(FieldVisitor& visit) { length_field(visit, "waist", waist, "Least distance from the axis."); }
 void Paraboloid::fields(FieldVisitor& visit) {
   visit.field("curvature", curvature, {.help = "k.", .unit = "1/length"});
 }
 void Hyperboloid::fields(FieldVisitor& visit) {
-  length(visit, "waist", waist, "Least distance from the axis.");
-  length(visit, "height", height, "Height at which the radius has grown by sqrt(2).");
+  length_field(visit, "waist", waist, "Least distance from the axis.");
+  length_field(visit, "height", height, "Height at which the radius has grown by sqrt(2).");
 }
 void KleinBottle::fields(FieldVisitor& visit) { tube(visit, major_radius, minor_radius); }
 void MoebiusStrip::fields(FieldVisitor& visit) {
-  length(visit, "half_width", half_width, "The strip is -half_width <= v <= half_width.");
+  length_field(visit, "half_width", half_width, "The strip is -half_width <= v <= half_width.");
 }
 void Spiral::fields(FieldVisitor& visit) { visit.field("pitch", pitch, {.help = "a of z = a v.", .unit = "length"}); }
 void Formula::fields(FieldVisitor& visit) {
