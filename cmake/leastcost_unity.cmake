@@ -1,7 +1,7 @@
 # A unity build (CMAKE_UNITY_BUILD, on in the presets release and asan-ubsan) compiles the sources of one folder
-# together, at most eight at a time (the lint: all): headers are parsed once for all, which is most of the time. What it asks for: names
-# in the unnamed namespaces of one folder differ. The lint compiles file by file and finds the include that a neighbour
-# would hide; the preset dev is not a unity build either.
+# together, at most eight at a time (the lint: all): headers are parsed once for all, which is most of the time. What it
+# asks for: names in the unnamed namespaces of one folder differ. The lint also compiles file by file and finds the
+# include that a neighbour would hide; the preset dev is not a unity build either.
 set(LEASTCOST_UNITY_MOST 8 CACHE STRING "Most sources of a folder that are compiled together")
 function(leastcost_unity target)
   set(most ${LEASTCOST_UNITY_MOST})
