@@ -72,8 +72,9 @@ Calibration prove(TubeBounds<N, D>& bounds, const Tube<N, D>& tube, const Extrem
 
 /// Whether f is concave across the curve at the sides of the tube, looked at in the middle of each segment.
 template <int N, int D>
-bool concave(const TubeField<N, D>& field, const Tube<N, D>& tube) {
+bool concave(const TubeField<N, D>& field, const Tube<N, D>& tube, const Deadline& deadline) {
   for (std::size_t i = 0; i < tube.segments.size(); ++i) {
+    look_at_clock(deadline);
     const typename TubeField<N, D>::OnCurve curve = field.on_curve(tube.segments[i], Interval(0.5));
     const double w = tube.widths[static_cast<Index>(i)];
     for (int corner = 0; corner < 1 << (N - 1); ++corner) {
@@ -110,7 +111,7 @@ Calibration calibrate_in(const Problem& problem, const CoordinatePath& chain, co
   if (curve.is_finite()) out.upper = curve.hi;
   ExtremalField<N, D> extremals(field, tube, deadline);
   if (!extremals.exists()) return out;
-  if (!concave(field, tube)) extremals.add_third_derivatives();
+  if (!concave(field, tube, deadline)) extremals.add_third_derivatives();
   return prove(bounds, tube, extremals, curve, enough, out);
 }
 

@@ -110,14 +110,19 @@ void check_enclosure(const SegmentCost& cost, const Eigen::VectorXd& x, const Ei
   std::array<IntervalJet<2>, 6> upper;
   metric->enclose_metric(std::span<const IntervalJet<2>>(at).first(static_cast<std::size_t>(d)), upper);
   Interval squared(0);
+  double size = 0;  // of the terms: they may cancel
   std::size_t k = 0;
   for (Index i = 0; i < d; ++i)
-    for (Index j = i; j < d; ++j)
-      squared += upper[k++].value() * Interval(i == j ? 1 : 2) * Interval(v[i]) * Interval(v[j]);
-  const double element = cost.line_element(x, v), middle = squared.middle() / (element * element);
-  faults.at_most("enclosure",
-                 squared.is_finite() ? std::abs(middle - 1) + squared.width() / (element * element) : kInfinity, 1e-10,
-                 "v'G v in intervals at a point over line_element(x, v)^2, less 1, and its width");
+    for (Index j = i; j < d; ++j) {
+      const Interval term = upper[k++].value() * Interval(i == j ? 1 : 2) * Interval(v[i]) * Interval(v[j]);
+      squared += term;
+      size += term.magnitude();
+    }
+  const double element = cost.line_element(x, v);
+  faults.at_most(
+      "enclosure",
+      squared.is_finite() ? (std::abs(squared.middle() - element * element) + squared.width()) / size : kInfinity,
+      1e-10, "v'G v in intervals at a point less line_element(x, v)^2, and its width, over its terms");
 }
 
 /// A direction for the columns that may move, a tenth of a move long or so.

@@ -63,6 +63,7 @@ class ExtremalField {
 
  private:
   using Small = Eigen::Matrix<double, kAcross, kAcross>;
+  static constexpr std::size_t kSegmentsAtOnce = 64;  ///< between two looks at the clock
 
   bool solve() {
     const double unit = std::numbers::pi / tube_.cost;
@@ -96,6 +97,7 @@ class ExtremalField {
     const double most = 4 * static_cast<double>(tube_.segments.size()) / tube_.cost + 100 * start;
     double largest = start;
     for (std::size_t i = 0; i < tube_.segments.size(); ++i) {
+      if (i % kSegmentsAtOnce == 0) look_at_clock(deadline_);
       const RiccatiPoint<N, D>* at = &riccati_[3 * i];
       const Small k1 = at[0].rate(w, margin_, own_part_), k2 = at[1].rate(w + k1 / 2, margin_, own_part_),
                   k3 = at[1].rate(w + k2 / 2, margin_, own_part_), k4 = at[2].rate(w + k3, margin_, own_part_);

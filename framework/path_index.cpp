@@ -11,7 +11,7 @@ namespace leastcost {
 namespace {
 
 /// Rounding of a chain Hessian, as a part of the size of its blocks.
-constexpr double kTurnRounding = 16 * std::numeric_limits<double>::epsilon();
+constexpr double kHessianRounding = 16 * std::numeric_limits<double>::epsilon();
 
 /// Adds `factor` times the size of each diagonal block to its diagonal: what rounding may have taken from it.
 void add_rounding(double factor, const Eigen::VectorXd& sizes, ChainSystem& system) {
@@ -92,9 +92,9 @@ PathIndex path_index(PathEnergy& energy, const CoordinatePath& path, double shif
   h->exact.add(shift, h->gauss_newton);  // in place: copies of a long chain are dear, and nobody looks at the clock
   index.saddle_order = h->exact.negative_eigenvalues(deadline);
   if (index.saddle_order > 0) {
-    add_rounding(kTurnRounding, sizes, h->exact);
+    add_rounding(kHessianRounding, sizes, h->exact);
     const bool decided = h->exact.negative_eigenvalues(deadline) > 0;
-    add_rounding(-kTurnRounding, sizes, h->exact);
+    add_rounding(-kHessianRounding, sizes, h->exact);
     index.verdict = decided ? IndexVerdict::saddle : IndexVerdict::undecidable;
   }
   h->exact.add(-2 * shift, h->gauss_newton);

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include <leastcost/framework/encloses_level_set.hpp>
 #include "framework/calibration.hpp"
 #include "framework/point_text.hpp"
 
@@ -122,7 +123,9 @@ class Examiner {
       return unresolved(
           "near " + point_text(refinement_.paths[2].u.col(found.detail)) +
           (found.details == DetailVerdict::found ? " the cost or the domain has" : " the cost or the domain may have") +
-          " details finer than the segments: use more points");
+          " details finer than the segments" +
+          (find_ability<EnclosesLevelSet>(*problem_.manifold) != nullptr ? " or another sheet" : "") +
+          ": use more points");
     }
     r.verdict = ResolutionVerdict::proved;
     r.half_width = found.half_width;

@@ -29,7 +29,7 @@ class Tube {
   /// It reaches a part of one of `delivered` segments to each side. Throws Interrupted.
   Tube(const TubeMetric<N, D>& metric, const CoordinatePath& chain, Index delivered, const Deadline& deadline)
       : metric_(metric), chain_(chain) {
-    exists_ = make_segments(delivered, deadline) && measure();
+    exists_ = make_segments(delivered, deadline) && measure(deadline);
     if (exists_) set_widths(delivered);
   }
 
@@ -61,10 +61,11 @@ class Tube {
   }
 
   /// Unit normals of the surface at all points; none for D = N.
-  Points make_normals() const {
+  Points make_normals(const Deadline& deadline) const {
     Points normals(D, D > N ? chain_.u.cols() : 0);
     if constexpr (D > N)
       for (Index c = 0; c < normals.cols(); ++c) {
+        look_at_clock(deadline);
         using Sloped = LevelSetEnclosure::Sloped;
         std::array<Sloped, D> at;
         for (std::size_t i = 0; i < D; ++i) {
@@ -138,7 +139,7 @@ class Tube {
   bool make_segments(Index delivered, const Deadline& deadline) {
     const Index count = chain_.segment_count();
     if (count < 4) return false;
-    const Points normals = make_normals();
+    const Points normals = make_normals(deadline);
     Vector d = slope_at(normals, 0);
     Frame across = first_frame(normals, d);
     segments.resize(static_cast<std::size_t>(count));
@@ -146,7 +147,11 @@ class Tube {
       look_at_clock(deadline);
       const Vector next_d = slope_at(normals, i + 1);
       const Frame next = next_frame(normals, i + 1, next_d, across);
-      if (!next.allFinite() || !across.allFinite()) return false;
+      if (!next.allFinite() || !across.allFinite()) {
+        if constexpr (D > N)  // a singular point of the surface has no normal
+          if (!(normals.middleCols(i, 2).colwise().norm().minCoeff() > 0.5)) torn = i;
+        return false;
+      }
       TubeSegment<N, D>& segment = segments[static_cast<std::size_t>(i)];
       if constexpr (D > N) {
         segment.reach = reach(i, delivered);
@@ -167,10 +172,11 @@ class Tube {
     return true;
   }
 
-  bool measure() {
+  bool measure(const Deadline& deadline) {
     costs.resize(static_cast<Index>(segments.size()));
     const TubeField<N, D> field(metric_);
     for (Index i = 0; i < costs.size(); ++i) {
+      look_at_clock(deadline);
       costs[i] = 0;
       for (std::size_t g = 0; g < kGaussNodes.size(); ++g) {
         const TubeSegment<N, D> here = segments[static_cast<std::size_t>(i)].around(kGaussNodes[g]);

@@ -176,6 +176,15 @@ TEST_CASE("a surface by equation: details and second sheets beside the path", "[
     REQUIRE_FALSE(result.certificate.failures.empty());
     CHECK(result.certificate.failures.front().name == "unresolved");
   }
+  // Through the apex of a cone, which has no normal.
+  const Problem cone = between_on("z^2 - x^2 - y^2", {1, 0, 1}, {-1, 0, -1});
+  CoordinatePath through;
+  through.u.resize(3, 9);
+  for (Index i = 0; i < 9; ++i) through.u.col(i) = (1 - 0.25 * static_cast<double>(i)) * Eigen::Vector3d(1, 0, 1);
+  const Calibration apex = calibrate(cone, through, {8, 1e-9}, {});
+  CHECK(apex.applies);
+  CHECK_FALSE(apex.proved);
+  CHECK(apex.details == DetailVerdict::undecided);
   const Result far = find(between_on("z*(z - 0.1)", a, b), 64);
   CHECK(far.status == Status::certified);
   CHECK(far.certificate.resolution->verdict == ResolutionVerdict::proved);
