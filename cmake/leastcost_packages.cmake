@@ -37,7 +37,8 @@ endmacro()
 # Third parties: the -dev packages that a static archive asks of those who link it.
 set(archive_needs_nlopt "libnlopt-cxx-dev (>= 2.7)")
 set(archive_needs_ceres "libceres-dev (>= 2.1)")
-set(archive_needs_catalogue "libyaml-cpp-dev (>= 0.7)" "libfmt-dev (>= 9.1)" "libssl-dev (>= 3.0)")
+set(archive_needs_catalogue "libyaml-cpp-dev (>= 0.7)" "libfmt-dev (>= 9.1)" "libssl-dev (>= 3.0)"
+  "libpng-dev (>= 1.6)")
 set(about_nlopt "the NLopt solvers")
 set(about_ceres "the Ceres solvers")
 set(about_catalogue "configurations, results")

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/path_energy.hpp>
+#include <leastcost/framework/fits_segments.hpp>
 #include "framework/spacing.hpp"
 
 namespace leastcost {
@@ -23,7 +23,7 @@ std::vector<Index> level_sizes(Index finest) {
 
 }  // namespace
 
-SolveReport solve_by_cascade(const Problem& problem, const Solver& solver, double reference_cost, CoordinatePath& path,
+SolveReport solve_by_cascade(Problem& problem, const Solver& solver, double reference_cost, CoordinatePath& path,
                              const Monitor& monitor) {
   const Index finest = path.segment_count();
   const auto points = [&path](Index segments) { return static_cast<int>(path.ring ? segments : segments - 1); };
@@ -45,8 +45,7 @@ SolveReport solve_by_cascade(const Problem& problem, const Solver& solver, doubl
       return report;
     }
     const double s0 = reference_cost * static_cast<double>(finest) / static_cast<double>(segments);
-    PathEnergy energy(problem, s0);
-    SolveReport next = solver.solve(energy, level, monitor);
+    SolveReport next = solve_fitted(problem, solver, s0, level, monitor);
     report = report.history.empty() ? std::move(next) : joined(report, std::move(next));
     if (monitor.interrupted() || report.termination == Termination::exception) break;
   }

@@ -12,6 +12,7 @@
 
 #include <leastcost/framework/chain_model.hpp>
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/fits_segments.hpp>
 #include <leastcost/framework/path_energy.hpp>
 #include "framework/bundle.hpp"
 #include "framework/curve_value.hpp"
@@ -72,6 +73,7 @@ class Certifier {
     if (!std::isfinite(path_.curve.cost) || !path_.curve_costs.allFinite())
       return fail("infinite_cost", "the delivered path costs infinitely much: it leaves the domain of the cost");
     measure_residual();
+    measure_clearance();
     measure_segments();
     measure_asymmetry();
     if (path_.curve.straightness) {
@@ -88,9 +90,9 @@ class Certifier {
   /// Whether a failure says that the levels and the delivered path are not of one kind, so that nothing is known about
   /// the cost but what the delivered path itself costs.
   bool voids_the_bar() const {
-    static constexpr std::array<std::string_view, 8> kVoiding = {"interrupted",     "infinite_cost", "residual",
+    static constexpr std::array<std::string_view, 9> kVoiding = {"interrupted",     "infinite_cost", "residual",
                                                                  "stationarity",    "refinement",    "collapsed",
-                                                                 "longest_segment", "unresolved"};
+                                                                 "longest_segment", "unresolved",    "touches"};
     return std::any_of(c_.failures.begin(), c_.failures.end(), [](const CertificateFailure& failure) {
       return std::find(kVoiding.begin(), kVoiding.end(), failure.name) != kVoiding.end();
     });
@@ -114,6 +116,17 @@ class Certifier {
     if (!(*c_.residual <= options_.residual))
       fail("residual", "the path leaves the domain by " + short_number(*c_.residual) + " diameters; allowed " +
                            short_number(options_.residual));
+  }
+
+  /// Of the curve that is delivered, segment by segment: no number of points sees a thin obstacle between two of them.
+  void measure_clearance() {
+    c_.clearance = leastcost::measure_clearance(*problem_.manifold, path_.curve.x, path_.chain.ring, monitor_.deadline);
+    if (!c_.clearance || c_.clearance->lower >= -options_.clearance * extent()) return;
+    const bool inside = c_.clearance->upper < 0;
+    fail("touches", "the path comes " + short_number(std::abs(inside ? c_.clearance->upper : c_.clearance->lower)) +
+                        (inside ? "" : " (not decided: perhaps)") + " too near to " + c_.clearance->obstacle +
+                        " between points " + std::to_string(c_.clearance->segment) + " and " +
+                        std::to_string(c_.clearance->segment + 1) + ", at " + point_text(c_.clearance->place));
   }
 
   void measure_segments() {
@@ -290,7 +303,9 @@ class Certifier {
   PathIndex index_of_level(const Refinement& refinement, std::size_t k) {
     const double s0 = refinement.levels[k].cost / refinement.levels[k].segments;
     if (!(s0 > 0) || !std::isfinite(s0)) return {};
-    PathEnergy energy(problem_, s0, monitor_.deadline);
+    Problem fitted = problem_;
+    fitted.manifold = refinement.domains[k];
+    PathEnergy energy(fitted, s0, monitor_.deadline);
     return path_index(energy, refinement.paths[k], options_.index_shift);
   }
 
@@ -317,7 +332,8 @@ class Certifier {
     constexpr Index kPieces = 8;
     const ConstraintManifold& manifold = *problem_.manifold;
     const auto* bounds = find_ability<HasBounds>(manifold);
-    if (bounds == nullptr || manifold.shape() != Shape::smooth || find_ability<HasChart>(manifold) != nullptr)
+    if (bounds == nullptr || manifold.shape() != Shape::smooth || find_ability<HasChart>(manifold) != nullptr ||
+        find_ability<FitsSegments>(manifold) != nullptr)  // what lies between its points is not a matter of projection
       return std::nullopt;
     const CoordinatePath& chain = path_.chain;
     const Index segments = chain.segment_count();
@@ -363,6 +379,8 @@ class Certifier {
     const bool additive = problem_.cost->traits().additive && problem_.manifold->shape() == Shape::flat && !hugs_bound_;
     if (additive || c_.levels.size() < 3) return fail_spacing(options_.spacing);
     if (!(c_.spacing <= kWidestSpread)) return fail_spacing(kWidestSpread);
+    // Walls push points along the path wherever moves of that length meet them: what is unequal need not even out.
+    if (hugs_bound_ && find_ability<FitsSegments>(*problem_.manifold) != nullptr) return;
     const double s1 = c_.levels[0].spacing, s2 = c_.levels[1].spacing, s4 = c_.levels[2].spacing;
     bool falls = s2 <= options_.spacing || (s1 / s2 >= kSpacingFall && s2 / s4 >= kSpacingFall) ||
                  (s2 <= kSmallSpread && s1 > s2 && s2 / s4 >= kGentleFall);
@@ -435,6 +453,9 @@ void CertificateOptions::fields(FieldVisitor& visit) {
   visit.field("doubling", doubling,
               {.help = "Largest relative deviation of E(2M) / E(4M), VFCS Eq. (8).", .minimum = 0});
   visit.field("longest_segment", longest_segment, {.help = "Largest max c / mean c.", .minimum = 1});
+  visit.field(
+      "clearance", clearance,
+      {.help = "How far a path may come too near to an obstacle; for rounding.", .unit = "diameters", .minimum = 0});
   visit.field("index_shift", index_shift,
               {.help = "Shift tau of the two counts of the index.", .minimum = 0, .exclusive_minimum = true});
 }

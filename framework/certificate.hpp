@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <leastcost/framework/certificate_failure.hpp>
+#include <leastcost/framework/clearance.hpp>
 #include <leastcost/framework/cost_estimate.hpp>
 #include <leastcost/framework/monitor.hpp>
 #include <leastcost/framework/options.hpp>
@@ -38,6 +39,7 @@ struct CertificateOptions {
   double doubling = 0.05;
   double longest_segment = 3;
   double index_shift = 1e-3;
+  double clearance = 1e-9;
   void fields(FieldVisitor& visit);
 };
 
@@ -58,6 +60,7 @@ struct Certificate {
   double longest_segment = std::numeric_limits<double>::quiet_NaN();
   PathIndex index;
   std::optional<Resolution> resolution;  ///< of chains; null beside another failure, and on a bound
+  std::optional<Clearance> clearance;    ///< null: the domain has no obstacles
   std::optional<double> straightness;    ///< smallest side angle minus pi, radians
   std::optional<double> asymmetry;       ///< backward cost / forward cost - 1
   std::optional<double> geometry_error;  ///< what the representation of the domain costs; null: exact or unknown

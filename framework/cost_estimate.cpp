@@ -27,6 +27,7 @@ constexpr double kCurveTolerance = 1e-3;
 /// second, must not say more.
 double richardson_bar(const Refinement& refinement) {
   constexpr double kSafety = 3.0 / 15, kFall = 8, kTooCoarse = 4;
+  constexpr int kFewest = 6;  // segments of the coarsest chain: fewer say little about orders
   const auto& l = refinement.levels;
   const double d24 = l[1].cost - l[2].cost;
   const double fine = (4 * l[2].cost - l[1].cost) / 3, middle = (4 * l[1].cost - l[0].cost) / 3;
@@ -36,7 +37,7 @@ double richardson_bar(const Refinement& refinement) {
     const double coarse = (r * r * l[0].cost - *refinement.coarser) / (r * r - 1);
     bar = std::max(bar, kSafety * std::abs(middle - coarse) / kFall);
   }
-  if (!refinement.coarser || refinement.coarser_segments < 4) bar *= kTooCoarse;
+  if (!refinement.coarser || refinement.coarser_segments < kFewest) bar *= kTooCoarse;
   return std::max(bar, l[1].spacing * std::abs(d24));
 }
 
@@ -94,6 +95,10 @@ EstimatedCost estimate_from_levels(const Problem& problem, PathEnergy& energy, c
   if (d12 / d24 > 0) e.order = std::log2(d12 / d24);
   // Always with the factor 4: an observed order in its place would make both values equal and the bar 0.
   const double fine = (4 * c4 - c2) / 3, coarse = (4 * c2 - c1) / 3;
+  const auto finest_curve = [&] {
+    if (chords_exist) return c4;
+    return smooth_curve_cost(problem, refinement.paths[2], energy.deadline()).value_or(*e.upper);
+  };
   const bool second_order = e.order && std::abs(*e.order - 2) <= kOrderTolerance;
   // Beside a pole a chart turns so fast that the cubic in its coordinates leaves the path, and the chains know better.
   double beside = 0;
@@ -104,8 +109,9 @@ EstimatedCost estimate_from_levels(const Problem& problem, PathEnergy& energy, c
     if (chart->poles().empty())  // then it is the points that are few, and the finest chain has four times as many
       beside = std::abs(smooth_curve_cost(problem, refinement.paths[2], energy.deadline()).value_or(fine) - fine);
   }
-  // Bounds that contradict each other: the chords cut what the curve goes around.
-  if (e.lower && e.upper && *e.lower > *e.upper * (1 + kExact)) {
+  // Bounds that contradict each other: the chords cut what the curve goes around. The curve through the finest chain
+  // has a say as well: of few points the least chain may lie in a valley of its own, and bounds nothing else.
+  if (e.lower && e.upper && *e.lower > std::min(*e.upper, finest_curve()) * (1 + kExact)) {
     out.failures.push_back(
         {"bracket", "the lower bound of the cost lies above the upper one: too few points for this path"});
     e.lower.reset();

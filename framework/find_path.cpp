@@ -12,6 +12,7 @@
 #include <utility>
 
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/fits_segments.hpp>
 #include <leastcost/framework/path_energy.hpp>
 #include "framework/based_loop.hpp"
 #include "framework/cascade.hpp"
@@ -164,6 +165,7 @@ class Search {
     check(options);
     problem_ = with_sites(problem, result_.notes);
     refuse_one_point(problem_);
+    refuse_end_in_clearance(problem_);
   }
 
   Result from(const Initializer& initializer) {
@@ -174,6 +176,7 @@ class Search {
       pin_ends(problem_, result_.first.path);
       result_.initial = sample_equally(problem_, result_.first.path, point_count(options_, result_.first), 0.05, 8,
                                        monitor_.deadline);
+      sampled_ = true;
     });
   }
 
@@ -259,12 +262,20 @@ class Search {
   }
 
   void solve() {
-    PathEnergy energy(problem_, result_.reference_cost, monitor_.deadline);
     stage(Stage::solve, monitor_, result_.seconds.solve, [&] {
-      result_.solve = options_.cascade
-                          ? solve_by_cascade(problem_, solver_, result_.reference_cost, result_.path, monitor_)
-                          : solver_.solve(energy, result_.path, monitor_);
+      solve_chain();
+      constexpr double kShallower = 0.75;
+      const Index points = result_.path.free_count();
+      for (double depth = depth_in_obstacles(), before = depth; depth > 0 && double_points(); before = depth) {
+        solve_chain();
+        depth = depth_in_obstacles();
+        if (!(depth < kShallower * before)) break;  // points are not what it lacks
+      }
+      if (result_.path.free_count() > points)
+        result_.notes.push_back("points: " + std::to_string(result_.path.free_count()) + " instead of " +
+                                std::to_string(points) + ", whose moves would not go between the obstacles");
       if (!options_.escape_saddle || failed(result_.solve.termination)) return;
+      PathEnergy energy(problem_, result_.reference_cost, monitor_.deadline);
       const int left =
           escape_saddles(energy, solver_, options_.certificate.index_shift, result_.path, result_.solve, monitor_);
       if (left > 0) result_.notes.push_back("escape_saddle: left " + std::to_string(left) + " saddles");
@@ -272,6 +283,35 @@ class Search {
         result_.notes.emplace_back(
             "escape_saddle: a path on a polyhedron, or under H = s, has no index that could show a saddle");
     });
+  }
+
+  void solve_chain() {
+    SolveReport report = options_.cascade
+                             ? solve_by_cascade(problem_, solver_, result_.reference_cost, result_.path, monitor_)
+                             : solve_fitted(problem_, solver_, result_.reference_cost, result_.path, monitor_);
+    result_.solve = result_.solve.history.empty() ? std::move(report) : joined(result_.solve, std::move(report));
+  }
+
+  /// By how much the moves of the chain touch what its points keep away from; 0 where that is not measured.
+  double depth_in_obstacles() {
+    if (failed(result_.solve.termination) || monitor_.interrupted()) return 0;
+    if (find_ability<FitsSegments>(*problem_.manifold) == nullptr) return 0;
+    const Points x = positions(*problem_.manifold, result_.path);
+    const auto clearance = measure_clearance(*problem_.manifold, x, result_.path.ring, monitor_.deadline);
+    const double extent = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm();
+    return clearance && clearance->lower < -options_.certificate.clearance * extent ? -clearance->lower : 0;
+  }
+
+  /// Begins anew with twice as many points along the first path, where there is one and they are not too many.
+  bool double_points() {
+    constexpr Index kMostPointsWhenDoubled = 4000;
+    const Index points = 2 * result_.initial.free_count();
+    if (!sampled_ || points > kMostPointsWhenDoubled) return false;
+    result_.initial =
+        sample_equally(problem_, result_.first.path, static_cast<int>(points), 0.05, 8, monitor_.deadline);
+    result_.path = result_.initial;
+    set_reference_cost();
+    return true;
   }
 
   void deliver_and_certify() {
@@ -369,6 +409,7 @@ class Search {
   const Deadline last_words_;
   Problem problem_;
   Result result_;
+  bool sampled_ = false;  ///< the chain, along the first path
 };
 
 }  // namespace

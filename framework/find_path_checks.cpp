@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include <leastcost/framework/clearance.hpp>
 #include <leastcost/framework/errors.hpp>
 #include "framework/other_images.hpp"
 #include "framework/point_text.hpp"
@@ -30,6 +31,16 @@ void refuse_one_point(const Problem& problem) {
   if (!ends_are_one_point(problem, &image) || image) return;
   throw InputError("source " + point_text(problem.source.u) + " and target " + point_text(problem.target.u) +
                    " are one point of the domain; a closed path is a ring (path.ring: true)");
+}
+
+void refuse_end_in_clearance(const Problem& problem) {
+  const auto check = [&](const PathEnd& end, const std::string& which) {
+    if (end.u.size() == 0) return;
+    const std::string why = why_in_clearance(*problem.manifold, end);
+    if (!why.empty()) throw InputError("end_in_clearance: the " + which + " " + why);
+  };
+  check(problem.source, "source");
+  check(problem.target, "target");
 }
 
 void check_path(const Problem& problem, const CoordinatePath& path, Index least, const std::string& what) {

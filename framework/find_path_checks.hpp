@@ -15,6 +15,9 @@ void check(const FindOptions& options);
 /// to minimise. (A target that is the source after a turn around a seam states a loop; see cheaper_image().)
 void refuse_one_point(const Problem& problem);
 
+/// Ends within an obstacle or its clearance.
+void refuse_end_in_clearance(const Problem& problem);
+
 /// A path that is none of this problem, by its shape or its numbers; `what` is its name.
 void check_path(const Problem& problem, const CoordinatePath& path, Index least, const std::string& what);
 

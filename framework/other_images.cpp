@@ -67,7 +67,7 @@ double solved_cost(const Problem& problem, const Monitor& monitor) {
     if (!(s0 > 0) || !std::isfinite(s0)) return kUnsolved;
     PathEnergy energy(problem, s0, monitor.deadline);
     const Termination end = ChainNewton().solve(energy, path, monitor).termination;
-    return end == Termination::converged || end == Termination::round_off ? energy.cost(path) : kUnsolved;
+    return is_solved(end) ? energy.cost(path) : kUnsolved;
   } catch (const InitializationError&) {
     return kUnsolved;
   }

@@ -8,16 +8,13 @@
 #include <string>
 
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/fits_segments.hpp>
 #include <leastcost/framework/path_energy.hpp>
 #include "framework/chain_newton.hpp"
 #include "framework/spacing.hpp"
 
 namespace leastcost {
 namespace {
-
-bool solved(Termination termination) {
-  return termination == Termination::converged || termination == Termination::round_off;
-}
 
 CoordinatePath sample(const Problem& problem, const CoordinatePath& chain, int segments, const Monitor& monitor) {
   return sample_equally(problem, chain, chain.ring ? segments : segments - 1, 0.05, 8, monitor.deadline);
@@ -31,7 +28,7 @@ double mean_cost(const Problem& problem, const CoordinatePath& path, const Monit
 bool usable(double s0) { return s0 > 0 && std::isfinite(s0); }
 
 /// Solves one level; false where there is nothing to solve, or it came to nothing.
-bool solve_level(const Problem& problem, CoordinatePath& path, const Monitor& monitor, Refinement& result) {
+bool solve_level(Problem problem, CoordinatePath& path, const Monitor& monitor, Refinement& result) {
   const int segments = static_cast<int>(path.segment_count());
   const std::string which = "the chain with " + std::to_string(segments) + " segments ";
   const double s0 = mean_cost(problem, path, monitor);
@@ -39,12 +36,12 @@ bool solve_level(const Problem& problem, CoordinatePath& path, const Monitor& mo
     result.trouble = which + (s0 > 0 ? "costs infinitely much" : "costs nothing");
     return false;
   }
-  PathEnergy energy(problem, s0, monitor.deadline);
-  const SolveReport report = ChainNewton().solve(energy, path, monitor);
-  const Eigen::VectorXd costs = energy.costs(path);
+  const SolveReport report = solve_fitted(problem, ChainNewton(), s0, path, monitor);
+  const Eigen::VectorXd costs = PathEnergy(problem, s0, monitor.deadline).costs(path);
   result.levels.push_back({segments, costs.sum(), 0, spread(costs), report.iterations});
   result.paths.push_back(path);
-  if (!solved(report.termination)) result.trouble = which + "ended with " + std::string(name(report.termination));
+  result.domains.push_back(problem.manifold);
+  if (!is_solved(report.termination)) result.trouble = which + "ended with " + std::string(name(report.termination));
   result.collapsed = report.termination == Termination::collapsed;
   return !result.collapsed && !monitor.interrupted();
 }
@@ -57,9 +54,9 @@ std::optional<double> solved_cost(const Problem& problem, const CoordinatePath& 
     CoordinatePath path = sample(problem, chain, segments, monitor);
     const double s0 = mean_cost(problem, path, monitor);
     if (!usable(s0)) return std::nullopt;
-    PathEnergy energy(problem, s0, monitor.deadline);
-    if (!solved(ChainNewton().solve(energy, path, monitor).termination)) return std::nullopt;
-    return energy.cost(path);
+    Problem fitted = problem;
+    if (!is_solved(solve_fitted(fitted, ChainNewton(), s0, path, monitor).termination)) return std::nullopt;
+    return PathEnergy(fitted, s0, monitor.deadline).cost(path);
   } catch (const InitializationError&) {
     return std::nullopt;  // too few points for this path: there is nothing to compare with
   }
@@ -67,7 +64,10 @@ std::optional<double> solved_cost(const Problem& problem, const CoordinatePath& 
 
 Refinement refine_levels(const Problem& problem, const CoordinatePath& chain, const Monitor& monitor) {
   Refinement result;
-  const int coarse = std::max(4, (static_cast<int>(chain.segment_count()) + 1) / 2);
+  // Fewer segments than were asked for may not go between obstacles at all.
+  const bool fits = find_ability<FitsSegments>(*problem.manifold) != nullptr;
+  const int segments = static_cast<int>(chain.segment_count());
+  const int coarse = std::max(4, fits ? segments : (segments + 1) / 2);
   CoordinatePath path;
   try {
     path = sample(problem, chain, coarse, monitor);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,9 +22,11 @@ struct RefinementLevel {
 };
 
 /// The path solved again with M, 2M and 4M segments, M = max(4, ceil(N / 2)): for even N >= 8 these are N/2, N, 2N.
+/// Where the domain fits segments M = N.
 struct Refinement {
   std::vector<RefinementLevel> levels;
   std::vector<CoordinatePath> paths;
+  std::vector<std::shared_ptr<const ConstraintManifold>> domains;  ///< that they were solved on, fitted to them
   std::optional<double>
       coarser;  ///< cost of the chain with half as many segments as the first level, where that could be solved
   int coarser_segments = 0;

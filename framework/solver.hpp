@@ -33,6 +33,10 @@ enum class Termination {
   inconsistent
 };
 std::string_view name(Termination termination);
+/// Whether the chain has come to rest, as far as can be told.
+inline bool is_solved(Termination termination) {
+  return termination == Termination::converged || termination == Termination::round_off;
+}
 
 /// What a solve cost, counted by PathEnergy for every solver alike. One energy or gradient is a whole path.
 struct Counters {

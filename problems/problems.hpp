@@ -7,6 +7,7 @@
 /// installed; everything else in the folder is internal.
 
 #include <leastcost/problems/chart/target_images.hpp>
+#include <leastcost/problems/costs/clearance_length.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
@@ -14,6 +15,7 @@
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/initializers/coordinate_circle.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/initializers/grid.hpp>
 #include <leastcost/problems/initializers/mirrored.hpp>
 #include <leastcost/problems/initializers/plane_cut.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>
@@ -23,11 +25,20 @@
 #include <leastcost/problems/manifolds/constraint.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
+#include <leastcost/problems/manifolds/map.hpp>
 #include <leastcost/problems/manifolds/mesh.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
 #include <leastcost/problems/manifolds/point_cloud.hpp>
 #include <leastcost/problems/manifolds/signed_distance.hpp>
 #include <leastcost/problems/mesh/mesh_report.hpp>
+#include <leastcost/problems/obstacles/ball.hpp>
+#include <leastcost/problems/obstacles/box_obstacle.hpp>
+#include <leastcost/problems/obstacles/checker_walls.hpp>
+#include <leastcost/problems/obstacles/free_space.hpp>
+#include <leastcost/problems/obstacles/map_obstacles.hpp>
+#include <leastcost/problems/obstacles/mesh_obstacle.hpp>
+#include <leastcost/problems/obstacles/polygon.hpp>
+#include <leastcost/problems/occupancy/occupancy_options.hpp>
 #include <leastcost/problems/post_processors/on_surface.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>
 #include <leastcost/problems/post_processors/trace.hpp>

@@ -9,7 +9,6 @@
 #include <limits>
 #include <utility>
 
-#include <leastcost/framework/path_energy.hpp>
 #include <leastcost/problems/manifolds/file_places.hpp>
 #include "problems/formula/coordinate_names.hpp"
 
@@ -38,22 +37,26 @@ void accumulate(const Eigen::VectorXd& costs, PathTable& table) {
     table.cumulative_costs[i] = table.cumulative_costs[i - 1] + table.segment_costs[i - 1];
 }
 
+/// Points on the domain, without their costs.
+PathTable table_of(const Problem& problem, const CoordinatePath& points) {
+  PathTable table;
+  table.x = positions(*problem.manifold, points);
+  if (const auto* chart = find_ability<HasChart>(*problem.manifold)) {
+    table.chart = points.u;
+    table.chart_names = chart->coordinate_names();
+  }
+  table.ring = points.ring;
+  if (const auto* domain = find_ability<HasFilePlaces>(*problem.manifold))
+    add_places(
+        *domain, [&](Index i) { return points.site(i); }, table);
+  return table;
+}
+
 }  // namespace
 
 PathTable delivered_points(const Problem& problem, const Result& result) {
-  PathTable table;
-  // A ring's ambient path repeats its first point at the end.
-  PathEnergy energy(problem, 1);
-  table.x = energy.ambient(result.path).x.leftCols(result.path.u.cols());
-  if (const auto* chart = find_ability<HasChart>(*problem.manifold)) {
-    table.chart = result.path.u;
-    table.chart_names = chart->coordinate_names();
-  }
-  table.ring = result.path.ring;
+  PathTable table = table_of(problem, result.path);
   accumulate(result.curve_costs, table);
-  if (const auto* domain = find_ability<HasFilePlaces>(*problem.manifold))
-    add_places(
-        *domain, [&](Index i) { return result.path.site(i); }, table);
   return table;
 }
 
@@ -68,6 +71,21 @@ PathTable delivered_curve(const Problem& problem, const Result& result) {
   const Index last = static_cast<Index>(sites.size()) - 1;
   add_places(
       *domain, [&](Index i) { return sites[static_cast<std::size_t>(std::min(i, last))]; }, table);
+  return table;
+}
+
+PathTable waypoint_table(const Problem& problem, const Waypoints& waypoints) {
+  PathTable table = table_of(problem, waypoints.path);
+  const Index moves = waypoints.path.segment_count();
+  Eigen::VectorXd costs(moves);
+  for (Index i = 0; i < moves; ++i)
+    costs[i] = (i + 1 < waypoints.cost.size() ? waypoints.cost[i + 1] : waypoints.total) - waypoints.cost[i];
+  accumulate(costs, table);
+  table.cumulative_costs = waypoints.cost;
+  if (problem.cost->traits().unit != "s") return table;
+  table.place_names.emplace_back("time");
+  table.places.conservativeResize(static_cast<Index>(table.place_names.size()), table.x.cols());
+  table.places.bottomRows(1) = waypoints.cost.transpose();
   return table;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <leastcost/framework/find_path.hpp>
+#include <leastcost/framework/waypoints.hpp>
 
 namespace leastcost {
 
@@ -27,6 +28,8 @@ struct PathTable {
 PathTable delivered_points(const Problem& problem, const Result& result);
 /// The delivered curve; its places are on the pieces that carry the segments which start at the points.
 PathTable delivered_curve(const Problem& problem, const Result& result);
+/// The waypoints; costs are of the path. Where they are times, `time` is a column of its own.
+PathTable waypoint_table(const Problem& problem, const Waypoints& waypoints);
 
 /// index, ambient coordinates, in a chart also those of the chart, segment_cost, cumulative_cost, and where the domain
 /// knows them the places in its file. All digits.

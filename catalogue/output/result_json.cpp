@@ -62,7 +62,8 @@ Json thresholds(const CertificateOptions& o) {
           {"residual", o.residual},
           {"spacing", o.spacing},
           {"doubling", o.doubling},
-          {"longest_segment", o.longest_segment}};
+          {"longest_segment", o.longest_segment},
+          {"clearance", o.clearance}};
 }
 
 Json problem_json(const RunOutcome& run) {
@@ -91,6 +92,24 @@ double where_measured(const Certificate& c, double value) {
   return c.measured && c.longest_segment > 0 ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// How near a path comes to an obstacle; null where there are none.
+Json clearance_json(const std::optional<Clearance>& clearance) {
+  if (!clearance) return nullptr;
+  return {{"lower", number(clearance->lower)}, {"upper", number(clearance->upper)},
+          {"obstacle", clearance->obstacle},   {"segment", clearance->segment},
+          {"place", list(clearance->place)},   {"collision", clearance->proved ? "proved" : "sampled"}};
+}
+
+/// What the straight moves between the waypoints cost more than the path, and how near they come to an obstacle.
+Json waypoints_json(const Waypoints& points) {
+  Json out = {{"count", points.path.u.cols()},
+              {"spacing", number(points.cost[1] - points.cost[0])},
+              {"cost_of_moves", points.gap ? number(points.total + *points.gap) : Json(nullptr)},
+              {"clearance", clearance_json(points.clearance)}};
+  if (points.clearance) out["touches"] = points.touches;
+  return out;
+}
+
 Json certificate_json(const Certificate& c, const CertificateOptions& options) {
   return {{"measured", c.measured},
           {"stationarity", number(c.stationarity)},
@@ -109,6 +128,7 @@ Json certificate_json(const Certificate& c, const CertificateOptions& options) {
           {"minimum", c.resolution ? Json(c.resolution->minimum_proved ? "proved" : "measured") : Json(nullptr)},
           {"narrowest", c.resolution ? number(c.resolution->narrowest) : Json(nullptr)},
           {"tube", tube(c)},
+          {"clearance", clearance_json(c.clearance)},
           {"straightness", number(c.straightness)},
           {"asymmetry", number(c.asymmetry)},
           {"geometry_error", number(c.geometry_error)},
@@ -208,6 +228,7 @@ std::string result_json(const RunOutcome& run) {
   out["seconds"] = seconds(run);
   out["ends"] = ends(run);
   if (!run.family.empty()) out["family"] = family(run);
+  if (run.waypoints) out["waypoints"] = waypoints_json(*run.waypoints);
   out["notes"] = notes(run);
   return to_text(out);
 }

@@ -74,6 +74,8 @@ void write_results(RunOutcome& outcome, const std::vector<std::string>& argument
   folder.write("config.resolved.yaml", resolved_config(outcome, folder.target()));
   folder.write("manifest.json", manifest_json(facts_of(outcome, arguments)));
   write_paths(outcome, folder);
+  if (outcome.waypoints)
+    folder.write("waypoints.csv", csv_text(waypoint_table(outcome.parts.problem, *outcome.waypoints)));
   folder.write("history.csv", history_csv(outcome.result.solve.history));
   folder.write("first_path.csv", first_path_csv(outcome.parts.problem, outcome.result.first));
   const std::span<const FamilyMember> family = outcome.family;

@@ -41,7 +41,8 @@ struct WriteOptions {
 };
 
 /// Writes the files of a finished run into `folder` (relative to the current one), which appears complete or not at
-/// all: result.json, path.*, curve.csv, history.csv, first_path.csv, scene.json, config.resolved.yaml, manifest.json.
+/// all: result.json, path.*, curve.csv, history.csv, first_path.csv, scene.json, config.resolved.yaml, manifest.json,
+/// and waypoints.csv where they were asked for.
 /// Returns where they are, absolute. Throws OutputRefused when the folder is not empty and may not be replaced,
 /// OutputError; what was written by then stays beside the folder, where the message says.
 std::filesystem::path write_run(const RunOutcome& outcome, const std::filesystem::path& folder,

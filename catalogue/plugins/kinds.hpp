@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include <leastcost/framework/initializer.hpp>
 #include <leastcost/framework/kernel.hpp>
@@ -10,6 +11,7 @@
 #include <leastcost/framework/post_processor.hpp>
 #include <leastcost/framework/segment_cost.hpp>
 #include <leastcost/framework/solver.hpp>
+#include <leastcost/problems/obstacles/obstacle.hpp>
 
 #include "catalogue/plugins/plugin.hpp"
 
@@ -20,6 +22,7 @@ using CostPlugin = Plugin<std::shared_ptr<const SegmentCost>>;
 using ManifoldPlugin = Plugin<std::shared_ptr<const ConstraintManifold>>;
 using InitializerPlugin = Plugin<std::shared_ptr<const Initializer>>;
 using SolverPlugin = Plugin<std::shared_ptr<const Solver>>;
+using ObstaclePlugin = Plugin<std::vector<std::shared_ptr<const Obstacle>>>;  // one entry may be many: a map
 using PostProcessorPlugin = Plugin<std::shared_ptr<const PostProcessor>>;
 
 }  // namespace leastcost

@@ -61,6 +61,7 @@ struct PluginEntry {
   std::string missing;  ///< why this build has it not, and how to get it; empty: it is there
   std::string library;  ///< third party it stands on, with version: "NLopt 2.7.1"; empty: none
   std::function<std::unique_ptr<AnyOptions>()> defaults;
+  int ambient = 3;  ///< of a manifold that waits for its files: the dimension of the space that it lies in
 };
 
 /// A plug-in that makes objects of type Made.
@@ -86,6 +87,10 @@ struct Plugin : PluginEntry {
     check = [test](const AnyOptions& o, const BuildContext& c) {
       test(static_cast<const OptionsOf<Options>&>(o).value, c);
     };
+    return std::move(*this);
+  }
+  Plugin&& of_dimension(int dimension) && {
+    this->ambient = dimension;
     return std::move(*this);
   }
   template <class Ability>

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include <leastcost/problems/costs/clearance_length.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
@@ -13,6 +14,7 @@
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/initializers/coordinate_circle.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/initializers/grid.hpp>
 #include <leastcost/problems/initializers/plane_cut.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>
 #include <leastcost/problems/initializers/straight.hpp>
@@ -21,10 +23,16 @@
 #include <leastcost/problems/manifolds/constraint.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
+#include <leastcost/problems/manifolds/map.hpp>
 #include <leastcost/problems/manifolds/mesh.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
 #include <leastcost/problems/manifolds/point_cloud.hpp>
 #include <leastcost/problems/manifolds/signed_distance.hpp>
+#include <leastcost/problems/obstacles/ball.hpp>
+#include <leastcost/problems/obstacles/box_obstacle.hpp>
+#include <leastcost/problems/obstacles/map_obstacles.hpp>
+#include <leastcost/problems/obstacles/mesh_obstacle.hpp>
+#include <leastcost/problems/obstacles/polygon.hpp>
 #include <leastcost/problems/post_processors/on_surface.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>
 #include <leastcost/problems/post_processors/trace.hpp>
@@ -35,6 +43,7 @@
 #include <leastcost/solvers/string_method.hpp>
 #include <leastcost/solvers/vfcs.hpp>
 #include "catalogue/back_ends/back_ends.hpp"
+#include "catalogue/inputs/map_file.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/plugins/registration.hpp"
 #include "problems/readers/waypoint_reader.hpp"
@@ -82,6 +91,10 @@ const auto& costs() {
           .waiting<TravelTimeOptions>([](const TravelTimeOptions&) { return WaitsFor::domain; })
           .checked_by<TravelTimeOptions>(
               [](const TravelTimeOptions& o, O c) { check_travel_time(o, c.source.has_value()); }),
+      plugin<CostPlugin, ClearanceLengthOptions>(
+          "clearance", "Length that counts more near obstacles, smoothly.",
+          [](const ClearanceLengthOptions& o, O c) { return make_clearance_length(o, c.dimension, c.manifold); })
+          .waiting<ClearanceLengthOptions>([](const ClearanceLengthOptions&) { return WaitsFor::domain; }),
   };
   return all;
 }
@@ -93,6 +106,13 @@ const auto& manifolds() {
           "mesh", "A triangle mesh in R^3, read from an OBJ, OFF, PLY or STL file.",
           [](const MeshManifoldOptions& o, const BuildContext& c) { return make_mesh_manifold(o, c.folder); })
           .waiting(),
+      plugin<ManifoldPlugin, OccupancyOptions>(
+          "map", "The free part of the plane on an occupancy map: Moving AI, PNG, PGM or map_server YAML.",
+          [](const OccupancyOptions& o, const BuildContext& c) {
+            return std::make_shared<const MapManifold>(read_map(o, c.folder));
+          })
+          .waiting()
+          .of_dimension(2),
       plugin<ManifoldPlugin, ParametricOptions>(
           "parametric", "A surface x(u, v) in R^3, by name or by formulas; points are given in u and v.",
           [](const ParametricOptions& o, const BuildContext&) { return make_parametric_manifold(o); }),
@@ -121,6 +141,32 @@ const auto& manifolds() {
   return all;
 }
 
+const auto& obstacles() {
+  using Obstacles = std::vector<std::shared_ptr<const Obstacle>>;
+  static const std::vector<ObstaclePlugin> all = {
+      plugin<ObstaclePlugin, BallOptions>(
+          "ball", "A ball, in the plane a disc.",
+          [](const BallOptions& o, const BuildContext&) { return Obstacles{make_ball(o)}; }),
+      plugin<ObstaclePlugin, BoxObstacleOptions>(
+          "box", "A box with sides along the axes, in the plane a rectangle; asks for a clearance.",
+          [](const BoxObstacleOptions& o, const BuildContext&) { return Obstacles{make_box_obstacle(o)}; }),
+      plugin<ObstaclePlugin, PolygonOptions>(
+          "polygon", "A polygon in the plane, convex or not; asks for a clearance.",
+          [](const PolygonOptions& o, const BuildContext&) { return Obstacles{make_polygon(o)}; }),
+      plugin<ObstaclePlugin, OccupancyOptions>(
+          "map", "The blocked cells of an occupancy map, as boxes in the plane; asks for a clearance.",
+          [](const OccupancyOptions& o, const BuildContext& c) { return map_obstacles(read_map(o, c.folder)); })
+          .waiting(),
+      plugin<ObstaclePlugin, MeshObstacleOptions>(
+          "mesh", "A triangle mesh in space, solid or as a surface; asks for a clearance or a thickness.",
+          [](const MeshObstacleOptions& o, const BuildContext& c) {
+            return Obstacles{make_mesh_obstacle(o, c.folder)};
+          })
+          .waiting(),
+  };
+  return all;
+}
+
 const auto& initializers() {
   static const std::vector<InitializerPlugin> all = {
       made_of<InitializerPlugin, StraightInitializer>(
@@ -133,6 +179,8 @@ const auto& initializers() {
       made_of<InitializerPlugin, PlaneCutInitializer, PlaneCutOptions>(
           "plane_cut", "The closed curve in which a plane cuts the surface, for a ring.")
           .needing<IsSurface>(),
+      made_of<InitializerPlugin, GridInitializer, GridOptions>(
+          "grid", "A least-cost route over a regular grid in the plane or in space that keeps clear of obstacles."),
       plugin<InitializerPlugin, RrtOptions>(
           "rrt", "A random tree in the shell around a smooth domain, shortened.",
           [](const RrtOptions& o, const BuildContext& c) { return std::make_shared<const RrtInitializer>(o, c.seed); }),
@@ -201,6 +249,7 @@ PluginKind kind_of(std::string name, std::string plural, std::string summary, co
 const std::vector<PluginKind>& plugin_kinds() {
   static const std::vector<PluginKind> all = {
       kind_of("manifold", "manifolds", "where points may be", manifolds()),
+      kind_of("obstacle", "obstacles", "what no path may enter", obstacles()),
       kind_of("cost", "costs", "what a move from a to b costs", costs()),
       kind_of("kernel", "kernels", "the convex H of the energy sum H(c / s0)", kernels()),
       kind_of("initializer", "initializers", "how the first path is found", initializers()),

@@ -10,12 +10,14 @@
 #include <optional>
 #include <utility>
 
+#include <leastcost/framework/clearance.hpp>
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/chart/target_images.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/initializers/mirrored.hpp>
 #include <leastcost/problems/manifolds/made_from_data.hpp>
+#include <leastcost/problems/obstacles/free_space.hpp>
 #include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/registry/registry.hpp"
@@ -59,6 +61,29 @@ void take_cheapest_image(const RunConfig& config, RunParts& out) {
                   fmt::join(best->image.u, ", "), best->image.where, best->cost, best->given, best->tried));
 }
 
+/// Which option a fault of the obstacles is one of: their constructor numbers them, `entry_of` is where they come from.
+std::string key_of_fault(const std::string& key, const std::vector<std::size_t>& entry_of) {
+  if (!std::all_of(key.begin(), key.end(), [](char c) { return c >= '0' && c <= '9'; })) return key;
+  return "obstacles." + std::to_string(entry_of.at(std::stoul(key)));
+}
+
+std::shared_ptr<const ConstraintManifold> among(FreeSpace::Obstacles obstacles,
+                                                const std::vector<std::size_t>& entry_of, double clearance,
+                                                const std::shared_ptr<const ConstraintManifold>& domain) {
+  try {
+    return std::make_shared<const FreeSpace>(domain, std::move(obstacles), clearance);
+  } catch (const OptionError& error) {
+    throw OptionError(key_of_fault(error.key(), entry_of), error.what());
+  } catch (const InputError& error) {
+    throw OptionError("obstacles", error.what());
+  }
+}
+
+void refuse_end_in_clearance(const Problem& problem, const PathEnd& end, const char* key) {
+  const std::string why = why_in_clearance(*problem.manifold, end);
+  if (!why.empty()) throw OptionError(key, "end_in_clearance: it " + why);
+}
+
 Eigen::VectorXd source_position(const Problem& problem) {
   return positions(*problem.manifold, {problem.source.u, {}, true});
 }
@@ -69,6 +94,7 @@ void fill_options(const RunConfig& config, RunParts& out) {
   out.options.cascade = config.cascade;
   out.options.escape_saddle = config.escape_saddle;
   out.options.certificate = config.certificate;
+  out.waypoints = config.waypoints;
 }
 
 /// The further ways of a family: bows, the mirror image, routes, and what else was given.
@@ -142,12 +168,13 @@ void Composer::make_or_check(const PluginChoice& choice, Made& made) {
   });
 }
 
-/// What is known of a domain that waits for its files: meshes, clouds and grids lie in R^3.
+/// What is known of a domain that waits for its files: a surface in R^3, or a part of the plane.
 void Composer::assume_domain() {
-  check_memory({3, 3, 2});
-  context_.dimension = 3;
-  context_.coordinates = coordinate_names(3);
-  if (!config_.ring || config_.source) context_.source = Eigen::VectorXd::Zero(3);
+  const int ambient = config_.manifold.plugin->ambient;
+  check_memory({ambient, ambient, 2});
+  context_.dimension = ambient;
+  context_.coordinates = coordinate_names(ambient);
+  if (!config_.ring || config_.source) context_.source = Eigen::VectorXd::Zero(ambient);
 }
 
 /// Of the domain as it was made; what its type cannot have is refused before.
@@ -193,6 +220,44 @@ void Composer::take_domain() {
   if (!config_.ring && placed) attempt([&] { place_target(config_, out_); });
 }
 
+/// After the ends have found their places: an end that is given within an obstacle is an error, not to be moved.
+void Composer::place_obstacles() {
+  if (config_.obstacles.empty()) {
+    obstacles_placed_ = true;
+    if (config_.clearance > 0)
+      attempt([] { throw OptionError("clearance", "is from obstacles, and there are none: give 'obstacles'"); });
+    return;
+  }
+  if (std::any_of(config_.obstacles.begin(), config_.obstacles.end(),
+                  [&](const PluginChoice& choice) { return waits<FreeSpace::Obstacles>(choice); })) {
+    for (const PluginChoice& choice : config_.obstacles)
+      attempt([&] { check_options<FreeSpace::Obstacles>(choice, context_); });
+    context_.manifold.reset();  // what asks for the domain asks for the one among obstacles
+    return;
+  }
+  obstacles_placed_ = true;
+  FreeSpace::Obstacles all;
+  std::vector<std::size_t> entry_of;  // the entry that an obstacle comes from
+  bool made = true;
+  for (std::size_t i = 0; i < config_.obstacles.size(); ++i) {
+    made = attempt([&] {
+             for (auto& one : make<FreeSpace::Obstacles>(config_.obstacles[i], context_)) {
+               all.push_back(std::move(one));
+               entry_of.push_back(i);
+             }
+           }) &&
+           made;
+  }
+  const auto place = [&] {
+    out_.problem.manifold = among(std::move(all), entry_of, config_.clearance, out_.problem.manifold);
+  };
+  if (!made || !attempt(place)) return;
+  context_.manifold = out_.problem.manifold;
+  for (const auto& [end, key] :
+       {std::pair{&out_.problem.source, "ends.source"}, std::pair{&out_.problem.target, "ends.target"}})
+    if (end->u.size() > 0) attempt([&, end = end, key = key] { refuse_end_in_clearance(out_.problem, *end, key); });
+}
+
 void Composer::make_parts() {
   make_or_check(config_.cost, out_.problem.cost);
   make_or_check(config_.kernel, out_.problem.kernel);
@@ -212,6 +277,7 @@ void Composer::make_from_options() {
   } else {
     if (!attempt([&] { out_.problem.manifold = make<ManifoldPtr>(config_.manifold, context_); })) return;
     take_domain();
+    place_obstacles();
   }
   make_parts();
 }
@@ -226,6 +292,7 @@ void Composer::make_from_files(const BuildProgress& progress) {
     read_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     take_domain();
   }
+  if (!obstacles_placed_) place_obstacles();
   make_parts();
   if (out_.problem.cost && out_.initializer && out_.problem.target.u.size() > 0)
     attempt([&] { take_cheapest_image(config_, out_); });

@@ -44,6 +44,7 @@ class Composer {
   void check_all_needs();
   void check_memory(const Dimensions& dimensions);
   void take_domain();
+  void place_obstacles();
   void make_parts();
 
   const RunConfig& config_;
@@ -52,6 +53,7 @@ class Composer {
   RunParts out_;
   std::vector<std::shared_ptr<const Initializer>> others_;  // of the family
   bool files_ = false;                                      // may be read
+  bool obstacles_placed_ = false;
   double read_seconds_ = 0;
 };
 

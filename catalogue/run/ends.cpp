@@ -38,9 +38,9 @@ PlacedEnd on_face(const HasFaces& domain, int face, const std::optional<Eigen::V
 
 /// Data forgives coordinates that were copied with few digits; elsewhere there is nothing to snap to.
 double default_tolerance(const ConstraintManifold& manifold, const Eigen::VectorXd& point) {
-  constexpr double kOfDiameter = 0.01, kRounding = 1e-9;
+  constexpr double kRounding = 1e-9;
   const auto* data = find_ability<MadeFromData>(manifold);
-  return data != nullptr ? kOfDiameter * data->diameter() : kRounding * (1 + point.norm());
+  return data != nullptr ? data->end_tolerance() : kRounding * (1 + point.norm());
 }
 
 PlacedEnd at_point(const ConstraintManifold& manifold, const EndOptions& options, const std::string& path) {

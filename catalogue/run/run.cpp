@@ -3,6 +3,7 @@
 #include <leastcost/catalogue/run/run.hpp>
 
 #include <chrono>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -11,6 +12,7 @@
 #include <leastcost/framework/errors.hpp>
 #include "catalogue/run/compose.hpp"
 #include "catalogue/run/run_origin.hpp"
+#include "framework/point_text.hpp"
 
 namespace leastcost {
 namespace {
@@ -120,6 +122,26 @@ void follow(PlacedEnd& placed, const PathEnd& end) {
   if (placed.end.u.size() != end.u.size() || placed.end.u != end.u) placed = {end.u, end, 0};
 }
 
+/// The path is solved: what its waypoints lack takes nothing away from it.
+void place_waypoints(RunOutcome& outcome) {
+  RunParts& parts = outcome.parts;
+  if (!parts.waypoints.wanted()) return;
+  try {
+    outcome.waypoints = place_waypoints(parts.problem, outcome.result, parts.waypoints);
+  } catch (const Error& error) {
+    parts.notes.push_back(std::string("there are no waypoints: ") + error.what());
+    return;
+  }
+  const std::optional<Clearance>& clearance = outcome.waypoints->clearance;
+  if (!outcome.waypoints->touches) return;
+  const bool inside = clearance->upper < 0;
+  parts.notes.push_back("the straight moves between the waypoints touch: that from number " +
+                        std::to_string(clearance->segment) + " comes " +
+                        short_number(std::abs(inside ? clearance->upper : clearance->lower)) +
+                        (inside ? "" : " (not decided: perhaps)") + " too near to " + clearance->obstacle +
+                        "; more waypoints cut fewer corners");
+}
+
 bool same_end(const PathEnd& a, const PathEnd& b) { return a.u.size() == b.u.size() && a.u == b.u; }
 
 bool same_family(const RunParts& a, const RunParts& b) {
@@ -200,6 +222,7 @@ RunOutcome solve(Run run, const Monitor& monitor) {
   complete_interrupted(parts.problem, parts.options, outcome.result);
   for (FamilyMember& member : outcome.family) complete_interrupted(member.problem, parts.options, member.result);
   outcome.seconds.search = seconds_since(start);
+  place_waypoints(outcome);
   outcome.finished = std::chrono::system_clock::now();
   return outcome;
 }

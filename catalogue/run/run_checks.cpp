@@ -20,19 +20,19 @@ PluginChoice default_plugin(const char* kind_name, const char* type, const std::
 }
 
 /// The type of a part that is left out, "" where there is no default. `manifold`: null where it is not known.
-std::string default_type(std::string_view part, const PluginEntry* manifold, bool ring) {
+std::string default_type(std::string_view part, const PluginEntry* manifold, bool ring, bool obstacles) {
   const auto has = [&](std::string_view ability) {
     return manifold != nullptr && std::count(manifold->provides.begin(), manifold->provides.end(), ability) > 0;
   };
   if (part == "kernel") return "expm1_square";
-  if (part == "initializer") return ring ? "" : has(HasGraph::kAbility) ? "dijkstra" : "straight";
+  if (part == "initializer") return ring ? "" : obstacles ? "rrt" : has(HasGraph::kAbility) ? "dijkstra" : "straight";
   return has(HasMesh::kAbility) ? "lbfgs" : "newton";  // the solver
 }
 
 void complete(RunConfig& config) {
   const bool mesh = config.manifold.provides<HasMesh>();
   const auto fill = [&](const char* part, PluginChoice& choice) {
-    const std::string type = default_type(part, config.manifold.plugin, config.ring);
+    const std::string type = default_type(part, config.manifold.plugin, config.ring, !config.obstacles.empty());
     if (!choice && !type.empty()) choice = default_plugin(part, type.c_str(), part);
   };
   fill("kernel", config.kernel);
@@ -160,6 +160,16 @@ void check_points(LoadedConfig& loaded) {
                          config.manifold.plugin->type));
 }
 
+void check_waypoints(LoadedConfig& loaded) {
+  const WaypointOptions& asked = loaded.config.waypoints;
+  const Place place = place_of(loaded.tree, "output.waypoints");
+  if (asked.count && asked.spacing)
+    loaded.errors.error(place, "waypoints take either a 'count' or a 'spacing': remove one of the two");
+  constexpr int kFewestInRing = 3;
+  if (asked.count && loaded.config.ring && *asked.count < kFewestInRing)
+    loaded.errors.error(place, fmt::format("'count' must be at least {} in a ring", kFewestInRing));
+}
+
 void check_name(LoadedConfig& loaded) {
   const std::string fault = name_fault(loaded.config.name);
   if (!fault.empty()) loaded.errors.error(place_of(loaded.tree, "name"), fault);
@@ -198,7 +208,8 @@ void complete_types(ConfigNode& tree) {
   if (manifold == nullptr) return;  // an error of its own
   for (const char* part : {"kernel", "initializer", "solver"}) {
     ConfigEntry* entry = tree.find(part);
-    const std::string standard = default_type(part, manifold, text_at("path.ring") == "true");
+    const std::string standard =
+        default_type(part, manifold, text_at("path.ring") == "true", tree.find("obstacles") != nullptr);
     if (entry == nullptr || !entry->value.is_block() || standard.empty()) continue;
     const auto& options = entry->value.entries;
     const bool replaced =
@@ -216,6 +227,7 @@ void check_and_complete(LoadedConfig& loaded) {
   check_ring(loaded);
   check_family(loaded);
   check_points(loaded);
+  check_waypoints(loaded);
   check_needs(loaded, loaded.config.initializer);
   check_needs(loaded, loaded.config.solver);
   for (const PluginChoice& choice : loaded.config.family.initializers) check_needs(loaded, choice);

@@ -56,6 +56,10 @@ void RunConfig::fields(RunVisitor& visit) {
   visit.field("name", name, {.help = "Name of the run and of its output folder; default: that of the file."});
   visit.field("seed", seed, {.help = "Master seed of everything random.", .minimum = 0});
   visit.plugin("manifold", manifold, kind("manifold"), {.help = "Where points may be.", .required = true});
+  visit.plugins("obstacles", obstacles, kind("obstacle"),
+                {.help = "What no path may enter, in a flat domain; contact is allowed."});
+  visit.field("clearance", clearance,
+              {.help = "Distance that a path keeps from the obstacles.", .unit = "length", .minimum = 0});
   visit.plugin("cost", cost, kind("cost"), {.help = "What a move from a to b costs.", .required = true});
   visit.plugin("kernel", kernel, kind("kernel"), {.help = "The convex H of the energy; default: expm1_square."});
   visit.block("ends", {.help = "Where the path begins and ends; none in a ring, or the source alone: its fixed point."},
@@ -101,6 +105,9 @@ void RunConfig::fields(RunVisitor& visit) {
            "After the solve, in this order; default: trace, and straighten where the metric is constant, on a mesh."});
   visit.block("output", {.help = "Where results go."}, [&](RunVisitor& v) {
     v.field("folder", output_folder, {.help = "Output folder, relative to the current one; default: results/<name>."});
+    v.block("waypoints",
+            {.help = "Also waypoints.csv: points of the path, equally spaced in cost; a count or a spacing."},
+            [&](RunVisitor& w) { waypoints.fields(w); });
   });
 }
 

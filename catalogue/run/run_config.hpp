@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <leastcost/framework/certificate.hpp>
+#include <leastcost/framework/waypoints.hpp>
 #include "catalogue/options/options_writer.hpp"
 #include "catalogue/options/run_visitor.hpp"
 #include "catalogue/yaml/config_node.hpp"
@@ -41,6 +42,8 @@ struct RunConfig {
   int seed = 0;
   std::optional<double> max_seconds;  ///< time budget of the search
   PluginChoice manifold, cost, kernel;
+  PluginList obstacles;
+  double clearance = 0;                      ///< from the obstacles, length units
   std::optional<EndOptions> source, target;  ///< none in a ring, or the source alone: its fixed point
   std::optional<int> points = 64;            ///< free points n; none: as many as the first edge path has
   bool ring = false;
@@ -53,6 +56,7 @@ struct RunConfig {
   CertificateOptions certificate;
   std::optional<PluginList> post_process;    ///< none: those of the manifold
   std::optional<std::string> output_folder;  ///< relative to the current folder; else results/<name>
+  WaypointOptions waypoints;                 ///< of the output
 
   void fields(RunVisitor& visit);
 };

@@ -8,6 +8,7 @@
 
 #include <leastcost/framework/family.hpp>
 #include <leastcost/framework/find_path.hpp>
+#include <leastcost/framework/waypoints.hpp>
 
 namespace leastcost {
 
@@ -32,7 +33,8 @@ struct RunParts {
   std::vector<FamilyWay> family;  ///< besides the initializer; empty, and no windings: one path is sought
   int windings = 0;               ///< of the family: images of the target up to so many turns on
   std::shared_ptr<const Solver> solver;
-  FindOptions options;       ///< the post-processors among them
+  FindOptions options;  ///< the post-processors among them
+  WaypointOptions waypoints;
   PlacedEnd source, target;  ///< where problem.source and problem.target came from; empty in a ring
   std::vector<std::string> notes;
 

@@ -22,8 +22,8 @@ FirstPath best_straightened(const Problem& problem, int routes, const Monitor& m
   if (domain == nullptr)
     throw InputError("dijkstra with more than one route needs a mesh; use routes: 1 on other domains");
   const TriangleMesh& mesh = domain->mesh();
-  const SurfacePoint source = point_on_face(mesh, problem.source.site, problem.source.u);
-  const SurfacePoint target = point_on_face(mesh, problem.target.site, problem.target.u);
+  const SurfacePoint source = point_on_face(mesh, problem.source.site, in_space(problem.source.u));
+  const SurfacePoint target = point_on_face(mesh, problem.target.site, in_space(problem.target.u));
   const std::optional<MetricRoot> metric = constant_metric(problem);
   if (!metric)
     throw InputError(
@@ -34,7 +34,7 @@ FirstPath best_straightened(const Problem& problem, int routes, const Monitor& m
   if (best.first.outcome == EdgePathOutcome::stopped) throw Interrupted(best.first.failure());
   if (!best.found()) throw InitializationError(best.first.failure());
   FirstPath first;
-  first.path = as_coordinates(best.result.path);
+  first.path = as_coordinates(problem, best.result.path);
   first.graph_vertices = static_cast<int>(best.first.path.points.size()) - 2;
   return first;
 }

@@ -95,7 +95,7 @@ FirstPath PlaneCutInitializer::first_path(const Problem& problem, const Monitor&
   };
   const SurfacePath& curve = *std::min_element(curves.closed.begin(), curves.closed.end(), nearer);
   FirstPath first;
-  first.path = as_coordinates(curve);
+  first.path = as_coordinates(problem, curve);
   first.path.ring = true;
   first.path.u.conservativeResize(Eigen::NoChange, first.path.u.cols() - 1);  // the closing point
   first.path.sites.pop_back();

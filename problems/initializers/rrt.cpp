@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include <leastcost/framework/checks_moves.hpp>
+#include <leastcost/framework/clearance.hpp>
 #include <leastcost/framework/errors.hpp>
 #include "problems/initializers/growing_points.hpp"
 #include "problems/section/projected_line.hpp"
@@ -160,12 +162,14 @@ class Tree {
     const Vector* from = &a;
     for (const Vector& to : out) {
       if (!std::isfinite(move_cost(*problem_.cost, *from, to))) return false;
+      if (obstacles_ != nullptr && !goes_clear(*obstacles_, *from, to)) return false;
       from = &to;
     }
     return true;
   }
 
   const Problem& problem_;
+  const ChecksMoves* obstacles_ = find_ability<ChecksMoves>(*problem_.manifold);
   const RrtOptions& options_;
   double step_, shell_;
   std::mt19937_64 engine_;

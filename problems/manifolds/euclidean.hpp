@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include <leastcost/framework/has_box.hpp>
 #include <leastcost/framework/manifold.hpp>
 #include <leastcost/framework/options.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
@@ -18,7 +19,7 @@ struct EuclideanManifoldOptions {
 };
 
 /// R^d, or a box in it.
-class EuclideanManifold final : public ConstraintManifold, public HasBounds, public DrawsItself {
+class EuclideanManifold final : public ConstraintManifold, public HasBounds, public HasBox, public DrawsItself {
  public:
   /// Throws OptionError when the box does not fit the dimension or is empty.
   explicit EuclideanManifold(const EuclideanManifoldOptions& options);
@@ -30,6 +31,8 @@ class EuclideanManifold final : public ConstraintManifold, public HasBounds, pub
   void retract(const CoordinatePath& from, const Points& step, CoordinatePath& to) const override;
   double residual(const CoordinatePath& path) const override;
   int active_bounds(const CoordinatePath& path, Index column, Eigen::Ref<Points> normals) const override;
+  const Eigen::VectorXd& box_lower() const override { return box_.lower(); }
+  const Eigen::VectorXd& box_upper() const override { return box_.upper(); }
   /// Its box, where it has one.
   void draw(const DrawnPaths& paths, Drawing& out) const override;
 

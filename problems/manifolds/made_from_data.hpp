@@ -17,8 +17,9 @@ struct DataCount {
 class MadeFromData {
  public:
   virtual ~MadeFromData() = default;
-  /// Length units. Ends that were copied with few digits are forgiven a part of it.
-  virtual double diameter() const = 0;
+  virtual double diameter() const = 0;  ///< length units
+  /// How far off an end may be that was copied with few digits, length units.
+  virtual double end_tolerance() const { return 0.01 * diameter(); }
   /// What a user should know about how the domain was made.
   virtual std::vector<std::string> notes() const = 0;
   /// How large the data is, for people; may be empty.

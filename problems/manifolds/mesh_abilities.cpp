@@ -27,7 +27,7 @@ FirstPath MeshManifold::least_cost_edges(const Problem& problem, const Monitor& 
   EdgeGraphSearch search(mesh_);
   const EdgePath route = edge_route(problem, mesh_, search, source, target, monitor);
   FirstPath first;
-  first.path = as_coordinates(route.path);
+  first.path = as_coordinates(problem, route.path);
   first.graph_vertices = static_cast<int>(route.path.points.size()) - 2;
   return first;
 }

@@ -6,6 +6,7 @@
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/segment_cost.hpp>
+#include "problems/mesh/mesh_curve.hpp"
 
 namespace leastcost {
 
@@ -15,15 +16,16 @@ EdgePath edge_route(const Problem& problem, const TriangleMesh& mesh, EdgeGraphS
   // The ends as they were given: barycentric rounding may lift them above the level of a bead at rest.
   const auto exact = [&problem, near = 1e-13 * mesh.diameter()](const Eigen::Vector3d& p) -> Eigen::Vector3d {
     for (const PathEnd* end : {&problem.source, &problem.target})
-      if (end->u.size() == 3 && (p - end->u).norm() <= near) return end->u;
+      if (end->u.size() > 0 && (p - in_space(end->u)).norm() <= near) return in_space(end->u);
     return p;
   };
   std::string reason;  // of the first move that costs infinitely much
-  const auto move = [&cost, &exact, &reason](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    Eigen::Matrix<double, 3, 2> ends;
-    ends << exact(a), exact(b);
+  const auto move = [&cost, &exact, &reason, rows = problem.manifold->dimensions().ambient](const Eigen::Vector3d& a,
+                                                                                            const Eigen::Vector3d& b) {
+    Points ends(rows, 2);
+    ends << exact(a).head(rows), exact(b).head(rows);
     double q = 0;
-    cost.squared_costs({{ends.data(), 3, 2}, {}, false}, {&q, 1});
+    cost.squared_costs({{ends.data(), rows, 2}, {}, false}, {&q, 1});
     if (reason.empty() && std::isinf(q)) reason = reason_for_infinity(cost, ends.col(0), ends.col(1));
     return std::sqrt(q);
   };

@@ -18,13 +18,17 @@ const HasMesh& mesh_of(const Problem& problem, std::string_view name);
 /// nothing where it is not such a cost.
 std::optional<MetricRoot> constant_metric(const Problem& problem);
 
+/// A place of a domain that is a mesh, in the space of that mesh: a domain in the plane has its mesh at z = 0.
+Eigen::Vector3d in_space(const Eigen::VectorXd& x);
+
 /// The columns of a path on a mesh as points of their faces.
 std::vector<SurfacePoint> surface_points(const TriangleMesh& mesh, const CoordinatePath& path);
-/// And back.
-CoordinatePath coordinate_path(const TriangleMesh& mesh, const std::vector<SurfacePoint>& points);
+/// And back, in the coordinates of the problem.
+CoordinatePath coordinate_path(const Problem& problem, const TriangleMesh& mesh,
+                               const std::vector<SurfacePoint>& points);
 
 /// A path on the surface as the columns and sites of a CoordinatePath; column i has the face of segment i.
-CoordinatePath as_coordinates(const SurfacePath& path);
+CoordinatePath as_coordinates(const Problem& problem, const SurfacePath& path);
 
 /// A path on the surface as a Curve, with its cost.
 Curve as_curve(const Problem& problem, const SurfacePath& path);

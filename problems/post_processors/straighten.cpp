@@ -65,11 +65,11 @@ Outcome straighten_closed(const TriangleMesh& mesh, const SurfacePath& first, co
 }
 
 /// `columns` points of the path, equally spaced by length; a ring has no point twice.
-CoordinatePath spaced(const TriangleMesh& mesh, const SurfacePath& path, bool ring, int columns,
+CoordinatePath spaced(const Problem& problem, const TriangleMesh& mesh, const SurfacePath& path, bool ring, int columns,
                       const MetricRoot& metric) {
   std::vector<SurfacePoint> points = resample(mesh, path, ring ? columns + 1 : columns, metric);
   if (ring) points.pop_back();
-  CoordinatePath chain = coordinate_path(mesh, points);
+  CoordinatePath chain = coordinate_path(problem, mesh, points);
   chain.ring = ring;
   return chain;
 }
@@ -99,7 +99,7 @@ PostProcessed StraightenPostProcessor::apply(const Problem& problem, const First
   current.curve = as_curve(problem, best.path);
   current.curve.straightness =
       ring ? check_straight_ring(mesh, best.path, *metric) : check_straight(mesh, best.path, *metric);
-  current.chain = spaced(mesh, best.path, ring, static_cast<int>(current.chain.u.cols()), *metric);
+  current.chain = spaced(problem, mesh, best.path, ring, static_cast<int>(current.chain.u.cols()), *metric);
   pin_ends(problem, current.chain);
   current.curve_costs = costs_along(problem, current.curve, current.chain);
   if (!best.finished) current.notes.emplace_back("straighten: interrupted before the path was straight");

@@ -16,7 +16,8 @@ namespace {
 /// Cost of the curve between consecutive points of the chain.
 Eigen::VectorXd costs_between(const Problem& problem, const Curve& curve,
                               const std::vector<std::size_t>& chain_points) {
-  const Eigen::VectorXd pieces = segment_costs(*problem.cost, {{curve.x.data(), 3, curve.x.cols()}, {}, false});
+  const Eigen::VectorXd pieces =
+      segment_costs(*problem.cost, {{curve.x.data(), curve.x.rows(), curve.x.cols()}, {}, false});
   Eigen::VectorXd costs(static_cast<Index>(chain_points.size()) - 1);
   for (Index i = 0; i < costs.size(); ++i) {
     const auto begin = static_cast<Index>(chain_points[static_cast<std::size_t>(i)]);
@@ -47,7 +48,7 @@ PostProcessed TracePostProcessor::apply(const Problem& problem, const FirstPath&
     points = resample(mesh, trace_chain(mesh, start, monitor.deadline).path,
                       static_cast<int>(points.size()) + (ring ? 1 : 0));
     if (ring) points.pop_back();
-    current.chain = coordinate_path(mesh, points);
+    current.chain = coordinate_path(problem, mesh, points);
     current.chain.ring = ring;
     pin_ends(problem, current.chain);
     current.notes.emplace_back(

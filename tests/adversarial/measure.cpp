@@ -20,8 +20,8 @@ void write_line(const std::string& family, std::uint64_t seed, const Result& r,
   if (file == nullptr) return;
   const Certificate& c = r.certificate;
   std::ofstream out(file, std::ios::app);
-  out.precision(12);
-  out << family << ',' << seed << ',' << r.path.u.cols() << ',' << outcome << ',' << c.estimate.value << ','
+  out.precision(17);
+  out << '"' << family << "\"," << seed << ',' << r.path.u.cols() << ',' << outcome << ',' << c.estimate.value << ','
       << c.estimate.error << ',' << c.estimate.method << ',' << (truth ? truth->length : 0) << ',' << c.spacing;
   for (std::size_t k = 0; k < 3; ++k) out << ',' << (k < c.levels.size() ? c.levels[k].spacing : -1);
   out << ',' << c.longest_segment << ',' << c.estimate.order.value_or(0) << ','
@@ -50,12 +50,17 @@ Tally measure(const AdversaryFamily& family, std::uint64_t first, int count, Pro
     const Adversary a = family.make(seed);
     FindOptions options{.points = a.points};
     options.certificate.proof = proof;
-    const Result r = find_path(a.problem, *a.initializer, Newton(), options);
+    ++tally.problems;
+    Result r;
+    try {
+      r = find_path(a.problem, *a.initializer, Newton(), options);
+    } catch (const InitializationError&) {
+      continue;  // no first path: refused, with a reason
+    }
     const std::optional<TrueGeodesic> truth = a.truth(r);
     const bool certified = r.status == Status::certified;
     const double value = r.certificate.estimate.value;
     std::string outcome = certified ? "certified" : "refused";
-    ++tally.problems;
     tally.certified += certified;
     if (truth) {
       ++tally.known;

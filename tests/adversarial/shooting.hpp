@@ -64,7 +64,7 @@ class EllipsoidShooting {
       const Vector across = gradient(end.x).normalized().cross(end.v);
       // (What is left along the normal is what integration drifts off the surface.)
       if (std::hypot(miss.dot(across), miss.dot(end.v)) < 1e-13L && miss.norm() < 1e-9L)
-        return TrueGeodesic{static_cast<double>(length), !end.conjugate};
+        return TrueGeodesic{static_cast<double>(length + miss.dot(end.v)), !end.conjugate};  // one more Newton step
       if (!(std::abs(end.j) > 1e-9L)) return std::nullopt;
       Real turn = miss.dot(across) / end.j, more = miss.dot(end.v);
       const Real too_much = std::max(std::abs(turn) / 0.05L, std::abs(more) / (0.1L * length));

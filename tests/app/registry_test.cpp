@@ -11,6 +11,7 @@
 #include "app/reference/field_list.hpp"
 #include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/kinds.hpp"
+#include "catalogue/run/run_origin.hpp"
 #include "tests/app/config_text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
@@ -88,7 +89,9 @@ void add_answers(const LoadedConfig& loaded, Words& manifolds, Words& costs) {
   context.manifold = make<std::shared_ptr<const ConstraintManifold>>(config.manifold, context);
   context.dimension = context.manifold->dimensions().ambient;
   context.source = Eigen::VectorXd::Zero(context.dimension);
-  const auto cost = make<std::shared_ptr<const SegmentCost>>(config.cost, context);
+  const auto cost = config.obstacles.empty()
+                        ? make<std::shared_ptr<const SegmentCost>>(config.cost, context)
+                        : compose_run(config, loaded.folder).parts.problem.cost;  // may ask for them
   manifolds[config.manifold.plugin->type].merge(words_of(*context.manifold));
   costs[config.cost.plugin->type].merge(words_of(*cost));
 }
@@ -186,6 +189,8 @@ TEST_CASE("registry: the choices of all plug-ins are those whose misspelling is 
                                  "signed_distance.source.point_cloud.normals",
                                  "signed_distance.source.point_cloud.sign",
                                  "signed_distance.source.implicit.surface",
+                                 "map.unknown",
+                                 "mesh.inside",
                                  "lbfgs.precondition"};
   for (const char* back_end : {"nlopt", "ceres"})
     if (find_plugin(kind("solver"), back_end)->missing.empty())

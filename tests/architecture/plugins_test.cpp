@@ -24,7 +24,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string key_in_config(const PluginKind& kind) { return kind.name == "post_processor" ? "post_process" : kind.name; }
+std::string key_in_config(const PluginKind& kind) {
+  return kind.name == "post_processor" ? "post_process" : kind.name == "obstacle" ? "obstacles" : kind.name;
+}
 
 /// The types that `value` of a kind's key names: `exp`, `{type: exp}`, or a list of either.
 void add_types(const YAML::Node& value, std::set<std::string>& types) {

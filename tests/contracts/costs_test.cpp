@@ -3,12 +3,15 @@
 #include <fstream>
 
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/costs/clearance_length.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
 #include <leastcost/problems/costs/travel_time.hpp>
 #include <leastcost/problems/manifolds/mesh.hpp>
 #include <leastcost/problems/manifolds/point_cloud.hpp>
+#include <leastcost/problems/obstacles/ball.hpp>
+#include <leastcost/problems/obstacles/obstacle_walls.hpp>
 #include "tests/contracts/cost_contract.hpp"
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/problems/sample_meshes.hpp"
@@ -82,9 +85,22 @@ CostCase travel_time(TravelTimeRule rule, int d) {
           .outside = {1e-8 * up, 0.5 * up, 100 * up}};
 }
 
+/// Among two balls that the points are beside, with a third out of reach.
+CostCase clearance(int d) {
+  Eigen::VectorXd here = Eigen::VectorXd::Zero(d), there = here, far = here;
+  here[0] = -2.2, there[1] = 2.4, far[0] = 20;
+  const ObstacleWalls::Obstacles balls = {make_ball({here, 0.5}), make_ball({there, 0.7}), make_ball({far, 0.5})};
+  return {.cost = make_clearance_length({3, 4}, d, std::make_shared<const ObstacleWalls>(d, balls, 0.1)),
+          .draw = [d](Random& random) -> Eigen::VectorXd { return 0.5 * random.vector(d); }};
+}
+
 }  // namespace
 
 TEST_CASE("cost contract: euclidean", "[contract]") { check_cost_contract(euclidean(GENERATE(2, 3, 7))); }
+TEST_CASE("cost contract: clearance", "[contract]") {
+  for (const int d : {2, 3, 5}) check_cost_contract(clearance(d));
+}
+
 TEST_CASE("cost contract: metric_tensor", "[contract]") { check_cost_contract(metric_tensor(GENERATE(2, 3, 7))); }
 TEST_CASE("cost contract: metric_field, named", "[contract]") {
   check_cost_contract(metric_field(form<metric::Field>(GENERATE("half_plane", "fisher_rao")), TensorReading::metric,

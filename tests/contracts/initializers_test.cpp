@@ -6,6 +6,7 @@
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/initializers/coordinate_circle.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/initializers/grid.hpp>
 #include <leastcost/problems/initializers/mirrored.hpp>
 #include <leastcost/problems/initializers/plane_cut.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>
@@ -13,6 +14,8 @@
 #include <leastcost/problems/manifolds/mesh.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
 #include <leastcost/problems/manifolds/point_cloud.hpp>
+#include <leastcost/problems/obstacles/box_obstacle.hpp>
+#include <leastcost/problems/obstacles/free_space.hpp>
 #include "problems/readers/waypoint_reader.hpp"
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/problems/sample_meshes.hpp"
@@ -291,6 +294,70 @@ TEST_CASE("initializer contract: file", "[contract]") {
   const WaypointsInitializer around(read_waypoints(folder / "tour.csv", {"x", "y", "z"}));
   for (const Problem& problem : problems_on_mesh()) check_initializer_contract(around, problem);
   check_initializer_contract(around, closed(ball(), make_euclidean_cost(3)));
+}
+
+namespace {
+
+template <class Work>
+std::string why_there_is_none(const Work& work) {
+  try {
+    work();
+    return "there is a path";
+  } catch (const InitializationError& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+TEST_CASE("initializer contract: grid", "[contract]") {
+  const auto among = [](std::shared_ptr<const ConstraintManifold> domain, FreeSpace::Obstacles obstacles) {
+    return std::make_shared<const FreeSpace>(std::move(domain), std::move(obstacles), 0.1);
+  };
+  const GridInitializer grid;
+  SECTION("in the plane, without a box") {
+    const auto wall = make_box_obstacle({Eigen::Vector2d(0.4, -3), Eigen::Vector2d(0.6, 0.5)});
+    const Problem problem =
+        between(among(space(2), {wall}), make_euclidean_cost(2), Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0));
+    check_initializer_contract(grid, problem);
+    const Points u = grid.first_path(problem, {}).path.u;
+    // Around the corners, 0.1 off them, it is 2 x 0.67 + 0.2 + a little; a route over the grid is at most 8 % longer.
+    const double length = (u.rightCols(u.cols() - 1) - u.leftCols(u.cols() - 1)).colwise().norm().sum();
+    CHECK(length > 2 * std::hypot(0.4, 0.6) + 0.2);
+    CHECK(length < 1.08 * (2 * std::hypot(0.4, 0.6) + 0.3));
+    const auto* obstacles = find_ability<ChecksMoves>(*problem.manifold);
+    for (Index k = 0; k + 1 < u.cols(); ++k) CHECK(obstacles->clearance(u.col(k), u.col(k + 1)).lower >= 0);
+  }
+  SECTION("in a box in space") {
+    const auto domain = box(Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(2, 1, 1));
+    const auto wall = make_box_obstacle({Eigen::Vector3d(0.4, -1, -1), Eigen::Vector3d(0.6, 1, 0.5)});
+    const Problem problem =
+        between(among(domain, {wall}), make_euclidean_cost(3), Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 0.2, -0.1));
+    check_initializer_contract(grid, problem);
+    CHECK(grid.first_path(problem, {}).path.u.row(2).maxCoeff() > 0.6);
+  }
+  SECTION("a cost that is infinite somewhere, and no obstacles") {
+    check_initializer_contract(grid, bead(Eigen::Vector2d(0, 0), Eigen::Vector2d(3, -2)));
+  }
+  SECTION("a gap that only a finer grid sees") {
+    const auto domain = box(Eigen::Vector2d(-2, -2), Eigen::Vector2d(3, 2));
+    const auto lower = make_box_obstacle({Eigen::Vector2d(0.4, -2), Eigen::Vector2d(0.6, 0.7)});
+    const auto upper = make_box_obstacle({Eigen::Vector2d(0.4, 0.94), Eigen::Vector2d(0.6, 2)});
+    const Problem problem =
+        between(among(domain, {lower, upper}), make_euclidean_cost(2), Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0));
+    const GridInitializer coarse({.resolution = 0.5, .refinements = 0}), fine({.resolution = 0.5, .refinements = 5});
+    CHECK_THAT(why_there_is_none([&] { coarse.first_path(problem, {}); }),
+               Catch::Contains("no passage at this resolution: 10 x 8 cells of 0.5"));
+    check_initializer_contract(fine, problem);
+  }
+  SECTION("what it does not work on") {
+    CHECK_THAT(why_there_is_none([&] {
+                 grid.first_path(
+                     between(space(4), make_euclidean_cost(4), Eigen::Vector4d::Zero(), Eigen::Vector4d::Ones()), {});
+               }),
+               Catch::Contains("in the plane and in space"));
+    CHECK_THROWS_AS(GridInitializer({.resolution = -1.0}), OptionError);
+  }
 }
 
 }  // namespace leastcost::test

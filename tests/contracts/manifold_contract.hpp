@@ -48,7 +48,7 @@ inline bool is_vertex(const ManifoldCase& c, const Eigen::VectorXd& x) {
   const auto* domain = dynamic_cast<const HasMesh*>(c.manifold.get());
   if (!domain) return false;
   for (const Eigen::Vector3d& p : domain->mesh().positions())
-    if ((x - p).norm() < 1e-6 * c.size) return true;
+    if ((x - p.head(x.size())).norm() < 1e-6 * c.size) return true;
   return false;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
+#include <leastcost/problems/manifolds/map.hpp>
 #include <leastcost/problems/manifolds/mesh.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
 #include <leastcost/problems/manifolds/point_cloud.hpp>
@@ -79,6 +80,20 @@ TEST_CASE("manifold contract: mesh, cube", "[contract]") { check_manifold_contra
 TEST_CASE("manifold contract: mesh, sphere", "[contract]") { check_manifold_contract(mesh_case(sphere(3))); }
 TEST_CASE("manifold contract: mesh with a border", "[contract]") {
   check_manifold_contract(mesh_case(grid(6, 3, Closing::kRound, false)));
+}
+
+TEST_CASE("manifold contract: map", "[contract]") {
+  OccupancyGrid cells;
+  cells.rows = 4;
+  cells.columns = 5;
+  cells.blocked.assign(20, false);
+  for (const auto& [row, column] : {std::pair{1, 1}, {1, 2}, {2, 3}, {0, 4}})
+    cells.blocked[cells.index(row, column)] = true;
+  cells.cell = 0.25;
+  cells.origin = Eigen::Vector2d(-0.5, -0.5);
+  check_manifold_contract({.manifold = std::make_shared<const MapManifold>(cells),
+                           .near = [](Random& random) { return Eigen::VectorXd(0.6 * random.vector(2)); },
+                           .special = {Eigen::Vector2d(-0.25, -0.25 - 1e-8), Eigen::Vector2d(0.25 + 1e-8, 0)}});
 }
 
 /// Every seam against the embedding. (Poles and derivatives are part of the contract.)

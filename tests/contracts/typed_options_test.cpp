@@ -45,6 +45,8 @@ static_assert(!kTakesWords<decltype(TravelTimeOptions::rule)>);
 static_assert(!kTakesWords<decltype(MetricFieldOptions::rule)>);
 static_assert(!kTakesWords<decltype(MetricFieldOptions::reading)>);
 static_assert(!kTakesWords<decltype(TensorFileOptions::on)>);
+static_assert(!kTakesWords<decltype(OccupancyOptions::unknown)>);
+static_assert(!kTakesWords<decltype(MeshObstacleOptions::inside)>);
 static_assert(!kTakesWords<decltype(PointCloudSettings::normals)>);
 static_assert(!kTakesWords<decltype(distance_source::Sides::sign)>);
 static_assert(!kTakesWords<decltype(LbfgsOptions::precondition)>);
@@ -64,6 +66,8 @@ TEST_CASE("typed options: every value of a choice has one word") {
   check_words(TensorRule::average);
   check_words(TensorReading::root);
   check_words(TensorPlace::points);
+  check_words(UnknownCells::free);
+  check_words(MeshInside::surface);
   check_words(NormalSource::estimate);
   check_words(DistanceSign::without_sides);
   check_words(Preconditioner::none);

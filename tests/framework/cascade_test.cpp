@@ -17,7 +17,7 @@ struct Run {
   double s0;
 };
 
-Run start(const Problem& problem, int points) {
+Run start(Problem problem, int points) {
   CoordinatePath path = sample_equally(problem, StraightInitializer().first_path(problem, {}).path, points);
   const double s0 = PathEnergy(problem, 1).cost(path) / static_cast<double>(path.segment_count());
   return {path, s0};
@@ -27,7 +27,7 @@ Run start(const Problem& problem, int points) {
 
 TEST_CASE("cascade: the path of a direct solve, for any number of points", "[framework]") {
   const int points = GENERATE(1, 16, 31, 62, 100, 255);
-  const Problem problem = bead(Eigen::Vector2d(0, 0), Eigen::Vector2d(std::numbers::pi, -2));
+  Problem problem = bead(Eigen::Vector2d(0, 0), Eigen::Vector2d(std::numbers::pi, -2));
   Run run = start(problem, points);
   const SolveReport report = solve_by_cascade(problem, Newton(), run.s0, run.path, {});
   CAPTURE(points, name(report.termination));
@@ -41,8 +41,8 @@ TEST_CASE("cascade: the path of a direct solve, for any number of points", "[fra
 }
 
 TEST_CASE("cascade: a few Newton steps per doubling", "[framework]") {
-  const Problem problem = bead(Eigen::Vector2d(0, 0), Eigen::Vector2d(std::numbers::pi, -2), 1, 0,
-                               TravelTimeRule::chute, make_kernel<Square>());
+  Problem problem = bead(Eigen::Vector2d(0, 0), Eigen::Vector2d(std::numbers::pi, -2), 1, 0, TravelTimeRule::chute,
+                         make_kernel<Square>());
   Run coarse = start(problem, 15), fine = start(problem, 1023);
   const int first = solve_by_cascade(problem, Newton(), coarse.s0, coarse.path, {}).iterations;
   const int all = solve_by_cascade(problem, Newton(), fine.s0, fine.path, {}).iterations;
@@ -52,8 +52,8 @@ TEST_CASE("cascade: a few Newton steps per doubling", "[framework]") {
 
 TEST_CASE("cascade: a stop request leaves a path of the size that was asked for, no worse", "[framework]") {
   const int allowed = GENERATE(0, 3, 12, 20);
-  const Problem problem = between(std::make_shared<Sphere>(), make_euclidean_cost(3), Eigen::Vector3d(1, 0, 0),
-                                  Eigen::Vector3d(-0.6, 0.8, 0));
+  Problem problem = between(std::make_shared<Sphere>(), make_euclidean_cost(3), Eigen::Vector3d(1, 0, 0),
+                            Eigen::Vector3d(-0.6, 0.8, 0));
   Run run = start(problem, 200);
   const double before = PathEnergy(problem, run.s0).value(run.path);
   int asked = 0;

@@ -18,7 +18,7 @@
 namespace leastcost::test {
 namespace {
 
-Problem cycloid() { return bead(Eigen::Vector2d(0, 0), Eigen::Vector2d(std::numbers::pi, -2)); }
+Problem watched_cycloid() { return bead(Eigen::Vector2d(0, 0), Eigen::Vector2d(std::numbers::pi, -2)); }
 
 /// Its duals lost the place: a constant, so that every path seems stationary.
 struct TwoMinds {
@@ -42,7 +42,7 @@ Result find_watched(const Problem& problem, const Monitor& monitor, int points =
 }  // namespace
 
 TEST_CASE("find_path: everything in the result, and consistent", "[framework]") {
-  const Problem problem = cycloid();
+  const Problem problem = watched_cycloid();
   const Result r = find_watched(problem, {});
   CHECK(r.status == Status::certified);
   CHECK((r.path.u.cols() == 34 && r.initial.u.cols() == 34 && r.costs.size() == 33));
@@ -66,7 +66,7 @@ TEST_CASE("find_path: the observer sees all stages in order, and the iterations"
     else
       stages.push_back(progress.stage);
   };
-  const Result r = find_watched(cycloid(), monitor);
+  const Result r = find_watched(watched_cycloid(), monitor);
   CHECK(stages == std::vector<Stage>{Stage::initialize, Stage::solve, Stage::post_process, Stage::certify});
   CHECK(iterations > r.solve.iterations);
 }
@@ -78,7 +78,7 @@ TEST_CASE("find_path: a stop request in any stage keeps the best path", "[framew
   Monitor monitor;
   monitor.observe = [&](const Progress& progress) { stop = stop || progress.stage == when; };
   monitor.stop_requested = [&] { return stop; };
-  const Result r = find_watched(cycloid(), monitor);
+  const Result r = find_watched(watched_cycloid(), monitor);
   CHECK(r.status == Status::interrupted);
   CHECK_FALSE(r.certificate.certified());
   CHECK(r.path.u.allFinite());
@@ -90,7 +90,7 @@ TEST_CASE("find_path: a stop request in the middle of a solve", "[framework]") {
   int asked = 0;
   Monitor monitor;
   monitor.stop_requested = [&] { return ++asked > 3; };
-  const Result r = find_watched(cycloid(), monitor);
+  const Result r = find_watched(watched_cycloid(), monitor);
   CHECK(r.status == Status::interrupted);
   CHECK(r.solve.termination == Termination::cancelled);
   CHECK(r.costs.sum() < r.initial_cost);
@@ -99,7 +99,7 @@ TEST_CASE("find_path: a stop request in the middle of a solve", "[framework]") {
 TEST_CASE("find_path: a deadline that has passed costs no further iteration", "[framework]") {
   Monitor monitor;
   monitor.deadline = Monitor::Clock::now();
-  const Result r = find_watched(cycloid(), monitor, 2000);
+  const Result r = find_watched(watched_cycloid(), monitor, 2000);
   CHECK(r.status == Status::interrupted);
   CHECK(r.solve.iterations == 0);
   CHECK(r.path.u.size() == 0);  // not even sampled
@@ -108,7 +108,7 @@ TEST_CASE("find_path: a deadline that has passed costs no further iteration", "[
 }
 
 TEST_CASE("find_path: several threads give bitwise the same result", "[framework]") {
-  const Problem problem = cycloid();  // one problem, shared
+  const Problem problem = watched_cycloid();  // one problem, shared
   const Result alone = find_watched(problem, {});
   std::vector<Result> results(4);
   std::vector<std::thread> threads;
@@ -142,7 +142,7 @@ TEST_CASE("find_path: questions that cannot be asked are errors", "[framework]")
 }
 
 TEST_CASE("find_path: points: auto needs a graph, and a straight line cannot close a ring", "[framework]") {
-  CHECK_THROWS_WITH(find_watched(cycloid(), {}, 0), Catch::Contains("graph"));
+  CHECK_THROWS_WITH(find_watched(watched_cycloid(), {}, 0), Catch::Contains("graph"));
   CHECK_THROWS_AS(find_watched(closed(space(2), make_euclidean_cost(2)), {}), InitializationError);
 }
 
@@ -163,7 +163,7 @@ TEST_CASE("find_path: a first path through points without a nearest one is an er
 }
 
 TEST_CASE("find_path: one free point", "[framework]") {
-  const Result r = find_watched(cycloid(), {}, 1);
+  const Result r = find_watched(watched_cycloid(), {}, 1);
   CHECK(r.path.u.cols() == 3);
   CHECK(spread(r.costs) < 1e-6);
   CHECK(r.costs.sum() > std::numbers::pi);
@@ -173,7 +173,7 @@ TEST_CASE("find_path: without a certificate nothing is certified", "[framework]"
   const Newton newton;
   FindOptions options;
   options.certificate.enabled = false;
-  const Result r = find_path(cycloid(), StraightInitializer(), newton, options);
+  const Result r = find_path(watched_cycloid(), StraightInitializer(), newton, options);
   CHECK(r.status == Status::uncertified);
   CHECK_FALSE(r.certificate.measured);
 }

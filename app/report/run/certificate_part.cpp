@@ -41,6 +41,9 @@ class CertificateTable {
            "Costliest piece of the curve between two points over the mean.", {"longest_segment"});
     index();
     resolution();
+    simple("clearance", "certificate.clearance.lower", "",
+           "Least distance of the path, not only of its points, from an obstacle, minus the clearance asked for.",
+           {"touches"});
     simple(
         "straightness", "certificate.straightness", "",
         "Smallest angle beside a point of the straightened path minus π, measured by a checker of its own; radians.");
@@ -78,7 +81,7 @@ class CertificateTable {
   /// A number with a threshold (key may be empty: it informs); left out where it was not measured.
   void simple(const std::string& test, const std::string& key, const std::string& threshold, const std::string& words,
               std::vector<std::string> names = {}, const std::string& otherwise = "") {
-    const double measured = result_.number(key);
+    const double measured = result_.has(key) ? result_.number(key) : std::nan("");
     if (names.empty()) names = {test};
     if (std::isnan(measured) && !failed(names)) return;
     const bool has_threshold = !threshold.empty() && result_.has(threshold);

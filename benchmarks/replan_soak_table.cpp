@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+// Replanning without a pause among discs that all move: memory after the first second and at the end, how late it comes
+// back from its budget, and paths that an independent check finds penetrating.
+#include <malloc.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+#include <leastcost/framework/replanner.hpp>
+#include <leastcost/problems/initializers/rrt.hpp>
+#include <leastcost/solvers/newton.hpp>
+#include "tests/support/moving_discs.hpp"
+#include "tests/support/overrun.hpp"
+
+namespace {
+
+using namespace leastcost;
+using Clock = Monitor::Clock;
+
+constexpr double kClearance = 0.02;
+constexpr double kNothing = 1e-7;
+
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+double kilobytes_in_use() { return static_cast<double>(mallinfo2().uordblks) / 1024; }
+
+}  // namespace
+
+/// Arguments: seconds (60), the budget in milliseconds (10).
+int main(int count, char** arguments) {
+  const double lasting = count > 1 ? std::atof(arguments[1]) : 60,
+               budget = 1e-3 * (count > 2 ? std::atof(arguments[2]) : 10);
+  constexpr std::size_t kMostPlans = 10'000'000;
+  std::vector<float> late;
+  late.reserve(kMostPlans);  // the record itself must not grow
+  Replanner planner(std::make_shared<Newton>(NewtonOptions{.tolerance = 1e-8}), std::make_shared<RrtInitializer>(),
+                    FindOptions{.points = 100, .certificate = {.enabled = false}});
+  double after_one_second = 0, most_after = 0, worst_wall = 0;
+  int penetrating = 0, without = 0;
+  const Clock::time_point begin = Clock::now();
+  for (int step = 0; seconds_since(begin) < lasting && late.size() < kMostPlans; ++step) {
+    {
+      const test::Discs discs = test::all_moving(step);
+      const Problem now = test::across(test::world_of(discs, kClearance));
+      Monitor monitor;
+      monitor.deadline =
+          Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(budget));
+      Replan plan;
+      late.push_back(
+          static_cast<float>(test::overrun(*monitor.deadline, [&] { plan = planner.replan(now, monitor); })));
+      worst_wall = std::max(worst_wall, seconds_since(*monitor.deadline));
+      if (plan.outcome == ReplanOutcome::no_valid_path)
+        ++without;
+      else
+        penetrating += test::clearance_of(plan.result.curve.x, discs) < kClearance - kNothing ? 1 : 0;
+    }
+    const double kilobytes = kilobytes_in_use();
+    if (seconds_since(begin) < 1)
+      after_one_second = std::max(after_one_second, kilobytes);
+    else
+      most_after = std::max(most_after, kilobytes);
+  }
+  std::sort(late.begin(), late.end());
+  const auto at = [&](double part) {
+    return 1e3 *
+           static_cast<double>(
+               late[std::min(late.size() - 1, static_cast<std::size_t>(part * static_cast<double>(late.size())))]);
+  };
+  std::printf(
+      "%zu plans in %.0f s, budget %.1f ms: late by p50 %.3f, p99 %.3f, p99.99 %.3f ms of thread time, worst %.3f; by "
+      "the wall %.3f; memory in use after one second %.1f, most later %.1f KB; without a path %d; penetrating %d\n",
+      late.size(), lasting, 1e3 * budget, at(0.5), at(0.99), at(0.9999), at(1), 1e3 * worst_wall, after_one_second,
+      most_after, without, penetrating);
+}

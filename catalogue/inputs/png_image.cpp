@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "catalogue/inputs/png_image.hpp"
+
+#include <png.h>
+
+#include <memory>
+#include <numeric>
+#include <vector>
+
+#include <leastcost/framework/errors.hpp>
+#include "problems/readers/occupancy_reader.hpp"
+
+namespace leastcost {
+
+GreyImage read_png(std::string_view bytes, const std::string& file) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  const std::unique_ptr<png_image, void (*)(png_image*)> freed(&png, &png_image_free);
+  const auto refuse = [&] { throw InputError(file + ": no PNG image that can be read: " + std::string(png.message)); };
+  if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) refuse();
+  check_map_size(png.height, png.width, file);
+  png.format &= ~static_cast<png_uint_32>(PNG_FORMAT_FLAG_LINEAR | PNG_FORMAT_FLAG_COLORMAP);  // bytes, no palette
+  const std::size_t channels = PNG_IMAGE_PIXEL_CHANNELS(png.format);
+  std::vector<png_byte> samples(PNG_IMAGE_SIZE(png));
+  if (png_image_finish_read(&png, nullptr, samples.data(), 0, nullptr) == 0) refuse();
+  GreyImage image;
+  image.rows = static_cast<int>(png.height);
+  image.columns = static_cast<int>(png.width);
+  image.maximum = static_cast<int>(255 * channels);
+  image.source = file;
+  image.values.reserve(samples.size() / channels);
+  for (auto pixel = samples.begin(); pixel != samples.end(); pixel += static_cast<std::ptrdiff_t>(channels))
+    image.values.push_back(
+        static_cast<std::uint16_t>(std::accumulate(pixel, pixel + static_cast<std::ptrdiff_t>(channels), 0)));
+  return image;
+}
+
+}  // namespace leastcost

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "problems/occupancy/grey_image.hpp"
+
+namespace leastcost {
+
+/// A PNG as grey values, each the mean of all of its channels, transparency included, as map_server takes it in its
+/// mode trinary. Throws InputError with what libpng says.
+GreyImage read_png(std::string_view bytes, const std::string& file);
+
+}  // namespace leastcost

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+namespace leastcost {
+
+/// How far a straight move stays from the obstacles of a domain: the least distance over all of its points, minus the
+/// distance that is required; length units. Negative: the move touches.
+struct MoveClearance {
+  double lower = 0;            ///< a bound, rounding included
+  double upper = 0;            ///< attained at `place`
+  int obstacle = -1;           ///< the nearest; -1: there is none
+  Eigen::VectorXd place = {};  ///< the point of the move where it is nearest
+  bool proved = true;          ///< `lower` holds for every point of the move; else for points along it only
+};
+
+/// Ability of a domain with obstacles, open sets that no path may enter (contact is allowed). Positions are ambient.
+class ChecksMoves {
+ public:
+  virtual ~ChecksMoves() = default;
+  virtual MoveClearance clearance(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const = 0;
+  /// What to call an obstacle in a message.
+  virtual std::string obstacle_name(int obstacle) const = 0;
+};
+
+}  // namespace leastcost

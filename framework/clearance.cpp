@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/framework/clearance.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <leastcost/framework/checks_moves.hpp>
+#include <leastcost/framework/deadline.hpp>
+#include "framework/point_text.hpp"
+
+namespace leastcost {
+namespace {
+
+constexpr double kContact = 1e-12;  ///< of the size of the coordinates: so near is in contact
+
+}  // namespace
+
+std::optional<Clearance> measure_clearance(const ConstraintManifold& manifold, const Points& curve, bool ring,
+                                           const Deadline& deadline) {
+  constexpr Index kSegmentsAtOnce = 64;  // between two looks at the clock
+  const auto* obstacles = find_ability<ChecksMoves>(manifold);
+  if (obstacles == nullptr) return std::nullopt;
+  Clearance least;
+  least.lower = least.upper = std::numeric_limits<double>::infinity();
+  bool all_proved = true;
+  const Index segments = ring ? curve.cols() : curve.cols() - 1;
+  for (Index i = 0; i < segments; ++i) {
+    if (i % kSegmentsAtOnce == 0) look_at_clock(deadline);
+    MoveClearance move = obstacles->clearance(curve.col(i), curve.col((i + 1) % curve.cols()));
+    all_proved = all_proved && move.proved;
+    const bool unknown = std::isnan(move.lower);  // a checker that cannot say so has not said that the way is clear
+    if (!unknown && move.lower >= least.lower) continue;
+    least = {move.lower, move.upper, obstacles->obstacle_name(move.obstacle), i, std::move(move.place)};
+    if (!unknown) continue;
+    least.lower = -std::numeric_limits<double>::infinity();
+    break;
+  }
+  least.proved = all_proved;
+  return least;
+}
+
+bool goes_clear(const ChecksMoves& obstacles, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  const double size = std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff());
+  return obstacles.clearance(a, b).lower >= -kContact * size;
+}
+
+std::string why_in_clearance(const ConstraintManifold& manifold, const PathEnd& end) {
+  const auto* obstacles = find_ability<ChecksMoves>(manifold);
+  if (obstacles == nullptr) return "";
+  const Eigen::VectorXd x = positions(manifold, {end.u, {}, true});
+  const MoveClearance here = obstacles->clearance(x, x);
+  if (here.upper >= -kContact * x.cwiseAbs().maxCoeff()) return "";
+  return "lies " + short_number(-here.upper) + " too near to " + obstacles->obstacle_name(here.obstacle);
+}
+
+}  // namespace leastcost

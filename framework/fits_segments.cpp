@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/framework/fits_segments.hpp>
+
+#include <utility>
+
+#include <leastcost/framework/path_energy.hpp>
+#include "framework/in_parts.hpp"
+
+namespace leastcost {
+namespace {
+
+constexpr int kMostFits = 16;
+constexpr int kMostUnsolved = 2;  ///< fits to a chain that is not at rest say little
+
+/// Onto the domain, but for the ends of an open path, which are given.
+void project_free(const ConstraintManifold& manifold, CoordinatePath& path, const Deadline& deadline) {
+  CoordinatePath moved = path;
+  project(manifold, moved, deadline);
+  const Index first = path.free_begin(), count = path.free_count();
+  path.u.middleCols(first, count) = moved.u.middleCols(first, count);
+}
+
+}  // namespace
+
+SolveReport solve_fitted(Problem& problem, const Solver& solver, double reference_cost, CoordinatePath& path,
+                         const Monitor& monitor) {
+  const auto* domain = find_ability<FitsSegments>(*problem.manifold);
+  const bool fits = domain != nullptr;
+  if (fits) {  // to the path as it is, too: a move through an obstacle could not be drawn out of it
+    problem.manifold = domain->unfitted(path);
+    project_free(*problem.manifold, path, monitor.deadline);
+    auto fitted = find_ability<FitsSegments>(*problem.manifold)->fitted(path);
+    if (fitted != nullptr) problem.manifold = std::move(fitted);
+  }
+  SolveReport report;
+  int unsolved = 0;
+  for (int k = 0;; ++k) {
+    if (fits) project_free(*problem.manifold, path, monitor.deadline);
+    PathEnergy energy(problem, reference_cost, monitor.deadline);
+    SolveReport next = solver.solve(energy, path, monitor);
+    report = k == 0 ? std::move(next) : joined(report, std::move(next));
+    if (!fits || report.termination == Termination::exception || monitor.interrupted()) break;
+    if (!is_solved(report.termination) && ++unsolved == kMostUnsolved) break;
+    auto fitted = find_ability<FitsSegments>(*problem.manifold)->fitted(path);
+    if (fitted == nullptr || k + 1 == kMostFits) break;
+    problem.manifold = std::move(fitted);
+  }
+  return report;
+}
+
+}  // namespace leastcost

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+
+#include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/monitor.hpp>
+#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/solver.hpp>
+
+namespace leastcost {
+
+/// Ability of a domain whose points keep away from something by as much as the moves between them need, which depends
+/// on the chain that they belong to.
+class FitsSegments {
+ public:
+  virtual ~FitsSegments() = default;
+  /// The same domain for chains with moves as long as those of a path, fitted to nothing else yet.
+  virtual std::shared_ptr<const ConstraintManifold> unfitted(const CoordinatePath& path) const = 0;
+  /// Fitted anew to a path on this one: by more where its moves come too near, by less where points keep away for
+  /// nothing. Null where that would change nothing.
+  virtual std::shared_ptr<const ConstraintManifold> fitted(const CoordinatePath& path) const = 0;
+};
+
+/// Solves a chain. Where the domain fits segments, the chain and what the domain is fitted to are made to agree:
+/// `problem` is left with the domain that the chain was solved on.
+SolveReport solve_fitted(Problem& problem, const Solver& solver, double reference_cost, CoordinatePath& path,
+                         const Monitor& monitor);
+
+}  // namespace leastcost

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/problems/initializers/grid.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <leastcost/framework/checks_moves.hpp>
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/has_box.hpp>
+#include "problems/initializers/grid_search.hpp"
+#include "problems/section/projected_line.hpp"
+
+namespace leastcost {
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+constexpr double kMostNodes = 1 << 22;  ///< of a grid that is searched
+
+struct SearchBox {
+  Vector lower, upper;
+  std::vector<bool> open_lower, open_upper;  ///< a side that nobody has given: a wider box may help
+};
+
+void check_domain(const Problem& problem) {
+  if (problem.ring) throw InitializationError("grid: a ring has no ends to join: give waypoints");
+  const ConstraintManifold& domain = *problem.manifold;
+  const Dimensions d = domain.dimensions();
+  const bool all = d.coordinate == d.ambient && d.tangent == d.ambient;
+  if (!all || d.ambient < 2 || d.ambient > 3 || find_ability<HasChart>(domain) != nullptr ||
+      domain.shape() == Shape::polyhedral)
+    throw InitializationError(
+        "grid works in the plane and in space; on a mesh, a cloud or a map use dijkstra, elsewhere rrt");
+}
+
+/// The box as stated, else that of the domain, else the ends and as much around them as they are apart.
+SearchBox box_of(const Problem& problem, const GridOptions& options) {
+  const Vector &a = problem.source.u, &b = problem.target.u;
+  const auto* domain = find_ability<HasBox>(*problem.manifold);
+  const auto side = [&](const std::optional<Vector>& stated, const Vector* own, const char* key) {
+    if (stated && stated->size() != a.size())
+      throw OptionError(
+          key, "has " + std::to_string(stated->size()) + " coordinates, the domain has " + std::to_string(a.size()));
+    return stated ? *stated : own != nullptr && own->size() > 0 ? *own : Vector::Constant(a.size(), std::nan(""));
+  };
+  SearchBox box{side(options.lower, domain != nullptr ? &domain->box_lower() : nullptr, "lower"),
+                side(options.upper, domain != nullptr ? &domain->box_upper() : nullptr, "upper"),
+                {},
+                {}};
+  const double margin = (b - a).norm();
+  for (Eigen::Index i = 0; i < a.size(); ++i) {
+    box.open_lower.push_back(!std::isfinite(box.lower[i]));
+    box.open_upper.push_back(!std::isfinite(box.upper[i]));
+    if (box.open_lower.back()) box.lower[i] = std::min(a[i], b[i]) - margin;
+    if (box.open_upper.back()) box.upper[i] = std::max(a[i], b[i]) + margin;
+    if (!(box.lower[i] < box.upper[i])) throw OptionError("upper", "must be greater than lower in every coordinate");
+  }
+  return box;
+}
+
+/// Half as much again on the sides that nobody has given.
+void widen(SearchBox& box) {
+  for (Eigen::Index i = 0; i < box.lower.size(); ++i) {
+    const double more = (box.upper[i] - box.lower[i]) / 2;
+    if (box.open_lower[static_cast<std::size_t>(i)]) box.lower[i] -= more;
+    if (box.open_upper[static_cast<std::size_t>(i)]) box.upper[i] += more;
+  }
+}
+
+std::string cells_in_words(const GridSearch& grid) {
+  std::ostringstream out;
+  out.precision(4);
+  const auto& [x, y, z] = grid.lattice().count;
+  out << x << " x " << y;
+  if (z > 1) out << " x " << z;
+  out << " cells of " << grid.resolution();
+  return out.str();
+}
+
+double most_cells(const SearchBox& box, double resolution) {
+  return ((box.upper - box.lower) / resolution).cwiseMax(1.0).prod();
+}
+
+}  // namespace
+
+void GridOptions::fields(FieldVisitor& visit) {
+  visit.field("resolution", resolution,
+              {.help = "Side of a cell of the first grid; default: a 64th of the longest side of the box, in space a "
+                       "32nd.",
+               .unit = "length",
+               .minimum = 0,
+               .exclusive_minimum = true});
+  visit.field("lower", lower,
+              {.help = "Lower corner of the box that is searched; default: that of the domain, and where it has none "
+                       "the ends with as much around them as they are apart.",
+               .unit = "length"});
+  visit.field("upper", upper, {.help = "Upper corner of that box.", .unit = "length"});
+  visit.field("refinements", refinements,
+              {.help = "How often the cells are halved where the grid has no passage.", .minimum = 0, .maximum = 20});
+  visit.field("shortcuts", shortcuts, {.help = "Leaves out points of the route that a straight move can do without."});
+}
+
+GridInitializer::GridInitializer(const GridOptions& options) : options_(options) {
+  if (options.resolution && !(*options.resolution > 0)) throw OptionError("resolution", "must be greater than 0");
+  if (options.lower && !options.lower->allFinite()) throw OptionError("lower", "must be finite");
+  if (options.upper && !options.upper->allFinite()) throw OptionError("upper", "must be finite");
+}
+
+FirstPath GridInitializer::first_path(const Problem& problem, const Monitor& monitor) const {
+  constexpr double kCellsInPlane = 64, kCellsInSpace = 32;  // along the longest side
+  check_domain(problem);
+  const MoveCheck moves(problem);
+  SearchBox box = box_of(problem, options_);
+  const double cells = problem.source.u.size() == 2 ? kCellsInPlane : kCellsInSpace;
+  double resolution = options_.resolution.value_or((box.upper - box.lower).maxCoeff() / cells);
+  std::string tried;
+  for (int k = 0; k <= options_.refinements; ++k, resolution /= 2, widen(box)) {
+    if (most_cells(box, resolution) > kMostNodes) {
+      tried += "; a finer grid would have more than " + std::to_string(static_cast<long>(kMostNodes)) + " cells";
+      break;
+    }
+    const GridSearch grid(problem, moves, box.lower, box.upper, resolution);
+    tried += (k == 0 ? "" : ", ") + cells_in_words(grid);
+    std::vector<Vector> route = grid.route(monitor);
+    if (route.empty()) continue;
+    FirstPath first;
+    first.notes.push_back("grid: " + cells_in_words(grid));
+    if (options_.shortcuts) route = with_shortcuts(route, moves, 2 * resolution, monitor);
+    first.path = as_open_path(route);
+    pin_ends(problem, first.path);
+    return first;
+  }
+  throw InitializationError("grid: no passage at this resolution: " + tried +
+                            ". A smaller resolution, or more refinements, may find a narrower one");
+}
+
+}  // namespace leastcost

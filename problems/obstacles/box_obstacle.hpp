@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+#include <leastcost/framework/options.hpp>
+#include <leastcost/problems/obstacles/obstacle.hpp>
+
+namespace leastcost {
+
+/// A box with sides along the axes, in the plane a rectangle. Its corners are sharp: it asks for a clearance.
+struct BoxObstacleOptions {
+  Eigen::VectorXd lower = {};
+  Eigen::VectorXd upper = {};
+  void fields(FieldVisitor& visit);
+};
+
+/// Throws OptionError where the corners do not fit or the box is empty.
+std::shared_ptr<const Obstacle> make_box_obstacle(const BoxObstacleOptions& options);
+
+}  // namespace leastcost

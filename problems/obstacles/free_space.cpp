@@ -1,0 +1,394 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/problems/obstacles/free_space.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <leastcost/framework/errors.hpp>
+#include "problems/obstacles/sweep.hpp"
+
+namespace leastcost {
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+constexpr double kOn = 1e-11;      ///< of the size of the scene: a point so near to a wall lies on it
+constexpr double kFitted = 1e-9;   ///< of the path's extent: by so much a move may keep away for nothing
+constexpr double kAlong = 1e-9;    ///< of a step: what of it may lead off a wall that it runs along
+constexpr double kSameSide = 0.5;  ///< cosine between the ways out before and after a step along a wall
+constexpr int kMostPushes = 100;   ///< between walls that push a point to and fro
+constexpr int kMostHalvings = 30;
+constexpr int kMostRetreats = 6;        ///< of the ends of a segment that would be drawn through an obstacle
+constexpr double kLeastAdvance = 0.02;  ///< of a step: how finely walls are looked for along it
+constexpr double kOverCores = 1.05;     ///< of half a move: what keeps it from passing over a core
+constexpr double kSameLength = 0.02;    ///< relative: by so much moves may be longer without another fit
+constexpr int kLoosened = 6;            ///< fits after which margins only grow, so that they come to an end
+constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
+
+}  // namespace
+
+/// A column on its way: its coordinates, its place, and the walls beside it as far as was looked.
+struct FreeSpace::Point {
+  Point(const ConstraintManifold& domain, const CoordinatePath& path, Index column)
+      : domain_(&domain), chart_(find_ability<HasChart>(domain)) {
+    path_.u = path.u.col(column);
+    if (!path.sites.empty()) path_.sites = {path.site(column)};
+    path_.ring = true;  // a column alone, none of it fixed
+    place();
+  }
+
+  const Vector& u() const { return u_; }
+  const Vector& x() const { return x_; }
+  const CoordinatePath& path() const { return path_; }
+
+  void go_to(const Vector& u) {
+    path_.u = u;
+    place();
+  }
+
+  /// A part of the way to another point, back onto a curved domain.
+  void go_towards(const Vector& start, const Vector& end, double t) {
+    path_.u = start + t * (end - start);
+    if (chart_ == nullptr && domain_->shape() != Shape::flat) domain_->project(path_);
+    place();
+  }
+
+  void step(const Vector& way) {
+    CoordinatePath to;
+    domain_->retract(path_, way, to);
+    path_ = std::move(to);
+    place();
+  }
+
+  /// The derivative of a wall's gap in coordinates, along the domain.
+  Vector slope(const Wall& wall) const {
+    if (chart_ != nullptr) {
+      Points j;
+      chart_->jacobians(path_, j);
+      return j.transpose() * wall.slope;
+    }
+    if (domain_->shape() == Shape::flat) return wall.slope;
+    Points basis;
+    domain_->tangent_bases(path_, basis);
+    return basis * (basis.transpose() * wall.slope);
+  }
+
+  const Wall* find(int obstacle) const {
+    const auto found = std::find_if(walls.begin(), walls.end(), [&](const Wall& w) { return w.obstacle == obstacle; });
+    return found == walls.end() ? nullptr : &*found;
+  }
+
+  std::vector<Wall> walls;
+
+ private:
+  void place() {
+    u_ = path_.u;
+    x_ = chart_ == nullptr ? u_ : Vector(positions(*domain_, path_));
+  }
+
+  const ConstraintManifold* domain_;
+  const HasChart* chart_;
+  CoordinatePath path_;
+  Vector u_, x_;
+};
+
+FreeSpace::FreeSpace(std::shared_ptr<const ConstraintManifold> domain, std::shared_ptr<const Walls> walls)
+    : domain_(std::move(domain)), walls_(std::move(walls)) {
+  if (domain_->shape() == Shape::polyhedral)
+    throw InputError("obstacles stand in a flat or a smooth domain; this one is made of flat pieces");
+  if (find_ability<HasCoarserVersion>(*domain_) != nullptr)
+    throw InputError("obstacles stand in a domain that is given exactly; this one is made from data");
+  if (walls_->dimension() != domain_->dimensions().ambient)
+    throw InputError("the walls have " + std::to_string(walls_->dimension()) + " dimensions, the domain has " +
+                     std::to_string(domain_->dimensions().ambient));
+}
+
+FreeSpace::FreeSpace(const std::shared_ptr<const ConstraintManifold>& domain, Obstacles obstacles, double clearance)
+    : FreeSpace(domain,
+                std::make_shared<const ObstacleWalls>(domain->dimensions().ambient, std::move(obstacles), clearance)) {}
+
+double FreeSpace::margin(const Wall& wall) const {
+  const auto found = margins_.find(wall.obstacle);
+  return std::max(found == margins_.end() ? 0 : found->second.width, from_cores_ - wall.required);
+}
+
+double FreeSpace::widest_margin() const {
+  double widest = from_cores_;
+  for (const auto& [obstacle, margin] : margins_) widest = std::max(widest, margin.width);
+  return widest;
+}
+
+/// By how much a point on a wall may be off it.
+double FreeSpace::slack(const Vector& x) const { return kOn * std::max(walls_->size(), x.cwiseAbs().maxCoeff()); }
+
+void FreeSpace::look(Point& point, double reach) const {
+  walls_->near(point.x(), reach + widest_margin() + 2 * slack(point.x()), point.walls);
+}
+
+/// Along the way out of a wall, as far as its gap, taken to be linear, says.
+void FreeSpace::push(Point& point, const Wall& wall, double by) const {
+  const Vector slope = point.slope(wall);
+  const double steep = slope.squaredNorm();
+  if (steep > 0) point.step(by / steep * slope);
+}
+
+/// Moves a point onto the walls that hold it and, if bounded, out of those that it has come into, to the nearest place;
+/// false where they leave none.
+bool FreeSpace::settle(Point& point, const std::vector<int>& held, bool bounded, double reach) const {
+  const double rounding = kRounding * std::max(walls_->size(), point.x().cwiseAbs().maxCoeff());
+  const auto holds = [&](int i) { return std::find(held.begin(), held.end(), i) != held.end(); };
+  double before = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < kMostPushes; ++k) {
+    look(point, reach);
+    const Wall* worst = nullptr;
+    double by = 0;
+    for (const Wall& wall : point.walls) {
+      const double off = wall.gap - margin(wall);
+      const bool counts = holds(wall.obstacle) || (bounded && off < 0);
+      if (!counts || std::abs(off) <= std::abs(by)) continue;
+      worst = &wall;
+      by = off;
+    }
+    if (std::abs(by) <= rounding) return true;
+    // Two walls that both hold the point settle at first order only: rounding is not waited for.
+    if (std::abs(by) <= slack(point.x()) && std::abs(by) >= before / 2) return true;
+    before = std::abs(by);
+    push(point, *worst, -by);
+    if (!bounded) continue;
+    CoordinatePath back = point.path();  // a wall may have pushed it out of the domain
+    domain_->project(back);
+    if (back.u != point.u()) point.go_to(back.u);
+  }
+  return before <= slack(point.x());
+}
+
+/// Ends a way where it first meets a wall that does not hold it.
+void FreeSpace::clear_way(const Point& start, const std::vector<int>& held, Point& end) const {
+  const Vector& from = start.u();
+  const Vector to = end.u(), way = to - from;
+  const double length = (end.x() - start.x()).norm();
+  Point at = start;
+  for (double t = 0; t < 1;) {
+    double free = 1 - t;
+    look(at, free * length);
+    for (const Wall& wall : at.walls) {
+      if (std::find(held.begin(), held.end(), wall.obstacle) != held.end()) continue;
+      const Vector slope = at.slope(wall);
+      const double gap = wall.gap - margin(wall);
+      const double speed = slope.norm() * way.norm();
+      if (gap <= slack(at.x()) && slope.dot(way) >= 0) continue;  // on its way out
+      if (gap <= slack(at.x())) free = 0;
+      if (speed > 0) free = std::min(free, std::max(0.0, gap) / speed);
+    }
+    if (free <= 0) {
+      end = at;
+      return;
+    }
+    t = std::min(1.0, t + std::max(free, kLeastAdvance));
+    if (t < 1) at.go_towards(from, to, t);
+  }
+}
+
+/// A long step along a wall must not come out at its back.
+void FreeSpace::keep_side(const Point& start, const std::vector<int>& held, Point& end) const {
+  for (const int i : held) {
+    const Vector before = start.slope(*start.find(i));
+    for (int k = 0; k < kMostHalvings; ++k) {
+      look(end, (end.x() - start.x()).norm());
+      const Wall* wall = end.find(i);
+      if (wall == nullptr) break;
+      const Vector after = end.slope(*wall);
+      if (after.dot(before) > kSameSide * after.norm() * before.norm()) break;
+      end.go_towards(start.u(), end.u(), 0.5);
+    }
+  }
+}
+
+/// A step that runs along a wall, or into it, stays on it. One that meets another wall ends there, on the side that it
+/// came from, however far it would have gone: a point never changes sides of an obstacle.
+void FreeSpace::move_along_walls(const CoordinatePath& from, const Points& step, bool bounded,
+                                 CoordinatePath& to) const {
+  std::vector<int> held;
+  for (Index k = 0; k < step.cols(); ++k) {
+    const Index column = from.free_begin() + k;
+    Point start(*domain_, from, column), end(*domain_, to, column);
+    const double length = (end.x() - start.x()).norm();
+    look(start, length);
+    if (start.walls.empty()) continue;
+    const Vector way = step.col(k);
+    held.clear();
+    for (const Wall& wall : start.walls) {
+      if (std::abs(wall.gap - margin(wall)) > slack(start.x())) continue;
+      const Vector slope = start.slope(wall);
+      const double off = way.dot(slope), along = kAlong * way.norm() * slope.norm();
+      if (bounded ? off <= along : std::abs(off) <= along) held.push_back(wall.obstacle);
+    }
+    if (bounded) clear_way(start, held, end);
+    keep_side(start, held, end);
+    to.u.col(column) = settle(end, held, bounded, length) ? end.u() : start.u();
+  }
+}
+
+/// A segment whose ends have moved so that it may have been drawn through the core of an obstacle goes half the way
+/// only, and at last none of it.
+void FreeSpace::keep_class(const CoordinatePath& from, CoordinatePath& to) const {
+  const Points before = positions(*domain_, from);
+  std::vector<char> held_back(static_cast<std::size_t>(from.u.cols()), 0);
+  for (int k = 0; k <= kMostRetreats; ++k) {
+    const Points after = positions(*domain_, to);
+    std::fill(held_back.begin(), held_back.end(), 0);
+    bool all_pass = true;
+    for (Index i = 0; i < from.segment_count(); ++i) {
+      const Index j = (i + 1) % from.u.cols();
+      if (sweeps_clear(*walls_, {before.col(i), before.col(j)}, {after.col(i), after.col(j)})) continue;
+      all_pass = false;
+      held_back[static_cast<std::size_t>(i)] = held_back[static_cast<std::size_t>(j)] = 1;
+    }
+    if (all_pass) return;
+    for (Index i = from.free_begin(); i < from.free_begin() + from.free_count(); ++i) {
+      if (held_back[static_cast<std::size_t>(i)] == 0) continue;
+      Point point(*domain_, to, i);
+      point.go_towards(from.u.col(i), to.u.col(i), 0.5);
+      const bool settled = k < kMostRetreats && settle(point, {}, true, (point.x() - before.col(i)).norm());
+      to.u.col(i) = settled ? point.u() : Vector(from.u.col(i));
+    }
+  }
+}
+
+Projection FreeSpace::project(CoordinatePath& path) const {
+  const CoordinatePath before = path;
+  Projection result = domain_->project(path);
+  for (Index i = 0; i < path.u.cols(); ++i) {
+    Point point(*domain_, path, i);
+    if (settle(point, {}, true, 0)) {
+      path.u.col(i) = point.u();
+      result.moved = std::max(result.moved, (point.u() - before.u.col(i)).norm());
+    } else if (std::find(result.failed.begin(), result.failed.end(), i) == result.failed.end()) {
+      result.failed.push_back(i);
+      path.u.col(i) = before.u.col(i);
+    }
+  }
+  return result;
+}
+
+void FreeSpace::tangent_bases(const CoordinatePath& path, Points& bases) const { domain_->tangent_bases(path, bases); }
+
+void FreeSpace::retract(const CoordinatePath& from, const Points& step, CoordinatePath& to) const {
+  domain_->retract(from, step, to);
+  move_along_walls(from, step, true, to);
+  keep_class(from, to);
+}
+
+void FreeSpace::retract_beyond(const CoordinatePath& from, const Points& step, CoordinatePath& to) const {
+  if (const auto* beyond = find_ability<GoesBeyondBounds>(*domain_)) {
+    beyond->retract_beyond(from, step, to);
+  } else if (domain_->shape() == Shape::flat || find_ability<HasChart>(*domain_) != nullptr) {
+    prepare_like(from, to);
+    to.u.middleCols(from.free_begin(), from.free_count()) =
+        from.u.middleCols(from.free_begin(), from.free_count()) + step;
+  } else {
+    domain_->retract(from, step, to);
+  }
+  move_along_walls(from, step, false, to);
+}
+
+double FreeSpace::residual(const CoordinatePath& path) const {
+  double worst = domain_->residual(path);
+  std::vector<Wall> found;
+  const Points x = positions(*domain_, path);
+  for (Index i = 0; i < x.cols(); ++i) {
+    walls_->near(x.col(i), 0, found);
+    for (const Wall& wall : found) worst = std::max(worst, -wall.gap);
+  }
+  return worst;
+}
+
+int FreeSpace::active_bounds(const CoordinatePath& path, Index column, Eigen::Ref<Points> normals) const {
+  const auto* bounds = find_ability<HasBounds>(*domain_);
+  int count = bounds != nullptr ? bounds->active_bounds(path, column, normals) : 0;
+  Point point(*domain_, path, column);
+  look(point, 0);
+  for (const Wall& wall : point.walls) {
+    if (count == normals.cols()) break;
+    if (std::abs(wall.gap - margin(wall)) > slack(point.x())) continue;
+    const Vector slope = point.slope(wall);
+    if (slope.norm() > 0) normals.col(count++) = -slope.normalized();
+  }
+  return count;
+}
+
+MoveClearance FreeSpace::clearance(const Vector& a, const Vector& b) const { return walls_->clearance(a, b); }
+
+std::string FreeSpace::obstacle_name(int obstacle) const { return walls_->obstacle_name(obstacle); }
+
+std::shared_ptr<const ConstraintManifold> FreeSpace::unfitted(const CoordinatePath& path) const {
+  auto unfitted = std::make_shared<FreeSpace>(domain_, walls_);
+  const Points x = positions(*domain_, path);
+  double longest = 0;
+  for (Index i = 0; i < path.segment_count(); ++i)
+    longest = std::max(longest, (x.col((i + 1) % x.cols()) - x.col(i)).norm());
+  unfitted->from_cores_ = kOverCores * longest / 2;
+  return unfitted;
+}
+
+/// The margin with which the gap of the moves, which is `gap` at a margin of `now`, will be `to`. A margin moves the
+/// gap by as much; where points slide along a wall as they leave it, by more; and where an end of the path touches a
+/// wall, so that the first move is tangent to it at last, like the square of what is missing, a root that counts twice.
+double FreeSpace::fit(const Margin& known, double now, double gap, double to) {
+  constexpr double kGentle = 0.7, kLeast = 1e-4, kMost = 5;
+  double slope = 1;
+  if (known.has_before && now != known.before)
+    slope = std::clamp((gap - known.gap_before) / (now - known.before), kLeast, kMost);
+  if (slope < kGentle && gap < 0) slope /= 2;
+  return now + std::min((to - gap) / slope, std::max(now, 2 * (to - gap)));
+}
+
+std::shared_ptr<const ConstraintManifold> FreeSpace::fitted(const CoordinatePath& path) const {
+  const Points x = positions(*domain_, path);
+  std::map<int, Wall> least;
+  std::vector<Wall> found;
+  for (Index i = 0; i < path.segment_count(); ++i) {
+    walls_->along(x.col(i), x.col((i + 1) % x.cols()), widest_margin(), found);
+    for (const Wall& wall : found) {
+      const auto [entry, first] = least.try_emplace(wall.obstacle, wall);
+      if (!first) entry->second.gap = std::min(entry->second.gap, wall.gap);
+    }
+  }
+  auto fitted = std::static_pointer_cast<FreeSpace>(std::const_pointer_cast<ConstraintManifold>(unfitted(path)));
+  fitted->fits_ = fits_ + 1;
+  const double size = std::max(walls_->size(), x.cwiseAbs().maxCoeff()), rounding = kRounding * size;
+  const double agree = std::max(kFitted * (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm(), kOn * size);
+  bool changed = std::abs(fitted->from_cores_ - from_cores_) > kSameLength * from_cores_;
+  if (!changed) fitted->from_cores_ = from_cores_;
+  for (const auto& [obstacle, known] : margins_) {  // what is not beside the path any more needs none
+    if (least.count(obstacle) > 0) continue;
+    if (fits_ < kLoosened)
+      changed = true;
+    else
+      fitted->margins_[obstacle] = known;
+  }
+  for (const auto& [obstacle, wall] : least) {
+    const auto known = margins_.find(obstacle);
+    const Margin last = known == margins_.end() ? Margin{} : known->second;
+    const double now = std::max(last.width, from_cores_ - wall.required);
+    Margin next{last.width, now, wall.gap, fits_ > 0};  // before the first fit it was not solved
+    if (wall.gap < -rounding || (wall.gap > agree && last.width > 0 && fits_ < kLoosened))
+      next.width = std::max(0.0, fit(last, now, wall.gap, agree / 2));
+    if (next.width > 0) fitted->margins_[obstacle] = next;
+    changed = changed || next.width != last.width;
+  }
+  if (!changed) return nullptr;
+  return fitted;
+}
+
+void FreeSpace::draw(const DrawnPaths& paths, Drawing& out) const {
+  if (const auto* drawn = find_ability<DrawsItself>(*domain_)) drawn->draw(paths, out);
+  walls_->draw(paths, out);
+}
+
+const ConstraintManifold* FreeSpace::decorated(const std::type_info&) const { return domain_.get(); }
+
+}  // namespace leastcost

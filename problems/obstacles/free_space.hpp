@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <typeinfo>
+#include <vector>
+
+#include <leastcost/framework/checks_moves.hpp>
+#include <leastcost/framework/fits_segments.hpp>
+#include <leastcost/framework/goes_beyond_bounds.hpp>
+#include <leastcost/framework/manifold.hpp>
+#include <leastcost/problems/drawing/draws_itself.hpp>
+#include <leastcost/problems/obstacles/has_walls.hpp>
+#include <leastcost/problems/obstacles/obstacle_walls.hpp>
+#include <leastcost/problems/obstacles/walls.hpp>
+
+namespace leastcost {
+
+/// The part of a domain that keeps out of walls; contact is allowed. They are bounds on which points come to rest and
+/// along which they move.
+///
+/// Points outside do not keep the moves between them outside. So a wall has a margin, which points keep in addition:
+/// the least with which no move touches it, found by solving, looking and solving again (FitsSegments). Along a smooth
+/// wall of radius r the margin of moves of length L is about L^2 / (8 r): a cost of second order. It is never so small
+/// that a move could pass over the core of an obstacle, and a chain that is clear of the cores stays so from one
+/// iterate to the next, as far as the walls can tell (Walls::room): it is not drawn through to another side.
+/// docs/numerics.md Sec. 4.1.
+class FreeSpace final : public ConstraintManifold,
+                        public GoesBeyondBounds,
+                        public ChecksMoves,
+                        public FitsSegments,
+                        public HasWalls,
+                        public DrawsItself {
+ public:
+  using Obstacles = ObstacleWalls::Obstacles;
+
+  /// Throws InputError for a domain made of flat pieces or from data, and for walls of another dimension.
+  FreeSpace(std::shared_ptr<const ConstraintManifold> domain, std::shared_ptr<const Walls> walls);
+  /// Among obstacles: as ObstacleWalls.
+  FreeSpace(const std::shared_ptr<const ConstraintManifold>& domain, Obstacles obstacles, double clearance);
+
+  Dimensions dimensions() const override { return domain_->dimensions(); }
+  Shape shape() const override { return Shape::smooth; }
+  Projection project(CoordinatePath& path) const override;
+  void tangent_bases(const CoordinatePath& path, Points& bases) const override;
+  void retract(const CoordinatePath& from, const Points& step, CoordinatePath& to) const override;
+  void retract_beyond(const CoordinatePath& from, const Points& step, CoordinatePath& to) const override;
+  /// Off the domain or into a wall, whatever it is fitted to.
+  double residual(const CoordinatePath& path) const override;
+  int active_bounds(const CoordinatePath& path, Index column, Eigen::Ref<Points> normals) const override;
+
+  MoveClearance clearance(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const override;
+  std::string obstacle_name(int obstacle) const override;
+
+  std::shared_ptr<const ConstraintManifold> unfitted(const CoordinatePath& path) const override;
+  std::shared_ptr<const ConstraintManifold> fitted(const CoordinatePath& path) const override;
+
+  /// The domain, and the walls.
+  void draw(const DrawnPaths& paths, Drawing& out) const override;
+  const ConstraintManifold* decorated(const std::type_info& ability) const override;
+
+  const Walls& walls() const override { return *walls_; }
+
+ private:
+  struct Point;
+  /// And what the last fit knew, for a secant.
+  struct Margin {
+    double width = 0, before = 0, gap_before = 0;
+    bool has_before = false;
+  };
+  static double fit(const Margin& known, double now, double gap, double to);
+
+  double margin(const Wall& wall) const;
+  double widest_margin() const;
+  double slack(const Eigen::VectorXd& x) const;
+  void look(Point& point, double reach) const;
+  void push(Point& point, const Wall& wall, double by) const;
+  bool settle(Point& point, const std::vector<int>& held, bool bounded, double reach) const;
+  void clear_way(const Point& start, const std::vector<int>& held, Point& end) const;
+  void keep_side(const Point& start, const std::vector<int>& held, Point& end) const;
+  void move_along_walls(const CoordinatePath& from, const Points& step, bool bounded, CoordinatePath& to) const;
+  void keep_class(const CoordinatePath& from, CoordinatePath& to) const;
+
+  std::shared_ptr<const ConstraintManifold> domain_;
+  std::shared_ptr<const Walls> walls_;
+  std::map<int, Margin> margins_;  ///< of obstacles that have one
+  double from_cores_ = 0;          ///< what points keep from any core
+  int fits_ = 0;
+};
+
+}  // namespace leastcost

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+
+namespace leastcost {
+
+/// An open set that no path may enter: all points nearer than `radius` to a closed core (a point, a box, a polygon).
+/// Distances are to the core; they need not be convex in the place, nor the core. Immutable.
+class Obstacle {
+ public:
+  using Vector = Eigen::VectorXd;
+  using Box = Eigen::AlignedBox<double, Eigen::Dynamic>;
+
+  virtual ~Obstacle() = default;
+  /// For messages: "the ball at (1, 2)".
+  virtual std::string name() const = 0;
+  /// The box of the core; its dimension is that of the space.
+  virtual Box core_bounds() const = 0;
+  virtual double radius() const = 0;
+  /// Corners of the core in the plane, 2 x m, counterclockwise (one: a point); only for pictures.
+  virtual Eigen::MatrixXd corners() const = 0;
+  /// Distance of x from the core, negative within it, and the direction in which it grows fastest, of length one.
+  virtual double distance(const Vector& x, Eigen::Ref<Vector> away) const = 0;
+  /// The least distance of a point a + t (b - a) from the core, and that t; 0 where the segment meets it, and the t of
+  /// where it does so first.
+  virtual double distance_of_segment(const Vector& a, const Vector& b, double& t) const = 0;
+};
+
+}  // namespace leastcost

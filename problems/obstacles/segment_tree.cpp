@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/obstacles/segment_tree.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace leastcost {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr std::int32_t kTrianglesOfLeaf = 4;
+constexpr std::size_t kDeepest = 64;  ///< nodes that wait: the depth is log2 of the number of triangles
+constexpr double kOutwards = 1 + 1e-12;
+
+/// Where on a segment something is nearest.
+struct Nearest {
+  double square = std::numeric_limits<double>::infinity();  ///< of the distance
+  double t = 0;
+  void offer(double other_square, double other_t) {
+    if (other_square < square || (other_square == square && other_t < t)) square = other_square, t = other_t;
+  }
+};
+
+/// Ericson, Real-Time Collision Detection (2005), Sec. 5.1.9.
+void offer_edge(const Vector3d& a, const Vector3d& b, const Vector3d& p, const Vector3d& q, Nearest& best) {
+  const Vector3d d = b - a, e = q - p, r = a - p;
+  const double dd = d.squaredNorm(), ee = e.squaredNorm(), er = e.dot(r), dr = d.dot(r), de = d.dot(e);
+  double s = 0, t = 0;  // along a b, along p q
+  if (dd > 0 && ee > 0) {
+    const double across = dd * ee - de * de;
+    s = across > 0 ? std::clamp((de * er - dr * ee) / across, 0.0, 1.0) : 0;
+    t = (de * s + er) / ee;
+    if (t < 0) t = 0, s = std::clamp(-dr / dd, 0.0, 1.0);
+    if (t > 1) t = 1, s = std::clamp((de - dr) / dd, 0.0, 1.0);
+  } else if (ee > 0) {
+    t = std::clamp(er / ee, 0.0, 1.0);
+  } else if (dd > 0) {
+    s = std::clamp(-dr / dd, 0.0, 1.0);
+  }
+  best.offer((a + s * d - p - t * e).squaredNorm(), s);
+}
+
+/// An end of the segment against the inside of a triangle.
+void offer_end(const Vector3d& x, double at, const SegmentTree::Triangle& c, Nearest& best) {
+  const Vector3d u = c[1] - c[0], v = c[2] - c[0], w = x - c[0], normal = u.cross(v);
+  const double area = normal.squaredNorm();
+  if (!(area > 0)) return;
+  const double wv = w.cross(v).dot(normal) / area, wu = u.cross(w).dot(normal) / area;
+  if (wv < 0 || wu < 0 || wv + wu > 1) return;  // nearest to an edge
+  const double off = w.dot(normal);
+  best.offer(off * off / area, at);
+}
+
+/// Whether the segment goes through a triangle, and where.
+void offer_crossing(const Vector3d& a, const Vector3d& b, const SegmentTree::Triangle& c, Nearest& best) {
+  const Vector3d normal = (c[1] - c[0]).cross(c[2] - c[0]);
+  const double from = normal.dot(a - c[0]), to = normal.dot(b - c[0]);
+  if (from == to || (from > 0) == (to > 0)) return;
+  const Vector3d way = b - a;
+  const auto side = [&](std::size_t i, std::size_t j) { return way.dot((c[i] - a).cross(c[j] - a)); };
+  const double s = side(0, 1), t = side(1, 2), r = side(2, 0);
+  if (!((s >= 0 && t >= 0 && r >= 0) || (s <= 0 && t <= 0 && r <= 0))) return;
+  best.offer(0, std::clamp(from / (from - to), 0.0, 1.0));
+}
+
+void offer_triangle(const Vector3d& a, const Vector3d& b, const SegmentTree::Triangle& c, Nearest& best) {
+  offer_crossing(a, b, c, best);
+  for (std::size_t k = 0; k < 3; ++k) offer_edge(a, b, c[k], c[(k + 1) % 3], best);
+  offer_end(a, 0, c, best);
+  offer_end(b, 1, c, best);
+}
+
+}  // namespace
+
+SegmentTree::SegmentTree(std::vector<Triangle> triangles) : triangles_(std::move(triangles)) {
+  build(0, static_cast<std::int32_t>(triangles_.size()));
+}
+
+std::int32_t SegmentTree::build(std::int32_t first, std::int32_t count) {
+  const auto index = static_cast<std::int32_t>(nodes_.size());
+  nodes_.emplace_back();
+  Node node;
+  node.first = first;
+  node.count = count;
+  const auto begin = triangles_.begin() + first, end = begin + count;
+  Vector3d low = (*begin)[0], high = low;
+  for (auto c = begin; c != end; ++c)
+    for (const Vector3d& p : *c) low = low.cwiseMin(p).eval(), high = high.cwiseMax(p).eval();
+  node.centre = (low + high) / 2;
+  for (auto c = begin; c != end; ++c)
+    for (const Vector3d& p : *c) node.radius = std::max(node.radius, (p - node.centre).norm() * kOutwards);
+  if (count > kTrianglesOfLeaf) {
+    Eigen::Index axis = 0;
+    (high - low).maxCoeff(&axis);
+    const std::int32_t half = count / 2;
+    std::nth_element(begin, begin + half, end, [axis](const Triangle& s, const Triangle& t) {
+      return s[0][axis] + s[1][axis] + s[2][axis] < t[0][axis] + t[1][axis] + t[2][axis];
+    });
+    build(first, half);
+    node.second = build(first + half, count - half);
+  }
+  nodes_[static_cast<std::size_t>(index)] = node;
+  return index;
+}
+
+double SegmentTree::distance(const Vector3d& a, const Vector3d& b, double& t) const {
+  const Vector3d way = b - a;
+  const double length = way.squaredNorm();
+  /// No triangle of a node is nearer to the segment than this.
+  const auto nearest = [&](std::int32_t index) {
+    const Node& node = nodes_[static_cast<std::size_t>(index)];
+    const double s = length > 0 ? std::clamp((node.centre - a).dot(way) / length, 0.0, 1.0) : 0;
+    return std::max(0.0, (a + s * way - node.centre).norm() / kOutwards - node.radius);
+  };
+  Nearest best;
+  std::array<std::pair<double, std::int32_t>, kDeepest> open;
+  std::size_t size = 0;
+  open[size++] = {nearest(0), 0};
+  while (size > 0) {
+    const auto [bound, at] = open[--size];
+    if (bound * bound > best.square) continue;
+    const Node& node = nodes_[static_cast<std::size_t>(at)];
+    if (node.second < 0) {
+      for (std::int32_t i = node.first; i < node.first + node.count; ++i)
+        offer_triangle(a, b, triangles_[static_cast<std::size_t>(i)], best);
+      continue;
+    }
+    std::pair<double, std::int32_t> near{nearest(at + 1), at + 1}, far{nearest(node.second), node.second};
+    if (far.first < near.first) std::swap(near, far);
+    open[size++] = far;
+    open[size++] = near;
+  }
+  t = best.t;
+  return std::sqrt(best.square);
+}
+
+}  // namespace leastcost

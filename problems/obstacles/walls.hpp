@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <leastcost/framework/checks_moves.hpp>
+#include <leastcost/problems/drawing/draws_itself.hpp>
+
+namespace leastcost {
+
+/// One thing that a place may be too near to.
+struct Wall {
+  int obstacle = -1;           ///< what Walls::obstacle_name() is asked for
+  double gap = 0;              ///< distance minus what is required, length units
+  Eigen::VectorXd slope = {};  ///< derivative of the gap by the place, ambient coordinates; one of them at a kink
+  /// Of the distance from the core, which is gap + required; infinity where no core is known.
+  double required = std::numeric_limits<double>::infinity();
+};
+
+/// What keeps a place out: obstacles in the space itself, or those that a robot in a configuration would touch. Places
+/// are ambient columns of the domain (a quaternion of a pose is four of them). Immutable, and shared by threads.
+class Walls {
+ public:
+  using Vector = Eigen::VectorXd;
+
+  virtual ~Walls() = default;
+  /// Rows of a place.
+  virtual Eigen::Index dimension() const = 0;
+  /// The largest of the lengths that gaps are computed from (coordinates, radii): what rounding is measured by.
+  virtual double size() const { return 1; }
+  /// The walls with a gap below `reach` at x, ascending by obstacle; some others may be among them.
+  virtual void near(const Vector& x, double reach, std::vector<Wall>& found) const = 0;
+  /// Over all places of the move from a to b that the domain makes; names the nearest obstacle.
+  virtual MoveClearance clearance(const Vector& a, const Vector& b) const = 0;
+  /// The walls with a gap below `reach` somewhere on that move, the gap of each the least there, without slopes. All
+  /// that are known: the nearest will do.
+  virtual void along(const Vector& a, const Vector& b, double reach, std::vector<Wall>& found) const;
+  /// How far that move may be displaced, at least, before it meets the core of an obstacle, which it could be drawn
+  /// through to the other side; no more than `reach` is asked for. `reach` itself: not known, hence not watched.
+  virtual double room(const Vector& a, const Vector& b, double reach) const;
+  virtual std::string obstacle_name(int obstacle) const = 0;
+  virtual void draw(const DrawnPaths& paths, Drawing& out) const;
+};
+
+inline void Walls::along(const Vector& a, const Vector& b, double reach, std::vector<Wall>& found) const {
+  found.clear();
+  const MoveClearance least = clearance(a, b);
+  if (least.obstacle >= 0 && least.upper < reach) found.push_back({least.obstacle, least.upper});
+}
+
+inline double Walls::room(const Vector&, const Vector&, double reach) const { return reach; }
+
+inline void Walls::draw(const DrawnPaths&, Drawing&) const {}
+
+}  // namespace leastcost

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/problems/obstacles/obstacle.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+
+#include <leastcost/problems/obstacles/ball.hpp>
+#include <leastcost/problems/obstacles/box_obstacle.hpp>
+#include <leastcost/problems/obstacles/map_obstacles.hpp>
+#include <leastcost/problems/obstacles/mesh_obstacle.hpp>
+#include <leastcost/problems/obstacles/polygon.hpp>
+#include "tests/problems/sample_meshes.hpp"
+#include "tests/support/catch.hpp"
+
+namespace leastcost {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Vector = Eigen::VectorXd;
+
+constexpr int kTries = 200;
+
+/// What FreeSpace relies on, at random places: distances of segments are the least of those of their points, the way
+/// out leads out at the rate of one, and the core lies in its box.
+void check_obstacle(const Obstacle& obstacle) {
+  std::mt19937 engine(20261123);
+  const Obstacle::Box box = obstacle.core_bounds();
+  const Eigen::Index d = box.dim();
+  std::uniform_real_distribution<double> place(-3, 3);
+  const auto random_point = [&]() -> Vector { return Vector::NullaryExpr(d, [&] { return place(engine); }); };
+  Vector away(d), there(d);
+  const auto distance = [&](const Vector& x) { return std::max(0.0, obstacle.distance(x, there)); };
+  for (int k = 0; k < kTries; ++k) {
+    CAPTURE(obstacle.name(), k);
+    const Vector a = random_point(), b = random_point();
+    double t = -1, sampled = distance(a);
+    const double of_segment = obstacle.distance_of_segment(a, b, t);
+    constexpr int kSamples = 1000;
+    for (int i = 0; i <= kSamples; ++i) sampled = std::min(sampled, distance(a + (b - a) * i / kSamples));
+    CHECK(of_segment <= sampled + 1e-12);
+    CHECK(of_segment >= sampled - (b - a).norm() / kSamples);
+    REQUIRE((t >= 0 && t <= 1));
+    CHECK(std::abs(distance(a + t * (b - a)) - of_segment) <= 1e-12);
+
+    constexpr double kStep = 1e-6;
+    const double here = obstacle.distance(a, away);
+    CHECK(away.norm() == Approx(1));
+    CHECK(obstacle.distance(a + kStep * away, there) == Approx(here + kStep).margin(1e-9));
+    CHECK(here <= box.exteriorDistance(a) + (box.max() - box.min()).norm());
+    if (here <= 0) CHECK(box.contains(a));
+  }
+  CHECK(obstacle.radius() >= 0);
+  CHECK(!obstacle.name().empty());
+}
+
+}  // namespace
+
+TEST_CASE("obstacle contract: map") {
+  OccupancyGrid grid;
+  grid.rows = grid.columns = 4;
+  grid.blocked.assign(16, false);
+  for (const auto& [row, column] : {std::pair{0, 0}, {1, 1}, {1, 2}, {2, 2}})
+    grid.blocked[grid.index(row, column)] = true;
+  grid.cell = 0.5;
+  const auto all = map_obstacles(grid);
+  CHECK(all.size() == 3);  // the corner, a row and a column that share a cell
+  for (const auto& obstacle : all) check_obstacle(*obstacle);
+}
+
+TEST_CASE("obstacle contract: ball") {
+  check_obstacle(*make_ball({Vector2d(0.3, -0.2), 0.5}));
+  check_obstacle(*make_ball({Vector3d(0.3, -0.2, 0.1), 0.5}));
+}
+
+TEST_CASE("obstacle contract: box") {
+  check_obstacle(*make_box_obstacle({Vector2d(-1, -0.5), Vector2d(0.5, 1)}));
+  check_obstacle(*make_box_obstacle({Vector3d(-1, -0.5, 0), Vector3d(0.5, 1, 0.2)}));
+}
+
+TEST_CASE("obstacle contract: polygon") {
+  Eigen::MatrixXd corners(5, 2);
+  corners << 0, 0, 2, 0.3, 1, 1, 1.5, 2, -0.2, 1.4;
+  check_obstacle(*make_polygon({corners}));
+  check_obstacle(*make_polygon({corners.colwise().reverse()}));  // the other way round is the same polygon
+}
+
+TEST_CASE("obstacle contract: mesh") {
+  check_obstacle(*make_mesh_obstacle(TriangleMesh(test::sphere(3)), MeshInside::solid, 0.1));
+  check_obstacle(*make_mesh_obstacle(TriangleMesh(test::sheet(6, 6,
+                                                              [](double s, double t) -> Vector3d {
+                                                                return {2 * s - 1, 2 * t - 1, 0.3 * std::sin(4 * s)};
+                                                              })),
+                                     MeshInside::surface, 0.1));
+}
+
+}  // namespace leastcost
