@@ -18,6 +18,7 @@
 #include "framework/curve_value.hpp"
 #include "framework/geometry_error.hpp"
 #include "framework/in_parts.hpp"
+#include "framework/margin_bar.hpp"
 #include "framework/point_text.hpp"
 #include "framework/spacing.hpp"
 
@@ -231,6 +232,7 @@ class Certifier {
     EstimatedCost estimated = estimate_cost(problem_, energy_, path_.chain, refinement, c_.index, hugs_bound_);
     c_.estimate = std::move(estimated.estimate);
     for (CertificateFailure& failure : estimated.failures) c_.failures.push_back(std::move(failure));
+    add_margin_bar(refinement);
     if (between) c_.estimate.error = std::max(c_.estimate.error, kBetween * std::abs(*between - c_.estimate.value));
     measure_resolution(refinement);
     if (!(c_.estimate.error <= kWidestBar * c_.estimate.value))
@@ -238,6 +240,12 @@ class Certifier {
                             " of the cost: too few points for this path");
     measure_domain();
     measure_places();
+  }
+
+  void add_margin_bar(const Refinement& refinement) {
+    const double bar = margin_bar(problem_, refinement, monitor_.deadline);
+    if (bar > c_.estimate.error && c_.estimate.method == "exact") c_.estimate.method = "differences";
+    c_.estimate.error += bar;
   }
 
   /// Only of a path that has no other failure: a proof about another one would say nothing. What is proved needs no

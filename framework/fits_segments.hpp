@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include <leastcost/framework/manifold.hpp>
 #include <leastcost/framework/monitor.hpp>
@@ -10,6 +11,12 @@
 #include <leastcost/framework/solver.hpp>
 
 namespace leastcost {
+
+/// What it costs that points keep a margin from an obstacle.
+struct MarginCost {
+  int obstacle = -1;
+  double cost = 0;  ///< at first order: the margin times what a unit of it less would save
+};
 
 /// Ability of a domain whose points keep away from something by as much as the moves between them need, which depends
 /// on the chain that they belong to.
@@ -21,6 +28,8 @@ class FitsSegments {
   /// Fitted anew to a path on this one: by more where its moves come too near, by less where points keep away for
   /// nothing. Null where that would change nothing.
   virtual std::shared_ptr<const ConstraintManifold> fitted(const CoordinatePath& path) const = 0;
+  /// Of a chain at rest on this one, ascending by obstacle. gradient: of its cost at the free points, coordinate x n.
+  virtual std::vector<MarginCost> margin_costs(const CoordinatePath& path, const Points& gradient) const = 0;
 };
 
 /// Solves a chain. Where the domain fits segments, the chain and what the domain is fitted to are made to agree:

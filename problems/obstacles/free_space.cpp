@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/obstacles/free_space.hpp>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -382,6 +383,29 @@ std::shared_ptr<const ConstraintManifold> FreeSpace::fitted(const CoordinatePath
   }
   if (!changed) return nullptr;
   return fitted;
+}
+
+std::vector<MarginCost> FreeSpace::margin_costs(const CoordinatePath& path, const Points& gradient) const {
+  std::map<int, double> costs;
+  std::vector<const Wall*> holding;
+  for (Index k = 0; k < path.free_count(); ++k) {
+    Point point(*domain_, path, path.free_begin() + k);
+    look(point, 0);
+    holding.clear();
+    for (const Wall& wall : point.walls)
+      if (std::abs(wall.gap - margin(wall)) <= slack(point.x())) holding.push_back(&wall);
+    if (holding.empty()) continue;
+    Points slopes(gradient.rows(), static_cast<Index>(holding.size()));
+    for (Index i = 0; i < slopes.cols(); ++i) slopes.col(i) = point.slope(*holding[static_cast<std::size_t>(i)]);
+    const Vector multipliers = slopes.completeOrthogonalDecomposition().solve(Vector(gradient.col(k)));
+    for (Index i = 0; i < slopes.cols(); ++i) {
+      const Wall& wall = *holding[static_cast<std::size_t>(i)];
+      costs[wall.obstacle] += std::max(0.0, multipliers[i]) * margin(wall);
+    }
+  }
+  std::vector<MarginCost> listed;
+  for (const auto& [obstacle, cost] : costs) listed.push_back({obstacle, cost});
+  return listed;
 }
 
 void FreeSpace::draw(const DrawnPaths& paths, Drawing& out) const {

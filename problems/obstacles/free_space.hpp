@@ -57,6 +57,7 @@ class FreeSpace final : public ConstraintManifold,
 
   std::shared_ptr<const ConstraintManifold> unfitted(const CoordinatePath& path) const override;
   std::shared_ptr<const ConstraintManifold> fitted(const CoordinatePath& path) const override;
+  std::vector<MarginCost> margin_costs(const CoordinatePath& path, const Points& gradient) const override;
 
   /// The domain, and the walls.
   void draw(const DrawnPaths& paths, Drawing& out) const override;
