@@ -150,9 +150,10 @@ class Certifier {
   }
 
   /// It certifies itself: no angle beside it is below pi, so no path nearby is shorter. Nothing is said about the
-  /// shortest path, nor about the smooth surface behind the mesh.
+  /// shortest path, nor about the smooth surface behind the mesh. Among obstacles in the plane what is locally shortest
+  /// is the shortest of its class.
   void certify_straightened() {
-    c_.scope = "local_on_polyhedron";
+    c_.scope = path_.curve.least_of_class ? "least_of_class" : "local_on_polyhedron";
     c_.straightness = path_.curve.straightness;
     if (!(*c_.straightness >= -kStraight))
       fail("straightness",
@@ -161,6 +162,10 @@ class Certifier {
     c_.estimate.method = "straightened";
     c_.estimate.error = std::numeric_limits<double>::epsilon() * path_.curve.cost *
                         std::sqrt(static_cast<double>(path_.curve.x.cols())) * 4;
+    if (!path_.curve.least_of_class) return;
+    c_.estimate.lower = path_.curve.least_of_class;
+    c_.estimate.upper = path_.curve.cost;
+    c_.estimate.error += path_.curve.cost - *path_.curve.least_of_class;
   }
 
   void fail_spacing(double allowed) {

@@ -47,7 +47,7 @@ struct CertificateOptions {
 /// failures means certified. It never says "global": a local method cannot know.
 struct Certificate {
   bool measured = false;
-  std::string scope;  ///< "local", "local_on_polyhedron", "chain_on_polyhedron"
+  std::string scope;  ///< "local", "local_on_polyhedron", "chain_on_polyhedron", "least_of_class"
   std::vector<CertificateFailure> failures;
   CostEstimate estimate;
   std::optional<double> stationarity;  ///< relative cost error

@@ -305,6 +305,8 @@ class Search {
   /// Begins anew with twice as many points along the first path, where there is one and they are not too many.
   bool double_points() {
     constexpr Index kMostPointsWhenDoubled = 4000;
+    const auto& steps = options_.post_processors;
+    if (std::any_of(steps.begin(), steps.end(), [](const auto& step) { return step->finds_its_own(); })) return false;
     const Index points = 2 * result_.initial.free_count();
     if (!sampled_ || points > kMostPointsWhenDoubled) return false;
     result_.initial =

@@ -19,8 +19,12 @@ struct Curve {
   std::vector<Site> segment_sites;  ///< the piece (face) that carries each of the m segments; empty without sites
   double cost = 0;                  ///< its true cost: the sum of the segment costs
   /// Smallest angle beside an interior point minus pi, measured on the curve by a checker that shares nothing with the
-  /// method that made it; set when the curve claims to be a locally shortest path of a polyhedron.
-  std::optional<double> straightness;
+  /// method that made it; set when the curve claims to be a locally shortest path of a polyhedron. Among obstacles in
+  /// the plane: minus the largest turn at a point that no obstacle holds.
+  std::optional<double> straightness = {};
+  /// No path of its class costs less; set when the curve claims to be the shortest of its class but for what lies
+  /// between.
+  std::optional<double> least_of_class = {};
 };
 
 struct PostProcessed {
@@ -37,6 +41,8 @@ class PostProcessor {
  public:
   virtual ~PostProcessor() = default;
   virtual std::string_view name() const = 0;
+  /// Whether it finds the way by itself, so that a chain which is not clear of obstacles is as good a beginning.
+  virtual bool finds_its_own() const { return false; }
   virtual PostProcessed apply(const Problem& problem, const FirstPath& first, PostProcessed current,
                               const Monitor& monitor) const = 0;
 };

@@ -41,6 +41,7 @@
 #include <leastcost/problems/occupancy/occupancy_options.hpp>
 #include <leastcost/problems/post_processors/on_surface.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>
+#include <leastcost/problems/post_processors/taut.hpp>
 #include <leastcost/problems/post_processors/trace.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
 #include <leastcost/problems/readers/point_cloud_reader.hpp>

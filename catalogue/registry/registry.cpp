@@ -35,6 +35,7 @@
 #include <leastcost/problems/obstacles/polygon.hpp>
 #include <leastcost/problems/post_processors/on_surface.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>
+#include <leastcost/problems/post_processors/taut.hpp>
 #include <leastcost/problems/post_processors/trace.hpp>
 #include <leastcost/solvers/georce.hpp>
 #include <leastcost/solvers/gradient_descent.hpp>
@@ -233,6 +234,9 @@ const auto& post_processors() {
       made_of<PostProcessorPlugin, OnSurfacePostProcessor, OnSurfaceOptions>(
           "on_surface", "The solved path as a polyline that lies on a smooth domain to a tolerance.")
           .needing<HasLevelSet>(),
+      made_of<PostProcessorPlugin, TautPostProcessor>("taut",
+                                                      "The shortest path of its class among obstacles in the plane.")
+          .needing<HasConstantMetric>(),
   };
   return all;
 }

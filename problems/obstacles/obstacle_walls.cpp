@@ -112,6 +112,18 @@ MoveClearance ObstacleWalls::clearance(const Vector& a, const Vector& b) const {
   return least;
 }
 
+std::optional<std::vector<Round>> ObstacleWalls::rounds(const Eigen::AlignedBox2d& box) const {
+  if (dimension_ != 2) return std::nullopt;
+  std::vector<int> numbers;
+  tree_->meeting({box.min(), box.max()}, numbers);
+  std::vector<Round> found;
+  for (const int i : numbers) {
+    const Eigen::MatrixXd corners = obstacle(i).corners();
+    for (Eigen::Index k = 0; k < corners.cols(); ++k) found.push_back({i, corners.col(k), required(i)});
+  }
+  return found;
+}
+
 std::string ObstacleWalls::obstacle_name(int i) const {
   return i < 0 ? "" : obstacle(i).name() + " (number " + std::to_string(i) + ")";
 }

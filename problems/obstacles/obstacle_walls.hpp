@@ -29,6 +29,7 @@ class ObstacleWalls final : public Walls {
   MoveClearance clearance(const Vector& a, const Vector& b) const override;
   void along(const Vector& a, const Vector& b, double reach, std::vector<Wall>& found) const override;
   double room(const Vector& a, const Vector& b, double reach) const override;
+  std::optional<std::vector<Round>> rounds(const Eigen::AlignedBox2d& box) const override;
   std::string obstacle_name(int obstacle) const override;
   void draw(const DrawnPaths& paths, Drawing& out) const override;
 

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,14 @@ struct Wall {
   Eigen::VectorXd slope = {};  ///< derivative of the gap by the place, ambient coordinates; one of them at a kink
   /// Of the distance from the core, which is gap + required; infinity where no core is known.
   double required = std::numeric_limits<double>::infinity();
+};
+
+/// In the plane: a disc of places that are taken. All of what is in the way is the hull of such discs, piece by piece
+/// (a ball is one, a box with a clearance four), so that a shortest path bends nowhere but around them.
+struct Round {
+  int obstacle = -1;
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();
+  double radius = 0;
 };
 
 /// What keeps a place out: obstacles in the space itself, or those that a robot in a configuration would touch. Places
@@ -42,6 +51,9 @@ class Walls {
   /// How far that move may be displaced, at least, before it meets the core of an obstacle, which it could be drawn
   /// through to the other side; no more than `reach` is asked for. `reach` itself: not known, hence not watched.
   virtual double room(const Vector& a, const Vector& b, double reach) const;
+  /// All discs of the obstacles that come into a box of the plane, ascending by obstacle; nothing where walls are not
+  /// made of discs.
+  virtual std::optional<std::vector<Round>> rounds(const Eigen::AlignedBox2d& box) const;
   virtual std::string obstacle_name(int obstacle) const = 0;
   virtual void draw(const DrawnPaths& paths, Drawing& out) const;
 };
@@ -53,6 +65,8 @@ inline void Walls::along(const Vector& a, const Vector& b, double reach, std::ve
 }
 
 inline double Walls::room(const Vector&, const Vector&, double reach) const { return reach; }
+
+inline std::optional<std::vector<Round>> Walls::rounds(const Eigen::AlignedBox2d&) const { return std::nullopt; }
 
 inline void Walls::draw(const DrawnPaths&, Drawing&) const {}
 

@@ -102,7 +102,8 @@ const Arrows& rooms() {
   static const std::set<std::string> subjects = {
       "problems/graph",   "problems/chart",     "problems/cloud",      "problems/distance",  "problems/drawing",
       "problems/formula", "problems/level_set", "problems/mesh",       "problems/obstacles", "problems/occupancy",
-      "problems/readers", "problems/section",   "problems/straighten", "problems/tensor"};
+      "problems/readers", "problems/section",   "problems/straighten", "problems/taut",
+      "problems/tensor"};
   static const Arrows table = {
       {"problems/chart", {}},
       {"problems/cloud", {"problems/graph"}},
@@ -119,6 +120,7 @@ const Arrows& rooms() {
       {"problems/readers", {"problems/cloud", "problems/distance", "problems/mesh", "problems/occupancy"}},
       {"problems/obstacles",
        {"problems/distance", "problems/drawing", "problems/mesh", "problems/occupancy", "problems/readers"}},
+      {"problems/taut", {"problems/obstacles"}},
       {"problems/kernels", {}},
       {"problems/costs", subjects},
       {"problems/initializers", subjects},

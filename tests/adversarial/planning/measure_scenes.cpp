@@ -26,6 +26,7 @@
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/problems/obstacles/polygon.hpp>
+#include <leastcost/problems/post_processors/taut.hpp>
 #include <leastcost/solvers/newton.hpp>
 #include "tests/adversarial/planning/judge/exact.hpp"
 #include "tests/adversarial/planning/judge/grid_passage.hpp"
@@ -75,6 +76,7 @@ std::pair<std::string, Points> plan(const PlannedScene& planned, double budget) 
   try {
     FindOptions options;
     options.points = planned.points;
+    if (planned.scene.dimension == 2) options.post_processors = {std::make_shared<const TautPostProcessor>()};
     Monitor monitor;
     monitor.deadline = Monitor::Clock::now() +
                        std::chrono::duration_cast<Monitor::Clock::duration>(std::chrono::duration<double>(budget));
