@@ -14,7 +14,7 @@
 namespace leastcost {
 namespace {
 
-constexpr double kContact = 1e-12;  ///< of the size of the coordinates: so near is in contact
+constexpr double kContact = 1e-11;  ///< of the size of the coordinates: so near is in contact
 
 }  // namespace
 
@@ -47,12 +47,15 @@ bool goes_clear(const ChecksMoves& obstacles, const Eigen::VectorXd& a, const Ei
   return obstacles.clearance(a, b).lower >= -kContact * size;
 }
 
-std::string why_in_clearance(const ConstraintManifold& manifold, const PathEnd& end) {
-  const auto* obstacles = find_ability<ChecksMoves>(manifold);
+std::string why_in_clearance(const Problem& problem, const PathEnd& end) {
+  const auto* obstacles = find_ability<ChecksMoves>(*problem.manifold);
   if (obstacles == nullptr) return "";
-  const Eigen::VectorXd x = positions(manifold, {end.u, {}, true});
+  const Eigen::VectorXd x = positions(*problem.manifold, {end.u, {}, true});
+  double size = x.cwiseAbs().maxCoeff();
+  for (const PathEnd* other : {&problem.source, &problem.target})  // an end at the origin has no size of its own
+    if (other->u.size() == end.u.size()) size = std::max(size, other->u.cwiseAbs().maxCoeff());
   const MoveClearance here = obstacles->clearance(x, x);
-  if (here.upper >= -kContact * x.cwiseAbs().maxCoeff()) return "";
+  if (here.upper >= -kContact * size) return "";
   return "lies " + short_number(-here.upper) + " too near to " + obstacles->obstacle_name(here.obstacle);
 }
 

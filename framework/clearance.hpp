@@ -33,6 +33,6 @@ bool goes_clear(const ChecksMoves& obstacles, const Eigen::VectorXd& a, const Ei
 
 /// "lies 0.1 too near to the ball at (0, 0)" of an end within an obstacle or its clearance, beyond rounding; else
 /// nothing.
-std::string why_in_clearance(const ConstraintManifold& manifold, const PathEnd& end);
+std::string why_in_clearance(const Problem& problem, const PathEnd& end);
 
 }  // namespace leastcost

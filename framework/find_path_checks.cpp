@@ -36,7 +36,7 @@ void refuse_one_point(const Problem& problem) {
 void refuse_end_in_clearance(const Problem& problem) {
   const auto check = [&](const PathEnd& end, const std::string& which) {
     if (end.u.size() == 0) return;
-    const std::string why = why_in_clearance(*problem.manifold, end);
+    const std::string why = why_in_clearance(problem, end);
     if (!why.empty()) throw InputError("end_in_clearance: the " + which + " " + why);
   };
   check(problem.source, "source");

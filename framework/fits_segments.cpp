@@ -26,7 +26,7 @@ void project_free(const ConstraintManifold& manifold, CoordinatePath& path, cons
 SolveReport solve_fitted(Problem& problem, const Solver& solver, double reference_cost, CoordinatePath& path,
                          const Monitor& monitor) {
   const auto* domain = find_ability<FitsSegments>(*problem.manifold);
-  const bool fits = domain != nullptr;
+  const bool fits = domain != nullptr && solver.moves_points();
   if (fits) {  // to the path as it is, too: a move through an obstacle could not be drawn out of it
     problem.manifold = domain->unfitted(path);
     project_free(*problem.manifold, path, monitor.deadline);

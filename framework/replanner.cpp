@@ -84,10 +84,10 @@ class OneReplan {
   /// An end within an obstacle: whatever is searched, there is no path now.
   std::string why_no_end() const {
     if (problem_.ring && !problem_.based) return "";
-    std::string why = why_in_clearance(*problem_.manifold, problem_.source);
+    std::string why = why_in_clearance(problem_, problem_.source);
     if (!why.empty()) return "the source " + why;
     if (problem_.ring) return "";
-    why = why_in_clearance(*problem_.manifold, problem_.target);
+    why = why_in_clearance(problem_, problem_.target);
     return why.empty() ? "" : "the target " + why;
   }
 

@@ -73,6 +73,8 @@ class Solver {
  public:
   virtual ~Solver() = default;
   virtual std::string_view name() const = 0;
+  /// Whether it looks for a better path at all. For one that stays nothing is fitted to it.
+  virtual bool moves_points() const { return true; }
   /// In words, why this solver cannot work on this energy; checked before work starts.
   virtual std::optional<std::string> cannot_solve(const PathEnergy& energy, const CoordinatePath& path) const;
   /// Checks, counts and times do_solve().

@@ -9,5 +9,6 @@
 #include <leastcost/solvers/gradient_descent.hpp>
 #include <leastcost/solvers/lbfgs.hpp>
 #include <leastcost/solvers/newton.hpp>
+#include <leastcost/solvers/no_solver.hpp>
 #include <leastcost/solvers/string_method.hpp>
 #include <leastcost/solvers/vfcs.hpp>

@@ -41,6 +41,7 @@
 #include <leastcost/solvers/gradient_descent.hpp>
 #include <leastcost/solvers/lbfgs.hpp>
 #include <leastcost/solvers/newton.hpp>
+#include <leastcost/solvers/no_solver.hpp>
 #include <leastcost/solvers/string_method.hpp>
 #include <leastcost/solvers/vfcs.hpp>
 #include "catalogue/back_ends/back_ends.hpp"
@@ -214,6 +215,7 @@ const auto& solvers() {
           "georce", "GEORCE (arXiv 2505.05961): optimality conditions of a discrete energy in a chart, in turn."),
       made_of<SolverPlugin, StringMethod, StringMethodOptions>(
           "string", "The string method: steps normal to the path, then equal spacing; no energy."),
+      made_of<SolverPlugin, NoSolver>("none", "The first path as it is, for post-processors that find the shortest."),
   };
   static const std::vector<SolverPlugin> all = [] {
     std::vector<SolverPlugin> both = own;

@@ -80,7 +80,7 @@ std::shared_ptr<const ConstraintManifold> among(FreeSpace::Obstacles obstacles,
 }
 
 void refuse_end_in_clearance(const Problem& problem, const PathEnd& end, const char* key) {
-  const std::string why = why_in_clearance(*problem.manifold, end);
+  const std::string why = why_in_clearance(problem, end);
   if (!why.empty()) throw OptionError(key, "end_in_clearance: it " + why);
 }
 

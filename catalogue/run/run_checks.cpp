@@ -50,6 +50,8 @@ void complete(RunConfig& config) {
   };
   fill("kernel", config.kernel);
   fill("initializer", config.initializer);
+  const bool taut = !config.post_process && plans_in_the_plane(config);
+  if (taut && !config.solver) config.solver = default_plugin("solver", "none", "solver");
   fill("solver", config.solver);
   if (config.post_process) return;
   PluginList& steps = config.post_process.emplace();
@@ -58,7 +60,7 @@ void complete(RunConfig& config) {
   if (mesh) steps.push_back(default_plugin("post_processor", "trace", "post_process.0"));
   if (mesh && config.cost.provides<HasConstantMetric>())
     steps.push_back(default_plugin("post_processor", "straighten", "post_process.1"));
-  if (plans_in_the_plane(config)) steps.push_back(default_plugin("post_processor", "taut", "post_process.0"));
+  if (taut) steps.push_back(default_plugin("post_processor", "taut", "post_process.0"));
 }
 
 /// Whether it is something that costs have, not manifolds.

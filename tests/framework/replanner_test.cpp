@@ -110,7 +110,8 @@ TEST_CASE("replanner: a robot that drives along its path") {
     CHECK(plan.result.path.u.col(0) == problem.source.u);
     CHECK(test::clearance_of(plan.result.curve.x, discs) >= kKept - kNothing);
     problem.source.u = plan.result.path.u.col(1);
-    if (!why_in_clearance(*test::world_of(test::eleven_discs(step + 1), kKept), problem.source).empty()) break;
+    problem.manifold = test::world_of(test::eleven_discs(step + 1), kKept);
+    if (!why_in_clearance(problem, problem.source).empty()) break;
   }
   CHECK(problem.source.u[0] > 3);
 }

@@ -28,6 +28,7 @@
 #include <leastcost/problems/obstacles/polygon.hpp>
 #include <leastcost/problems/post_processors/taut.hpp>
 #include <leastcost/solvers/newton.hpp>
+#include <leastcost/solvers/no_solver.hpp>
 #include "tests/adversarial/planning/judge/exact.hpp"
 #include "tests/adversarial/planning/judge/grid_passage.hpp"
 #include "tests/adversarial/planning/judge/tangent_graph.hpp"
@@ -80,7 +81,10 @@ std::pair<std::string, Points> plan(const PlannedScene& planned, double budget) 
     Monitor monitor;
     monitor.deadline = Monitor::Clock::now() +
                        std::chrono::duration_cast<Monitor::Clock::duration>(std::chrono::duration<double>(budget));
-    const Result result = find_path(problem_of(planned.scene), RrtInitializer(), Newton(), options, monitor);
+    const Problem problem = problem_of(planned.scene);
+    const Result result = planned.scene.dimension == 2
+                              ? find_path(problem, RrtInitializer(), NoSolver(), options, monitor)
+                              : find_path(problem, RrtInitializer(), Newton(), options, monitor);
     return {word_of(result), result.curve.x};
   } catch (const InitializationError&) {
     return {"no first path", {}};

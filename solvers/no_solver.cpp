@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/solvers/no_solver.hpp>
+
+#include <cmath>
+#include <limits>
+
+#include <leastcost/framework/path_energy.hpp>
+#include <leastcost/framework/stopping.hpp>
+
+namespace leastcost {
+
+SolveReport NoSolver::do_solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const {
+  SolveLoop loop(energy, path, {}, monitor);
+  const double value = energy.value(path);
+  if (!std::isfinite(value)) return loop.finish(Termination::non_finite, "the first path costs infinitely much", value);
+  loop.record(value, std::numeric_limits<double>::quiet_NaN(), 0);
+  return loop.finish(Termination::fixed_point, "the first path as it is", value);
+}
+
+}  // namespace leastcost
