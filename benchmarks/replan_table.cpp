@@ -10,11 +10,14 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <leastcost/framework/replanner.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>
+#include <leastcost/problems/post_processors/taut.hpp>
 #include <leastcost/solvers/newton.hpp>
+#include <leastcost/solvers/no_solver.hpp>
 #include "tests/support/moving_discs.hpp"
 #include "tests/support/overrun.hpp"
 
@@ -44,6 +47,15 @@ Replanner planner_of(int points) {
           options_of(points)};
 }
 
+/// Without a solver: the old path is pulled tight anew.
+Replanner taut_planner_of(int points) {
+  FindOptions options = options_of(points);
+  options.post_processors = {std::make_shared<const TautPostProcessor>()};
+  return {std::make_shared<NoSolver>(), std::make_shared<RrtInitializer>(), options};
+}
+
+using MakePlanner = Replanner (*)(int points);
+
 /// Seconds of a Newton solve of the chain that goes around the discs, from there, without them; the median of 101.
 double newton_solve(const CoordinatePath& chain) {
   const Problem problem = test::across(std::make_shared<EuclideanManifold>(EuclideanManifoldOptions{.dimension = 2}));
@@ -57,8 +69,8 @@ double newton_solve(const CoordinatePath& chain) {
   return quantile(seconds, 0.5);
 }
 
-void rates(const char* name, test::Discs (*world)(int), int steps) {
-  Replanner planner = planner_of(100);
+void rates(const char* name, MakePlanner make, test::Discs (*world)(int), int steps) {
+  Replanner planner = make(100);
   std::vector<double> seconds;
   int refused = 0, needlessly = 0, penetrating = 0, searched = 0, kept = 0;
   for (int step = 0; step < steps; ++step) {
@@ -73,7 +85,7 @@ void rates(const char* name, test::Discs (*world)(int), int steps) {
       continue;
     }
     ++refused;
-    const Replan offline = planner_of(100).replan(test::across(test::world_of(discs, kClearance)));
+    const Replan offline = make(100).replan(test::across(test::world_of(discs, kClearance)));
     needlessly += offline.outcome != ReplanOutcome::no_valid_path ? 1 : 0;
   }
   const double mean = [&] {
@@ -84,16 +96,16 @@ void rates(const char* name, test::Discs (*world)(int), int steps) {
   std::sort(seconds.begin(), seconds.end());
   const double unit = newton_solve(planner.path());
   std::printf(
-      "%-12s %d steps: solve %.3f ms; mean %.1f, median %.1f, p99 %.1f, worst %.1f solves; refused %d, of them solved "
+      "%-18s %d steps: solve %.3f ms; mean %.1f, median %.1f, p99 %.1f, worst %.1f solves; refused %d, of them solved "
       "offline %d; penetrating %d; first paths %d; old path kept %d\n",
       name, steps, 1e3 * unit, mean / unit, quantile(seconds, 0.5) / unit, quantile(seconds, 0.99) / unit,
       seconds.back() / unit, refused, needlessly, penetrating, searched, kept);
   std::fflush(stdout);
 }
 
-void budgets() {
+void budgets(const char* name, MakePlanner make) {
   for (const int points : {100, 2000}) {
-    Replanner planner = planner_of(points);
+    Replanner planner = make(points);
     test::Discs discs = test::many_discs(300, 0.1, 1);
     planner.replan(test::across(test::world_of(discs, kClearance)));
     std::vector<double> over;
@@ -113,9 +125,9 @@ void budgets() {
     }
     std::sort(over.begin(), over.end());
     std::printf(
-        "budget 2 ms, 300 discs, n = %d: late by p50 %.3f, p99 %.3f, worst %.3f ms of thread time; valid %d of "
+        "%-18s budget 2 ms, 300 discs, n = %d: late by p50 %.3f, p99 %.3f, worst %.3f ms of thread time; valid %d of "
         "%d, new %d, penetrating %d\n",
-        points, 1e3 * quantile(over, 0.5), 1e3 * quantile(over, 0.99), 1e3 * over.back(), valid, kRuns, fresh,
+        name, points, 1e3 * quantile(over, 0.5), 1e3 * quantile(over, 0.99), 1e3 * over.back(), valid, kRuns, fresh,
         penetrating);
     std::fflush(stdout);
   }
@@ -150,7 +162,10 @@ void worlds() {
 int main(int count, char** arguments) {
   const int steps = count > 1 ? std::atoi(arguments[1]) : 2000;
   worlds();
-  rates("one moves", test::eleven_discs, steps);
-  rates("all move", test::all_moving, steps);
-  budgets();
+  const std::pair<const char*, MakePlanner> planners[] = {{"newton", planner_of}, {"taut", taut_planner_of}};
+  for (const auto& [name, make] : planners) {
+    rates((name + std::string(", one moves")).c_str(), make, test::eleven_discs, steps);
+    rates((name + std::string(", all move")).c_str(), make, test::all_moving, steps);
+    budgets(name, make);
+  }
 }

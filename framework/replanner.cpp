@@ -51,7 +51,7 @@ class OneReplan {
     if (!out.why_not_old.empty()) return out;
     old_.result = carried_over(last);
     look_at(old_);
-    if (!old_.valid()) push_clear();
+    if (!old_.valid() || !solver_.moves_points()) push_clear();
     improve();
     if (!old_.valid() && !pushed_.valid() && !new_.valid() && !monitor_.interrupted()) {
       unfinished_ = new_.result.path;
@@ -100,7 +100,9 @@ class OneReplan {
     old.post_processed = last.post_processed;
     shortened_ = shorten_to_ends(problem_, old.path);
     if (!shortened_) return old;
-    if (!options_.post_processors.empty()) return {};  // its curve was made for other ends
+    const auto& steps = options_.post_processors;
+    if (std::any_of(steps.begin(), steps.end(), [](const auto& step) { return !step->finds_its_own(); }))
+      return {};  // its curve was made for other ends
     old.curve = {};
     old.curve.x = chain_of(old.path);
     return old;
@@ -132,7 +134,8 @@ class OneReplan {
     return "it comes " + short_number(std::abs(clearance->upper)) + " too near to " + clearance->obstacle;
   }
 
-  /// What an obstacle has moved onto is pushed out of it, without a solve, until no move touches.
+  /// What an obstacle has moved onto is pushed out of it, without a solve, until no move touches. So is a chain whose
+  /// curve is valid, but not the moves between its points, if there is no solver to do it.
   void push_clear() {
     constexpr int kMostPushes = 8;
     const auto* fits = find_ability<FitsSegments>(*problem_.manifold);

@@ -8,8 +8,8 @@ namespace leastcost {
 
 /// The shortest path of its class among obstacles in the plane, exact but for a millionth of its length by which the
 /// polyline around circles is longer: string pulling, then tangents. Of the first path and the solved one, as far as
-/// they are clear, the one that gives the shorter path is kept. Needs a cost that is a length, the plane or a box of it,
-/// and obstacles that are made of discs (balls, boxes, polygons, maps); elsewhere, and for a ring, apply() throws
+/// they are clear, the one that gives the shorter path is kept. Needs a cost that is a length, the plane or a box of
+/// it, and obstacles that are made of discs (balls, boxes, polygons, maps); elsewhere, and for a ring, apply() throws
 /// InputError that says so.
 class TautPostProcessor final : public PostProcessor {
  public:

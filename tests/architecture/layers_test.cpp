@@ -102,8 +102,7 @@ const Arrows& rooms() {
   static const std::set<std::string> subjects = {
       "problems/graph",   "problems/chart",     "problems/cloud",      "problems/distance",  "problems/drawing",
       "problems/formula", "problems/level_set", "problems/mesh",       "problems/obstacles", "problems/occupancy",
-      "problems/readers", "problems/section",   "problems/straighten", "problems/taut",
-      "problems/tensor"};
+      "problems/readers", "problems/section",   "problems/straighten", "problems/taut",      "problems/tensor"};
   static const Arrows table = {
       {"problems/chart", {}},
       {"problems/cloud", {"problems/graph"}},

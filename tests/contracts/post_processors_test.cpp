@@ -1,13 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
+#include <leastcost/framework/clearance.hpp>
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/initializers/plane_cut.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
 #include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/obstacles/ball.hpp>
+#include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/problems/post_processors/on_surface.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>
+#include <leastcost/problems/post_processors/taut.hpp>
 #include <leastcost/problems/post_processors/trace.hpp>
 #include "framework/spacing.hpp"
 #include "tests/problems/sample_meshes.hpp"
@@ -103,6 +107,31 @@ TEST_CASE("post_processor contract: straighten", "[contract]") {
     CHECK(*made.curve.straightness >= -1e-7);  // radians; angles of lengths with rounding 1e-16 near pi
     CHECK(spread(made.curve_costs) <= 1e-9);
   }
+}
+
+/// The curve joins the ends clear of the obstacles, the chain lies on it with as many points as before.
+TEST_CASE("post_processor contract: taut", "[contract]") {
+  Problem problem = between(space(2), make_euclidean_cost(2), Eigen::Vector2d(-2, 0), Eigen::Vector2d(2, 0));
+  const auto disc = make_ball({.center = Eigen::Vector2d(0, 0.1), .radius = 0.7});
+  problem.manifold = std::make_shared<const FreeSpace>(problem.manifold, FreeSpace::Obstacles{disc}, 0.1);
+  FirstPath first;
+  first.path.u = Eigen::Matrix2Xd{{-2, 0, 2}, {0, -1.5, 0}};
+  const CoordinatePath chain = sample_equally(problem, first.path, kPoints);
+  const PostProcessed made = TautPostProcessor().apply(problem, first, as_delivered(problem, chain), {});
+  REQUIRE(made.chain.u.cols() == chain.u.cols());
+  CHECK(problem.manifold->residual(made.chain) <= kBarycentricRounding);
+  for (const Points& points : {made.curve.x, made.chain.u}) {
+    CHECK(points.col(0) == problem.source.u);
+    CHECK(points.rightCols(1) == problem.target.u);
+  }
+  CHECK(measure_clearance(*problem.manifold, made.curve.x, false, {})->lower >= -1e-14);
+  const Eigen::VectorXd costs =
+      segment_costs(*problem.cost, {{made.curve.x.data(), 2, made.curve.x.cols()}, {}, false});
+  CHECK(made.curve.cost == Approx(costs.sum()).epsilon(1e-13));
+  CHECK(made.curve_costs.sum() == Approx(made.curve.cost).epsilon(1e-13));
+  CHECK(spread(made.curve_costs) <= 1e-12);
+  CHECK(*made.curve.least_of_class <= made.curve.cost);
+  CHECK(made.curve.straightness == 0);
 }
 
 TEST_CASE("post_processor contract: on_surface", "[contract]") {

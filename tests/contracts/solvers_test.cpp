@@ -4,6 +4,7 @@
 #include <leastcost/solvers/gradient_descent.hpp>
 #include <leastcost/solvers/lbfgs.hpp>
 #include <leastcost/solvers/newton.hpp>
+#include <leastcost/solvers/no_solver.hpp>
 #include <leastcost/solvers/string_method.hpp>
 #include <leastcost/solvers/vfcs.hpp>
 #include "tests/contracts/solver_contract.hpp"
@@ -57,6 +58,23 @@ TEST_CASE("solver contract: string", "[contract]") {
             StringMethodOptions{.tolerance = 1e-6, .max_iterations = iterations, .max_evaluations = evaluations});
       },
       {.own_rule = true, .by_cost = true});
+}
+TEST_CASE("solver contract: none", "[contract]") {
+  for (const StandardProblem& p : standard_problems()) {
+    CAPTURE(p.name);
+    PathEnergy energy = energy_at_mean(p);
+    CoordinatePath path = p.start;
+    const SolveReport report = NoSolver().solve(energy, path, {});
+    CHECK(path.u == p.start.u);
+    CHECK(report.termination == Termination::fixed_point);
+    CHECK(report.iterations == 0);
+    CHECK(report.final_energy == report.initial_energy);
+  }
+  Problem faulty = between(space(2), make_euclidean_cost(2), Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0));
+  CoordinatePath path;
+  path.u = Eigen::Matrix2Xd{{0, std::numeric_limits<double>::infinity(), 1}, {0, 0, 0}};
+  PathEnergy energy(faulty, 1);
+  CHECK(NoSolver().solve(energy, path, {}).termination == Termination::non_finite);
 }
 TEST_CASE("solvers agree", "[contract]") {
   const auto n = newton(1000, 100000), chain = make_lbfgs(1000, 100000, Preconditioner::chain),
