@@ -11,6 +11,7 @@
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
 #include <leastcost/problems/costs/travel_time.hpp>
+#include <leastcost/problems/costs/weighted_length.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/initializers/coordinate_circle.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
@@ -27,6 +28,7 @@
 #include <leastcost/problems/manifolds/mesh.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
 #include <leastcost/problems/manifolds/point_cloud.hpp>
+#include <leastcost/problems/manifolds/pose.hpp>
 #include <leastcost/problems/manifolds/signed_distance.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
@@ -97,6 +99,10 @@ const auto& costs() {
           "clearance", "Length that counts more near obstacles, smoothly.",
           [](const ClearanceLengthOptions& o, O c) { return make_clearance_length(o, c.dimension, c.manifold); })
           .waiting<ClearanceLengthOptions>([](const ClearanceLengthOptions&) { return WaitsFor::domain; }),
+      plugin<CostPlugin, WeightedLengthOptions>(
+          "weighted_length", "Length in which every factor of the domain, or every coordinate, has a weight.",
+          [](const WeightedLengthOptions& o, O c) { return make_weighted_length(o, *c.manifold); })
+          .waiting<WeightedLengthOptions>([](const WeightedLengthOptions&) { return WaitsFor::domain; }),
   };
   return all;
 }
@@ -124,6 +130,12 @@ const auto& manifolds() {
       plugin<ManifoldPlugin, ConstraintManifoldOptions>(
           "constraint", "The solutions of equations in R^n: formulas, the n-sphere, the rotations SO(3).",
           [](const ConstraintManifoldOptions& o, const BuildContext&) { return make_constraint_manifold(o); }),
+      plugin<ManifoldPlugin, PoseOptions>(
+          "se2", "Poses of a body in the plane: points (x, y, angle), the angle in radians.",
+          [](const PoseOptions& o, const BuildContext&) { return make_planar_poses(o); }),
+      plugin<ManifoldPlugin, PoseOptions>(
+          "se3", "Poses of a body in space: points (x, y, z, qw, qx, qy, qz) with a unit quaternion.",
+          [](const PoseOptions& o, const BuildContext&) { return make_spatial_poses(o); }),
       plugin<ManifoldPlugin, PointCloudManifoldOptions>(
           "point_cloud", "The smooth surface through a point cloud in R^3, read from a PLY or XYZ file.",
           [](const PointCloudManifoldOptions& o, const BuildContext& c) {

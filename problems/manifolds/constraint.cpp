@@ -3,6 +3,7 @@
 #include <leastcost/problems/manifolds/constraint.hpp>
 
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/has_blocks.hpp>
 #include <leastcost/framework/has_images.hpp>
 #include "problems/formula/coordinate_names.hpp"
 #include "problems/level_set/formula_constraint.hpp"
@@ -12,7 +13,7 @@ namespace leastcost {
 namespace {
 
 /// Unit quaternions.
-class RotationSet final : public LevelSet, public HasImages {
+class RotationSet final : public LevelSet, public HasImages, public HasBlocks {
  public:
   explicit RotationSet(bool nearest_image) : LevelSet(make_sphere_function(4, 1)), nearest_image_(nearest_image) {}
   std::vector<PointImage> images(const Eigen::VectorXd& q, const Eigen::VectorXd&, std::size_t most) const override {
@@ -20,6 +21,8 @@ class RotationSet final : public LevelSet, public HasImages {
     return {{-q, "-q"}};
   }
   bool states_way(const Eigen::VectorXd&, const Eigen::VectorXd&) const override { return !nearest_image_; }
+  /// A chord is half the angle.
+  std::vector<CoordinateBlock> blocks() const override { return {{0, 4, 2}}; }
 
  private:
   bool nearest_image_;

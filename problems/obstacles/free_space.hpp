@@ -39,7 +39,7 @@ class FreeSpace final : public ConstraintManifold,
 
   /// Throws InputError for a domain made of flat pieces or from data, and for walls of another dimension.
   FreeSpace(std::shared_ptr<const ConstraintManifold> domain, std::shared_ptr<const Walls> walls);
-  /// Among obstacles: as ObstacleWalls.
+  /// Among obstacles: as ObstacleWalls. In a domain of poses (HasOrigin) they keep out the origin of the body.
   FreeSpace(const std::shared_ptr<const ConstraintManifold>& domain, Obstacles obstacles, double clearance);
 
   Dimensions dimensions() const override { return domain_->dimensions(); }

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/obstacles/origin_walls.hpp"
+
+#include <utility>
+
+namespace leastcost {
+
+OriginWalls::OriginWalls(Eigen::Index dimension, std::shared_ptr<const Walls> walls)
+    : dimension_(dimension), walls_(std::move(walls)) {}
+
+void OriginWalls::near(const Vector& x, double reach, std::vector<Wall>& found) const {
+  walls_->near(origin(x), reach, found);
+  for (Wall& wall : found) {
+    const Eigen::Index own = wall.slope.size();
+    wall.slope.conservativeResize(dimension_);
+    wall.slope.tail(dimension_ - own).setZero();
+  }
+}
+
+MoveClearance OriginWalls::clearance(const Vector& a, const Vector& b) const {
+  return walls_->clearance(origin(a), origin(b));
+}
+
+void OriginWalls::along(const Vector& a, const Vector& b, double reach, std::vector<Wall>& found) const {
+  walls_->along(origin(a), origin(b), reach, found);
+}
+
+double OriginWalls::room(const Vector& a, const Vector& b, double reach) const {
+  return walls_->room(origin(a), origin(b), reach);
+}
+
+std::string OriginWalls::obstacle_name(int obstacle) const { return walls_->obstacle_name(obstacle); }
+
+void OriginWalls::draw(const DrawnPaths&, Drawing& out) const {
+  out.notes.emplace_back("obstacles keep out the origin of the body and are not drawn among its poses");
+}
+
+}  // namespace leastcost
