@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include <leastcost/framework/checks_moves.hpp>
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/path_energy.hpp>
 #include "framework/chain_newton.hpp"
@@ -135,7 +136,9 @@ std::string cheaper_image(const Problem& problem, double cost, const Monitor& mo
   };
   if (const std::optional<CheaperImage> best = best_of(problem, tried, cost, monitor))
     return said(best->image, "a path to it costs about ", best->cost);
-  if (tried[0].cost < (1 - kCheaper) * cost)
+  // A straight line through obstacles promises nothing.
+  const bool obstacles = find_ability<ChecksMoves>(*problem.manifold) != nullptr;
+  if (!obstacles && tried[0].cost < (1 - kCheaper) * cost)
     return said(tried[0].image, "even the straight line to it costs ", tried[0].cost);
   return "";
 }

@@ -42,8 +42,10 @@ void place_target(const RunConfig& config, RunParts& out) {
                       "true), and a target a whole period away from the source states a winding");
 }
 
-/// A straight start does not insist on the coordinates of its target where others name the same point.
-void take_cheapest_image(const RunConfig& config, RunParts& out) {
+/// A straight start does not insist on the coordinates of its target where others name the same point. Which of them is
+/// cheapest is looked at without obstacles, in `open_domain`: straight lines through these tell nothing.
+void take_cheapest_image(const RunConfig& config, const std::shared_ptr<const ConstraintManifold>& open_domain,
+                         RunParts& out) {
   Problem& problem = out.problem;
   const auto* domain = find_ability<HasImages>(*problem.manifold);
   if (domain == nullptr || problem.ring || config.family.windings > 0) return;
@@ -51,14 +53,17 @@ void take_cheapest_image(const RunConfig& config, RunParts& out) {
   const bool chart = find_ability<HasChart>(*problem.manifold) != nullptr;  // where other starts have their own way
   if (chart && out.initializer->name() != "straight") return;
   if (domain->states_way(problem.target.u, problem.source.u)) return;
-  const std::optional<CheaperImage> best = find_cheaper_image(problem);
+  Problem open = problem;
+  open.manifold = open_domain;
+  const std::optional<CheaperImage> best = find_cheaper_image(open);
   if (!best) return;
   problem.target.u = out.target.end.u = best->image.u;
   out.notes.push_back(
       fmt::format("the target was replaced by ({:.6g}), {}, another name of the same point: a path to "
-                  "it costs about {:.3g}, not {:.3g} (images tried: {}; path: "
+                  "it costs about {:.3g}, not {:.3g}{} (images tried: {}; path: "
                   "{{target_image: given}} keeps the given one)",
-                  fmt::join(best->image.u, ", "), best->image.where, best->cost, best->given, best->tried));
+                  fmt::join(best->image.u, ", "), best->image.where, best->cost, best->given,
+                  open_domain == problem.manifold ? "" : " without obstacles", best->tried));
 }
 
 /// Which option a fault of the obstacles is one of: their constructor numbers them, `entry_of` is where they come from.
@@ -200,6 +205,7 @@ void Composer::check_memory(const Dimensions& dimensions) {
 
 void Composer::take_domain() {
   const ConstraintManifold& manifold = *out_.problem.manifold;
+  open_domain_ = out_.problem.manifold;
   check_memory(manifold.dimensions());
   const int dimension = manifold.dimensions().ambient;
   if (context_.dimension != dimension) out_.problem.cost.reset();  // made for another space
@@ -295,7 +301,7 @@ void Composer::make_from_files(const BuildProgress& progress) {
   if (!obstacles_placed_) place_obstacles();
   make_parts();
   if (out_.problem.cost && out_.initializer && out_.problem.target.u.size() > 0)
-    attempt([&] { take_cheapest_image(config_, out_); });
+    attempt([&] { take_cheapest_image(config_, open_domain_, out_); });
 }
 
 RunParts Composer::take() {

@@ -51,6 +51,7 @@ class Composer {
   Refused refused_;
   BuildContext context_;
   RunParts out_;
+  std::shared_ptr<const ConstraintManifold> open_domain_;   // without its obstacles
   std::vector<std::shared_ptr<const Initializer>> others_;  // of the family
   bool files_ = false;                                      // may be read
   bool obstacles_placed_ = false;
