@@ -13,6 +13,7 @@
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/fits_segments.hpp>
+#include <leastcost/framework/other_images.hpp>
 #include <leastcost/framework/path_energy.hpp>
 #include "framework/based_loop.hpp"
 #include "framework/cascade.hpp"
@@ -20,7 +21,6 @@
 #include "framework/find_path_checks.hpp"
 #include "framework/geometry_error.hpp"
 #include "framework/in_parts.hpp"
-#include "framework/other_images.hpp"
 #include "framework/spacing.hpp"
 
 namespace leastcost {

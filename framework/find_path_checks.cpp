@@ -9,7 +9,7 @@
 
 #include <leastcost/framework/clearance.hpp>
 #include <leastcost/framework/errors.hpp>
-#include "framework/other_images.hpp"
+#include <leastcost/framework/other_images.hpp>
 #include "framework/point_text.hpp"
 
 namespace leastcost {

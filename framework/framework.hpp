@@ -14,6 +14,7 @@
 #include <leastcost/framework/goes_beyond_bounds.hpp>
 #include <leastcost/framework/has_constant_metric.hpp>
 #include <leastcost/framework/has_graph.hpp>
+#include <leastcost/framework/other_images.hpp>
 #include <leastcost/framework/replanner.hpp>
 #include <leastcost/framework/segment_cost_function.hpp>
 #include <leastcost/framework/stopping.hpp>

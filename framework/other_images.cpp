@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/other_images.hpp"
+#include <leastcost/framework/other_images.hpp>
 
 #include <algorithm>
 #include <cmath>

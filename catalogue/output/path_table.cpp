@@ -41,6 +41,7 @@ void accumulate(const Eigen::VectorXd& costs, PathTable& table) {
 PathTable table_of(const Problem& problem, const CoordinatePath& points) {
   PathTable table;
   table.x = positions(*problem.manifold, points);
+  table.x_names = space_coordinates(*problem.manifold);
   if (const auto* chart = find_ability<HasChart>(*problem.manifold)) {
     table.chart = points.u;
     table.chart_names = chart->coordinate_names();
@@ -63,6 +64,7 @@ PathTable delivered_points(const Problem& problem, const Result& result) {
 PathTable delivered_curve(const Problem& problem, const Result& result) {
   PathTable table;
   table.x = result.curve.x;
+  table.x_names = space_coordinates(*problem.manifold);
   const AmbientPath path{{table.x.data(), table.x.rows(), table.x.cols()}, {}, false};
   accumulate(segment_costs(*problem.cost, path), table);
   const std::vector<Site>& sites = result.curve.segment_sites;
@@ -94,7 +96,7 @@ std::string csv_text(const PathTable& table) {
   const auto add = [&names](const std::vector<std::string>& more) {
     names.insert(names.end(), more.begin(), more.end());
   };
-  add(coordinate_names(static_cast<int>(table.x.rows())));
+  add(table.x_names);
   add(table.chart_names);
   add({"segment_cost", "cumulative_cost"});
   add(table.place_names);
@@ -113,7 +115,7 @@ std::string csv_text(const PathTable& table) {
 std::string first_path_csv(const Problem& problem, const FirstPath& first) {
   const Points x = positions(*problem.manifold, first.path);
   const auto* chart = find_ability<HasChart>(*problem.manifold);
-  std::vector<std::string> names = coordinate_names(static_cast<int>(x.rows()));
+  std::vector<std::string> names = space_coordinates(*problem.manifold);
   if (chart != nullptr)
     for (std::string& name : chart->coordinate_names()) names.push_back(std::move(name));
   std::string text = fmt::format("index,{}\n", fmt::join(names, ","));

@@ -13,6 +13,7 @@ namespace leastcost {
 /// A polyline of a result with its costs, ready to be written in any format.
 struct PathTable {
   Points x;                              ///< ambient, d x m
+  std::vector<std::string> x_names;      ///< of these coordinates
   Points chart;                          ///< their coordinates in a chart, one column per point; empty without one
   std::vector<std::string> chart_names;  ///< of these coordinates
   bool ring = false;                     ///< a move leads from the last column to the first

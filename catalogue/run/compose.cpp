@@ -12,6 +12,7 @@
 
 #include <leastcost/framework/clearance.hpp>
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/other_images.hpp>
 #include <leastcost/problems/chart/target_images.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
@@ -23,7 +24,6 @@
 #include "catalogue/registry/registry.hpp"
 #include "catalogue/run/ends.hpp"
 #include "catalogue/run/memory.hpp"
-#include "framework/other_images.hpp"
 #include "problems/formula/coordinate_names.hpp"
 
 namespace leastcost {
@@ -52,6 +52,7 @@ void take_cheapest_image(const RunConfig& config, const std::shared_ptr<const Co
   if (config.target_image == TargetImageChoice::given) return;
   const bool chart = find_ability<HasChart>(*problem.manifold) != nullptr;  // where other starts have their own way
   if (chart && out.initializer->name() != "straight") return;
+  if (out.initializer->name() == "waypoints") return;  // they lead to the coordinates that are given
   if (domain->states_way(problem.target.u, problem.source.u)) return;
   Problem open = problem;
   open.manifold = open_domain;

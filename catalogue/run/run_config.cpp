@@ -80,9 +80,9 @@ void RunConfig::fields(RunVisitor& visit) {
     path.field("cascade", cascade, {.help = "Solve coarse first, then with twice the segments until all are there."});
     path.choice(
         "target_image", target_image,
-        {.help = "Where several coordinates name the target (seams and poles of a chart, quaternions), a straight "
-                 "start goes to those to which a path is cheapest, unless they state a winding, a period or more from "
-                 "the source. given: to those in 'ends'."});
+        {.help = "Where several coordinates name the target (seams and poles of a chart, quaternions, angles), a "
+                 "straight start goes to those to which a path is cheapest, unless they state a winding, a period or "
+                 "more from the source. given: to those in 'ends'."});
     path.field("escape_saddle", escape_saddle, {.help = "Leave a saddle to its lower side and solve again."});
   });
   visit.plugin("initializer", initializer, kind("initializer"),

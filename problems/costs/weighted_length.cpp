@@ -50,9 +50,7 @@ class WeightedLengthCost final : public SegmentCostOf<WeightedLength<D>, Constan
 
  public:
   explicit WeightedLengthCost(const Eigen::VectorXd& w) : Base({w}, static_cast<int>(w.size())) {}
-  Eigen::MatrixXd metric() const override {
-    return Eigen::VectorXd(this->function().w).cwiseAbs2().asDiagonal();
-  }
+  Eigen::MatrixXd metric() const override { return Eigen::VectorXd(this->function().w).cwiseAbs2().asDiagonal(); }
 };
 
 void check_weights(const Eigen::VectorXd& weights) {
@@ -65,8 +63,7 @@ void check_weights(const Eigen::VectorXd& weights) {
 /// The weights of all coordinates.
 Eigen::VectorXd of_coordinates(const Eigen::VectorXd& weights, const ConstraintManifold& domain) {
   const auto* divided = find_ability<HasBlocks>(domain);
-  const std::vector<CoordinateBlock> blocks =
-      divided != nullptr ? divided->blocks() : std::vector<CoordinateBlock>();
+  const std::vector<CoordinateBlock> blocks = divided != nullptr ? divided->blocks() : std::vector<CoordinateBlock>();
   const Index dimension = domain.dimensions().ambient, count = static_cast<Index>(blocks.size());
   if (weights.size() == count) {
     Eigen::VectorXd all(dimension);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include <leastcost/framework/names_coordinates.hpp>
+
 namespace leastcost {
 
 std::vector<std::string> numbered_names(const std::string& name, int count) {
@@ -22,7 +24,12 @@ std::vector<std::string> coordinate_names(int dimension) {
 
 std::vector<std::string> point_coordinates(const ConstraintManifold& manifold) {
   if (const auto* chart = find_ability<HasChart>(manifold)) return chart->coordinate_names();
-  return coordinate_names(manifold.dimensions().coordinate);
+  return space_coordinates(manifold);
+}
+
+std::vector<std::string> space_coordinates(const ConstraintManifold& manifold) {
+  if (const auto* domain = find_ability<NamesCoordinates>(manifold)) return domain->coordinate_names();
+  return coordinate_names(manifold.dimensions().ambient);
 }
 
 }  // namespace leastcost

@@ -15,5 +15,7 @@ std::vector<std::string> coordinate_names(int dimension);
 std::vector<std::string> numbered_names(const std::string& name, int count);
 /// The names of the coordinates in which points of a domain are given: those of its chart, elsewhere of its space.
 std::vector<std::string> point_coordinates(const ConstraintManifold& manifold);
+/// The names of the coordinates of the space that a domain lies in.
+std::vector<std::string> space_coordinates(const ConstraintManifold& manifold);
 
 }  // namespace leastcost

@@ -34,9 +34,7 @@ Projection AngleManifold::project(CoordinatePath& path) const {
   return result;
 }
 
-void AngleManifold::tangent_bases(const CoordinatePath& path, Points& bases) const {
-  bases.setOnes(1, path.u.cols());
-}
+void AngleManifold::tangent_bases(const CoordinatePath& path, Points& bases) const { bases.setOnes(1, path.u.cols()); }
 
 void AngleManifold::retract(const CoordinatePath& from, const Points& step, CoordinatePath& to) const {
   prepare_like(from, to);
@@ -62,8 +60,7 @@ std::vector<PointImage> AngleManifold::images(const Eigen::VectorXd& x, const Ei
   for (const double winding : {nearest - 1, nearest, nearest + 1}) {
     const double u = x[0] + winding * kTurn;
     if (winding == 0 || u < box_.lower()[0] || u > box_.upper()[0]) continue;
-    all.push_back(
-        {Eigen::VectorXd::Constant(1, u), "winding (" + std::to_string(std::lround(winding)) + ")"});
+    all.push_back({Eigen::VectorXd::Constant(1, u), "winding (" + std::to_string(std::lround(winding)) + ")"});
   }
   std::stable_sort(all.begin(), all.end(), [&](const PointImage& a, const PointImage& b) {
     return std::abs(a.u[0] - reference[0]) < std::abs(b.u[0] - reference[0]);

@@ -17,12 +17,22 @@ ProductManifold::Factors place_and_turn(int place_size, const PoseOptions& optio
   return {std::move(place), make_constraint_manifold(rotations)};
 }
 
+std::vector<std::string> names_of_pose(int place_size) {
+  if (place_size == 2) return {"x", "y", "angle"};
+  return {"x", "y", "z", "qw", "qx", "qy", "qz"};
+}
+
 }  // namespace
 
-void PoseOptions::fields(FieldVisitor& visit) { box.fields(visit); }
+void PoseOptions::fields(FieldVisitor& visit) {
+  visit.field("lower", box.lower,
+              {.help = "Lower corner of a box that the place stays in; default: unbounded.", .unit = "length"});
+  visit.field("upper", box.upper,
+              {.help = "Upper corner of a box that the place stays in; default: unbounded.", .unit = "length"});
+}
 
 PoseManifold::PoseManifold(int place_size, const PoseOptions& options)
-    : ProductManifold(place_and_turn(place_size, options)), origin_size_(place_size) {}
+    : ProductManifold(place_and_turn(place_size, options), names_of_pose(place_size)), origin_size_(place_size) {}
 
 void PoseManifold::draw(const DrawnPaths&, Drawing& out) const {
   if (box_lower().array().isInf().all() && box_upper().array().isInf().all()) return;

@@ -10,6 +10,7 @@
 #include <leastcost/framework/checks_moves.hpp>
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/segment_derivatives.hpp>
+#include "problems/formula/coordinate_names.hpp"
 
 namespace leastcost {
 namespace {
@@ -48,6 +49,15 @@ const HasBounds* bounds_of_factor(const ConstraintManifold& domain) {
   return open ? nullptr : bounds;
 }
 
+void check_names(const std::vector<std::string>& names, int count) {
+  if (static_cast<int>(names.size()) != count)
+    throw InputError("the product has " + std::to_string(count) + " coordinates, and " + std::to_string(names.size()) +
+                     " names were given");
+  for (const std::string& name : names)
+    if (name.empty() || std::count(names.begin(), names.end(), name) > 1)
+      throw InputError("the coordinates of a product need names that differ; '" + name + "' does not");
+}
+
 /// What a point may also be called, and how far that is from a reference.
 struct NamedPoint {
   PointImage image;
@@ -69,16 +79,16 @@ std::vector<NamedPoint> joined(const std::vector<NamedPoint>& before, const std:
       both.itself = a.itself && b.itself;
       all.push_back(std::move(both));
     }
-  std::stable_sort(all.begin(), all.end(), [](const NamedPoint& a, const NamedPoint& b) {
-    return a.squared_distance < b.squared_distance;
-  });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const NamedPoint& a, const NamedPoint& b) { return a.squared_distance < b.squared_distance; });
   if (all.size() > most) all.resize(most);
   return all;
 }
 
 }  // namespace
 
-ProductManifold::ProductManifold(Factors factors) : factors_(std::move(factors)) {
+ProductManifold::ProductManifold(Factors factors, std::vector<std::string> names)
+    : factors_(std::move(factors)), names_(std::move(names)) {
   if (factors_.empty()) throw InputError("a product needs factors: give at least one domain");
   for (std::size_t i = 0; i < factors_.size(); ++i) {
     const std::string why = why_no_factor(factors_[i].get());
@@ -96,6 +106,8 @@ ProductManifold::ProductManifold(Factors factors) : factors_(std::move(factors))
   if (dimensions_.coordinate > kMaxDimension)
     throw InputError("the product has " + std::to_string(dimensions_.coordinate) + " coordinates, the most is " +
                      std::to_string(kMaxDimension));
+  if (names_.empty()) names_ = leastcost::coordinate_names(dimensions_.coordinate);
+  check_names(names_, dimensions_.coordinate);
   lower_.resize(dimensions_.coordinate);
   upper_.resize(dimensions_.coordinate);
   for (const Part& part : parts_) {

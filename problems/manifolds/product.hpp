@@ -11,6 +11,7 @@
 #include <leastcost/framework/has_box.hpp>
 #include <leastcost/framework/has_images.hpp>
 #include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/names_coordinates.hpp>
 
 namespace leastcost {
 
@@ -25,13 +26,15 @@ class ProductManifold : public ConstraintManifold,
                         public HasBox,
                         public HasImages,
                         public HasBlocks,
+                        public NamesCoordinates,
                         public ExplainsProjection {
  public:
   using Factors = std::vector<std::shared_ptr<const ConstraintManifold>>;
 
   /// Throws InputError, with the number of the factor, for none, a null one, one that is a chart, a mesh or another
-  /// domain made of pieces or from data, or one among obstacles: these belong around the product.
-  explicit ProductManifold(Factors factors);
+  /// domain made of pieces or from data, or one among obstacles: these belong around the product. `names` of the
+  /// coordinates, one each; default: x, y, z, or x0, x1, ...
+  explicit ProductManifold(Factors factors, std::vector<std::string> names = {});
 
   const Factors& factors() const { return factors_; }
 
@@ -51,6 +54,7 @@ class ProductManifold : public ConstraintManifold,
   bool states_way(const Eigen::VectorXd& target, const Eigen::VectorXd& source) const override;
   /// The blocks of factors that have some, else one for each factor.
   std::vector<CoordinateBlock> blocks() const override;
+  std::vector<std::string> coordinate_names() const override { return names_; }
   std::string why_not_projected(const Eigen::VectorXd& x) const override;
 
  private:
@@ -70,6 +74,7 @@ class ProductManifold : public ConstraintManifold,
   Dimensions dimensions_;
   Shape shape_ = Shape::flat;
   Eigen::VectorXd lower_, upper_;
+  std::vector<std::string> names_;
 };
 
 }  // namespace leastcost

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/other_images.hpp>
 #include <leastcost/problems/costs/weighted_length.hpp>
 #include <leastcost/problems/manifolds/angle.hpp>
 #include <leastcost/problems/manifolds/constraint.hpp>
@@ -19,7 +20,6 @@
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include "framework/observed_order.hpp"
-#include "framework/other_images.hpp"
 #include "tests/contracts/cost_contract.hpp"
 #include "tests/contracts/manifold_contract.hpp"
 #include "tests/problems/sample_clouds.hpp"
@@ -65,9 +65,9 @@ ManifoldCase spatial_case(const PoseOptions& options) {
   return c;
 }
 
-std::string refused_product(const ProductManifold::Factors& factors) {
+std::string refused_product(const ProductManifold::Factors& factors, const std::vector<std::string>& names = {}) {
   try {
-    const ProductManifold product(factors);
+    const ProductManifold product(factors, names);
     return "accepted";
   } catch (const InputError& error) {
     return error.what();
@@ -112,8 +112,7 @@ TEST_CASE("manifold contract: se2", "[contract]") {
 
 TEST_CASE("manifold contract: se3", "[contract]") {
   check_manifold_contract(spatial_case({}));
-  check_manifold_contract(
-      spatial_case({.box = {Eigen::Vector3d(-1, -2, -1), Eigen::Vector3d(1, 1, 2)}}));
+  check_manifold_contract(spatial_case({.box = {Eigen::Vector3d(-1, -2, -1), Eigen::Vector3d(1, 1, 2)}}));
 }
 
 TEST_CASE("manifold contract: product", "[contract]") {
@@ -144,8 +143,8 @@ TEST_CASE("manifold contract: product", "[contract]") {
   expected(3, 1) = 1;
   CHECK((normals.leftCols(3) - expected).norm() <= 1e-12);
   // A product in a product is the same domain.
-  const auto nested = product_of({product_of({ball_surface(2), angle_between()}),
-                                  product_of({product_of({rotation_quaternions()}), space(1)})});
+  const auto nested = product_of(
+      {product_of({ball_surface(2), angle_between()}), product_of({product_of({rotation_quaternions()}), space(1)})});
   check_manifold_contract({.manifold = nested, .near = sphere_and_more, .size = 4, .step = 0.5});
   CHECK(nested->blocks().size() == 4);
   CHECK(nested->blocks()[2].first == 4);
@@ -160,6 +159,12 @@ TEST_CASE("product: the dimensions, the shape and the box are those of the facto
   CHECK(make_spatial_poses()->shape() == Shape::smooth);
   CHECK(make_spatial_poses()->dimensions().coordinate == 7);
   CHECK(make_spatial_poses()->dimensions().tangent == 6);
+  using Names = std::vector<std::string>;
+  CHECK(poses->coordinate_names() == Names{"x", "y", "angle"});
+  CHECK(make_spatial_poses()->coordinate_names().back() == "qz");
+  CHECK(product_of({space(2), angle_between()})->coordinate_names() == Names{"x", "y", "z"});
+  CHECK(product_of({space(2), rotation_quaternions()})->coordinate_names()[5] == "x5");
+  CHECK(ProductManifold({space(2), angle_between()}, {"a", "b", "turn"}).coordinate_names()[2] == "turn");
 }
 
 TEST_CASE("product: distances off several factors add up as squares, column by column", "[contract]") {
@@ -258,7 +263,8 @@ TEST_CASE("product: images are those of the factors in all combinations, nearest
       CHECK(std::any_of(all.begin(), all.end(), [&](const auto& u) { return (u - images[k].u).norm() < 1e-9; }));
     }
   }
-  CHECK(product_of({space(2), ball_surface(1)})->images(Eigen::VectorXd::Ones(5), Eigen::VectorXd::Ones(5), 12).empty());
+  CHECK(
+      product_of({space(2), ball_surface(1)})->images(Eigen::VectorXd::Ones(5), Eigen::VectorXd::Ones(5), 12).empty());
 }
 
 TEST_CASE("poses: ends that are one pose by other coordinates are recognised", "[contract]") {
@@ -326,9 +332,12 @@ TEST_CASE("product: what is no factor is refused with a reason", "[contract]") {
   using Catch::Contains;
   CHECK_THAT(refused_product({}), Contains("needs factors"));
   CHECK_THAT(refused_product({space(2), nullptr}), Contains("factor 2 of the product is missing"));
-  CHECK_THAT(refused_product({std::make_shared<MeshManifold>(TriangleMesh(
-                 sheet(2, 2, [](double s, double t) -> Eigen::Vector3d { return {s, t, 0}; })))}),
-             Contains("factor 1 of the product is made of flat pieces"));
+  CHECK_THAT(
+      refused_product({std::make_shared<MeshManifold>(TriangleMesh(sheet(2, 2,
+                                                                         [](double s, double t) -> Eigen::Vector3d {
+                                                                           return {s, t, 0};
+                                                                         })))}),
+      Contains("factor 1 of the product is made of flat pieces"));
   CHECK_THAT(refused_product({space(2), make_parametric_manifold({.surface = form<parametric::Surface>("torus")})}),
              Contains("factor 2 of the product is a chart"));
   CHECK_THAT(refused_product({std::make_shared<PointCloudManifold>(PointCloud(torus_cloud(3000, 10), {}))}),
@@ -336,6 +345,8 @@ TEST_CASE("product: what is no factor is refused with a reason", "[contract]") {
   const auto obstacles = std::make_shared<const FreeSpace>(
       space(2), FreeSpace::Obstacles{make_ball({.center = Eigen::Vector2d(0, 0), .radius = 1})}, 0);
   CHECK_THAT(refused_product({obstacles, angle_between()}), Contains("put them around it"));
+  CHECK_THAT(refused_product({space(2)}, {"a"}), Contains("has 2 coordinates, and 1 names were given"));
+  CHECK_THAT(refused_product({space(2)}, {"a", "a"}), Contains("need names that differ; 'a' does not"));
   CHECK_THAT(refused_product({space(60), space(5)}), Contains("has 65 coordinates, the most is 64"));
 }
 

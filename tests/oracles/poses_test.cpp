@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include <leastcost/framework/other_images.hpp>
 #include <leastcost/problems/costs/weighted_length.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>
 #include <leastcost/problems/manifolds/angle.hpp>
@@ -15,7 +16,6 @@
 #include <leastcost/problems/manifolds/product.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
-#include "framework/other_images.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/pi.hpp"
@@ -119,8 +119,7 @@ TEST_CASE("se3: a turn alone costs its weight times the angle, up to half a turn
 }
 
 TEST_CASE("poses: the opposite quaternion and whole turns are found to name the target more cheaply", "[oracle]") {
-  const Eigen::Quaterniond start = Eigen::Quaterniond::Identity(),
-                           end(Eigen::AngleAxisd(2, Eigen::Vector3d::UnitY()));
+  const Eigen::Quaterniond start = Eigen::Quaterniond::Identity(), end(Eigen::AngleAxisd(2, Eigen::Vector3d::UnitY()));
   const Eigen::VectorXd a = spatial_pose(Eigen::Vector3d::Zero(), start);
   Eigen::VectorXd b = spatial_pose(Eigen::Vector3d(1, 2, -1), end);
   const double exact = std::hypot(std::sqrt(6.0), kTurnWeight * 2);
@@ -152,9 +151,9 @@ TEST_CASE("poses: the opposite quaternion and whole turns are found to name the 
 TEST_CASE("products: a sphere, an angle and rotations side by side", "[oracle]") {
   ConstraintManifoldOptions rotations;
   rotations.set = constraint::Rotations{};
-  const auto domain = std::make_shared<const ProductManifold>(ProductManifold::Factors{
-      make_implicit_manifold({.surface = leastcost::implicit::Sphere{2}}), std::make_shared<const AngleManifold>(),
-      make_constraint_manifold(rotations)});
+  const auto domain = std::make_shared<const ProductManifold>(
+      ProductManifold::Factors{make_implicit_manifold({.surface = leastcost::implicit::Sphere{2}}),
+                               std::make_shared<const AngleManifold>(), make_constraint_manifold(rotations)});
   const Eigen::Quaterniond end(Eigen::AngleAxisd(1.2, Eigen::Vector3d(2, 1, 2) / 3));
   Eigen::VectorXd a(8), b(8);
   a << 2, 0, 0, 1, 1, 0, 0, 0;

@@ -10,7 +10,6 @@
 #include "app/plot/text.hpp"
 #include "app/report/page/page.hpp"
 #include "app/report/run/run_parts.hpp"
-#include "problems/formula/coordinate_names.hpp"
 
 namespace leastcost::app {
 namespace {
@@ -107,7 +106,7 @@ std::string residual_part(const RunFiles& files) {
 }
 
 std::string coordinates_svg(const RunFiles& files) {
-  const std::vector<std::string> names = coordinate_names(static_cast<int>(files.points.rows()));
+  const std::vector<std::string>& names = files.coordinates;
   Chart chart;
   chart.title = "Coordinates along the path";
   chart.description = "Every coordinate of the path against the cumulative cost";

@@ -9,7 +9,6 @@
 
 #include <leastcost/framework/errors.hpp>
 #include "app/study/rows/csv_text.hpp"
-#include "problems/formula/coordinate_names.hpp"
 
 namespace leastcost::app {
 
@@ -45,6 +44,20 @@ const std::vector<double>& NumberTable::operator[](const std::string& column) co
   return columns_[static_cast<std::size_t>(found - names_.begin())];
 }
 
+namespace {
+
+/// The names of the coordinates of a table of points: they come after the index, whatever the domain calls them.
+std::vector<std::string> coordinates_of(const NumberTable& table, int dimension, const std::string& file) {
+  const std::vector<std::string>& names = table.names();
+  const auto count = static_cast<std::size_t>(std::max(0, dimension));
+  if (names.size() <= count)
+    throw InputError(
+        fmt::format("{}: has {} columns, an index and {} coordinates are wanted", file, names.size(), dimension));
+  return {names.begin() + 1, names.begin() + 1 + dimension};
+}
+
+}  // namespace
+
 RunFiles read_run_files(const fs::path& folder) {
   RunFiles files{JsonFile(folder / "result.json"),
                  JsonFile(folder / "manifest.json"),
@@ -53,17 +66,18 @@ RunFiles read_run_files(const fs::path& folder) {
                  NumberTable(folder / "history.csv"),
                  {},
                  read_scene(text_of_file(folder / "scene.json"), (folder / "scene.json").string()),
+                 {},
                  {}};
   if (fs::exists(folder / "residuals.csv")) files.residuals.emplace_back(folder / "residuals.csv");
   const double dimension = files.result.number("problem.dimensions.ambient");
   if (dimension != files.scene.dimension)
     throw InputError((folder / "scene.json").string() +
                      ": belongs to another run than result.json: the dimensions differ");
-  const std::vector<std::string> names = coordinate_names(files.scene.dimension);
+  files.coordinates = coordinates_of(files.path, files.scene.dimension, (folder / "path.csv").string());
   files.points.resize(files.scene.dimension, static_cast<Index>(files.path.rows()));
-  for (std::size_t i = 0; i < names.size(); ++i)
-    files.points.row(static_cast<Index>(i)) =
-        Eigen::Map<const Eigen::RowVectorXd>(files.path[names[i]].data(), static_cast<Index>(files.path.rows()));
+  for (std::size_t i = 0; i < files.coordinates.size(); ++i)
+    files.points.row(static_cast<Index>(i)) = Eigen::Map<const Eigen::RowVectorXd>(
+        files.path[files.coordinates[i]].data(), static_cast<Index>(files.path.rows()));
   return files;
 }
 

@@ -35,7 +35,8 @@ struct RunFiles {
   NumberTable path, history;
   std::vector<NumberTable> residuals;  ///< one, or none where the question has no meaning
   Scene scene;
-  Points points;  ///< of path.csv, ambient, d x m
+  Points points;                         ///< of path.csv, ambient, d x m
+  std::vector<std::string> coordinates;  ///< their names there
 };
 
 /// Throws InputError.
