@@ -9,6 +9,7 @@
 
 #include <leastcost/framework/errors.hpp>
 #include "app/study/rows/csv_text.hpp"
+#include "problems/formula/coordinate_names.hpp"
 
 namespace leastcost::app {
 
@@ -46,14 +47,15 @@ const std::vector<double>& NumberTable::operator[](const std::string& column) co
 
 namespace {
 
-/// The names of the coordinates of a table of points: they come after the index, whatever the domain calls them.
-std::vector<std::string> coordinates_of(const NumberTable& table, int dimension, const std::string& file) {
-  const std::vector<std::string>& names = table.names();
-  const auto count = static_cast<std::size_t>(std::max(0, dimension));
-  if (names.size() <= count)
-    throw InputError(
-        fmt::format("{}: has {} columns, an index and {} coordinates are wanted", file, names.size(), dimension));
-  return {names.begin() + 1, names.begin() + 1 + dimension};
+/// The names of the coordinates of a table of points, which stand between the index and the costs, whatever the domain
+/// calls them; after those of space may be those of a chart.
+std::vector<std::string> coordinates_of(const NumberTable& table, int dimension) {
+  const std::vector<std::string>& all = table.names();
+  std::vector<std::string> names;
+  for (std::size_t i = 1; i < all.size() && all[i] != "segment_cost" && static_cast<int>(names.size()) < dimension; ++i)
+    names.push_back(all[i]);
+  if (static_cast<int>(names.size()) < dimension) return coordinate_names(dimension);  // one of them is missing
+  return names;
 }
 
 }  // namespace
@@ -73,7 +75,7 @@ RunFiles read_run_files(const fs::path& folder) {
   if (dimension != files.scene.dimension)
     throw InputError((folder / "scene.json").string() +
                      ": belongs to another run than result.json: the dimensions differ");
-  files.coordinates = coordinates_of(files.path, files.scene.dimension, (folder / "path.csv").string());
+  files.coordinates = coordinates_of(files.path, files.scene.dimension);
   files.points.resize(files.scene.dimension, static_cast<Index>(files.path.rows()));
   for (std::size_t i = 0; i < files.coordinates.size(); ++i)
     files.points.row(static_cast<Index>(i)) = Eigen::Map<const Eigen::RowVectorXd>(
