@@ -57,14 +57,14 @@ std::vector<PointImage> images_of(const Problem& problem) {
   return domain->images(problem.target.u, problem.source.u, kMostTriedImages);
 }
 
-/// Cost of a path that 32 segments make of the straight start; infinite where they make none.
-double solved_cost(const Problem& problem, const Monitor& monitor) {
+/// Cost of a path that `segments` make of the straight start; infinite where they make none.
+double solved_cost(const Problem& problem, const Monitor& monitor, Index segments = kPieces) {
   constexpr double kUnsolved = std::numeric_limits<double>::infinity();
   try {
     const std::optional<CoordinatePath> line = straight_line(problem, monitor.deadline);
     if (!line) return kUnsolved;
-    CoordinatePath path = sample_equally(problem, *line, kPieces - 1, 0.05, 8, monitor.deadline);
-    const double s0 = PathEnergy(problem, 1, monitor.deadline).cost(path) / static_cast<double>(kPieces);
+    CoordinatePath path = sample_equally(problem, *line, static_cast<int>(segments) - 1, 0.05, 8, monitor.deadline);
+    const double s0 = PathEnergy(problem, 1, monitor.deadline).cost(path) / static_cast<double>(segments);
     if (!(s0 > 0) || !std::isfinite(s0)) return kUnsolved;
     PathEnergy energy(problem, s0, monitor.deadline);
     const Termination end = ChainNewton().solve(energy, path, monitor).termination;
@@ -74,12 +74,12 @@ double solved_cost(const Problem& problem, const Monitor& monitor) {
   }
 }
 
-/// Of the images with the cheapest straight starts the one to which a coarse solve costs least, where that is clearly
-/// less than `given`.
+/// Of the images with the cheapest straight starts the one to which a coarse solve costs least, where that is less than
+/// `given` by so much of it.
 std::optional<CheaperImage> best_of(const Problem& problem, const std::vector<TriedImage>& tried, double given,
-                                    const Monitor& monitor) {
+                                    double saving, const Monitor& monitor) {
   std::optional<CheaperImage> best;
-  double least = (1 - kCoarseSaving) * given;
+  double least = (1 - saving) * given;
   for (std::size_t i = 0; i < std::min(kSolved, tried.size()) && tried[i].cost <= kHopeless * given; ++i) {
     const double solved = solved_cost(ending_at(problem, tried[i].image.u), monitor);
     if (!(solved < least)) continue;
@@ -87,6 +87,14 @@ std::optional<CheaperImage> best_of(const Problem& problem, const std::vector<Tr
     best = {tried[i].image, solved, given, tried.size()};
   }
   return best;
+}
+
+/// What saves little is believed where twice the segments say so as well, by more than what they change.
+bool saves_finer_too(const Problem& problem, const CheaperImage& best, const Monitor& monitor) {
+  const double given = solved_cost(problem, monitor, 2 * kPieces);
+  const double there = solved_cost(ending_at(problem, best.image.u), monitor, 2 * kPieces);
+  const double doubt = std::abs(given - best.given) + std::abs(there - best.cost);
+  return given - there > std::max(doubt, kCheaper * given);
 }
 
 std::string named(const PointImage& image) { return point_text(image.u) + ", " + image.where; }
@@ -120,7 +128,9 @@ std::optional<CheaperImage> find_cheaper_image(const Problem& problem, const Mon
   const std::vector<TriedImage> tried = other_images(problem, monitor.deadline);
   if (tried.empty()) return std::nullopt;
   const double given = solved_cost(problem, monitor);
-  return best_of(problem, tried, given, monitor);
+  std::optional<CheaperImage> best = best_of(problem, tried, given, kCheaper, monitor);
+  if (best && best->cost > (1 - kCoarseSaving) * given && !saves_finer_too(problem, *best, monitor)) best.reset();
+  return best;
 }
 
 std::string cheaper_image(const Problem& problem, double cost, const Monitor& monitor) {
@@ -134,7 +144,7 @@ std::string cheaper_image(const Problem& problem, double cost, const Monitor& mo
     return "the target is also " + named(image) + ": " + way + short_number(less) + ", this path " +
            short_number(cost) + " (images tried: " + std::to_string(tried.size()) + ")";
   };
-  if (const std::optional<CheaperImage> best = best_of(problem, tried, cost, monitor))
+  if (const std::optional<CheaperImage> best = best_of(problem, tried, cost, kCoarseSaving, monitor))
     return said(best->image, "a path to it costs about ", best->cost);
   // A straight line through obstacles promises nothing.
   const bool obstacles = find_ability<ChecksMoves>(*problem.manifold) != nullptr;

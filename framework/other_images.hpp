@@ -31,9 +31,9 @@ std::vector<TriedImage> other_images(const Problem& problem, const Deadline& dea
 /// has no length (two longitudes of a pole). Never for rings and loops with a fixed point.
 bool ends_are_one_point(const Problem& problem, std::optional<PointImage>* image = nullptr);
 
-/// The image to which a path costs at least a hundredth less than to the target as it is given, by coarse solves of the
-/// two with the cheapest straight starts (a straight line through a pole may be cheap, and what becomes of it dear).
-/// Nothing where there is none.
+/// The image to which a path costs less than to the target as it is given, by coarse solves of the two with the
+/// cheapest straight starts (a straight line through a pole may be cheap, and what becomes of it dear). Less than a
+/// hundredth must be seen with twice the segments as well. Nothing where there is none.
 struct CheaperImage {
   PointImage image;
   double cost = 0, given = 0;  ///< of coarse solves, to the image and to the target as it is given

@@ -148,6 +148,22 @@ TEST_CASE("poses: the opposite quaternion and whole turns are found to name the 
   }
 }
 
+TEST_CASE("poses: the nearer name is found also where the turn is a small part of the cost", "[oracle]") {
+  const double far = 100;  // a turn by 2 pi - 2 in place of 2 costs 0.04 % more
+  const Eigen::Quaterniond end(Eigen::AngleAxisd(2, Eigen::Vector3d::UnitY()));
+  Eigen::VectorXd b = spatial_pose(Eigen::Vector3d(far, 0, 0), end);
+  b.tail(4) *= -1;
+  const Problem room =
+      among_poses(make_spatial_poses(), spatial_pose(Eigen::Vector3d::Zero(), Eigen::Quaterniond::Identity()), b);
+  const std::optional<CheaperImage> opposite = find_cheaper_image(room);
+  REQUIRE(opposite);
+  CHECK(opposite->image.u.tail(4) == -b.tail(4));
+  const Problem plane = among_poses(make_planar_poses(), Eigen::Vector3d(0, 0, 3), Eigen::Vector3d(10 * far, 0, -3));
+  const std::optional<CheaperImage> turned = find_cheaper_image(plane);
+  REQUIRE(turned);
+  CHECK(turned->image.where == "winding (1)");
+}
+
 TEST_CASE("products: a sphere, an angle and rotations side by side", "[oracle]") {
   ConstraintManifoldOptions rotations;
   rotations.set = constraint::Rotations{};
