@@ -14,6 +14,7 @@
 #include <leastcost/framework/checks_moves.hpp>
 #include <leastcost/framework/clearance.hpp>
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/has_sample_box.hpp>
 #include "problems/initializers/growing_points.hpp"
 #include "problems/section/projected_line.hpp"
 
@@ -43,6 +44,8 @@ class Tree {
     low_ = problem.source.u.cwiseMin(problem.target.u) - margin;
     high_ = problem.source.u.cwiseMax(problem.target.u) + margin;
     margin_ = margin;
+    if (const auto* domain = find_ability<HasSampleBox>(*problem.manifold))
+      of_use_ = domain->sample_box(problem.source.u, problem.target.u);
     add(problem.source.u, problem.source.u, -1);
   }
 
@@ -125,7 +128,10 @@ class Tree {
 
   Vector sample() {
     if (uniform(engine_) < options_.goal_bias) return problem_.target.u;
-    return low_ + Vector::NullaryExpr(low_.size(), [&] { return uniform(engine_); }).cwiseProduct(high_ - low_);
+    const bool known = of_use_.lower.size() > 0;
+    const Vector low = known ? Vector(low_.cwiseMax(of_use_.lower)) : low_;
+    const Vector high = known ? Vector(high_.cwiseMin(of_use_.upper)) : high_;
+    return low + Vector::NullaryExpr(low.size(), [&] { return uniform(engine_); }).cwiseProduct(high - low);
   }
 
   /// One step from the nearest node towards x, then into the shell; the new node, or -1.
@@ -179,6 +185,7 @@ class Tree {
   std::vector<int> parents_;
   std::vector<Vector> edge_;
   Vector low_, high_, margin_;  ///< the box of samples: the tree, with a margin
+  SampleBox of_use_;            ///< none but within these are; empty: not known
   long samples_ = 0;
   bool stopped_ = false;
   double nearest_to_goal_ = std::numeric_limits<double>::infinity();

@@ -69,6 +69,12 @@ std::vector<PointImage> AngleManifold::images(const Eigen::VectorXd& x, const Ei
   return all;
 }
 
+SampleBox AngleManifold::sample_box(const Eigen::VectorXd& source, const Eigen::VectorXd& target) const {
+  const Eigen::VectorXd lower = source.cwiseMin(target).array() - kTurn / 2;
+  const Eigen::VectorXd upper = source.cwiseMax(target).array() + kTurn / 2;
+  return {lower.cwiseMax(box_.lower()), upper.cwiseMin(box_.upper())};
+}
+
 bool AngleManifold::states_way(const Eigen::VectorXd& target, const Eigen::VectorXd& source) const {
   return std::abs(target[0] - source[0]) >= kWholeTurn * kTurn;
 }

@@ -6,6 +6,7 @@
 
 #include <leastcost/framework/has_box.hpp>
 #include <leastcost/framework/has_images.hpp>
+#include <leastcost/framework/has_sample_box.hpp>
 #include <leastcost/framework/manifold.hpp>
 #include <leastcost/framework/options.hpp>
 #include <leastcost/problems/manifolds/box.hpp>
@@ -21,7 +22,11 @@ struct AngleOptions {
 /// One angle in radians, a turn without end: u and u + 2 pi k name the same point. The coordinate lies on the universal
 /// cover, so that paths keep their winding; straight moves stay in it. A target a turn or more from the source states a
 /// winding. Between limits only the images within them count; a joint that turns by less than a turn has none.
-class AngleManifold final : public ConstraintManifold, public HasBounds, public HasBox, public HasImages {
+class AngleManifold final : public ConstraintManifold,
+                            public HasBounds,
+                            public HasBox,
+                            public HasImages,
+                            public HasSampleBox {
  public:
   /// Throws OptionError("lower" or "upper") for limits that are no numbers or leave no room.
   explicit AngleManifold(const AngleOptions& options = {});
@@ -39,6 +44,8 @@ class AngleManifold final : public ConstraintManifold, public HasBounds, public 
   std::vector<PointImage> images(const Eigen::VectorXd& x, const Eigen::VectorXd& reference,
                                  std::size_t most) const override;
   bool states_way(const Eigen::VectorXd& target, const Eigen::VectorXd& source) const override;
+  /// Half a turn beyond the ends, within the limits.
+  SampleBox sample_box(const Eigen::VectorXd& source, const Eigen::VectorXd& target) const override;
 
  private:
   Box box_;

@@ -5,6 +5,7 @@
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/has_blocks.hpp>
 #include <leastcost/framework/has_images.hpp>
+#include <leastcost/framework/has_sample_box.hpp>
 #include "problems/formula/coordinate_names.hpp"
 #include "problems/level_set/formula_constraint.hpp"
 #include "problems/level_set/named_surfaces.hpp"
@@ -13,7 +14,7 @@ namespace leastcost {
 namespace {
 
 /// Unit quaternions.
-class RotationSet final : public LevelSet, public HasImages, public HasBlocks {
+class RotationSet final : public LevelSet, public HasImages, public HasBlocks, public HasSampleBox {
  public:
   explicit RotationSet(bool nearest_image) : LevelSet(make_sphere_function(4, 1)), nearest_image_(nearest_image) {}
   std::vector<PointImage> images(const Eigen::VectorXd& q, const Eigen::VectorXd&, std::size_t most) const override {
@@ -23,6 +24,9 @@ class RotationSet final : public LevelSet, public HasImages, public HasBlocks {
   bool states_way(const Eigen::VectorXd&, const Eigen::VectorXd&) const override { return !nearest_image_; }
   /// A chord is half the angle.
   std::vector<CoordinateBlock> blocks() const override { return {{0, 4, 2}}; }
+  SampleBox sample_box(const Eigen::VectorXd&, const Eigen::VectorXd&) const override {
+    return {Eigen::Vector4d::Constant(-1), Eigen::Vector4d::Constant(1)};
+  }
 
  private:
   bool nearest_image_;

@@ -264,6 +264,19 @@ std::vector<CoordinateBlock> ProductManifold::blocks() const {
   return all;
 }
 
+SampleBox ProductManifold::sample_box(const Eigen::VectorXd& source, const Eigen::VectorXd& target) const {
+  SampleBox all{lower_, upper_};
+  for (const Part& part : parts_) {
+    const auto* domain = find_ability<HasSampleBox>(*part.domain);
+    if (domain == nullptr) continue;
+    const SampleBox own =
+        domain->sample_box(source.segment(part.first, part.size), target.segment(part.first, part.size));
+    all.lower.segment(part.first, part.size) = own.lower;
+    all.upper.segment(part.first, part.size) = own.upper;
+  }
+  return all;
+}
+
 std::string ProductManifold::why_not_projected(const Eigen::VectorXd& x) const {
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const Part& part = parts_[i];

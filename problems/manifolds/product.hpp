@@ -10,6 +10,7 @@
 #include <leastcost/framework/has_blocks.hpp>
 #include <leastcost/framework/has_box.hpp>
 #include <leastcost/framework/has_images.hpp>
+#include <leastcost/framework/has_sample_box.hpp>
 #include <leastcost/framework/manifold.hpp>
 #include <leastcost/framework/names_coordinates.hpp>
 
@@ -26,6 +27,7 @@ class ProductManifold : public ConstraintManifold,
                         public HasBox,
                         public HasImages,
                         public HasBlocks,
+                        public HasSampleBox,
                         public NamesCoordinates,
                         public ExplainsProjection {
  public:
@@ -55,6 +57,8 @@ class ProductManifold : public ConstraintManifold,
   /// The blocks of factors that have some, else one for each factor.
   std::vector<CoordinateBlock> blocks() const override;
   std::vector<std::string> coordinate_names() const override { return names_; }
+  /// Those of factors that have one, else their boxes.
+  SampleBox sample_box(const Eigen::VectorXd& source, const Eigen::VectorXd& target) const override;
   std::string why_not_projected(const Eigen::VectorXd& x) const override;
 
  private:

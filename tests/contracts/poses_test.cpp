@@ -267,6 +267,23 @@ TEST_CASE("product: images are those of the factors in all combinations, nearest
       product_of({space(2), ball_surface(1)})->images(Eigen::VectorXd::Ones(5), Eigen::VectorXd::Ones(5), 12).empty());
 }
 
+TEST_CASE("poses: samples are of use within a turn, unit quaternions and the box", "[contract]") {
+  const SampleBox plane =
+      make_planar_poses({.box = {Eigen::Vector2d(-1, -2), {}}})->sample_box(pose(0, 0, 1), pose(1, 1, -2));
+  CHECK(plane.lower == pose(-1, -2, -2 - kPi));
+  CHECK(plane.upper[2] == 1 + kPi);
+  CHECK(plane.upper[0] == std::numeric_limits<double>::infinity());
+  const auto wrist = angle_between(-3, 4);
+  const SampleBox limited =
+      find_ability<HasSampleBox>(*wrist)->sample_box(Eigen::VectorXd::Constant(1, 1), Eigen::VectorXd::Constant(1, 2));
+  CHECK(limited.lower[0] == 1 - kPi);
+  CHECK(limited.upper[0] == 4);
+  const Eigen::VectorXd a = pose(Eigen::Vector3d(1, 2, 3), Eigen::Vector4d(1, 0, 0, 0));
+  const SampleBox room = make_spatial_poses()->sample_box(a, a);
+  CHECK(room.lower.tail(4) == Eigen::Vector4d::Constant(-1));
+  CHECK(room.upper.tail(4) == Eigen::Vector4d::Constant(1));
+}
+
 TEST_CASE("poses: ends that are one pose by other coordinates are recognised", "[contract]") {
   const auto one = [](const Domain& domain, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
     const auto cost = make_euclidean_cost(domain->dimensions().ambient);

@@ -57,9 +57,10 @@ void check_value(const Result& result, double exact, double widest) {
   CHECK(e.error <= widest * exact);
 }
 
-/// Two tangents of a disc of radius r around the origin and the arc between them.
-double around_disc(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double r) {
-  const double turn = std::acos(a.dot(b) / (a.norm() * b.norm())) - std::acos(r / a.norm()) - std::acos(r / b.norm());
+/// Two tangents of a disc of radius r around the origin and the arc between them, on the shorter side or on the other.
+double around_disc(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double r, bool shorter = true) {
+  const double angle = std::acos(a.dot(b) / (a.norm() * b.norm()));
+  const double turn = (shorter ? angle : 2 * kPi - angle) - std::acos(r / a.norm()) - std::acos(r / b.norm());
   return std::sqrt(a.squaredNorm() - r * r) + std::sqrt(b.squaredNorm() - r * r) + r * turn;
 }
 
@@ -195,6 +196,20 @@ TEST_CASE("poses: an rrt finds the way from any start", "[oracle]") {
   }
 }
 
+TEST_CASE("poses: an rrt finds the way around a wall, though angles make the space one larger", "[oracle]") {
+  FreeSpace::Obstacles wall;
+  for (int i = -2; i <= 2; ++i) wall.push_back(make_ball({.center = Eigen::Vector2d(0, i), .radius = 0.7}));
+  const auto poses = std::make_shared<const FreeSpace>(make_planar_poses(), wall, 0);
+  const Problem problem = among_poses(poses, Eigen::Vector3d(-2, 0.2, 3), Eigen::Vector3d(2, 0, 1));
+  for (int seed = 1; seed <= 10; ++seed) {
+    CAPTURE(seed);
+    const Result result = find(problem, 100, RrtInitializer({}, seed));
+    CHECK(result.status == Status::certified);
+    REQUIRE(result.certificate.clearance);
+    CHECK(result.certificate.clearance->lower >= -1e-9);
+  }
+}
+
 TEST_CASE("poses: the origin of a body goes around a disc and a ball while it turns", "[oracle]") {
   const auto among = [](const std::shared_ptr<const ConstraintManifold>& domain, const Eigen::VectorXd& center) {
     return std::make_shared<const FreeSpace>(domain, FreeSpace::Obstacles{make_ball({.center = center, .radius = 1})},
@@ -204,7 +219,8 @@ TEST_CASE("poses: the origin of a body goes around a disc and a ball while it tu
     const Eigen::Vector3d a(-2, 0.3, 0), b(1.5, 0.5, 1.2);
     const Problem plane = among_poses(among(make_planar_poses(), Eigen::Vector2d::Zero()), a, b);
     const Result flat = find(plane, n, RrtInitializer());
-    const double length = around_disc(a.head(2), b.head(2), 1);
+    const bool above = flat.path.u(1, n / 2) > 0;  // the rrt's choice; both ends lie above the centre
+    const double length = around_disc(a.head(2), b.head(2), 1, above);
     check_value(flat, std::hypot(length, kTurnWeight * 1.2), 1e-3);
     REQUIRE(flat.certificate.clearance);
     CHECK(flat.certificate.clearance->lower >= -1e-9);
