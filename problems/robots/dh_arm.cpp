@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/problems/robots/dh_arm.hpp>
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <leastcost/framework/errors.hpp>
+
+namespace leastcost {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+enum Column { kA, kAlpha, kD, kOffset };  // of a table
+
+Matrix3d about_x(double cosine, double sine) {
+  Matrix3d turn;
+  turn << 1, 0, 0, 0, cosine, -sine, 0, sine, cosine;
+  return turn;
+}
+
+Matrix3d about_z(double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  Matrix3d turn;
+  turn << c, -s, 0, s, c, 0, 0, 0, 1;
+  return turn;
+}
+
+void check_table(const DhTable& table) {
+  if (table.rows.rows() == 0 || table.rows.cols() != 4 || !table.rows.allFinite())
+    throw OptionError("rows", "must have a row of four finite numbers for each joint: a, alpha, d, offset");
+  const Eigen::Index joints = table.rows.rows();
+  for (const auto& [key, side] : {std::pair{"lower", &table.lower}, std::pair{"upper", &table.upper}})
+    if (side->size() != joints || side->array().isNaN().any())
+      throw OptionError(key, "must be an angle for each of the " + std::to_string(joints) + " joints");
+  for (Eigen::Index j = 0; j < joints; ++j)
+    if (!(table.lower[j] <= table.upper[j]))
+      throw OptionError("upper", "must be at least lower for joint " + std::to_string(j + 1));
+  if (!table.base.allFinite()) throw OptionError("base", "must be a point, with finite coordinates");
+}
+
+}  // namespace
+
+Words<DhConvention> words(DhConvention) {
+  static constexpr std::array<Word<DhConvention>, 2> kWords = {
+      {{DhConvention::standard, "standard"}, {DhConvention::modified, "modified"}}};
+  return kWords;
+}
+
+DhArm::DhArm(DhTable table) : table_(std::move(table)) {
+  check_table(table_);
+  cosines_ = table_.rows.col(kAlpha).array().cos();
+  sines_ = table_.rows.col(kAlpha).array().sin();
+}
+
+std::string DhArm::link_name(int link) const { return link == 0 ? "the base" : "link " + std::to_string(link); }
+
+/// From one frame to the next.
+Frame DhArm::step(int joint, double angle) const {
+  const double a = table_.rows(joint, kA), d = table_.rows(joint, kD);
+  const Matrix3d tilt = about_x(cosines_[joint], sines_[joint]), turn = about_z(angle + table_.rows(joint, kOffset));
+  if (table_.convention == DhConvention::standard) return {turn * tilt, turn * Vector3d(a, 0, d)};
+  return {tilt * turn, Vector3d(a, 0, 0) + tilt * Vector3d(0, 0, d)};
+}
+
+const Frame& DhArm::axis_frame(const std::vector<Frame>& links, int joint) const {
+  return links[static_cast<std::size_t>(table_.convention == DhConvention::standard ? joint : joint + 1)];
+}
+
+void DhArm::place(const Vector& configuration, std::vector<Frame>& links) const {
+  links.resize(static_cast<std::size_t>(link_count()));
+  links[0] = Frame{Matrix3d::Identity(), table_.base};
+  for (int j = 0; j < static_cast<int>(dimension()); ++j) {
+    const Frame next = step(j, configuration[j]);
+    const Frame& last = links[static_cast<std::size_t>(j)];
+    links[static_cast<std::size_t>(j) + 1] = {last.rotation * next.rotation, last.at(next.origin)};
+  }
+}
+
+void DhArm::jacobian(const Vector&, const std::vector<Frame>& links, int link, const Vector3d& point,
+                     Eigen::Matrix3Xd& derivative) const {
+  derivative.setZero(3, dimension());
+  for (int j = 0; j < link; ++j) {
+    const Frame& axis = axis_frame(links, j);
+    derivative.col(j) = axis.rotation.col(2).cross(point - axis.origin);
+  }
+}
+
+/// Where the point can be, a ball, is followed from the link down to the base. Seen from a joint it is turned about
+/// the axis; so it stays in the ball around the nearest point of the axis that holds the whole ring.
+DhArm::Vector DhArm::reach(int link, const Vector3d& local) const {
+  Vector farthest = Vector::Zero(dimension());
+  Vector3d center = local;
+  double radius = 0;
+  for (int j = link - 1; j >= 0; --j) {
+    const bool standard = table_.convention == DhConvention::standard;
+    const double a = table_.rows(j, kA), d = table_.rows(j, kD);
+    const Matrix3d tilt = about_x(cosines_[j], sines_[j]);
+    if (standard) center = tilt * center + Vector3d(a, 0, d);  // now seen from the axis
+    radius += center.head<2>().norm();
+    farthest[j] = radius;
+    center = Vector3d(0, 0, center.z());
+    if (!standard) center = tilt * (center + Vector3d(0, 0, d)) + Vector3d(a, 0, 0);
+  }
+  return farthest;
+}
+
+double DhArm::steepest(const Vector& reach, int seen_from) const { return reach.tail(reach.size() - seen_from).norm(); }
+
+/// The second derivative by angles i <= j is z_i x (z_j x (p - o_j)), no longer than the distance from axis j. Seen
+/// from a link, the joints before it are at rest.
+MotionBound DhArm::motion(const Vector& a, const Vector& b, const Vector& reach, int seen_from) const {
+  MotionBound bound;
+  double before = 0;  // of the rates of the joints nearer to the base
+  for (Eigen::Index j = seen_from; j < reach.size(); ++j) {
+    const double rate = std::abs(b[j] - a[j]);
+    bound.speed += rate * reach[j];
+    bound.acceleration += rate * (rate + 2 * before) * reach[j];
+    before += rate;
+  }
+  return bound;
+}
+
+}  // namespace leastcost

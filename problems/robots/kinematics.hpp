@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include <leastcost/eigen_alignment.hpp>
+
+namespace leastcost {
+
+/// Where a link is: its own coordinates in those of the workspace.
+struct Frame {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+
+  Eigen::Vector3d at(const Eigen::Vector3d& local) const { return rotation * local + origin; }
+};
+
+/// Of a point during the straight move a + t (b - a) between two configurations, 0 <= t <= 1.
+struct MotionBound {
+  double speed = 0;         ///< length units per t, nowhere exceeded; infinite where nothing is known
+  double acceleration = 0;  ///< length units per t^2
+};
+
+/// Where the links of a robot are in a configuration, an ambient column of the domain. In the plane z is 0. Immutable,
+/// and shared by threads.
+class Kinematics {
+ public:
+  using Vector = Eigen::VectorXd;
+
+  virtual ~Kinematics() = default;
+  /// Rows of a configuration.
+  virtual Eigen::Index dimension() const = 0;
+  /// 2 or 3: of the workspace.
+  virtual int space() const = 0;
+  virtual int link_count() const = 0;
+  /// For messages: "link 5".
+  virtual std::string link_name(int link) const = 0;
+  /// One frame for each link.
+  virtual void place(const Vector& configuration, std::vector<Frame>& links) const = 0;
+  /// The derivative of a point (workspace) that is fixed to a link, 3 x dimension(); `links` as place() made them.
+  virtual void jacobian(const Vector& configuration, const std::vector<Frame>& links, int link,
+                        const Eigen::Vector3d& point, Eigen::Matrix3Xd& derivative) const = 0;
+  /// For each coordinate how far it moves a point of a link (its coordinates), per unit, in any configuration, at most.
+  virtual Vector reach(int link, const Eigen::Vector3d& local) const = 0;
+  /// How far a point with these reaches moves at most as the configuration moves by 1, as seen from another link.
+  virtual double steepest(const Vector& reach, int seen_from) const = 0;
+  /// During the move from a to b, of any point with at most these reaches, as seen from another link.
+  virtual MotionBound motion(const Vector& a, const Vector& b, const Vector& reach, int seen_from) const = 0;
+  /// Limits of the coordinates, possibly infinite.
+  virtual Vector lower() const = 0;
+  virtual Vector upper() const = 0;
+};
+
+}  // namespace leastcost

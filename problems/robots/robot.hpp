@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <leastcost/problems/robots/kinematics.hpp>
+
+namespace leastcost {
+
+/// All points within a radius of a segment that is fixed to a link; a ball where its ends are one point.
+struct Capsule {
+  int link = 0;
+  Eigen::Vector3d from = Eigen::Vector3d::Zero(), to = Eigen::Vector3d::Zero();  ///< coordinates of the link
+  double radius = 0;
+};
+
+/// A robot: what moves, its shape, and which of its parts must not touch each other.
+struct Robot {
+  std::shared_ptr<const Kinematics> kinematics;
+  std::vector<Capsule> capsules;
+  std::vector<std::pair<int, int>> self = {};  ///< numbers of capsules on different links
+};
+
+/// Throws OptionError("shape") for capsules without a radius, of a link that is not there or that are no numbers, and
+/// OptionError("self") for pairs that are none.
+std::shared_ptr<const Robot> make_robot(Robot robot);
+
+}  // namespace leastcost

@@ -1,0 +1,312 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/problems/robots/robot_walls.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <leastcost/framework/errors.hpp>
+#include "problems/robots/least_on_move.hpp"
+#include "problems/robots/least_value.hpp"
+#include "problems/robots/robot_pose.hpp"
+
+namespace leastcost {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+constexpr double kOfLengths = 256 * std::numeric_limits<double>::epsilon();  ///< rounding of frames and distances
+constexpr double kDecided = 1e-10;  ///< sizes: so near are the bounds of a clearance in contact
+constexpr double kShareOfGap = 0.5, kShareOfCoreRoom = 0.2;
+constexpr int kFewestPlaces = 4, kMostPlaces = 64;  ///< of a move that are looked at before its least gap is followed
+constexpr double kPlacesApart = 0.5;                ///< of what is required: how far a capsule goes between them
+
+/// The distance of two boxes with sides along the axes.
+double distance_of_boxes(const Vector3d& lower, const Vector3d& upper, const Vector3d& other_lower,
+                         const Vector3d& other_upper) {
+  return (other_lower - upper).cwiseMax(lower - other_upper).cwiseMax(Vector3d::Zero()).norm();
+}
+
+/// The place as an obstacle of the plane or of space takes it.
+void to_space(const Vector3d& x, Eigen::VectorXd& out) {
+  for (Eigen::Index i = 0; i < out.size(); ++i) out[i] = x[i];
+}
+
+}  // namespace
+
+/// A robot on its way from a to b.
+class RobotWalls::OnMove {
+ public:
+  OnMove(const RobotWalls& walls, const Vector& a, const Vector& b) : walls_(&walls), a_(a), b_(b) {
+    speeds_.reserve(walls.bodies_.size());
+    for (const Body& body : walls.bodies_)
+      speeds_.push_back(body.steepest > 0 ? kinematics().motion(a, b, body.reach, 0).speed : 0);
+  }
+
+  Vector place(double t) const { return t == 1 ? b_ : Vector(a_ + t * (b_ - a_)); }
+  const RobotPose& at(double t) {
+    if (t != placed_) pose_.place(*walls_->robot_, place(t));
+    placed_ = t;
+    return pose_;
+  }
+  bool bounded() const {
+    return std::all_of(speeds_.begin(), speeds_.end(), [](double speed) { return std::isfinite(speed); });
+  }
+  double fastest() const { return *std::max_element(speeds_.begin(), speeds_.end()); }
+
+  /// Pairs whose gap may be below `beyond(capsule)` somewhere on the move.
+  template <class Beyond>
+  std::vector<Pair> pairs(const Beyond& beyond) {
+    std::vector<Pair> found;
+    walls_->pairs_within(
+        at(kMiddle), [&](int i) { return speeds_[static_cast<std::size_t>(i)] / 2 + beyond(i); }, found);
+    return found;
+  }
+
+  MovingDistance known(const Pair& pair) const {
+    const Body& body = walls_->bodies_[static_cast<std::size_t>(pair.capsule)];
+    const int seen_from = pair.self ? walls_->robot_->capsules[static_cast<std::size_t>(pair.other)].link : 0;
+    const MotionBound bound = kinematics().motion(a_, b_, body.reach, seen_from);
+    return {bound.speed, bound.acceleration, pair.required, 1};
+  }
+
+  DistancesAt distances(const std::vector<Pair>& pairs) {
+    return [this, &pairs](double t, const std::vector<int>& which, std::vector<double>& out) {
+      const RobotPose& pose = at(t);
+      out.clear();
+      for (const int k : which) out.push_back(walls_->distance(pose, pairs[static_cast<std::size_t>(k)]));
+    };
+  }
+
+ private:
+  static constexpr double kMiddle = 0.5;
+
+  const Kinematics& kinematics() const { return *walls_->robot_->kinematics; }
+
+  const RobotWalls* walls_;
+  const Vector &a_, &b_;
+  std::vector<double> speeds_;  ///< of the capsules
+  double placed_ = std::numeric_limits<double>::quiet_NaN();
+  RobotPose pose_;
+};
+
+RobotWalls::RobotWalls(std::shared_ptr<const Robot> robot, Obstacles obstacles, double clearance)
+    : robot_(std::move(robot)) {
+  if (!(clearance >= 0) || !std::isfinite(clearance)) throw OptionError("clearance", "must be a number, at least 0");
+  const Kinematics& kinematics = *robot_->kinematics;
+  for (const Capsule& capsule : robot_->capsules) {
+    Body body;
+    body.reach = kinematics.reach(capsule.link, capsule.from).cwiseMax(kinematics.reach(capsule.link, capsule.to));
+    body.radius = capsule.radius;
+    body.steepest = kinematics.steepest(body.reach, 0);
+    farthest_ = std::max(farthest_, body.reach.maxCoeff());
+    size_ = std::max(size_, farthest_ + capsule.radius);
+    bodies_.push_back(std::move(body));
+  }
+  add_obstacles(std::move(obstacles), clearance);
+  add_self_pairs();
+}
+
+void RobotWalls::add_obstacles(Obstacles obstacles, double clearance) {
+  obstacles_ = std::move(obstacles);
+  const int space = robot_->kinematics->space();
+  for (std::size_t i = 0; i < obstacles_.size(); ++i) {
+    const Obstacle::Box core = obstacles_[i]->core_bounds();
+    if (core.dim() != space)
+      throw OptionError(std::to_string(i), obstacles_[i]->name() + " has " + std::to_string(core.dim()) +
+                                               " dimensions, the workspace of the robot has " + std::to_string(space));
+    CoreBox box{Vector3d::Zero(), Vector3d::Zero()};
+    box.lower.head(space) = core.min();
+    box.upper.head(space) = core.max();
+    boxes_.push_back(box);
+    required_.push_back(obstacles_[i]->radius() + clearance);
+    size_ = std::max({size_, box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff(), required_.back()});
+  }
+}
+
+/// Seen from the link that is nearer to the base.
+void RobotWalls::add_self_pairs() {
+  int number = static_cast<int>(bodies_.size() * obstacles_.size());
+  for (auto [i, j] : robot_->self) {
+    const auto link = [&](int k) { return robot_->capsules[static_cast<std::size_t>(k)].link; };
+    if (link(i) > link(j)) std::swap(i, j);
+    const Body &near = bodies_[static_cast<std::size_t>(i)], &far = bodies_[static_cast<std::size_t>(j)];
+    const double steepest = robot_->kinematics->steepest(far.reach, link(i));
+    self_.push_back({number++, j, i, true, near.radius + far.radius, steepest});
+  }
+}
+
+/// Pairs with a distance of at most what is required and margin(capsule), some others among them; ascending by number.
+template <class Margin>
+void RobotWalls::pairs_within(const RobotPose& pose, const Margin& margin, std::vector<Pair>& found) const {
+  const auto box = [&](int i) {
+    const Segment3& axis = pose.axes[static_cast<std::size_t>(i)];
+    return CoreBox{axis.from.cwiseMin(axis.to), axis.from.cwiseMax(axis.to)};
+  };
+  for (int i = 0; i < static_cast<int>(bodies_.size()); ++i) {
+    const Body& body = bodies_[static_cast<std::size_t>(i)];
+    if (!(body.steepest > 0)) continue;
+    const CoreBox own = box(i);
+    const double wanted = margin(i);
+    for (std::size_t o = 0; o < boxes_.size(); ++o) {
+      const double required = required_[o] + body.radius;
+      if (distance_of_boxes(own.lower, own.upper, boxes_[o].lower, boxes_[o].upper) > required + wanted) continue;
+      const int other = static_cast<int>(o);
+      found.push_back({i * static_cast<int>(boxes_.size()) + other, i, other, false, required, body.steepest});
+    }
+  }
+  for (const Pair& pair : self_) {
+    const CoreBox first = box(pair.capsule), second = box(pair.other);
+    const double apart = distance_of_boxes(first.lower, first.upper, second.lower, second.upper);
+    if (apart <= pair.required + margin(pair.capsule)) found.push_back(pair);
+  }
+}
+
+/// Between the axis of the capsule and the core, or the other axis, and where on them it is.
+double RobotWalls::distance(const RobotPose& pose, const Pair& pair, double& on_axis, double& on_other) const {
+  const Segment3& axis = pose.axes[static_cast<std::size_t>(pair.capsule)];
+  if (pair.self) return distance_of_segments(axis, pose.axes[static_cast<std::size_t>(pair.other)], on_axis, on_other);
+  const int space = robot_->kinematics->space();
+  Vector from(space), to(space);
+  to_space(axis.from, from);
+  to_space(axis.to, to);
+  return obstacles_[static_cast<std::size_t>(pair.other)]->distance_of_segment(from, to, on_axis);
+}
+
+double RobotWalls::distance(const RobotPose& pose, const Pair& pair) const {
+  double on_axis = 0, on_other = 0;
+  return distance(pose, pair, on_axis, on_other);
+}
+
+/// Of the distance by the configuration, one of them where several places are as near.
+RobotWalls::Vector RobotWalls::slope(const RobotPose& pose, const Pair& pair, double on_axis, double on_other) const {
+  const auto index = [](int i) { return static_cast<std::size_t>(i); };
+  const Kinematics& kinematics = *robot_->kinematics;
+  const Vector3d point = pose.axes[index(pair.capsule)].at(on_axis);
+  Eigen::Matrix3Xd derivative;
+  kinematics.jacobian(pose.configuration, pose.links, robot_->capsules[index(pair.capsule)].link, point, derivative);
+  if (!pair.self) {
+    Vector x(kinematics.space()), away(kinematics.space());
+    to_space(point, x);
+    obstacles_[index(pair.other)]->distance(x, away);
+    return derivative.topRows(x.size()).transpose() * away;
+  }
+  const Vector3d other = pose.axes[index(pair.other)].at(on_other);
+  const Vector3d away = (point - other).normalized();  // zero where the axes cross: there is no nearest way out
+  Eigen::Matrix3Xd of_other;
+  kinematics.jacobian(pose.configuration, pose.links, robot_->capsules[index(pair.other)].link, other, of_other);
+  return (derivative - of_other).transpose() * away;
+}
+
+double RobotWalls::rounding(const Vector& a, const Vector& b) const {
+  return kOfLengths * (size_ + farthest_ * std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff()));
+}
+
+void RobotWalls::near(const Vector& x, double reach, std::vector<Wall>& found) const {
+  found.clear();
+  RobotPose pose;
+  pose.place(*robot_, x);
+  std::vector<Pair> pairs;
+  const double within = std::max(0.0, reach);
+  pairs_within(
+      pose, [&](int i) { return within * bodies_[static_cast<std::size_t>(i)].steepest; }, pairs);
+  for (const Pair& pair : pairs) {
+    double on_axis = 0, on_other = 0;
+    const double gap = (distance(pose, pair, on_axis, on_other) - pair.required) / pair.steepest;
+    if (!(gap < reach)) continue;
+    found.push_back(
+        {pair.number, gap, slope(pose, pair, on_axis, on_other) / pair.steepest, pair.required / pair.steepest});
+  }
+}
+
+MoveClearance RobotWalls::clearance(const Vector& a, const Vector& b) const {
+  MoveClearance least;
+  least.lower = least.upper = kUnbounded;
+  if (obstacles_.empty() && self_.empty()) return least;
+  if (!a.allFinite() || !b.allFinite()) return {-kUnbounded, kUnbounded, -1, a};
+  OnMove move(*this, a, b);
+  if (!move.bounded()) {  // too far for anything to be known in between
+    least = clearance(a, a);
+    MoveClearance at_end = clearance(b, b);
+    if (at_end.upper < least.upper) least = std::move(at_end);
+    least.lower = -kUnbounded;
+    return least;
+  }
+  // What is asked for is how near it is, also where nothing is near: ever farther until something is found.
+  std::vector<Pair> pairs;
+  double wanted = move.fastest() + size_ / 16;
+  for (; pairs.empty() && std::isfinite(wanted); wanted *= 4) pairs = move.pairs([&](int) { return wanted; });
+  if (pairs.empty()) return least;
+  double best = kUnbounded;
+  for (const Pair& pair : pairs) best = std::min(best, distance(move.at(0.5), pair) - pair.required);
+  const double widest = std::max(0.0, best) + rounding(a, b);
+  pairs = move.pairs([&](int) { return widest; });  // no others can be as near
+  std::vector<MovingDistance> known;
+  known.reserve(pairs.size());
+  for (const Pair& pair : pairs) known.push_back(move.known(pair));
+  const LeastOnMove found =
+      least_on_move(known, move.distances(pairs), {.accuracy = kDecided * size_, .share = kShareOfGap});
+  if (found.which < 0) return {-kUnbounded, kUnbounded, -1, a};
+  return {found.lower - rounding(a, b), found.upper, pairs[static_cast<std::size_t>(found.which)].number,
+          move.place(found.at)};
+}
+
+/// The least gaps are followed to their places from the lowest of some; what is proved is the clearance.
+void RobotWalls::along(const Vector& a, const Vector& b, double reach, std::vector<Wall>& found) const {
+  found.clear();
+  OnMove move(*this, a, b);
+  if (!move.bounded()) return Walls::along(a, b, reach, found);
+  const double within = std::max(0.0, reach);
+  const std::vector<Pair> pairs =
+      move.pairs([&](int i) { return within * bodies_[static_cast<std::size_t>(i)].steepest; });
+  for (const Pair& pair : pairs) {
+    const auto distance_at = [&](double t) { return distance(move.at(t), pair); };
+    const int places = static_cast<int>(std::clamp(std::ceil(move.known(pair).speed / (kPlacesApart * pair.required)),
+                                                   double{kFewestPlaces}, double{kMostPlaces}));
+    const double gap = (least_value(distance_at, places) - pair.required) / pair.steepest;
+    if (gap < reach) found.push_back({pair.number, gap, {}, pair.required / pair.steepest});
+  }
+}
+
+double RobotWalls::room(const Vector& a, const Vector& b, double reach) const {
+  OnMove move(*this, a, b);
+  if (!move.bounded()) return 0;
+  const std::vector<Pair> pairs = move.pairs([&](int i) {
+    const Body& body = bodies_[static_cast<std::size_t>(i)];
+    return reach * body.steepest - body.radius;  // of the axis from the core, not from the surface
+  });
+  if (pairs.empty()) return reach;
+  std::vector<MovingDistance> known;
+  known.reserve(pairs.size());
+  for (const Pair& pair : pairs) {
+    known.push_back(move.known(pair));
+    known.back().offset = 0;
+    known.back().scale = pair.steepest;
+  }
+  const MovePrecision precision{.accuracy = 1e-3 * reach, .share = kShareOfCoreRoom, .enough = reach};
+  return std::clamp(least_on_move(known, move.distances(pairs), precision).lower, 0.0, reach);
+}
+
+std::string RobotWalls::obstacle_name(int obstacle) const {
+  if (obstacle < 0) return "";
+  const auto link_of = [&](std::size_t capsule) {
+    return robot_->kinematics->link_name(robot_->capsules[capsule].link);
+  };
+  const auto number = static_cast<std::size_t>(obstacle), with_obstacles = bodies_.size() * obstacles_.size();
+  if (number >= with_obstacles) {
+    const Pair& pair = self_[number - with_obstacles];
+    return link_of(static_cast<std::size_t>(pair.capsule)) + " and " + link_of(static_cast<std::size_t>(pair.other));
+  }
+  const std::size_t other = number % obstacles_.size();
+  return link_of(number / obstacles_.size()) + " and " + obstacles_[other]->name() + " (number " +
+         std::to_string(other) + ")";
+}
+
+void RobotWalls::draw(const DrawnPaths&, Drawing& out) const {
+  out.notes.emplace_back("the robot and the obstacles of its workspace are not drawn");
+}
+
+}  // namespace leastcost
