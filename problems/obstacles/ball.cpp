@@ -18,6 +18,7 @@ class Ball final : public Obstacle {
   std::string name() const override { return "the ball at " + point_text(center_); }
   Box core_bounds() const override { return {center_, center_}; }
   double radius() const override { return radius_; }
+  bool convex() const override { return true; }
   Eigen::MatrixXd corners() const override { return center_; }
 
   double distance(const Vector& x, Eigen::Ref<Vector> away) const override {

@@ -18,6 +18,7 @@ class BoxObstacle final : public Obstacle {
   std::string name() const override { return "the box from " + point_text(lower_) + " to " + point_text(upper_); }
   Box core_bounds() const override { return {lower_, upper_}; }
   double radius() const override { return 0; }
+  bool convex() const override { return true; }
   Eigen::MatrixXd corners() const override {
     Eigen::MatrixXd all(2, 4);
     all << lower_[0], upper_[0], upper_[0], lower_[0], lower_[1], lower_[1], upper_[1], upper_[1];

@@ -20,6 +20,8 @@ class Obstacle {
   /// The box of the core; its dimension is that of the space.
   virtual Box core_bounds() const = 0;
   virtual double radius() const = 0;
+  /// Whether the core is known to be convex.
+  virtual bool convex() const { return false; }
   /// Corners of the core in the plane, 2 x m, counterclockwise (one: a point).
   virtual Eigen::MatrixXd corners() const = 0;
   /// Distance of x from the core, negative within it, and the direction in which it grows fastest, of length one.

@@ -110,18 +110,33 @@ DhArm::Vector DhArm::reach(int link, const Vector3d& local) const {
 
 double DhArm::steepest(const Vector& reach, int seen_from) const { return reach.tail(reach.size() - seen_from).norm(); }
 
-/// The second derivative by angles i <= j is z_i x (z_j x (p - o_j)), no longer than the distance from axis j. Seen
-/// from a link, the joints before it are at rest.
+/// The derivative by angles i <= j <= k is z_i x (z_j x (z_k x (p - o_k))), no longer than the distance from axis k; so
+/// it is with one and two. Seen from a link, the joints before it are at rest.
 MotionBound DhArm::motion(const Vector& a, const Vector& b, const Vector& reach, int seen_from) const {
   MotionBound bound;
   double before = 0;  // of the rates of the joints nearer to the base
   for (Eigen::Index j = seen_from; j < reach.size(); ++j) {
-    const double rate = std::abs(b[j] - a[j]);
-    bound.speed += rate * reach[j];
-    bound.acceleration += rate * (rate + 2 * before) * reach[j];
-    before += rate;
+    const double rates = before + std::abs(b[j] - a[j]);
+    bound.speed += (rates - before) * reach[j];
+    bound.acceleration += (rates * rates - before * before) * reach[j];
+    bound.jerk += (rates * rates * rates - before * before * before) * reach[j];
+    before = rates;
   }
   return bound;
+}
+
+PointMotion DhArm::moving(const Vector&, const std::vector<Frame>& links, const Vector& way, int link,
+                          const Vector3d& point, int seen_from) const {
+  PointMotion out{Vector3d::Zero(), Vector3d::Zero()};
+  Vector3d turning = Vector3d::Zero();  // of the joints nearer to the base
+  for (int j = seen_from; j < link; ++j) {
+    const Frame& axis = axis_frame(links, j);
+    const Vector3d z = axis.rotation.col(2), swept = z.cross(point - axis.origin);
+    out.velocity += way[j] * swept;
+    out.acceleration += way[j] * (way[j] * z + 2 * turning).cross(swept);
+    turning += way[j] * z;
+  }
+  return out;
 }
 
 }  // namespace leastcost

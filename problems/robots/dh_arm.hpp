@@ -44,6 +44,8 @@ class DhArm final : public Kinematics {
   Vector reach(int link, const Eigen::Vector3d& local) const override;
   double steepest(const Vector& reach, int seen_from) const override;
   MotionBound motion(const Vector& a, const Vector& b, const Vector& reach, int seen_from) const override;
+  PointMotion moving(const Vector& x, const std::vector<Frame>& links, const Vector& way, int link,
+                     const Eigen::Vector3d& point, int seen_from) const override;
   Vector lower() const override { return table_.lower; }
   Vector upper() const override { return table_.upper; }
 

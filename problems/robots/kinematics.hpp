@@ -22,6 +22,12 @@ struct Frame {
 struct MotionBound {
   double speed = 0;         ///< length units per t, nowhere exceeded; infinite where nothing is known
   double acceleration = 0;  ///< length units per t^2
+  double jerk = 0;          ///< length units per t^3
+};
+
+/// Of a point at one t of such a move, in the workspace.
+struct PointMotion {
+  Eigen::Vector3d velocity, acceleration;
 };
 
 /// Where the links of a robot are in a configuration, an ambient column of the domain. In the plane z is 0. Immutable,
@@ -49,6 +55,9 @@ class Kinematics {
   virtual double steepest(const Vector& reach, int seen_from) const = 0;
   /// During the move from a to b, of any point with at most these reaches, as seen from another link.
   virtual MotionBound motion(const Vector& a, const Vector& b, const Vector& reach, int seen_from) const = 0;
+  /// Of a point (workspace) of a link at x on a move with b - a = way, as seen from another link, which stands still.
+  virtual PointMotion moving(const Vector& x, const std::vector<Frame>& links, const Vector& way, int link,
+                             const Eigen::Vector3d& point, int seen_from) const = 0;
   /// Limits of the coordinates, possibly infinite.
   virtual Vector lower() const = 0;
   virtual Vector upper() const = 0;

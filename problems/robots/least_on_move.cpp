@@ -11,7 +11,7 @@
 namespace leastcost {
 namespace {
 
-constexpr int kMostMovePieces = 4000;
+constexpr int kMostMovePieces = 8000;
 
 /// One of the values on a piece.
 struct OnPiece {
@@ -36,14 +36,14 @@ double least_distance_on_piece(const MovingDistance& known, double length, doubl
   return std::max(cone, (d0 + d1) / 2 - bend / 8 - rise * rise / (2 * bend));
 }
 
-LeastOnMove least_on_move(const std::vector<MovingDistance>& all, const DistancesAt& look,
+LeastOnMove least_on_move(const std::vector<MovingDistance>& all, DistancesOnMove& distances,
                           const MovePrecision& precision) {
   LeastOnMove least;
   if (all.empty()) return least;
   const auto known = [&](int i) -> const MovingDistance& { return all[static_cast<std::size_t>(i)]; };
-  const auto take = [&](double t, const std::vector<int>& which, const std::vector<double>& distances) {
+  const auto take = [&](double t, const std::vector<int>& which, const std::vector<double>& values) {
     for (std::size_t k = 0; k < which.size(); ++k) {
-      const double value = known(which[k]).value(distances[k]);
+      const double value = known(which[k]).value(values[k]);
       if (value < least.upper) least.upper = value, least.at = t, least.which = which[k];
     }
   };
@@ -71,8 +71,8 @@ LeastOnMove least_on_move(const std::vector<MovingDistance>& all, const Distance
   std::vector<int> which(all.size());
   std::iota(which.begin(), which.end(), 0);
   std::vector<double> first, last;
-  look(0, which, first);
-  look(1, which, last);
+  distances.at(0, which, first);
+  distances.at(1, which, last);
   take(0, which, first);
   take(1, which, last);
   MovePiece whole{0, 1, 0, {}};
@@ -88,16 +88,22 @@ LeastOnMove least_on_move(const std::vector<MovingDistance>& all, const Distance
     const double t = (piece.from + piece.to) / 2;
     which.clear();
     for (const OnPiece& one : piece.open) which.push_back(one.which);
-    look(t, which, middle);
+    distances.at(t, which, middle);
     take(t, which, middle);
+    const double half = (piece.to - piece.from) / 2;
     MovePiece left{piece.from, t, 0, {}}, right{t, piece.to, 0, {}};
     for (std::size_t k = 0; k < middle.size(); ++k) {
+      const double around = known(which[k]).value(distances.least_around(t, half, which[k], middle[k]));
+      if (settled(around)) {
+        passed = std::min(passed, around);
+        continue;
+      }
       left.open.push_back({which[k], piece.open[k].first, middle[k]});
       right.open.push_back({which[k], middle[k], piece.open[k].last});
     }
-    for (MovePiece* half : {&left, &right}) {
-      keep_open(*half);
-      if (!half->open.empty()) open.push(std::move(*half));
+    for (MovePiece* part : {&left, &right}) {
+      keep_open(*part);
+      if (!part->open.empty()) open.push(std::move(*part));
     }
   }
   least.lower = std::min(passed, least.upper);

@@ -56,7 +56,14 @@ double PlanarBody::steepest(const Vector& reach, int) const { return std::hypot(
 
 MotionBound PlanarBody::motion(const Vector& a, const Vector& b, const Vector& reach, int) const {
   const double turned = std::abs(b[2] - a[2]);
-  return {(b - a).head<2>().norm() + turned * reach[2], turned * turned * reach[2]};
+  return {(b - a).head<2>().norm() + turned * reach[2], turned * turned * reach[2],
+          turned * turned * turned * reach[2]};
+}
+
+PointMotion PlanarBody::moving(const Vector&, const std::vector<Frame>& links, const Vector& way, int,
+                               const Vector3d& point, int) const {
+  const Vector3d arm = point - links[0].origin;
+  return {Vector3d(way[0], way[1], 0) + way[2] * Vector3d::UnitZ().cross(arm), -way[2] * way[2] * arm};
 }
 
 PlanarBody::Vector PlanarBody::lower() const { return Vector::Constant(3, -kUnlimited); }
@@ -97,16 +104,29 @@ SpatialBody::Vector SpatialBody::reach(int, const Vector3d& local) const {
 double SpatialBody::steepest(const Vector& reach, int) const { return std::hypot(1.0, reach[3]); }
 
 /// The direction of q turns by phi, tan phi = s / h, where h is the distance of the line through both quaternions from
-/// zero and s runs along it: phi' = h s' / |q|^2 <= s' / |q|, and |phi''| = 2 h s s'^2 / |q|^4 <= s'^2 / |q|^2. The
-/// body turns by 2 phi about an axis that stays.
+/// zero and s runs along it, s' = w: phi' = w h / |q|^2, its derivatives -2 w^2 h s / |q|^4 and w^3 h (6 s^2 - 2
+/// h^2) / |q|^6. With r = w / |q| they are at most r, r^2 and 2 r^3. The body turns by 2 phi about an axis that stays.
 MotionBound SpatialBody::motion(const Vector& a, const Vector& b, const Vector& reach, int) const {
   const double nearest = nearest_to_zero(a.tail<4>(), b.tail<4>());
   const double way = (b - a).tail<4>().norm(), moved = (b - a).head<3>().norm();
-  if (!(way > 0)) return {moved, 0};
+  if (!(way > 0)) return {moved, 0, 0};
   constexpr double kClose = 1e-6;  // of a quaternion: nearer to zero its direction is not known
-  if (!(nearest > kClose)) return {kUnlimited, kUnlimited};
-  const double rate = way / nearest, far = reach[3] / 2;
-  return {moved + 2 * rate * far, (4 * rate * rate + 2 * rate * rate) * far};
+  if (!(nearest > kClose)) return {kUnlimited, kUnlimited, kUnlimited};
+  const double r = way / nearest, far = reach[3] / 2;
+  return {moved + 2 * r * far, (4 + 2) * r * r * far, (8 + 3 * 4 + 4) * r * r * r * far};
+}
+
+PointMotion SpatialBody::moving(const Vector& x, const std::vector<Frame>& links, const Vector& way, int,
+                                const Vector3d& point, int) const {
+  PointMotion out{way.head<3>(), Vector3d::Zero()};
+  const double square = x.tail<4>().squaredNorm();
+  if (!(square > 0)) return out;
+  const Vector3d v = x.tail<3>(), dv = way.tail<3>(), arm = point - links[0].origin;
+  const Vector3d turning = 2 / square * (x[3] * dv - way[3] * v + v.cross(dv));  // its derivative is along it
+  const Vector3d turned_more = -2 * x.tail<4>().dot(way.tail<4>()) / square * turning;
+  out.velocity += turning.cross(arm);
+  out.acceleration = turned_more.cross(arm) + turning.cross(turning.cross(arm));
+  return out;
 }
 
 SpatialBody::Vector SpatialBody::lower() const { return Vector::Constant(7, -kUnlimited); }

@@ -26,6 +26,8 @@ class PlanarBody final : public Kinematics {
   Vector reach(int link, const Eigen::Vector3d& local) const override;
   double steepest(const Vector& reach, int seen_from) const override;
   MotionBound motion(const Vector& a, const Vector& b, const Vector& reach, int seen_from) const override;
+  PointMotion moving(const Vector& x, const std::vector<Frame>& links, const Vector& way, int link,
+                     const Eigen::Vector3d& point, int seen_from) const override;
   Vector lower() const override;
   Vector upper() const override;
 };
@@ -44,6 +46,8 @@ class SpatialBody final : public Kinematics {
   Vector reach(int link, const Eigen::Vector3d& local) const override;
   double steepest(const Vector& reach, int seen_from) const override;
   MotionBound motion(const Vector& a, const Vector& b, const Vector& reach, int seen_from) const override;
+  PointMotion moving(const Vector& x, const std::vector<Frame>& links, const Vector& way, int link,
+                     const Eigen::Vector3d& point, int seen_from) const override;
   Vector lower() const override;
   Vector upper() const override;
 };

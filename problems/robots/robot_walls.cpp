@@ -38,16 +38,16 @@ void to_space(const Vector3d& x, Eigen::VectorXd& out) {
 }  // namespace
 
 /// A robot on its way from a to b.
-class RobotWalls::OnMove {
+class RobotWalls::OnMove final : public DistancesOnMove {
  public:
-  OnMove(const RobotWalls& walls, const Vector& a, const Vector& b) : walls_(&walls), a_(a), b_(b) {
+  OnMove(const RobotWalls& walls, const Vector& a, const Vector& b) : walls_(&walls), a_(a), b_(b), way_(b - a) {
     speeds_.reserve(walls.bodies_.size());
     for (const Body& body : walls.bodies_)
       speeds_.push_back(body.steepest > 0 ? kinematics().motion(a, b, body.reach, 0).speed : 0);
   }
 
-  Vector place(double t) const { return t == 1 ? b_ : Vector(a_ + t * (b_ - a_)); }
-  const RobotPose& at(double t) {
+  Vector place(double t) const { return t == 1 ? b_ : Vector(a_ + t * way_); }
+  const RobotPose& pose(double t) {
     if (t != placed_) pose_.place(*walls_->robot_, place(t));
     placed_ = t;
     return pose_;
@@ -62,23 +62,55 @@ class RobotWalls::OnMove {
   std::vector<Pair> pairs(const Beyond& beyond) {
     std::vector<Pair> found;
     walls_->pairs_within(
-        at(kMiddle), [&](int i) { return speeds_[static_cast<std::size_t>(i)] / 2 + beyond(i); }, found);
+        pose(kMiddle), [&](int i) { return speeds_[static_cast<std::size_t>(i)] / 2 + beyond(i); }, found);
     return found;
   }
 
-  MovingDistance known(const Pair& pair) const {
+  double distance(double t, const Pair& pair) { return walls_->distance(pose(t), pair); }
+
+  MotionBound bound(const Pair& pair) const {
     const Body& body = walls_->bodies_[static_cast<std::size_t>(pair.capsule)];
-    const int seen_from = pair.self ? walls_->robot_->capsules[static_cast<std::size_t>(pair.other)].link : 0;
-    const MotionBound bound = kinematics().motion(a_, b_, body.reach, seen_from);
-    return {bound.speed, bound.acceleration, pair.required, 1};
+    return kinematics().motion(a_, b_, body.reach, walls_->seen_from(pair));
   }
 
-  DistancesAt distances(const std::vector<Pair>& pairs) {
-    return [this, &pairs](double t, const std::vector<int>& which, std::vector<double>& out) {
-      const RobotPose& pose = at(t);
-      out.clear();
-      for (const int k : which) out.push_back(walls_->distance(pose, pairs[static_cast<std::size_t>(k)]));
-    };
+  /// The least of (distance - offset) / scale over some pairs; offset and scale are those of scaled(pair, distance).
+  template <class Scaled>
+  LeastOnMove least(const std::vector<Pair>& pairs, const Scaled& scaled, const MovePrecision& precision) {
+    pairs_ = &pairs;
+    bounds_.clear();
+    std::vector<MovingDistance> known;
+    for (const Pair& pair : pairs) {
+      bounds_.push_back(bound(pair));
+      known.push_back(scaled(pair, MovingDistance{bounds_.back().speed, bounds_.back().acceleration}));
+    }
+    return least_on_move(known, *this, precision);
+  }
+
+  void at(double t, const std::vector<int>& which, std::vector<double>& distances) override {
+    distances.clear();
+    for (const int k : which) distances.push_back(distance(t, (*pairs_)[static_cast<std::size_t>(k)]));
+  }
+
+  /// A convex core lies behind the plane through its nearest point; what either end of the axis is before that plane is
+  /// at most a cubic's worth off its second-order expansion.
+  double least_around(double t, double half, int which, double distance) override {
+    const Pair& pair = (*pairs_)[static_cast<std::size_t>(which)];
+    if (!(distance > 0) || !walls_->convex(pair)) return -kUnbounded;
+    const RobotPose& here = pose(t);
+    const Plane plane = walls_->plane(here, pair);
+    const Segment3& axis = here.axes[static_cast<std::size_t>(pair.capsule)];
+    const int link = walls_->robot_->capsules[static_cast<std::size_t>(pair.capsule)].link;
+    const double off = bounds_[static_cast<std::size_t>(which)].jerk * half * half * half / 6;
+    double least = kUnbounded;
+    for (const Vector3d& end : {axis.from, axis.to}) {
+      const PointMotion motion =
+          kinematics().moving(here.configuration, here.links, way_, link, end, walls_->seen_from(pair));
+      const double height = plane.normal.dot(end - plane.foot), slope = std::abs(plane.normal.dot(motion.velocity));
+      const double bend = plane.normal.dot(motion.acceleration);
+      const bool valley = bend > 0 && slope < bend * half;
+      least = std::min(least, height - off - (valley ? slope * slope / (2 * bend) : (slope - bend * half / 2) * half));
+    }
+    return least;
   }
 
  private:
@@ -88,7 +120,10 @@ class RobotWalls::OnMove {
 
   const RobotWalls* walls_;
   const Vector &a_, &b_;
+  Vector way_;
   std::vector<double> speeds_;  ///< of the capsules
+  const std::vector<Pair>* pairs_ = nullptr;
+  std::vector<MotionBound> bounds_;  ///< of the pairs
   double placed_ = std::numeric_limits<double>::quiet_NaN();
   RobotPose pose_;
 };
@@ -181,24 +216,47 @@ double RobotWalls::distance(const RobotPose& pose, const Pair& pair) const {
   return distance(pose, pair, on_axis, on_other);
 }
 
-/// Of the distance by the configuration, one of them where several places are as near.
-RobotWalls::Vector RobotWalls::slope(const RobotPose& pose, const Pair& pair, double on_axis, double on_other) const {
-  const auto index = [](int i) { return static_cast<std::size_t>(i); };
-  const Kinematics& kinematics = *robot_->kinematics;
-  const Vector3d point = pose.axes[index(pair.capsule)].at(on_axis);
-  Eigen::Matrix3Xd derivative;
-  kinematics.jacobian(pose.configuration, pose.links, robot_->capsules[index(pair.capsule)].link, point, derivative);
-  if (!pair.self) {
-    Vector x(kinematics.space()), away(kinematics.space());
-    to_space(point, x);
-    obstacles_[index(pair.other)]->distance(x, away);
-    return derivative.topRows(x.size()).transpose() * away;
+int RobotWalls::seen_from(const Pair& pair) const {
+  return pair.self ? robot_->capsules[static_cast<std::size_t>(pair.other)].link : 0;
+}
+
+bool RobotWalls::convex(const Pair& pair) const {
+  return pair.self || obstacles_[static_cast<std::size_t>(pair.other)]->convex();
+}
+
+/// The point of the axis that is nearest, the nearest point of the core or the other axis, and the way from there; no
+/// way where two axes meet.
+RobotWalls::Plane RobotWalls::plane(const RobotPose& pose, const Pair& pair) const {
+  double on_axis = 0, on_other = 0;
+  distance(pose, pair, on_axis, on_other);
+  Plane plane;
+  plane.point = pose.axes[static_cast<std::size_t>(pair.capsule)].at(on_axis);
+  if (pair.self) {
+    plane.foot = pose.axes[static_cast<std::size_t>(pair.other)].at(on_other);
+    plane.normal = (plane.point - plane.foot).normalized();
+    return plane;
   }
-  const Vector3d other = pose.axes[index(pair.other)].at(on_other);
-  const Vector3d away = (point - other).normalized();  // zero where the axes cross: there is no nearest way out
-  Eigen::Matrix3Xd of_other;
-  kinematics.jacobian(pose.configuration, pose.links, robot_->capsules[index(pair.other)].link, other, of_other);
-  return (derivative - of_other).transpose() * away;
+  const int space = robot_->kinematics->space();
+  Vector x(space), away(space);
+  to_space(plane.point, x);
+  const double distance = obstacles_[static_cast<std::size_t>(pair.other)]->distance(x, away);
+  plane.normal.setZero();
+  plane.normal.head(space) = away;
+  plane.foot = plane.point - distance * plane.normal;
+  return plane;
+}
+
+/// Of the distance by the configuration, one of them where several places are as near.
+RobotWalls::Vector RobotWalls::slope(const RobotPose& pose, const Pair& pair) const {
+  const Plane plane = this->plane(pose, pair);
+  const auto pull = [&](int capsule, const Vector3d& point) -> Vector {
+    Eigen::Matrix3Xd derivative;
+    const int link = robot_->capsules[static_cast<std::size_t>(capsule)].link;
+    robot_->kinematics->jacobian(pose.configuration, pose.links, link, point, derivative);
+    return derivative.transpose() * plane.normal;
+  };
+  if (!pair.self) return pull(pair.capsule, plane.point);
+  return pull(pair.capsule, plane.point) - pull(pair.other, plane.foot);
 }
 
 double RobotWalls::rounding(const Vector& a, const Vector& b) const {
@@ -214,11 +272,9 @@ void RobotWalls::near(const Vector& x, double reach, std::vector<Wall>& found) c
   pairs_within(
       pose, [&](int i) { return within * bodies_[static_cast<std::size_t>(i)].steepest; }, pairs);
   for (const Pair& pair : pairs) {
-    double on_axis = 0, on_other = 0;
-    const double gap = (distance(pose, pair, on_axis, on_other) - pair.required) / pair.steepest;
+    const double gap = (distance(pose, pair) - pair.required) / pair.steepest;
     if (!(gap < reach)) continue;
-    found.push_back(
-        {pair.number, gap, slope(pose, pair, on_axis, on_other) / pair.steepest, pair.required / pair.steepest});
+    found.push_back({pair.number, gap, slope(pose, pair) / pair.steepest, pair.required / pair.steepest});
   }
 }
 
@@ -241,14 +297,14 @@ MoveClearance RobotWalls::clearance(const Vector& a, const Vector& b) const {
   for (; pairs.empty() && std::isfinite(wanted); wanted *= 4) pairs = move.pairs([&](int) { return wanted; });
   if (pairs.empty()) return least;
   double best = kUnbounded;
-  for (const Pair& pair : pairs) best = std::min(best, distance(move.at(0.5), pair) - pair.required);
+  for (const Pair& pair : pairs) best = std::min(best, move.distance(0.5, pair) - pair.required);
   const double widest = std::max(0.0, best) + rounding(a, b);
   pairs = move.pairs([&](int) { return widest; });  // no others can be as near
-  std::vector<MovingDistance> known;
-  known.reserve(pairs.size());
-  for (const Pair& pair : pairs) known.push_back(move.known(pair));
-  const LeastOnMove found =
-      least_on_move(known, move.distances(pairs), {.accuracy = kDecided * size_, .share = kShareOfGap});
+  const auto gap = [](const Pair& pair, MovingDistance known) {
+    known.offset = pair.required;
+    return known;
+  };
+  const LeastOnMove found = move.least(pairs, gap, {.accuracy = kDecided * size_, .share = kShareOfGap});
   if (found.which < 0) return {-kUnbounded, kUnbounded, -1, a};
   return {found.lower - rounding(a, b), found.upper, pairs[static_cast<std::size_t>(found.which)].number,
           move.place(found.at)};
@@ -263,8 +319,8 @@ void RobotWalls::along(const Vector& a, const Vector& b, double reach, std::vect
   const std::vector<Pair> pairs =
       move.pairs([&](int i) { return within * bodies_[static_cast<std::size_t>(i)].steepest; });
   for (const Pair& pair : pairs) {
-    const auto distance_at = [&](double t) { return distance(move.at(t), pair); };
-    const int places = static_cast<int>(std::clamp(std::ceil(move.known(pair).speed / (kPlacesApart * pair.required)),
+    const auto distance_at = [&](double t) { return move.distance(t, pair); };
+    const int places = static_cast<int>(std::clamp(std::ceil(move.bound(pair).speed / (kPlacesApart * pair.required)),
                                                    double{kFewestPlaces}, double{kMostPlaces}));
     const double gap = (least_value(distance_at, places) - pair.required) / pair.steepest;
     if (gap < reach) found.push_back({pair.number, gap, {}, pair.required / pair.steepest});
@@ -279,15 +335,12 @@ double RobotWalls::room(const Vector& a, const Vector& b, double reach) const {
     return reach * body.steepest - body.radius;  // of the axis from the core, not from the surface
   });
   if (pairs.empty()) return reach;
-  std::vector<MovingDistance> known;
-  known.reserve(pairs.size());
-  for (const Pair& pair : pairs) {
-    known.push_back(move.known(pair));
-    known.back().offset = 0;
-    known.back().scale = pair.steepest;
-  }
+  const auto from_core = [](const Pair& pair, MovingDistance known) {
+    known.scale = pair.steepest;
+    return known;
+  };
   const MovePrecision precision{.accuracy = 1e-3 * reach, .share = kShareOfCoreRoom, .enough = reach};
-  return std::clamp(least_on_move(known, move.distances(pairs), precision).lower, 0.0, reach);
+  return std::clamp(move.least(pairs, from_core, precision).lower, 0.0, reach);
 }
 
 std::string RobotWalls::obstacle_name(int obstacle) const {

@@ -55,6 +55,10 @@ class RobotWalls final : public Walls {
   struct CoreBox {
     Eigen::Vector3d lower, upper;  ///< in the plane z is 0
   };
+  /// Between a capsule and what it may touch.
+  struct Plane {
+    Eigen::Vector3d point, foot, normal;
+  };
   class OnMove;
 
   void add_obstacles(Obstacles obstacles, double clearance);
@@ -63,7 +67,10 @@ class RobotWalls final : public Walls {
   void pairs_within(const RobotPose& pose, const Margin& margin, std::vector<Pair>& found) const;
   double distance(const RobotPose& pose, const Pair& pair, double& on_axis, double& on_other) const;
   double distance(const RobotPose& pose, const Pair& pair) const;
-  Vector slope(const RobotPose& pose, const Pair& pair, double on_axis, double on_other) const;
+  Plane plane(const RobotPose& pose, const Pair& pair) const;
+  Vector slope(const RobotPose& pose, const Pair& pair) const;
+  int seen_from(const Pair& pair) const;
+  bool convex(const Pair& pair) const;
   double rounding(const Vector& a, const Vector& b) const;
 
   std::shared_ptr<const Robot> robot_;

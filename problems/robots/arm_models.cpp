@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/problems/robots/arm_models.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <leastcost/framework/errors.hpp>
+
+namespace leastcost {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kTurn = 2 * std::numbers::pi, kQuarter = std::numbers::pi / 2;
+
+struct ArmModel {
+  DhTable table;
+  Robot shape;  ///< without its kinematics
+};
+
+/// Every capsule of one list of links against every one of another.
+void keep_apart(Robot& robot, const std::vector<int>& links, const std::vector<int>& others) {
+  const auto among = [](int link, const std::vector<int>& all) {
+    return std::find(all.begin(), all.end(), link) != all.end();
+  };
+  for (int i = 0; i < static_cast<int>(robot.capsules.size()); ++i)
+    for (int j = 0; j < static_cast<int>(robot.capsules.size()); ++j)
+      if (among(robot.capsules[static_cast<std::size_t>(i)].link, links) &&
+          among(robot.capsules[static_cast<std::size_t>(j)].link, others))
+        robot.self.emplace_back(i, j);
+}
+
+/// Table and limits: Franka Emika, "Robot and interface specifications: Denavit-Hartenberg parameters" and "Limits for
+/// Panda" (frankaemika.github.io/docs/control_parameters.html); the flange belongs to the last row. Capsules: ours.
+ArmModel panda() {
+  ArmModel arm;
+  DhTable& table = arm.table;
+  table.convention = DhConvention::modified;
+  table.rows.resize(7, 4);
+  table.rows << 0, 0, 0.333, 0,      //
+      0, -kQuarter, 0, 0,            //
+      0, kQuarter, 0.316, 0,         //
+      0.0825, kQuarter, 0, 0,        //
+      -0.0825, -kQuarter, 0.384, 0,  //
+      0, kQuarter, 0, 0,             //
+      0.088, kQuarter, 0.107, 0;
+  table.lower.resize(7);
+  table.upper.resize(7);
+  table.lower << -2.8973, -1.7628, -2.8973, -3.0718, -2.8973, -0.0175, -2.8973;
+  table.upper << 2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.7525, 2.8973;
+  const double hand = 0.07 / std::numbers::sqrt2, fingers = 0.05 / std::numbers::sqrt2;  // turned by 45 degrees
+  arm.shape.capsules = {
+      {0, Vector3d(-0.09, 0, 0.06), Vector3d(0, 0, 0.06), 0.09},
+      {1, Vector3d(0, 0, -0.19), Vector3d(0, -0.03, 0), 0.08},
+      {2, Vector3d(0, 0, 0.03), Vector3d(0, -0.13, 0), 0.08},
+      {3, Vector3d(0, 0, -0.1), Vector3d(0.07, 0.03, 0), 0.08},
+      {4, Vector3d(0, 0, 0.03), Vector3d(-0.075, 0.07, 0), 0.08},
+      {5, Vector3d(0, 0.01, -0.26), Vector3d(0, 0.05, -0.03), 0.08},
+      {6, Vector3d(0, 0, 0), Vector3d(0.088, 0, 0), 0.07},
+      {7, Vector3d(0, 0, -0.06), Vector3d(0, 0, 0), 0.06},
+      {7, Vector3d(-hand, -hand, 0.035), Vector3d(hand, hand, 0.035), 0.055},
+      {7, Vector3d(-fingers, -fingers, 0.09), Vector3d(fingers, fingers, 0.09), 0.03},
+  };
+  keep_apart(arm.shape, {0, 1, 2}, {5, 6, 7});
+  keep_apart(arm.shape, {3}, {7});
+  return arm;
+}
+
+/// Table: Universal Robots, "DH parameters for calculations of kinematics and dynamics"; limits: its data sheet, +-360
+/// degrees. Capsules: ours.
+ArmModel ur5() {
+  ArmModel arm;
+  DhTable& table = arm.table;
+  table.rows.resize(6, 4);
+  table.rows << 0, kQuarter, 0.089159, 0,  //
+      -0.425, 0, 0, 0,                     //
+      -0.39225, 0, 0, 0,                   //
+      0, kQuarter, 0.10915, 0,             //
+      0, -kQuarter, 0.09465, 0,            //
+      0, 0, 0.0823, 0;
+  table.lower = Eigen::VectorXd::Constant(6, -kTurn);
+  table.upper = Eigen::VectorXd::Constant(6, kTurn);
+  const double upper_arm = 0.136, forearm = 0.0165;  // beside the plane of the joints
+  arm.shape.capsules = {
+      {0, Vector3d(0, 0, 0.02), Vector3d(0, 0, 0.04), 0.08},
+      {1, Vector3d(0, 0, 0), Vector3d(0, 0, 0.07), 0.08},
+      {2, Vector3d(0.425, 0, upper_arm), Vector3d(0, 0, upper_arm), 0.07},
+      {3, Vector3d(0.39225, 0, forearm), Vector3d(0, 0, forearm), 0.06},
+      {4, Vector3d(0, -0.04, 0), Vector3d(0, 0, 0), 0.05},
+      {5, Vector3d(0, 0.04, 0), Vector3d(0, 0, 0), 0.05},
+      {6, Vector3d(0, 0, -0.03), Vector3d(0, 0, -0.01), 0.05},
+  };
+  keep_apart(arm.shape, {0, 1}, {3, 4, 5, 6});
+  keep_apart(arm.shape, {2}, {4, 5, 6});
+  keep_apart(arm.shape, {3}, {6});
+  return arm;
+}
+
+ArmModel model_of(const arm_model::Panda&) { return panda(); }
+ArmModel model_of(const arm_model::Ur5&) { return ur5(); }
+
+ArmModel model_of(const arm_model::Table& given) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  ArmModel arm;
+  arm.table.convention = given.convention;
+  arm.table.rows = given.rows;
+  arm.table.lower = given.lower.value_or(Eigen::VectorXd::Constant(given.rows.rows(), -kNone));
+  arm.table.upper = given.upper.value_or(Eigen::VectorXd::Constant(given.rows.rows(), kNone));
+  const auto whole = [](double x) { return std::isfinite(x) && std::abs(x) < 1e6 && x == std::floor(x); };
+  if (given.shape.rows() == 0 || given.shape.cols() != 8)
+    throw OptionError("shape", "must be rows of 8 numbers: the link, both ends of a segment and a radius");
+  for (const auto& row : given.shape.rowwise()) {
+    if (!whole(row[0])) throw OptionError("shape", "begins with the number of a link in every row");
+    arm.shape.capsules.push_back(
+        {static_cast<int>(row[0]), row.segment<3>(1).transpose(), row.segment<3>(4).transpose(), row[7]});
+  }
+  if (!given.self) return arm;
+  if (given.self->cols() != 2) throw OptionError("self", "must be rows of two numbers of capsules");
+  for (const auto& row : given.self->rowwise()) {
+    if (!whole(row[0]) || !whole(row[1])) throw OptionError("self", "must be rows of two numbers of capsules");
+    arm.shape.self.emplace_back(static_cast<int>(row[0]), static_cast<int>(row[1]));
+  }
+  return arm;
+}
+
+std::shared_ptr<const Robot> made(ArmModel arm, const Vector3d& base) {
+  arm.table.base = base;
+  arm.shape.kinematics = std::make_shared<const DhArm>(std::move(arm.table));
+  return make_robot(std::move(arm.shape));
+}
+
+}  // namespace
+
+void arm_model::Table::fields(FieldVisitor& visit) {
+  visit.choice("convention", convention,
+               {.help = "standard: joint i turns about z of frame i - 1; modified (Craig): about z of frame i."});
+  visit.field("rows", rows, {.help = "For each joint [a, alpha, d, offset of the angle].", .required = true});
+  visit.field("lower", lower, {.help = "Least angle of each joint; default: none.", .unit = "rad"});
+  visit.field("upper", upper, {.help = "Largest angle of each joint; default: none.", .unit = "rad"});
+  visit.field(
+      "shape", shape,
+      {.help = "Capsules [link, x1, y1, z1, x2, y2, z2, radius] in the frame of their link; link 0 is the base, "
+               "link i has the frame of row i.",
+       .unit = "length",
+       .required = true});
+  visit.field("self", self,
+              {.help = "Pairs of capsules that must not touch each other, by number from 0; default: none."});
+}
+
+void DhArmOptions::fields(FieldVisitor& visit) {
+  visit.variant("model", model, {.help = "Which arm."});
+  visit.field("base", base, {.help = "Where the base stands; z of its frame is up.", .unit = "length"});
+}
+
+std::shared_ptr<const Robot> make_dh_arm(const DhArmOptions& options) {
+  if (options.base.size() != 3 || !options.base.allFinite())
+    throw OptionError("base", "must be a point in space, with finite coordinates");
+  try {
+    return made(std::visit([](const auto& model) { return model_of(model); }, options.model), options.base);
+  } catch (const OptionError& error) {
+    throw OptionError("model." + error.key(), error.what());
+  }
+}
+
+}  // namespace leastcost
