@@ -49,4 +49,7 @@
 #include <leastcost/problems/post_processors/trace.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
 #include <leastcost/problems/readers/point_cloud_reader.hpp>
+#include <leastcost/problems/robots/arm_models.hpp>
+#include <leastcost/problems/robots/rigid_body.hpp>
+#include <leastcost/problems/robots/robot_walls.hpp>
 #include <leastcost/problems/straighten/geodesic.hpp>

@@ -12,6 +12,7 @@
 #include <leastcost/framework/segment_cost.hpp>
 #include <leastcost/framework/solver.hpp>
 #include <leastcost/problems/obstacles/obstacle.hpp>
+#include <leastcost/problems/robots/robot.hpp>
 
 #include "catalogue/plugins/plugin.hpp"
 
@@ -23,6 +24,7 @@ using ManifoldPlugin = Plugin<std::shared_ptr<const ConstraintManifold>>;
 using InitializerPlugin = Plugin<std::shared_ptr<const Initializer>>;
 using SolverPlugin = Plugin<std::shared_ptr<const Solver>>;
 using ObstaclePlugin = Plugin<std::vector<std::shared_ptr<const Obstacle>>>;  // one entry may be many: a map
+using RobotPlugin = Plugin<std::shared_ptr<const Robot>>;
 using PostProcessorPlugin = Plugin<std::shared_ptr<const PostProcessor>>;
 
 }  // namespace leastcost

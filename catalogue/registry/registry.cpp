@@ -39,6 +39,8 @@
 #include <leastcost/problems/post_processors/straighten.hpp>
 #include <leastcost/problems/post_processors/taut.hpp>
 #include <leastcost/problems/post_processors/trace.hpp>
+#include <leastcost/problems/robots/arm_models.hpp>
+#include <leastcost/problems/robots/rigid_body.hpp>
 #include <leastcost/solvers/georce.hpp>
 #include <leastcost/solvers/gradient_descent.hpp>
 #include <leastcost/solvers/lbfgs.hpp>
@@ -181,6 +183,18 @@ const auto& obstacles() {
   return all;
 }
 
+const auto& robots() {
+  static const std::vector<RobotPlugin> all = {
+      plugin<RobotPlugin, DhArmOptions>(
+          "dh_arm", "An arm of joints that turn, from a Denavit-Hartenberg table; a configuration is its angles.",
+          [](const DhArmOptions& o, const BuildContext&) { return make_dh_arm(o); }),
+      plugin<RobotPlugin, RigidBodyOptions>(
+          "rigid_body", "A body of balls and capsules, in the plane (x, y, angle) or in space (x, y, z, quaternion).",
+          [](const RigidBodyOptions& o, const BuildContext&) { return make_rigid_body(o); }),
+  };
+  return all;
+}
+
 const auto& initializers() {
   static const std::vector<InitializerPlugin> all = {
       made_of<InitializerPlugin, StraightInitializer>(
@@ -268,6 +282,7 @@ const std::vector<PluginKind>& plugin_kinds() {
   static const std::vector<PluginKind> all = {
       kind_of("manifold", "manifolds", "where points may be", manifolds()),
       kind_of("obstacle", "obstacles", "what no path may enter", obstacles()),
+      kind_of("robot", "robots", "what moves among obstacles", robots()),
       kind_of("cost", "costs", "what a move from a to b costs", costs()),
       kind_of("kernel", "kernels", "the convex H of the energy sum H(c / s0)", kernels()),
       kind_of("initializer", "initializers", "how the first path is found", initializers()),

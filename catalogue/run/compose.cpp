@@ -12,6 +12,7 @@
 
 #include <leastcost/framework/clearance.hpp>
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/has_box.hpp>
 #include <leastcost/framework/other_images.hpp>
 #include <leastcost/problems/chart/target_images.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
@@ -19,6 +20,7 @@
 #include <leastcost/problems/initializers/mirrored.hpp>
 #include <leastcost/problems/manifolds/made_from_data.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
+#include <leastcost/problems/robots/robot_walls.hpp>
 #include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/registry/registry.hpp"
@@ -73,15 +75,40 @@ std::string key_of_fault(const std::string& key, const std::vector<std::size_t>&
   return "obstacles." + std::to_string(entry_of.at(std::stoul(key)));
 }
 
-std::shared_ptr<const ConstraintManifold> among(FreeSpace::Obstacles obstacles,
-                                                const std::vector<std::size_t>& entry_of, double clearance,
-                                                const std::shared_ptr<const ConstraintManifold>& domain) {
+/// What keeps out of a domain: obstacles in it, or those in the workspace of a robot, a configuration of which it is
+/// of.
+std::shared_ptr<const Walls> walls_of(FreeSpace::Obstacles obstacles, const std::vector<std::size_t>& entry_of,
+                                      double clearance, const std::shared_ptr<const Robot>& robot, int dimension) {
   try {
-    return std::make_shared<const FreeSpace>(domain, std::move(obstacles), clearance);
+    if (robot != nullptr) return std::make_shared<const RobotWalls>(robot, std::move(obstacles), clearance);
+    return std::make_shared<const ObstacleWalls>(dimension, std::move(obstacles), clearance);
   } catch (const OptionError& error) {
     throw OptionError(key_of_fault(error.key(), entry_of), error.what());
+  }
+}
+
+/// The limits of a robot are the box of its domain.
+void check_limits(const Robot& robot, const ConstraintManifold& domain) {
+  const Eigen::VectorXd lower = robot.kinematics->lower(), upper = robot.kinematics->upper();
+  if (lower.size() != domain.dimensions().ambient)
+    throw OptionError("robot", fmt::format("has configurations of {} numbers, the manifold has points of {}",
+                                           lower.size(), domain.dimensions().ambient));
+  if (lower.array().isInf().all() && upper.array().isInf().all()) return;
+  const auto* box = find_ability<HasBox>(domain);
+  for (Eigen::Index i = 0; i < lower.size(); ++i) {
+    if (box != nullptr && box->box_lower()[i] >= lower[i] && box->box_upper()[i] <= upper[i]) continue;
+    throw OptionError("robot", fmt::format("coordinate {} has the limits [{:.8g}, {:.8g}] and the manifold goes beyond "
+                                           "them: give it lower: [{:.8g}] and upper: [{:.8g}], or tighter",
+                                           i, lower[i], upper[i], fmt::join(lower, ", "), fmt::join(upper, ", ")));
+  }
+}
+
+std::shared_ptr<const ConstraintManifold> among(std::shared_ptr<const Walls> walls, const char* key,
+                                                const std::shared_ptr<const ConstraintManifold>& domain) {
+  try {
+    return std::make_shared<const FreeSpace>(domain, std::move(walls));
   } catch (const InputError& error) {
-    throw OptionError("obstacles", error.what());
+    throw OptionError(key, error.what());
   }
 }
 
@@ -229,10 +256,10 @@ void Composer::take_domain() {
 
 /// After the ends have found their places: an end that is given within an obstacle is an error, not to be moved.
 void Composer::place_obstacles() {
-  if (config_.obstacles.empty()) {
+  if (config_.obstacles.empty() && config_.clearance > 0)
+    attempt([] { throw OptionError("clearance", "is from obstacles, and there are none: give 'obstacles'"); });
+  if (config_.obstacles.empty() && !config_.robot) {
     obstacles_placed_ = true;
-    if (config_.clearance > 0)
-      attempt([] { throw OptionError("clearance", "is from obstacles, and there are none: give 'obstacles'"); });
     return;
   }
   if (std::any_of(config_.obstacles.begin(), config_.obstacles.end(),
@@ -245,7 +272,13 @@ void Composer::place_obstacles() {
   obstacles_placed_ = true;
   FreeSpace::Obstacles all;
   std::vector<std::size_t> entry_of;  // the entry that an obstacle comes from
-  bool made = true;
+  std::shared_ptr<const Robot> robot;
+  bool made = !config_.robot || attempt([&] {
+    robot = make<std::shared_ptr<const Robot>>(config_.robot, context_);
+    check_limits(*robot, *out_.problem.manifold);
+    if (config_.obstacles.empty() && robot->self.empty())
+      throw OptionError("robot", "has nothing that it could touch: give 'obstacles'");
+  });
   for (std::size_t i = 0; i < config_.obstacles.size(); ++i) {
     made = attempt([&] {
              for (auto& one : make<FreeSpace::Obstacles>(config_.obstacles[i], context_)) {
@@ -256,7 +289,9 @@ void Composer::place_obstacles() {
            made;
   }
   const auto place = [&] {
-    out_.problem.manifold = among(std::move(all), entry_of, config_.clearance, out_.problem.manifold);
+    const int dimension = out_.problem.manifold->dimensions().ambient;
+    out_.problem.manifold = among(walls_of(std::move(all), entry_of, config_.clearance, robot, dimension),
+                                  robot != nullptr ? "robot" : "obstacles", out_.problem.manifold);
   };
   if (!made || !attempt(place)) return;
   context_.manifold = out_.problem.manifold;

@@ -45,7 +45,8 @@ bool plans_in_the_plane(const RunConfig& config) {
 void complete(RunConfig& config) {
   const bool mesh = config.manifold.provides<HasMesh>();
   const auto fill = [&](const char* part, PluginChoice& choice) {
-    const std::string type = default_type(part, config.manifold.plugin, config.ring, !config.obstacles.empty());
+    const std::string type =
+        default_type(part, config.manifold.plugin, config.ring, !config.obstacles.empty() || config.robot);
     if (!choice && !type.empty()) choice = default_plugin(part, type.c_str(), part);
   };
   fill("kernel", config.kernel);
@@ -224,8 +225,8 @@ void complete_types(ConfigNode& tree) {
   if (manifold == nullptr) return;  // an error of its own
   for (const char* part : {"kernel", "initializer", "solver"}) {
     ConfigEntry* entry = tree.find(part);
-    const std::string standard =
-        default_type(part, manifold, text_at("path.ring") == "true", tree.find("obstacles") != nullptr);
+    const std::string standard = default_type(part, manifold, text_at("path.ring") == "true",
+                                              tree.find("obstacles") != nullptr || tree.find("robot") != nullptr);
     if (entry == nullptr || !entry->value.is_block() || standard.empty()) continue;
     const auto& options = entry->value.entries;
     const bool replaced =

@@ -58,6 +58,8 @@ void RunConfig::fields(RunVisitor& visit) {
   visit.plugin("manifold", manifold, kind("manifold"), {.help = "Where points may be.", .required = true});
   visit.plugins("obstacles", obstacles, kind("obstacle"),
                 {.help = "What no path may enter, in a flat domain; contact is allowed."});
+  visit.plugin("robot", robot, kind("robot"),
+               {.help = "What moves: points are its configurations, and the obstacles stand in its workspace."});
   visit.field("clearance", clearance,
               {.help = "Distance that a path keeps from the obstacles.", .unit = "length", .minimum = 0});
   visit.plugin("cost", cost, kind("cost"), {.help = "What a move from a to b costs.", .required = true});

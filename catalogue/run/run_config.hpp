@@ -43,6 +43,7 @@ struct RunConfig {
   std::optional<double> max_seconds;  ///< time budget of the search
   PluginChoice manifold, cost, kernel;
   PluginList obstacles;
+  PluginChoice robot;                        ///< none: points are places among the obstacles
   double clearance = 0;                      ///< from the obstacles, length units
   std::optional<EndOptions> source, target;  ///< none in a ring, or the source alone: its fixed point
   std::optional<int> points = 64;            ///< free points n; none: as many as the first edge path has

@@ -191,6 +191,8 @@ TEST_CASE("registry: the choices of all plug-ins are those whose misspelling is 
                                  "signed_distance.source.implicit.surface",
                                  "map.unknown",
                                  "mesh.inside",
+                                 "dh_arm.model",
+                                 "dh_arm.model.table.convention",
                                  "lbfgs.precondition"};
   for (const char* back_end : {"nlopt", "ceres"})
     if (find_plugin(kind("solver"), back_end)->missing.empty())

@@ -100,9 +100,10 @@ const Arrows& layers() {
 /// is for. Rooms that are not listed here may not exist.
 const Arrows& rooms() {
   static const std::set<std::string> subjects = {
-      "problems/graph",   "problems/chart",     "problems/cloud",      "problems/distance",  "problems/drawing",
-      "problems/formula", "problems/level_set", "problems/mesh",       "problems/obstacles", "problems/occupancy",
-      "problems/readers", "problems/section",   "problems/straighten", "problems/taut",      "problems/tensor"};
+      "problems/graph",     "problems/chart",      "problems/cloud",     "problems/distance",
+      "problems/drawing",   "problems/formula",    "problems/level_set", "problems/mesh",
+      "problems/obstacles", "problems/occupancy",  "problems/readers",   "problems/robots",
+      "problems/section",   "problems/straighten", "problems/taut",      "problems/tensor"};
   static const Arrows table = {
       {"problems/chart", {}},
       {"problems/cloud", {"problems/graph"}},
@@ -120,6 +121,7 @@ const Arrows& rooms() {
       {"problems/obstacles",
        {"problems/distance", "problems/drawing", "problems/mesh", "problems/occupancy", "problems/readers"}},
       {"problems/taut", {"problems/obstacles"}},
+      {"problems/robots", {"problems/drawing", "problems/obstacles"}},
       {"problems/kernels", {}},
       {"problems/costs", subjects},
       {"problems/initializers", subjects},

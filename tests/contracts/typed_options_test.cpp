@@ -47,6 +47,7 @@ static_assert(!kTakesWords<decltype(MetricFieldOptions::reading)>);
 static_assert(!kTakesWords<decltype(TensorFileOptions::on)>);
 static_assert(!kTakesWords<decltype(OccupancyOptions::unknown)>);
 static_assert(!kTakesWords<decltype(MeshObstacleOptions::inside)>);
+static_assert(!kTakesWords<decltype(arm_model::Table::convention)>);
 static_assert(!kTakesWords<decltype(PointCloudSettings::normals)>);
 static_assert(!kTakesWords<decltype(distance_source::Sides::sign)>);
 static_assert(!kTakesWords<decltype(LbfgsOptions::precondition)>);
@@ -58,6 +59,7 @@ static_assert(!kTakesWords<decltype(ImplicitManifoldOptions::surface)>);
 static_assert(!kTakesWords<decltype(ConstraintManifoldOptions::set)>);
 static_assert(!kTakesWords<decltype(MetricFieldOptions::field)>);
 static_assert(!kTakesWords<decltype(SignedDistanceOptions::source)>);
+static_assert(!kTakesWords<decltype(DhArmOptions::model)>);
 
 }  // namespace
 
@@ -68,6 +70,7 @@ TEST_CASE("typed options: every value of a choice has one word") {
   check_words(TensorPlace::points);
   check_words(UnknownCells::free);
   check_words(MeshInside::surface);
+  check_words(DhConvention::modified);
   check_words(NormalSource::estimate);
   check_words(DistanceSign::without_sides);
   check_words(Preconditioner::none);
