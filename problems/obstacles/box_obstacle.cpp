@@ -3,6 +3,7 @@
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <leastcost/framework/errors.hpp>
@@ -41,15 +42,21 @@ class BoxObstacle final : public Obstacle {
   /// The square of the distance is convex in t and a parabola between the places where the segment meets the planes of
   /// the sides: its slope is followed from one to the next, to where it changes its sign.
   double distance_of_segment(const Vector& a, const Vector& b, double& t) const override {
-    const Vector way = b - a;
-    std::vector<double> bends = {0, 1};
-    for (Eigen::Index i = 0; i < way.size(); ++i)
+    std::vector<double> bends;
+    bends.reserve(static_cast<std::size_t>(2 * a.size() + 2));
+    bends.push_back(0);
+    bends.push_back(1);
+    for (Eigen::Index i = 0; i < a.size(); ++i)
       for (const double side : {lower_[i], upper_[i]}) {
-        const double bend = (side - a[i]) / way[i];
+        const double bend = (side - a[i]) / (b[i] - a[i]);
         if (bend > 0 && bend < 1) bends.push_back(bend);
       }
     std::sort(bends.begin(), bends.end());
-    const auto slope = [&](double at) { return outside(a + at * way).dot(way); };
+    const auto slope = [&](double at) {
+      double sum = 0;
+      for (Eigen::Index i = 0; i < a.size(); ++i) sum += outside(a, b, at, i) * (b[i] - a[i]);
+      return sum;
+    };
     t = 1;
     double left = slope(0);
     if (left >= 0) t = 0;
@@ -62,11 +69,17 @@ class BoxObstacle final : public Obstacle {
       }
       left = right;
     }
-    return outside(a + t * way).norm();
+    double square = 0;
+    for (Eigen::Index i = 0; i < a.size(); ++i) square += outside(a, b, t, i) * outside(a, b, t, i);
+    return std::sqrt(square);
   }
 
  private:
-  Vector outside(const Vector& x) const { return x - x.cwiseMax(lower_).cwiseMin(upper_); }
+  /// How far a place on the way from a to b is off the box, along one axis.
+  double outside(const Vector& a, const Vector& b, double t, Eigen::Index i) const {
+    const double x = a[i] + t * (b[i] - a[i]);
+    return x - std::min(std::max(x, lower_[i]), upper_[i]);
+  }
 
   Vector lower_, upper_;
 };

@@ -52,8 +52,7 @@ Words<DhConvention> words(DhConvention) {
 
 DhArm::DhArm(DhTable table) : table_(std::move(table)) {
   check_table(table_);
-  cosines_ = table_.rows.col(kAlpha).array().cos();
-  sines_ = table_.rows.col(kAlpha).array().sin();
+  for (const double alpha : table_.rows.col(kAlpha)) tilts_.push_back(about_x(std::cos(alpha), std::sin(alpha)));
 }
 
 std::string DhArm::link_name(int link) const { return link == 0 ? "the base" : "link " + std::to_string(link); }
@@ -61,7 +60,8 @@ std::string DhArm::link_name(int link) const { return link == 0 ? "the base" : "
 /// From one frame to the next.
 Frame DhArm::step(int joint, double angle) const {
   const double a = table_.rows(joint, kA), d = table_.rows(joint, kD);
-  const Matrix3d tilt = about_x(cosines_[joint], sines_[joint]), turn = about_z(angle + table_.rows(joint, kOffset));
+  const Matrix3d& tilt = tilts_[static_cast<std::size_t>(joint)];
+  const Matrix3d turn = about_z(angle + table_.rows(joint, kOffset));
   if (table_.convention == DhConvention::standard) return {turn * tilt, turn * Vector3d(a, 0, d)};
   return {tilt * turn, Vector3d(a, 0, 0) + tilt * Vector3d(0, 0, d)};
 }
@@ -98,7 +98,7 @@ DhArm::Vector DhArm::reach(int link, const Vector3d& local) const {
   for (int j = link - 1; j >= 0; --j) {
     const bool standard = table_.convention == DhConvention::standard;
     const double a = table_.rows(j, kA), d = table_.rows(j, kD);
-    const Matrix3d tilt = about_x(cosines_[j], sines_[j]);
+    const Matrix3d& tilt = tilts_[static_cast<std::size_t>(j)];
     if (standard) center = tilt * center + Vector3d(a, 0, d);  // now seen from the axis
     radius += center.head<2>().norm();
     farthest[j] = radius;

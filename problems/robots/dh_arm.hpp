@@ -55,7 +55,7 @@ class DhArm final : public Kinematics {
   Frame step(int joint, double angle) const;
 
   DhTable table_;
-  Eigen::VectorXd cosines_, sines_;  ///< of alpha
+  std::vector<Eigen::Matrix3d> tilts_;  ///< Rx(alpha)
 };
 
 }  // namespace leastcost

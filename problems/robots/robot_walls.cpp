@@ -24,10 +24,15 @@ constexpr double kShareOfGap = 0.5, kShareOfCoreRoom = 0.2;
 constexpr int kFewestPlaces = 4, kMostPlaces = 64;  ///< of a move that are looked at before its least gap is followed
 constexpr double kPlacesApart = 0.5;                ///< of what is required: how far a capsule goes between them
 
-/// The distance of two boxes with sides along the axes.
-double distance_of_boxes(const Vector3d& lower, const Vector3d& upper, const Vector3d& other_lower,
-                         const Vector3d& other_upper) {
-  return (other_lower - upper).cwiseMax(lower - other_upper).cwiseMax(Vector3d::Zero()).norm();
+/// Whether the distance of two boxes with sides along the axes is more than this.
+bool farther_apart(const Vector3d& lower, const Vector3d& upper, const Vector3d& other_lower,
+                   const Vector3d& other_upper, double distance) {
+  double square = 0;
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const double apart = std::max({other_lower[i] - upper[i], lower[i] - other_upper[i], 0.0});
+    square += apart * apart;
+  }
+  return distance < 0 || square > distance * distance;
 }
 
 /// The place as an obstacle of the plane or of space takes it.
@@ -188,15 +193,15 @@ void RobotWalls::pairs_within(const RobotPose& pose, const Margin& margin, std::
     const double wanted = margin(i);
     for (std::size_t o = 0; o < boxes_.size(); ++o) {
       const double required = required_[o] + body.radius;
-      if (distance_of_boxes(own.lower, own.upper, boxes_[o].lower, boxes_[o].upper) > required + wanted) continue;
+      if (farther_apart(own.lower, own.upper, boxes_[o].lower, boxes_[o].upper, required + wanted)) continue;
       const int other = static_cast<int>(o);
       found.push_back({i * static_cast<int>(boxes_.size()) + other, i, other, false, required, body.steepest});
     }
   }
   for (const Pair& pair : self_) {
     const CoreBox first = box(pair.capsule), second = box(pair.other);
-    const double apart = distance_of_boxes(first.lower, first.upper, second.lower, second.upper);
-    if (apart <= pair.required + margin(pair.capsule)) found.push_back(pair);
+    const double within = pair.required + margin(pair.capsule);
+    if (!farther_apart(first.lower, first.upper, second.lower, second.upper, within)) found.push_back(pair);
   }
 }
 
@@ -204,8 +209,10 @@ void RobotWalls::pairs_within(const RobotPose& pose, const Margin& margin, std::
 double RobotWalls::distance(const RobotPose& pose, const Pair& pair, double& on_axis, double& on_other) const {
   const Segment3& axis = pose.axes[static_cast<std::size_t>(pair.capsule)];
   if (pair.self) return distance_of_segments(axis, pose.axes[static_cast<std::size_t>(pair.other)], on_axis, on_other);
+  thread_local Vector from, to;  // taken by reference as they are: no memory is asked for in the innermost loop
   const int space = robot_->kinematics->space();
-  Vector from(space), to(space);
+  from.resize(space);
+  to.resize(space);
   to_space(axis.from, from);
   to_space(axis.to, to);
   return obstacles_[static_cast<std::size_t>(pair.other)]->distance_of_segment(from, to, on_axis);
@@ -250,7 +257,7 @@ RobotWalls::Plane RobotWalls::plane(const RobotPose& pose, const Pair& pair) con
 RobotWalls::Vector RobotWalls::slope(const RobotPose& pose, const Pair& pair) const {
   const Plane plane = this->plane(pose, pair);
   const auto pull = [&](int capsule, const Vector3d& point) -> Vector {
-    Eigen::Matrix3Xd derivative;
+    thread_local Eigen::Matrix3Xd derivative;
     const int link = robot_->capsules[static_cast<std::size_t>(capsule)].link;
     robot_->kinematics->jacobian(pose.configuration, pose.links, link, point, derivative);
     return derivative.transpose() * plane.normal;
@@ -265,16 +272,18 @@ double RobotWalls::rounding(const Vector& a, const Vector& b) const {
 
 void RobotWalls::near(const Vector& x, double reach, std::vector<Wall>& found) const {
   found.clear();
-  RobotPose pose;
+  thread_local RobotPose pose;
+  thread_local std::vector<Pair> pairs;
   pose.place(*robot_, x);
-  std::vector<Pair> pairs;
+  pairs.clear();
   const double within = std::max(0.0, reach);
   pairs_within(
       pose, [&](int i) { return within * bodies_[static_cast<std::size_t>(i)].steepest; }, pairs);
   for (const Pair& pair : pairs) {
     const double gap = (distance(pose, pair) - pair.required) / pair.steepest;
     if (!(gap < reach)) continue;
-    found.push_back({pair.number, gap, slope(pose, pair) / pair.steepest, pair.required / pair.steepest});
+    found.push_back({pair.number, gap, slope(pose, pair), pair.required / pair.steepest});
+    found.back().slope /= pair.steepest;
   }
 }
 
