@@ -23,6 +23,7 @@ constexpr double kFitted = 1e-9;   ///< of the path's extent: by so much a move 
 constexpr double kAlong = 1e-9;    ///< of a step: what of it may lead off a wall that it runs along
 constexpr double kSameSide = 0.5;  ///< cosine between the ways out before and after a step along a wall
 constexpr int kMostPushes = 100;   ///< between walls that push a point to and fro
+constexpr int kOneByOne = 6;       ///< pushes out of the worst wall before all of them are taken together
 constexpr int kMostHalvings = 30;
 constexpr int kMostRetreats = 6;        ///< of the ends of a segment that would be drawn through an obstacle
 constexpr double kLeastAdvance = 0.02;  ///< of a step: how finely walls are looked for along it
@@ -152,14 +153,29 @@ void FreeSpace::push(Point& point, const Wall& wall, double by) const {
 bool FreeSpace::settle(Point& point, const std::vector<int>& held, bool bounded, double reach) const {
   const double rounding = kRounding * std::max(walls_->size(), point.x().cwiseAbs().maxCoeff());
   const auto holds = [&](int i) { return std::find(held.begin(), held.end(), i) != held.end(); };
+  std::vector<const Wall*> counting;
+  // Walls at a sharp angle pass a point to and fro for long: the least step that is right for all of them, were they
+  // straight.
+  const auto push_onto_all = [&](const std::vector<const Wall*>& all) {
+    Points slopes(point.u().size(), static_cast<Index>(all.size()));
+    Vector off(slopes.cols());
+    for (Index i = 0; i < slopes.cols(); ++i) {
+      const Wall& wall = *all[static_cast<std::size_t>(i)];
+      slopes.col(i) = point.slope(wall);
+      off[i] = margin(wall) - wall.gap;
+    }
+    point.step(slopes.transpose().completeOrthogonalDecomposition().solve(off));
+  };
   double before = std::numeric_limits<double>::infinity();
   for (int k = 0; k < kMostPushes; ++k) {
     look(point, reach);
     const Wall* worst = nullptr;
     double by = 0;
+    counting.clear();
     for (const Wall& wall : point.walls) {
       const double off = wall.gap - margin(wall);
       const bool counts = holds(wall.obstacle) || (bounded && off < 0);
+      if (counts) counting.push_back(&wall);
       if (!counts || std::abs(off) <= std::abs(by)) continue;
       worst = &wall;
       by = off;
@@ -168,7 +184,10 @@ bool FreeSpace::settle(Point& point, const std::vector<int>& held, bool bounded,
     // Two walls that both hold the point settle at first order only: rounding is not waited for.
     if (std::abs(by) <= slack(point.x()) && std::abs(by) >= before / 2) return true;
     before = std::abs(by);
-    push(point, *worst, -by);
+    if (k < kOneByOne || counting.size() == 1)
+      push(point, *worst, -by);
+    else
+      push_onto_all(counting);
     if (!bounded) continue;
     CoordinatePath back = point.path();  // a wall may have pushed it out of the domain
     domain_->project(back);
