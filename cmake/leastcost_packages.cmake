@@ -2,7 +2,7 @@
 #   leastcost                                        the program
 #   libleastcost-dev, libleastcost-<part>-dev        headers, CMake and pkg-config files, archives or links
 #   libleastcost0, libleastcost-<part>0              shared libraries, of a build with BUILD_SHARED_LIBS
-# with <part> = nlopt, ceres, catalogue. What a binary needs dpkg-shlibdeps finds out; what a static archive needs is
+# with <part> = nlopt, ceres, catalogue, ompl. What a binary needs dpkg-shlibdeps finds out; what a static archive needs is
 # the -dev package of that library.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "The leastcost authors <leastcost@invalid>")
@@ -39,9 +39,11 @@ set(archive_needs_nlopt "libnlopt-cxx-dev (>= 2.7)")
 set(archive_needs_ceres "libceres-dev (>= 2.1)")
 set(archive_needs_catalogue "libyaml-cpp-dev (>= 0.7)" "libfmt-dev (>= 9.1)" "libssl-dev (>= 3.0)"
   "libpng-dev (>= 1.6)")
+set(archive_needs_ompl "libompl-dev (>= 1.5)")
 set(about_nlopt "the NLopt solvers")
 set(about_ceres "the Ceres solvers")
 set(about_catalogue "configurations, results")
+set(about_ompl "OMPL's plans polished")
 
 # The libraries without back ends, then each of those apart on top of them.
 set(libraries_needs "")
@@ -69,11 +71,15 @@ foreach(part IN LISTS apart)
     leastcost_package(${part}_libraries libleastcost-${part}${soname} libs "${about_${part}}, shared library"
       part_libraries)
     list(APPEND part_development "libleastcost-${part}${soname} ${same}")
-    list(APPEND below_libraries "libleastcost-${part}${soname} ${same}")
   else()
     list(APPEND part_development ${archive_needs_${part}})
   endif()
-  list(APPEND below_development "libleastcost-${part}-dev ${same}")
+  if(NOT part STREQUAL "ompl")  # nothing of ours stands on it
+    if(BUILD_SHARED_LIBS)
+      list(APPEND below_libraries "libleastcost-${part}${soname} ${same}")
+    endif()
+    list(APPEND below_development "libleastcost-${part}-dev ${same}")
+  endif()
   leastcost_package(${part}_development libleastcost-${part}-dev libdevel "${about_${part}}, for programs"
     part_development)
 endforeach()

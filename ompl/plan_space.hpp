@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+
+#include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/path.hpp>
+#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/ompl/state_columns.hpp>
+
+namespace leastcost {
+
+/// A planner's space as columns: what is free there, and what paths cost. Has states of its own to ask with: one thread
+/// at a time.
+class PlanSpace {
+ public:
+  PlanSpace(std::shared_ptr<ompl::base::SpaceInformation> space, StateColumns columns,
+            std::shared_ptr<const ConstraintManifold> domain, std::shared_ptr<const SegmentCost> cost);
+  ~PlanSpace();
+  PlanSpace(const PlanSpace&) = delete;
+  PlanSpace& operator=(const PlanSpace&) = delete;
+
+  bool is_free(const Eigen::VectorXd& x) const;  ///< in bounds, and valid
+  bool moves(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
+  /// As the checker of the planner says.
+  double clearance(const Eigen::VectorXd& x) const;
+  /// Whether the planner's own move between states is straight in the columns.
+  bool straight(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
+
+  /// t of the way from a to b, on the domain where there is a nearest point of it.
+  Eigen::VectorXd between(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double t) const;
+  double cost(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
+  /// Of a polyline; in pieces of at most `longest` where a move does not cost what its parts do.
+  double cost(const Points& x, double longest) const;
+  double cost(const Points& x) const { return cost(x, 0); }
+
+ private:
+  std::shared_ptr<ompl::base::SpaceInformation> space_;
+  StateColumns columns_;
+  std::shared_ptr<const ConstraintManifold> domain_;
+  std::shared_ptr<const SegmentCost> cost_;
+  ompl::base::State *from_, *to_, *middle_;
+};
+
+}  // namespace leastcost

@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/ompl/polish.hpp>
+
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/geometric/PathGeometric.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/kernels/kernels.hpp>
+#include <leastcost/problems/obstacles/free_space.hpp>
+#include <leastcost/solvers/newton.hpp>
+#include "framework/find_path_checks.hpp"
+#include "framework/point_text.hpp"
+#include "ompl/plan_space.hpp"
+#include "ompl/tighten.hpp"
+
+namespace leastcost {
+namespace {
+
+namespace og = ompl::geometric;
+
+constexpr int kPieces = 1000;        ///< in which costs of paths are compared
+constexpr int kRoundsByAnswer = 8;   ///< of shortcuts, where nothing but yes or no is known of the obstacles
+constexpr double kRounding = 1e-12;  ///< relative: by so much no path is cheaper
+constexpr double kDeepest = 1 - 1 / std::numbers::sqrt2;  ///< of the chord between quaternions at a right angle
+
+/// The plan as the first path.
+class PlannedPath final : public Initializer {
+ public:
+  explicit PlannedPath(Points x) : x_(std::move(x)) {}
+  std::string_view name() const override { return "ompl"; }
+  FirstPath first_path(const Problem&, const Monitor&) const override { return {{x_, {}, false}, {}, {}}; }
+
+ private:
+  Points x_;
+};
+
+std::string state_name(Index i) { return "state " + std::to_string(i) + " of the path"; }
+
+double length_of(const Points& x) {
+  return (x.rightCols(x.cols() - 1) - x.leftCols(x.cols() - 1)).colwise().norm().sum();
+}
+
+class Polishing {
+ public:
+  Polishing(const og::PathGeometric& path, const PolishOptions& options, const Monitor& monitor)
+      : given_(path),
+        options_(options),
+        monitor_(monitor),
+        states_(path.getSpaceInformation()->getStateSpace()),
+        domain_(options.domain ? options.domain : states_.domain()),
+        space_(path.getSpaceInformation(), states_, domain_, options.cost ? options.cost : states_.length()) {
+    read();
+    set_problem();
+  }
+
+  Polished run() {
+    out_.path = std::make_shared<og::PathGeometric>(given_);
+    const double given = out_.cost = out_.given_cost = space_.cost(x_, length_of(x_) / kPieces);
+    if (!std::isfinite(given)) throw InputError("the given path costs infinitely much, or more than a number can say");
+    if (!(given > 0)) {
+      out_.why = "the given path costs nothing";
+      return std::move(out_);
+    }
+    const bool by_answer = !options_.walls && !options_.distance;
+    const Points tight = tighten(
+        space_, x_,
+        {.points = options_.find.points.value_or(100), .rounds = by_answer ? kRoundsByAnswer : 1, .partial = by_answer},
+        monitor_);
+    search(tight);
+    if (out_.result.path.u.cols() > 1 && take(out_.result.path.u, PolishOutcome::polished)) return std::move(out_);
+    take(tight, PolishOutcome::tightened);
+    if (!out_.clearance) out_.clearance = clearance_of(x_);
+    return std::move(out_);
+  }
+
+ private:
+  /// The given path, if it is one.
+  void read() {
+    if (given_.getStateCount() < 2)
+      throw InputError("a path has at least two states, and this one " + std::to_string(given_.getStateCount()));
+    x_ = states_.columns(given_);
+    for (Index i = 0; i < x_.cols(); ++i)
+      if (!space_.is_free(x_.col(i)))
+        throw InputError(state_name(i) + ", " + point_text(x_.col(i)) +
+                         ", is not valid, or beyond the bounds of the space");
+    for (Index i = 0; i + 1 < x_.cols() && !states_.constrained(); ++i)
+      if (!space_.straight(x_.col(i), x_.col(i + 1)))
+        throw InputError("the move from " + state_name(i) +
+                         " to the next is not straight in its coordinates: leastcost would make it another one");
+  }
+
+  void set_problem() {
+    if (options_.walls && options_.distance) throw InputError("obstacles: give walls or a distance, not both");
+    check(options_.find);
+    const Dimensions dimensions = domain_->dimensions();
+    if (dimensions.coordinate != states_.rows() || dimensions.ambient != states_.rows())
+      throw InputError("states of the space have " + std::to_string(states_.rows()) + " rows, the domain has " +
+                       std::to_string(dimensions.coordinate) + " coordinates in " + std::to_string(dimensions.ambient) +
+                       " dimensions");
+    problem_.manifold = std::make_shared<FreeSpace>(domain_, walls());
+    problem_.cost = options_.cost ? options_.cost : states_.length();
+    problem_.kernel = options_.kernel ? options_.kernel : make_kernel<Expm1Square>();
+    problem_.source.u = x_.col(0);
+    problem_.target.u = x_.rightCols(1);
+    if (problem_.cost->dim() != states_.rows())
+      throw InputError("the cost has " + std::to_string(problem_.cost->dim()) + " dimensions, states of the space " +
+                       std::to_string(states_.rows()));
+  }
+
+  std::shared_ptr<const Walls> walls() {
+    if (options_.walls) return options_.walls;
+    const Index rows = states_.rows();
+    if (!options_.distance) {
+      const double longest = given_.getSpaceInformation()->getStateSpace()->getLongestValidSegmentLength();
+      return make_checker_walls(rows, FreeChecker{.is_free = [this](const auto& x) { return space_.is_free(x); },
+                                                  .resolution = longest / states_.steepness(),
+                                                  .size = x_.cwiseAbs().maxCoeff(),
+                                                  .name = "the planner's checker"});
+    }
+    DistanceChecker checker = *options_.distance;
+    if (!checker.distance) {
+      checker.distance = [this](const auto& x) { return space_.clearance(x); };
+      checker.name = "the planner's checker";
+    }
+    if (!states_.has_quaternions()) return make_checker_walls(rows, std::move(checker));
+    // A move is a chord of the sphere, which is this much shorter than its arc where it is a right angle, and a
+    // quotient of lengths: what bounds the second derivative on the sphere does not bound it here.
+    checker.lipschitz *= std::numbers::sqrt2;
+    checker.curvature = 0;
+    checker.distance = [this, known = std::move(checker.distance)](const Eigen::VectorXd& x) {
+      Eigen::VectorXd unit = x;
+      const bool far = !states_.settle(unit) || (x - unit).norm() > kDeepest;
+      return far ? std::numeric_limits<double>::quiet_NaN() : known(unit);
+    };
+    return make_checker_walls(rows, std::move(checker));
+  }
+
+  void search(const Points& first) {
+    const auto newton = std::make_shared<Newton>();
+    try {
+      out_.result = find_path(problem_, PlannedPath(first), options_.solver ? *options_.solver : *newton, options_.find,
+                              monitor_);
+      if (out_.result.path.u.cols() < 2) out_.why = "there was no time for a search";
+    } catch (const InputError& error) {  // an end nearer to the obstacles than they allow
+      out_.why = error.what();
+    } catch (const InitializationError& error) {
+      out_.why = error.what();
+    }
+  }
+
+  /// Takes a path where it is better than what there is and valid.
+  bool take(const Points& x, PolishOutcome outcome) {
+    const double cost = space_.cost(x, length_of(x) / kPieces);
+    if (!(cost < (1 - kRounding) * out_.cost)) {
+      if (out_.why.empty()) out_.why = "it would cost " + short_number(cost) + ", no less than this path";
+      return false;
+    }
+    const std::optional<Clearance> clearance = clearance_of(x);
+    std::string fault = fault_of(x, clearance);
+    if (!fault.empty()) {
+      if (out_.why.empty()) out_.why = std::move(fault);
+      return false;
+    }
+    out_.outcome = outcome;
+    out_.cost = cost;
+    out_.clearance = clearance;
+    out_.path = states_.path(given_.getSpaceInformation(), x);
+    const auto& space = given_.getSpaceInformation();
+    space->copyState(out_.path->getStates().front(), given_.getState(0));
+    space->copyState(out_.path->getStates().back(), given_.getState(static_cast<unsigned>(x_.cols() - 1)));
+    return true;
+  }
+
+  std::optional<Clearance> clearance_of(const Points& x) const {
+    return measure_clearance(*problem_.manifold, x, false, {});
+  }
+
+  std::string fault_of(const Points& x, const std::optional<Clearance>& clearance) const {
+    const double extent = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm();
+    if (clearance && !(clearance->lower >= -options_.find.certificate.clearance * extent))
+      return "it would come " + short_number(std::abs(clearance->upper)) + " too near to " + clearance->obstacle;
+    for (Index i = 0; i < x.cols(); ++i)
+      if (!space_.is_free(x.col(i))) return "the planner's checker refuses its place " + point_text(x.col(i));
+    for (Index i = 0; i + 1 < x.cols(); ++i)
+      if (!space_.moves(x.col(i), x.col(i + 1)))
+        return "the planner refuses its move from " + point_text(x.col(i)) + " to " + point_text(x.col(i + 1));
+    return "";
+  }
+
+  const og::PathGeometric& given_;
+  const PolishOptions& options_;
+  const Monitor& monitor_;
+  StateColumns states_;
+  std::shared_ptr<const ConstraintManifold> domain_;
+  PlanSpace space_;
+  Points x_;
+  Problem problem_;
+  Polished out_;
+};
+
+}  // namespace
+
+std::string_view name(PolishOutcome outcome) {
+  switch (outcome) {
+    case PolishOutcome::polished: return "polished";
+    case PolishOutcome::tightened: return "tightened";
+    case PolishOutcome::given: return "given";
+  }
+  return "unknown";
+}
+
+Polished polish(const og::PathGeometric& path, const PolishOptions& options, const Monitor& monitor) {
+  return Polishing(path, options, monitor).run();
+}
+
+}  // namespace leastcost

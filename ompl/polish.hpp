@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <leastcost/framework/clearance.hpp>
+#include <leastcost/framework/find_path.hpp>
+#include <leastcost/ompl/forward.hpp>
+#include <leastcost/problems/obstacles/checker_walls.hpp>
+#include <leastcost/problems/obstacles/walls.hpp>
+
+namespace leastcost {
+
+/// Complete as it is: {} minimises the length, with the planner's StateValidityChecker asked for yes or no. Places are
+/// columns of StateColumns, and so are the dimensions of cost, domain and walls.
+struct PolishOptions {
+  std::shared_ptr<const SegmentCost> cost = {};           ///< else StateColumns::length()
+  std::shared_ptr<const ConstraintManifold> domain = {};  ///< without obstacles; else StateColumns::domain()
+  /// What is known of the obstacles; at most one of the two. Without any, whether places are free is asked of the
+  /// planner's checker as finely as the planner asks, and a clearance is sampled, not proved.
+  std::shared_ptr<const Walls> walls = {};
+  /// Its function is, unless given, clearance() of the planner's checker, a signed distance in the columns: say its
+  /// Lipschitz constant. Then clearances are proved.
+  std::optional<DistanceChecker> distance = {};
+  FindOptions find = {.points = 100};
+  std::shared_ptr<const Solver> solver = {};  ///< else Newton
+  std::shared_ptr<const Kernel> kernel = {};  ///< else Expm1Square
+};
+
+enum class PolishOutcome {
+  polished,   ///< what find_path() came to
+  tightened,  ///< that is not valid, or costs more: the given path with shortcuts
+  given       ///< nothing valid costs less
+};
+std::string_view name(PolishOutcome outcome);
+
+struct Polished {
+  PolishOutcome outcome = PolishOutcome::given;
+  std::shared_ptr<ompl::geometric::PathGeometric> path;  ///< ends are those of the given path, to the last digit
+  double cost = 0;                                       ///< of this path
+  double given_cost = 0;                                 ///< of the given one
+  std::optional<Clearance> clearance;                    ///< of this path; nothing where it was interrupted
+  Result result;    ///< of find_path(): its certificate is that of this path where the outcome is `polished`
+  std::string why;  ///< why this is not what find_path() came to; empty where it is
+  bool certified() const { return outcome == PolishOutcome::polished && result.status == Status::certified; }
+};
+
+/// A planner's path, improved: never dearer than it was given, and valid in the words of the planner (its checker at
+/// every state, its motion validator at every move, the bounds of the space) and by the clearance of its moves. A path
+/// that is better but not valid is not returned: `why` says so.
+///
+/// First the path is pulled tight by shortcuts, then find_path() begins there. The path may end up on another side of
+/// an obstacle, where that is cheaper. Costs are compared on both paths in small pieces where a long move would not
+/// have the cost of its parts.
+///
+/// Deadline and stop of the monitor hold for both; then the paths are looked at, which takes about as long as the
+/// planner's check of the given path. Throws InputError for a path with less than two states, with a state that is not
+/// valid, or whose moves are not straight in the columns (Dubins curves), for parts that do not fit, and for a cost
+/// that is infinite on the given path.
+Polished polish(const ompl::geometric::PathGeometric& path, const PolishOptions& options = {},
+                const Monitor& monitor = {});
+
+}  // namespace leastcost

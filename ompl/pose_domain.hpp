@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include <leastcost/framework/manifold.hpp>
+
+namespace leastcost {
+
+/// R^d, some of whose rows are unit quaternions, four each: the sphere S^3.
+class PoseDomain final : public EmbeddedManifold {
+ public:
+  /// `quaternions`: the first row of each, ascending.
+  PoseDomain(int rows, std::vector<Index> quaternions);
+
+ protected:
+  bool project_point(Eigen::Ref<Eigen::VectorXd> x) const override;
+  void tangent_basis(const Eigen::VectorXd& x, Eigen::Ref<Points> basis) const override;
+
+ private:
+  std::vector<Index> quaternions_;
+};
+
+}  // namespace leastcost
