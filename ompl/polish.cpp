@@ -26,9 +26,9 @@ namespace {
 
 namespace og = ompl::geometric;
 
-constexpr int kPieces = 1000;        ///< in which costs of paths are compared
-constexpr int kRoundsByAnswer = 8;   ///< of shortcuts, where nothing but yes or no is known of the obstacles
-constexpr double kRounding = 1e-12;  ///< relative: by so much no path is cheaper
+constexpr int kPieces = 1000;                             ///< in which costs of paths are compared
+constexpr int kPlaces = 60;                               ///< on the given path, between which shortcuts are looked for
+constexpr double kRounding = 1e-12;                       ///< relative: by so much no path is cheaper
 constexpr double kDeepest = 1 - 1 / std::numbers::sqrt2;  ///< of the chord between quaternions at a right angle
 
 /// The plan as the first path.
@@ -70,11 +70,9 @@ class Polishing {
       return std::move(out_);
     }
     const bool by_answer = !options_.walls && !options_.distance;
-    const Points tight = tighten(
-        space_, x_,
-        {.points = options_.find.points.value_or(100), .rounds = by_answer ? kRoundsByAnswer : 1, .partial = by_answer},
-        monitor_);
-    search(tight);
+    Points tight = with_shortcuts(space_, x_, kPlaces, monitor_);
+    if (by_answer) tight = pulled_tight(space_, tight, options_.find.points.value_or(kPlaces), monitor_);
+    search(tight, by_answer);
     if (out_.result.path.u.cols() > 1 && take(out_.result.path.u, PolishOutcome::polished)) return std::move(out_);
     take(tight, PolishOutcome::tightened);
     if (!out_.clearance) out_.clearance = clearance_of(x_);
@@ -143,17 +141,36 @@ class Polishing {
     return make_checker_walls(rows, std::move(checker));
   }
 
-  void search(const Points& first) {
-    const auto newton = std::make_shared<Newton>();
+  void search(const Points& first, bool by_answer) {
+    const std::shared_ptr<const Solver> solver = options_.solver ? options_.solver : std::make_shared<Newton>();
     try {
-      out_.result = find_path(problem_, PlannedPath(first), options_.solver ? *options_.solver : *newton, options_.find,
-                              monitor_);
+      const std::optional<Points> free = by_answer ? without_obstacles(first, *solver) : std::optional<Points>(first);
+      if (!free) return;
+      out_.result = find_path(problem_, PlannedPath(*free), *solver, options_.find, monitor_);
       if (out_.result.path.u.cols() < 2) out_.why = "there was no time for a search";
     } catch (const InputError& error) {  // an end nearer to the obstacles than they allow
       out_.why = error.what();
     } catch (const InitializationError& error) {
       out_.why = error.what();
     }
+  }
+
+  /// Nothing comes to rest on obstacles that say yes or no. So the path is sought as if there were none, and where it
+  /// then goes through one, it is held by them: nothing.
+  std::optional<Points> without_obstacles(const Points& first, const Solver& solver) {
+    Problem open = problem_;
+    open.manifold = domain_;
+    FindOptions options = options_.find;
+    options.certificate.enabled = false;
+    const Points x = find_path(open, PlannedPath(first), solver, options, monitor_).path.u;
+    if (x.cols() < 2) {
+      out_.why = "there was no time for a search";
+      return {};
+    }
+    const std::string fault = fault_of(x, clearance_of(x));
+    if (fault.empty()) return x;
+    out_.why = "it lies against obstacles of which only yes or no is known: without them " + fault;
+    return {};
   }
 
   /// Takes a path where it is better than what there is and valid.

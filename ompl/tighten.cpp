@@ -5,12 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace leastcost {
 namespace {
 
-constexpr double kEnough = 1e-4;                            ///< relative gain of a round that is worth another
-constexpr std::array<double, 3> kParts = {0.5, 0.2, 0.05};  ///< of the way to a straight stretch
+constexpr double kEnough = 1e-4;  ///< relative gain of a round that is worth another
+constexpr int kMostRounds = 8;
+constexpr std::array<double, 4> kParts = {1, 0.5, 0.2, 0.05};  ///< of the way to a straight stretch
 
 /// The path with its vertices and points between them, no farther apart than an equal share of its length.
 Points divided(const PlanSpace& space, const Points& x, int points) {
@@ -28,17 +33,77 @@ Points divided(const PlanSpace& space, const Points& x, int points) {
   return out;
 }
 
+/// The cheapest way through places in their order, by moves that are asked for as late as possible (LazySP: Dellin,
+/// Srinivasa 2016).
+class Shortcuts {
+ public:
+  Shortcuts(const PlanSpace& space, Points x) : space_(space), x_(std::move(x)), moves_(x_.cols(), x_.cols()) {
+    for (Index j = 1; j < x_.cols(); ++j)
+      for (Index i = 0; i < j; ++i) moves_(i, j) = space_.cost(x_.col(i), x_.col(j));
+  }
+
+  Points path(const Monitor& monitor) {
+    std::vector<Index> way = cheapest();
+    while (!monitor.interrupted() && !ask(way)) way = cheapest();
+    if (monitor.interrupted() && !ask(way)) return x_;
+    Points out(x_.rows(), static_cast<Index>(way.size()));
+    for (Index k = 0; k < out.cols(); ++k) out.col(k) = x_.col(way[static_cast<std::size_t>(k)]);
+    return out;
+  }
+
+ private:
+  std::vector<Index> cheapest() const {
+    const Index last = x_.cols() - 1;
+    Eigen::VectorXd least = Eigen::VectorXd::Constant(last + 1, std::numeric_limits<double>::infinity());
+    std::vector<Index> before(static_cast<std::size_t>(last + 1), 0);
+    least[0] = 0;
+    for (Index j = 1; j <= last; ++j) {
+      before[static_cast<std::size_t>(j)] = j - 1;
+      for (Index i = 0; i < j; ++i) {
+        if (!(least[i] + moves_(i, j) < least[j])) continue;
+        least[j] = least[i] + moves_(i, j);
+        before[static_cast<std::size_t>(j)] = i;
+      }
+    }
+    std::vector<Index> way{last};
+    while (way.back() > 0) way.push_back(before[static_cast<std::size_t>(way.back())]);
+    std::reverse(way.begin(), way.end());
+    return way;
+  }
+
+  /// Whether all of these moves are valid; those that are not are taken out.
+  bool ask(const std::vector<Index>& way) {
+    bool valid = true;
+    for (std::size_t k = 0; k + 1 < way.size(); ++k) {
+      const Index i = way[k], j = way[k + 1];
+      if (j == i + 1 || known_.count({i, j}) > 0) continue;
+      if (space_.moves(x_.col(i), x_.col(j))) {
+        known_.insert({i, j});
+      } else {
+        moves_(i, j) = std::numeric_limits<double>::infinity();
+        valid = false;
+      }
+    }
+    return valid;
+  }
+
+  const PlanSpace& space_;
+  Points x_;
+  Points moves_;                                  ///< what they cost; infinity: not valid
+  std::set<std::pair<Index, Index>> known_ = {};  ///< valid ones
+};
+
 class Tightening {
  public:
   Tightening(const PlanSpace& space, Points x) : space_(space), x_(std::move(x)) {}
 
   /// Whether the round was worth it.
-  bool round(bool partial, const Monitor& monitor) {
+  bool round(const Monitor& monitor) {
     const double before = space_.cost(x_);
     for (Index stride = std::max<Index>(1, (x_.cols() - 1) / 2); stride >= 1; stride /= 2) {
       for (Index i = 0; i + 1 < x_.cols(); i += stride) {
         if (monitor.interrupted()) return false;
-        straighten(i, std::min(i + 2 * stride, x_.cols() - 1), partial);
+        straighten(i, std::min(i + 2 * stride, x_.cols() - 1));
       }
     }
     return space_.cost(x_) < (1 - kEnough) * before;
@@ -47,17 +112,10 @@ class Tightening {
   const Points& path() const { return x_; }
 
  private:
-  void straighten(Index begin, Index end, bool partial) {
+  void straighten(Index begin, Index end) {
     if (end - begin < 2) return;
     const Points now = x_.middleCols(begin, end - begin + 1);
     const double cost = space_.cost(now);
-    const Points line = moved(now, 1);
-    if (!(space_.cost(line) < cost)) return;
-    if (space_.moves(x_.col(begin), x_.col(end))) {
-      x_.middleCols(begin, now.cols()) = line;
-      return;
-    }
-    if (!partial) return;
     for (const double part : kParts) {
       const Points next = moved(now, part);
       if (!(space_.cost(next) < cost) || !all_move(next)) continue;
@@ -89,9 +147,13 @@ class Tightening {
 
 }  // namespace
 
-Points tighten(const PlanSpace& space, const Points& x, const TightenOptions& options, const Monitor& monitor) {
-  Tightening tightening(space, divided(space, x, options.points));
-  for (int k = 0; k < options.rounds && tightening.round(options.partial, monitor); ++k) {
+Points with_shortcuts(const PlanSpace& space, const Points& x, int points, const Monitor& monitor) {
+  return Shortcuts(space, divided(space, x, points)).path(monitor);
+}
+
+Points pulled_tight(const PlanSpace& space, const Points& x, int points, const Monitor& monitor) {
+  Tightening tightening(space, divided(space, x, points));
+  for (int k = 0; k < kMostRounds && tightening.round(monitor); ++k) {
   }
   return tightening.path();
 }

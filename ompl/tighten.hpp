@@ -7,15 +7,15 @@
 
 namespace leastcost {
 
-struct TightenOptions {
-  int points = 100;     ///< that the path is divided into
-  int rounds = 1;       ///< at most
-  bool partial = true;  ///< whether a stretch that cannot be made straight is moved a part of the way
-};
+/// The cheapest path along a polyline, with shortcuts: straight moves between any two of `points` places on it, its
+/// vertices among them. Moves are asked for only on the cheapest path so far, so that most are never asked for. Without
+/// chance: the same polyline gives the same path. Ends early where it is stopped: with the moves of the polyline, which
+/// are taken to be valid, in the place of those that nobody has asked for.
+Points with_shortcuts(const PlanSpace& space, const Points& x, int points, const Monitor& monitor);
 
-/// Shortcuts, long ones first, in equal windows, so that the same path gives the same: every stretch that may be
-/// straight and is cheaper so becomes so. Every move of what comes back is valid in the words of the planner where
-/// those of `x` are. Ends early where it is stopped.
-Points tighten(const PlanSpace& space, const Points& x, const TightenOptions& options, const Monitor& monitor);
+/// Pulls a polyline tight where only the planner can say what is free: stretches of its points, long ones first, are
+/// moved towards the straight move between their ends, as far as that is cheaper and every move is valid. Ends early
+/// where it is stopped.
+Points pulled_tight(const PlanSpace& space, const Points& x, int points, const Monitor& monitor);
 
 }  // namespace leastcost
