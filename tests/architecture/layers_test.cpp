@@ -29,7 +29,7 @@ struct Include {
   bool open = false;   ///< written <leastcost/...>: installed
 };
 
-constexpr std::array<std::string_view, 5> kLayers = {"framework", "problems", "solvers", "catalogue", "app"};
+constexpr std::array<std::string_view, 6> kLayers = {"framework", "problems", "solvers", "ompl", "catalogue", "app"};
 
 constexpr std::string_view kPublic = "leastcost/";
 
@@ -91,6 +91,7 @@ const Arrows& layers() {
   static const Arrows table = {{"framework", {}},
                                {"problems", {"framework"}},
                                {"solvers", {"framework"}},
+                               {"ompl", {"framework", "problems", "solvers"}},
                                {"catalogue", {"framework", "problems", "solvers"}},
                                {"app", {"framework", "problems", "solvers", "catalogue"}}};
   return table;
@@ -168,6 +169,8 @@ std::string third_party_fault(const Include& include) {
   if (starts_with(file, "framework/")) return "framework uses Eigen and the standard library only";
   if (starts_with(file, "solvers/") && file.find('/', std::string_view("solvers/").size()) != std::string::npos)
     return is_back_end_header(file) ? "the installed header of a back end includes no third party but Eigen" : "";
+  if (starts_with(target, "ompl/"))
+    return starts_with(file, "ompl/") && !is_header(file) ? "" : "only .cpp files of ompl use OMPL";
   const bool program = starts_with(file, "catalogue/") || starts_with(file, "app/");
   if (file == "problems/graph/compressed_rows.hpp" && starts_with(target, "boost/")) return "";
   if (!program && is_header(file)) return "a header of the library includes no third party but Eigen";
@@ -261,7 +264,7 @@ std::set<std::string> public_headers(const std::vector<Include>& includes) {
   for (const Include& include : includes)
     if (include.open) reaches.emplace(include.file, include.target);
   std::vector<std::string> open = {"framework/framework.hpp", "problems/problems.hpp", "solvers/solvers.hpp",
-                                   "catalogue/catalogue.hpp"};
+                                   "ompl/ompl.hpp", "catalogue/catalogue.hpp"};
   for (const Include& include : includes)
     for (const std::string& file : {include.file, include.target})
       if (is_back_end_header(file)) open.push_back(file);
@@ -393,6 +396,10 @@ TEST_CASE("layers: every wrong arrow is caught") {
       Wrong{"problems/costs/a.cpp", "#include <fmt/format.h>", "no such third party"},
       Wrong{"catalogue/run/a.cpp", "#include <nlopt.hpp>", "only its back end"},
       Wrong{"catalogue/catalogue.hpp", "#include <fmt/format.h>", "an installed header includes no third party"},
+      Wrong{"ompl/polish.hpp", "#include <ompl/base/State.h>", "only .cpp files of ompl use OMPL"},
+      Wrong{"problems/initializers/a.cpp", "#include <ompl/base/State.h>", "only .cpp files of ompl use OMPL"},
+      Wrong{"catalogue/run/a.cpp", "#include \"ompl/b.hpp\"", "catalogue must not include ompl"},
+      Wrong{"ompl/a.cpp", "#include \"catalogue/b.hpp\"", "ompl must not include catalogue"},
       Wrong{"solvers/ceres/a.cpp", "#include \"solvers/nlopt/b.hpp\"", "not in the table of rooms"},
       Wrong{"framework/framework.hpp", "#include \"framework/b.hpp\"", "must not include an internal one"},
       Wrong{"framework/a.cpp", "#include <leastcost/framework/b.hpp>", "not reached from a public header"},
