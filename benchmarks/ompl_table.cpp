@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 // Plans of RRTConnect among discs, polished, against OMPL's own simplifier with the same time and with as much as it
 // likes. Paths are judged by the exact distance of their moves from the discs.
+#include <time.h>
+
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/geometric/PathSimplifier.h>
 #include <ompl/geometric/SimpleSetup.h>
@@ -9,13 +11,14 @@
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
-#include <chrono>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <random>
-#include <string_view>
+#include <string>
 #include <vector>
 
 #include <leastcost/ompl/ompl.hpp>
@@ -85,32 +88,46 @@ PolishOptions options_of(Known known, const test::Discs& discs, bool certify) {
   return options;
 }
 
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+/// Of processor time of this thread.
+double now() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+/// "median 12.3, worst 45.6 ms"
+std::string milliseconds(std::vector<double> seconds) {
+  std::sort(seconds.begin(), seconds.end());
+  std::array<char, 80> text{};
+  std::snprintf(text.data(), text.size(), "median %.1f, worst %.1f ms", 1e3 * seconds[seconds.size() / 2],
+                1e3 * seconds.back());
+  return text.data();
 }
 
 /// Against one of OMPL's ways to simplify.
 struct Against {
   int shorter = 0, longer = 0, invalid = 0;
-  double seconds = 0, ratio = 0;
+  std::vector<double> seconds;
+  double ratio = 0;
 
   void add(double length, const og::PathGeometric& theirs, double took, const test::Discs& discs) {
     const Points x = StateColumns(theirs.getSpaceInformation()->getStateSpace()).columns(theirs);
     shorter += length < (1 - kSame) * theirs.length() ? 1 : 0;
     longer += length > (1 + kSame) * theirs.length() ? 1 : 0;
     invalid += test::clearance_of(x, discs) < kContact ? 1 : 0;
-    seconds += took;
+    seconds.push_back(took);
     ratio += length / theirs.length();
   }
   void print(const char* name, int scenes) const {
-    std::printf("    %-28s shorter than it %3d, longer %3d; length / its %.4f; it took %.1f ms, enters a disc %d\n",
-                name, shorter, longer, ratio / scenes, 1e3 * seconds / scenes, invalid);
+    std::printf("    %-24s shorter than it %3d, longer %3d; length / its %.4f; it took %s, enters a disc %d\n", name,
+                shorter, longer, ratio / scenes, milliseconds(seconds).c_str(), invalid);
   }
 };
 
 struct Row {
   int scenes = 0, longer_than_given = 0, invalid = 0, certified = 0, polished = 0;
-  double seconds = 0, ratio = 0, deepest = 0;
+  std::vector<double> seconds;
+  double ratio = 0, deepest = 0;
   Against once, again, most;
 };
 
@@ -132,26 +149,26 @@ void scene(unsigned seed, Known known, bool certify, bool verbose, Row& row) {
   if (test::clearance_of(StateColumns(space).columns(plan), discs) < kContact) return;  // it is no plan
 
   const PolishOptions options = options_of(known, discs, certify);
-  auto begin = std::chrono::steady_clock::now();
+  double begin = now();
   const Polished ours = polish(plan, options);
-  const double seconds = seconds_since(begin);
+  const double seconds = now() - begin;
 
   const double length = ours.path->length();
   const double clearance = test::clearance_of(StateColumns(space).columns(*ours.path), discs);
   og::PathSimplifier simplifier(information);
   og::PathGeometric once = plan, again = plan, most = plan;
-  begin = std::chrono::steady_clock::now();
+  begin = now();
   simplifier.simplify(once, seconds);
-  row.once.add(length, once, seconds_since(begin), discs);
-  begin = std::chrono::steady_clock::now();
-  while (seconds_since(begin) < seconds) simplifier.simplify(again, seconds - seconds_since(begin));
-  row.again.add(length, again, seconds_since(begin), discs);
-  begin = std::chrono::steady_clock::now();
+  row.once.add(length, once, now() - begin, discs);
+  begin = now();
+  while (now() - begin < seconds) simplifier.simplify(again, seconds - (now() - begin));
+  row.again.add(length, again, now() - begin, discs);
+  begin = now();
   simplifier.simplifyMax(most);
-  row.most.add(length, most, seconds_since(begin), discs);
+  row.most.add(length, most, now() - begin, discs);
 
   ++row.scenes;
-  row.seconds += seconds;
+  row.seconds.push_back(seconds);
   row.ratio += length / plan.length();
   row.longer_than_given += length > (1 + kSame) * plan.length() ? 1 : 0;
   row.invalid += clearance < kContact || !ours.path->check() ? 1 : 0;
@@ -182,9 +199,9 @@ int main(int count, char** arguments) {
       std::printf(
           "%s, %s: %d plans; polished %d, certified %d; longer than given %d, not valid %d (deepest %.1e); length / "
           "given "
-          "%.4f; %.1f ms\n",
+          "%.4f; %s\n",
           what, certify ? "certificate" : "no certificate", row.scenes, row.polished, row.certified,
-          row.longer_than_given, row.invalid, row.deepest, row.ratio / row.scenes, 1e3 * row.seconds / row.scenes);
+          row.longer_than_given, row.invalid, row.deepest, row.ratio / row.scenes, milliseconds(row.seconds).c_str());
       row.once.print("simplify, as long", row.scenes);
       row.again.print("simplify until time is up", row.scenes);
       row.most.print("simplifyMax", row.scenes);

@@ -28,6 +28,8 @@ namespace og = ompl::geometric;
 
 constexpr int kPieces = 1000;                             ///< in which costs of paths are compared
 constexpr int kPlaces = 60;                               ///< on the given path, between which shortcuts are looked for
+constexpr int kMostRounds = 6;                            ///< of shortcuts
+constexpr double kWorthARound = 1e-3;                     ///< of the cost
 constexpr double kRounding = 1e-12;                       ///< relative: by so much no path is cheaper
 constexpr double kDeepest = 1 - 1 / std::numbers::sqrt2;  ///< of the chord between quaternions at a right angle
 
@@ -70,7 +72,7 @@ class Polishing {
       return std::move(out_);
     }
     const bool by_answer = !options_.walls && !options_.distance;
-    Points tight = with_shortcuts(space_, x_, kPlaces, monitor_);
+    Points tight = short_of(x_);
     if (by_answer) tight = pulled_tight(space_, tight, options_.find.points.value_or(kPlaces), monitor_);
     search(tight, by_answer);
     if (out_.result.path.u.cols() > 1 && take(out_.result.path.u, PolishOutcome::polished)) return std::move(out_);
@@ -80,6 +82,18 @@ class Polishing {
   }
 
  private:
+  /// Places on a path with shortcuts see farther than those on the path before.
+  Points short_of(const Points& x) const {
+    Points best = with_shortcuts(space_, x, kPlaces, monitor_);
+    for (int k = 1; k < kMostRounds; ++k) {
+      Points next = with_shortcuts(space_, best, kPlaces, monitor_);
+      const bool enough = !(space_.cost(next) < (1 - kWorthARound) * space_.cost(best));
+      best = std::move(next);
+      if (enough) break;
+    }
+    return best;
+  }
+
   /// The given path, if it is one.
   void read() {
     if (given_.getStateCount() < 2)

@@ -14,7 +14,7 @@ namespace leastcost {
 namespace {
 
 constexpr double kEnough = 1e-4;  ///< relative gain of a round that is worth another
-constexpr int kMostRounds = 8;
+constexpr int kMostPulls = 8;
 constexpr std::array<double, 4> kParts = {1, 0.5, 0.2, 0.05};  ///< of the way to a straight stretch
 
 /// The path with its vertices and points between them, no farther apart than an equal share of its length.
@@ -153,7 +153,7 @@ Points with_shortcuts(const PlanSpace& space, const Points& x, int points, const
 
 Points pulled_tight(const PlanSpace& space, const Points& x, int points, const Monitor& monitor) {
   Tightening tightening(space, divided(space, x, points));
-  for (int k = 0; k < kMostRounds && tightening.round(monitor); ++k) {
+  for (int k = 0; k < kMostPulls && tightening.round(monitor); ++k) {
   }
   return tightening.path();
 }
