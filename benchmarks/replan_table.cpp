@@ -50,7 +50,7 @@ Replanner planner_of(int points) {
 /// Without a solver: the old path is pulled tight anew.
 Replanner taut_planner_of(int points) {
   FindOptions options = options_of(points);
-  options.post_processors = {std::make_shared<const TautPostProcessor>()};
+  options.post_processors = {std::make_shared<const TautPostProcessor>(TautOptions{.excess = 1e-5})};
   return {std::make_shared<NoSolver>(), std::make_shared<RrtInitializer>(), options};
 }
 

@@ -262,8 +262,8 @@ const auto& post_processors() {
       made_of<PostProcessorPlugin, OnSurfacePostProcessor, OnSurfaceOptions>(
           "on_surface", "The solved path as a polyline that lies on a smooth domain to a tolerance.")
           .needing<HasLevelSet>(),
-      made_of<PostProcessorPlugin, TautPostProcessor>("taut",
-                                                      "The shortest path of its class among obstacles in the plane.")
+      made_of<PostProcessorPlugin, TautPostProcessor, TautOptions>(
+          "taut", "The shortest path of its class among obstacles in the plane.")
           .needing<HasConstantMetric>(),
   };
   return all;

@@ -29,14 +29,14 @@ std::string default_type(std::string_view part, const PluginEntry* manifold, boo
   return has(HasMesh::kAbility) ? "lbfgs" : "newton";  // the solver
 }
 
-/// Among obstacles under a cost that is a length, in the plane. Other obstacles than those of the plane
-/// are told by their types.
+/// Among obstacles under a cost that is a length, in the plane. Other obstacles than those of the plane are told by
+/// their types.
 bool plans_in_the_plane(const RunConfig& config) {
   const auto is = [](const PluginChoice& choice, std::initializer_list<std::string_view> types) {
     return choice && std::count(types.begin(), types.end(), choice.plugin->type) > 0;
   };
-  return !config.ring && is(config.manifold, {"euclidean"}) && is(config.cost, {"euclidean"}) && config.source &&
-         config.source->point && config.source->point->size() == 2 && !config.obstacles.empty() &&
+  return !config.ring && !config.robot && is(config.manifold, {"euclidean"}) && is(config.cost, {"euclidean"}) &&
+         config.source && config.source->point && config.source->point->size() == 2 && !config.obstacles.empty() &&
          std::all_of(config.obstacles.begin(), config.obstacles.end(), [&](const PluginChoice& obstacle) {
            return is(obstacle, {"ball", "box", "polygon", "map"});
          });

@@ -16,7 +16,7 @@
 namespace leastcost {
 namespace {
 
-constexpr double kExcess = 1e-6;  ///< relative: what a polyline around circles may be longer by
+constexpr double kOff = 1e-9;  ///< of the length: by so much a point may be off the domain
 
 const Walls& walls_in_the_plane(const Problem& problem) {
   const ConstraintManifold& manifold = *problem.manifold;
@@ -71,12 +71,24 @@ std::optional<TautPath> shorter(std::optional<TautPath> a, std::optional<TautPat
 
 }  // namespace
 
+void TautOptions::fields(FieldVisitor& visit) {
+  visit.field("excess", excess,
+              {.help = "By which part of its length the polyline around round corners may be longer than the curve.",
+               .minimum = 0,
+               .exclusive_minimum = true,
+               .maximum = 0.01});
+}
+
+TautPostProcessor::TautPostProcessor(TautOptions options) : options_(options) {
+  if (!(options.excess > 0)) throw OptionError("excess", "must be greater than 0");
+}
+
 PostProcessed TautPostProcessor::apply(const Problem& problem, const FirstPath& first, PostProcessed current,
                                        const Monitor& monitor) const {
   const Walls& walls = walls_in_the_plane(problem);
   const double unit = cost_of_length(problem);
-  const std::optional<TautPath> best = shorter(taut_path(walls, current.chain.u, kExcess, monitor.deadline),
-                                               taut_path(walls, first.path.u, kExcess, monitor.deadline));
+  const std::optional<TautPath> best = shorter(taut_path(walls, current.chain.u, options_.excess, monitor.deadline),
+                                               taut_path(walls, first.path.u, options_.excess, monitor.deadline));
   if (!best) {
     current.notes.emplace_back("taut: neither the first path nor the solved one could be pulled tight; it stays");
     return current;
@@ -84,7 +96,7 @@ PostProcessed TautPostProcessor::apply(const Problem& problem, const FirstPath& 
   CoordinatePath chain = current.chain;
   chain.u = spaced_by_length(best->polyline, chain.u.cols(), current.curve_costs);
   current.curve_costs *= unit;
-  if (problem.manifold->residual(chain) > kExcess * best->length) {
+  if (problem.manifold->residual(chain) > kOff * best->length) {
     current.notes.emplace_back("taut: the shortest path of the class would leave the domain; the solved one stays");
     return current;
   }

@@ -2,21 +2,32 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <leastcost/framework/options.hpp>
 #include <leastcost/framework/post_processor.hpp>
 
 namespace leastcost {
 
-/// The shortest path of its class among obstacles in the plane, exact but for a millionth of its length by which the
+struct TautOptions {
+  double excess = 1e-6;  ///< relative: what the polyline around circles may be longer by
+  void fields(FieldVisitor& visit);
+};
+
+/// The shortest path of its class among obstacles in the plane, exact but for a small part of its length by which the
 /// polyline around circles is longer: string pulling, then tangents. Of the first path and the solved one, as far as
 /// they are clear, the one that gives the shorter path is kept. Needs a cost that is a length, the plane or a box of
 /// it, and obstacles that are made of discs (balls, boxes, polygons, maps); elsewhere, and for a ring, apply() throws
 /// InputError that says so.
 class TautPostProcessor final : public PostProcessor {
  public:
+  /// Throws OptionError for an excess that is not greater than 0.
+  explicit TautPostProcessor(TautOptions options = {});
   std::string_view name() const override { return "taut"; }
   bool finds_its_own() const override { return true; }
   PostProcessed apply(const Problem& problem, const FirstPath& first, PostProcessed current,
                       const Monitor& monitor) const override;
+
+ private:
+  TautOptions options_;
 };
 
 }  // namespace leastcost
