@@ -75,8 +75,8 @@ void TautOptions::fields(FieldVisitor& visit) {
   visit.field("excess", excess,
               {.help = "By which part of its length the polyline around round corners may be longer than the curve.",
                .minimum = 0,
-               .exclusive_minimum = true,
-               .maximum = 0.01});
+               .maximum = 0.01,
+               .exclusive_minimum = true});
 }
 
 TautPostProcessor::TautPostProcessor(TautOptions options) : options_(options) {
