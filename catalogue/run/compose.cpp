@@ -20,6 +20,7 @@
 #include <leastcost/problems/initializers/mirrored.hpp>
 #include <leastcost/problems/manifolds/made_from_data.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
+#include <leastcost/problems/obstacles/walls_in.hpp>
 #include <leastcost/problems/robots/robot_walls.hpp>
 #include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/kinds.hpp"
@@ -78,10 +79,11 @@ std::string key_of_fault(const std::string& key, const std::vector<std::size_t>&
 /// What keeps out of a domain: obstacles in it, or those in the workspace of a robot, a configuration of which it is
 /// of.
 std::shared_ptr<const Walls> walls_of(FreeSpace::Obstacles obstacles, const std::vector<std::size_t>& entry_of,
-                                      double clearance, const std::shared_ptr<const Robot>& robot, int dimension) {
+                                      double clearance, const std::shared_ptr<const Robot>& robot,
+                                      const ConstraintManifold& domain) {
   try {
     if (robot != nullptr) return std::make_shared<const RobotWalls>(robot, std::move(obstacles), clearance);
-    return std::make_shared<const ObstacleWalls>(dimension, std::move(obstacles), clearance);
+    return walls_in(domain, std::move(obstacles), clearance);
   } catch (const OptionError& error) {
     throw OptionError(key_of_fault(error.key(), entry_of), error.what());
   }
@@ -289,9 +291,9 @@ void Composer::place_obstacles() {
            made;
   }
   const auto place = [&] {
-    const int dimension = out_.problem.manifold->dimensions().ambient;
-    out_.problem.manifold = among(walls_of(std::move(all), entry_of, config_.clearance, robot, dimension),
-                                  robot != nullptr ? "robot" : "obstacles", out_.problem.manifold);
+    const auto& domain = out_.problem.manifold;
+    out_.problem.manifold = among(walls_of(std::move(all), entry_of, config_.clearance, robot, *domain),
+                                  robot != nullptr ? "robot" : "obstacles", domain);
   };
   if (!made || !attempt(place)) return;
   context_.manifold = out_.problem.manifold;

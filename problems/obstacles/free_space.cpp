@@ -9,8 +9,7 @@
 #include <utility>
 
 #include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_origin.hpp>
-#include "problems/obstacles/origin_walls.hpp"
+#include <leastcost/problems/obstacles/walls_in.hpp>
 #include "problems/obstacles/sweep.hpp"
 
 namespace leastcost {
@@ -31,16 +30,6 @@ constexpr double kOverCores = 1.05;     ///< of half a move: what keeps it from 
 constexpr double kSameLength = 0.02;    ///< relative: by so much moves may be longer without another fit
 constexpr int kLoosened = 6;            ///< fits after which margins only grow, so that they come to an end
 constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
-
-/// Obstacles of the space that a domain lies in; among poses of a body, of the space that its origin is in.
-std::shared_ptr<const Walls> walls_in(const ConstraintManifold& domain, FreeSpace::Obstacles obstacles,
-                                      double clearance) {
-  const int ambient = domain.dimensions().ambient;
-  const auto* body = find_ability<HasOrigin>(domain);
-  if (body == nullptr) return std::make_shared<const ObstacleWalls>(ambient, std::move(obstacles), clearance);
-  return std::make_shared<const OriginWalls>(
-      ambient, std::make_shared<const ObstacleWalls>(body->origin_size(), std::move(obstacles), clearance));
-}
 
 }  // namespace
 
