@@ -106,21 +106,27 @@ std::string milliseconds(std::vector<double> seconds) {
 
 /// Against one of OMPL's ways to simplify.
 struct Against {
-  int shorter = 0, longer = 0, invalid = 0;
+  int shorter = 0, longer = 0, longer_than_valid = 0, invalid = 0;
   std::vector<double> seconds;
-  double ratio = 0;
+  double ratio = 0, worst = 0;
 
   void add(double length, const og::PathGeometric& theirs, double took, const test::Discs& discs) {
     const Points x = StateColumns(theirs.getSpaceInformation()->getStateSpace()).columns(theirs);
+    const bool enters = test::clearance_of(x, discs)<kContact, beaten = length>(1 + kSame) * theirs.length();
     shorter += length < (1 - kSame) * theirs.length() ? 1 : 0;
-    longer += length > (1 + kSame) * theirs.length() ? 1 : 0;
-    invalid += test::clearance_of(x, discs) < kContact ? 1 : 0;
+    longer += beaten ? 1 : 0;
+    longer_than_valid += beaten && !enters ? 1 : 0;
+    invalid += enters ? 1 : 0;
     seconds.push_back(took);
     ratio += length / theirs.length();
+    worst = std::max(worst, length / theirs.length());
   }
   void print(const char* name, int scenes) const {
-    std::printf("    %-24s shorter than it %3d, longer %3d; length / its %.4f; it took %s, enters a disc %d\n", name,
-                shorter, longer, ratio / scenes, milliseconds(seconds).c_str(), invalid);
+    std::printf(
+        "    %-24s shorter than it %3d, longer %3d (than a valid path %d); length / its %.4f, at most %.4f; it took "
+        "%s, "
+        "enters a disc %d\n",
+        name, shorter, longer, longer_than_valid, ratio / scenes, worst, milliseconds(seconds).c_str(), invalid);
   }
 };
 

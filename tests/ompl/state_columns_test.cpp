@@ -143,7 +143,8 @@ TEST_CASE("ompl columns: the domain of poses is a domain") {
     place.tail(4) *= (1 + 0.1 * normal(random)) / place.tail(4).norm();
     return place;
   };
-  for (const Fault& fault : check_manifold(*StateColumns(poses()).domain(), near, engine)) FAIL_CHECK(fault.name + ": " + fault.message);
+  for (const Fault& fault : check_manifold(*StateColumns(poses()).domain(), near, engine))
+    FAIL_CHECK(fault.name + ": " + fault.message);
 }
 
 TEST_CASE("ompl columns: what is none of these spaces is refused by its name") {
