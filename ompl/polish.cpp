@@ -59,6 +59,7 @@ class Polishing {
         states_(path.getSpaceInformation()->getStateSpace()),
         domain_(options.domain ? options.domain : states_.domain()),
         space_(path.getSpaceInformation(), states_, domain_, options.cost ? options.cost : states_.length()) {
+    check_parts();
     read();
     set_problem();
   }
@@ -73,7 +74,7 @@ class Polishing {
     }
     const bool by_answer = !options_.walls && !options_.distance;
     Points tight = short_of(x_);
-    if (by_answer) tight = pulled_tight(space_, tight, options_.find.points.value_or(kPlaces), monitor_);
+    if (by_answer) tight = pulled_tight(space_, tight, *options_.find.points, monitor_);
     search(tight, by_answer);
     if (out_.result.path.u.cols() > 1 && take(out_.result.path.u, PolishOutcome::polished)) return std::move(out_);
     take(tight, PolishOutcome::tightened);
@@ -94,6 +95,27 @@ class Polishing {
     return best;
   }
 
+  void check_parts() const {
+    if (!given_.getSpaceInformation()->isSetup())
+      throw InputError("the space is not set up: call setup() of its SpaceInformation");
+    if (options_.walls && options_.distance) throw InputError("obstacles: give walls or a distance, not both");
+    check(options_.find);
+    if (!options_.find.points) throw InputError("polishing needs a number of points");
+    if (!options_.find.post_processors.empty())
+      throw InputError("a polished path is the chain itself: post-processors would make another curve of it");
+    const Dimensions dimensions = domain_->dimensions();
+    if (dimensions.coordinate != states_.rows() || dimensions.ambient != states_.rows())
+      throw InputError("states of the space have " + std::to_string(states_.rows()) + " rows, the domain has " +
+                       std::to_string(dimensions.coordinate) + " coordinates in " + std::to_string(dimensions.ambient) +
+                       " dimensions");
+    if (find_ability<HasChart>(*domain_) != nullptr)
+      throw InputError("the domain is given by a chart, whose coordinates are no states of the space");
+    const auto cost = options_.cost ? options_.cost : states_.length();
+    if (cost->dim() != states_.rows())
+      throw InputError("the cost has " + std::to_string(cost->dim()) + " dimensions, states of the space " +
+                       std::to_string(states_.rows()));
+  }
+
   /// The given path, if it is one.
   void read() {
     if (given_.getStateCount() < 2)
@@ -110,21 +132,11 @@ class Polishing {
   }
 
   void set_problem() {
-    if (options_.walls && options_.distance) throw InputError("obstacles: give walls or a distance, not both");
-    check(options_.find);
-    const Dimensions dimensions = domain_->dimensions();
-    if (dimensions.coordinate != states_.rows() || dimensions.ambient != states_.rows())
-      throw InputError("states of the space have " + std::to_string(states_.rows()) + " rows, the domain has " +
-                       std::to_string(dimensions.coordinate) + " coordinates in " + std::to_string(dimensions.ambient) +
-                       " dimensions");
     problem_.manifold = std::make_shared<FreeSpace>(domain_, walls());
     problem_.cost = options_.cost ? options_.cost : states_.length();
     problem_.kernel = options_.kernel ? options_.kernel : make_kernel<Expm1Square>();
     problem_.source.u = x_.col(0);
     problem_.target.u = x_.rightCols(1);
-    if (problem_.cost->dim() != states_.rows())
-      throw InputError("the cost has " + std::to_string(problem_.cost->dim()) + " dimensions, states of the space " +
-                       std::to_string(states_.rows()));
   }
 
   std::shared_ptr<const Walls> walls() {
@@ -132,9 +144,10 @@ class Polishing {
     const Index rows = states_.rows();
     if (!options_.distance) {
       const double longest = given_.getSpaceInformation()->getStateSpace()->getLongestValidSegmentLength();
+      const double size = x_.cwiseAbs().maxCoeff();
       return make_checker_walls(rows, FreeChecker{.is_free = [this](const auto& x) { return space_.is_free(x); },
                                                   .resolution = longest / states_.steepness(),
-                                                  .size = x_.cwiseAbs().maxCoeff(),
+                                                  .size = size > 0 ? size : 1,
                                                   .name = "the planner's checker"});
     }
     DistanceChecker checker = *options_.distance;

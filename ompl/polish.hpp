@@ -26,7 +26,7 @@ struct PolishOptions {
   /// Its function is, unless given, clearance() of the planner's checker, a signed distance in the columns: say its
   /// Lipschitz constant. Then clearances are proved.
   std::optional<DistanceChecker> distance = {};
-  FindOptions find = {.points = 100};
+  FindOptions find = {.points = 100};         ///< points are a number; without post-processors
   std::shared_ptr<const Solver> solver = {};  ///< else Newton
   std::shared_ptr<const Kernel> kernel = {};  ///< else Expm1Square
 };
@@ -51,16 +51,17 @@ struct Polished {
 
 /// A planner's path, improved: never dearer than it was given, and valid in the words of the planner (its checker at
 /// every state, its motion validator at every move, the bounds of the space) and by the clearance of its moves. A path
-/// that is better but not valid is not returned: `why` says so.
+/// that is better but not valid is not returned: `why` says so. Of a path that comes back as it was given the states
+/// are valid; its moves are the planner's.
 ///
 /// First the path is pulled tight by shortcuts, then find_path() begins there. The path may end up on another side of
 /// an obstacle, where that is cheaper. Costs are compared on both paths in small pieces where a long move would not
 /// have the cost of its parts.
 ///
 /// Deadline and stop of the monitor hold for both; then the paths are looked at, which takes about as long as the
-/// planner's check of the given path. Throws InputError for a path with less than two states, with a state that is not
-/// valid, or whose moves are not straight in the columns (Dubins curves), for parts that do not fit, and for a cost
-/// that is infinite on the given path.
+/// planner's check of the given path. Throws InputError for a space that is not set up, a path with less than two
+/// states, with a state that is not valid, or whose moves are not straight in the columns (Dubins curves), for parts
+/// that do not fit, and for a cost that is infinite on the given path.
 Polished polish(const ompl::geometric::PathGeometric& path, const PolishOptions& options = {},
                 const Monitor& monitor = {});
 

@@ -10,6 +10,7 @@
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
+#include <leastcost/problems/manifolds/implicit.hpp>
 #include <leastcost/problems/obstacles/obstacle_walls.hpp>
 #include "tests/ompl/plans.hpp"
 
@@ -175,6 +176,22 @@ TEST_CASE("polish: planar poses among discs") {
   CHECK(clearance_of(columns_of(*ours.path).topRows(2), {{0, 0, 1}}) >= kContact);
 }
 
+TEST_CASE("polish: planar poses by yes or no are shorter and valid") {
+  const PlannerSpace space = among(planar_poses(), {{0, 0, 1}});
+  Points given(3, 4);
+  given << -2, -1, 2, 2,  //
+      0, 3, 2, 0,         //
+      3, 4, 5, 4;
+  const PlannerPath plan = path_through(space, given);
+  REQUIRE(plan.check());
+  const Polished ours = polish(plan);
+  CHECK(ours.outcome == PolishOutcome::tightened);
+  CHECK(ours.path->check());
+  CHECK(ours.cost < 0.7 * ours.given_cost);
+  CHECK(ours.cost == Approx(std::hypot(kAroundOne, 0.5 * 1)).epsilon(0.01));
+  CHECK(clearance_of(columns_of(*ours.path).topRows(2), {{0, 0, 1}}) >= -1e-3);
+}
+
 TEST_CASE("polish: poses in space: a straight line and the shortest turn, weighed as the space weighs them") {
   const PlannerSpace space = open_space(poses());
   Points given = Points::Zero(7, 4);
@@ -234,6 +251,7 @@ TEST_CASE("polish: what cannot be improved comes back as it was given") {
   const Polished nothing = polish(path_through(space, Points::Ones(2, 3)));
   CHECK(nothing.outcome == PolishOutcome::given);
   CHECK(nothing.why == "the given path costs nothing");
+  CHECK(polish(path_through(space, Points::Zero(2, 2))).outcome == PolishOutcome::given);
 }
 
 TEST_CASE("polish: no time: the given path, valid and at most as dear") {
@@ -276,6 +294,11 @@ TEST_CASE("polish: parts that do not fit") {
   wrong.distance->lipschitz = -1;
   CHECK_THROWS_AS(polish(plan, wrong), OptionError);
   CHECK_THROWS_AS(polish(plan, {.find = {.points = 0}}), InputError);
+  CHECK_THROWS_WITH(polish(plan, {.find = {.points = std::nullopt}}), Catch::Contains("a number of points"));
+  const auto ball = make_implicit_manifold({.surface = implicit::Sphere{}});
+  CHECK_THROWS_WITH(polish(plan, {.domain = ball}), Catch::Contains("states of the space have 2 rows"));
+  const auto new_space = std::make_shared<ob::SpaceInformation>(square());
+  CHECK_THROWS_WITH(polish(path_through(new_space, detour())), Catch::Contains("the space is not set up"));
 }
 
 TEST_CASE("polish: moves that are not straight in the columns are refused") {
