@@ -204,13 +204,13 @@ class Polishing {
   bool take(const Points& x, PolishOutcome outcome) {
     const double cost = space_.cost(x, length_of(x) / kPieces);
     if (!(cost < (1 - kRounding) * out_.cost)) {
-      if (out_.why.empty()) out_.why = "it would cost " + short_number(cost) + ", no less than this path";
+      say("it would cost " + short_number(cost) + ", no less than this path", outcome);
       return false;
     }
     const std::optional<Clearance> clearance = clearance_of(x);
-    std::string fault = fault_of(x, clearance);
+    const std::string fault = fault_of(x, clearance);
     if (!fault.empty()) {
-      if (out_.why.empty()) out_.why = std::move(fault);
+      say(fault, outcome);
       return false;
     }
     out_.outcome = outcome;
@@ -221,6 +221,11 @@ class Polishing {
     space->copyState(out_.path->getStates().front(), given_.getState(0));
     space->copyState(out_.path->getStates().back(), given_.getState(static_cast<unsigned>(x_.cols() - 1)));
     return true;
+  }
+
+  void say(const std::string& fault, PolishOutcome outcome) {
+    if (outcome == PolishOutcome::tightened && !out_.why.empty()) out_.why += "; with shortcuts alone ";
+    out_.why += fault;
   }
 
   std::optional<Clearance> clearance_of(const Points& x) const {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/ompl/polish.hpp>
 
+#include <ompl/base/OptimizationObjective.h>
 #include <ompl/base/spaces/DubinsStateSpace.h>
 #include <ompl/geometric/SimpleSetup.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
@@ -235,6 +236,18 @@ TEST_CASE("polish: another cost than the length") {
   CHECK(ours.cost < ours.given_cost / 2);
   CHECK(columns_of(*ours.path).row(0).minCoeff() < 1);  // not straight: it goes where it is cheaper
   CHECK(ours.cost == Approx(ours.result.certificate.estimate.value).epsilon(1e-3));
+}
+
+TEST_CASE("polish: the same plan gives the same path, and OMPL finds the cost that is said") {
+  const PlannerSpace space = among(square(), {{5, 5, 1}, {6, 6.2, 0.5}});
+  const PlannerPath plan = path_through(space, detour());
+  REQUIRE(plan.check());
+  for (const PolishOptions& options : {with_distance(0.5), PolishOptions{}}) {
+    const Polished one = polish(plan, options), other = polish(plan, options);
+    CHECK(columns_of(*one.path) == columns_of(*other.path));
+    CHECK(one.path->cost(make_objective(space, make_euclidean_cost(2))).value() == Approx(one.cost).epsilon(1e-12));
+    CHECK(one.path->length() == Approx(one.cost).epsilon(1e-12));
+  }
 }
 
 TEST_CASE("polish: what cannot be improved comes back as it was given") {
