@@ -3,11 +3,13 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 
 #include <leastcost/framework/manifold.hpp>
 #include <leastcost/framework/path.hpp>
 #include <leastcost/framework/segment_cost.hpp>
 #include <leastcost/ompl/state_columns.hpp>
+#include <leastcost/problems/obstacles/walls.hpp>
 
 namespace leastcost {
 
@@ -22,7 +24,9 @@ class PlanSpace {
   PlanSpace& operator=(const PlanSpace&) = delete;
 
   bool is_free(const Eigen::VectorXd& x) const;  ///< in bounds, and valid
+  /// By the planner's motion validator, and clear of the walls where there are any to look at.
   bool moves(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
+  void look_at(std::shared_ptr<const Walls> walls) { walls_ = std::move(walls); }
   /// As the checker of the planner says.
   double clearance(const Eigen::VectorXd& x) const;
   /// Whether the planner's own move between states is straight in the columns.
@@ -40,6 +44,7 @@ class PlanSpace {
   StateColumns columns_;
   std::shared_ptr<const ConstraintManifold> domain_;
   std::shared_ptr<const SegmentCost> cost_;
+  std::shared_ptr<const Walls> walls_ = {};
   ompl::base::State *from_, *to_, *middle_;
 };
 

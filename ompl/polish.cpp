@@ -73,6 +73,8 @@ class Polishing {
       return std::move(out_);
     }
     const bool by_answer = !options_.walls && !options_.distance;
+    // Then what the planner has not seen on its own path it need not see on ours.
+    heeds_clearance_ = !by_answer || !touches(x_, clearance_of(x_));
     Points tight = short_of(x_);
     if (by_answer) tight = pulled_tight(space_, tight, *options_.find.points, monitor_);
     search(tight, by_answer);
@@ -132,7 +134,10 @@ class Polishing {
   }
 
   void set_problem() {
-    problem_.manifold = std::make_shared<FreeSpace>(domain_, walls());
+    const std::shared_ptr<const Walls> obstacles = walls();
+    problem_.manifold = std::make_shared<FreeSpace>(domain_, obstacles);
+    // They ask at other places than the planner does.
+    if (!options_.walls && !options_.distance) space_.look_at(obstacles);
     problem_.cost = options_.cost ? options_.cost : states_.length();
     problem_.kernel = options_.kernel ? options_.kernel : make_kernel<Expm1Square>();
     problem_.source.u = x_.col(0);
@@ -232,9 +237,13 @@ class Polishing {
     return measure_clearance(*problem_.manifold, x, false, {});
   }
 
-  std::string fault_of(const Points& x, const std::optional<Clearance>& clearance) const {
+  bool touches(const Points& x, const std::optional<Clearance>& clearance) const {
     const double extent = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm();
-    if (clearance && !(clearance->lower >= -options_.find.certificate.clearance * extent))
+    return clearance && !(clearance->lower >= -options_.find.certificate.clearance * extent);
+  }
+
+  std::string fault_of(const Points& x, const std::optional<Clearance>& clearance) const {
+    if (heeds_clearance_ && touches(x, clearance))
       return "it would come " + short_number(std::abs(clearance->upper)) + " too near to " + clearance->obstacle;
     for (Index i = 0; i < x.cols(); ++i)
       if (!space_.is_free(x.col(i))) return "the planner's checker refuses its place " + point_text(x.col(i));
@@ -252,6 +261,7 @@ class Polishing {
   PlanSpace space_;
   Points x_;
   Problem problem_;
+  bool heeds_clearance_ = true;
   Polished out_;
 };
 

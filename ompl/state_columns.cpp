@@ -112,7 +112,10 @@ void StateColumns::write(const Eigen::VectorXd& column, ob::State& state) const 
   for (const Part& part : parts_) {
     Eigen::Map<Eigen::VectorXd> to(values(part, state), part.count);
     to = column.segment(part.row, part.count);
-    if (part.kind == Kind::angle) to[0] = std::remainder(to[0], 2 * std::numbers::pi);
+    if (part.kind == Kind::angle) {  // OMPL's bounds are those of [-pi, pi), and it aborts beyond them
+      to[0] = std::remainder(to[0], 2 * std::numbers::pi);
+      if (!(to[0] < std::numbers::pi)) to[0] = -std::numbers::pi;
+    }
     if (part.kind == Kind::quaternion) to /= to.norm();
   }
 }

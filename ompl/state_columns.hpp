@@ -37,7 +37,7 @@ class StateColumns {
   Eigen::VectorXd column(const ompl::base::State& state) const;
   /// Throws InputError for a state whose numbers are not finite, or a quaternion of no length.
   Points columns(const ompl::geometric::PathGeometric& path) const;
-  /// Angles are brought into [-pi, pi], quaternions to length one.
+  /// Angles are brought into [-pi, pi), quaternions to length one.
   void write(const Eigen::VectorXd& column, ompl::base::State& state) const;
   /// A state per column. Throws InputError for columns of another size.
   std::shared_ptr<ompl::geometric::PathGeometric> path(const std::shared_ptr<ompl::base::SpaceInformation>& space,

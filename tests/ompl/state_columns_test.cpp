@@ -68,6 +68,19 @@ TEST_CASE("ompl columns: the rows of a pose are x, y, yaw") {
   CHECK(StateColumns(space->getStateSpace()).column(*state.get()) == Eigen::Vector3d(1, -2, 0.5));
 }
 
+TEST_CASE("ompl columns: half a turn is within OMPL's bounds, whichever way around") {
+  const PlannerSpace space = open_space(planar_poses());
+  const StateColumns columns(space->getStateSpace());
+  ob::ScopedState<ob::SE2StateSpace> state(space);
+  for (const double turns : {-2.5, -1.5, -0.5, 0.5, 1.5, 2.5}) {
+    const double angle = turns * 2 * std::numbers::pi;
+    columns.write(Eigen::Vector3d(0, 0, angle), *state.get());
+    CHECK(space->satisfiesBounds(state.get()));
+    CHECK(std::cos(state->getYaw()) == Approx(-1));
+    CHECK(columns.column(*state.get())[2] == Approx(-std::numbers::pi));
+  }
+}
+
 TEST_CASE("ompl columns: an angle goes on beyond the seam, the shorter way around as OMPL goes") {
   const PlannerSpace space = open_space(planar_poses());
   Points given(3, 6);  // three quarters of a turn at a time would go the other way: steps of 2 go on and on
