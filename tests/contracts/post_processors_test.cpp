@@ -124,7 +124,7 @@ TEST_CASE("post_processor contract: taut", "[contract]") {
     CHECK(points.col(0) == problem.source.u);
     CHECK(points.rightCols(1) == problem.target.u);
   }
-  CHECK(measure_clearance(*problem.manifold, made.curve.x, false, {})->lower >= -1e-14);
+  CHECK(measure_clearance(*problem.manifold, made.curve.x, false, {})->lower >= -1e-13);
   const Eigen::VectorXd costs =
       segment_costs(*problem.cost, {{made.curve.x.data(), 2, made.curve.x.cols()}, {}, false});
   CHECK(made.curve.cost == Approx(costs.sum()).epsilon(1e-13));
