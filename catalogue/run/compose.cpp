@@ -20,7 +20,6 @@
 #include <leastcost/problems/initializers/mirrored.hpp>
 #include <leastcost/problems/manifolds/made_from_data.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
-#include <leastcost/problems/obstacles/walls_in.hpp>
 #include <leastcost/problems/robots/robot_walls.hpp>
 #include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/kinds.hpp"
@@ -28,6 +27,7 @@
 #include "catalogue/run/ends.hpp"
 #include "catalogue/run/memory.hpp"
 #include "problems/formula/coordinate_names.hpp"
+#include "problems/obstacles/walls_in.hpp"
 
 namespace leastcost {
 namespace {

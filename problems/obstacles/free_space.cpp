@@ -9,8 +9,8 @@
 #include <utility>
 
 #include <leastcost/framework/errors.hpp>
-#include <leastcost/problems/obstacles/walls_in.hpp>
 #include "problems/obstacles/sweep.hpp"
+#include "problems/obstacles/walls_in.hpp"
 
 namespace leastcost {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/problems/obstacles/walls_in.hpp>
+#include "problems/obstacles/walls_in.hpp"
 
 #include <utility>
 
