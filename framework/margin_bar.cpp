@@ -51,15 +51,15 @@ double margin_bar(const Problem& problem, const Refinement& refinement, const De
     levels.push_back(costs_by_obstacle(problem, refinement, k, deadline));
   if (levels.empty()) return 0;
   double bar = 0;
-  for (const auto& [obstacle, cost] : levels.back()) {
-    double finer = cost;
+  for (const auto& margin : levels.back()) {  // obstacle and cost
+    double finer = margin.second;
     const bool falls = std::all_of(std::next(levels.rbegin()), levels.rend(), [&](const auto& level) {
-      const auto found = level.find(obstacle);
+      const auto found = level.find(margin.first);
       const bool less = found != level.end() && kFalls * finer <= found->second;
       if (less) finer = found->second;
       return less;
     });
-    if (!falls) bar += cost;
+    if (!falls) bar += margin.second;
   }
   return bar;
 }

@@ -15,7 +15,7 @@
 namespace leastcost {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoBound = std::numeric_limits<double>::infinity();
 
 /// Why a domain can be no factor; empty: it can.
 std::string why_no_factor(const ConstraintManifold* domain) {
@@ -37,7 +37,7 @@ std::string why_no_factor(const ConstraintManifold* domain) {
 std::pair<Eigen::VectorXd, Eigen::VectorXd> box_of_factor(const ConstraintManifold& domain) {
   if (const auto* box = find_ability<HasBox>(domain)) return {box->box_lower(), box->box_upper()};
   const Index size = domain.dimensions().coordinate;
-  return {Eigen::VectorXd::Constant(size, -kInfinity), Eigen::VectorXd::Constant(size, kInfinity)};
+  return {Eigen::VectorXd::Constant(size, -kNoBound), Eigen::VectorXd::Constant(size, kNoBound)};
 }
 
 /// The bounds of a factor, where there are some: a box without sides bounds nothing.

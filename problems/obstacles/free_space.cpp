@@ -423,6 +423,7 @@ std::vector<MarginCost> FreeSpace::margin_costs(const CoordinatePath& path, cons
     }
   }
   std::vector<MarginCost> listed;
+  listed.reserve(costs.size());
   for (const auto& [obstacle, cost] : costs) listed.push_back({obstacle, cost});
   return listed;
 }
