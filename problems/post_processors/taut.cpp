@@ -87,8 +87,9 @@ PostProcessed TautPostProcessor::apply(const Problem& problem, const FirstPath& 
                                        const Monitor& monitor) const {
   const Walls& walls = walls_in_the_plane(problem);
   const double unit = cost_of_length(problem);
-  const std::optional<TautPath> best = shorter(taut_path(walls, current.chain.u, options_.excess, monitor.deadline),
-                                               taut_path(walls, first.path.u, options_.excess, monitor.deadline));
+  std::optional<TautPath> best = taut_path(walls, first.path.u, options_.excess, monitor.deadline);
+  if (!best || !of_one_class(walls, first.path.u, current.chain.u))
+    best = shorter(std::move(best), taut_path(walls, current.chain.u, options_.excess, monitor.deadline));
   if (!best) {
     current.notes.emplace_back("taut: neither the first path nor the solved one could be pulled tight; it stays");
     return current;

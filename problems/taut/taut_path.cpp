@@ -34,15 +34,6 @@ double length_of(const Points& path) {
   return (path.rightCols(path.cols() - 1) - path.leftCols(path.cols() - 1)).colwise().norm().sum();
 }
 
-bool of_one_class(const Walls& walls, const Points& a, const Points& b) {
-  constexpr double kFar = std::numeric_limits<double>::max();
-  const double left = std::min(a.row(0).minCoeff(), b.row(0).minCoeff());
-  const double right = std::max(a.row(0).maxCoeff(), b.row(0).maxCoeff());
-  const double top = std::max(a.row(1).maxCoeff(), b.row(1).maxCoeff());
-  const auto rounds = walls.rounds({Point2(left, -kFar), Point2(right, top)});
-  return rounds && crossing_word(*rounds, a) == crossing_word(*rounds, b);
-}
-
 /// Whether something stands in the way of the short cuts over a corner: of the longest, between the middles of its
 /// sides, or of one nearer to the corner, which cannot be moved over what stands there either.
 bool is_held(const Walls& walls, const Point2& corner, const Point2& in, const Point2& out, double turn, double least) {
@@ -52,6 +43,15 @@ bool is_held(const Walls& walls, const Point2& corner, const Point2& in, const P
 }
 
 }  // namespace
+
+bool of_one_class(const Walls& walls, const Points& a, const Points& b) {
+  constexpr double kFar = std::numeric_limits<double>::max();
+  const double left = std::min(a.row(0).minCoeff(), b.row(0).minCoeff());
+  const double right = std::max(a.row(0).maxCoeff(), b.row(0).maxCoeff());
+  const double top = std::max(a.row(1).maxCoeff(), b.row(1).maxCoeff());
+  const auto rounds = walls.rounds({Point2(left, -kFar), Point2(right, top)});
+  return rounds && crossing_word(*rounds, a) == crossing_word(*rounds, b);
+}
 
 std::optional<TautPath> taut_path(const Walls& walls, const Points& start, double excess, const Deadline& deadline) {
   if (walls.dimension() != 2 || start.cols() < 2 || !clear(walls, start, deadline)) return std::nullopt;

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+// Plans among 25 discs in the plane, pulled tight from a path on a grid: against the shortest of all (a tangent graph
+// that shares no code with ours), and in times of the search on the grid.
+#include <time.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include <leastcost/framework/find_path.hpp>
+#include <leastcost/problems/costs/euclidean.hpp>
+#include <leastcost/problems/initializers/grid.hpp>
+#include <leastcost/problems/kernels/kernels.hpp>
+#include <leastcost/problems/manifolds/euclidean.hpp>
+#include <leastcost/problems/obstacles/ball.hpp>
+#include <leastcost/problems/obstacles/free_space.hpp>
+#include <leastcost/problems/post_processors/taut.hpp>
+#include <leastcost/solvers/no_solver.hpp>
+#include "tests/adversarial/planning/judge/tangent_graph.hpp"
+
+namespace {
+
+using namespace leastcost;
+using Eigen::Vector2d;
+
+constexpr int kDiscs = 25, kPoints = 100;
+constexpr double kSameClass = 2e-6;  ///< relative: an excess of the polyline, not of another class
+
+double thread_seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+struct Scene {
+  judge::Scene judged;
+  Problem problem;
+};
+
+Scene scene_of(unsigned seed) {
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> place(0, 10), size(0.3, 1);
+  Scene scene;
+  scene.judged.source = {0, 0};
+  scene.judged.target = {10, 10};
+  FreeSpace::Obstacles discs;
+  while (discs.size() < kDiscs) {
+    const Vector2d center(place(engine), place(engine));
+    const double radius = size(engine);
+    if (std::min(center.norm(), (center - Vector2d(10, 10)).norm()) < radius + 0.1) continue;
+    discs.push_back(make_ball({.center = center, .radius = radius}));
+    scene.judged.things.push_back({judge::Thing::Kind::ball, radius, {{center[0], center[1]}}});
+  }
+  const auto plane = std::make_shared<const EuclideanManifold>(EuclideanManifoldOptions{.dimension = 2});
+  scene.problem.manifold = std::make_shared<const FreeSpace>(plane, std::move(discs), 0);
+  scene.problem.cost = make_euclidean_cost(2);
+  scene.problem.kernel = make_kernel(Expm1Square{});
+  scene.problem.source = {Vector2d(0, 0)};
+  scene.problem.target = {Vector2d(10, 10)};
+  return scene;
+}
+
+double quantile_of(std::vector<double> values, double part) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  return values[std::min(values.size() - 1, static_cast<std::size_t>(part * static_cast<double>(values.size())))];
+}
+
+}  // namespace
+
+/// Arguments: how many scenes, the first seed; 1000 and 1 unless given.
+int main(int count, char** arguments) {
+  const int scenes = count > 1 ? std::atoi(arguments[1]) : 1000;
+  const auto first = static_cast<unsigned>(count > 2 ? std::atoi(arguments[2]) : 1);
+  FindOptions options;
+  options.points = kPoints;
+  options.post_processors = {std::make_shared<const TautPostProcessor>()};
+  int found = 0, certified = 0, closed = 0;
+  std::vector<double> shortest, excess, times;
+  for (unsigned seed = first; seed < first + static_cast<unsigned>(scenes); ++seed) {
+    const Scene scene = scene_of(seed);
+    const auto best = judge::shortest_among_discs(scene.judged);
+    if (!best) {
+      ++closed;
+      continue;
+    }
+    try {
+      const double begin = thread_seconds();
+      GridInitializer().first_path(scene.problem, {});
+      const double searched = thread_seconds();
+      const Result result = find_path(scene.problem, GridInitializer(), NoSolver(), options);
+      const double all = thread_seconds();
+      ++found;
+      certified += result.status == Status::certified ? 1 : 0;
+      times.push_back((all - searched) / (searched - begin) - 1);
+      const double too_long = result.curve.cost / *best - 1;
+      (too_long < kSameClass ? shortest : excess).push_back(too_long);
+    } catch (const std::exception& error) {
+      std::printf("seed %u: %s\n", seed, error.what());
+    }
+  }
+  std::printf("%d scenes: %d closed, %d found, %d certified\n", scenes, closed, found, certified);
+  std::printf("in the class of the shortest: %zu, excess median %.1e, worst %.1e\n", shortest.size(),
+              quantile_of(shortest, 0.5), quantile_of(shortest, 1));
+  std::printf("in another class: %zu, longer than the shortest of all by: median %.1e, worst %.1e\n", excess.size(),
+              quantile_of(excess, 0.5), quantile_of(excess, 1));
+  std::printf("taut, spaced and certified, in times of the search on the grid: median %.2f, p99 %.2f, worst %.2f\n",
+              quantile_of(times, 0.5), quantile_of(times, 0.99), quantile_of(times, 1));
+}
