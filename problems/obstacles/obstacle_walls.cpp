@@ -105,7 +105,9 @@ MoveClearance ObstacleWalls::clearance(const Vector& a, const Vector& b) const {
   }
   for (const int i : found) {
     double t = 0;
-    const double distance = obstacle(i).distance_of_segment(a, b, t) - required(i);
+    const double from_core = obstacle(i).distance_of_segment(a, b, t);
+    // Through a core it goes as deep as that is wide, at most: where little is required that is no rounding.
+    const double distance = (from_core > 0 ? from_core : -width(i)) - required(i);
     if (distance >= least.upper) continue;
     least = {distance - kOfCoordinates * (size + required(i)), distance, i, a + t * (b - a)};
   }

@@ -36,6 +36,7 @@ class ObstacleWalls final : public Walls {
  private:
   const Obstacle& obstacle(int i) const { return *obstacles_[static_cast<std::size_t>(i)]; }
   double required(int i) const { return obstacle(i).radius() + clearance_; }
+  double width(int i) const { return obstacle(i).core_bounds().diagonal().norm(); }
 
   Eigen::Index dimension_;
   Obstacles obstacles_;

@@ -16,6 +16,8 @@
 namespace leastcost {
 namespace {
 
+constexpr double kLeastExcess = 1e-10;  ///< a full circle is then a polyline of 200,000 sides
+constexpr double kMostExcess = 0.01;
 constexpr double kOff = 1e-9;  ///< of the length: by so much a point may be off the domain
 
 const Walls& walls_in_the_plane(const Problem& problem) {
@@ -74,13 +76,13 @@ std::optional<TautPath> shorter(std::optional<TautPath> a, std::optional<TautPat
 void TautOptions::fields(FieldVisitor& visit) {
   visit.field("excess", excess,
               {.help = "By which part of its length the polyline around round corners may be longer than the curve.",
-               .minimum = 0,
-               .maximum = 0.01,
-               .exclusive_minimum = true});
+               .minimum = kLeastExcess,
+               .maximum = kMostExcess});
 }
 
 TautPostProcessor::TautPostProcessor(TautOptions options) : options_(options) {
-  if (!(options.excess > 0)) throw OptionError("excess", "must be greater than 0");
+  if (!(options.excess >= kLeastExcess && options.excess <= kMostExcess))
+    throw OptionError("excess", "must be from 1e-10 to 0.01");
 }
 
 PostProcessed TautPostProcessor::apply(const Problem& problem, const FirstPath& first, PostProcessed current,
@@ -97,8 +99,11 @@ PostProcessed TautPostProcessor::apply(const Problem& problem, const FirstPath& 
   CoordinatePath chain = current.chain;
   chain.u = spaced_by_length(best->polyline, chain.u.cols(), current.curve_costs);
   current.curve_costs *= unit;
-  if (problem.manifold->residual(chain) > kOff * best->length) {
-    current.notes.emplace_back("taut: the shortest path of the class would leave the domain; the solved one stays");
+  const CoordinatePath corners{best->polyline, {}, false};
+  if (problem.manifold->residual(corners) > kOff * best->length) {
+    current.notes.emplace_back(
+        "taut: the shortest path of the class, or the polyline around it, would leave the domain; the solved one "
+        "stays");
     return current;
   }
   current.chain = std::move(chain);

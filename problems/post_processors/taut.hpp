@@ -19,7 +19,7 @@ struct TautOptions {
 /// InputError that says so.
 class TautPostProcessor final : public PostProcessor {
  public:
-  /// Throws OptionError for an excess that is not greater than 0.
+  /// Throws OptionError for an excess below 1e-10 or above 0.01.
   explicit TautPostProcessor(TautOptions options = {});
   std::string_view name() const override { return "taut"; }
   bool finds_its_own() const override { return true; }

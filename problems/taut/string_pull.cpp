@@ -88,8 +88,7 @@ class StringPull {
   std::optional<std::vector<Corner>> cut(const Corner& a, const Corner& p, const Corner& b) {
     const Point2 in = p.at - a.at, out = b.at - p.at;
     const double area = cross(in, out), turn = area > 0 ? 1 : -1;
-    none_ = kRounding * size_ * std::max(in.norm(), out.norm());
-    if (std::abs(area) <= none_) return std::vector<Corner>{};
+    if (std::abs(area) <= none(std::max(in.norm(), out.norm()))) return std::vector<Corner>{};
     if (p.round) {
       const Point2 to_center = p.round->center - p.at;
       if (turn * cross(in, to_center) > 0 && turn * cross(out, to_center) > 0) return std::nullopt;  // it is held
@@ -112,6 +111,9 @@ class StringPull {
     return hull;
   }
 
+  /// An area beside a side of the given length that is none.
+  double none(double side) const { return kRounding * size_ * side; }
+
   /// Points of circles in a triangle, on its edges a-p and p-b as well, but not on a-b.
   std::vector<Corner> standing_in(const Point2& a, const Point2& p, const Point2& b, double turn) {
     Eigen::AlignedBox2d box(a);
@@ -121,14 +123,15 @@ class StringPull {
     known_ = rounds.has_value();
     std::vector<Corner> inside;
     if (!known_) return inside;
+    const double of_in = none((p - a).norm()), of_out = none((b - p).norm()), of_cut = none((b - a).norm());
     for (const Round& round : *rounds) {
       if (box.exteriorDistance(round.center) > round.radius) continue;
       for (int k = 0; k < kPointsOfCircle; ++k) {
         const double angle = 2 * std::numbers::pi * k / kPointsOfCircle;
         const Point2 at = round.center + round.radius * Point2(std::cos(angle), std::sin(angle));
         if (at == p) continue;  // of a disc that does not hold it
-        if (turn * cross(p - a, at - a) >= -none_ && turn * cross(b - p, at - p) >= -none_ &&
-            turn * cross(b - a, at - a) < -none_)
+        if (turn * cross(p - a, at - a) >= -of_in && turn * cross(b - p, at - p) >= -of_out &&
+            turn * cross(b - a, at - a) < -of_cut)
           inside.push_back({at, round});
       }
     }
@@ -137,7 +140,7 @@ class StringPull {
 
   const Walls& walls_;
   std::vector<Corner> path_;
-  double size_ = 0, none_ = 0;  ///< of the scene; an area that is none beside the corner at hand
+  double size_ = 0;  ///< of the scene
   bool known_ = true;
 };
 

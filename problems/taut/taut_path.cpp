@@ -17,11 +17,13 @@ namespace {
 
 using Point2 = Eigen::Vector2d;
 
-constexpr Index kAtOnce = 64;       ///< moves between two looks at the clock
-constexpr double kContact = 1e-11;  ///< of the size: what a path in contact may seem to touch by
+constexpr Index kAtOnce = 64;                                              ///< moves between two looks at the clock
+constexpr double kOfPlaces = 64 * std::numeric_limits<double>::epsilon();  ///< of coordinates
+constexpr double kContact = 1e-9;  ///< of the size: what a path in contact may seem to touch by
 
 bool clear(const Walls& walls, const Points& path, const Deadline& deadline) {
-  const double slack = kContact * std::max(walls.size(), path.cwiseAbs().maxCoeff());
+  const double slack = kContact * (path.rowwise().maxCoeff() - path.rowwise().minCoeff()).norm() +
+                       kOfPlaces * path.cwiseAbs().maxCoeff();
   bool all = true;
   in_parts(path.cols() - 1, kAtOnce, deadline, [&](Index begin, Index count) {
     for (Index i = begin; all && i < begin + count; ++i)
@@ -66,13 +68,13 @@ std::optional<TautPath> taut_path(const Walls& walls, const Points& start, doubl
 }
 
 double unheld_turn(const Walls& walls, const Points& polyline, const Deadline& deadline) {
-  const double size = std::max(walls.size(), polyline.cwiseAbs().maxCoeff());
   double worst = 0;
   in_parts(std::max<Index>(0, polyline.cols() - 2), kAtOnce, deadline, [&](Index begin, Index count) {
     for (Index i = begin + 1; i <= begin + count; ++i) {
       const Point2 corner = polyline.col(i), in = corner - polyline.col(i - 1), out = polyline.col(i + 1) - corner;
       const double turn = std::abs(std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out)));
-      if (turn > worst && !is_held(walls, corner, in, out, turn, kContact * size)) worst = turn;
+      const double least = kOfPlaces * std::max({corner.cwiseAbs().maxCoeff(), in.norm(), out.norm()});
+      if (turn > worst && !is_held(walls, corner, in, out, turn, least)) worst = turn;
     }
   });
   return worst;

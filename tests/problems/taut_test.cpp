@@ -209,6 +209,76 @@ TEST_CASE("taut: what it cannot do is said") {
   CHECK_THROWS_WITH(TautPostProcessor().apply(ring, {}, current, {}), Contains("ring"));
 }
 
+TEST_CASE("taut: where next to nothing is required, walls are still no way through") {
+  Eigen::MatrixXd corners(3, 2);
+  corners << 8.75, 9.625, 12.25, 13, 0.125, 3.875;
+  const auto triangle = make_polygon({corners});
+  const Vector2d from(1.25, 7.375), to(3.25, -0.875), tip(0.125, 3.875);
+  Points through(2, 4);
+  through << -0.625, 1.875, 1.25, -0.25, 2.625, 4.75, 3, 1;
+  const double around = (tip - from).norm() + (to - tip).norm();
+  for (const int n : {1, 7, 12}) {
+    const Problem problem = taut_problem({triangle}, 1e-9, from, to);
+    const Result result = find_path(problem, WaypointsInitializer(through), NoSolver(), pulled_tight(n));
+    if (result.status == Status::certified) CHECK(result.curve.cost == Approx(around).epsilon(1e-7));
+  }
+  const auto wall = make_box_obstacle({Vector2d(-0.05, -5), Vector2d(0.05, 4.5)});
+  Points over(2, 2);
+  over << -3, 1.5, 9, 6;
+  const Vector2d left(-3, 0), right(1.5, 2), corner(-0.05, 4.5), other(0.05, 4.5);
+  const double expected = (corner - left).norm() + 0.1 + (right - other).norm();
+  for (const int n : {1, 40}) {
+    const Problem problem = taut_problem({wall}, 5e-11, left, right);
+    const Result result = find_path(problem, WaypointsInitializer(over), NoSolver(), pulled_tight(n));
+    if (result.status == Status::certified) CHECK(result.curve.cost == Approx(expected).epsilon(1e-7));
+    CHECK(ObstacleWalls(2, {wall}, 5e-11).clearance(left, right).upper < -1);
+  }
+}
+
+TEST_CASE("taut: the bar has room for rounding, far from the origin as well") {
+  const double truth = 2 * std::sqrt(3.0) + kPi / 3;
+  for (const double shift : {0.0, 1e3, 5e6}) {
+    for (const double excess : {1e-10, 1e-6, 1e-2}) {
+      const Vector2d o(shift, -shift);
+      const Problem problem = taut_problem(discs({{o[0], o[1], 1}}), 0, o - Vector2d(2, 0), o + Vector2d(2, 0));
+      FindOptions options = pulled_tight(20);
+      options.post_processors = {std::make_shared<const TautPostProcessor>(TautOptions{.excess = excess})};
+      const Result result = find_path(problem, WaypointsInitializer(o + Vector2d(0.1, 2)), NoSolver(), options);
+      const CostEstimate& estimate = result.certificate.estimate;
+      CAPTURE(shift, excess, estimate.value - truth, estimate.error);
+      if (shift > 1e6 && excess < 1e-9) continue;  // its corners are nothing but rounding there: not certified
+      REQUIRE(result.status == Status::certified);
+      CHECK(estimate.error >= 0);
+      CHECK(std::abs(estimate.value - truth) <= estimate.error);
+      CHECK(estimate.error <= 2 * excess * truth + 1e-5 * (shift > 0));
+    }
+  }
+  for (const double excess : {0.0, 1e-12, 0.1, std::nan("")})
+    CHECK_THROWS_AS(TautPostProcessor(TautOptions{.excess = excess}), OptionError);
+}
+
+TEST_CASE("taut: an obstacle far away changes nothing") {
+  const Problem problem = taut_problem(discs({{0, 0, 1}, {0, -5e6, 1}}), 0, {-2, 0}, {2, 0});
+  const Result result = find_path(problem, WaypointsInitializer(Vector2d(0.1, 2)), NoSolver(), pulled_tight(64));
+  CHECK(result.status == Status::certified);
+}
+
+TEST_CASE("taut: a polyline that would leave the domain is not delivered") {
+  Problem problem = taut_problem(discs({{0, 0, 1}}), 0, {-2, 0}, {2, 0});
+  const auto box = std::make_shared<const EuclideanManifold>(
+      EuclideanManifoldOptions{.dimension = 2, .box = {Vector2d(-3, -3), Vector2d(3, 1.0001)}});
+  problem.manifold = std::make_shared<const FreeSpace>(box, discs({{0, 0, 1}}), 0);
+  Points below_the_lid(2, 2);
+  below_the_lid << -1, 1, 1.00005, 1.00005;
+  for (const double excess : {1e-2, 1e-6}) {
+    FindOptions options = pulled_tight(64);
+    options.post_processors = {std::make_shared<const TautPostProcessor>(TautOptions{.excess = excess})};
+    const Result result = find_path(problem, WaypointsInitializer(below_the_lid), NoSolver(), options);
+    CHECK((result.status == Status::certified) == (excess < 1e-3));
+    if (result.status == Status::certified) CHECK(result.curve.x.row(1).maxCoeff() <= 1.0001);
+  }
+}
+
 /// A path that touches a disc with a single point on every level has the same margin on all of them: the differences
 /// between the levels were zero, the answer called exact, and too long by what the margin costs.
 TEST_CASE("obstacles: a chain that grazes a disc has the cost of its margin in its bar") {
