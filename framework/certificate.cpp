@@ -163,13 +163,13 @@ class Certifier {
     c_.estimate.error = std::numeric_limits<double>::epsilon() * path_.curve.cost *
                         std::sqrt(static_cast<double>(path_.curve.x.cols())) * 4;
     if (!path_.curve.least_of_class) return;
-    c_.estimate.lower = path_.curve.least_of_class;
-    c_.estimate.upper = path_.curve.cost;
     // Lengths of m sides, each from coordinates of this size.
     const double sides = static_cast<double>(path_.curve.x.cols()), size = path_.curve.x.cwiseAbs().maxCoeff();
     const double unit = path_.curve.cost / length_of_curve();
     c_.estimate.error += std::max(0.0, path_.curve.cost - *path_.curve.least_of_class) +
                          2 * std::numeric_limits<double>::epsilon() * sides * (unit * size + path_.curve.cost);
+    c_.estimate.lower = path_.curve.cost - c_.estimate.error;
+    c_.estimate.upper = path_.curve.cost;
   }
 
   double length_of_curve() const {

@@ -96,7 +96,11 @@ class Asker {
       entry = all.entries[below(random, all.entries.size())];
       if (!sane_ && entry->missing.empty()) break;
       if (all.name == "cost" && chance(random, 0.5)) entry = all.entries[0];
+      if (sane_ && all.name == "manifold" && chance(random, 0.2)) entry = all.entries[0];
       if (entry->type == "constraint" && chance(random, 0.7)) entry = nullptr;  // it needs more than luck
+      // Nobody means a path that is not solved, or obstacles that are not there.
+      if (sane_ && entry != nullptr && (entry->type == "none" || entry->type == "taut") && chance(random, 0.9))
+        entry = nullptr;
     }
     if (entry == nullptr) entry = all.entries[0];
     return entry->missing.empty() ? entry : all.entries[0];
@@ -212,7 +216,7 @@ TEST_CASE("random problems end in a status or in an error of the library") {
   }
   // The generator has something to say: it is not refused throughout.
   if (count >= 400) {
-    CHECK(outcomes["certified"] >= static_cast<int>(count / 100));
+    CHECK(outcomes["certified"] > static_cast<int>(count / 50));
     CHECK(outcomes["refused"] < static_cast<int>(count * 9 / 10));
   }
 }
