@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/initializers/random_trees.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <leastcost/framework/clearance.hpp>
+
+namespace leastcost {
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+constexpr int kEdgePieces = 2;             ///< of an edge, before it is bisected
+constexpr double kLongest = 1.5;           ///< a projected piece may be so much longer than the piece
+constexpr int kSamplesPerNode = 20;        ///< samples that may fail for each node that is allowed
+constexpr double kShortestStep = 1.0 / 8;  ///< of a step that is taken where a whole one is blocked
+constexpr double kProgress = 0.1;          ///< of a step: a node that brings less would only be in the way
+
+/// Uniform in [0, 1) from the engine's own bits: the same on every platform.
+double uniform(std::mt19937_64& engine) { return static_cast<double>(engine() >> 11U) * 0x1p-53; }
+
+double pieces_length(const Vector& start, const std::vector<std::vector<Vector>>& pieces) {
+  std::vector<Vector> points = {start};
+  for (const std::vector<Vector>& piece : pieces) points.insert(points.end(), piece.begin(), piece.end());
+  return polyline_length(points);
+}
+
+std::ptrdiff_t signed_of(std::size_t i) { return static_cast<std::ptrdiff_t>(i); }
+
+}  // namespace
+
+RandomTree::RandomTree(const Vector& root) : points_(static_cast<int>(root.size())) { add(root, root, -1); }
+
+int RandomTree::add(const Vector& x, const Vector& foot, int parent) {
+  feet_.push_back(foot);
+  parents_.push_back(parent);
+  return points_.add(x);
+}
+
+std::vector<Vector> RandomTree::branch(int node) const {
+  std::vector<Vector> nodes;
+  for (int i = node; i >= 0; i = parents_[static_cast<std::size_t>(i)]) nodes.push_back(foot(i));
+  std::reverse(nodes.begin(), nodes.end());
+  return nodes;
+}
+
+RandomTrees::RandomTrees(const Problem& problem, const RrtOptions& options)
+    : problem_(problem),
+      obstacles_(find_ability<ChecksMoves>(*problem.manifold)),
+      options_(options),
+      step_(options.step.value_or((problem.target.u - problem.source.u).norm() / 16)),
+      shell_(options.shell.value_or(step_ / 4)),
+      engine_(static_cast<std::uint64_t>(options.seed.value_or(0))),
+      lines_(*problem.manifold),
+      trees_{RandomTree(problem.source.u), RandomTree(problem.target.u)},
+      margin_(Vector::Constant(problem.source.u.size(), options.reach * (problem.target.u - problem.source.u).norm())) {
+  around_ends_ = {problem.source.u.cwiseMin(problem.target.u) - margin_,
+                  problem.source.u.cwiseMax(problem.target.u) + margin_};
+  around_trees_ = around_ends_;
+  if (const auto* domain = find_ability<HasSampleBox>(*problem.manifold))
+    of_use_ = domain->sample_box(problem.source.u, problem.target.u);
+}
+
+std::optional<std::vector<Vector>> RandomTrees::joined(const Monitor& monitor) {
+  const long most = static_cast<long>(kSamplesPerNode) * options_.max_nodes;
+  for (int tree = 0; samples_ < most; tree = 1 - tree, ++samples_) {
+    if (is_over(monitor)) return {};
+    const Vector x = sample(trees_[static_cast<std::size_t>(1 - tree)].foot(0));
+    RandomTree& growing = trees_[static_cast<std::size_t>(tree)];
+    const int gained = extend(tree, growing.nearest(x), x);
+    if (gained < 0) continue;
+    const int met = connect(1 - tree, growing.foot(gained), monitor);
+    if (met < 0) continue;
+    std::vector<Vector> nodes = trees_[0].branch(tree == 0 ? gained : met);
+    const std::vector<Vector> rest = trees_[1].branch(tree == 0 ? met : gained);
+    nodes.insert(nodes.end(), rest.rbegin(), rest.rend());
+    return nodes;
+  }
+  return {};
+}
+
+std::vector<Vector> RandomTrees::shortened(std::vector<Vector> nodes, const Monitor& monitor) {
+  std::vector<std::vector<Vector>> pieces;  // piece i: from node i to node i + 1, without its first point
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    pieces.emplace_back();
+    look_at_clock(monitor.deadline);
+    line(nodes[i], nodes[i + 1], pieces.back());
+  }
+  for (int k = 0; k < options_.shortcuts && nodes.size() > 2 && !monitor.interrupted(); ++k) {
+    const auto pick = [&] { return static_cast<std::size_t>(uniform(engine_) * static_cast<double>(nodes.size())); };
+    const auto [i, j] = std::minmax({pick(), pick()});
+    if (j < i + 2) continue;
+    std::vector<Vector> shortcut;
+    if (!line(nodes[i], nodes[j], shortcut)) continue;
+    if (!(pieces_length(nodes[i], {shortcut}) <
+          pieces_length(nodes[i], {pieces.begin() + signed_of(i), pieces.begin() + signed_of(j)})))
+      continue;
+    pieces.erase(pieces.begin() + signed_of(i) + 1, pieces.begin() + signed_of(j));
+    pieces[i] = std::move(shortcut);
+    nodes.erase(nodes.begin() + signed_of(i) + 1, nodes.begin() + signed_of(j));
+  }
+  std::vector<Vector> path = {nodes.front()};
+  for (const std::vector<Vector>& piece : pieces) path.insert(path.end(), piece.begin(), piece.end());
+  return path;
+}
+
+/// Whether the limit of nodes is reached or the monitor says stop.
+bool RandomTrees::is_over(const Monitor& monitor) {
+  if (size() >= options_.max_nodes) return true;
+  constexpr long kAskEvery = 4;
+  stopped_ = stopped_ || (samples_ % kAskEvery == 0 && monitor.interrupted());
+  return stopped_;
+}
+
+/// The other end, or uniform in one of two boxes: around the ends, where most paths are, or around all that the trees
+/// have reached, which may have to go far.
+Vector RandomTrees::sample(const Vector& other_end) {
+  const double chance = uniform(engine_);
+  if (chance < options_.goal_bias) return other_end;
+  const SampleBox& box = chance < (1 + options_.goal_bias) / 2 ? around_ends_ : around_trees_;
+  const bool known = of_use_.lower.size() > 0;
+  const Vector low = known ? Vector(box.lower.cwiseMax(of_use_.lower)) : box.lower;
+  const Vector high = known ? Vector(box.upper.cwiseMin(of_use_.upper)) : box.upper;
+  return low + Vector::NullaryExpr(low.size(), [&] { return uniform(engine_); }).cwiseProduct(high - low);
+}
+
+/// One step from a node towards x, then into the shell; less than a step where that is blocked. The new node, or -1.
+int RandomTrees::extend(int tree, int from, const Vector& x) {
+  RandomTree& growing = trees_[static_cast<std::size_t>(tree)];
+  const Vector start = growing.node(from), way = x - start;
+  const double distance = way.norm(), whole = std::min(step_, distance);
+  if (!(distance > 0)) return -1;
+  for (double length = whole; length >= kShortestStep * whole; length /= 2) {
+    Vector moved = start + length / distance * way;
+    const std::optional<Vector> foot = lines_.nearest(moved);
+    if (!foot) continue;
+    const double off = (moved - *foot).norm();
+    if (off > shell_) moved = *foot + shell_ / off * (moved - *foot);
+    if ((*foot - growing.foot(from)).norm() < kProgress * whole) return -1;
+    if (!joins(tree, from, *foot)) continue;
+    around_trees_.lower = around_trees_.lower.cwiseMin(moved - margin_);
+    around_trees_.upper = around_trees_.upper.cwiseMax(moved + margin_);
+    return growing.add(moved, *foot, from);
+  }
+  return -1;
+}
+
+/// Grows a tree towards a point of the domain as far as it gets; the node whose edge to it is free, or -1.
+int RandomTrees::connect(int tree, const Vector& goal, const Monitor& monitor) {
+  const RandomTree& growing = trees_[static_cast<std::size_t>(tree)];
+  int node = growing.nearest(goal);
+  double left = (growing.foot(node) - goal).norm();
+  distance_ = std::min(distance_, left);
+  while (!(left <= step_ && joins(tree, node, goal))) {
+    if (is_over(monitor)) return -1;
+    node = extend(tree, node, goal);
+    if (node < 0) return -1;
+    const double now = (growing.foot(node) - goal).norm();
+    if (!(now < left)) return -1;
+    distance_ = std::min(distance_, left = now);
+  }
+  return node;
+}
+
+/// Whether an edge may lead from the foot of a node to another point, in the sense in which the path will run.
+bool RandomTrees::joins(int tree, int from, const Vector& foot) {
+  const Vector& start = trees_[static_cast<std::size_t>(tree)].foot(from);
+  if ((foot - start).norm() > 2 * kLongest * step_) return false;
+  edge_.clear();
+  return tree == 0 ? line(start, foot, edge_) : line(foot, start, edge_);
+}
+
+/// The projection of a -> b in pieces of about half a step into `out`, which is empty; false where there is no
+/// continuous one, its cost is infinite or an obstacle is in the way.
+bool RandomTrees::line(const Vector& a, const Vector& b, std::vector<Vector>& out) {
+  const double distance = (b - a).norm();
+  const int pieces = std::max(1, static_cast<int>(std::ceil(kEdgePieces * distance / step_)));
+  if (!lines_.append(a, b, pieces, kLongest * step_ / kEdgePieces, out)) return false;
+  const Vector* from = &a;
+  for (const Vector& to : out) {
+    if (!std::isfinite(move_cost(*problem_.cost, *from, to))) return false;
+    if (obstacles_ != nullptr && !goes_clear(*obstacles_, *from, to)) return false;
+    from = &to;
+  }
+  return true;
+}
+
+}  // namespace leastcost
