@@ -8,24 +8,18 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
-#include <random>
 #include <vector>
 
 #include <leastcost/framework/find_path.hpp>
-#include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/initializers/grid.hpp>
-#include <leastcost/problems/kernels/kernels.hpp>
-#include <leastcost/problems/manifolds/euclidean.hpp>
-#include <leastcost/problems/obstacles/ball.hpp>
-#include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/problems/post_processors/taut.hpp>
 #include <leastcost/solvers/no_solver.hpp>
+#include "benchmarks/disc_scene.hpp"
 #include "tests/adversarial/planning/judge/tangent_graph.hpp"
 
 namespace {
 
 using namespace leastcost;
-using Eigen::Vector2d;
 
 constexpr int kDiscs = 25, kPoints = 100;
 constexpr double kSameClass = 2e-6;  ///< relative: an excess of the polyline, not of another class
@@ -34,34 +28,6 @@ double thread_seconds() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-struct Scene {
-  judge::Scene judged;
-  Problem problem;
-};
-
-Scene scene_of(unsigned seed) {
-  std::mt19937 engine(seed);
-  std::uniform_real_distribution<double> place(0, 10), size(0.3, 1);
-  Scene scene;
-  scene.judged.source = {0, 0};
-  scene.judged.target = {10, 10};
-  FreeSpace::Obstacles discs;
-  while (discs.size() < kDiscs) {
-    const Vector2d center(place(engine), place(engine));
-    const double radius = size(engine);
-    if (std::min(center.norm(), (center - Vector2d(10, 10)).norm()) < radius + 0.1) continue;
-    discs.push_back(make_ball({.center = center, .radius = radius}));
-    scene.judged.things.push_back({judge::Thing::Kind::ball, radius, {{center[0], center[1]}}});
-  }
-  const auto plane = std::make_shared<const EuclideanManifold>(EuclideanManifoldOptions{.dimension = 2});
-  scene.problem.manifold = std::make_shared<const FreeSpace>(plane, std::move(discs), 0);
-  scene.problem.cost = make_euclidean_cost(2);
-  scene.problem.kernel = make_kernel(Expm1Square{});
-  scene.problem.source = {Vector2d(0, 0)};
-  scene.problem.target = {Vector2d(10, 10)};
-  return scene;
 }
 
 double quantile_of(std::vector<double> values, double part) {
@@ -82,7 +48,7 @@ int main(int count, char** arguments) {
   int found = 0, certified = 0, closed = 0;
   std::vector<double> shortest, excess, times;
   for (unsigned seed = first; seed < first + static_cast<unsigned>(scenes); ++seed) {
-    const Scene scene = scene_of(seed);
+    const DiscScene scene = disc_scene(seed, kDiscs);
     const auto best = judge::shortest_among_discs(scene.judged);
     if (!best) {
       ++closed;

@@ -26,6 +26,7 @@ namespace leastcost {
 namespace {
 
 constexpr double kStraight = 1e-9;                ///< radians below pi that a side angle may fall
+constexpr double kNearlyStraight = 0.02;          ///< the same of a curve whose bar has what its turns cost
 constexpr double kPolyhedronStationarity = 1e-6;  ///< relative cost error of an unstraightened path on a polyhedron
 constexpr double kPolyhedronSpacing = 0.05;
 constexpr double kPolyhedronError = 0.01;  ///< relative error bar above which it is a failure
@@ -151,25 +152,29 @@ class Certifier {
 
   /// It certifies itself: no angle beside it is below pi, so no path nearby is shorter. Nothing is said about the
   /// shortest path, nor about the smooth surface behind the mesh. Among obstacles in the plane what is locally shortest
-  /// is the shortest of its class.
+  /// is the shortest of its class; in space nothing is but what was measured.
   void certify_straightened() {
-    c_.scope = path_.curve.least_of_class ? "least_of_class" : "local_on_polyhedron";
+    const bool measured = path_.curve.excess.has_value();
+    c_.scope = path_.curve.least_of_class ? "least_of_class" : measured ? "local" : "local_on_polyhedron";
     c_.straightness = path_.curve.straightness;
-    if (!(*c_.straightness >= -kStraight))
+    if (!(*c_.straightness >= -(measured ? kNearlyStraight : kStraight)))
       fail("straightness",
            "an angle beside the path is " + short_number(-*c_.straightness) + " below pi: it can be shortened there");
     if (!(c_.spacing <= options_.spacing)) fail_spacing(options_.spacing);
     c_.estimate.method = "straightened";
     c_.estimate.error = std::numeric_limits<double>::epsilon() * path_.curve.cost *
                         std::sqrt(static_cast<double>(path_.curve.x.cols())) * 4;
-    if (!path_.curve.least_of_class) return;
+    if (!path_.curve.least_of_class && !measured) return;
     // Lengths of m sides, each from coordinates of this size.
     const double sides = static_cast<double>(path_.curve.x.cols()), size = path_.curve.x.cwiseAbs().maxCoeff();
     const double unit = path_.curve.cost / length_of_curve();
-    c_.estimate.error += std::max(0.0, path_.curve.cost - *path_.curve.least_of_class) +
-                         2 * std::numeric_limits<double>::epsilon() * sides * (unit * size + path_.curve.cost);
+    const double above = measured ? *path_.curve.excess : path_.curve.cost - *path_.curve.least_of_class;
+    c_.estimate.error +=
+        std::max(0.0, above) + 2 * std::numeric_limits<double>::epsilon() * sides * (unit * size + path_.curve.cost);
     c_.estimate.lower = path_.curve.cost - c_.estimate.error;
     c_.estimate.upper = path_.curve.cost;
+    if (!(c_.estimate.error <= kPolyhedronError * path_.curve.cost))
+      fail("error_bar", "the error bar is " + short_number(c_.estimate.error / path_.curve.cost) + " of the cost");
   }
 
   double length_of_curve() const {

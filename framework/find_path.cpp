@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include <leastcost/framework/checks_moves.hpp>
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/fits_segments.hpp>
 #include <leastcost/framework/other_images.hpp>
@@ -170,7 +171,7 @@ class Search {
 
   Result from(const Initializer& initializer) {
     return whole([&] {
-      result_.first = initializer.first_path(problem_, monitor_);
+      result_.first = first_path(initializer);
       check_path(problem_, result_.first.path, problem_.ring ? 1 : 2, "the first path");
       cut_based_ring();
       pin_ends(problem_, result_.first.path);
@@ -207,6 +208,16 @@ class Search {
       interrupted(stopped.what());
     }
     return with_notes(std::move(result_));
+  }
+
+  /// Among obstacles its failure has a name of its own.
+  FirstPath first_path(const Initializer& initializer) const {
+    try {
+      return initializer.first_path(problem_, monitor_);
+    } catch (const InitializationError& error) {
+      if (find_ability<ChecksMoves>(*problem_.manifold) == nullptr) throw;
+      throw InitializationError(std::string("no_passage: ") + error.what());
+    }
   }
 
   /// A ring with a fixed point is an open path from that point to itself.
@@ -332,7 +343,23 @@ class Search {
     result_.post_processed = true;
     if (fault) result_.certificate.failures.push_back({"post_process", "the curve stays as it was before: " + *fault});
     if (options_.certificate.enabled && !collapsed && !fault) certify_delivered(processed, to_curve);
+    say_what_obstacles_did();
     result_.status = status_of(result_, collapsed, monitor_);
+  }
+
+  /// A path on the other side of an obstacle than the one that was begun with is not what was asked for, unless it is
+  /// shown to be the least of its class. Where the fit to the obstacles did not end, that is why the path fails.
+  void say_what_obstacles_did() {
+    const auto* obstacles = find_ability<ChecksMoves>(*problem_.manifold);
+    if (obstacles == nullptr || !options_.certificate.enabled) return;
+    auto& failures = result_.certificate.failures;
+    if (!failures.empty() && result_.solve.cycling)
+      failures.push_back(
+          {"active_set_cycling", "what the points keep from the obstacles and where they come to rest did not agree"});
+    if (problem_.ring || result_.curve.least_of_class) return;
+    const Points first = positions(*problem_.manifold, result_.first.path);
+    if (!obstacles->same_class(first, result_.curve.x).value_or(true))
+      failures.push_back({"class_lost", "the path passes an obstacle on another side than the first path"});
   }
 
   void certify_delivered(const PostProcessed& processed, const ToCurve& to_curve) {

@@ -43,7 +43,11 @@ SolveReport solve_fitted(Problem& problem, const Solver& solver, double referenc
     if (!fits || report.termination == Termination::exception || monitor.interrupted()) break;
     if (!is_solved(report.termination) && ++unsolved == kMostUnsolved) break;
     auto fitted = find_ability<FitsSegments>(*problem.manifold)->fitted(path);
-    if (fitted == nullptr || k + 1 == kMostFits) break;
+    if (fitted == nullptr) break;
+    if (k + 1 == kMostFits) {
+      report.cycling = true;
+      break;
+    }
     problem.manifold = std::move(fitted);
   }
   return report;

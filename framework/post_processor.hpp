@@ -19,12 +19,15 @@ struct Curve {
   std::vector<Site> segment_sites;  ///< the piece (face) that carries each of the m segments; empty without sites
   double cost = 0;                  ///< its true cost: the sum of the segment costs
   /// Smallest angle beside an interior point minus pi, measured on the curve by a checker that shares nothing with the
-  /// method that made it; set when the curve claims to be a locally shortest path of a polyhedron. Among obstacles in
-  /// the plane: minus the largest turn at a point that no obstacle holds.
+  /// method that made it; set when the curve claims to be a locally shortest path of a polyhedron. Among obstacles:
+  /// minus the largest turn at a point that no obstacle holds.
   std::optional<double> straightness = {};
   /// No path of its class costs less; set when the curve claims to be the shortest of its class but for what lies
   /// between.
   std::optional<double> least_of_class = {};
+  /// What its cost is above that of the locally least path beside it, as measured; set when the curve claims to be that
+  /// but for so much.
+  std::optional<double> excess = {};
 };
 
 struct PostProcessed {

@@ -58,6 +58,7 @@ struct SolveReport {
   double final_energy = std::numeric_limits<double>::quiet_NaN();
   double cost_error = std::numeric_limits<double>::quiet_NaN();  ///< predicted relative cost error at the end
   int iterations = 0;
+  bool cycling = false;  ///< what the points keep from obstacles and where they come to rest would not agree
   Counters counters;
   double seconds = 0;
   std::vector<Iteration> history;

@@ -29,29 +29,48 @@ std::string default_type(std::string_view part, const PluginEntry* manifold, boo
   return has(HasMesh::kAbility) ? "lbfgs" : "newton";  // the solver
 }
 
-/// Among obstacles under a cost that is a length, in the plane. Other obstacles than those of the plane are told by
-/// their types.
-bool plans_in_the_plane(const RunConfig& config) {
-  const auto is = [](const PluginChoice& choice, std::initializer_list<std::string_view> types) {
-    return choice && std::count(types.begin(), types.end(), choice.plugin->type) > 0;
-  };
-  return !config.ring && !config.robot && is(config.manifold, {"euclidean"}) && is(config.cost, {"euclidean"}) &&
-         config.source && config.source->point && config.source->point->size() == 2 && !config.obstacles.empty() &&
-         std::all_of(config.obstacles.begin(), config.obstacles.end(), [&](const PluginChoice& obstacle) {
-           return is(obstacle, {"ball", "box", "polygon", "map"});
-         });
+bool is(const PluginChoice& choice, std::initializer_list<std::string_view> types) {
+  return choice && std::count(types.begin(), types.end(), choice.plugin->type) > 0;
+}
+
+/// The coordinates of points, where the ends say so; else 0.
+Eigen::Index coordinates(const RunConfig& config) {
+  return config.source && config.source->point ? config.source->point->size() : 0;
+}
+
+/// Why paths cannot be pulled tight among the obstacles; empty: they can. Obstacles are told by their types.
+std::string why_not_taut(const RunConfig& config) {
+  if (config.ring) return "joins two ends, and a ring has none";
+  if (config.robot) return "works on points, not on a robot";
+  if (config.manifold && !is(config.manifold, {"euclidean"})) return "works in the plane and in space";
+  if (config.obstacles.empty()) return "needs obstacles to pull the path around";
+  const Eigen::Index d = coordinates(config);
+  if (d != 0 && d != 2 && d != 3) return "works in the plane and in space";
+  for (const PluginChoice& obstacle : config.obstacles)
+    if (obstacle && !is(obstacle, {"ball", "box"}) && (d == 3 || !is(obstacle, {"polygon", "map"})))
+      return d == 3 ? "needs obstacles that are convex: balls or boxes"
+                    : "needs obstacles that are balls, boxes, polygons or maps";
+  return "";
+}
+
+/// Among obstacles, under a cost that is a length.
+bool plans_taut(const RunConfig& config) {
+  return is(config.manifold, {"euclidean"}) && is(config.cost, {"euclidean"}) && coordinates(config) != 0 &&
+         why_not_taut(config).empty();
 }
 
 void complete(RunConfig& config) {
   const bool mesh = config.manifold.provides<HasMesh>();
   const auto fill = [&](const char* part, PluginChoice& choice) {
-    const std::string type =
+    std::string type =
         default_type(part, config.manifold.plugin, config.ring, !config.obstacles.empty() || config.robot);
+    // In the plane a grid is quick, and its class more often that of the shortest path.
+    if (type == "rrt" && is(config.manifold, {"euclidean"}) && coordinates(config) == 2 && !config.robot) type = "grid";
     if (!choice && !type.empty()) choice = default_plugin(part, type.c_str(), part);
   };
   fill("kernel", config.kernel);
   fill("initializer", config.initializer);
-  const bool taut = !config.post_process && plans_in_the_plane(config);
+  const bool taut = !config.post_process && plans_taut(config);
   if (taut && !config.solver) config.solver = default_plugin("solver", "none", "solver");
   fill("solver", config.solver);
   if (config.post_process) return;
@@ -164,6 +183,19 @@ void check_ring(LoadedConfig& loaded) {
   }
 }
 
+void check_taut(LoadedConfig& loaded) {
+  const RunConfig& config = loaded.config;
+  for (const PluginChoice& step : config.post_process.value_or(PluginList{})) {
+    if (!is(step, {"taut"})) continue;
+    const std::string why = why_not_taut(config);
+    if (!why.empty()) loaded.errors.error(place_of(loaded.tree, step.path), "'taut' " + why);
+    if (config.cost && !config.cost.provides<HasConstantMetric>())
+      loaded.errors.error(
+          place_of(loaded.tree, step.path),
+          fmt::format("'taut' needs a cost that is a length, which '{}' is not", config.cost.plugin->type));
+  }
+}
+
 void check_points(LoadedConfig& loaded) {
   const RunConfig& config = loaded.config;
   const Place place = place_of(loaded.tree, "path.points");
@@ -245,6 +277,7 @@ void check_and_complete(LoadedConfig& loaded) {
   check_family(loaded);
   check_points(loaded);
   check_waypoints(loaded);
+  check_taut(loaded);
   check_needs(loaded, loaded.config.initializer);
   check_needs(loaded, loaded.config.solver);
   for (const PluginChoice& choice : loaded.config.family.initializers) check_needs(loaded, choice);

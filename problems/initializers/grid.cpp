@@ -11,6 +11,7 @@
 #include <leastcost/framework/checks_moves.hpp>
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/has_box.hpp>
+#include <leastcost/problems/initializers/rrt.hpp>
 #include "problems/initializers/grid_search.hpp"
 #include "problems/section/projected_line.hpp"
 
@@ -102,6 +103,7 @@ void GridOptions::fields(FieldVisitor& visit) {
   visit.field("refinements", refinements,
               {.help = "How often the cells are halved where the grid has no passage.", .minimum = 0, .maximum = 20});
   visit.field("shortcuts", shortcuts, {.help = "Leaves out points of the route that a straight move can do without."});
+  visit.field("trees", trees, {.help = "Where no grid has a passage random trees look for one, as rrt."});
 }
 
 GridInitializer::GridInitializer(const GridOptions& options) : options_(options) {
@@ -134,8 +136,16 @@ FirstPath GridInitializer::first_path(const Problem& problem, const Monitor& mon
     pin_ends(problem, first.path);
     return first;
   }
-  throw InitializationError("grid: no passage at this resolution: " + tried +
-                            ". A smaller resolution, or more refinements, may find a narrower one");
+  const std::string none = "grid: no passage at this resolution: " + tried;
+  if (!options_.trees)
+    throw InitializationError(none + ". A smaller resolution, or more refinements, may find a narrower one");
+  try {
+    FirstPath first = RrtInitializer().first_path(problem, monitor);
+    first.notes.insert(first.notes.begin(), none);
+    return first;
+  } catch (const InitializationError& error) {
+    throw InitializationError(none + "; " + error.what());
+  }
 }
 
 }  // namespace leastcost

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <leastcost/framework/errors.hpp>
+#include "problems/obstacles/crossing_word.hpp"
 #include "problems/obstacles/sweep.hpp"
 #include "problems/obstacles/walls_in.hpp"
 
@@ -341,6 +342,10 @@ int FreeSpace::active_bounds(const CoordinatePath& path, Index column, Eigen::Re
 }
 
 MoveClearance FreeSpace::clearance(const Vector& a, const Vector& b) const { return walls_->clearance(a, b); }
+
+std::optional<bool> FreeSpace::same_class(const Points& a, const Points& b) const {
+  return of_one_class(*walls_, a, b);
+}
 
 std::string FreeSpace::obstacle_name(int obstacle) const { return walls_->obstacle_name(obstacle); }
 

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <typeinfo>
 #include <vector>
@@ -53,6 +54,8 @@ class FreeSpace final : public ConstraintManifold,
   int active_bounds(const CoordinatePath& path, Index column, Eigen::Ref<Points> normals) const override;
 
   MoveClearance clearance(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const override;
+  /// Known in the plane, where the walls are made of discs.
+  std::optional<bool> same_class(const Points& a, const Points& b) const override;
   std::string obstacle_name(int obstacle) const override;
 
   std::shared_ptr<const ConstraintManifold> unfitted(const CoordinatePath& path) const override;

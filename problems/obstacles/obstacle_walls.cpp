@@ -126,6 +126,24 @@ std::optional<std::vector<Round>> ObstacleWalls::rounds(const Eigen::AlignedBox2
   return found;
 }
 
+/// Across the shortest way from the core to the move, which are both convex.
+bool ObstacleWalls::planes(const Vector& a, const Vector& b, double reach, std::vector<SupportPlane>& found) const {
+  std::vector<int> numbers;
+  tree_->meeting(around(a, b, std::max(0.0, reach)), numbers);
+  found.clear();
+  for (const int i : numbers) {
+    double t = 0;
+    const double gap = obstacle(i).distance_of_segment(a, b, t) - required(i);
+    if (gap >= reach) continue;
+    if (!obstacle(i).convex()) return false;
+    SupportPlane plane{i, Vector(a.size()), 0, gap, a + t * (b - a)};
+    const double distance = obstacle(i).distance(plane.place, plane.normal);
+    plane.offset = plane.normal.dot(plane.place) - distance + required(i);
+    found.push_back(std::move(plane));
+  }
+  return true;
+}
+
 std::string ObstacleWalls::obstacle_name(int i) const {
   return i < 0 ? "" : obstacle(i).name() + " (number " + std::to_string(i) + ")";
 }

@@ -30,6 +30,16 @@ struct Round {
   double radius = 0;
 };
 
+/// A plane between a straight move and a convex obstacle with its clearance: normal . x >= offset at all places of the
+/// move, and nothing that is nearer to the obstacle than required lies beyond it.
+struct SupportPlane {
+  int obstacle = -1;
+  Eigen::VectorXd normal = {};  ///< of length one, away from the obstacle
+  double offset = 0;
+  double gap = 0;              ///< of the move
+  Eigen::VectorXd place = {};  ///< of the move, where it is nearest
+};
+
 /// What keeps a place out: obstacles in the space itself, or those that a robot in a configuration would touch. Places
 /// are ambient columns of the domain (a quaternion of a pose is four of them). Immutable, and shared by threads.
 class Walls {
@@ -54,6 +64,9 @@ class Walls {
   /// All discs of the obstacles that come into a box of the plane, ascending by obstacle; nothing where walls are not
   /// made of discs.
   virtual std::optional<std::vector<Round>> rounds(const Eigen::AlignedBox2d& box) const;
+  /// One plane for each wall with a gap below `reach` somewhere on a straight move that goes into none, ascending by
+  /// obstacle. False where a wall there is not known to be convex.
+  virtual bool planes(const Vector& a, const Vector& b, double reach, std::vector<SupportPlane>& found) const;
   virtual std::string obstacle_name(int obstacle) const = 0;
   virtual void draw(const DrawnPaths& paths, Drawing& out) const;
 };
@@ -67,6 +80,8 @@ inline void Walls::along(const Vector& a, const Vector& b, double reach, std::ve
 inline double Walls::room(const Vector&, const Vector&, double reach) const { return reach; }
 
 inline std::optional<std::vector<Round>> Walls::rounds(const Eigen::AlignedBox2d&) const { return std::nullopt; }
+
+inline bool Walls::planes(const Vector&, const Vector&, double, std::vector<SupportPlane>&) const { return false; }
 
 inline void Walls::draw(const DrawnPaths&, Drawing&) const {}
 

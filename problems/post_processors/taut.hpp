@@ -12,10 +12,11 @@ struct TautOptions {
   void fields(FieldVisitor& visit);
 };
 
-/// The shortest path of its class among obstacles in the plane, exact but for a small part of its length by which the
-/// polyline around circles is longer: string pulling, then tangents. Of the first path and the solved one, as far as
-/// they are clear, the one that gives the shorter path is kept. Needs a cost that is a length, the plane or a box of
-/// it, and obstacles that are made of discs (balls, boxes, polygons, maps); elsewhere, and for a ring, apply() throws
+/// In the plane the shortest path of its class among obstacles, exact but for a small part of its length by which the
+/// polyline around circles is longer: string pulling, then tangents. In space a locally shortest one among convex
+/// obstacles (balls, boxes), with a measured excess. Of the first path and the solved one, as far as they are clear,
+/// the one that gives the shorter path is kept. Needs a cost that is a length, the plane, space or a box of it, and in
+/// the plane obstacles that are made of discs (balls, boxes, polygons, maps); elsewhere, and for a ring, apply() throws
 /// InputError that says so.
 class TautPostProcessor final : public PostProcessor {
  public:

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "framework/in_parts.hpp"
-#include "problems/taut/crossing_word.hpp"
+#include "problems/obstacles/crossing_word.hpp"
 #include "problems/taut/string_pull.hpp"
 #include "problems/taut/tangent_path.hpp"
 
@@ -46,15 +46,6 @@ bool is_held(const Walls& walls, const Point2& corner, const Point2& in, const P
 
 }  // namespace
 
-bool of_one_class(const Walls& walls, const Points& a, const Points& b) {
-  constexpr double kFar = std::numeric_limits<double>::max();
-  const double left = std::min(a.row(0).minCoeff(), b.row(0).minCoeff());
-  const double right = std::max(a.row(0).maxCoeff(), b.row(0).maxCoeff());
-  const double top = std::max(a.row(1).maxCoeff(), b.row(1).maxCoeff());
-  const auto rounds = walls.rounds({Point2(left, -kFar), Point2(right, top)});
-  return rounds && crossing_word(*rounds, a) == crossing_word(*rounds, b);
-}
-
 std::optional<TautPath> taut_path(const Walls& walls, const Points& start, double excess, const Deadline& deadline) {
   if (walls.dimension() != 2 || start.cols() < 2 || !clear(walls, start, deadline)) return std::nullopt;
   std::optional<std::vector<Bend>> bends = pull_string(walls, start, deadline);
@@ -63,7 +54,7 @@ std::optional<TautPath> taut_path(const Walls& walls, const Points& start, doubl
   if (!path) return std::nullopt;
   TautPath taut{path->polyline(excess), 0, path->length()};
   taut.length = length_of(taut.polyline);
-  if (!of_one_class(walls, start, taut.polyline)) return std::nullopt;
+  if (!of_one_class(walls, start, taut.polyline).value_or(false)) return std::nullopt;
   return taut;
 }
 

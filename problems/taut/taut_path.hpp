@@ -17,9 +17,6 @@ struct TautPath {
   double least = 0;   ///< no path of the class is shorter: the length of the path along the circles, which it encloses
 };
 
-/// Whether two polylines between the same ends, 2 x m, pass all obstacles on the same sides, in the same order.
-bool of_one_class(const Walls& walls, const Points& a, const Points& b);
-
 /// Of the class of `start`, a polyline 2 x m; `excess`: by which part the polyline may be longer than the least.
 /// Nothing where `start` touches an obstacle, the walls are not made of discs (Walls::rounds), or no path is found that
 /// is proved to be of the class. Throws Interrupted.

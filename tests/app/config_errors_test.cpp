@@ -195,6 +195,31 @@ TEST_CASE("config errors: parts that do not fit each other") {
   CHECK(errors_of(cut + "{type: implicit, surface: sphere}\n") == "");
 }
 
+TEST_CASE("config errors: taut where paths cannot be pulled tight") {
+  const auto plan = [](const std::string& manifold, const std::string& cost, const std::string& obstacles) {
+    const std::string ends = manifold.find("3") == std::string::npos
+                                 ? "{source: {point: [-2, 0]}, target: {point: [2, 0]}}"
+                                 : "{source: {point: [-2, 0, 0]}, target: {point: [2, 0, 0]}}";
+    return "manifold: " + manifold + "\ncost: " + cost + "\nends: " + ends + "\nobstacles: " + obstacles +
+           "\npost_process: [taut]\n";
+  };
+  const std::string plane = "{type: euclidean, dimension: 2}", disc = "[{type: ball, center: [0, 0], radius: 1}]";
+  CHECK(errors_of(plan(plane, "euclidean", disc)) == "");
+  CHECK(errors_of(plan("{type: euclidean, dimension: 3}", "euclidean",
+                       "[{type: ball, center: [0, 0, 0], radius: 1}]")) == "");
+  CHECK_THAT(errors_of(plan(plane, "euclidean", "[]")), Contains("'taut' needs obstacles to pull the path around"));
+  CHECK_THAT(errors_of(plan(plane, "{type: clearance, weight: 1, reach: 1}", disc)),
+             Contains("'taut' needs a cost that is a length, which 'clearance' is not"));
+  CHECK_THAT(
+      errors_of(plan("{type: se2, lower: [-3, -3], upper: [3, 3]}", "{type: weighted_length, weights: [1, 1]}", disc)),
+      Contains("'taut' works in the plane and in space"));
+  CHECK_THAT(errors_of("manifold: " + plane +
+                       "\ncost: euclidean\npath: {ring: true, points: 20}\npost_process: [taut]\n"
+                       "initializer: {type: waypoints, points: [[0, 2], [2, 0], [0, -2]]}\nobstacles: " +
+                       disc + "\n"),
+             Contains("'taut' joins two ends, and a ring has none"));
+}
+
 TEST_CASE("config errors: ends") {
   const auto source = [](const std::string& end) {
     return errors_of("manifold: {type: mesh, file: m.obj}\ncost: euclidean\nends: {source: " + end +

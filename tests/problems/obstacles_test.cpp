@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/obstacles/free_space.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <numbers>
 #include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <leastcost/framework/clearance.hpp>
@@ -15,6 +17,7 @@
 #include <leastcost/framework/find_path.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
+#include <leastcost/problems/initializers/grid.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>
 #include <leastcost/problems/initializers/straight.hpp>
 #include <leastcost/problems/initializers/waypoints.hpp>
@@ -303,6 +306,53 @@ class Watched final : public ConstraintManifold, public ChecksMoves {
   ObstaclePtr post_ = make_ball({Vector2d(0.5, 0), 0.01});
 };
 
+/// Passes what it is given to the other side of the x axis.
+class Mirrors final : public Solver {
+ public:
+  std::string_view name() const override { return "mirrors"; }
+
+ private:
+  SolveReport do_solve(PathEnergy&, CoordinatePath& path, const Monitor&) const override {
+    path.u.row(1) *= -1;
+    SolveReport report;
+    report.termination = Termination::converged;
+    return report;
+  }
+};
+
+/// Never fits a path, whatever it does.
+class Restless final : public ConstraintManifold, public ChecksMoves, public FitsSegments {
+ public:
+  Dimensions dimensions() const override { return plane_.dimensions(); }
+  Shape shape() const override { return plane_.shape(); }
+  Projection project(CoordinatePath& path) const override { return plane_.project(path); }
+  void tangent_bases(const CoordinatePath& path, Points& bases) const override { plane_.tangent_bases(path, bases); }
+  void retract(const CoordinatePath& from, const Points& step, CoordinatePath& to) const override {
+    plane_.retract(from, step, to);
+  }
+  double residual(const CoordinatePath& path) const override { return plane_.residual(path); }
+  MoveClearance clearance(const Vector& a, const Vector& b) const override {
+    const double gap = a == b ? 0 : -1;  // the ends are clear
+    return {gap, gap, 0, a};
+  }
+  std::string obstacle_name(int) const override { return "everything"; }
+  std::shared_ptr<const ConstraintManifold> unfitted(const CoordinatePath&) const override {
+    return std::make_shared<Restless>();
+  }
+  std::shared_ptr<const ConstraintManifold> fitted(const CoordinatePath&) const override {
+    return std::make_shared<Restless>();
+  }
+  std::vector<MarginCost> margin_costs(const CoordinatePath&, const Points&) const override { return {}; }
+
+ private:
+  EuclideanManifold plane_{EuclideanManifoldOptions{}};
+};
+
+bool fails_by(const Result& result, std::string_view name) {
+  const auto& failures = result.certificate.failures;
+  return std::any_of(failures.begin(), failures.end(), [&](const auto& failure) { return failure.name == name; });
+}
+
 }  // namespace
 
 TEST_CASE("obstacles: a path through one is not certified, and says where") {
@@ -336,6 +386,38 @@ TEST_CASE("obstacles: ends within a clearance, sharp corners without one, and ot
   Eigen::MatrixXd bow(4, 2);
   bow << 0, 0, 1, 1, 1, 0, 0, 1;
   CHECK_THROWS_WITH(make_polygon({bow}), Catch::Contains("cross"));
+}
+
+TEST_CASE("obstacles: no passage, a class that was lost and a fit without an end have names") {
+  FreeSpace::Obstacles ring;
+  for (int k = 0; k < 12; ++k) {
+    const double angle = 2 * std::numbers::pi * k / 12;
+    ring.push_back(make_ball({Vector2d(std::cos(angle), std::sin(angle)), 0.4}));
+  }
+  GridOptions coarse;
+  coarse.refinements = 1;
+  coarse.trees = false;
+  CHECK_THROWS_WITH(solve(among(ring, 0, Vector2d(0, 0), Vector2d(3, 0)), 20, GridInitializer(coarse)),
+                    Catch::StartsWith("no_passage: grid: no passage at this resolution"));
+  RrtOptions few;
+  few.max_nodes = 500;
+  CHECK_THROWS_WITH(solve(among(ring, 0, Vector2d(0, 0), Vector2d(3, 0)), 20, RrtInitializer(few)),
+                    Catch::StartsWith("no_passage: rrt: no path after"));
+
+  const Problem disc = among({make_ball({Vector2d(0, 0), 1})}, 0, Vector2d(-2, 0), Vector2d(2, 0));
+  FindOptions options;
+  options.points = 30;
+  const WaypointsInitializer above(Vector2d(0, 1.5));
+  CHECK(fails_by(find_path(disc, above, Mirrors(), options), "class_lost"));
+  const Result kept = find_path(disc, above, Newton(), options);
+  CHECK(kept.status == Status::certified);
+  CHECK_FALSE(kept.solve.cycling);
+
+  Problem restless = among({}, 0, Vector2d(0, 0), Vector2d(1, 0));
+  restless.manifold = std::make_shared<const Restless>();
+  const Result result = find_path(restless, StraightInitializer(), Newton(), options);
+  CHECK(result.solve.cycling);
+  CHECK(fails_by(result, "active_set_cycling"));
 }
 
 }  // namespace leastcost

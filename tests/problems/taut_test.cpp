@@ -22,7 +22,7 @@
 #include <leastcost/problems/post_processors/taut.hpp>
 #include <leastcost/solvers/newton.hpp>
 #include <leastcost/solvers/no_solver.hpp>
-#include "problems/taut/crossing_word.hpp"
+#include "problems/obstacles/crossing_word.hpp"
 #include "tests/support/catch.hpp"
 
 namespace leastcost {
@@ -31,7 +31,6 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kExcess = 1e-6;
-constexpr double kPi = std::numbers::pi;
 
 ObstacleWalls::Obstacles discs(const std::vector<Eigen::Vector3d>& all) {
   ObstacleWalls::Obstacles made;
@@ -82,11 +81,11 @@ double least_of(const ObstacleWalls::Obstacles& obstacles, double clearance, con
 
 TEST_CASE("taut: around a disc, on either side and once more about it") {
   const auto disc = discs({{0, 0, 1}});
-  const double half = 2 * std::sqrt(3.0) + kPi / 3;  // ORACLES D5
+  const double half = 2 * std::sqrt(3.0) + std::numbers::pi / 3;  // ORACLES D5
   CHECK(least_of(disc, 0, {{-2, 0}, {0, 2}, {2, 0}}) == Approx(half).epsilon(1e-14));
   CHECK(least_of(disc, 0, {{-2, 0}, {0, -2}, {2, 0}}) == Approx(half).epsilon(1e-14));
   CHECK(least_of(disc, 0, {{-2, 0}, {0, 2}, {2, 1}, {2, -2}, {-2, -2}, {-2, 3}, {3, 3}, {2, 0}}) ==
-        Approx(half + 2 * kPi).epsilon(1e-14));
+        Approx(half + 2 * std::numbers::pi).epsilon(1e-14));
   CHECK(least_of(disc, 0, {{-2, 0}, {0, 2}, {2, 1}, {2, 3}, {-2, 3}, {2, 3}, {2, 0}}) == Approx(half).epsilon(1e-14));
   // With a clearance the disc is larger by it, wherever the clearance comes from.
   CHECK(least_of(discs({{0, 0, 0.25}}), 0.75, {{-2, 0}, {0, 2}, {2, 0}}) == Approx(half).epsilon(1e-14));
@@ -171,7 +170,7 @@ TEST_CASE("taut: certified as the shortest of its class, with the value covered"
   for (const int n : {5, 32, 200}) {
     const Problem problem = taut_problem(discs({{0, 0, 1}}), 0, {-2, 0}, {2, 0});
     const Result result = find_path(problem, WaypointsInitializer(Vector2d(0.1, 2)), NoSolver(), pulled_tight(n));
-    const double truth = 2 * std::sqrt(3.0) + kPi / 3;
+    const double truth = 2 * std::sqrt(3.0) + std::numbers::pi / 3;
     REQUIRE(result.status == Status::certified);
     CHECK(result.certificate.scope == "least_of_class");
     CHECK(result.certificate.clearance->proved);
@@ -203,7 +202,7 @@ TEST_CASE("taut: what it cannot do is said") {
   PostProcessed current;
   current.chain.u = Points::Zero(3, 3);
   using Catch::Matchers::Contains;
-  CHECK_THROWS_WITH(TautPostProcessor().apply(problem, {}, current, {}), Contains("needs the plane"));
+  CHECK_THROWS_WITH(TautPostProcessor().apply(problem, {}, current, {}), Contains("needs the plane or space"));
   Problem ring = taut_problem(discs({{0, 0, 1}}), 0, {-2, 0}, {2, 0});
   ring.ring = true;
   CHECK_THROWS_WITH(TautPostProcessor().apply(ring, {}, current, {}), Contains("ring"));
@@ -240,7 +239,7 @@ TEST_CASE("taut: where next to nothing is required, walls are still no way throu
 }
 
 TEST_CASE("taut: the bar has room for rounding, far from the origin as well") {
-  const double truth = 2 * std::sqrt(3.0) + kPi / 3;
+  const double truth = 2 * std::sqrt(3.0) + std::numbers::pi / 3;
   for (const double shift : {0.0, 1e3, 1e5}) {
     for (const double excess : {1e-10, 1e-6, 1e-2}) {
       const Vector2d o(shift, -shift);

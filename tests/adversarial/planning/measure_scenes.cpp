@@ -19,6 +19,7 @@
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/find_path.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
+#include <leastcost/problems/initializers/grid.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
@@ -27,7 +28,6 @@
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/problems/obstacles/polygon.hpp>
 #include <leastcost/problems/post_processors/taut.hpp>
-#include <leastcost/solvers/newton.hpp>
 #include <leastcost/solvers/no_solver.hpp>
 #include "tests/adversarial/planning/judge/exact.hpp"
 #include "tests/adversarial/planning/judge/grid_passage.hpp"
@@ -77,14 +77,14 @@ std::pair<std::string, Points> plan(const PlannedScene& planned, double budget) 
   try {
     FindOptions options;
     options.points = planned.points;
-    if (planned.scene.dimension == 2) options.post_processors = {std::make_shared<const TautPostProcessor>()};
+    options.post_processors = {std::make_shared<const TautPostProcessor>()};
     Monitor monitor;
     monitor.deadline = Monitor::Clock::now() +
                        std::chrono::duration_cast<Monitor::Clock::duration>(std::chrono::duration<double>(budget));
     const Problem problem = problem_of(planned.scene);
     const Result result = planned.scene.dimension == 2
-                              ? find_path(problem, RrtInitializer(), NoSolver(), options, monitor)
-                              : find_path(problem, RrtInitializer(), Newton(), options, monitor);
+                              ? find_path(problem, GridInitializer(), NoSolver(), options, monitor)
+                              : find_path(problem, RrtInitializer(), NoSolver(), options, monitor);
     return {word_of(result), result.curve.x};
   } catch (const InitializationError&) {
     return {"no first path", {}};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <leastcost/framework/path.hpp>
@@ -15,5 +16,9 @@ namespace leastcost {
 /// have the same word, and only there (the fundamental group of a plane with holes is free). `rounds`: of all
 /// obstacles, ascending; the first of each counts.
 std::vector<int> crossing_word(const std::vector<Round>& rounds, const Points& path);
+
+/// Whether two polylines in the plane between the same ends, 2 x m, pass all obstacles on the same sides, in the same
+/// order; nothing where the walls are not made of discs.
+std::optional<bool> of_one_class(const Walls& walls, const Points& a, const Points& b);
 
 }  // namespace leastcost
