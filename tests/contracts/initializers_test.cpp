@@ -345,7 +345,10 @@ TEST_CASE("initializer contract: grid", "[contract]") {
     const auto upper = make_box_obstacle({Eigen::Vector2d(0.4, 0.94), Eigen::Vector2d(0.6, 2)});
     const Problem problem =
         between(among(domain, {lower, upper}), make_euclidean_cost(2), Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0));
-    const GridInitializer coarse({.resolution = 0.5, .refinements = 0}), fine({.resolution = 0.5, .refinements = 5});
+    GridOptions once{.resolution = 0.5, .refinements = 0};
+    check_initializer_contract(GridInitializer(once), problem);  // by random trees
+    once.trees = false;
+    const GridInitializer coarse(once), fine({.resolution = 0.5, .refinements = 5});
     CHECK_THAT(why_there_is_none([&] { coarse.first_path(problem, {}); }),
                Catch::Contains("no passage at this resolution: 10 x 8 cells of 0.5"));
     check_initializer_contract(fine, problem);
