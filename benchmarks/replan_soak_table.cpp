@@ -8,11 +8,15 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include <leastcost/framework/replanner.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>
+#include <leastcost/problems/post_processors/taut.hpp>
 #include <leastcost/solvers/newton.hpp>
+#include <leastcost/solvers/no_solver.hpp>
 #include "tests/support/moving_discs.hpp"
 #include "tests/support/overrun.hpp"
 
@@ -30,15 +34,21 @@ double kilobytes_in_use() { return static_cast<double>(mallinfo2().uordblks) / 1
 
 }  // namespace
 
-/// Arguments: seconds (60), the budget in milliseconds (10).
+/// Arguments: seconds (60), the budget in milliseconds (10), `newton` or `taut`.
 int main(int count, char** arguments) {
   const double lasting = count > 1 ? std::atof(arguments[1]) : 60,
                budget = 1e-3 * (count > 2 ? std::atof(arguments[2]) : 10);
   constexpr std::size_t kMostPlans = 10'000'000;
   std::vector<float> late;
   late.reserve(kMostPlans);  // the record itself must not grow
-  Replanner planner(std::make_shared<Newton>(NewtonOptions{.tolerance = 1e-8}), std::make_shared<RrtInitializer>(),
-                    FindOptions{.points = 100, .certificate = {.enabled = false}});
+  const bool taut = count > 3 && std::string(arguments[3]) == "taut";
+  FindOptions options{.points = 100, .certificate = {.enabled = false}};
+  std::shared_ptr<const Solver> solver = std::make_shared<Newton>(NewtonOptions{.tolerance = 1e-8});
+  if (taut) {
+    solver = std::make_shared<NoSolver>();
+    options.post_processors = {std::make_shared<const TautPostProcessor>(TautOptions{.excess = 1e-5})};
+  }
+  Replanner planner(solver, std::make_shared<RrtInitializer>(), options);
   double after_one_second = 0, most_after = 0, worst_wall = 0;
   int penetrating = 0, without = 0;
   const Clock::time_point begin = Clock::now();

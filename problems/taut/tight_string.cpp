@@ -17,6 +17,7 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
+constexpr double kSoDeep = 1e-10;   ///< of the length: an end may be so deep in a clearance, for rounding
 constexpr double kContactGap = 1e-7;  ///< of the length: a side so near to an obstacle touches it
 constexpr double kOfCoordinate = 64 * std::numeric_limits<double>::epsilon();  ///< of coordinates
 constexpr double kShortestSide = 1e-9;                                         ///< of the length
@@ -173,8 +174,7 @@ class Pulled {
  private:
   bool is_clear(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
     const MoveClearance clearance = walls_.clearance(a, b);
-    return clearance.obstacle < 0 ||
-           clearance.upper >= -kOfCoordinate * std::max(walls_.size(), x_.cwiseAbs().maxCoeff());
+    return clearance.obstacle < 0 || clearance.upper >= -kSoDeep * unit_;
   }
 
   /// How far a vertex may go at once: all obstacles that are so near have a plane.
