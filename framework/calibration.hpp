@@ -30,7 +30,7 @@ enum class DetailVerdict {
 ///
 /// So a feature of the cost that no point of a chain saw, in the tube, makes the proof fail.
 struct Calibration {
-  bool applies = false;  ///< there is a tube: cost and domain are formulas, two or three coordinates, no ring
+  bool applies = false;  ///< there is a tube: what can_calibrate() says, and no ring
   bool proved = false;
   double gap = 0;               ///< relative; no curve in the tube costs less than (1 - gap) times the curve
   double half_width = 0;        ///< of the tube where it is narrowest, units of the cost
@@ -46,7 +46,8 @@ struct CalibrationOptions {
   int boxes = 4;       ///< at most this many per segment of the chain, in the mean: the effort for the proof
 };
 
-/// Whether there can be a proof: cost and domain are formulas, in two or three coordinates.
+/// Whether there can be a proof: cost and domain are formulas, in two or three coordinates, or the metric is constant
+/// in a flat space of any number of them.
 bool can_calibrate(const Problem& problem);
 
 /// For the piecewise cubic curve with continuous tangents through the points of an open chain. Throws Interrupted.

@@ -13,6 +13,7 @@
 #include <leastcost/framework/refinement.hpp>
 #include <leastcost/framework/segment_cost_function.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
+#include <leastcost/problems/costs/metric_tensor.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
 #include "tests/support/catch.hpp"
@@ -98,6 +99,27 @@ TEST_CASE("bounds of a proof hold the closed form", "[calibration]") {
     CHECK(c.lower <= truth);
     CHECK(truth <= c.upper.value());
     CHECK(c.upper.value() - c.lower < 1e-11);
+  }
+  SECTION("a constant metric in any number of coordinates") {
+    for (const int n : {1, 4, 7, 12}) {
+      Eigen::MatrixXd m = Eigen::MatrixXd::Identity(n, n);
+      for (Index i = 0; i + 1 < n; ++i) m(i, i + 1) = m(i + 1, i) = 0.4 / static_cast<double>(i + 1);
+      m.diagonal() += Eigen::VectorXd::LinSpaced(n, 0, 1);
+      const Eigen::VectorXd a = Eigen::VectorXd::Zero(n), b = Eigen::VectorXd::LinSpaced(n, 1, -2);
+      const Problem problem = between(space(n), make_metric_tensor_cost({.matrix = m}, n), a, b);
+      const long double truth = std::sqrt(b.cast<long double>().dot(m.cast<long double>() * b.cast<long double>()));
+      const Result r = find(problem, 20);
+      CAPTURE(n);
+      REQUIRE(r.status == Status::certified);
+      REQUIRE(r.certificate.resolution);
+      const Resolution& found = *r.certificate.resolution;
+      CHECK(found.verdict == ResolutionVerdict::proved);
+      CHECK(found.minimum_proved);
+      REQUIRE((found.lower && found.upper));
+      CHECK(*found.lower <= truth);
+      CHECK(truth <= *found.upper);
+      CHECK(*found.upper - *found.lower < 1e-13L * truth * n);
+    }
   }
   SECTION("a sphere in stereographic coordinates, before and beyond the antipode") {
     const std::string g = "4/(1 + x^2 + y^2)^2";

@@ -13,6 +13,8 @@
 #include <vector>
 
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/obstacles/map_obstacles.hpp>
+#include <leastcost/problems/obstacles/mesh_obstacle.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
 #include <leastcost/problems/readers/point_cloud_reader.hpp>
 #include <leastcost/problems/readers/sdf_reader.hpp>
@@ -22,10 +24,14 @@
 #include "app/study/grid/grid.hpp"
 #include "app/study/rows/journal.hpp"
 #include "app/study/rows/run_table.hpp"
+#include "catalogue/inputs/map_file.hpp"
 #include "catalogue/run/compose.hpp"
 #include "catalogue/run/run_config.hpp"
 #include "catalogue/scene/scene.hpp"
+#include "catalogue/yaml/diagnostics.hpp"
+#include "catalogue/yaml/overrides.hpp"
 #include "problems/formula/formula.hpp"
+#include "problems/occupancy/free_mesh.hpp"
 #include "problems/readers/waypoint_reader.hpp"
 
 namespace leastcost::fuzz {
@@ -44,6 +50,45 @@ inline std::filesystem::path file_with(std::string_view bytes, const std::string
 /// Reads a mesh, and makes one of what was read: most of what can be wrong shows there.
 inline void mesh(std::string_view bytes, const std::string& ending) {
   const TriangleMesh made(read_mesh(file_with(bytes, ending)));
+}
+
+/// A map as a domain and as obstacles, and what lies between them and a segment.
+inline void map(std::string_view bytes, const std::string& ending) {
+  OccupancyOptions options;
+  const std::filesystem::path file = file_with(bytes, ending);
+  if (ending == ".yaml") {  // the image that it names
+    static const bool written = [&] {
+      std::ofstream(file.parent_path() / "map.pgm") << "P2\n3 2\n255\n0 254 254\n254 254 0\n";
+      return true;
+    }();
+    static_cast<void>(written);
+  }
+  options.file = file.filename().string();
+  const OccupancyGrid grid = read_map(options, file.parent_path());
+  const TriangleMesh made(free_mesh(grid, free_boxes(grid)).triangles);
+  double t = 0;
+  for (const auto& obstacle : map_obstacles(grid))
+    obstacle->distance_of_segment(Eigen::Vector2d(-1, 0.5), Eigen::Vector2d(4, 1), t);
+}
+
+/// A mesh of which only its faces are in the way, and one whose inside is.
+inline void mesh_obstacle(std::string_view bytes) {
+  const TriangleMesh made(read_mesh(file_with(bytes, ".obj")));
+  for (const MeshInside inside : {MeshInside::surface, MeshInside::closed, MeshInside::solid}) {
+    const auto obstacle = make_mesh_obstacle(made, inside, 0.1);
+    Eigen::VectorXd away(3);
+    double t = 0;
+    obstacle->distance(Eigen::Vector3d(0.2, 0.2, 0.2), away);
+    obstacle->distance_of_segment(Eigen::Vector3d(-1, 0.1, 0.2), Eigen::Vector3d(1, 0.3, 0.1), t);
+  }
+}
+
+/// A configuration with what its last line puts in: the option after `--set`.
+inline void override_of(std::string_view bytes) {
+  Diagnostics errors("fuzz.yaml", "");
+  ConfigNode root;
+  apply_overrides({set_option(std::string(bytes))}, root, errors);
+  errors.render();
 }
 
 inline void configuration(std::string_view bytes) {
@@ -105,6 +150,11 @@ inline const std::vector<Target>& targets() {
       {"off", [](std::string_view b) { mesh(b, ".off"); }},
       {"ply", [](std::string_view b) { mesh(b, ".ply"); }},
       {"stl", [](std::string_view b) { mesh(b, ".stl"); }},
+      {"mesh_obstacle", mesh_obstacle},
+      {"moving_ai", [](std::string_view b) { map(b, ".map"); }},
+      {"pgm", [](std::string_view b) { map(b, ".pgm"); }},
+      {"png", [](std::string_view b) { map(b, ".png"); }},
+      {"map_server", [](std::string_view b) { map(b, ".yaml"); }},
       {"xyz", [](std::string_view b) { read_point_cloud(file_with(b, ".xyz")); }},
       {"cloud_ply", [](std::string_view b) { read_point_cloud(file_with(b, ".ply")); }},
       {"sdf", [](std::string_view b) { read_sdf(b, "fuzz.sdf", 1e8); }},
@@ -114,6 +164,7 @@ inline const std::vector<Target>& targets() {
          read_waypoints(file_with(b, ".csv"), {"x", "y", "z"});
        }},
       {"configuration", configuration},
+      {"override", override_of},
       {"study", study},
       {"formula", formula},
       {"journal", [](std::string_view b) { app::read_journal(file_with(b, ".jsonl")); }},
