@@ -31,7 +31,7 @@ void check_waist(const Result& result, int n) {
 }  // namespace
 
 TEST_CASE("D2: waists in charts are certified minima", "[oracle]") {
-  const int n = GENERATE(64, 200);
+  const int n = GENERATE(32, 64, 200);
   check_waist(loop("torus", 0, {0.3, kPi - 0.4}, n), n);
   check_waist(loop("hyperboloid", 0, {0.3, 0.5}, n), n);
   check_waist(loop("catenoid", 0, {0.3, -0.4}, n), n);

@@ -34,7 +34,7 @@ Problem ring_on(std::shared_ptr<const ConstraintManifold> manifold) {
 }  // namespace
 
 TEST_CASE("D1: a geodesic of the sphere", "[oracle]") {
-  const int n = GENERATE(7, 15, 31, 63);
+  const int n = GENERATE(7, 15, 32, 64, 200);
   const Result result = find(on_sphere(), n);
   const CostEstimate& e = result.certificate.estimate;
   CAPTURE(n, e.value, e.error, e.method, failures(result.certificate));
@@ -67,7 +67,7 @@ TEST_CASE("D1: the discrete minimisers on the sphere are equal chords, to the pu
 }
 
 TEST_CASE("D1: geodesics of the torus", "[oracle]") {
-  const int n = GENERATE(15, 40, 63);
+  const int n = GENERATE(15, 32, 64, 200);
   struct Row {
     double u0, v0, u1, v1, length;
   };
@@ -83,7 +83,7 @@ TEST_CASE("D1: geodesics of the torus", "[oracle]") {
 }
 
 TEST_CASE("D2: the inner equator of the torus is a certified minimum", "[oracle]") {
-  const int n = GENERATE(16, 33, 64);
+  const int n = GENERATE(16, 32, 33, 64, 200);
   const auto start = loop(40, [](double t) { return Torus::at(t, kPi + 0.5 * std::sin(2 * t)); });
   const Result result = find(ring_on(std::make_shared<Torus>()), n, start);
   const CostEstimate& e = result.certificate.estimate;
