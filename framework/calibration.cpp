@@ -71,7 +71,7 @@ Calibration prove(TubeBounds<N, D>& bounds, const Tube<N, D>& tube, const Extrem
     worst = std::max(worst, excess);
     loss += excess * tube.costs[n];
   }
-  out.gap = extremals.varies_little_across() ? loss / tube.cost : worst;
+  out.gap = !tube.ring() && extremals.varies_little_across() ? loss / tube.cost : worst;
   out.lower = curve.lo * (1 - out.gap);
   out.proved = std::isfinite(out.lower) && out.upper;
   return out;
@@ -101,7 +101,8 @@ Calibration calibrate_in(const Problem& problem, const CoordinatePath& chain, co
   Calibration out;
   const TubeMetric<N, D> metric(problem);
   if constexpr (D == N)
-    if (const std::optional<Calibration> constant = calibrate_constant(metric, chain)) return *constant;
+    if (!chain.ring)
+      if (const std::optional<Calibration> constant = calibrate_constant(metric, chain)) return *constant;
   const TubeField<N, D> field(metric);
   Tube<N, D> tube(metric, chain, options.segments, deadline);
   out.applies = tube.exists() || tube.torn;
@@ -118,7 +119,7 @@ Calibration calibrate_in(const Problem& problem, const CoordinatePath& chain, co
   if (curve.is_finite()) out.upper = curve.hi;
   ExtremalField<N, D> extremals(field, tube, deadline);
   if (!extremals.exists()) return out;
-  if (!concave(field, tube, deadline)) extremals.add_third_derivatives();
+  if (!tube.ring() && !concave(field, tube, deadline)) extremals.add_third_derivatives();
   return prove(bounds, tube, extremals, curve, enough, out);
 }
 
@@ -131,7 +132,13 @@ bool can_calibrate(const Problem& problem) {
 
 Calibration calibrate(const Problem& problem, const CoordinatePath& chain, const CalibrationOptions& options,
                       const Deadline& deadline) {
-  if (chain.ring) return {};
+  if (chain.ring) {
+    const bool turned = !chain.closing.identity() && !(chain.closing.sign.array() == 1).all();  // a Moebius strip
+    if (turned) return {};
+    if (TubeMetric<2, 2>::exists(problem)) return calibrate_in<2, 2>(problem, chain, options, deadline);
+    if (TubeMetric<2, 3>::exists(problem)) return calibrate_in<2, 3>(problem, chain, options, deadline);
+    return {};
+  }
   if (is_convex(problem)) {  // in any number of coordinates
     const Eigen::MatrixXd g = find_ability<HasConstantMetric>(*problem.cost)->metric();
     return straight_line(chain, [&g](Index i, Index j) { return Interval(g(i, j)); });

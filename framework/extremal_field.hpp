@@ -18,7 +18,8 @@
 namespace leastcost {
 
 /// The potential of a tube: W by its Riccati equation, with the largest margin of a few that leaves it bounded. Written
-/// into the segments of the tube.
+/// into the segments of the tube. Of a ring W must not be less after one turn than it was before, and what it is more
+/// is a step of the potential upward, where the ring closes.
 template <int N, int D>
 class ExtremalField {
  public:
@@ -34,8 +35,9 @@ class ExtremalField {
     exists_ = solve();
   }
 
-  /// Adds third derivatives to the potential, so that those of f vanish on the curve: f then falls on both sides
-  /// farther out where it is lopsided, and less far where these derivatives grow along the path. Throws Interrupted.
+  /// Of an open path. Adds third derivatives to the potential, so that those of f vanish on the curve: f then falls on
+  /// both sides farther out where it is lopsided, and less far where these derivatives grow along the path. Throws
+  /// Interrupted.
   void add_third_derivatives();
 
   /// False: the path is no strict minimum, or nearly not.
@@ -69,15 +71,44 @@ class ExtremalField {
     const double unit = std::numbers::pi / tube_.cost;
     for (const double own : {1.0, 0.25, 0.0}) {
       own_part_ = own;
-      for (double part = 64; part > 1e-2; part /= 2) {
+      const double least = tube_.ring() ? 1e-5 : 1e-2;
+      for (double part = 64; part > least; part /= 2) {
         margin_ = part * unit * unit;
-        if (!flattest()) continue;
+        if (!found()) continue;
         margin_ /= 4;
-        flattest();
-        return true;
+        return found();
       }
     }
     return false;
+  }
+
+  bool found() { return tube_.ring() ? closes() : flattest(); }
+
+  /// Of a ring: whether some W is not less after one turn, by more than rounding. Turn after turn a large start comes
+  /// down to the largest W that is periodic, if there is one; what starts less comes nearer to it.
+  bool closes() {
+    constexpr int kTurns = 40;
+    constexpr double kBelow = 1e-3, kRounding = 1e-9, kPerSegment = 0.5;  // more is no step for the integration
+    const double unit = std::numbers::pi / tube_.cost;
+    double start = kPerSegment * static_cast<double>(tube_.segments.size()) / tube_.cost;
+    for (int turn = 0; turn < kTurns; ++turn) {
+      if (!std::isfinite(integrate(start))) return false;
+      const double fall = start - end_;
+      start = end_;
+      if (std::abs(fall) <= kRounding * unit) break;
+    }
+    for (double below = kBelow; below < 1; below *= 2) {
+      const double less = start - below * std::max(std::abs(start), 1e-3 * unit);
+      if (std::isfinite(integrate(less)) && end_ - less > kRounding * unit) return small_where_it_closes();
+    }
+    return false;
+  }
+
+  /// The potential varies little across where the ring closes, in units of its cost.
+  bool small_where_it_closes() const {
+    constexpr double kLittle = 0.25;
+    const double width = tube_.widths[0], w = std::max(std::abs(tube_.segments.front().w[0][0].at(0)), std::abs(end_));
+    return w * width * width / 2 < kLittle * tube_.cost;
   }
 
   /// Whether W stays bounded from some start; from the one that keeps it smallest.
@@ -112,6 +143,7 @@ class ExtremalField {
               Cubic::hermite(w(r, c), next(r, c), k1(r, c), rate(r, c));
       w = next;
     }
+    end_ = w(0, 0);
     return largest;
   }
 
@@ -120,6 +152,7 @@ class ExtremalField {
   const Deadline& deadline_;
   std::vector<RiccatiPoint<N, D>> riccati_;  ///< at the start, the middle and the end of each segment
   double margin_ = 0, own_part_ = 1;
+  double end_ = 0;  ///< W(0, 0) at the end of the path
   bool exists_ = false;
 };
 

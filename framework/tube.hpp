@@ -19,8 +19,9 @@
 
 namespace leastcost {
 
-/// The tube of framework/calibration.hpp: the piecewise cubic curve with continuous tangents through the points of an
-/// open chain, its frame, and its width, segment by segment.
+/// The tube of framework/calibration.hpp: the piecewise cubic curve with continuous tangents through the points of a
+/// chain, its frame, and its width, segment by segment. A ring (N = 2 only) ends as it begins, or on the image of that
+/// under a shift of the coordinates.
 template <int N, int D>
 class Tube {
  public:
@@ -36,6 +37,8 @@ class Tube {
   /// False: too few points, or a metric that is not finite and positive definite on the curve (motion from rest, a
   /// pole).
   bool exists() const { return exists_; }
+
+  bool ring() const { return chain_.ring; }
 
   std::vector<TubeSegment<N, D>> segments;
   std::optional<Index> torn;  ///< a segment without a tube, because the surface is no graph over it
@@ -79,7 +82,18 @@ class Tube {
     return normals;
   }
 
-  /// dx/di of the points x at point i, of order 4.
+  /// The point i; in a ring also beyond its ends.
+  Vector point(Index i) const { return chain_.column(i); }
+  /// In a ring the number of the same point.
+  Index same(Index i) const { return chain_.ring && i == chain_.u.cols() ? 0 : i; }
+
+  /// d/di of what `at` gives for each point of a ring, of order 4.
+  template <class At>
+  static Vector slope_around(const At& at, Index i) {
+    return (8 * (at(i + 1) - at(i - 1)) - (at(i + 2) - at(i - 2))) / 12;
+  }
+
+  /// dx/di of the points x at point i of an open chain, of order 4.
   static Vector slope(const Points& x, Index i) {
     static constexpr double kStencils[3][5] = {{-25. / 12, 4, -3, 4. / 3, -1. / 4},
                                                {-1. / 4, -5. / 6, 3. / 2, -1. / 2, 1. / 12},
@@ -110,9 +124,17 @@ class Tube {
     return out;
   }
 
+  /// Of the unit normals.
+  Vector turn_at(const Points& normals, Index i) const {
+    const Index count = normals.cols();
+    const auto around = [&](Index j) { return Vector(normals.col((j + count) % count)); };
+    return chain_.ring ? slope_around(around, i) : slope(normals, i);
+  }
+
   /// dx/di of the chain, in the tangent plane.
   Vector slope_at(const Points& normals, Index i) const {
-    Vector d = slope(chain_.u, i);
+    const auto around = [&](Index j) { return point(j); };
+    Vector d = chain_.ring ? slope_around(around, i) : slope(chain_.u, i);
     if constexpr (D > N) d -= normals.col(i).dot(d) * normals.col(i);
     return d;
   }
@@ -133,7 +155,7 @@ class Tube {
   /// The part of a delivered segment that the tube reaches to each side, in coordinates.
   double reach(Index i, Index delivered) const {
     const double per_segment = static_cast<double>(chain_.segment_count()) / static_cast<double>(delivered);
-    return kWidth * per_segment * (chain_.u.col(i + 1) - chain_.u.col(i)).norm();
+    return kWidth * per_segment * (point(i + 1) - point(i)).norm();
   }
 
   bool make_segments(Index delivered, const Deadline& deadline) {
@@ -145,24 +167,25 @@ class Tube {
     segments.resize(static_cast<std::size_t>(count));
     for (Index i = 0; i < count; ++i) {
       look_at_clock(deadline);
-      const Vector next_d = slope_at(normals, i + 1);
-      const Frame next = next_frame(normals, i + 1, next_d, across);
+      const Index after = same(i + 1);
+      const Vector next_d = slope_at(normals, after), from = point(i), to = point(i + 1);
+      const Frame next = next_frame(normals, after, next_d, across);
       if (!next.allFinite() || !across.allFinite()) {
         if constexpr (D > N)  // a singular point of the surface has no normal
-          if (!(normals.middleCols(i, 2).colwise().norm().minCoeff() > 0.5)) torn = i;
+          if (!(std::min(normals.col(i).norm(), normals.col(after).norm()) > 0.5)) torn = i;
         return false;
       }
       TubeSegment<N, D>& segment = segments[static_cast<std::size_t>(i)];
       if constexpr (D > N) {
         segment.reach = reach(i, delivered);
-        const Vector turn = slope(normals, i), next_turn = slope(normals, i + 1);
+        const Vector turn = turn_at(normals, i), next_turn = turn_at(normals, after);
         for (Index r = 0; r < D; ++r)
           segment.normal[static_cast<std::size_t>(r)][0] =
-              Cubic::hermite(normals(r, i), normals(r, i + 1), turn[r], next_turn[r]);
+              Cubic::hermite(normals(r, i), normals(r, after), turn[r], next_turn[r]);
       }
       for (Index r = 0; r < D; ++r) {
         const auto n = static_cast<std::size_t>(r);
-        segment.curve[n] = Cubic::hermite(chain_.u(r, i), chain_.u(r, i + 1), d[r], next_d[r]);
+        segment.curve[n] = Cubic::hermite(from[r], to[r], d[r], next_d[r]);
         for (Index k = 0; k < kAcross; ++k)
           segment.frame[n][static_cast<std::size_t>(k)] = Cubic::line(across(r, k), next(r, k));
       }

@@ -14,6 +14,7 @@
 #include <leastcost/framework/segment_cost_function.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
+#include <leastcost/problems/initializers/coordinate_circle.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
 #include "tests/support/catch.hpp"
@@ -37,6 +38,16 @@ std::shared_ptr<const SegmentCost> index(const std::string& n) {
 Calibration proof(const Problem& problem, int points) {
   const CoordinatePath chain = find(problem, points).path;
   return calibrate(problem, refine_levels(problem, chain, {}).paths.at(2), {chain.segment_count(), 1e-9, 200}, {});
+}
+
+/// Around the origin, a little outside of the unit circle and not even.
+WaypointsInitializer circle(int dimension) {
+  Points around = Points::Constant(dimension, 24, 0.05);
+  for (Index i = 0; i < around.cols(); ++i) {
+    const double t = 2 * kPi * static_cast<double>(i) / static_cast<double>(around.cols());
+    around.col(i).head(2) = (1.05 + 0.03 * std::sin(2 * t)) * Eigen::Vector2d(std::cos(t), std::sin(t));
+  }
+  return WaypointsInitializer(around);
 }
 
 /// Time of a ray where the speed is 1 + y / 2, less in a narrow trench.
@@ -210,6 +221,57 @@ TEST_CASE("a surface by equation: details and second sheets beside the path", "[
   const Result far = find(between_on("z*(z - 0.1)", a, b), 64);
   CHECK(far.status == Status::certified);
   CHECK(far.certificate.resolution->verdict == ResolutionVerdict::proved);
+}
+
+TEST_CASE("bounds of a proof hold the closed form of a ring", "[calibration]") {
+  const auto check = [](const Result& r, double truth) {
+    CAPTURE(r.costs.size(), failures(r.certificate));
+    REQUIRE(r.status == Status::certified);
+    const Resolution& found = r.certificate.resolution.value();
+    CHECK(found.verdict == ResolutionVerdict::proved);
+    REQUIRE(found.minimum_proved);
+    CHECK(found.lower.value() <= truth);
+    CHECK(truth <= found.upper.value());
+    CHECK(*found.upper - *found.lower < 1e-4 * truth);
+  };
+  const int n = GENERATE(32, 64);
+  for (const parametric::Surface& surface :
+       std::vector<parametric::Surface>{parametric::Torus{}, parametric::Catenoid{}})
+    check(find(closed(make_parametric_manifold({.surface = surface}), make_euclidean_cost(3)), n,
+               CoordinateCircleInitializer(
+                   {0, Eigen::Vector2d(0.3, std::holds_alternative<parametric::Torus>(surface) ? kPi - 0.3 : 0.3), 1})),
+          2 * kPi);
+  const ImplicitManifoldOptions hyperboloid{.surface = implicit::Formula{.f = "x^2 + y^2 - z^2 - 1"}};
+  check(find(closed(make_implicit_manifold(hyperboloid), make_euclidean_cost(3)), n, circle(3)), 2 * kPi);
+  // Around the origin at the distance r it costs 2 pi (1 + (r^2 - 1)^2).
+  check(find(closed(space(2), index("(1 + (x^2 + y^2 - 1)^2)/sqrt(x^2 + y^2)")), n, circle(2)), 2 * kPi);
+}
+
+TEST_CASE("no proof of a ring that is no strict minimum, or of what its points did not see", "[calibration]") {
+  const CalibrationOptions options{64, 1e-9, 200};
+  const auto in_chart = [&](const parametric::Surface& surface, double v) {
+    CoordinatePath ring;
+    ring.ring = true;
+    ring.u.resize(2, 128);
+    for (Index i = 0; i < 128; ++i) ring.u.col(i) = Eigen::Vector2d(2 * kPi * static_cast<double>(i) / 128, v);
+    ring.closing = {Eigen::Vector2d(1, 1), Eigen::Vector2d(2 * kPi, 0)};
+    const Problem problem = closed(make_parametric_manifold({.surface = surface}), make_euclidean_cost(3));
+    return calibrate(problem, ring, options, {});
+  };
+  CHECK(in_chart(parametric::Torus{}, kPi).proved);         // the inner equator
+  CHECK_FALSE(in_chart(parametric::Torus{}, 0).proved);     // the outer one, a saddle
+  CHECK_FALSE(in_chart(parametric::Cylinder{}, 0).proved);  // may drift
+  const Calibration beside =
+      in_chart(parametric::Torus{}, 3);  // no geodesic: the circles nearer to the inner one are less
+  REQUIRE(beside.proved);
+  CHECK(beside.lower <= 2 * kPi * (2 + std::cos(3 + beside.half_width)));
+
+  // A trench along a radius, between two points of the finest chain and across the whole tube.
+  const std::string ring = "(1 + (x^2 + y^2 - 1)^2)/sqrt(x^2 + y^2)";
+  const Problem hidden = closed(space(2), index(ring + " - 0.5*exp(-((y - 0.0123*x)/1e-4)^2)"));
+  const Result r = find(hidden, 64, circle(2));
+  CHECK(failed(r.certificate, "unresolved"));
+  CHECK(r.status == Status::uncertified);
 }
 
 TEST_CASE("a cost in C++ that compiles with intervals is proved", "[calibration]") {
