@@ -90,8 +90,10 @@ class Certifier {
   void fail(const char* name, std::string message) { c_.failures.push_back({name, std::move(message)}); }
 
   /// Whether a failure says that the levels and the delivered path are not of one kind, so that nothing is known about
-  /// the cost but what the delivered path itself costs.
+  /// the cost but what the delivered path itself costs; or that nothing but differences of levels that do not fall
+  /// speaks for the bar.
   bool voids_the_bar() const {
+    if (differences_alone_) return true;
     static constexpr std::array<std::string_view, 9> kVoiding = {"interrupted",     "infinite_cost", "residual",
                                                                  "stationarity",    "refinement",    "collapsed",
                                                                  "longest_segment", "unresolved",    "touches"};
@@ -272,7 +274,9 @@ class Certifier {
   void measure_resolution(const Refinement& refinement) {
     constexpr std::string_view kNotAsymptotic = "not_asymptotic";
     const auto extrapolates = [&](const CertificateFailure& failure) { return failure.name == kNotAsymptotic; };
-    if (hugs_bound_ || !std::all_of(c_.failures.begin(), c_.failures.end(), extrapolates)) return;
+    const bool others = !std::all_of(c_.failures.begin(), c_.failures.end(), extrapolates);
+    differences_alone_ = others && std::any_of(c_.failures.begin(), c_.failures.end(), extrapolates);
+    if (hugs_bound_ || others) return;
     const bool needed = !c_.failures.empty();
     const bool asked = options_.proof == ProofRule::always || (options_.proof == ProofRule::needed && needed);
     const ProofEffort effort = !asked ? ProofEffort::none : needed ? ProofEffort::insist : ProofEffort::normal;
@@ -457,7 +461,8 @@ class Certifier {
   const ToCurve& to_curve_;
   const CertificateOptions& options_;
   const Monitor& monitor_;
-  bool hugs_bound_ = false;  ///< a point rests on a bound: the segment that leaves it cannot follow the path
+  bool hugs_bound_ = false;         ///< a point rests on a bound: the segment that leaves it cannot follow the path
+  bool differences_alone_ = false;  ///< levels without an order, and another failure, so that no other chain was asked
   Certificate c_;
 };
 
