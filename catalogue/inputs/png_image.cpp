@@ -4,14 +4,29 @@
 
 #include <png.h>
 
+#include <cstdint>
 #include <memory>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include <leastcost/framework/errors.hpp>
 #include "problems/readers/occupancy_reader.hpp"
 
 namespace leastcost {
+namespace {
+
+/// Before memory is taken: the compression of a PNG makes one byte of at most 1032 (RFC 1951), each of at most eight
+/// pixels.
+void check_png_bytes(const png_image& png, std::size_t bytes, const std::string& file) {
+  constexpr std::uint64_t kMostPerByte = 8 * 1032;
+  const std::uint64_t pixels = std::uint64_t{png.height} * png.width;
+  if (pixels / kMostPerByte <= bytes) return;
+  throw InputError(file + ": no PNG image that can be read: " + std::to_string(pixels) +
+                   " pixels were announced, which do not fit into the " + std::to_string(bytes) + " bytes of the file");
+}
+
+}  // namespace
 
 GreyImage read_png(std::string_view bytes, const std::string& file) {
   png_image png{};
@@ -20,6 +35,7 @@ GreyImage read_png(std::string_view bytes, const std::string& file) {
   const auto refuse = [&] { throw InputError(file + ": no PNG image that can be read: " + std::string(png.message)); };
   if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) refuse();
   check_map_size(png.height, png.width, file);
+  check_png_bytes(png, bytes.size(), file);
   png.format &= ~static_cast<png_uint_32>(PNG_FORMAT_FLAG_LINEAR | PNG_FORMAT_FLAG_COLORMAP);  // bytes, no palette
   const std::size_t channels = PNG_IMAGE_PIXEL_CHANNELS(png.format);
   std::vector<png_byte> samples(PNG_IMAGE_SIZE(png));
