@@ -9,6 +9,7 @@
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/goes_beyond_bounds.hpp>
+#include <leastcost/framework/has_curvature.hpp>
 #include "framework/in_parts.hpp"
 #include "framework/point_text.hpp"
 
@@ -232,11 +233,22 @@ void PathEnergy::chain_hessian(const CoordinatePath& path, const Points& gradien
 
 /// The curvature of the domain in the Hessian of E along the retraction R: g' d2R(t, t), which for the nearest-point
 /// retraction is -P (sum_j lambda_j Hess F_j) P (docs/numerics.md Sec. 3.3). From second differences of g'R with g held
-/// fixed, two retractions of the whole path per pair of directions, so it works for every domain.
+/// fixed, two retractions of the whole path per pair of directions, so it works for every domain; those that know how
+/// they bend (HasCurvature) are asked.
 void PathEnergy::add_curvature(const CoordinatePath& path, const Points& gradient, const Frames& frames,
                                ChainSystem& system) {
   const int k = dims_.tangent;
   const Index n = path.free_count(), first = path.free_begin();
+  if (const auto* known = find_ability<HasCurvature>(*problem_->manifold)) {
+    Points bend;
+    for (Index i = 0; i < n; ++i) {
+      if (i % kHessianPart == 0) look_at_clock(deadline_);
+      if (!known->bend(path, first + i, gradient.col(i), bend)) continue;
+      const auto basis = frames.bases.middleCols(k * i, k);
+      system.diagonal(i).noalias() += basis.transpose() * bend.lazyProduct(basis);
+    }
+    return;
+  }
   const double extent = (path.u.rowwise().maxCoeff() - path.u.rowwise().minCoeff()).norm();
   const double h = 3e-4 * extent;  // eps^(1/4): rounding and truncation of a second difference balance
   if (!(h > 0)) return;

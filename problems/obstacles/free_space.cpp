@@ -30,14 +30,15 @@ constexpr double kLeastAdvance = 0.02;  ///< of a step: how finely walls are loo
 constexpr double kOverCores = 1.05;     ///< of half a move: what keeps it from passing over a core
 constexpr double kSameLength = 0.02;    ///< relative: by so much moves may be longer without another fit
 constexpr int kLoosened = 6;            ///< fits after which margins only grow, so that they come to an end
+constexpr double kBending = 1e-5;       ///< of the distance from a core: the step of a difference of slopes
 constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
 /// A column on its way: its coordinates, its place, and the walls beside it as far as was looked.
 struct FreeSpace::Point {
-  Point(const ConstraintManifold& domain, const CoordinatePath& path, Index column)
-      : domain_(&domain), chart_(find_ability<HasChart>(domain)) {
+  Point(const FreeSpace& space, const CoordinatePath& path, Index column)
+      : domain_(space.domain_.get()), chart_(space.chart_), flat_(space.flat_) {
     path_.u = path.u.col(column);
     if (!path.sites.empty()) path_.sites = {path.site(column)};
     path_.ring = true;  // a column alone, none of it fixed
@@ -74,7 +75,7 @@ struct FreeSpace::Point {
       chart_->jacobians(path_, j);
       return j.transpose() * wall.slope;
     }
-    if (domain_->shape() == Shape::flat) return wall.slope;
+    if (flat_) return wall.slope;
     Points basis;
     domain_->tangent_bases(path_, basis);
     return basis * (basis.transpose() * wall.slope);
@@ -95,12 +96,16 @@ struct FreeSpace::Point {
 
   const ConstraintManifold* domain_;
   const HasChart* chart_;
+  bool flat_;
   CoordinatePath path_;
   Vector u_, x_;
 };
 
 FreeSpace::FreeSpace(std::shared_ptr<const ConstraintManifold> domain, std::shared_ptr<const Walls> walls)
-    : domain_(std::move(domain)), walls_(std::move(walls)) {
+    : domain_(std::move(domain)),
+      walls_(std::move(walls)),
+      chart_(find_ability<HasChart>(*domain_)),
+      flat_(chart_ == nullptr && domain_->shape() == Shape::flat) {
   if (domain_->shape() == Shape::polyhedral)
     throw InputError("obstacles stand in a flat or a smooth domain; this one is made of flat pieces");
   if (find_ability<HasCoarserVersion>(*domain_) != nullptr)
@@ -127,8 +132,11 @@ double FreeSpace::widest_margin() const {
 /// By how much a point on a wall may be off it.
 double FreeSpace::slack(const Vector& x) const { return kOn * std::max(walls_->size(), x.cwiseAbs().maxCoeff()); }
 
-void FreeSpace::look(Point& point, double reach) const {
-  walls_->near(point.x(), reach + widest_margin() + 2 * slack(point.x()), point.walls);
+void FreeSpace::look(Point& point, double reach) const { anything_near(point.x(), reach, point.walls); }
+
+bool FreeSpace::anything_near(const Vector& x, double reach, std::vector<Wall>& found) const {
+  walls_->near(x, reach + widest_margin() + 2 * slack(x), found);
+  return !found.empty();
 }
 
 /// Along the way out of a wall, as far as its gap, taken to be linear, says.
@@ -233,9 +241,15 @@ void FreeSpace::keep_side(const Point& start, const std::vector<int>& held, Poin
 void FreeSpace::move_along_walls(const CoordinatePath& from, const Points& step, bool bounded,
                                  CoordinatePath& to) const {
   std::vector<int> held;
+  std::vector<Wall> found;
+  Vector place;
   for (Index k = 0; k < step.cols(); ++k) {
     const Index column = from.free_begin() + k;
-    Point start(*domain_, from, column), end(*domain_, to, column);
+    if (flat_) {  // most points are near nothing, and places are coordinates
+      place = from.u.col(column);
+      if (!anything_near(place, (to.u.col(column) - place).norm(), found)) continue;
+    }
+    Point start(*this, from, column), end(*this, to, column);
     const double length = (end.x() - start.x()).norm();
     look(start, length);
     if (start.walls.empty()) continue;
@@ -271,7 +285,7 @@ void FreeSpace::keep_class(const CoordinatePath& from, CoordinatePath& to) const
     if (all_pass) return;
     for (Index i = from.free_begin(); i < from.free_begin() + from.free_count(); ++i) {
       if (held_back[static_cast<std::size_t>(i)] == 0) continue;
-      Point point(*domain_, to, i);
+      Point point(*this, to, i);
       point.go_towards(from.u.col(i), to.u.col(i), 0.5);
       const bool settled = k < kMostRetreats && settle(point, {}, true, (point.x() - before.col(i)).norm());
       to.u.col(i) = settled ? point.u() : Vector(from.u.col(i));
@@ -283,7 +297,7 @@ Projection FreeSpace::project(CoordinatePath& path) const {
   const CoordinatePath before = path;
   Projection result = domain_->project(path);
   for (Index i = 0; i < path.u.cols(); ++i) {
-    Point point(*domain_, path, i);
+    Point point(*this, path, i);
     if (settle(point, {}, true, 0)) {
       path.u.col(i) = point.u();
       result.moved = std::max(result.moved, (point.u() - before.u.col(i)).norm());
@@ -306,7 +320,7 @@ void FreeSpace::retract(const CoordinatePath& from, const Points& step, Coordina
 void FreeSpace::retract_beyond(const CoordinatePath& from, const Points& step, CoordinatePath& to) const {
   if (const auto* beyond = find_ability<GoesBeyondBounds>(*domain_)) {
     beyond->retract_beyond(from, step, to);
-  } else if (domain_->shape() == Shape::flat || find_ability<HasChart>(*domain_) != nullptr) {
+  } else if (flat_ || chart_ != nullptr) {
     prepare_like(from, to);
     to.u.middleCols(from.free_begin(), from.free_count()) =
         from.u.middleCols(from.free_begin(), from.free_count()) + step;
@@ -330,7 +344,7 @@ double FreeSpace::residual(const CoordinatePath& path) const {
 int FreeSpace::active_bounds(const CoordinatePath& path, Index column, Eigen::Ref<Points> normals) const {
   const auto* bounds = find_ability<HasBounds>(*domain_);
   int count = bounds != nullptr ? bounds->active_bounds(path, column, normals) : 0;
-  Point point(*domain_, path, column);
+  Point point(*this, path, column);
   look(point, 0);
   for (const Wall& wall : point.walls) {
     if (count == normals.cols()) break;
@@ -339,6 +353,47 @@ int FreeSpace::active_bounds(const CoordinatePath& path, Index column, Eigen::Re
     if (slope.norm() > 0) normals.col(count++) = -slope.normalized();
   }
   return count;
+}
+
+/// Of what holds the point: walls that it lies on and that keep it from going down, taking the worst one that does not
+/// away until all do. Along them R(t) leaves the straight way by -slopes^+ (t'H t) / 2, H being the second derivatives
+/// of their gaps, here differences of slopes.
+bool FreeSpace::bend(const CoordinatePath& path, Index column, const Vector& gradient, Points& bend) const {
+  const Vector x = path.u.col(column);
+  const double on = slack(x);
+  std::vector<Wall> found;
+  if (!anything_near(x, 0, found)) return false;
+  std::erase_if(found, [&](const Wall& wall) { return std::abs(wall.gap - margin(wall)) > on; });
+  Vector multipliers;
+  while (!found.empty()) {
+    Points slopes(x.size(), static_cast<Index>(found.size()));
+    for (Index i = 0; i < slopes.cols(); ++i) slopes.col(i) = found[static_cast<std::size_t>(i)].slope;
+    multipliers = slopes.completeOrthogonalDecomposition().solve(gradient);
+    Index worst = 0;
+    if (multipliers.minCoeff(&worst) > 0) break;
+    found.erase(found.begin() + worst);
+  }
+  if (found.empty()) return false;
+  bend.setZero(x.size(), x.size());
+  const double size = std::max(walls_->size(), x.cwiseAbs().maxCoeff());
+  double step = size;
+  for (const Wall& wall : found) step = std::min(step, wall.required + wall.gap);
+  step = kBending * std::max(step, kOn * size);
+  std::vector<Wall> beside;
+  Vector there = x;
+  for (Index i = 0; i < x.size(); ++i) {
+    for (const double by : {step, -step}) {
+      there[i] = x[i] + by;
+      anything_near(there, step, beside);
+      for (std::size_t k = 0; k < found.size(); ++k)
+        for (const Wall& wall : beside)
+          if (wall.obstacle == found[k].obstacle)
+            bend.col(i) -= multipliers[static_cast<Index>(k)] / (2 * by) * wall.slope;
+    }
+    there[i] = x[i];
+  }
+  bend = ((bend + bend.transpose()) / 2).eval();
+  return bend.allFinite();
 }
 
 MoveClearance FreeSpace::clearance(const Vector& a, const Vector& b) const { return walls_->clearance(a, b); }
@@ -413,7 +468,7 @@ std::vector<MarginCost> FreeSpace::margin_costs(const CoordinatePath& path, cons
   std::map<int, double> costs;
   std::vector<const Wall*> holding;
   for (Index k = 0; k < path.free_count(); ++k) {
-    Point point(*domain_, path, path.free_begin() + k);
+    Point point(*this, path, path.free_begin() + k);
     look(point, 0);
     holding.clear();
     for (const Wall& wall : point.walls)

@@ -12,6 +12,7 @@
 #include <leastcost/framework/checks_moves.hpp>
 #include <leastcost/framework/fits_segments.hpp>
 #include <leastcost/framework/goes_beyond_bounds.hpp>
+#include <leastcost/framework/has_curvature.hpp>
 #include <leastcost/framework/manifold.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/obstacles/has_walls.hpp>
@@ -31,6 +32,7 @@ namespace leastcost {
 /// docs/numerics.md Sec. 4.1.
 class FreeSpace final : public ConstraintManifold,
                         public GoesBeyondBounds,
+                        public HasCurvature,
                         public ChecksMoves,
                         public FitsSegments,
                         public HasWalls,
@@ -53,6 +55,9 @@ class FreeSpace final : public ConstraintManifold,
   double residual(const CoordinatePath& path) const override;
   int active_bounds(const CoordinatePath& path, Index column, Eigen::Ref<Points> normals) const override;
 
+  /// Walls bend; a flat domain does not.
+  bool bend(const CoordinatePath& path, Index column, const Eigen::VectorXd& gradient, Points& bend) const override;
+
   MoveClearance clearance(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const override;
   /// Known in the plane, where the walls are made of discs.
   std::optional<bool> same_class(const Points& a, const Points& b) const override;
@@ -70,6 +75,7 @@ class FreeSpace final : public ConstraintManifold,
 
  private:
   struct Point;
+  bool knows_curvature() const override { return flat_; }
   /// And what the last fit knew, for a secant.
   struct Margin {
     double width = 0, before = 0, gap_before = 0;
@@ -81,6 +87,7 @@ class FreeSpace final : public ConstraintManifold,
   double widest_margin() const;
   double slack(const Eigen::VectorXd& x) const;
   void look(Point& point, double reach) const;
+  bool anything_near(const Eigen::VectorXd& x, double reach, std::vector<Wall>& found) const;
   void push(Point& point, const Wall& wall, double by) const;
   bool settle(Point& point, const std::vector<int>& held, bool bounded, double reach) const;
   void clear_way(const Point& start, const std::vector<int>& held, Point& end) const;
@@ -90,6 +97,8 @@ class FreeSpace final : public ConstraintManifold,
 
   std::shared_ptr<const ConstraintManifold> domain_;
   std::shared_ptr<const Walls> walls_;
+  const HasChart* chart_;
+  bool flat_;                      ///< and without a chart: places are coordinates, steps are added
   std::map<int, Margin> margins_;  ///< of obstacles that have one
   double from_cores_ = 0;          ///< what points keep from any core
   int fits_ = 0;

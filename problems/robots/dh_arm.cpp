@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/robots/dh_arm.hpp>
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <utility>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/robots/rigid_body.hpp>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
