@@ -278,6 +278,7 @@ int main(int count, char** arguments) {
                     is_certified ? "certified" : "not certified", least < -kNothing ? ", TOUCHES" : "", least,
                     result.seconds.initialize, 1e3 * cold, solved.solve.iterations, 1e3 * warm, warmed.solve.iterations, 1e3 * unit, freed.solve.iterations,
                     goes_round ? "round" : "straight", cold / unit, warm / unit);
+        std::printf("    %ld energies, %ld gradients, %ld hessians, %ld retractions, %s: %s\n", solved.solve.counters.energies, solved.solve.counters.gradients, solved.solve.counters.hessians, solved.solve.counters.projections, std::string(name(solved.solve.termination)).c_str(), solved.solve.message.c_str());
         for (const auto& failure : result.certificate.failures) std::printf("    %s: %s\n", failure.name.c_str(), failure.message.c_str());
       } catch (const std::exception& error) {
         std::printf("seed %u: %s\n", seed, error.what());

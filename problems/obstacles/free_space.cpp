@@ -404,8 +404,15 @@ std::optional<bool> FreeSpace::same_class(const Points& a, const Points& b) cons
 
 std::string FreeSpace::obstacle_name(int obstacle) const { return walls_->obstacle_name(obstacle); }
 
+/// A solve begins: its walls may remember.
 std::shared_ptr<const ConstraintManifold> FreeSpace::unfitted(const CoordinatePath& path) const {
-  auto unfitted = std::make_shared<FreeSpace>(domain_, walls_);
+  std::shared_ptr<const Walls> walls = walls_->remembering();
+  return unfitted_with(walls != nullptr ? std::move(walls) : walls_, path);
+}
+
+std::shared_ptr<FreeSpace> FreeSpace::unfitted_with(std::shared_ptr<const Walls> walls,
+                                                    const CoordinatePath& path) const {
+  auto unfitted = std::make_shared<FreeSpace>(domain_, std::move(walls));
   const Points x = positions(*domain_, path);
   double longest = 0;
   for (Index i = 0; i < path.segment_count(); ++i)
@@ -437,7 +444,7 @@ std::shared_ptr<const ConstraintManifold> FreeSpace::fitted(const CoordinatePath
       if (!first) entry->second.gap = std::min(entry->second.gap, wall.gap);
     }
   }
-  auto fitted = std::static_pointer_cast<FreeSpace>(std::const_pointer_cast<ConstraintManifold>(unfitted(path)));
+  const std::shared_ptr<FreeSpace> fitted = unfitted_with(walls_, path);
   fitted->fits_ = fits_ + 1;
   const double size = std::max(walls_->size(), x.cwiseAbs().maxCoeff()), rounding = kRounding * size;
   const double agree = std::max(kFitted * (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm(), kOn * size);

@@ -83,6 +83,7 @@ class FreeSpace final : public ConstraintManifold,
   };
   static double fit(const Margin& known, double now, double gap, double to);
 
+  std::shared_ptr<FreeSpace> unfitted_with(std::shared_ptr<const Walls> walls, const CoordinatePath& path) const;
   double margin(const Wall& wall) const;
   double widest_margin() const;
   double slack(const Eigen::VectorXd& x) const;

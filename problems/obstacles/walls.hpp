@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -68,6 +69,9 @@ class Walls {
   /// obstacle. False where a wall there is not known to be convex.
   virtual bool planes(const Vector& a, const Vector& b, double reach, std::vector<SupportPlane>& found) const;
   virtual std::string obstacle_name(int obstacle) const = 0;
+  /// The same walls for a solve, whose looks are mostly beside earlier ones: they may remember what they saw. They
+  /// answer alike and may be shared by threads. Null: there is nothing to gain.
+  virtual std::shared_ptr<const Walls> remembering() const { return nullptr; }
   virtual void draw(const DrawnPaths& paths, Drawing& out) const;
 };
 

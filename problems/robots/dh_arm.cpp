@@ -23,11 +23,11 @@ Matrix3d about_x(double cosine, double sine) {
   return turn;
 }
 
-Matrix3d about_z(double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  Matrix3d turn;
-  turn << c, -s, 0, s, c, 0, 0, 0, 1;
-  return turn;
+/// R Rx: its y and z are turned about its x.
+void tilt_columns(Matrix3d& rotation, double cosine, double sine) {
+  const Vector3d y = rotation.col(1), z = rotation.col(2);
+  rotation.col(1) = cosine * y + sine * z;
+  rotation.col(2) = cosine * z - sine * y;
 }
 
 void check_table(const DhTable& table) {
@@ -58,15 +58,6 @@ DhArm::DhArm(DhTable table) : table_(std::move(table)) {
 
 std::string DhArm::link_name(int link) const { return link == 0 ? "the base" : "link " + std::to_string(link); }
 
-/// From one frame to the next.
-Frame DhArm::step(int joint, double angle) const {
-  const double a = table_.rows(joint, kA), d = table_.rows(joint, kD);
-  const Matrix3d& tilt = tilts_[static_cast<std::size_t>(joint)];
-  const Matrix3d turn = about_z(angle + table_.rows(joint, kOffset));
-  if (table_.convention == DhConvention::standard) return {turn * tilt, turn * Vector3d(a, 0, d)};
-  return {tilt * turn, Vector3d(a, 0, 0) + tilt * Vector3d(0, 0, d)};
-}
-
 const Frame& DhArm::axis_frame(const std::vector<Frame>& links, int joint) const {
   return links[static_cast<std::size_t>(table_.convention == DhConvention::standard ? joint : joint + 1)];
 }
@@ -75,9 +66,25 @@ void DhArm::place(const Vector& configuration, std::vector<Frame>& links) const 
   links.resize(static_cast<std::size_t>(link_count()));
   links[0] = Frame{Matrix3d::Identity(), table_.base};
   for (int j = 0; j < static_cast<int>(dimension()); ++j) {
-    const Frame next = step(j, configuration[j]);
     const Frame& last = links[static_cast<std::size_t>(j)];
-    links[static_cast<std::size_t>(j) + 1] = {last.rotation * next.rotation, last.at(next.origin)};
+    Frame& next = links[static_cast<std::size_t>(j) + 1];
+    const double angle = configuration[j] + table_.rows(j, kOffset), c = std::cos(angle), s = std::sin(angle);
+    const double a = table_.rows(j, kA), d = table_.rows(j, kD);
+    const Matrix3d& tilt = tilts_[static_cast<std::size_t>(j)];
+    if (table_.convention == DhConvention::standard) {  // turned, then tilted about the new x
+      next.rotation.col(0) = c * last.rotation.col(0) + s * last.rotation.col(1);
+      next.rotation.col(1) = c * last.rotation.col(1) - s * last.rotation.col(0);
+      next.rotation.col(2) = last.rotation.col(2);
+      next.origin = last.origin + a * next.rotation.col(0) + d * next.rotation.col(2);
+      tilt_columns(next.rotation, tilt(1, 1), tilt(2, 1));
+    } else {
+      next.rotation = last.rotation;
+      tilt_columns(next.rotation, tilt(1, 1), tilt(2, 1));
+      next.origin = last.origin + a * next.rotation.col(0) + d * next.rotation.col(2);
+      const Vector3d x = next.rotation.col(0), y = next.rotation.col(1);
+      next.rotation.col(0) = c * x + s * y;
+      next.rotation.col(1) = c * y - s * x;
+    }
   }
 }
 

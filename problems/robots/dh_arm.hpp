@@ -52,7 +52,6 @@ class DhArm final : public Kinematics {
  private:
   /// The frame in which a joint turns about z, for the frames of the links.
   const Frame& axis_frame(const std::vector<Frame>& links, int joint) const;
-  Frame step(int joint, double angle) const;
 
   DhTable table_;
   std::vector<Eigen::Matrix3d> tilts_;  ///< Rx(alpha)

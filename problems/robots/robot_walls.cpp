@@ -10,6 +10,7 @@
 #include <leastcost/framework/errors.hpp>
 #include "problems/robots/least_on_move.hpp"
 #include "problems/robots/least_value.hpp"
+#include "problems/robots/remembering_walls.hpp"
 #include "problems/robots/robot_pose.hpp"
 
 namespace leastcost {
@@ -279,11 +280,37 @@ void RobotWalls::near(const Vector& x, double reach, std::vector<Wall>& found) c
   const double within = std::max(0.0, reach);
   pairs_within(
       pose, [&](int i) { return within * bodies_[static_cast<std::size_t>(i)].steepest; }, pairs);
+  add_near(pose, pairs, reach, found);
+}
+
+void RobotWalls::near_among(const std::vector<Pair>& pairs, const Vector& x, double reach,
+                            std::vector<Wall>& found) const {
+  thread_local RobotPose pose;
+  pose.place(*robot_, x);
+  add_near(pose, pairs, reach, found);
+}
+
+void RobotWalls::add_near(const RobotPose& pose, const std::vector<Pair>& pairs, double reach,
+                          std::vector<Wall>& found) const {
   for (const Pair& pair : pairs) {
     const double gap = (distance(pose, pair) - pair.required) / pair.steepest;
     if (!(gap < reach)) continue;
     found.push_back({pair.number, gap, slope(pose, pair), pair.required / pair.steepest});
     found.back().slope /= pair.steepest;
+  }
+}
+
+void RobotWalls::gaps_within(const Vector& x, double reach, std::vector<PairGap>& found) const {
+  thread_local RobotPose pose;
+  thread_local std::vector<Pair> pairs;
+  pose.place(*robot_, x);
+  pairs.clear();
+  pairs_within(
+      pose, [&](int i) { return reach * bodies_[static_cast<std::size_t>(i)].steepest; }, pairs);
+  found.clear();
+  for (const Pair& pair : pairs) {
+    const double gap = (distance(pose, pair) - pair.required) / pair.steepest;
+    if (gap < reach) found.push_back({pair, gap});
   }
 }
 
@@ -327,9 +354,24 @@ void RobotWalls::along(const Vector& a, const Vector& b, double reach, std::vect
   const double within = std::max(0.0, reach);
   const std::vector<Pair> pairs =
       move.pairs([&](int i) { return within * bodies_[static_cast<std::size_t>(i)].steepest; });
+  add_along(move, pairs, reach, found);
+}
+
+void RobotWalls::along_among(const std::vector<Pair>& pairs, const Vector& a, const Vector& b, double reach,
+                             std::vector<Wall>& found) const {
+  OnMove move(*this, a, b);
+  if (!move.bounded()) return Walls::along(a, b, reach, found);
+  add_along(move, pairs, reach, found);
+}
+
+void RobotWalls::add_along(OnMove& move, const std::vector<Pair>& pairs, double reach,
+                           std::vector<Wall>& found) const {
+  constexpr double kMiddle = 0.5;
   for (const Pair& pair : pairs) {
+    const double speed = move.bound(pair).speed;
+    if (move.distance(kMiddle, pair) - speed / 2 - pair.required >= reach * pair.steepest) continue;
     const auto distance_at = [&](double t) { return move.distance(t, pair); };
-    const int places = static_cast<int>(std::clamp(std::ceil(move.bound(pair).speed / (kPlacesApart * pair.required)),
+    const int places = static_cast<int>(std::clamp(std::ceil(speed / (kPlacesApart * pair.required)),
                                                    double{kFewestPlaces}, double{kMostPlaces}));
     const double gap = (least_value(distance_at, places) - pair.required) / pair.steepest;
     if (gap < reach) found.push_back({pair.number, gap, {}, pair.required / pair.steepest});
@@ -343,13 +385,42 @@ double RobotWalls::room(const Vector& a, const Vector& b, double reach) const {
     const Body& body = bodies_[static_cast<std::size_t>(i)];
     return reach * body.steepest - body.radius;  // of the axis from the core, not from the surface
   });
-  if (pairs.empty()) return reach;
-  const auto from_core = [](const Pair& pair, MovingDistance known) {
-    known.scale = pair.steepest;
-    return known;
+  std::vector<PairGap> unknown;
+  for (const Pair& pair : pairs) unknown.push_back({pair, 0});
+  return room(move, unknown, reach);
+}
+
+double RobotWalls::room_among(const std::vector<PairGap>& pairs, const Vector& a, const Vector& b, double reach) const {
+  OnMove move(*this, a, b);
+  return move.bounded() ? room(move, pairs, reach) : 0;
+}
+
+/// Pairs ascending by a lower bound of what is asked for. A look in the middle will mostly do.
+double RobotWalls::room(OnMove& move, const std::vector<PairGap>& pairs, double reach) const {
+  constexpr double kMiddle = 0.5, kEnough = 0.6, kShareOfMiddle = 0.5;
+  double known = reach;
+  thread_local std::vector<PairGap> unsettled;
+  unsettled.clear();
+  for (const auto& [pair, bound] : pairs) {
+    if (bound >= known) break;
+    const double middle = move.distance(kMiddle, pair) / pair.steepest;
+    const double lower = std::max(bound, middle - move.bound(pair).speed / 2 / pair.steepest);
+    if (lower >= known) continue;
+    if (lower >= kEnough * reach || lower >= kShareOfMiddle * middle)
+      known = lower;
+    else
+      unsettled.push_back({pair, lower});
+  }
+  std::vector<Pair> open;
+  for (const auto& [pair, lower] : unsettled)
+    if (lower < known) open.push_back(pair);
+  if (open.empty()) return std::max(0.0, known);
+  const auto from_core = [](const Pair& pair, MovingDistance one) {
+    one.scale = pair.steepest;
+    return one;
   };
-  const MovePrecision precision{.accuracy = 1e-3 * reach, .share = kShareOfCoreRoom, .enough = reach};
-  return std::clamp(move.least(pairs, from_core, precision).lower, 0.0, reach);
+  const MovePrecision precision{.accuracy = 1e-3 * reach, .share = kShareOfCoreRoom, .enough = kEnough * reach};
+  return std::clamp(move.least(open, from_core, precision).lower, 0.0, known);
 }
 
 std::string RobotWalls::obstacle_name(int obstacle) const {
@@ -365,6 +436,11 @@ std::string RobotWalls::obstacle_name(int obstacle) const {
   const std::size_t other = number % obstacles_.size();
   return link_of(number / obstacles_.size()) + " and " + obstacles_[other]->name() + " (number " +
          std::to_string(other) + ")";
+}
+
+std::shared_ptr<const Walls> RobotWalls::remembering() const {
+  std::shared_ptr<const RobotWalls> shared = weak_from_this().lock();
+  return shared != nullptr ? std::make_shared<const RememberingWalls>(std::move(shared)) : nullptr;
 }
 
 void RobotWalls::draw(const DrawnPaths&, Drawing& out) const {

@@ -21,7 +21,7 @@ struct RobotPose;
 /// Places are configurations, moves are straight there. Clearances are lengths in the workspace. The gaps of walls are
 /// such lengths divided by the length that the capsule goes, at most, as the configuration moves by 1: like distances
 /// in the space of configurations, they change by no more than the place does.
-class RobotWalls final : public Walls {
+class RobotWalls final : public Walls, public std::enable_shared_from_this<RobotWalls> {
  public:
   using Obstacles = std::vector<std::shared_ptr<const Obstacle>>;
 
@@ -37,8 +37,11 @@ class RobotWalls final : public Walls {
   double room(const Vector& a, const Vector& b, double reach) const override;
   std::string obstacle_name(int obstacle) const override;
   void draw(const DrawnPaths& paths, Drawing& out) const override;
+  /// Null for walls that no shared pointer owns.
+  std::shared_ptr<const Walls> remembering() const override;
 
  private:
+  friend class RememberingWalls;
   /// A capsule and an obstacle, or another capsule, from whose link it is seen.
   struct Pair {
     int number = 0;
@@ -47,6 +50,10 @@ class RobotWalls final : public Walls {
     bool self = false;
     double required = 0;  ///< of the distance between the core of the obstacle, or the other axis, and the axis
     double steepest = 0;  ///< length units that the capsule moves at most as the configuration moves by 1
+  };
+  struct PairGap {
+    Pair pair;
+    double gap = 0;  ///< or a bound of what is asked for
   };
   struct Body {
     Vector reach;  ///< of either end of the capsule
@@ -63,6 +70,14 @@ class RobotWalls final : public Walls {
 
   void add_obstacles(Obstacles obstacles, double clearance);
   void add_self_pairs();
+  void near_among(const std::vector<Pair>& pairs, const Vector& x, double reach, std::vector<Wall>& found) const;
+  void along_among(const std::vector<Pair>& pairs, const Vector& a, const Vector& b, double reach,
+                   std::vector<Wall>& found) const;
+  double room_among(const std::vector<PairGap>& pairs, const Vector& a, const Vector& b, double reach) const;
+  void gaps_within(const Vector& x, double reach, std::vector<PairGap>& found) const;
+  void add_near(const RobotPose& pose, const std::vector<Pair>& pairs, double reach, std::vector<Wall>& found) const;
+  void add_along(OnMove& move, const std::vector<Pair>& pairs, double reach, std::vector<Wall>& found) const;
+  double room(OnMove& move, const std::vector<PairGap>& pairs, double reach) const;
   template <class Margin>
   void pairs_within(const RobotPose& pose, const Margin& margin, std::vector<Pair>& found) const;
   double distance(const RobotPose& pose, const Pair& pair, double& on_axis, double& on_other) const;
