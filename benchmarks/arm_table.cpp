@@ -37,13 +37,13 @@ using Eigen::Vector3d;
 using Vector = Eigen::VectorXd;
 
 constexpr int kPoints = 50, kBalls = 5, kBoxes = 5, kPlaces = 20;
-constexpr double kClearance = 0.01;    ///< m
-constexpr double kMoved = 0.005;       ///< m: how far each obstacle moves before a warm solve
-constexpr double kNothing = 1e-8;      ///< m
-constexpr double kStraight = 1e-9;     ///< relative: longer than a straight line is a way round something
-constexpr double kReach = 0.8;         ///< m: half of the cube around the shoulder in which obstacles stand
-constexpr double kFromAxis = 0.3;      ///< m: from the vertical axis, where no arm could be free
-const double kMostSeconds = std::getenv("MOST") ? std::atof(std::getenv("MOST")) : 60;    ///< for a query
+constexpr double kClearance = 0.01;  ///< m
+constexpr double kMoved = 0.005;     ///< m: how far each obstacle moves before a warm solve
+constexpr double kNothing = 1e-8;    ///< m
+constexpr double kStraight = 1e-9;   ///< relative: longer than a straight line is a way round something
+constexpr double kReach = 0.8;       ///< m: half of the cube around the shoulder in which obstacles stand
+constexpr double kFromAxis = 0.3;    ///< m: from the vertical axis, where no arm could be free
+constexpr double kMostSeconds = 20;  ///< for a plan with its certificate
 constexpr double kPi = std::numbers::pi;
 
 double thread_seconds() {
@@ -65,11 +65,24 @@ struct Arm {
 };
 
 std::vector<Arm> arms() {
-  return {{"Panda", make_dh_arm({}), true,
-           {{0, 0, 0.333}, {0, -kPi / 2, 0}, {0, kPi / 2, 0.316}, {0.0825, kPi / 2, 0}, {-0.0825, -kPi / 2, 0.384},
-            {0, kPi / 2, 0}, {0.088, kPi / 2, 0.107}}},
-          {"UR5", make_dh_arm({.model = arm_model::Ur5{}}), false,
-           {{0, kPi / 2, 0.089159}, {-0.425, 0, 0}, {-0.39225, 0, 0}, {0, kPi / 2, 0.10915}, {0, -kPi / 2, 0.09465},
+  return {{"Panda",
+           make_dh_arm({}),
+           true,
+           {{0, 0, 0.333},
+            {0, -kPi / 2, 0},
+            {0, kPi / 2, 0.316},
+            {0.0825, kPi / 2, 0},
+            {-0.0825, -kPi / 2, 0.384},
+            {0, kPi / 2, 0},
+            {0.088, kPi / 2, 0.107}}},
+          {"UR5",
+           make_dh_arm({.model = arm_model::Ur5{}}),
+           false,
+           {{0, kPi / 2, 0.089159},
+            {-0.425, 0, 0},
+            {-0.39225, 0, 0},
+            {0, kPi / 2, 0.10915},
+            {0, -kPi / 2, 0.09465},
             {0, 0, 0.0823}}}};
 }
 
@@ -80,7 +93,8 @@ Eigen::Affine3d own_link(const Arm& arm, const Vector& q, int link) {
     const auto& row = arm.rows[static_cast<std::size_t>(j)];
     const Translation3d along_x(row[0], 0, 0), along_z(0, 0, row[2]);
     const AngleAxisd about_x(row[1], Vector3d::UnitX()), about_z(q[j], Vector3d::UnitZ());
-    frame = arm.modified ? frame * about_x * along_x * about_z * along_z : frame * about_z * along_z * along_x * about_x;
+    frame =
+        arm.modified ? frame * about_x * along_x * about_z * along_z : frame * about_z * along_z * along_x * about_x;
   }
   return frame;
 }
@@ -113,17 +127,20 @@ double own_gap(const Arm& arm, const std::vector<Thing>& things, const Vector& q
     const Eigen::Affine3d frame = own_link(arm, q, capsule.link);
     axes.emplace_back(frame * capsule.from, frame * capsule.to);
     if (capsule.link == 0) continue;
-    const auto at = [&](double s) -> Vector3d { return axes.back().first + s * (axes.back().second - axes.back().first); };
+    const auto at = [&](double s) -> Vector3d {
+      return axes.back().first + s * (axes.back().second - axes.back().first);
+    };
     for (const Thing& thing : things) {
       const double middle = own_distance(at(0.5), thing), half = (axes.back().second - axes.back().first).norm() / 2;
       if (middle - half - capsule.radius - kClearance > 0.1) continue;
-      least = std::min(least, least_convex([&](double s) { return own_distance(at(s), thing); }) - capsule.radius - kClearance);
+      least = std::min(
+          least, least_convex([&](double s) { return own_distance(at(s), thing); }) - capsule.radius - kClearance);
     }
   }
   for (const auto& [i, j] : arm.robot->self) {
     const auto &first = axes[static_cast<std::size_t>(i)], &second = axes[static_cast<std::size_t>(j)];
-    const double required =
-        arm.robot->capsules[static_cast<std::size_t>(i)].radius + arm.robot->capsules[static_cast<std::size_t>(j)].radius;
+    const double required = arm.robot->capsules[static_cast<std::size_t>(i)].radius +
+                            arm.robot->capsules[static_cast<std::size_t>(j)].radius;
     const Vector3d way = second.second - second.first;
     const auto from_second = [&](double s) {
       const Vector3d x = first.first + s * (first.second - first.first);
@@ -148,20 +165,19 @@ Query query_of(const Arm& arm, unsigned seed) {
   for (int i = 0; i < kBalls + kBoxes; ++i) {
     Thing thing;
     thing.ball = i < kBalls;
-    do
-      thing.center = Vector3d::NullaryExpr([&] { return kReach * (2 * unit(engine) - 1); }) + Vector3d(0, 0, 0.4);
+    do thing.center = Vector3d::NullaryExpr([&] { return kReach * (2 * unit(engine) - 1); }) + Vector3d(0, 0, 0.4);
     while (thing.center.head<2>().norm() < kFromAxis);
     thing.half = Vector3d::NullaryExpr([&] { return size(engine); });
     query.things.push_back(thing);
     thing.center += kMoved * Vector3d::NullaryExpr([&] { return 2 * unit(engine) - 1; }).normalized();
     query.moved.push_back(thing);
   }
-  const Vector lower = arm.robot->kinematics->lower().cwiseMax(-kPi), upper = arm.robot->kinematics->upper().cwiseMin(kPi);
+  const Vector lower = arm.robot->kinematics->lower().cwiseMax(-kPi),
+               upper = arm.robot->kinematics->upper().cwiseMin(kPi);
   const auto free_end = [&]() -> Vector {
     for (int k = 0; k < 1000; ++k) {
-      const Vector q = Vector::NullaryExpr(lower.size(), [&](Eigen::Index i) {
-        return lower[i] + unit(engine) * (upper[i] - lower[i]);
-      });
+      const Vector q = Vector::NullaryExpr(
+          lower.size(), [&](Eigen::Index i) { return lower[i] + unit(engine) * (upper[i] - lower[i]); });
       if (std::min(own_gap(arm, query.things, q), own_gap(arm, query.moved, q)) > 0.001) return q;
     }
     return {};
@@ -184,7 +200,8 @@ Problem problem_of(const Arm& arm, const Query& query, const std::vector<Thing>*
                                      : make_box_obstacle({thing.center - thing.half, thing.center + thing.half}));
     space = std::make_shared<const EuclideanManifold>(
         EuclideanManifoldOptions{.dimension = dimension, .box = {kinematics.lower(), kinematics.upper()}});
-    space = std::make_shared<const FreeSpace>(space, std::make_shared<const RobotWalls>(arm.robot, obstacles, kClearance));
+    space =
+        std::make_shared<const FreeSpace>(space, std::make_shared<const RobotWalls>(arm.robot, obstacles, kClearance));
   }
   problem.manifold = space;
   problem.cost = make_euclidean_cost(dimension);
@@ -205,16 +222,17 @@ double quantile_of(std::vector<double> values, double part) {
 }
 
 void print(const char* what, const Figures& f) {
-  std::printf("  %-9s %3zu: cold median %.1f, p90 %.1f, worst %.1f; warm %.1f, %.1f, %.1f solves; certificate %.0f ms\n", what,
-              f.cold.size(), quantile_of(f.cold, 0.5), quantile_of(f.cold, 0.9), quantile_of(f.cold, 1),
-              quantile_of(f.warm, 0.5), quantile_of(f.warm, 0.9), quantile_of(f.warm, 1),
-              1e3 * quantile_of(f.certificate, 0.5));
+  std::printf(
+      "  %-9s %3zu: cold median %.1f, p90 %.1f, worst %.1f; warm %.1f, %.1f, %.1f solves; certificate %.0f ms\n", what,
+      f.cold.size(), quantile_of(f.cold, 0.5), quantile_of(f.cold, 0.9), quantile_of(f.cold, 1),
+      quantile_of(f.warm, 0.5), quantile_of(f.warm, 0.9), quantile_of(f.warm, 1),
+      1e3 * quantile_of(f.certificate, 0.5));
 }
 
 Monitor within(double seconds) {
   Monitor monitor;
-  monitor.deadline =
-      Monitor::Clock::now() + std::chrono::duration_cast<Monitor::Clock::duration>(std::chrono::duration<double>(seconds));
+  monitor.deadline = Monitor::Clock::now() +
+                     std::chrono::duration_cast<Monitor::Clock::duration>(std::chrono::duration<double>(seconds));
   return monitor;
 }
 
@@ -232,7 +250,8 @@ double seconds_of(const Problem& problem, const CoordinatePath& chain, int times
 
 }  // namespace
 
-/// Arguments: how many queries for each arm, the first seed (the next ones are two apart), 1 to certify.
+/// Arguments: how many queries for each arm, the first seed (the next ones are two apart), 1 to certify, the arm; 100,
+/// 1, 1 and both unless given.
 int main(int count, char** arguments) {
   const int queries = count > 1 ? std::atoi(arguments[1]) : 100;
   const auto first = static_cast<unsigned>(count > 2 ? std::atoi(arguments[2]) : 1);
@@ -255,7 +274,7 @@ int main(int count, char** arguments) {
         options.points = kPoints;
         options.certificate.enabled = certify;
         const Result result = find_path(problem, RrtInitializer(), Newton(), options, within(kMostSeconds));
-        ++found;
+        found += result.first.path.u.cols() > 0 ? 1 : 0;
         const bool is_certified = result.status == Status::certified;
         certified += is_certified ? 1 : 0;
         const auto& clearance = result.certificate.clearance;
@@ -263,8 +282,11 @@ int main(int count, char** arguments) {
         double least = 1e9;
         for (Index i = 0; i + 1 < result.curve.x.cols(); ++i)
           for (int place = 0; place <= kPlaces; ++place)
-            least = std::min(least, own_gap(arm, query.things, result.curve.x.col(i) + (result.curve.x.col(i + 1) - result.curve.x.col(i)) * place / kPlaces));
+            least = std::min(least, own_gap(arm, query.things,
+                                            result.curve.x.col(i) +
+                                                (result.curve.x.col(i + 1) - result.curve.x.col(i)) * place / kPlaces));
         violations += is_certified && least < -kNothing ? 1 : 0;
+        if (result.path.u.cols() == 0) continue;
         Result solved, freed, warmed;
         const double cold = seconds_of(problem, result.initial, 3, solved);
         const double unit = seconds_of(free, result.initial, 7, freed);
@@ -274,19 +296,22 @@ int main(int count, char** arguments) {
         figures.cold.push_back(cold / unit);
         figures.warm.push_back(warm / unit);
         figures.certificate.push_back(result.seconds.certify);
-        std::printf("seed %u: %s%s, gap %.1e, first %.2f s, cold %.2f ms (%d iterations), warm %.2f ms (%d), free %.3f ms (%d), %s: %.1f, %.1f\n", seed,
-                    is_certified ? "certified" : "not certified", least < -kNothing ? ", TOUCHES" : "", least,
-                    result.seconds.initialize, 1e3 * cold, solved.solve.iterations, 1e3 * warm, warmed.solve.iterations, 1e3 * unit, freed.solve.iterations,
-                    goes_round ? "round" : "straight", cold / unit, warm / unit);
-        std::printf("    %ld energies, %ld gradients, %ld hessians, %ld retractions, %s: %s\n", solved.solve.counters.energies, solved.solve.counters.gradients, solved.solve.counters.hessians, solved.solve.counters.projections, std::string(name(solved.solve.termination)).c_str(), solved.solve.message.c_str());
-        for (const auto& failure : result.certificate.failures) std::printf("    %s: %s\n", failure.name.c_str(), failure.message.c_str());
+        std::printf(
+            "seed %u: %s%s, gap %.1e, first %.2f s, cold %.2f ms (%d iterations), warm %.2f ms (%d), free %.3f ms "
+            "(%d), %s: %.1f, %.1f\n",
+            seed, is_certified ? "certified" : "not certified", least < -kNothing ? ", TOUCHES" : "", least,
+            result.seconds.initialize, 1e3 * cold, solved.solve.iterations, 1e3 * warm, warmed.solve.iterations,
+            1e3 * unit, freed.solve.iterations, goes_round ? "round" : "straight", cold / unit, warm / unit);
+        for (const auto& failure : result.certificate.failures)
+          std::printf("    %s: %s\n", failure.name.c_str(), failure.message.c_str());
       } catch (const std::exception& error) {
         std::printf("seed %u: %s\n", seed, error.what());
       }
       std::fflush(stdout);
     }
-    std::printf("%s: %d queries, %d without free ends, %d first paths, %d certified, %d of them proved, %d of them violated\n", arm.name,
-                queries, no_ends, found, certified, proved, violations);
+    std::printf(
+        "%s: %d queries, %d without free ends, %d first paths, %d certified, %d of them proved, %d of them violated\n",
+        arm.name, queries, no_ends, found, certified, proved, violations);
     print("straight", straight);
     print("round", round);
   }

@@ -8,7 +8,9 @@
 
 #include <leastcost/problems/chart/target_images.hpp>
 #include <leastcost/problems/costs/clearance_length.hpp>
+#include <leastcost/problems/costs/end_effector_length.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
+#include <leastcost/problems/costs/kinetic_energy.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
 #include <leastcost/problems/costs/travel_time.hpp>

@@ -78,6 +78,8 @@ constexpr std::string_view kRules =
 .plot .path{fill:none;stroke:var(--c0);stroke-width:3.2;stroke-linejoin:round;stroke-linecap:round}
 .plot .first{fill:none;stroke:var(--ink);stroke-width:1.5;stroke-dasharray:6 4;opacity:.75}
 .plot .other{fill:none;stroke:var(--c2);stroke-width:1.8}.plot .hidden{stroke-width:1.2;opacity:.45}
+.plot .pose path{fill:var(--c0);fill-opacity:.35;stroke:var(--c0);stroke-width:1}
+.plot .obstacle{fill:var(--soft);fill-opacity:.3;stroke:var(--soft);stroke-width:1.2}
 .plot .domain{fill:none;stroke:var(--soft);stroke-width:5;stroke-opacity:.35;stroke-linejoin:round}
 .plot .point{fill:var(--paper);stroke:var(--c0);stroke-width:1.2}
 .plot .end{fill:var(--c1);stroke:var(--paper);stroke-width:1.5}

@@ -7,7 +7,9 @@
 #include <utility>
 
 #include <leastcost/problems/costs/clearance_length.hpp>
+#include <leastcost/problems/costs/end_effector_length.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
+#include <leastcost/problems/costs/kinetic_energy.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
 #include <leastcost/problems/costs/travel_time.hpp>
@@ -105,6 +107,12 @@ const auto& costs() {
           "weighted_length", "Length in which every factor of the domain, or every coordinate, has a weight.",
           [](const WeightedLengthOptions& o, O c) { return make_weighted_length(o, *c.manifold); })
           .waiting<WeightedLengthOptions>([](const WeightedLengthOptions&) { return WaitsFor::domain; }),
+      plugin<CostPlugin, KineticEnergyOptions>(
+          "kinetic_energy", "Length under the kinetic energy of an arm: how it moves by itself.",
+          [](const KineticEnergyOptions& o, O c) { return make_kinetic_energy_cost(o, c.dimension); }),
+      plugin<CostPlugin, EndEffectorLengthOptions>(
+          "end_effector_length", "Length of the way of an arm's tool, and a little of that of its joints.",
+          [](const EndEffectorLengthOptions& o, O c) { return make_end_effector_length(o, c.dimension); }),
   };
   return all;
 }

@@ -95,6 +95,10 @@ void draw_plane(const Problem& problem, const Points& paths, Scene& scene) {
 Scene make_scene(const Problem& problem, const Result& result, std::span<const FamilyMember> others) {
   Scene scene;
   scene.dimension = problem.manifold->dimensions().ambient;
+  if (const auto* robot = find_ability<DrawsPoses>(*problem.manifold)) {
+    const Points path = path_line(problem, result);
+    if (path.cols() > 0 && path.allFinite()) scene.strip = robot->pose_strip(path);
+  }
   if (scene.dimension != 2 && scene.dimension != 3) return scene;
   scene.lines.path = path_line(problem, result);
   scene.lines.first = chart_line(problem, result.first.path);

@@ -13,6 +13,7 @@
 #include <leastcost/framework/find_path.hpp>
 #include <leastcost/framework/problem.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
+#include <leastcost/problems/drawing/draws_poses.hpp>
 
 namespace leastcost {
 
@@ -30,10 +31,11 @@ struct SceneLines {
 };
 
 /// A path and what surrounds it, ready to be drawn: the domain, if it draws itself. Above three dimensions nothing is
-/// drawn, and everything but the dimension is empty.
+/// drawn but the robot, where points are configurations of one, and everything else but the dimension is empty.
 struct Scene : Drawing {
   int dimension = 0;  ///< of the ambient space
   SceneLines lines;
+  PoseStrip strip;             ///< of a robot; empty without one
   std::optional<Raster> cost;  ///< of the plane: cost per unit of length, the mean over all directions
 };
 

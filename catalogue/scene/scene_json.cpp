@@ -183,9 +183,27 @@ Scene read(const Json& json) {
     if (scene.lower.size() != scene.dimension || scene.upper.size() != scene.dimension)
       throw InputError("a box that does not fit the dimension");
   }
+  if (json.contains("strip")) {
+    for (const Json& line : json.at("strip").at("obstacles")) scene.strip.obstacles.push_back(read_line(line, 2));
+    for (const Json& pose : json.at("strip").at("poses")) {
+      std::vector<Points>& parts = scene.strip.poses.emplace_back();
+      for (const Json& part : pose) parts.push_back(read_line(part, 2));
+    }
+  }
   if (json.contains("cost")) scene.cost = read_raster(json.at("cost"));
   for (const Json& note : json.at("notes")) scene.notes.push_back(note.get<std::string>());
   return scene;
+}
+
+/// To seven digits of its own extent.
+std::string strip_text(const PoseStrip& strip) {
+  double extent = 0;
+  for (const auto& pose : strip.poses)
+    for (const Points& part : pose) extent = std::max(extent, part.cwiseAbs().maxCoeff());
+  const Rounded rounded(extent);
+  std::string poses;
+  for (const auto& pose : strip.poses) poses += (poses.empty() ? "" : ",\n") + list_of(pose, rounded);
+  return fmt::format("{{\"obstacles\":{},\n\"poses\":[{}]}}", list_of(strip.obstacles, rounded), poses);
 }
 
 }  // namespace
@@ -204,6 +222,7 @@ std::string scene_json(const Scene& scene) {
   if (!scene.curves.empty()) text += ",\n\"curves\":" + list_of(scene.curves, rounded);
   if (scene.lower.size() > 0)
     text += fmt::format(",\n\"box\":{{\"lower\":{},\"upper\":{}}}", side(scene.lower), side(scene.upper));
+  if (!scene.strip.poses.empty()) text += ",\n\"strip\":" + strip_text(scene.strip);
   if (scene.cost) text += ",\n\"cost\":" + raster_text(*scene.cost);
   return text + ",\n\"notes\":" + Json(scene.notes).dump(-1, ' ', false, Json::error_handler_t::replace) + "}\n";
 }

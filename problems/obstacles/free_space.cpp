@@ -500,6 +500,12 @@ void FreeSpace::draw(const DrawnPaths& paths, Drawing& out) const {
   walls_->draw(paths, out);
 }
 
+PoseStrip FreeSpace::pose_strip(const Points& configurations) const {
+  return walls_->pose_strip(configurations).value_or(PoseStrip{});
+}
+
+bool FreeSpace::has_poses() const { return walls_->pose_strip(Points::Zero(walls_->dimension(), 1)).has_value(); }
+
 const ConstraintManifold* FreeSpace::decorated(const std::type_info&) const { return domain_.get(); }
 
 }  // namespace leastcost

@@ -15,6 +15,7 @@
 #include <leastcost/framework/has_curvature.hpp>
 #include <leastcost/framework/manifold.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
+#include <leastcost/problems/drawing/draws_poses.hpp>
 #include <leastcost/problems/obstacles/has_walls.hpp>
 #include <leastcost/problems/obstacles/obstacle_walls.hpp>
 #include <leastcost/problems/obstacles/walls.hpp>
@@ -36,7 +37,8 @@ class FreeSpace final : public ConstraintManifold,
                         public ChecksMoves,
                         public FitsSegments,
                         public HasWalls,
-                        public DrawsItself {
+                        public DrawsItself,
+                        public DrawsPoses {
  public:
   using Obstacles = ObstacleWalls::Obstacles;
 
@@ -69,6 +71,7 @@ class FreeSpace final : public ConstraintManifold,
 
   /// The domain, and the walls.
   void draw(const DrawnPaths& paths, Drawing& out) const override;
+  PoseStrip pose_strip(const Points& configurations) const override;
   const ConstraintManifold* decorated(const std::type_info& ability) const override;
 
   const Walls& walls() const override { return *walls_; }
@@ -76,6 +79,7 @@ class FreeSpace final : public ConstraintManifold,
  private:
   struct Point;
   bool knows_curvature() const override { return flat_; }
+  bool has_poses() const override;
   /// And what the last fit knew, for a secant.
   struct Margin {
     double width = 0, before = 0, gap_before = 0;

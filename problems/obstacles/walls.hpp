@@ -11,6 +11,7 @@
 
 #include <leastcost/framework/checks_moves.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
+#include <leastcost/problems/drawing/draws_poses.hpp>
 
 namespace leastcost {
 
@@ -73,6 +74,8 @@ class Walls {
   /// answer alike and may be shared by threads. Null: there is nothing to gain.
   virtual std::shared_ptr<const Walls> remembering() const { return nullptr; }
   virtual void draw(const DrawnPaths& paths, Drawing& out) const;
+  /// Of a robot on its way; nothing where places are no configurations of one.
+  virtual std::optional<PoseStrip> pose_strip(const Points&) const { return std::nullopt; }
 };
 
 inline void Walls::along(const Vector& a, const Vector& b, double reach, std::vector<Wall>& found) const {

@@ -158,6 +158,10 @@ void DhArmOptions::fields(FieldVisitor& visit) {
   visit.field("base", base, {.help = "Where the base stands; z of its frame is up.", .unit = "length"});
 }
 
+DhTable joints_of(const ArmModelOptions& model) {
+  return std::visit([](const auto& chosen) { return model_of(chosen); }, model).table;
+}
+
 std::shared_ptr<const Robot> make_dh_arm(const DhArmOptions& options) {
   if (options.base.size() != 3 || !options.base.allFinite())
     throw OptionError("base", "must be a point in space, with finite coordinates");

@@ -51,6 +51,11 @@ struct DhArmOptions {
   void fields(FieldVisitor& visit);
 };
 
+using ArmModelOptions = std::variant<arm_model::Panda, arm_model::Ur5, arm_model::Table>;
+
+/// The joints alone. Throws OptionError, without "model." in front of its key, for shapes too.
+DhTable joints_of(const ArmModelOptions& model);
+
 /// Throws OptionError.
 std::shared_ptr<const Robot> make_dh_arm(const DhArmOptions& options);
 

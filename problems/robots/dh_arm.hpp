@@ -33,6 +33,7 @@ class DhArm final : public Kinematics {
  public:
   /// Throws OptionError("rows"), ("lower"), ("upper") for a table that is none.
   explicit DhArm(DhTable table);
+  const DhTable& table() const { return table_; }
 
   Eigen::Index dimension() const override { return table_.rows.rows(); }
   int space() const override { return 3; }

@@ -8,11 +8,12 @@
 namespace leastcost {
 namespace {
 
-constexpr std::size_t kMostPlaces = 1024;  ///< then all are forgotten
-constexpr std::size_t kMostPairs = 4;      ///< of a place, unless more are as near as was asked for
-constexpr double kFarther = 2, kAtLeast = 0.2;  ///< of what was asked for; of the configuration: how far a look goes
-constexpr double kFarthest = 4;   ///< of the configuration: looks that go farther are left to the walls
-constexpr double kBeside = 0.05;  ///< of the configuration: from farther away too much seems to be near
+constexpr std::size_t kMostRemembered = 1024;  ///< then all are forgotten
+constexpr std::size_t kPairsOfPlace = 4;       ///< of a place, unless more are as near as was asked for
+constexpr double kFartherThanAsked = 2,
+                 kLookAtLeast = 0.2;   ///< of what was asked for; of the configuration: how far a look goes
+constexpr double kFarthestLook = 4;    ///< of the configuration: looks that go farther are left to the walls
+constexpr double kBesidePlace = 0.05;  ///< of the configuration: from farther away too much seems to be near
 
 }  // namespace
 
@@ -20,18 +21,18 @@ RememberingWalls::RememberingWalls(std::shared_ptr<const RobotWalls> walls) : wa
 
 /// What is near a place and some way around it.
 const RememberingWalls::Seen& RememberingWalls::look(const Vector& x, double reach) const {
-  if (seen_.size() == kMostPlaces) seen_.clear();
+  if (seen_.size() == kMostRemembered) seen_.clear();
   Seen seen;
-  seen.radius = std::max(kFarther * reach, kAtLeast);
+  seen.radius = std::max(kFartherThanAsked * reach, kLookAtLeast);
   walls_->gaps_within(x, seen.radius, seen.pairs);
-  if (seen.pairs.size() > kMostPairs) {  // a smaller radius has fewer of them
+  if (seen.pairs.size() > kPairsOfPlace) {  // a smaller radius has fewer of them
     std::vector<double> gaps;
     for (const auto& [pair, gap] : seen.pairs) gaps.push_back(gap);
-    std::nth_element(gaps.begin(), gaps.begin() + kMostPairs, gaps.end());
-    seen.radius = std::min(seen.radius, std::max(kFarther * reach, gaps[kMostPairs]));
+    std::nth_element(gaps.begin(), gaps.begin() + kPairsOfPlace, gaps.end());
+    seen.radius = std::min(seen.radius, std::max(kFartherThanAsked * reach, gaps[kPairsOfPlace]));
     std::erase_if(seen.pairs, [&](const RobotWalls::PairGap& one) { return one.gap >= seen.radius; });
   }
-  if (places_.rows() != x.size()) places_.resize(x.size(), static_cast<Eigen::Index>(kMostPlaces));
+  if (places_.rows() != x.size()) places_.resize(x.size(), static_cast<Eigen::Index>(kMostRemembered));
   places_.col(static_cast<Eigen::Index>(seen_.size())) = x;
   last_ = seen_.size();
   from_place_ = 0;
@@ -45,7 +46,7 @@ const RememberingWalls::Seen& RememberingWalls::around(const Vector& x, double r
     std::size_t i = last_ + k;
     if (i >= count) i -= count;
     from_place_ = (x - places_.col(static_cast<Eigen::Index>(i))).norm();
-    if (from_place_ > std::max(kBeside, reach / 2) || from_place_ + reach > seen_[i].radius) continue;
+    if (from_place_ > std::max(kBesidePlace, reach / 2) || from_place_ + reach > seen_[i].radius) continue;
     last_ = i;
     return seen_[i];
   }
@@ -69,7 +70,7 @@ void RememberingWalls::near(const Vector& x, double reach, std::vector<Wall>& fo
 
 void RememberingWalls::along(const Vector& a, const Vector& b, double reach, std::vector<Wall>& found) const {
   const double half = (b - a).norm() / 2;
-  if (!mine() || !(half < kAtLeast) || !a.allFinite()) return walls_->along(a, b, reach, found);
+  if (!mine() || !(half < kLookAtLeast) || !a.allFinite()) return walls_->along(a, b, reach, found);
   candidates((a + b) / 2, half + std::max(0.0, reach));
   found.clear();
   if (!pairs_.empty()) walls_->along_among(pairs_, a, b, reach, found);
@@ -78,7 +79,7 @@ void RememberingWalls::along(const Vector& a, const Vector& b, double reach, std
 /// The nearest core decides: pairs are looked at in the order of what is known of them, as long as they may be it.
 double RememberingWalls::room(const Vector& a, const Vector& b, double reach) const {
   const double half = (b - a).norm() / 2;
-  if (!mine() || !(half + reach < kFarthest) || !a.allFinite()) return walls_->room(a, b, reach);
+  if (!mine() || !(half + reach < kFarthestLook) || !a.allFinite()) return walls_->room(a, b, reach);
   const Seen& seen = around((a + b) / 2, half + reach);
   bounds_.clear();
   for (const auto& [pair, gap] : seen.pairs) {

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -29,6 +30,7 @@ class RememberingWalls final : public Walls {
   double room(const Vector& a, const Vector& b, double reach) const override;
   std::string obstacle_name(int obstacle) const override { return walls_->obstacle_name(obstacle); }
   void draw(const DrawnPaths& paths, Drawing& out) const override { walls_->draw(paths, out); }
+  std::optional<PoseStrip> pose_strip(const Points& x) const override { return walls_->pose_strip(x); }
   std::shared_ptr<const Walls> remembering() const override { return walls_->remembering(); }
 
  private:

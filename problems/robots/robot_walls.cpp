@@ -12,6 +12,7 @@
 #include "problems/robots/least_value.hpp"
 #include "problems/robots/remembering_walls.hpp"
 #include "problems/robots/robot_pose.hpp"
+#include "problems/robots/robot_strip.hpp"
 
 namespace leastcost {
 namespace {
@@ -21,7 +22,7 @@ using Eigen::Vector3d;
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 constexpr double kOfLengths = 256 * std::numeric_limits<double>::epsilon();  ///< rounding of frames and distances
 constexpr double kDecided = 1e-10;  ///< sizes: so near are the bounds of a clearance in contact
-constexpr double kShareOfGap = 0.5, kShareOfCoreRoom = 0.2;
+constexpr double kShareOfGap = 0.5, kShareOfCoreRoom = 0.5;
 constexpr int kFewestPlaces = 4, kMostPlaces = 64;  ///< of a move that are looked at before its least gap is followed
 constexpr double kPlacesApart = 0.5;                ///< of what is required: how far a capsule goes between them
 
@@ -364,15 +365,20 @@ void RobotWalls::along_among(const std::vector<Pair>& pairs, const Vector& a, co
   add_along(move, pairs, reach, found);
 }
 
-void RobotWalls::add_along(OnMove& move, const std::vector<Pair>& pairs, double reach,
-                           std::vector<Wall>& found) const {
+void RobotWalls::add_along(OnMove& move, const std::vector<Pair>& pairs, double reach, std::vector<Wall>& found) const {
   constexpr double kMiddle = 0.5;
   for (const Pair& pair : pairs) {
-    const double speed = move.bound(pair).speed;
-    if (move.distance(kMiddle, pair) - speed / 2 - pair.required >= reach * pair.steepest) continue;
+    const MotionBound bound = move.bound(pair);
+    const MovingDistance known{bound.speed, bound.acceleration};
+    const double speed = bound.speed, wanted = pair.required + reach * pair.steepest;
+    const double middle = move.distance(kMiddle, pair);
+    if (middle - speed / 2 >= wanted) continue;
+    if (least_distance_on_piece(known, kMiddle, move.distance(0, pair), middle) >= wanted &&
+        least_distance_on_piece(known, kMiddle, middle, move.distance(1, pair)) >= wanted)
+      continue;
     const auto distance_at = [&](double t) { return move.distance(t, pair); };
-    const int places = static_cast<int>(std::clamp(std::ceil(speed / (kPlacesApart * pair.required)),
-                                                   double{kFewestPlaces}, double{kMostPlaces}));
+    const int places = static_cast<int>(
+        std::clamp(std::ceil(speed / (kPlacesApart * pair.required)), double{kFewestPlaces}, double{kMostPlaces}));
     const double gap = (least_value(distance_at, places) - pair.required) / pair.steepest;
     if (gap < reach) found.push_back({pair.number, gap, {}, pair.required / pair.steepest});
   }
@@ -444,7 +450,11 @@ std::shared_ptr<const Walls> RobotWalls::remembering() const {
 }
 
 void RobotWalls::draw(const DrawnPaths&, Drawing& out) const {
-  out.notes.emplace_back("the robot and the obstacles of its workspace are not drawn");
+  out.notes.emplace_back("this is the space of configurations; the robot and its obstacles are drawn beside it");
+}
+
+std::optional<PoseStrip> RobotWalls::pose_strip(const Points& configurations) const {
+  return robot_strip(*robot_, obstacles_, configurations);
 }
 
 }  // namespace leastcost

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,7 @@ class RobotWalls final : public Walls, public std::enable_shared_from_this<Robot
   double room(const Vector& a, const Vector& b, double reach) const override;
   std::string obstacle_name(int obstacle) const override;
   void draw(const DrawnPaths& paths, Drawing& out) const override;
+  std::optional<PoseStrip> pose_strip(const Points& configurations) const override;
   /// Null for walls that no shared pointer owns.
   std::shared_ptr<const Walls> remembering() const override;
 

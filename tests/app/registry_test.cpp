@@ -193,6 +193,10 @@ TEST_CASE("registry: the choices of all plug-ins are those whose misspelling is 
                                  "mesh.inside",
                                  "dh_arm.model",
                                  "dh_arm.model.table.convention",
+                                 "kinetic_energy.model",
+                                 "kinetic_energy.model.table.convention",
+                                 "end_effector_length.model",
+                                 "end_effector_length.model.table.convention",
                                  "lbfgs.precondition"};
   for (const char* back_end : {"nlopt", "ceres"})
     if (find_plugin(kind("solver"), back_end)->missing.empty())

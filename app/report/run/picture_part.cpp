@@ -111,9 +111,17 @@ bool holds_infinity(const Raster& raster) {
   return std::any_of(raster.values.begin(), raster.values.end(), [](double value) { return std::isinf(value); });
 }
 
-}  // namespace
+/// The robot in its workspace, where there is one.
+std::string strip_part(const RunFiles& files) {
+  const std::string svg = strip_svg(files.scene.strip);
+  if (svg.empty()) return "";
+  return "<figure>\n" + svg +
+         "<figcaption>The robot on its way, the later the stronger, among its obstacles, each drawn over what is "
+         "behind "
+         "it.</figcaption>\n</figure>\n";
+}
 
-Picture picture_of(const RunFiles& files) {
+Picture space_of_path(const RunFiles& files) {
   if (files.scene.dimension == 3 && files.scene.lines.path.cols() > 0) return space_picture(files);
   if (files.scene.dimension == 2 && files.scene.lines.path.cols() > 0) {
     std::string bands;
@@ -127,6 +135,14 @@ Picture picture_of(const RunFiles& files) {
   return {
       figures({coordinates_svg(files)}, "A space of this dimension has no picture: its coordinates along the path."),
       ""};
+}
+
+}  // namespace
+
+Picture picture_of(const RunFiles& files) {
+  Picture picture = space_of_path(files);
+  picture.part = strip_part(files) + picture.part;
+  return picture;
 }
 
 }  // namespace leastcost::app

@@ -30,6 +30,8 @@ Picture picture_of(const RunFiles& files);
 
 /// The plane with path, first path, box and cost. SVG.
 std::string plane_svg(const RunFiles& files);
+/// A robot on its way, the later the stronger, and its obstacles; empty without one. SVG.
+std::string strip_svg(const PoseStrip& strip);
 /// Every coordinate against the cumulative cost, for spaces that cannot be drawn. SVG.
 std::string coordinates_svg(const RunFiles& files);
 
