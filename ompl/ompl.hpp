@@ -8,4 +8,5 @@
 #include <leastcost/ompl/constraint.hpp>
 #include <leastcost/ompl/objective.hpp>
 #include <leastcost/ompl/polish.hpp>
+#include <leastcost/ompl/pose_walls.hpp>
 #include <leastcost/ompl/state_columns.hpp>

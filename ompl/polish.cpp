@@ -56,7 +56,7 @@ class Polishing {
       : given_(path),
         options_(options),
         monitor_(monitor),
-        states_(path.getSpaceInformation()->getStateSpace()),
+        states_(path.getSpaceInformation()->getStateSpace(), options.turn),
         domain_(options.domain ? options.domain : states_.domain()),
         space_(path.getSpaceInformation(), states_, domain_, options.cost ? options.cost : states_.length()) {
     check_parts();
@@ -136,8 +136,7 @@ class Polishing {
   void set_problem() {
     const std::shared_ptr<const Walls> obstacles = walls();
     problem_.manifold = std::make_shared<FreeSpace>(domain_, obstacles);
-    // They ask at other places than the planner does.
-    if (!options_.walls && !options_.distance) space_.look_at(obstacles);
+    space_.look_at(obstacles);  // they see what the planner's resolution misses, or ask at other places than it does
     problem_.cost = options_.cost ? options_.cost : states_.length();
     problem_.kernel = options_.kernel ? options_.kernel : make_kernel<Expm1Square>();
     problem_.source.u = x_.col(0);
@@ -167,7 +166,7 @@ class Polishing {
     checker.curvature = 0;
     checker.distance = [this, known = std::move(checker.distance)](const Eigen::VectorXd& x) {
       Eigen::VectorXd unit = x;
-      const bool far = !states_.settle(unit) || (x - unit).norm() > kDeepest;
+      const bool far = !states_.settle(unit) || (x - unit).norm() > kDeepest * options_.turn;
       return far ? std::numeric_limits<double>::quiet_NaN() : known(unit);
     };
     return make_checker_walls(rows, std::move(checker));

@@ -20,6 +20,9 @@ namespace leastcost {
 struct PolishOptions {
   std::shared_ptr<const SegmentCost> cost = {};           ///< else StateColumns::length()
   std::shared_ptr<const ConstraintManifold> domain = {};  ///< without obstacles; else StateColumns::domain()
+  /// How far a turn by one radian counts as in the columns (StateColumns). Costs and walls that are given know it:
+  /// RobotWalls of a PlanarBody or SpatialBody with this turn, through make_pose_walls().
+  double turn = 1;
   /// What is known of the obstacles; at most one of the two. Without any, whether places are free is asked of the
   /// planner's checker as finely as the planner asks, and a clearance is sampled, not proved.
   std::shared_ptr<const Walls> walls = {};

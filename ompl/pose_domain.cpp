@@ -8,19 +8,20 @@
 namespace leastcost {
 namespace {
 
-constexpr Index kNumbers = 4;  ///< of a quaternion
-constexpr double kShortest = 1e-6;
+constexpr Index kNumbers = 4;       ///< of a quaternion
+constexpr double kShortest = 1e-6;  ///< of their length
 
 }  // namespace
 
-PoseDomain::PoseDomain(int rows, std::vector<Index> quaternions)
+PoseDomain::PoseDomain(int rows, std::vector<Index> quaternions, double length)
     : EmbeddedManifold({rows, rows, rows - static_cast<int>(quaternions.size())}),
-      quaternions_(std::move(quaternions)) {}
+      quaternions_(std::move(quaternions)),
+      length_(length) {}
 
 bool PoseDomain::project_point(Eigen::Ref<Eigen::VectorXd> x) const {
-  const auto short_one = [&](Index row) { return !(x.segment<kNumbers>(row).norm() > kShortest); };
+  const auto short_one = [&](Index row) { return !(x.segment<kNumbers>(row).norm() > kShortest * length_); };
   if (std::any_of(quaternions_.begin(), quaternions_.end(), short_one)) return false;
-  for (const Index row : quaternions_) x.segment<kNumbers>(row).normalize();
+  for (const Index row : quaternions_) x.segment<kNumbers>(row) *= length_ / x.segment<kNumbers>(row).norm();
   return true;
 }
 
@@ -34,7 +35,7 @@ void PoseDomain::tangent_basis(const Eigen::VectorXd& x, Eigen::Ref<Points> basi
       basis(row++, column++) = 1;
       continue;
     }
-    const Eigen::Vector4d q = x.segment<kNumbers>(row);
+    const Eigen::Vector4d q = x.segment<kNumbers>(row) / length_;
     basis.block<kNumbers, 3>(row, column) << q[3], q[2], -q[1],  //
         -q[2], q[3], q[0],                                       //
         q[1], -q[0], q[3],                                       //

@@ -8,11 +8,11 @@
 
 namespace leastcost {
 
-/// R^d, some of whose rows are unit quaternions, four each: the sphere S^3.
+/// R^d, some of whose rows are quaternions of one length, four each: the sphere S^3.
 class PoseDomain final : public EmbeddedManifold {
  public:
   /// `quaternions`: the first row of each, ascending.
-  PoseDomain(int rows, std::vector<Index> quaternions);
+  PoseDomain(int rows, std::vector<Index> quaternions, double length = 1);
 
  protected:
   bool project_point(Eigen::Ref<Eigen::VectorXd> x) const override;
@@ -20,6 +20,7 @@ class PoseDomain final : public EmbeddedManifold {
 
  private:
   std::vector<Index> quaternions_;
+  double length_;
 };
 
 }  // namespace leastcost

@@ -32,7 +32,9 @@ constexpr double kLeastQuaternion = 1e-6;
 
 }  // namespace
 
-StateColumns::StateColumns(std::shared_ptr<const ob::StateSpace> space) : space_(std::move(space)) {
+StateColumns::StateColumns(std::shared_ptr<const ob::StateSpace> space, double turn)
+    : space_(std::move(space)), turn_(turn) {
+  if (!(turn > 0) || !std::isfinite(turn)) throw InputError("what a turn counts as must be a number greater than 0");
   if (!space_) throw InputError("there is no state space");
   const ob::StateSpace* inner = space_.get();
   while (const auto* wrapper = dynamic_cast<const ob::WrapperStateSpace*>(inner)) {
@@ -68,8 +70,11 @@ void StateColumns::add(const ob::StateSpace& space, double weight, const std::ve
   parts_.push_back(std::move(part));
 }
 
-bool StateColumns::has_quaternions() const {
-  return std::any_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.kind == Kind::quaternion; });
+std::vector<Index> StateColumns::quaternions() const {
+  std::vector<Index> rows;
+  for (const Part& part : parts_)
+    if (part.kind == Kind::quaternion) rows.push_back(part.row);
+  return rows;
 }
 
 double* StateColumns::values(const Part& part, ob::State& state) const {
@@ -92,7 +97,7 @@ Eigen::VectorXd StateColumns::column(const ob::State& state) const {
   Eigen::VectorXd column(rows_);
   for (const Part& part : parts_)
     column.segment(part.row, part.count) =
-        Eigen::Map<const Eigen::VectorXd>(values(part, const_cast<ob::State&>(state)), part.count);
+        in_columns(part) * Eigen::Map<const Eigen::VectorXd>(values(part, const_cast<ob::State&>(state)), part.count);
   return column;
 }
 
@@ -111,7 +116,7 @@ Points StateColumns::columns(const og::PathGeometric& path) const {
 void StateColumns::write(const Eigen::VectorXd& column, ob::State& state) const {
   for (const Part& part : parts_) {
     Eigen::Map<Eigen::VectorXd> to(values(part, state), part.count);
-    to = column.segment(part.row, part.count);
+    to = column.segment(part.row, part.count) / in_columns(part);
     if (part.kind == Kind::angle) {  // OMPL's bounds are those of [-pi, pi), and it aborts beyond them
       to[0] = std::remainder(to[0], 2 * std::numbers::pi);
       if (!(to[0] < std::numbers::pi)) to[0] = -std::numbers::pi;
@@ -139,7 +144,7 @@ void StateColumns::unwrap(const Eigen::VectorXd& before, Eigen::Ref<Eigen::Vecto
   for (const Part& part : parts_) {
     auto here = column.segment(part.row, part.count);
     const auto there = before.segment(part.row, part.count);
-    if (part.kind == Kind::angle) here[0] = there[0] + std::remainder(here[0] - there[0], 2 * std::numbers::pi);
+    if (part.kind == Kind::angle) here[0] = there[0] + std::remainder(here[0] - there[0], 2 * std::numbers::pi * turn_);
     if (part.kind == Kind::quaternion && here.dot(there) < 0) here = -here;
   }
 }
@@ -149,20 +154,15 @@ bool StateColumns::settle(Eigen::Ref<Eigen::VectorXd> column) const {
     if (part.kind != Kind::quaternion) continue;
     auto q = column.segment(part.row, part.count);
     const double length = q.norm();
-    if (!(length > kLeastQuaternion)) return false;
-    q /= length;
+    if (!(length > kLeastQuaternion * turn_)) return false;
+    q *= turn_ / length;
   }
   return true;
 }
 
 std::shared_ptr<const ConstraintManifold> StateColumns::domain() const {
   if (constrained_) throw InputError("the space is constrained: say which domain its states are on");
-  if (has_quaternions()) {
-    std::vector<Index> begins;
-    for (const Part& part : parts_)
-      if (part.kind == Kind::quaternion) begins.push_back(part.row);
-    return std::make_shared<PoseDomain>(static_cast<int>(rows_), std::move(begins));
-  }
+  if (has_quaternions()) return std::make_shared<PoseDomain>(static_cast<int>(rows_), quaternions(), turn_);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Eigen::VectorXd lower = Eigen::VectorXd::Constant(rows_, -kInfinity), upper = -lower;
   for (const Part& part : parts_) {
@@ -177,7 +177,7 @@ std::shared_ptr<const ConstraintManifold> StateColumns::domain() const {
 
 std::shared_ptr<const SegmentCost> StateColumns::length() const {
   Eigen::VectorXd weights(rows_);
-  for (const Part& part : parts_) weights.segment(part.row, part.count).setConstant(part.weight);
+  for (const Part& part : parts_) weights.segment(part.row, part.count).setConstant(part.weight / in_columns(part));
   if ((weights.array() == 1).all()) return make_euclidean_cost(static_cast<int>(rows_));
   if (!(weights.array() > 0).all())
     throw InputError("a part of the space has the weight 0: its length says nothing about that part; give a cost");
@@ -188,7 +188,8 @@ double StateColumns::steepness() const {
   double squares = 0;
   for (const Part& part : parts_) {
     const double arc = part.kind == Kind::quaternion ? std::numbers::pi / 2 : 1;  // over its chord, at most
-    squares += part.weight * part.weight * arc * arc;
+    const double steep = part.weight * arc / in_columns(part);
+    squares += steep * steep;
   }
   return std::sqrt(squares);
 }

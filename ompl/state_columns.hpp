@@ -24,20 +24,25 @@ namespace leastcost {
 /// | constrained | those of the space that it is in |
 ///
 /// Moves of the space are straight in them, on the unit sphere for a quaternion. Immutable.
+///
+/// `turn`: angles are multiplied by it, and quaternions have its length. Beside lengths it says how far a turn by one
+/// radian counts as, so that steps and gaps compare like with like: for a body, how far its farthest point is from its
+/// origin, twice that where it has quaternions, which change by half the angle.
 class StateColumns {
  public:
-  /// Throws InputError for a space with a part that is none of these.
-  explicit StateColumns(std::shared_ptr<const ompl::base::StateSpace> space);
+  /// Throws InputError for a space with a part that is none of these, and a turn that is no positive number.
+  explicit StateColumns(std::shared_ptr<const ompl::base::StateSpace> space, double turn = 1);
 
   Index rows() const { return rows_; }
-  bool has_quaternions() const;
+  bool has_quaternions() const { return !quaternions().empty(); }
+  std::vector<Index> quaternions() const;  ///< their first rows, ascending
   /// Of a constrained space: where its states may be is not known from it.
   bool constrained() const { return constrained_; }
 
   Eigen::VectorXd column(const ompl::base::State& state) const;
   /// Throws InputError for a state whose numbers are not finite, or a quaternion of no length.
   Points columns(const ompl::geometric::PathGeometric& path) const;
-  /// Angles are brought into [-pi, pi), quaternions to length one.
+  /// Angles are brought into [-pi, pi), quaternions to length one there.
   void write(const Eigen::VectorXd& column, ompl::base::State& state) const;
   /// A state per column. Throws InputError for columns of another size.
   std::shared_ptr<ompl::geometric::PathGeometric> path(const std::shared_ptr<ompl::base::SpaceInformation>& space,
@@ -45,7 +50,7 @@ class StateColumns {
 
   /// Of the columns that name the same state as `column`, the one nearest to `before`.
   void unwrap(const Eigen::VectorXd& before, Eigen::Ref<Eigen::VectorXd> column) const;
-  /// Quaternions to length one; false where one has none.
+  /// Quaternions to the length that they have in columns; false where one has none.
   bool settle(Eigen::Ref<Eigen::VectorXd> column) const;
 
   /// Where the columns may be: on the sphere for a quaternion, elsewhere within the bounds of the space (beside a
@@ -69,7 +74,10 @@ class StateColumns {
   void add(const ompl::base::StateSpace& space, double weight, const std::vector<unsigned>& within);
   double* values(const Part& part, ompl::base::State& state) const;
 
+  double in_columns(const Part& part) const { return part.kind == Kind::reals ? 1 : turn_; }
+
   std::shared_ptr<const ompl::base::StateSpace> space_;
+  double turn_;
   std::vector<Part> parts_;
   Index rows_ = 0;
   bool constrained_ = false;

@@ -3,15 +3,18 @@
 #include <leastcost/problems/obstacles/ball.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include "framework/point_text.hpp"
+#include "problems/obstacles/triangle_foot.hpp"
 
 namespace leastcost {
 namespace {
 
-class Ball final : public Obstacle {
+class Ball final : public Obstacle, public MeetsTriangles {
  public:
   explicit Ball(const BallOptions& options) : center_(options.center), radius_(options.radius) {}
 
@@ -37,7 +40,14 @@ class Ball final : public Obstacle {
     return (a + t * (b - a) - center_).norm();
   }
 
+  double distance_of_triangle(const std::array<Eigen::Vector3d, 3>& corners, Eigen::Vector3d& nearest) const override {
+    nearest = foot_on_triangle(corners, Eigen::Vector3d(center_));
+    return (nearest - Eigen::Vector3d(center_)).norm();
+  }
+
  private:
+  bool measures_triangles() const override { return center_.size() == 3; }
+
   Vector center_;
   double radius_;
 };

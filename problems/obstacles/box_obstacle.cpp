@@ -3,18 +3,41 @@
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include "framework/point_text.hpp"
+#include "problems/obstacles/segment_tree.hpp"
 
 namespace leastcost {
 namespace {
 
-class BoxObstacle final : public Obstacle {
+/// Two triangles on each of the six sides.
+std::vector<SegmentTree::Triangle> sides_of(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper) {
+  std::vector<SegmentTree::Triangle> all;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const Eigen::Index u = (axis + 1) % 3, v = (axis + 2) % 3;
+    for (const bool low : {true, false}) {
+      const Eigen::Vector3d &corner = low ? lower : upper, &other = low ? upper : lower;
+      Eigen::Vector3d beside = corner, across = corner, opposite = corner;
+      beside[u] = opposite[u] = other[u];
+      across[v] = opposite[v] = other[v];
+      all.push_back({corner, beside, opposite});
+      all.push_back({corner, opposite, across});
+    }
+  }
+  return all;
+}
+
+class BoxObstacle final : public Obstacle, public MeetsTriangles {
  public:
-  explicit BoxObstacle(const BoxObstacleOptions& options) : lower_(options.lower), upper_(options.upper) {}
+  explicit BoxObstacle(const BoxObstacleOptions& options) : lower_(options.lower), upper_(options.upper) {
+    if (lower_.size() == 3) sides_.emplace(sides_of(lower_, upper_));
+  }
 
   std::string name() const override { return "the box from " + point_text(lower_) + " to " + point_text(upper_); }
   Box core_bounds() const override { return {lower_, upper_}; }
@@ -74,7 +97,15 @@ class BoxObstacle final : public Obstacle {
     return std::sqrt(square);
   }
 
+  double distance_of_triangle(const std::array<Eigen::Vector3d, 3>& corners, Eigen::Vector3d& nearest) const override {
+    nearest = corners[0];
+    if ((nearest.array() >= lower_.array()).all() && (nearest.array() <= upper_.array()).all()) return 0;
+    return sides_->distance(corners, nearest);
+  }
+
  private:
+  bool measures_triangles() const override { return sides_.has_value(); }
+
   /// How far a place on the way from a to b is off the box, along one axis.
   double outside(const Vector& a, const Vector& b, double t, Eigen::Index i) const {
     const double x = a[i] + t * (b[i] - a[i]);
@@ -82,6 +113,7 @@ class BoxObstacle final : public Obstacle {
   }
 
   Vector lower_, upper_;
+  std::optional<SegmentTree> sides_ = {};  ///< in space
 };
 
 }  // namespace

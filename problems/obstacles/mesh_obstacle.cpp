@@ -11,6 +11,7 @@
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/mesh/closest_point.hpp>
 #include <leastcost/problems/mesh/mesh_report.hpp>
+#include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
 #include "problems/distance/orient_faces.hpp"
 #include "problems/distance/winding_number.hpp"
@@ -38,7 +39,7 @@ std::string why_hollow(const TriangleMesh& mesh, const FaceOrientation& orientat
   return "";
 }
 
-class MeshObstacle final : public Obstacle {
+class MeshObstacle final : public Obstacle, public MeetsTriangles {
  public:
   MeshObstacle(const TriangleMesh& mesh, MeshInside inside, double radius)
       : name_("the mesh " + std::filesystem::path(mesh.source()).filename().string()),
@@ -78,6 +79,12 @@ class MeshObstacle final : public Obstacle {
     t = 0;
     if (inside(Vector3d(a))) return 0;
     return segments_.distance(Vector3d(a), Vector3d(b), t);
+  }
+
+  double distance_of_triangle(const std::array<Vector3d, 3>& corners, Vector3d& nearest) const override {
+    nearest = corners[0];
+    if (inside(nearest)) return 0;
+    return segments_.distance(corners, nearest);
   }
 
  private:

@@ -5,16 +5,17 @@
 #include <Eigen/Geometry>
 #include <string>
 
+#include <leastcost/framework/ability.hpp>
+
 namespace leastcost {
 
 /// An open set that no path may enter: all points nearer than `radius` to a closed core (a point, a box, a polygon).
 /// Distances are to the core; they need not be convex in the place, nor the core. Immutable.
-class Obstacle {
+class Obstacle : public HasAbilities<Obstacle> {
  public:
   using Vector = Eigen::VectorXd;
   using Box = Eigen::AlignedBox<double, Eigen::Dynamic>;
 
-  virtual ~Obstacle() = default;
   /// For messages: "the ball at (1, 2)".
   virtual std::string name() const = 0;
   /// The box of the core; its dimension is that of the space.

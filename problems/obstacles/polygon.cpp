@@ -34,7 +34,7 @@ bool meet(const Point2& a, const Point2& b, const Point2& c, const Point2& d, do
 
 class Polygon final : public Obstacle {
  public:
-  explicit Polygon(Corners corners) : corners_(std::move(corners)) {}
+  explicit Polygon(Corners corners) : corners_(std::move(corners)), convex_(turns_left()) {}
 
   std::string name() const override {
     return "the polygon with a corner at " + point_text(corners_.col(0)) + " (" + std::to_string(corners_.cols()) +
@@ -42,6 +42,7 @@ class Polygon final : public Obstacle {
   }
   Box core_bounds() const override { return {corners_.rowwise().minCoeff(), corners_.rowwise().maxCoeff()}; }
   double radius() const override { return 0; }
+  bool convex() const override { return convex_; }
   Eigen::MatrixXd corners() const override { return corners_; }
 
   double distance(const Vector& x, Eigen::Ref<Vector> away) const override {
@@ -101,7 +102,17 @@ class Polygon final : public Obstacle {
     return within;
   }
 
+  /// It turns left at every corner, hence around once: its edges do not cross.
+  bool turns_left() const {
+    for (Eigen::Index i = 0; i < corners_.cols(); ++i) {
+      const Point2 here = corners_.col(i), after = next(i), then = next((i + 1) % corners_.cols());
+      if (cross(after - here, then - after) < 0) return false;
+    }
+    return true;
+  }
+
   Corners corners_;  ///< counterclockwise
+  bool convex_;
 };
 
 /// Twice the area, negative where the corners go round clockwise.

@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "problems/obstacles/triangle_foot.hpp"
+
 namespace leastcost {
 namespace {
 
@@ -75,6 +77,29 @@ void offer_triangle(const Vector3d& a, const Vector3d& b, const SegmentTree::Tri
   offer_end(b, 1, c, best);
 }
 
+/// Either an edge of the first is nearest to the second, or a corner of the second to the inside of the first, or an
+/// edge of the second goes through it.
+void offer_pair(const SegmentTree::Triangle& first, const SegmentTree::Triangle& second, double& square,
+                Vector3d& nearest) {
+  const auto take = [&](const Nearest& found, const Vector3d& place) {
+    if (found.square < square) square = found.square, nearest = place;
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    Nearest edge;
+    const Vector3d &a = first[k], &b = first[(k + 1) % 3];
+    offer_triangle(a, b, second, edge);
+    take(edge, a + edge.t * (b - a));
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    Nearest corner, crossing;
+    const Vector3d &p = second[k], &q = second[(k + 1) % 3];
+    offer_end(p, 0, first, corner);
+    if (corner.square < square) take(corner, foot_on_triangle(first, p));
+    offer_crossing(p, q, first, crossing);
+    take(crossing, p + crossing.t * (q - p));
+  }
+}
+
 }  // namespace
 
 SegmentTree::SegmentTree(std::vector<Triangle> triangles) : triangles_(std::move(triangles)) {
@@ -108,35 +133,51 @@ std::int32_t SegmentTree::build(std::int32_t first, std::int32_t count) {
   return index;
 }
 
-double SegmentTree::distance(const Vector3d& a, const Vector3d& b, double& t) const {
-  const Vector3d way = b - a;
-  const double length = way.squaredNorm();
-  /// No triangle of a node is nearer to the segment than this.
-  const auto nearest = [&](std::int32_t index) {
-    const Node& node = nodes_[static_cast<std::size_t>(index)];
-    const double s = length > 0 ? std::clamp((node.centre - a).dot(way) / length, 0.0, 1.0) : 0;
-    return std::max(0.0, (a + s * way - node.centre).norm() / kOutwards - node.radius);
-  };
-  Nearest best;
+template <class Bound, class Offer, class Best>
+void SegmentTree::search(const Bound& bound, const Offer& offer, const Best& best) const {
   std::array<std::pair<double, std::int32_t>, kDeepest> open;
   std::size_t size = 0;
-  open[size++] = {nearest(0), 0};
+  open[size++] = {bound(nodes_[0]), 0};
   while (size > 0) {
-    const auto [bound, at] = open[--size];
-    if (bound * bound > best.square) continue;
+    const auto [nearest, at] = open[--size];
+    if (nearest > best()) continue;
     const Node& node = nodes_[static_cast<std::size_t>(at)];
     if (node.second < 0) {
       for (std::int32_t i = node.first; i < node.first + node.count; ++i)
-        offer_triangle(a, b, triangles_[static_cast<std::size_t>(i)], best);
+        offer(triangles_[static_cast<std::size_t>(i)]);
       continue;
     }
-    std::pair<double, std::int32_t> near{nearest(at + 1), at + 1}, far{nearest(node.second), node.second};
+    std::pair<double, std::int32_t> near{bound(nodes_[static_cast<std::size_t>(at) + 1]), at + 1};
+    std::pair<double, std::int32_t> far{bound(nodes_[static_cast<std::size_t>(node.second)]), node.second};
     if (far.first < near.first) std::swap(near, far);
     open[size++] = far;
     open[size++] = near;
   }
+}
+
+double SegmentTree::distance(const Vector3d& a, const Vector3d& b, double& t) const {
+  const Vector3d way = b - a;
+  const double length = way.squaredNorm();
+  Nearest best;
+  search(
+      [&](const Node& node) {  // no triangle of it is nearer to the segment
+        const double s = length > 0 ? std::clamp((node.centre - a).dot(way) / length, 0.0, 1.0) : 0;
+        return std::max(0.0, (a + s * way - node.centre).norm() / kOutwards - node.radius);
+      },
+      [&](const Triangle& triangle) { offer_triangle(a, b, triangle, best); }, [&] { return std::sqrt(best.square); });
   t = best.t;
   return std::sqrt(best.square);
+}
+
+double SegmentTree::distance(const Triangle& triangle, Vector3d& nearest) const {
+  double square = std::numeric_limits<double>::infinity();
+  search(
+      [&](const Node& node) {
+        const double off = (foot_on_triangle(triangle, node.centre) - node.centre).norm();
+        return std::max(0.0, off / kOutwards - node.radius);
+      },
+      [&](const Triangle& other) { offer_pair(triangle, other, square, nearest); }, [&] { return std::sqrt(square); });
+  return std::sqrt(square);
 }
 
 }  // namespace leastcost

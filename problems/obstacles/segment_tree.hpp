@@ -9,8 +9,9 @@
 
 namespace leastcost {
 
-/// The least distance of a straight segment in space from triangles, exact to rounding, by a hierarchy of balls around
-/// them. Degenerate triangles count as the segments or points that they are. Immutable, shared by threads.
+/// The least distance of a straight segment, or a triangle, in space from triangles, exact to rounding, by a hierarchy
+/// of balls around them. Degenerate triangles count as the segments or points that they are. Immutable, shared by
+/// threads.
 class SegmentTree {
  public:
   using Triangle = std::array<Eigen::Vector3d, 3>;
@@ -20,6 +21,8 @@ class SegmentTree {
 
   /// Of a + t (b - a), t in [0, 1], length units. Where the segment meets triangles: 0, and the t of the first.
   double distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double& t) const;
+  /// Of a triangle, length units, and the point of it that is nearest; 0 where it meets others.
+  double distance(const Triangle& triangle, Eigen::Vector3d& nearest) const;
 
  private:
   struct Node {
@@ -29,6 +32,9 @@ class SegmentTree {
     std::int32_t second = -1;           // -1: a leaf
   };
   std::int32_t build(std::int32_t first, std::int32_t count);
+  /// Offers the triangles of leaves while they may be nearer: `bound(node)`, `offer(triangle)`, `best()` are distances.
+  template <class Bound, class Offer, class Best>
+  void search(const Bound& bound, const Offer& offer, const Best& best) const;
 
   std::vector<Triangle> triangles_;
   std::vector<Node> nodes_;

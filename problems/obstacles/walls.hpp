@@ -57,6 +57,8 @@ class Walls {
   virtual void near(const Vector& x, double reach, std::vector<Wall>& found) const = 0;
   /// Over all places of the move from a to b that the domain makes; names the nearest obstacle.
   virtual MoveClearance clearance(const Vector& a, const Vector& b) const = 0;
+  /// Whether that move is clear, contact included, as far as it can be told; may be quicker than the clearance.
+  virtual bool clears(const Vector& a, const Vector& b) const { return clearance(a, b).upper >= 0; }
   /// The walls with a gap below `reach` somewhere on that move, the gap of each the least there, without slopes. All
   /// that are known: the nearest will do.
   virtual void along(const Vector& a, const Vector& b, double reach, std::vector<Wall>& found) const;

@@ -81,7 +81,7 @@ LeastOnMove least_on_move(const std::vector<MovingDistance>& all, DistancesOnMov
   std::priority_queue<MovePiece> open;
   if (!whole.open.empty()) open.push(std::move(whole));
   std::vector<double> middle;
-  for (int pieces = 1; !open.empty() && pieces < kMostMovePieces; pieces += 2) {
+  for (int pieces = 1; !open.empty() && pieces < kMostMovePieces && !(least.upper < precision.too_low); pieces += 2) {
     if (settled(open.top().lower) || open.top().lower == -std::numeric_limits<double>::infinity()) break;
     const MovePiece piece = open.top();
     open.pop();

@@ -33,7 +33,8 @@ class DistancesOnMove {
 struct MovePrecision {
   double accuracy = 0;
   double share = 0.5;
-  double enough = std::numeric_limits<double>::infinity();  ///< a lower bound that will do
+  double enough = std::numeric_limits<double>::infinity();    ///< a lower bound that will do
+  double too_low = -std::numeric_limits<double>::infinity();  ///< below this no better bounds are wanted
 };
 
 /// The least of several such values over a move.

@@ -39,7 +39,7 @@ double nearest_to_zero(const Vector4d& a, const Vector4d& b) {
 
 void PlanarBody::place(const Vector& x, std::vector<Frame>& links) const {
   links.resize(1);
-  const double c = std::cos(x[2]), s = std::sin(x[2]);
+  const double angle = x[2] / turn_, c = std::cos(angle), s = std::sin(angle);
   links[0].rotation << c, -s, 0, s, c, 0, 0, 0, 1;
   links[0].origin << x[0], x[1], 0;
 }
@@ -48,23 +48,23 @@ void PlanarBody::jacobian(const Vector&, const std::vector<Frame>& links, int, c
                           Eigen::Matrix3Xd& derivative) const {
   derivative.setZero(3, 3);
   derivative(0, 0) = derivative(1, 1) = 1;
-  derivative.col(2) = Vector3d::UnitZ().cross(point - links[0].origin);
+  derivative.col(2) = Vector3d::UnitZ().cross(point - links[0].origin) / turn_;
 }
 
-PlanarBody::Vector PlanarBody::reach(int, const Vector3d& local) const { return Vector3d(1, 1, local.norm()); }
+PlanarBody::Vector PlanarBody::reach(int, const Vector3d& local) const { return Vector3d(1, 1, local.norm() / turn_); }
 
 double PlanarBody::steepest(const Vector& reach, int) const { return std::hypot(1.0, reach[2]); }
 
 MotionBound PlanarBody::motion(const Vector& a, const Vector& b, const Vector& reach, int) const {
-  const double turned = std::abs(b[2] - a[2]);
-  return {(b - a).head<2>().norm() + turned * reach[2], turned * turned * reach[2],
-          turned * turned * turned * reach[2]};
+  const double turned = std::abs(b[2] - a[2]) / turn_, far = reach[2] * turn_;
+  return {(b - a).head<2>().norm() + turned * far, turned * turned * far, turned * turned * turned * far};
 }
 
 PointMotion PlanarBody::moving(const Vector&, const std::vector<Frame>& links, const Vector& way, int,
                                const Vector3d& point, int) const {
   const Vector3d arm = point - links[0].origin;
-  return {Vector3d(way[0], way[1], 0) + way[2] * Vector3d::UnitZ().cross(arm), -way[2] * way[2] * arm};
+  const double turned = way[2] / turn_;
+  return {Vector3d(way[0], way[1], 0) + turned * Vector3d::UnitZ().cross(arm), -turned * turned * arm};
 }
 
 PlanarBody::Vector PlanarBody::lower() const { return Vector::Constant(3, -kUnlimited); }
@@ -95,10 +95,10 @@ void SpatialBody::jacobian(const Vector& x, const std::vector<Frame>& links, int
   derivative.rightCols<4>() = -2 / square * cross_matrix(point - links[0].origin) * turn;
 }
 
-/// Of a quaternion of length one.
+/// Of a quaternion of length `turn`.
 SpatialBody::Vector SpatialBody::reach(int, const Vector3d& local) const {
   Vector reach(7);
-  reach << 1, 1, 1, Vector4d::Constant(2 * local.norm());
+  reach << 1, 1, 1, Vector4d::Constant(2 * local.norm() / turn_);
   return reach;
 }
 
@@ -112,8 +112,8 @@ MotionBound SpatialBody::motion(const Vector& a, const Vector& b, const Vector& 
   const double way = (b - a).tail<4>().norm(), moved = (b - a).head<3>().norm();
   if (!(way > 0)) return {moved, 0, 0};
   constexpr double kClose = 1e-6;  // of a quaternion: nearer to zero its direction is not known
-  if (!(nearest > kClose)) return {kUnlimited, kUnlimited, kUnlimited};
-  const double r = way / nearest, far = reach[3] / 2;
+  if (!(nearest > kClose * turn_)) return {kUnlimited, kUnlimited, kUnlimited};
+  const double r = way / nearest, far = reach[3] * turn_ / 2;
   return {moved + 2 * r * far, (4 + 2) * r * r * far, (8 + 3 * 4 + 4) * r * r * r * far};
 }
 

@@ -13,9 +13,11 @@
 
 namespace leastcost {
 
-/// A body in the plane. A configuration is (x, y, angle in rad).
+/// A body in the plane. A configuration is (x, y, angle in rad times `turn`): beside lengths `turn` is how far a radian
+/// counts as.
 class PlanarBody final : public Kinematics {
  public:
+  explicit PlanarBody(double turn = 1) : turn_(turn) {}
   Eigen::Index dimension() const override { return 3; }
   int space() const override { return 2; }
   int link_count() const override { return 1; }
@@ -30,12 +32,16 @@ class PlanarBody final : public Kinematics {
                      const Eigen::Vector3d& point, int seen_from) const override;
   Vector lower() const override;
   Vector upper() const override;
+
+ private:
+  double turn_;
 };
 
 /// A body in space. A configuration is (x, y, z, qw, qx, qy, qz); the quaternion is normalised on use, so that a
-/// straight move between two turns the body about one axis.
+/// straight move between two turns the body about one axis. What is said of it holds for quaternions of length `turn`.
 class SpatialBody final : public Kinematics {
  public:
+  explicit SpatialBody(double turn = 1) : turn_(turn) {}
   Eigen::Index dimension() const override { return 7; }
   int space() const override { return 3; }
   int link_count() const override { return 1; }
@@ -50,6 +56,9 @@ class SpatialBody final : public Kinematics {
                      const Eigen::Vector3d& point, int seen_from) const override;
   Vector lower() const override;
   Vector upper() const override;
+
+ private:
+  double turn_;
 };
 
 /// A body of balls and capsules.

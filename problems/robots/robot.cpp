@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/robots/robot.hpp>
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -10,16 +11,16 @@
 namespace leastcost {
 namespace {
 
-void check_capsule(const Robot& robot, std::size_t i) {
-  const Capsule& capsule = robot.capsules[i];
-  const auto refuse = [i](const std::string& why) {
-    throw OptionError("shape", "capsule " + std::to_string(i) + " " + why);
-  };
-  if (capsule.link < 0 || capsule.link >= robot.kinematics->link_count())
-    refuse("is on link " + std::to_string(capsule.link) + "; the links are numbered from 0 to " +
+/// `corners`: of the segment or triangle that the part is around.
+template <class Corners>
+void check_part(const Robot& robot, const std::string& name, int link, double radius, const Corners& corners) {
+  const auto refuse = [&](const std::string& why) { throw OptionError("shape", name + " " + why); };
+  if (link < 0 || link >= robot.kinematics->link_count())
+    refuse("is on link " + std::to_string(link) + "; the links are numbered from 0 to " +
            std::to_string(robot.kinematics->link_count() - 1));
-  if (!capsule.from.allFinite() || !capsule.to.allFinite()) refuse("must have finite coordinates");
-  if (!(capsule.radius > 0) || !std::isfinite(capsule.radius)) refuse("must have a radius greater than 0");
+  for (const Eigen::Vector3d& corner : corners)
+    if (!corner.allFinite()) refuse("must have finite coordinates");
+  if (!(radius > 0) || !std::isfinite(radius)) refuse("must have a radius greater than 0");
 }
 
 void check_pair(const Robot& robot, std::size_t k) {
@@ -37,8 +38,18 @@ void check_pair(const Robot& robot, std::size_t k) {
 }  // namespace
 
 std::shared_ptr<const Robot> make_robot(Robot robot) {
-  if (robot.capsules.empty()) throw OptionError("shape", "must have at least one capsule");
-  for (std::size_t i = 0; i < robot.capsules.size(); ++i) check_capsule(robot, i);
+  if (robot.parts() == 0) throw OptionError("shape", "must have at least one capsule");
+  for (std::size_t i = 0; i < robot.capsules.size(); ++i) {
+    const Capsule& capsule = robot.capsules[i];
+    check_part(robot, "capsule " + std::to_string(i), capsule.link, capsule.radius,
+               std::array{capsule.from, capsule.to});
+  }
+  if (!robot.plates.empty() && robot.kinematics->space() != 3)
+    throw OptionError("shape", "triangles are parts of robots in space, this one is in the plane");
+  for (std::size_t i = 0; i < robot.plates.size(); ++i) {
+    const Plate& plate = robot.plates[i];
+    check_part(robot, "triangle " + std::to_string(i), plate.link, plate.radius, plate.corners);
+  }
   for (std::size_t k = 0; k < robot.self.size(); ++k) check_pair(robot, k);
   return std::make_shared<const Robot>(std::move(robot));
 }

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstddef>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -18,15 +20,32 @@ struct Capsule {
   double radius = 0;
 };
 
+/// All points within a radius of a triangle that is fixed to a link, in a workspace of three dimensions.
+struct Plate {
+  int link = 0;
+  std::array<Eigen::Vector3d, 3> corners = {};  ///< coordinates of the link
+  double radius = 0;
+};
+
 /// A robot: what moves, its shape, and which of its parts must not touch each other.
 struct Robot {
   std::shared_ptr<const Kinematics> kinematics;
-  std::vector<Capsule> capsules;
+  std::vector<Capsule> capsules = {};
   std::vector<std::pair<int, int>> self = {};  ///< numbers of capsules on different links
+  std::vector<Plate> plates = {};
+
+  /// Parts are numbered: the capsules, then the plates.
+  std::size_t parts() const { return capsules.size() + plates.size(); }
+  int link(std::size_t part) const {
+    return part < capsules.size() ? capsules[part].link : plates[part - capsules.size()].link;
+  }
+  double radius(std::size_t part) const {
+    return part < capsules.size() ? capsules[part].radius : plates[part - capsules.size()].radius;
+  }
 };
 
-/// Throws OptionError("shape") for capsules without a radius, of a link that is not there or that are no numbers, and
-/// OptionError("self") for pairs that are none.
+/// Throws OptionError("shape") for parts without a radius, of a link that is not there or that are no numbers, for
+/// plates in the plane and where there is no part, and OptionError("self") for pairs that are none.
 std::shared_ptr<const Robot> make_robot(Robot robot);
 
 }  // namespace leastcost

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include <leastcost/problems/robots/robot.hpp>
@@ -10,11 +11,12 @@
 
 namespace leastcost {
 
-/// The links of a robot and the axes of its capsules in one configuration.
+/// The links of a robot, the axes of its capsules and the triangles of its plates in one configuration.
 struct RobotPose {
   Eigen::VectorXd configuration;
   std::vector<Frame> links;
   std::vector<Segment3> axes;
+  std::vector<std::array<Eigen::Vector3d, 3>> plates;
 
   void place(const Robot& robot, const Eigen::VectorXd& at);
 };
@@ -27,6 +29,12 @@ inline void RobotPose::place(const Robot& robot, const Eigen::VectorXd& at) {
     const Capsule& capsule = robot.capsules[i];
     const Frame& link = links[static_cast<std::size_t>(capsule.link)];
     axes[i] = {link.at(capsule.from), link.at(capsule.to)};
+  }
+  plates.resize(robot.plates.size());
+  for (std::size_t i = 0; i < plates.size(); ++i) {
+    const Plate& plate = robot.plates[i];
+    const Frame& link = links[static_cast<std::size_t>(plate.link)];
+    plates[i] = {link.at(plate.corners[0]), link.at(plate.corners[1]), link.at(plate.corners[2])};
   }
 }
 

@@ -3,10 +3,12 @@
 #include <leastcost/problems/robots/robot_walls.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include <leastcost/framework/ability.hpp>
 #include <leastcost/framework/errors.hpp>
 #include "problems/robots/least_on_move.hpp"
 #include "problems/robots/least_value.hpp"
@@ -24,7 +26,7 @@ constexpr double kOfLengths = 256 * std::numeric_limits<double>::epsilon();  ///
 constexpr double kDecided = 1e-10;  ///< sizes: so near are the bounds of a clearance in contact
 constexpr double kShareOfGap = 0.5, kShareOfCoreRoom = 0.5;
 constexpr int kFewestPlaces = 4, kMostPlaces = 64;  ///< of a move that are looked at before its least gap is followed
-constexpr double kPlacesApart = 0.5;                ///< of what is required: how far a capsule goes between them
+constexpr double kPlacesApart = 0.5;                ///< of what is required: how far a part goes between them
 
 /// Whether the distance of two boxes with sides along the axes is more than this.
 bool farther_apart(const Vector3d& lower, const Vector3d& upper, const Vector3d& other_lower,
@@ -64,7 +66,7 @@ class RobotWalls::OnMove final : public DistancesOnMove {
   }
   double fastest() const { return *std::max_element(speeds_.begin(), speeds_.end()); }
 
-  /// Pairs whose gap may be below `beyond(capsule)` somewhere on the move.
+  /// Pairs whose gap may be below `beyond(part)` somewhere on the move.
   template <class Beyond>
   std::vector<Pair> pairs(const Beyond& beyond) {
     std::vector<Pair> found;
@@ -73,10 +75,10 @@ class RobotWalls::OnMove final : public DistancesOnMove {
     return found;
   }
 
-  double distance(double t, const Pair& pair) { return walls_->distance(pose(t), pair); }
+  double distance(double t, const Pair& pair) { return walls_->between(pose(t), pair).distance; }
 
   MotionBound bound(const Pair& pair) const {
-    const Body& body = walls_->bodies_[static_cast<std::size_t>(pair.capsule)];
+    const Body& body = walls_->bodies_[static_cast<std::size_t>(pair.part)];
     return kinematics().motion(a_, b_, body.reach, walls_->seen_from(pair));
   }
 
@@ -98,26 +100,27 @@ class RobotWalls::OnMove final : public DistancesOnMove {
     for (const int k : which) distances.push_back(distance(t, (*pairs_)[static_cast<std::size_t>(k)]));
   }
 
-  /// A convex core lies behind the plane through its nearest point; what either end of the axis is before that plane is
-  /// at most a cubic's worth off its second-order expansion.
+  /// A convex core lies behind the plane through its nearest point; what a corner of the part's core is before that
+  /// plane is at most a cubic's worth off its second-order expansion.
   double least_around(double t, double half, int which, double distance) override {
     const Pair& pair = (*pairs_)[static_cast<std::size_t>(which)];
     if (!(distance > 0) || !walls_->convex(pair)) return -kUnbounded;
     const RobotPose& here = pose(t);
     const Plane plane = walls_->plane(here, pair);
-    const Segment3& axis = here.axes[static_cast<std::size_t>(pair.capsule)];
-    const int link = walls_->robot_->capsules[static_cast<std::size_t>(pair.capsule)].link;
+    const auto part = static_cast<std::size_t>(pair.part);
+    const int link = walls_->robot_->link(part);
     const double off = bounds_[static_cast<std::size_t>(which)].jerk * half * half * half / 6;
-    double least = kUnbounded;
-    for (const Vector3d& end : {axis.from, axis.to}) {
+    const auto least_of = [&](const Vector3d& corner) {
       const PointMotion motion =
-          kinematics().moving(here.configuration, here.links, way_, link, end, walls_->seen_from(pair));
-      const double height = plane.normal.dot(end - plane.foot), slope = std::abs(plane.normal.dot(motion.velocity));
+          kinematics().moving(here.configuration, here.links, way_, link, corner, walls_->seen_from(pair));
+      const double height = plane.normal.dot(corner - plane.foot), slope = std::abs(plane.normal.dot(motion.velocity));
       const double bend = plane.normal.dot(motion.acceleration);
       const bool valley = bend > 0 && slope < bend * half;
-      least = std::min(least, height - off - (valley ? slope * slope / (2 * bend) : (slope - bend * half / 2) * half));
-    }
-    return least;
+      return height - off - (valley ? slope * slope / (2 * bend) : (slope - bend * half / 2) * half);
+    };
+    if (part < here.axes.size()) return std::min(least_of(here.axes[part].from), least_of(here.axes[part].to));
+    const auto& [a, b, c] = here.plates[part - here.axes.size()];
+    return std::min({least_of(a), least_of(b), least_of(c)});
   }
 
  private:
@@ -128,7 +131,7 @@ class RobotWalls::OnMove final : public DistancesOnMove {
   const RobotWalls* walls_;
   const Vector &a_, &b_;
   Vector way_;
-  std::vector<double> speeds_;  ///< of the capsules
+  std::vector<double> speeds_;  ///< of the parts
   const std::vector<Pair>* pairs_ = nullptr;
   std::vector<MotionBound> bounds_;  ///< of the pairs
   double placed_ = std::numeric_limits<double>::quiet_NaN();
@@ -139,15 +142,19 @@ RobotWalls::RobotWalls(std::shared_ptr<const Robot> robot, Obstacles obstacles, 
     : robot_(std::move(robot)) {
   if (!(clearance >= 0) || !std::isfinite(clearance)) throw OptionError("clearance", "must be a number, at least 0");
   const Kinematics& kinematics = *robot_->kinematics;
-  for (const Capsule& capsule : robot_->capsules) {
+  const auto add_body = [&](int link, double radius, const auto& corners) {
     Body body;
-    body.reach = kinematics.reach(capsule.link, capsule.from).cwiseMax(kinematics.reach(capsule.link, capsule.to));
-    body.radius = capsule.radius;
+    body.reach = kinematics.reach(link, corners[0]);
+    for (const Vector3d& corner : corners) body.reach = body.reach.cwiseMax(kinematics.reach(link, corner)).eval();
+    body.radius = radius;
     body.steepest = kinematics.steepest(body.reach, 0);
     farthest_ = std::max(farthest_, body.reach.maxCoeff());
-    size_ = std::max(size_, farthest_ + capsule.radius);
+    size_ = std::max(size_, farthest_ + radius);
     bodies_.push_back(std::move(body));
-  }
+  };
+  for (const Capsule& capsule : robot_->capsules)
+    add_body(capsule.link, capsule.radius, std::array{capsule.from, capsule.to});
+  for (const Plate& plate : robot_->plates) add_body(plate.link, plate.radius, plate.corners);
   add_obstacles(std::move(obstacles), clearance);
   add_self_pairs();
 }
@@ -160,6 +167,12 @@ void RobotWalls::add_obstacles(Obstacles obstacles, double clearance) {
     if (core.dim() != space)
       throw OptionError(std::to_string(i), obstacles_[i]->name() + " has " + std::to_string(core.dim()) +
                                                " dimensions, the workspace of the robot has " + std::to_string(space));
+    if (!robot_->plates.empty()) {
+      for_plates_.push_back(find_ability<MeetsTriangles>(*obstacles_[i]));
+      if (for_plates_.back() == nullptr)
+        throw OptionError(std::to_string(i),
+                          obstacles_[i]->name() + " does not know its distance from triangles, which the robot has");
+    }
     CoreBox box{Vector3d::Zero(), Vector3d::Zero()};
     box.lower.head(space) = core.min();
     box.upper.head(space) = core.max();
@@ -181,48 +194,80 @@ void RobotWalls::add_self_pairs() {
   }
 }
 
-/// Pairs with a distance of at most what is required and margin(capsule), some others among them; ascending by number.
+RobotWalls::CoreBox RobotWalls::box(const RobotPose& pose, std::size_t part) const {
+  if (part < pose.axes.size()) {
+    const Segment3& axis = pose.axes[part];
+    return {axis.from.cwiseMin(axis.to), axis.from.cwiseMax(axis.to)};
+  }
+  const auto& [a, b, c] = pose.plates[part - pose.axes.size()];
+  return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+}
+
+/// Pairs with a distance of at most what is required and margin(part), some others among them; ascending by number.
+/// Obstacles are first looked at for all parts of a link at once.
 template <class Margin>
 void RobotWalls::pairs_within(const RobotPose& pose, const Margin& margin, std::vector<Pair>& found) const {
-  const auto box = [&](int i) {
-    const Segment3& axis = pose.axes[static_cast<std::size_t>(i)];
-    return CoreBox{axis.from.cwiseMin(axis.to), axis.from.cwiseMax(axis.to)};
-  };
-  for (int i = 0; i < static_cast<int>(bodies_.size()); ++i) {
-    const Body& body = bodies_[static_cast<std::size_t>(i)];
-    if (!(body.steepest > 0)) continue;
-    const CoreBox own = box(i);
-    const double wanted = margin(i);
-    for (std::size_t o = 0; o < boxes_.size(); ++o) {
-      const double required = required_[o] + body.radius;
-      if (farther_apart(own.lower, own.upper, boxes_[o].lower, boxes_[o].upper, required + wanted)) continue;
-      const int other = static_cast<int>(o);
-      found.push_back({i * static_cast<int>(boxes_.size()) + other, i, other, false, required, body.steepest});
+  thread_local std::vector<CoreBox> own;
+  thread_local std::vector<int> beside;  // what a link may be near to
+  own.clear();
+  for (std::size_t i = 0; i < bodies_.size(); ++i) own.push_back(box(pose, i));
+  for (std::size_t first = 0, last = 0; first < bodies_.size(); first = last) {
+    CoreBox all = own[first];
+    double farthest = -kUnbounded;
+    const int link = robot_->link(first);
+    for (last = first; last < bodies_.size() && robot_->link(last) == link; ++last) {
+      all.lower = all.lower.cwiseMin(own[last].lower).eval();
+      all.upper = all.upper.cwiseMax(own[last].upper).eval();
+      farthest = std::max(farthest, bodies_[last].radius + margin(static_cast<int>(last)));
+    }
+    beside.clear();
+    for (std::size_t o = 0; o < boxes_.size(); ++o)
+      if (!farther_apart(all.lower, all.upper, boxes_[o].lower, boxes_[o].upper, required_[o] + farthest))
+        beside.push_back(static_cast<int>(o));
+    for (std::size_t i = first; i < last; ++i) {
+      const Body& body = bodies_[i];
+      if (!(body.steepest > 0)) continue;
+      const int part = static_cast<int>(i);
+      const double wanted = margin(part);
+      for (const int other : beside) {
+        const auto o = static_cast<std::size_t>(other);
+        const double required = required_[o] + body.radius;
+        if (farther_apart(own[i].lower, own[i].upper, boxes_[o].lower, boxes_[o].upper, required + wanted)) continue;
+        found.push_back({part * static_cast<int>(boxes_.size()) + other, part, other, false, required, body.steepest});
+      }
     }
   }
   for (const Pair& pair : self_) {
-    const CoreBox first = box(pair.capsule), second = box(pair.other);
-    const double within = pair.required + margin(pair.capsule);
+    const CoreBox &first = own[static_cast<std::size_t>(pair.part)],
+                  &second = own[static_cast<std::size_t>(pair.other)];
+    const double within = pair.required + margin(pair.part);
     if (!farther_apart(first.lower, first.upper, second.lower, second.upper, within)) found.push_back(pair);
   }
 }
 
-/// Between the axis of the capsule and the core, or the other axis, and where on them it is.
-double RobotWalls::distance(const RobotPose& pose, const Pair& pair, double& on_axis, double& on_other) const {
-  const Segment3& axis = pose.axes[static_cast<std::size_t>(pair.capsule)];
-  if (pair.self) return distance_of_segments(axis, pose.axes[static_cast<std::size_t>(pair.other)], on_axis, on_other);
-  thread_local Vector from, to;  // taken by reference as they are: no memory is asked for in the innermost loop
-  const int space = robot_->kinematics->space();
-  from.resize(space);
-  to.resize(space);
-  to_space(axis.from, from);
-  to_space(axis.to, to);
-  return obstacles_[static_cast<std::size_t>(pair.other)]->distance_of_segment(from, to, on_axis);
-}
-
-double RobotWalls::distance(const RobotPose& pose, const Pair& pair) const {
+RobotWalls::Between RobotWalls::between(const RobotPose& pose, const Pair& pair) const {
+  Between out;
+  const auto part = static_cast<std::size_t>(pair.part), other = static_cast<std::size_t>(pair.other);
+  if (part >= pose.axes.size()) {
+    out.distance = for_plates_[other]->distance_of_triangle(pose.plates[part - pose.axes.size()], out.point);
+    return out;
+  }
+  const Segment3& axis = pose.axes[part];
   double on_axis = 0, on_other = 0;
-  return distance(pose, pair, on_axis, on_other);
+  if (pair.self) {
+    out.distance = distance_of_segments(axis, pose.axes[other], on_axis, on_other);
+    out.foot = pose.axes[other].at(on_other);
+  } else {
+    thread_local Vector from, to;  // taken by reference as they are: no memory is asked for in the innermost loop
+    const int space = robot_->kinematics->space();
+    from.resize(space);
+    to.resize(space);
+    to_space(axis.from, from);
+    to_space(axis.to, to);
+    out.distance = obstacles_[other]->distance_of_segment(from, to, on_axis);
+  }
+  out.point = axis.at(on_axis);
+  return out;
 }
 
 int RobotWalls::seen_from(const Pair& pair) const {
@@ -233,15 +278,14 @@ bool RobotWalls::convex(const Pair& pair) const {
   return pair.self || obstacles_[static_cast<std::size_t>(pair.other)]->convex();
 }
 
-/// The point of the axis that is nearest, the nearest point of the core or the other axis, and the way from there; no
-/// way where two axes meet.
+/// The point of the part's core that is nearest, the nearest point of the other core, and the way from there; no way
+/// where two axes meet.
 RobotWalls::Plane RobotWalls::plane(const RobotPose& pose, const Pair& pair) const {
-  double on_axis = 0, on_other = 0;
-  distance(pose, pair, on_axis, on_other);
+  const Between nearest = between(pose, pair);
   Plane plane;
-  plane.point = pose.axes[static_cast<std::size_t>(pair.capsule)].at(on_axis);
+  plane.point = nearest.point;
   if (pair.self) {
-    plane.foot = pose.axes[static_cast<std::size_t>(pair.other)].at(on_other);
+    plane.foot = nearest.foot;
     plane.normal = (plane.point - plane.foot).normalized();
     return plane;
   }
@@ -258,14 +302,14 @@ RobotWalls::Plane RobotWalls::plane(const RobotPose& pose, const Pair& pair) con
 /// Of the distance by the configuration, one of them where several places are as near.
 RobotWalls::Vector RobotWalls::slope(const RobotPose& pose, const Pair& pair) const {
   const Plane plane = this->plane(pose, pair);
-  const auto pull = [&](int capsule, const Vector3d& point) -> Vector {
+  const auto pull = [&](int part, const Vector3d& point) -> Vector {
     thread_local Eigen::Matrix3Xd derivative;
-    const int link = robot_->capsules[static_cast<std::size_t>(capsule)].link;
+    const int link = robot_->link(static_cast<std::size_t>(part));
     robot_->kinematics->jacobian(pose.configuration, pose.links, link, point, derivative);
     return derivative.transpose() * plane.normal;
   };
-  if (!pair.self) return pull(pair.capsule, plane.point);
-  return pull(pair.capsule, plane.point) - pull(pair.other, plane.foot);
+  if (!pair.self) return pull(pair.part, plane.point);
+  return pull(pair.part, plane.point) - pull(pair.other, plane.foot);
 }
 
 double RobotWalls::rounding(const Vector& a, const Vector& b) const {
@@ -294,7 +338,7 @@ void RobotWalls::near_among(const std::vector<Pair>& pairs, const Vector& x, dou
 void RobotWalls::add_near(const RobotPose& pose, const std::vector<Pair>& pairs, double reach,
                           std::vector<Wall>& found) const {
   for (const Pair& pair : pairs) {
-    const double gap = (distance(pose, pair) - pair.required) / pair.steepest;
+    const double gap = (between(pose, pair).distance - pair.required) / pair.steepest;
     if (!(gap < reach)) continue;
     found.push_back({pair.number, gap, slope(pose, pair), pair.required / pair.steepest});
     found.back().slope /= pair.steepest;
@@ -347,6 +391,20 @@ MoveClearance RobotWalls::clearance(const Vector& a, const Vector& b) const {
           move.place(found.at)};
 }
 
+bool RobotWalls::clears(const Vector& a, const Vector& b) const {
+  if (!a.allFinite() || !b.allFinite()) return false;
+  OnMove move(*this, a, b);
+  if (!move.bounded()) return clearance(a, b).upper >= 0;
+  const std::vector<Pair> pairs = move.pairs([](int) { return 0.0; });
+  const auto gap = [](const Pair& pair, MovingDistance known) {
+    known.offset = pair.required;
+    return known;
+  };
+  const double rounding = this->rounding(a, b);
+  const MovePrecision precision{.accuracy = kDecided * size_, .enough = 0, .too_low = -rounding};
+  return move.least(pairs, gap, precision).upper >= -rounding;
+}
+
 /// The least gaps are followed to their places from the lowest of some; what is proved is the clearance.
 void RobotWalls::along(const Vector& a, const Vector& b, double reach, std::vector<Wall>& found) const {
   found.clear();
@@ -389,7 +447,7 @@ double RobotWalls::room(const Vector& a, const Vector& b, double reach) const {
   if (!move.bounded()) return 0;
   const std::vector<Pair> pairs = move.pairs([&](int i) {
     const Body& body = bodies_[static_cast<std::size_t>(i)];
-    return reach * body.steepest - body.radius;  // of the axis from the core, not from the surface
+    return reach * body.steepest - body.radius;  // between the cores, not from the surface
   });
   std::vector<PairGap> unknown;
   for (const Pair& pair : pairs) unknown.push_back({pair, 0});
@@ -431,13 +489,11 @@ double RobotWalls::room(OnMove& move, const std::vector<PairGap>& pairs, double 
 
 std::string RobotWalls::obstacle_name(int obstacle) const {
   if (obstacle < 0) return "";
-  const auto link_of = [&](std::size_t capsule) {
-    return robot_->kinematics->link_name(robot_->capsules[capsule].link);
-  };
+  const auto link_of = [&](std::size_t part) { return robot_->kinematics->link_name(robot_->link(part)); };
   const auto number = static_cast<std::size_t>(obstacle), with_obstacles = bodies_.size() * obstacles_.size();
   if (number >= with_obstacles) {
     const Pair& pair = self_[number - with_obstacles];
-    return link_of(static_cast<std::size_t>(pair.capsule)) + " and " + link_of(static_cast<std::size_t>(pair.other));
+    return link_of(static_cast<std::size_t>(pair.part)) + " and " + link_of(static_cast<std::size_t>(pair.other));
   }
   const std::size_t other = number % obstacles_.size();
   return link_of(number / obstacles_.size()) + " and " + obstacles_[other]->name() + " (number " +

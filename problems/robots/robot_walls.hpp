@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include <leastcost/problems/obstacles/obstacle.hpp>
 #include <leastcost/problems/obstacles/walls.hpp>
 #include <leastcost/problems/robots/robot.hpp>
@@ -17,23 +18,25 @@ namespace leastcost {
 struct RobotPose;
 
 /// What keeps a robot out of a configuration: the obstacles of its workspace, each of which is a wall for each of its
-/// capsules, and its own parts. A capsule that nothing moves meets no obstacle: the base may stand on one.
+/// parts (capsules, plates), and its own parts. A part that nothing moves meets no obstacle: the base may stand on one.
 ///
 /// Places are configurations, moves are straight there. Clearances are lengths in the workspace. The gaps of walls are
-/// such lengths divided by the length that the capsule goes, at most, as the configuration moves by 1: like distances
+/// such lengths divided by the length that the part goes, at most, as the configuration moves by 1: like distances
 /// in the space of configurations, they change by no more than the place does.
 class RobotWalls final : public Walls, public std::enable_shared_from_this<RobotWalls> {
  public:
   using Obstacles = std::vector<std::shared_ptr<const Obstacle>>;
 
   /// The clearance is from obstacles; parts of the robot may touch each other. Throws OptionError("clearance") for a
-  /// negative one, OptionError("<number of the obstacle>") for an obstacle of another dimension than the workspace.
+  /// negative one, OptionError("<number of the obstacle>") for an obstacle of another dimension than the workspace, and
+  /// for one that does not say how far triangles are from it (MeetsTriangles) where the robot has plates.
   RobotWalls(std::shared_ptr<const Robot> robot, Obstacles obstacles, double clearance);
 
   Eigen::Index dimension() const override { return robot_->kinematics->dimension(); }
   double size() const override { return size_; }
   void near(const Vector& x, double reach, std::vector<Wall>& found) const override;
   MoveClearance clearance(const Vector& a, const Vector& b) const override;
+  bool clears(const Vector& a, const Vector& b) const override;
   void along(const Vector& a, const Vector& b, double reach, std::vector<Wall>& found) const override;
   double room(const Vector& a, const Vector& b, double reach) const override;
   std::string obstacle_name(int obstacle) const override;
@@ -44,27 +47,32 @@ class RobotWalls final : public Walls, public std::enable_shared_from_this<Robot
 
  private:
   friend class RememberingWalls;
-  /// A capsule and an obstacle, or another capsule, from whose link it is seen.
+  /// A part and an obstacle, or another capsule, from whose link it is seen.
   struct Pair {
     int number = 0;
-    int capsule = 0;
+    int part = 0;
     int other = 0;
     bool self = false;
-    double required = 0;  ///< of the distance between the core of the obstacle, or the other axis, and the axis
-    double steepest = 0;  ///< length units that the capsule moves at most as the configuration moves by 1
+    double required = 0;  ///< of the distance between the cores: the axis or triangle, the obstacle's or another axis
+    double steepest = 0;  ///< length units that the part moves at most as the configuration moves by 1
   };
   struct PairGap {
     Pair pair;
     double gap = 0;  ///< or a bound of what is asked for
   };
   struct Body {
-    Vector reach;  ///< of either end of the capsule
+    Vector reach;  ///< of any corner of the part
     double radius = 0, steepest = 0;
   };
   struct CoreBox {
     Eigen::Vector3d lower, upper;  ///< in the plane z is 0
   };
-  /// Between a capsule and what it may touch.
+  /// Of the cores of a pair, and where they are nearest.
+  struct Between {
+    double distance = 0;
+    Eigen::Vector3d point = Eigen::Vector3d::Zero(), foot = Eigen::Vector3d::Zero();  ///< foot: of a pair of axes alone
+  };
+  /// Between a part and what it may touch.
   struct Plane {
     Eigen::Vector3d point, foot, normal;
   };
@@ -82,8 +90,8 @@ class RobotWalls final : public Walls, public std::enable_shared_from_this<Robot
   double room(OnMove& move, const std::vector<PairGap>& pairs, double reach) const;
   template <class Margin>
   void pairs_within(const RobotPose& pose, const Margin& margin, std::vector<Pair>& found) const;
-  double distance(const RobotPose& pose, const Pair& pair, double& on_axis, double& on_other) const;
-  double distance(const RobotPose& pose, const Pair& pair) const;
+  CoreBox box(const RobotPose& pose, std::size_t part) const;
+  Between between(const RobotPose& pose, const Pair& pair) const;
   Plane plane(const RobotPose& pose, const Pair& pair) const;
   Vector slope(const RobotPose& pose, const Pair& pair) const;
   int seen_from(const Pair& pair) const;
@@ -92,8 +100,9 @@ class RobotWalls final : public Walls, public std::enable_shared_from_this<Robot
 
   std::shared_ptr<const Robot> robot_;
   Obstacles obstacles_;
-  std::vector<CoreBox> boxes_;    ///< of the cores
-  std::vector<double> required_;  ///< of the obstacles: radius and clearance
+  std::vector<const MeetsTriangles*> for_plates_;  ///< the same obstacles, where there are plates
+  std::vector<CoreBox> boxes_;                     ///< of the cores
+  std::vector<double> required_;                   ///< of the obstacles: radius and clearance
   std::vector<Body> bodies_;
   std::vector<Pair> self_;
   double size_ = 0, farthest_ = 0;
