@@ -230,11 +230,13 @@ struct Row {
 void plan(const Bench& bench, bool certify, bool verbose, Row& row) {
   og::SimpleSetup setup(bench.space());
   bench.set_up(setup);
+  const double planned = now();
   if (setup.solve(kPlanSeconds) != ob::PlannerStatus::EXACT_SOLUTION) {
     ++row.unsolved;
     return;
   }
   const og::PathGeometric given = setup.getSolutionPath();
+  if (verbose) std::printf("  planned in %.2f s, %d states\n", now() - planned, (int)given.getStateCount()), std::fflush(stdout);
   row.plan_not_clear += bench.clear(given) ? 0 : 1;
 
   PolishOptions options;

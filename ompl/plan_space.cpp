@@ -39,7 +39,7 @@ bool PlanSpace::is_free(const Eigen::VectorXd& x) const {
 bool PlanSpace::moves(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
   columns_.write(a, *from_);
   columns_.write(b, *to_);
-  return space_->checkMotion(from_, to_) && (!walls_ || walls_->clears(a, b));
+  return (!walls_ || walls_->clears(a, b)) && space_->checkMotion(from_, to_);  // what is quicker first
 }
 
 double PlanSpace::clearance(const Eigen::VectorXd& x) const {

@@ -76,8 +76,8 @@ class Polishing {
     // Then what the planner has not seen on its own path it need not see on ours.
     heeds_clearance_ = !by_answer || !touches(x_, clearance_of(x_));
     Points tight = short_of(x_);
-    if (by_answer) tight = pulled_tight(space_, tight, *options_.find.points, monitor_);
-    search(tight, by_answer);
+    if (by_answer||getenv("PULL")) tight = pulled_tight(space_, tight, getenv("PULL")?atoi(getenv("PULL")):*options_.find.points, monitor_);
+    if (!getenv("NOSEARCH")) search(tight, by_answer);
     if (out_.result.path.u.cols() > 1 && take(out_.result.path.u, PolishOutcome::polished)) return std::move(out_);
     take(tight, PolishOutcome::tightened);
     if (!out_.clearance) out_.clearance = clearance_of(x_);

@@ -77,6 +77,31 @@ void offer_triangle(const Vector3d& a, const Vector3d& b, const SegmentTree::Tri
   offer_end(b, 1, c, best);
 }
 
+/// What the plane of a triangle says about another: where all of that is on one side, it is nowhere nearer than its
+/// lowest corner, and just as near where that corner is above the inside.
+struct OverPlane {
+  double square = 0;  ///< of a lower bound of the distance
+  std::size_t corner = 0;
+  bool attained = false;
+};
+
+OverPlane over_plane(const SegmentTree::Triangle& base, const SegmentTree::Triangle& other) {
+  const Vector3d u = base[1] - base[0], v = base[2] - base[0], normal = u.cross(v);
+  const double area = normal.squaredNorm();
+  const double heights[3] = {normal.dot(other[0] - base[0]), normal.dot(other[1] - base[0]),
+                             normal.dot(other[2] - base[0])};
+  const bool above = heights[0] > 0 && heights[1] > 0 && heights[2] > 0;
+  if (!above && !(heights[0] < 0 && heights[1] < 0 && heights[2] < 0)) return {};
+  OverPlane out;
+  for (std::size_t k = 1; k < 3; ++k)
+    if (std::abs(heights[k]) < std::abs(heights[out.corner])) out.corner = k;
+  out.square = heights[out.corner] * heights[out.corner] / area;
+  const Vector3d w = other[out.corner] - base[0];
+  const double of_u = w.cross(v).dot(normal), of_v = u.cross(w).dot(normal);
+  out.attained = of_u >= 0 && of_v >= 0 && of_u + of_v <= area;
+  return out;
+}
+
 /// Either an edge of the first is nearest to the second, or a corner of the second to the inside of the first, or an
 /// edge of the second goes through it.
 void offer_pair(const SegmentTree::Triangle& first, const SegmentTree::Triangle& second, double& square,
@@ -84,6 +109,12 @@ void offer_pair(const SegmentTree::Triangle& first, const SegmentTree::Triangle&
   const auto take = [&](const Nearest& found, const Vector3d& place) {
     if (found.square < square) square = found.square, nearest = place;
   };
+  const OverPlane below = over_plane(second, first);
+  if (below.square >= square) return;
+  if (below.attained) return take({below.square, 0}, first[below.corner]);
+  const OverPlane above = over_plane(first, second);
+  if (above.square >= square) return;
+  if (above.attained) return take({above.square, 0}, foot_on_triangle(first, second[above.corner]));
   for (std::size_t k = 0; k < 3; ++k) {
     Nearest edge;
     const Vector3d &a = first[k], &b = first[(k + 1) % 3];

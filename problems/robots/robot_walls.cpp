@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <utility>
 
@@ -72,6 +73,14 @@ class RobotWalls::OnMove final : public DistancesOnMove {
     std::vector<Pair> found;
     walls_->pairs_within(
         pose(kMiddle), [&](int i) { return speeds_[static_cast<std::size_t>(i)] / 2 + beyond(i); }, found);
+    return found;
+  }
+
+  /// Pairs that may be too near in the middle of the move.
+  std::vector<Pair> pairs_at_middle() {
+    std::vector<Pair> found;
+    walls_->pairs_within(
+        pose(kMiddle), [](int) { return 0.0; }, found);
     return found;
   }
 
@@ -391,18 +400,42 @@ MoveClearance RobotWalls::clearance(const Vector& a, const Vector& b) const {
           move.place(found.at)};
 }
 
+/// Long moves in halves, the coarse ones first, so that what is in the way is met early; what few pairs may be in the
+/// way of is bisected for these alone.
 bool RobotWalls::clears(const Vector& a, const Vector& b) const {
+  constexpr std::size_t kFewPairs = 12, kManyPairs = 60;
+  constexpr double kShort = 1e-3;  // sizes
   if (!a.allFinite() || !b.allFinite()) return false;
-  OnMove move(*this, a, b);
-  if (!move.bounded()) return clearance(a, b).upper >= 0;
-  const std::vector<Pair> pairs = move.pairs([](int) { return 0.0; });
   const auto gap = [](const Pair& pair, MovingDistance known) {
     known.offset = pair.required;
     return known;
   };
   const double rounding = this->rounding(a, b);
-  const MovePrecision precision{.accuracy = kDecided * size_, .enough = 0, .too_low = -rounding};
-  return move.least(pairs, gap, precision).upper >= -rounding;
+  std::deque<std::pair<Vector, Vector>> open = {{a, b}};
+  for (; !open.empty(); open.pop_front()) {
+    const auto& [from, to] = open.front();
+    OnMove move(*this, from, to);
+    if (!move.bounded()) return clearance(a, b).upper >= 0;
+    std::vector<Pair> pairs = move.pairs([](int) { return 0.0; });
+    const bool many = pairs.size() > kManyPairs && move.fastest() > kShort * size_;
+    if (many) pairs = move.pairs_at_middle();  // what is in the way there, no more
+    for (Pair& pair : pairs) {
+      const double room = move.distance(0.5, pair) - pair.required;
+      if (room < -rounding) return false;
+      if (room > move.fastest() / 2 + rounding) pair.part = -1;  // nowhere on this part of the move
+    }
+    std::erase_if(pairs, [](const Pair& pair) { return pair.part < 0; });
+    if (pairs.empty() && !many) continue;
+    if (many || (pairs.size() > kFewPairs && move.fastest() > kShort * size_)) {
+      const Vector middle = move.place(0.5);
+      open.emplace_back(from, middle);
+      open.emplace_back(middle, open.front().second);
+      continue;
+    }
+    const MovePrecision precision{.accuracy = kDecided * size_, .enough = 0, .too_low = -rounding};
+    if (move.least(pairs, gap, precision).upper < -rounding) return false;
+  }
+  return true;
 }
 
 /// The least gaps are followed to their places from the lowest of some; what is proved is the clearance.
