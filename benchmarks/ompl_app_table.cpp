@@ -227,23 +227,20 @@ struct Row {
   Against once, again, most;
 };
 
-void plan(const Bench& bench, bool certify, bool verbose, Row& row) {
+void plan(const Bench& bench, bool search, bool verbose, Row& row) {
   og::SimpleSetup setup(bench.space());
   bench.set_up(setup);
-  const double planned = now();
   if (setup.solve(kPlanSeconds) != ob::PlannerStatus::EXACT_SOLUTION) {
     ++row.unsolved;
     return;
   }
   const og::PathGeometric given = setup.getSolutionPath();
-  if (verbose) std::printf("  planned in %.2f s, %d states\n", now() - planned, (int)given.getStateCount()), std::fflush(stdout);
   row.plan_not_clear += bench.clear(given) ? 0 : 1;
 
   PolishOptions options;
   options.walls = bench.walls();
   options.turn = bench.turn();
-  if (const char* n = std::getenv("N")) options.find.points = std::atoi(n);
-  options.find.certificate.enabled = certify;
+  options.search = search;
   double begin = now();
   const Polished ours = polish(given, options);
   const double seconds = now() - begin;
@@ -285,7 +282,7 @@ void plan(const Bench& bench, bool certify, bool verbose, Row& row) {
   std::fflush(stdout);
 }
 
-void table(const test::AppScene& scene, int plans, bool verbose) {
+void table(const test::AppScene& scene, int plans, bool search, bool verbose) {
   const Bench bench(scene);
   for (const auto& [end, name] : {std::pair{&scene.start, "start"}, std::pair{&scene.goal, "goal"}}) {
     Points pose = *end;
@@ -295,34 +292,32 @@ void table(const test::AppScene& scene, int plans, bool verbose) {
 #endif
     std::printf("\n");
   }
-  for (const bool certify : {false, true}) {
-    Row row;
-    for (int i = 0; i < plans; ++i) plan(bench, certify, verbose, row);
-    std::printf(
-        "%s, %s: %d plans (none found %d, not clear between states %d); polished %d, tightened %d, certified %d; "
-        "dearer "
-        "than given %d, not clear %d (deepest %.1e), refused by the planner %d, meets by FCL %d; cost / given %.4f; "
-        "%s\n",
-        scene.name.c_str(), certify ? "certificate" : "no certificate", row.plans, row.unsolved, row.plan_not_clear,
-        row.polished, row.tightened, row.certified, row.dearer_than_given, row.not_clear, row.deepest, row.refused,
-        row.meets, row.ratio / row.plans, milliseconds(row.seconds).c_str());
-    row.once.print("simplify, as long", row.plans);
-    row.again.print("simplify until time is up", row.plans);
-    row.most.print("simplifyMax", row.plans);
-    std::fflush(stdout);
-  }
+  Row row;
+  for (int i = 0; i < plans; ++i) plan(bench, search, verbose, row);
+  std::printf(
+      "%s, %s: %d plans (none found %d, not clear between states %d); polished %d, tightened %d, certified %d; dearer "
+      "than given %d, not clear %d (deepest %.1e), refused by the planner %d, meets by FCL %d; cost / given %.4f; %s\n",
+      scene.name.c_str(), search ? "with a search" : "without a search", row.plans, row.unsolved, row.plan_not_clear,
+      row.polished, row.tightened, row.certified, row.dearer_than_given, row.not_clear, row.deepest, row.refused,
+      row.meets, row.ratio / row.plans, milliseconds(row.seconds).c_str());
+  row.once.print("simplify, as long", row.plans);
+  row.again.print("simplify until time is up", row.plans);
+  row.most.print("simplifyMax", row.plans);
+  std::fflush(stdout);
 }
 
 }  // namespace
 
-/// Arguments: the seed of OMPL (default 2), how many plans (default 50), maze, cubicles or both, any fourth: each plan.
+/// Arguments: the seed of OMPL (default 2), how many plans (default 50), maze, cubicles or both, "search" or anything
+/// else, any fifth: each plan.
 int main(int count, char** arguments) {
   ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
   ompl::RNG::setSeed(count > 1 ? static_cast<unsigned>(std::atoi(arguments[1])) : 2);
   const int plans = count > 2 ? std::atoi(arguments[2]) : 50;
   const std::string which = count > 3 ? arguments[3] : "both";
+  const bool search = count > 4 && std::string(arguments[4]) == "search";
   const char* data = std::getenv("LEASTCOST_DATA");
   const std::filesystem::path folder = std::filesystem::path(data != nullptr ? data : "../shared/data") / "planning";
-  if (which != "cubicles") table(test::read_maze(folder), plans, count > 4);
-  if (which != "maze") table(test::read_cubicles(folder), plans, count > 4);
+  if (which != "cubicles") table(test::read_maze(folder), plans, search, count > 5);
+  if (which != "maze") table(test::read_cubicles(folder), plans, search, count > 5);
 }

@@ -28,6 +28,7 @@ namespace og = ompl::geometric;
 
 constexpr int kPieces = 1000;                             ///< in which costs of paths are compared
 constexpr int kPlaces = 60;                               ///< on the given path, between which shortcuts are looked for
+constexpr int kPulled = 40;                               ///< points of a path that is not searched from
 constexpr int kMostRounds = 6;                            ///< of shortcuts
 constexpr double kWorthARound = 1e-3;                     ///< of the cost
 constexpr double kRounding = 1e-12;                       ///< relative: by so much no path is cheaper
@@ -76,8 +77,12 @@ class Polishing {
     // Then what the planner has not seen on its own path it need not see on ours.
     heeds_clearance_ = !by_answer || !touches(x_, clearance_of(x_));
     Points tight = short_of(x_);
-    if (by_answer||getenv("PULL")) tight = pulled_tight(space_, tight, getenv("PULL")?atoi(getenv("PULL")):*options_.find.points, monitor_);
-    if (!getenv("NOSEARCH")) search(tight, by_answer);
+    if (by_answer) tight = pulled_tight(space_, tight, *options_.find.points, monitor_);
+    if (!options_.search) tight = pulled_tight(space_, tight, kPulled, monitor_);
+    if (options_.search)
+      search(tight, by_answer);
+    else
+      out_.why = "no search was asked for";
     if (out_.result.path.u.cols() > 1 && take(out_.result.path.u, PolishOutcome::polished)) return std::move(out_);
     take(tight, PolishOutcome::tightened);
     if (!out_.clearance) out_.clearance = clearance_of(x_);

@@ -29,6 +29,9 @@ struct PolishOptions {
   /// Its function is, unless given, clearance() of the planner's checker, a signed distance in the columns: say its
   /// Lipschitz constant. Then clearances are proved.
   std::optional<DistanceChecker> distance = {};
+  /// Whether find_path() is asked at all. A chain among the many faces of meshes, with a body of many, may take
+  /// minutes, or find no place for its points in a narrow passage; then the path is only shortened and pulled tight.
+  bool search = true;
   FindOptions find = {.points = 100};         ///< points are a number; without post-processors
   std::shared_ptr<const Solver> solver = {};  ///< else Newton
   std::shared_ptr<const Kernel> kernel = {};  ///< else Expm1Square
