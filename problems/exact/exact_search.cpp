@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/problems/exact/exact_search.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/straighten/straighten.hpp>
+#include "problems/exact/propagation.hpp"
+
+namespace leastcost {
+namespace {
+
+/// Of the tolerance, the part that ends the search; the rest is for rounding.
+constexpr double kSearchShare = 0.5;
+
+double rounded_up(const SurfacePath& path) {
+  return path_length(path) * (1 + static_cast<double>(path.points.size() + 8) * kRoundingOf<double>);
+}
+
+/// The path of a propagation, straightened exactly; as it is where straightening is not defined.
+SurfacePath straightened(const TriangleMesh& mesh, const SurfacePath& path) {
+  try {
+    StraightenOptions options;
+    options.shortcuts = false;
+    Straightened result = straighten(mesh, path, options);
+    if (result.finished && result.final_length <= result.initial_length) return std::move(result.path);
+  } catch (const InputError&) {
+  }
+  return path;
+}
+
+}  // namespace
+
+std::string_view word(ExactOutcome outcome) {
+  switch (outcome) {
+    case ExactOutcome::proved: return "proved";
+    case ExactOutcome::improved: return "improved";
+    case ExactOutcome::bounded: return "bounded";
+    case ExactOutcome::blocked: return "blocked";
+  }
+  return "";
+}
+
+struct ExactSearch::Tables {
+  explicit Tables(const TriangleMesh& mesh) : edges(mesh) {}
+  HalfEdges edges;
+  Landmarks landmarks;
+};
+
+struct ExactSearch::Workspace::Parts {
+  explicit Parts(const HalfEdges& mesh) : edges(&mesh), quick(mesh) {}
+  const HalfEdges* edges;
+  Propagation<double> quick;
+  std::unique_ptr<Propagation<DoubleDouble>> fine;  // made when it is needed
+};
+
+ExactSearch::ExactSearch(const TriangleMesh& mesh) : tables_(std::make_unique<Tables>(mesh)) {}
+ExactSearch::~ExactSearch() = default;
+
+ExactSearch::Workspace::Workspace(const ExactSearch& search) : parts_(std::make_unique<Parts>(search.tables_->edges)) {}
+ExactSearch::Workspace::~Workspace() = default;
+ExactSearch::Workspace::Workspace(Workspace&&) noexcept = default;
+ExactSearch::Workspace& ExactSearch::Workspace::operator=(Workspace&&) noexcept = default;
+
+void ExactSearch::use(Landmarks landmarks) {
+  const TriangleMesh& mesh = tables_->edges.mesh();
+  if (landmarks.made_for() != fingerprint(mesh))
+    throw InputError(mesh.source() +
+                     ": these landmarks were made for another mesh or other positions of it, and their distances are "
+                     "no bounds here; make them anew (make_landmarks)");
+  tables_->landmarks = std::move(landmarks);
+}
+
+ExactResult ExactSearch::shortest(const SurfacePoint& source, const SurfacePoint& target, Workspace& workspace,
+                                  const ExactOptions& options) const {
+  const HalfEdges& edges = tables_->edges;
+  const TriangleMesh& mesh = edges.mesh();
+  Workspace::Parts& parts = *workspace.parts_;
+  const EndPoint from = end_point(edges, source), to = end_point(edges, target);
+  const bool with_landmarks = options.landmarks && tables_->landmarks.count() > 0;
+  const LowerBound bound(edges, from, &to, with_landmarks ? &tables_->landmarks : nullptr);
+
+  ExactResult result;
+  result.bound = with_landmarks ? "euclid + " + std::to_string(tables_->landmarks.count()) + " landmarks" : "euclid";
+  double start = std::numeric_limits<double>::infinity();
+  if (options.start != nullptr) {
+    result.path = *options.start;
+    result.length = start = rounded_up(result.path);
+  }
+  // What a propagation found is taken over; true when nothing more is to be done.
+  const auto take = [&](const auto& run) {
+    result.windows += run.windows();
+    if (run.found() < result.length * (1 - kSearchShare * options.tolerance) || result.path.points.empty()) {
+      SurfacePath path = straightened(mesh, run.path());
+      const double length = path.points.empty() ? std::numeric_limits<double>::infinity() : rounded_up(path);
+      if (length < result.length) {
+        result.length = length;
+        result.path = std::move(path);
+      }
+    }
+    result.lower_bound = std::min(std::max(result.lower_bound, run.lower_bound()), result.length);
+    const double open = result.length - result.lower_bound;
+    // Infinite both: there is no path, and that is proved.
+    result.gap = result.lower_bound < result.length && result.length > 0 ? open / result.length : 0.0;
+    if (std::isinf(result.length) && std::isfinite(result.lower_bound))
+      result.gap = std::numeric_limits<double>::infinity();
+    if (result.gap <= options.tolerance) {
+      result.outcome = result.length < start * (1 - options.tolerance) && std::isfinite(start) ? ExactOutcome::improved
+                                                                                               : ExactOutcome::proved;
+      return true;
+    }
+    if (run.stopped()) {
+      result.outcome = ExactOutcome::bounded;
+      return true;
+    }
+    result.outcome = ExactOutcome::blocked;
+    result.reason = run.blocked()
+                        ? "a shorter path could cross an edge with three or more faces or a face without height"
+                        : "what rounding leaves open is more than the tolerance";
+    return false;
+  };
+
+  QueryLimits limits{result.length, kSearchShare * options.tolerance, options.max_windows, options.stop};
+  parts.quick.run(from, &to, bound, limits);
+  if (take(parts.quick)) return result;
+  if (!parts.fine) parts.fine = std::make_unique<Propagation<DoubleDouble>>(edges);
+  limits.upper = result.length;
+  limits.max_windows -= std::min(limits.max_windows, result.windows);
+  result.twice_the_digits = true;
+  parts.fine->run(from, &to, bound, limits);
+  take(*parts.fine);
+  return result;
+}
+
+ExactDistances ExactSearch::distances(const SurfacePoint& source, Workspace& workspace,
+                                      const ExactOptions& options) const {
+  const HalfEdges& edges = tables_->edges;
+  const EndPoint from = end_point(edges, source);
+  Propagation<double>& run = workspace.parts_->quick;
+  QueryLimits limits;
+  limits.max_windows = options.max_windows;
+  limits.stop = options.stop;
+  run.run(from, nullptr, LowerBound(edges, from, nullptr, nullptr), limits);
+  ExactDistances all;
+  all.windows = run.windows();
+  all.complete = !run.stopped() && !run.blocked();
+  for (std::int32_t v = 0; v < edges.mesh().vertex_count(); ++v) {
+    all.at_least.push_back(all.complete ? run.reached(v).at_least : 0);
+    all.at_most.push_back(run.reached(v).at_most);
+  }
+  return all;
+}
+
+Landmarks ExactSearch::make_landmarks(int count, Workspace& workspace) const {
+  const TriangleMesh& mesh = tables_->edges.mesh();
+  Landmarks landmarks(fingerprint(mesh), static_cast<std::size_t>(mesh.vertex_count()));
+  std::vector<double> nearest(static_cast<std::size_t>(mesh.vertex_count()), std::numeric_limits<double>::infinity());
+  std::int32_t next = 0;
+  // The first run only finds a vertex far from the others.
+  for (int i = -1; i < count; ++i) {
+    const ExactDistances all = distances(vertex_point(mesh, next), workspace);
+    if (!all.complete) break;
+    if (i >= 0) landmarks.add(next, all.at_least, all.at_most);
+    double farthest = 0;
+    for (std::size_t v = 0; v < nearest.size(); ++v) {
+      const double distance = std::isfinite(all.at_most[v]) ? all.at_most[v] : nearest[v];
+      if (i >= 0) nearest[v] = std::min(nearest[v], distance);
+      const double rank = i < 0 ? all.at_most[v] : nearest[v];
+      if (std::isfinite(rank) && rank > farthest) {
+        farthest = rank;
+        next = static_cast<std::int32_t>(v);
+      }
+    }
+    if (!(farthest > 0)) break;
+  }
+  return landmarks;
+}
+
+}  // namespace leastcost

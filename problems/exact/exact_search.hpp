@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <leastcost/problems/exact/landmarks.hpp>
+#include <leastcost/problems/mesh/surface_path.hpp>
+
+namespace leastcost {
+
+/// What is known about the shortest path between two points of a mesh.
+enum class ExactOutcome {
+  proved,    ///< no path on the polyhedron is shorter by more than the gap
+  improved,  ///< proved, of a path that is shorter than the one given
+  bounded,   ///< the budget was spent: only the lower bound holds
+  blocked,   ///< a shorter path could run where nothing can be unfolded, or below what rounding leaves; `reason`
+};
+std::string_view word(ExactOutcome outcome);
+
+struct ExactOptions {
+  double tolerance = 1e-9;  ///< gap that counts as proved, relative
+  std::int64_t max_windows = std::numeric_limits<std::int64_t>::max();
+  std::function<bool()> stop;          ///< true: stop with what is known; empty: never
+  const SurfacePath* start = nullptr;  ///< a path between the ends that is known already
+  bool landmarks = true;               ///< use those of the search, if it has any
+};
+
+struct ExactResult {
+  ExactOutcome outcome = ExactOutcome::bounded;
+  /// The shortest path known, straightened; empty where there is none.
+  SurfacePath path;
+  double length = std::numeric_limits<double>::infinity();  ///< of the path; infinite: the ends are not connected
+  double lower_bound = 0;                                   ///< no path on the polyhedron is shorter
+  double gap = std::numeric_limits<double>::infinity();     ///< (length - lower_bound) / length
+  std::int64_t windows = 0;
+  bool twice_the_digits = false;  ///< double was not enough
+  std::string bound;              ///< "euclid" or "euclid + 16 landmarks"
+  std::string reason;             ///< of outcome blocked, in words
+
+  bool is_proved() const { return outcome == ExactOutcome::proved || outcome == ExactOutcome::improved; }
+};
+
+/// Distances from one point to all vertices, each in [at_least, at_most]; infinite where there is no path.
+struct ExactDistances {
+  std::vector<double> at_least, at_most;
+  std::int64_t windows = 0;
+  bool complete = true;  ///< false: stopped, or paths run where nothing can be unfolded; then at_least is 0
+};
+
+/// The shortest paths on one mesh, the polyhedron as it is, with a proof: windows in the order of what they can still
+/// give (docs/numerics.md Sec. 5.5). Made once per mesh, which must outlive it; const afterwards and shared by threads,
+/// each with a Workspace of its own.
+class ExactSearch {
+ public:
+  explicit ExactSearch(const TriangleMesh& mesh);
+  ~ExactSearch();
+  ExactSearch(const ExactSearch&) = delete;
+  ExactSearch& operator=(const ExactSearch&) = delete;
+
+  class Workspace {
+   public:
+    explicit Workspace(const ExactSearch& search);
+    ~Workspace();
+    Workspace(Workspace&&) noexcept;
+    Workspace& operator=(Workspace&&) noexcept;
+
+   private:
+    friend class ExactSearch;
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+  };
+
+  ExactResult shortest(const SurfacePoint& source, const SurfacePoint& target, Workspace& workspace,
+                       const ExactOptions& options = {}) const;
+  ExactDistances distances(const SurfacePoint& source, Workspace& workspace, const ExactOptions& options = {}) const;
+
+  /// Landmarks far from each other, one propagation each. Fewer where a propagation does not complete.
+  Landmarks make_landmarks(int count, Workspace& workspace) const;
+  /// Throws InputError when they were made for another mesh or other positions.
+  void use(Landmarks landmarks);
+
+ private:
+  struct Tables;
+  std::unique_ptr<Tables> tables_;
+};
+
+}  // namespace leastcost

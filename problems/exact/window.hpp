@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+
+namespace leastcost {
+
+/// All straight continuations of paths through one root over one row of faces: the part [begin, end] of the edge of
+/// `halfedge`, whose face is entered next, and the image of the root unfolded into the plane of that face, at
+/// (x, -height) where the edge runs from (0, 0) to (length, 0). Length units.
+template <class Real>
+struct Window {
+  std::int32_t halfedge = -1;
+  std::int32_t parent = -1;  ///< window it came from, or -1: it starts at the root
+  std::int32_t root = -1;    ///< vertex that the paths bend around, or -1: the source
+  double sigma = 0;          ///< no path to the root is shorter
+  Real begin = 0, end = 0, x = 0, height = 0;
+  double error = 0;  ///< the image is this near to where exact numbers would put it
+  /// There is a path to every point of the part that is at most this much longer than sigma and the straight distance
+  /// from the image: what the root's own distance, and the widening of the part at each edge, may have cost.
+  double rise = 0;
+  double spread = 0;  ///< the part reaches beyond what the faces leave free by this angle at most, radians
+};
+
+/// What is known of a vertex.
+struct VertexReach {
+  std::uint32_t query = 0;                                    ///< the query that this is of
+  bool pending = false, fired = false, all_around = false;    ///< as a root: in the queue; has sent windows; everywhere
+  double at_least = std::numeric_limits<double>::infinity();  ///< no path found to it is shorter
+  double at_most = std::numeric_limits<double>::infinity();   ///< there is a path at most this long
+  double direction = 0;                             ///< from which the shortest one comes, radians in the vertex's fan
+  double slack = 0;                                 ///< of that direction
+  std::int32_t from_window = -1, from_vertex = -1;  ///< where the path came from; neither: straight from the source
+};
+
+/// When a query stops before it is done.
+struct QueryLimits {
+  double upper = std::numeric_limits<double>::infinity();  ///< length of a known path, rounded up
+  double slack = 0;                                        ///< paths within this fraction of the best are not sought
+  std::int64_t max_windows = std::numeric_limits<std::int64_t>::max();
+  std::function<bool()> stop;  ///< true: stop; empty: never
+};
+
+}  // namespace leastcost
