@@ -152,12 +152,17 @@ class Certifier {
     c_.asymmetry = energy_.cost(back) / energy_.cost(path_.chain) - 1;
   }
 
-  /// It certifies itself: no angle beside it is below pi, so no path nearby is shorter. Nothing is said about the
-  /// shortest path, nor about the smooth surface behind the mesh. Among obstacles in the plane what is locally shortest
-  /// is the shortest of its class; in space nothing is but what was measured.
+  /// It certifies itself: no angle beside it is below pi, so no path nearby is shorter. Of the shortest path a proof
+  /// over all paths speaks, where there is one. Nothing is said about the smooth surface behind the mesh. Among
+  /// obstacles in the plane what is locally shortest is the shortest of its class; in space nothing is but what was
+  /// measured.
   void certify_straightened() {
-    const bool measured = path_.curve.excess.has_value();
-    c_.scope = path_.curve.least_of_class ? "least_of_class" : measured ? "local" : "local_on_polyhedron";
+    c_.global = path_.curve.global;
+    const bool global = c_.global && c_.global->proved, measured = path_.curve.excess.has_value();
+    c_.scope = global                       ? "global_on_polyhedron"
+               : path_.curve.least_of_class ? "least_of_class"
+               : measured                   ? "local"
+                                            : "local_on_polyhedron";
     c_.straightness = path_.curve.straightness;
     if (!(*c_.straightness >= -(measured ? kNearlyStraight : kStraight)))
       fail("straightness",
@@ -166,6 +171,11 @@ class Certifier {
     c_.estimate.method = "straightened";
     c_.estimate.error = std::numeric_limits<double>::epsilon() * path_.curve.cost *
                         std::sqrt(static_cast<double>(path_.curve.x.cols())) * 4;
+    if (global) {
+      c_.estimate.error += std::max(0.0, path_.curve.cost - c_.global->lower_bound);
+      c_.estimate.lower = c_.global->lower_bound;
+      c_.estimate.upper = path_.curve.cost;
+    }
     if (!path_.curve.least_of_class && !measured) return;
     // Lengths of m sides, each from coordinates of this size.
     const double sides = static_cast<double>(path_.curve.x.cols()), size = path_.curve.x.cwiseAbs().maxCoeff();
@@ -479,6 +489,9 @@ void CertificateOptions::fields(FieldVisitor& visit) {
   visit.choice("proof", proof,
                {.help = "When a proof of the local minimum is tried, where cost and domain are formulas. needed: where "
                         "the path would be refused without it."});
+  visit.variant("global", global,
+                {.help = "A proof that no path at all costs less, where one can be made: on a mesh under the Euclidean "
+                         "cost."});
   visit.field("stationarity", stationarity, {.help = "Largest relative cost error.", .minimum = 0});
   visit.field("residual", residual, {.help = "Largest distance off the domain.", .unit = "diameters", .minimum = 0});
   visit.field("spacing", spacing, {.help = "Largest max c / min c - 1 where the cost is additive.", .minimum = 0});

@@ -11,6 +11,7 @@
 #include <leastcost/framework/certificate_failure.hpp>
 #include <leastcost/framework/clearance.hpp>
 #include <leastcost/framework/cost_estimate.hpp>
+#include <leastcost/framework/global_bound.hpp>
 #include <leastcost/framework/monitor.hpp>
 #include <leastcost/framework/options.hpp>
 #include <leastcost/framework/path_index.hpp>
@@ -33,6 +34,7 @@ Words<ProofRule> words(ProofRule);
 struct CertificateOptions {
   bool enabled = true;
   ProofRule proof = ProofRule::always;
+  GlobalProof global;  ///< on a mesh under the Euclidean cost
   double stationarity = 1e-10;
   double residual = 1e-10;
   double spacing = 1e-6;
@@ -44,10 +46,13 @@ struct CertificateOptions {
 };
 
 /// What was measured about a path, independently of the solver that made it; NaN: not measured. An empty list of
-/// failures means certified. It never says "global": a local method cannot know.
+/// failures means certified. It says "global" only where a proof over all paths was made (`global`): a local method
+/// cannot know.
 struct Certificate {
   bool measured = false;
-  std::string scope;  ///< "local", "local_on_polyhedron", "chain_on_polyhedron", "least_of_class"
+  std::string scope;                  ///< "local", "local_on_polyhedron", "chain_on_polyhedron", "least_of_class",
+                                      ///< "global_on_polyhedron"
+  std::optional<GlobalBound> global;  ///< null: no proof over all paths was tried
   std::vector<CertificateFailure> failures;
   CostEstimate estimate;
   std::optional<double> stationarity;  ///< relative cost error

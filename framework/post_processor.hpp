@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include <leastcost/framework/global_bound.hpp>
 #include <leastcost/framework/initializer.hpp>
 #include <leastcost/framework/monitor.hpp>
 #include <leastcost/framework/problem.hpp>
@@ -28,6 +29,8 @@ struct Curve {
   /// What its cost is above that of the locally least path beside it, as measured; set when the curve claims to be that
   /// but for so much.
   std::optional<double> excess = {};
+  /// What a proof over all paths says of the curve; none: none was tried.
+  std::optional<GlobalBound> global = {};
 };
 
 struct PostProcessed {

@@ -15,6 +15,7 @@
 #include <leastcost/problems/costs/metric_tensor.hpp>
 #include <leastcost/problems/costs/travel_time.hpp>
 #include <leastcost/problems/costs/weighted_length.hpp>
+#include <leastcost/problems/exact/exact_search.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/initializers/coordinate_circle.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
@@ -46,6 +47,7 @@
 #include <leastcost/problems/obstacles/polygon.hpp>
 #include <leastcost/problems/occupancy/occupancy_options.hpp>
 #include <leastcost/problems/post_processors/on_surface.hpp>
+#include <leastcost/problems/post_processors/shortest.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>
 #include <leastcost/problems/post_processors/taut.hpp>
 #include <leastcost/problems/post_processors/trace.hpp>

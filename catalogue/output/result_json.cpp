@@ -110,6 +110,14 @@ Json waypoints_json(const Waypoints& points) {
   return out;
 }
 
+/// What a proof over all paths says; null where none was tried.
+Json global_json(const std::optional<GlobalBound>& global) {
+  if (!global) return nullptr;
+  return {{"outcome", global->outcome}, {"lower_bound", number(global->lower_bound)},
+          {"gap", number(global->gap)}, {"windows", global->steps},
+          {"bound", global->bound},     {"reason", global->reason.empty() ? Json(nullptr) : Json(global->reason)}};
+}
+
 Json certificate_json(const Certificate& c, const CertificateOptions& options) {
   return {{"measured", c.measured},
           {"stationarity", number(c.stationarity)},
@@ -219,6 +227,7 @@ std::string result_json(const RunOutcome& run) {
   out["failures"] = failures(result.certificate);
   out["scope"] = result.certificate.measured ? Json(result.certificate.scope) : Json(nullptr);
   out["cost"] = cost(run);
+  out["global"] = global_json(result.certificate.global);
   out["spacing"] = number(where_measured(result.certificate, result.certificate.spacing));
   out["points"] = result.path.free_count();
   out["ring"] = run.parts.problem.ring || run.parts.problem.based;

@@ -20,12 +20,14 @@
 #include <leastcost/problems/initializers/mirrored.hpp>
 #include <leastcost/problems/manifolds/made_from_data.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
+#include <leastcost/problems/post_processors/shortest.hpp>
 #include <leastcost/problems/robots/robot_walls.hpp>
 #include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/registry/registry.hpp"
 #include "catalogue/run/ends.hpp"
 #include "catalogue/run/memory.hpp"
+#include "catalogue/run/run_checks.hpp"
 #include "problems/formula/coordinate_names.hpp"
 #include "problems/obstacles/walls_in.hpp"
 
@@ -130,6 +132,13 @@ void fill_options(const RunConfig& config, RunParts& out) {
   out.options.escape_saddle = config.escape_saddle;
   out.options.certificate = config.certificate;
   out.waypoints = config.waypoints;
+}
+
+/// A proof over all paths after the path is straight. Not for families: their members are paths of other classes.
+void add_proof(const RunConfig& config, RunParts& out) {
+  if (!proves_shortest(config) || !config.post_process || config.post_process->empty()) return;
+  if (config.post_process->back().plugin->type != "straighten") return;
+  out.options.post_processors.push_back(std::make_shared<const ShortestPostProcessor>(config.certificate.global));
 }
 
 /// The further ways of a family: bows, the mirror image, routes, and what else was given.
@@ -345,6 +354,7 @@ void Composer::make_from_files(const BuildProgress& progress) {
 RunParts Composer::take() {
   add_family(config_, others_, out_);
   fill_options(config_, out_);
+  add_proof(config_, out_);
   return std::move(out_);
 }
 

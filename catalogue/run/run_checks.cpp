@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <variant>
 
 #include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/kinds.hpp"
@@ -59,6 +60,20 @@ bool plans_taut(const RunConfig& config) {
          why_not_taut(config).empty();
 }
 
+}  // namespace
+
+bool proves_shortest(const RunConfig& config) {
+  if (!config.certificate.enabled || config.ring || config.family.wanted()) return false;
+  if (std::holds_alternative<GlobalOff>(config.certificate.global)) return false;
+  const bool mesh =
+      config.manifold &&
+      (config.manifold.plugin->type == "mesh" ||
+       (config.manifold.provides<HasMesh>() && std::holds_alternative<GlobalBudget>(config.certificate.global)));
+  return mesh && config.cost && config.cost.plugin->type == "euclidean";
+}
+
+namespace {
+
 void complete(RunConfig& config) {
   const bool mesh = config.manifold.provides<HasMesh>();
   const auto fill = [&](const char* part, PluginChoice& choice) {
@@ -71,7 +86,8 @@ void complete(RunConfig& config) {
   fill("kernel", config.kernel);
   fill("initializer", config.initializer);
   const bool taut = !config.post_process && plans_taut(config);
-  if (taut && !config.solver) config.solver = default_plugin("solver", "none", "solver");
+  const bool proof = !config.post_process && proves_shortest(config);
+  if ((taut || proof) && !config.solver) config.solver = default_plugin("solver", "none", "solver");
   fill("solver", config.solver);
   if (config.post_process) return;
   PluginList& steps = config.post_process.emplace();

@@ -92,8 +92,10 @@ void RunConfig::fields(RunVisitor& visit) {
   visit.block("family",
               {.help = "More first paths: lists the distinct locally least-cost paths, the least one is delivered."},
               [&](RunVisitor& v) { family.fields(v); });
-  visit.plugin("solver", solver, kind("solver"),
-               {.help = "How the path is improved; default: lbfgs on a mesh, else newton."});
+  visit.plugin(
+      "solver", solver, kind("solver"),
+      {.help = "How the path is improved; default: none where the shortest path is proved (certificate.global), lbfgs "
+               "on a mesh otherwise, else newton."});
   visit.field_or_zero("max_seconds", max_seconds,
                       {.help = "Time budget of the search, from the first path to the certificate; 0: none.",
                        .unit = "s",

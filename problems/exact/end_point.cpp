@@ -19,8 +19,7 @@ EndPoint end_point(const HalfEdges& mesh, const SurfacePoint& p) {
     return end;
   }
   end.edge = place.edge;
-  end.faces.push_back(place.where.face);
-  if (place.edge >= 0 && mesh.across(place.edge) >= 0) end.faces.push_back(mesh.across(place.edge) / 3);
+  faces_at(mesh.mesh(), place, end.faces);  // three and more on an edge where sheets meet
   end.error = kPositionError * kRoundingOf<double> * mesh.reach();
   return end;
 }

@@ -117,10 +117,10 @@ ExactResult ExactSearch::shortest(const SurfacePoint& source, const SurfacePoint
       return true;
     }
     result.outcome = ExactOutcome::blocked;
-    result.reason = run.blocked()
-                        ? "a shorter path could cross an edge with three or more faces or a face without height"
-                        : "what rounding leaves open is more than the tolerance";
-    return false;
+    result.reason = run.at_fork()   ? "a shorter path could cross an edge with three or more faces"
+                    : run.blocked() ? "a shorter path could cross a face without height"
+                                    : "what rounding leaves open is more than the tolerance";
+    return run.at_fork();
   };
 
   QueryLimits limits{result.length, kSearchShare * options.tolerance, options.max_windows, options.stop};

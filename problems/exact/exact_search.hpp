@@ -27,7 +27,7 @@ std::string_view word(ExactOutcome outcome);
 struct ExactOptions {
   double tolerance = 1e-9;  ///< gap that counts as proved, relative
   std::int64_t max_windows = std::numeric_limits<std::int64_t>::max();
-  std::function<bool()> stop;          ///< true: stop with what is known; empty: never
+  std::function<bool()> stop = {};     ///< true: stop with what is known; empty: never
   const SurfacePath* start = nullptr;  ///< a path between the ends that is known already
   bool landmarks = true;               ///< use those of the search, if it has any
 };
@@ -55,7 +55,7 @@ struct ExactDistances {
 };
 
 /// The shortest paths on one mesh, the polyhedron as it is, with a proof: windows in the order of what they can still
-/// give (docs/numerics.md Sec. 5.5). Made once per mesh, which must outlive it; const afterwards and shared by threads,
+/// give (docs/numerics.md Sec. 5.4). Made once per mesh, which must outlive it; const afterwards and shared by threads,
 /// each with a Workspace of its own.
 class ExactSearch {
  public:

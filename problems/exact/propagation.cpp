@@ -30,6 +30,11 @@ Real clamped(const Real& x, const Real& low, const Real& high) {
   return x < low ? low : x > high ? high : x;
 }
 
+bool same_ends(const HalfEdges& mesh, std::int32_t h, std::int32_t g) {
+  return (mesh.tail(h) == mesh.tail(g) && mesh.head(h) == mesh.head(g)) ||
+         (mesh.tail(h) == mesh.head(g) && mesh.head(h) == mesh.tail(g));
+}
+
 }  // namespace
 
 template <class Real>
@@ -82,7 +87,7 @@ void Propagation<Real>::run(const EndPoint& source, const EndPoint* target, cons
   best_ = limits.upper;
   slack_ = limits.slack;
   limit_ = best_ * (1 - slack_);
-  target_at_least_ = target_at_most_ = blocked_ = kInfinity;
+  target_at_least_ = target_at_most_ = blocked_ = fork_ = kInfinity;
   target_window_ = target_vertex_ = -1;
   open_ = 0;
   stopped_ = false;
@@ -158,7 +163,7 @@ void Propagation<Real>::start_in_face(const EndPoint& source, std::int32_t face)
     }
     reach(v, straight * (1 - 8 * kEpsilon) - source.error, straight * (1 + 8 * kEpsilon) + source.error, -1, -1,
           direction, slack);
-    if (source.edge >= 0 && (h == source.edge || h == mesh_->across(source.edge))) continue;
+    if (source.edge >= 0 && same_ends(*mesh_, h, source.edge)) continue;
     if (!(s.length > 0) || !(s.y > 0)) {
       block(bound_->from_vertex(v) - straight);
       continue;
@@ -199,6 +204,7 @@ void Propagation<Real>::add(std::int32_t from_side, bool from_tail, Window<Real>
   const double key = (w.sigma + rest) * (1 - 2 * kEpsilon) - w.error;
   if (key >= limit_) return;
   if (behind < 0) {
+    fork_ = std::min(fork_, key);
     block(key);
     return;
   }

@@ -14,7 +14,7 @@
 namespace leastcost {
 
 /// Windows from a source over the surface in the order of their keys: what the paths through them cost at least, with
-/// what is left to the target. docs/numerics.md Sec. 5.5 says why every shortest path stays within some window,
+/// what is left to the target. docs/numerics.md Sec. 5.4 says why every shortest path stays within some window,
 /// whatever rounding does. Reusable: keeps its memory. One object per thread.
 template <class Real>
 class Propagation {
@@ -30,6 +30,8 @@ class Propagation {
   double found() const { return target_at_most_; }
   /// Paths that could be shorter than the best run over an edge with three or more faces or a face without height.
   bool blocked() const { return blocked_ < limit_; }
+  /// Of these, over an edge with three or more faces: more digits would not help.
+  bool at_fork() const { return fork_ < limit_; }
   /// The budget of windows was spent, or somebody asked to stop.
   bool stopped() const { return stopped_; }
   std::int64_t windows() const { return windows_; }
@@ -99,7 +101,7 @@ class Propagation {
   const EndPoint *source_ = nullptr, *target_ = nullptr;
   const LowerBound* bound_ = nullptr;
   double best_ = 0, slack_ = 0, limit_ = 0;  // best length known; what ends the search
-  double target_at_least_ = 0, target_at_most_ = 0, blocked_ = 0, open_ = 0;
+  double target_at_least_ = 0, target_at_most_ = 0, blocked_ = 0, fork_ = 0, open_ = 0;
   std::int32_t target_window_ = -1, target_vertex_ = -1;
   bool stopped_ = false;
   std::int64_t windows_ = 0;

@@ -41,7 +41,7 @@ struct QueryLimits {
   double upper = std::numeric_limits<double>::infinity();  ///< length of a known path, rounded up
   double slack = 0;                                        ///< paths within this fraction of the best are not sought
   std::int64_t max_windows = std::numeric_limits<std::int64_t>::max();
-  std::function<bool()> stop;  ///< true: stop; empty: never
+  std::function<bool()> stop = {};  ///< true: stop; empty: never
 };
 
 }  // namespace leastcost

@@ -101,10 +101,10 @@ const Arrows& layers() {
 /// is for. Rooms that are not listed here may not exist.
 const Arrows& rooms() {
   static const std::set<std::string> subjects = {
-      "problems/graph",     "problems/chart",      "problems/cloud",     "problems/distance",
-      "problems/drawing",   "problems/formula",    "problems/level_set", "problems/mesh",
-      "problems/obstacles", "problems/occupancy",  "problems/readers",   "problems/robots",
-      "problems/section",   "problems/straighten", "problems/taut",      "problems/tensor"};
+      "problems/graph",     "problems/chart",   "problems/cloud",     "problems/distance", "problems/drawing",
+      "problems/exact",     "problems/formula", "problems/level_set", "problems/mesh",     "problems/obstacles",
+      "problems/occupancy", "problems/readers", "problems/robots",    "problems/section",  "problems/straighten",
+      "problems/taut",      "problems/tensor"};
   static const Arrows table = {
       {"problems/chart", {}},
       {"problems/cloud", {"problems/graph"}},
@@ -116,6 +116,7 @@ const Arrows& rooms() {
       {"problems/distance", {"problems/cloud", "problems/level_set", "problems/mesh"}},
       {"problems/section", {"problems/chart", "problems/cloud", "problems/mesh"}},
       {"problems/straighten", {"problems/mesh"}},
+      {"problems/exact", {"problems/mesh", "problems/straighten"}},
       {"problems/tensor", {"problems/cloud", "problems/mesh"}},
       {"problems/occupancy", {"problems/mesh"}},
       {"problems/readers", {"problems/cloud", "problems/distance", "problems/mesh", "problems/occupancy"}},

@@ -196,15 +196,32 @@ std::string levels(const JsonFile& result) {
   return "<h3>Levels of the refinement</h3>\n" + html(table);
 }
 
+/// What the scope means, in words.
+std::string what_it_says(const JsonFile& result) {
+  const std::string outcome = result.text("global.outcome");
+  const std::string local =
+      "A certificate is about this path and its neighbours; it never says that no better path exists elsewhere.";
+  if (outcome.empty()) return local;
+  const std::string lower = fmt::format("{:.12g}", result.number("global.lower_bound"));
+  const std::string work =
+      fmt::format("{} windows, aimed by {}", result.text("global.windows"), result.text("global.bound"));
+  if (outcome == "proved" || outcome == "improved")
+    return fmt::format(
+        "No path on this polyhedron costs less than {}, by a search over all of them ({}): none is shorter "
+        "than the delivered one by more than {} of it; others may be as short. Nothing is said about a "
+        "smooth surface behind the mesh.",
+        lower, work, number_text(result.number("global.gap"), 1));
+  return fmt::format("{} A search over all paths was not finished ({}; {}): no path costs less than {}.", local, work,
+                     outcome == "blocked" ? result.text("global.reason") : "its budget is spent", lower);
+}
+
 }  // namespace
 
 std::string certificate_part(const JsonFile& result) {
   if (!result.flag("certificate.measured"))
     return paragraph("The certificate was not measured: it is switched off, or the run was interrupted.");
-  return paragraph(
-             "Measured by the framework after the solve, independently of the solver. Scope: " + result.text("scope") +
-             ". A certificate is about this path and its neighbours; it never says that no better path exists "
-             "elsewhere.") +
+  return paragraph("Measured by the framework after the solve, independently of the solver. Scope: " +
+                   result.text("scope") + ". " + what_it_says(result)) +
          html(CertificateTable(result).table()) + levels(result);
 }
 

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/problems/post_processors/shortest.hpp>
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/exact/exact_search.hpp>
+#include <leastcost/problems/straighten/straighten.hpp>
+#include "problems/mesh/mesh_curve.hpp"
+
+namespace leastcost {
+namespace {
+
+constexpr std::int32_t kSmallMesh = 20000;           // vertices up to which a proof goes to its end by default
+constexpr std::int64_t kLargeMeshWindows = 2000000;  // above: a second or so, 200 MB
+constexpr std::int64_t kMostWindows = 10000000;      // a GB
+
+GlobalBudget budget_of(const GlobalProof& proof, const TriangleMesh& mesh) {
+  GlobalBudget budget;
+  if (const auto* given = std::get_if<GlobalBudget>(&proof)) budget = *given;
+  if (!budget.max_windows)
+    budget.max_windows = static_cast<int>(std::holds_alternative<GlobalAuto>(proof) && mesh.vertex_count() > kSmallMesh
+                                              ? kLargeMeshWindows
+                                              : kMostWindows);
+  return budget;
+}
+
+/// The path becomes the curve that is delivered, with the chain's points on it.
+void deliver_path(const Problem& problem, const TriangleMesh& mesh, const SurfacePath& path, PostProcessed& current) {
+  const int columns = static_cast<int>(current.chain.u.cols());
+  current.curve = as_curve(problem, path);
+  current.curve.straightness = check_straight(mesh, path);
+  current.chain = coordinate_path(problem, mesh, resample(mesh, path, columns));
+  pin_ends(problem, current.chain);
+  current.curve_costs = costs_along(problem, current.curve, current.chain);
+}
+
+}  // namespace
+
+PostProcessed ShortestPostProcessor::apply(const Problem& problem, const FirstPath&, PostProcessed current,
+                                           const Monitor& monitor) const {
+  const TriangleMesh& mesh = mesh_of(problem, "post-processor shortest").mesh();
+  const std::optional<MetricRoot> metric = constant_metric(problem);
+  if (!metric || *metric) throw InputError("shortest needs the Euclidean cost: it unfolds the mesh as it is");
+  if (current.chain.ring || problem.based) throw InputError("shortest joins two ends, and this path is a ring");
+  if (std::holds_alternative<GlobalOff>(proof_) || !current.curve.straightness || monitor.interrupted()) return current;
+  const GlobalBudget budget = budget_of(proof_, mesh);
+  const auto begin = Monitor::Clock::now();
+  const auto elapsed = [&begin] { return std::chrono::duration<double>(Monitor::Clock::now() - begin).count(); };
+  const SurfacePath start = as_surface_path(current.curve);
+  const std::vector<SurfacePoint> points = surface_points(mesh, current.chain);
+
+  const ExactSearch search(mesh);
+  ExactSearch::Workspace workspace(search);
+  ExactOptions options;
+  options.tolerance = budget.tolerance;
+  options.max_windows = *budget.max_windows;
+  options.start = &start;
+  options.stop = [&] { return monitor.interrupted() || (budget.max_seconds && elapsed() > *budget.max_seconds); };
+  const ExactResult found = search.shortest(points.front(), points.back(), workspace, options);
+
+  const double before = current.curve.cost;
+  if (found.length < before * (1 - budget.tolerance)) {
+    deliver_path(problem, mesh, found.path, current);
+    current.notes.push_back("shortest: the straightened path was longer than the least one found by " +
+                            std::to_string(100 * (before / current.curve.cost - 1)) + " %, which is delivered");
+  }
+  GlobalBound& global = current.curve.global.emplace();
+  global.proved = found.is_proved();
+  global.outcome = word(found.outcome);
+  global.lower_bound = found.lower_bound;
+  global.gap = found.gap;
+  global.steps = found.windows;
+  global.bound = found.bound;
+  global.reason = found.reason;
+  return current;
+}
+
+}  // namespace leastcost

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <leastcost/framework/global_bound.hpp>
+#include <leastcost/framework/post_processor.hpp>
+
+namespace leastcost {
+
+/// Proves that no path on the mesh is shorter than the straightened one, or delivers the one that is (exact windows,
+/// docs/numerics.md Sec. 5.4). Comes after `straighten`, and leaves what that made where it finds nothing better. Needs
+/// a mesh and the Euclidean cost; elsewhere, and for rings, apply() throws InputError that says so.
+class ShortestPostProcessor final : public PostProcessor {
+ public:
+  explicit ShortestPostProcessor(GlobalProof proof = GlobalAuto{}) : proof_(proof) {}
+  std::string_view name() const override { return "shortest"; }
+  PostProcessed apply(const Problem& problem, const FirstPath& first, PostProcessed current,
+                      const Monitor& monitor) const override;
+
+ private:
+  GlobalProof proof_;
+};
+
+}  // namespace leastcost

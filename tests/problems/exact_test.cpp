@@ -1,0 +1,346 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/problems/exact/exact_search.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/readers/mesh_reader.hpp>
+#include <leastcost/problems/straighten/straighten.hpp>
+#include "tests/problems/exact_reference.hpp"
+#include "tests/problems/sample_meshes.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/data.hpp"
+#include "tests/support/random.hpp"
+
+namespace leastcost::test {
+namespace {
+
+constexpr double kTableDigits = 1e-9;  // relative; the tables have twelve digits
+
+/// Distances by source and vertex of the file, from a table "source,vertex,distance".
+std::map<std::int32_t, std::vector<std::pair<std::int32_t, double>>> truth_table(const std::filesystem::path& file) {
+  std::map<std::int32_t, std::vector<std::pair<std::int32_t, double>>> table;
+  std::ifstream in(file);
+  std::string line;
+  std::getline(in, line);
+  while (std::getline(in, line)) {
+    std::istringstream fields(line);
+    std::int32_t source = 0, vertex = 0;
+    double distance = 0;
+    char comma = ',';
+    fields >> source >> comma >> vertex >> comma >> distance;
+    table[source].emplace_back(vertex, distance);
+  }
+  return table;
+}
+
+enum class Terrain { flat, hills, mountains, needles, steps, wings };
+
+/// A sheet of at most 5 x 4 cells with random heights, diagonals, orientations, and holes.
+PolygonSoup random_sheet(Random& random, Terrain terrain) {
+  const int nx = random.integer(2, 5), ny = random.integer(2, 4);
+  const double amplitude = terrain == Terrain::flat        ? 0
+                           : terrain == Terrain::hills     ? 0.5
+                           : terrain == Terrain::mountains ? 2.0
+                                                           : 1.0;
+  const double squash = terrain == Terrain::needles ? std::pow(10.0, random.uniform(-6, -3)) : 1.0;
+  const bool regular = terrain == Terrain::flat || terrain == Terrain::steps;
+  const double jitter = regular ? 0 : 0.25;
+  PolygonSoup soup;
+  for (int j = 0; j <= ny; ++j)
+    for (int i = 0; i <= nx; ++i) {
+      const double z = random.uniform(0, 1);
+      soup.positions.emplace_back(i + jitter * random.uniform(-0.5, 0.5),
+                                  (j + jitter * random.uniform(-0.5, 0.5)) * squash,
+                                  terrain == Terrain::steps ? std::floor(2 * z) : amplitude * squash * z);
+    }
+  const auto triangle = [&](int a, int b, int c) {
+    if (random.uniform(0, 1) < 0.3) std::swap(b, c);
+    add_polygon(soup, {a, b, c});
+  };
+  for (int j = 0; j < ny; ++j)
+    for (int i = 0; i < nx; ++i) {
+      if (terrain != Terrain::flat && random.uniform(0, 1) < 0.05) continue;
+      const int a = j * (nx + 1) + i, b = a + 1, d = a + nx + 1, c = d + 1;
+      if (terrain == Terrain::flat || random.uniform(0, 1) < 0.5) {
+        triangle(a, b, c);
+        triangle(a, c, d);
+      } else {
+        triangle(a, b, d);
+        triangle(b, c, d);
+      }
+    }
+  for (int k = 0; terrain == Terrain::wings && k < 3; ++k) {
+    const int v = random.integer(0, nx - 1) + (nx + 1) * random.integer(0, ny);
+    soup.positions.emplace_back(random.uniform(0, nx), random.uniform(0, ny), random.uniform(0, 2));
+    triangle(v, v + 1, static_cast<int>(soup.positions.size()) - 1);
+  }
+  return soup;
+}
+
+/// In faces and on edges.
+std::vector<SurfacePoint> random_points(Random& random, const TriangleMesh& mesh, int count) {
+  std::vector<SurfacePoint> points;
+  for (int i = 0; i < count; ++i) {
+    double a = random.uniform(0, 1), b = random.uniform(0, 1);
+    if (a + b > 1) a = 1 - a, b = 1 - b;
+    if (i % 3 == 2) b = 1 - a;
+    points.push_back({random.integer(0, mesh.face_count() - 1), Eigen::Vector3d(1 - a - b, a, b)});
+    if (i % 3 == 2) points.back().barycentric[0] = 0;
+  }
+  return points;
+}
+
+SurfacePoint point_of(const TriangleMesh& mesh, const std::vector<SurfacePoint>& extra, std::size_t i) {
+  const std::size_t vertices = static_cast<std::size_t>(mesh.vertex_count());
+  return i < vertices ? vertex_point(mesh, static_cast<std::int32_t>(i)) : extra[i - vertices];
+}
+
+/// What random pairs of random sheets said, against the reference.
+struct Tally {
+  int pairs = 0, proved = 0, blocked = 0, false_bounds = 0, false_paths = 0;
+};
+
+Tally compare(Random& random, Terrain terrain, int meshes, double blow_up = 0) {
+  Tally tally;
+  for (int k = 0; k < meshes; ++k) {
+    const TriangleMesh mesh(random_sheet(random, terrain));
+    const std::vector<SurfacePoint> extra = random_points(random, mesh, 6);
+    const ExactReference reference(mesh, extra);
+    if (!reference.complete()) continue;
+    ExactSearch search(mesh);
+    ExactSearch::Workspace workspace(search);
+    Landmarks marks = search.make_landmarks(4, workspace);
+    if (blow_up > 0) {  // an index whose distances are wrong
+      Landmarks wrong(fingerprint(mesh), static_cast<std::size_t>(mesh.vertex_count()));
+      for (const std::int32_t l : marks.vertices()) {
+        ExactDistances all = search.distances(vertex_point(mesh, l), workspace);
+        for (double& d : all.at_least) d *= 1 + blow_up;
+        for (double& d : all.at_most) d *= 1 + blow_up;
+        wrong.add(l, all.at_least, all.at_most);
+      }
+      marks = wrong;
+    }
+    search.use(marks);
+    for (std::size_t i = 0; i < reference.count(); ++i)
+      for (std::size_t j = 0; j < reference.count(); ++j) {
+        if (i == j || random.integer(0, 3) > 0) continue;
+        const ExactResult found = search.shortest(point_of(mesh, extra, i), point_of(mesh, extra, j), workspace,
+                                                  {.landmarks = blow_up > 0 || j % 2 == 0});
+        const double truth = static_cast<double>(reference.distance(i, j));
+        // Ends in faces are rounded to doubles for the library.
+        const double rounding = 1e-15 * (truth + 10);
+        ++tally.pairs;
+        tally.proved += found.is_proved() ? 1 : 0;
+        tally.blocked += found.outcome == ExactOutcome::blocked ? 1 : 0;
+        if (std::isinf(truth)) {
+          tally.false_paths += std::isfinite(found.length) ? 1 : 0;
+          continue;
+        }
+        if (found.lower_bound > truth + rounding) ++tally.false_bounds;
+        if (found.length < truth - rounding || (found.is_proved() && found.length > truth * (1 + 1e-9) + rounding))
+          ++tally.false_paths;
+      }
+  }
+  return tally;
+}
+
+}  // namespace
+
+TEST_CASE("exact: all vertices of nine meshes as an independent program has them, and pairs from both sides") {
+  const std::string name = GENERATE("bunny_3k.off", "double-torus_tri.off", "duck.obj", "elephant.off", "fandisk.off",
+                                    "knot1.off", "lion.off", "rocker-arm.obj", "spot.obj");
+  const auto model = data_file("meshes/" + name);
+  const auto truth = data_file("truth/cgal_exact_" + name.substr(0, name.find('.')) + ".csv");
+  if (!model || !truth) return;
+  CAPTURE(name);
+  const TriangleMesh mesh(read_mesh(*model));
+  ExactSearch search(mesh);
+  ExactSearch::Workspace workspace(search);
+  search.use(search.make_landmarks(4, workspace));
+  Random random;
+  for (const auto& [source, rows] : truth_table(*truth)) {
+    const SurfacePoint from = vertex_point(mesh, mesh.vertex_of_file(source));
+    const ExactDistances all = search.distances(from, workspace);
+    CHECK(all.complete);
+    double worst = 0;
+    for (const auto& [vertex, distance] : rows) {
+      const std::size_t v = static_cast<std::size_t>(mesh.vertex_of_file(vertex));
+      if (std::isinf(distance)) CHECK(std::isinf(all.at_most[v]));
+      if (!(distance > 0) || std::isinf(distance)) continue;
+      worst = std::max({worst, std::abs(all.at_most[v] / distance - 1), std::abs(all.at_least[v] / distance - 1)});
+    }
+    CHECK(worst < kTableDigits);
+    for (int k = 0; k < 50; ++k) {
+      const auto& [vertex, distance] =
+          rows[static_cast<std::size_t>(random.integer(0, static_cast<int>(rows.size()) - 1))];
+      if (!(distance > 0) || std::isinf(distance)) continue;
+      const SurfacePoint to = vertex_point(mesh, mesh.vertex_of_file(vertex));
+      const ExactResult there = search.shortest(from, to, workspace, {.landmarks = k % 2 == 0});
+      const ExactResult back = search.shortest(to, from, workspace, {.landmarks = k % 2 == 1});
+      CAPTURE(source, vertex);
+      CHECK(there.is_proved());
+      CHECK(back.is_proved());
+      CHECK(std::abs(there.length / distance - 1) < kTableDigits);
+      CHECK(std::abs(back.length / distance - 1) < kTableDigits);
+      CHECK(lies_on(mesh, there.path));
+      CHECK(check_straight(mesh, there.path) > -1e-9);
+      CHECK(path_length(there.path) <= there.length);
+    }
+  }
+}
+
+TEST_CASE("exact: a flat sheet with a notch, every pair of vertices") {
+  const auto model = data_file("truth/flat_triangular_mesh.off");
+  const auto table = data_file("truth/flat_triangular_mesh_pairwise.csv");
+  if (!model || !table) return;
+  const TriangleMesh mesh(read_mesh(*model));
+  const ExactSearch search(mesh);
+  ExactSearch::Workspace workspace(search);
+  std::ifstream in(*table);
+  std::vector<std::vector<double>> rows;
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream cells(line);
+    rows.emplace_back();
+    for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(std::stod(cell));
+  }
+  REQUIRE(rows.size() == static_cast<std::size_t>(mesh.vertex_count()));
+  double worst = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const ExactDistances all = search.distances(vertex_point(mesh, static_cast<std::int32_t>(i)), workspace);
+    for (std::size_t j = 0; j < rows.size(); ++j)
+      if (rows[i][j] > 0) worst = std::max(worst, std::abs(all.at_most[j] - rows[i][j]));
+  }
+  CHECK(worst < 1e-9);
+}
+
+TEST_CASE("exact: no bound is above the truth, in 120 bits, and clean sheets are all proved") {
+  const Terrain terrain = GENERATE(Terrain::flat, Terrain::hills, Terrain::mountains, Terrain::steps);
+  CAPTURE(static_cast<int>(terrain));
+  Random random;
+  const Tally tally = compare(random, terrain, 8);
+  CHECK(tally.pairs > 500);
+  CHECK(tally.false_bounds == 0);
+  CHECK(tally.false_paths == 0);
+  CHECK(tally.proved == tally.pairs);
+}
+
+TEST_CASE("exact: sheets of needles are proved or say that they are not") {
+  Random random;
+  const Tally tally = compare(random, Terrain::needles, 10);
+  CHECK(tally.pairs > 500);
+  CHECK(tally.false_bounds == 0);
+  CHECK(tally.false_paths == 0);
+  CHECK(10 * tally.proved >= 9 * tally.pairs);
+}
+
+TEST_CASE("exact: nothing false beside edges with three faces") {
+  Random random;
+  const Tally tally = compare(random, Terrain::wings, 12);
+  CHECK(tally.pairs > 500);
+  CHECK(tally.false_bounds == 0);
+  CHECK(tally.false_paths == 0);
+  CHECK(tally.blocked > 0);
+  CHECK(tally.proved + tally.blocked == tally.pairs);
+}
+
+TEST_CASE("exact: the comparison finds an index that claims too much") {
+  Random random;
+  const Tally tally = compare(random, Terrain::mountains, 4, 0.05);
+  CHECK(tally.false_bounds + tally.false_paths > 0);
+}
+
+TEST_CASE("exact: landmarks of another mesh are refused") {
+  const TriangleMesh mesh(octahedron());
+  PolygonSoup moved = octahedron();
+  moved.positions.front().x() += 1e-12;
+  const TriangleMesh other(moved);
+  ExactSearch search(mesh), elsewhere(other);
+  ExactSearch::Workspace workspace(elsewhere);
+  const Landmarks marks = elsewhere.make_landmarks(2, workspace);
+  CHECK(marks.count() == 2);
+  CHECK_THROWS_WITH(search.use(marks), Catch::Contains("made for another mesh"));
+}
+
+TEST_CASE("exact: the cube, from corner to corner and from face to face") {
+  const TriangleMesh mesh(cube());
+  const ExactSearch search(mesh);
+  ExactSearch::Workspace workspace(search);
+  const ExactResult corner = search.shortest(vertex_point(mesh, 0), vertex_point(mesh, 7), workspace);
+  CHECK(corner.outcome == ExactOutcome::proved);
+  CHECK(corner.length == Approx(std::sqrt(5.0)).epsilon(1e-14));
+  CHECK(corner.lower_bound <= std::sqrt(5.0));
+  CHECK(corner.gap <= 1e-9);
+  // Middles of opposite faces: four ways, all of length 2. Both lie on the diagonals of their faces.
+  const auto middle = [&mesh](double z) {
+    for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+      const SurfacePoint p = point_on_face(mesh, f, Eigen::Vector3d(0, 0, z));
+      if (mesh.point(p).isApprox(Eigen::Vector3d(0, 0, z))) return p;
+    }
+    return SurfacePoint{};
+  };
+  const ExactResult faces = search.shortest(middle(-0.5), middle(0.5), workspace);
+  CHECK(faces.outcome == ExactOutcome::proved);
+  CHECK(faces.length == Approx(2).epsilon(1e-14));
+}
+
+TEST_CASE("exact: ends that are one point, on one face, in two components") {
+  PolygonSoup soup = cube();
+  const std::int32_t first = static_cast<std::int32_t>(soup.positions.size());
+  for (int k = 0; k < 3; ++k) soup.positions.emplace_back(5 + (k == 1), k == 2, 0);
+  add_polygon(soup, {first, first + 1, first + 2});
+  const TriangleMesh mesh(soup);
+  const ExactSearch search(mesh);
+  ExactSearch::Workspace workspace(search);
+  const ExactResult same = search.shortest(vertex_point(mesh, 3), vertex_point(mesh, 3), workspace);
+  CHECK(same.is_proved());
+  CHECK(same.length == 0);
+  const SurfacePoint a{0, {0.2, 0.3, 0.5}}, b{0, {0.5, 0.25, 0.25}};
+  const ExactResult inside = search.shortest(a, b, workspace);
+  CHECK(inside.is_proved());
+  CHECK(inside.length == Approx((mesh.point(a) - mesh.point(b)).norm()).epsilon(1e-14));
+  const ExactResult apart = search.shortest(vertex_point(mesh, 0), vertex_point(mesh, first), workspace);
+  CHECK(apart.is_proved());
+  CHECK(std::isinf(apart.length));
+  CHECK(apart.path.points.empty());
+}
+
+TEST_CASE("exact: a longer path that is known is improved, the shortest is kept") {
+  const TriangleMesh mesh(cube());
+  const ExactSearch search(mesh);
+  ExactSearch::Workspace workspace(search);
+  const SurfacePoint from = vertex_point(mesh, 0), to = vertex_point(mesh, 7);
+  const std::vector<std::int32_t> along_edges = {0, 1, 3, 7};
+  const SurfacePath longer = path_from_vertices(mesh, from, along_edges, to);
+  const ExactResult improved = search.shortest(from, to, workspace, {.start = &longer});
+  CHECK(improved.outcome == ExactOutcome::improved);
+  CHECK(improved.length == Approx(std::sqrt(5.0)).epsilon(1e-14));
+  const ExactResult kept = search.shortest(from, to, workspace, {.start = &improved.path});
+  CHECK(kept.outcome == ExactOutcome::proved);
+  CHECK(kept.path.points == improved.path.points);
+}
+
+TEST_CASE("exact: a spent budget leaves a bound that holds") {
+  Random random;
+  const TriangleMesh mesh(random_sheet(random, Terrain::mountains));
+  const ExactSearch search(mesh);
+  ExactSearch::Workspace workspace(search);
+  const SurfacePoint from = vertex_point(mesh, 0), to = vertex_point(mesh, mesh.vertex_count() - 1);
+  const double length = search.shortest(from, to, workspace).length;
+  double last = 0;
+  for (const std::int64_t windows : {4, 16, 64}) {
+    const ExactResult some = search.shortest(from, to, workspace, {.max_windows = windows});
+    CHECK(some.lower_bound <= length);
+    CHECK(some.lower_bound >= last);
+    last = some.lower_bound;
+    if (!some.is_proved()) CHECK(some.outcome == ExactOutcome::bounded);
+  }
+  CHECK(last > 0);
+}
+
+}  // namespace leastcost::test
