@@ -223,7 +223,7 @@ TEST_CASE("exact: no bound is above the truth, in 120 bits, and clean sheets are
   const Terrain terrain = GENERATE(Terrain::flat, Terrain::hills, Terrain::mountains, Terrain::steps);
   CAPTURE(static_cast<int>(terrain));
   Random random;
-  const Tally tally = compare(random, terrain, 8);
+  const Tally tally = compare(random, terrain, 18);
   CHECK(tally.pairs > 500);
   CHECK(tally.false_bounds == 0);
   CHECK(tally.false_paths == 0);
@@ -232,16 +232,49 @@ TEST_CASE("exact: no bound is above the truth, in 120 bits, and clean sheets are
 
 TEST_CASE("exact: sheets of needles are proved or say that they are not") {
   Random random;
-  const Tally tally = compare(random, Terrain::needles, 10);
+  const Tally tally = compare(random, Terrain::needles, 18);
   CHECK(tally.pairs > 500);
   CHECK(tally.false_bounds == 0);
   CHECK(tally.false_paths == 0);
   CHECK(10 * tally.proved >= 9 * tally.pairs);
 }
 
+TEST_CASE("exact: a strip of needles takes twice the digits, and then it is proved") {
+  Random random;
+  PolygonSoup soup;
+  constexpr int kCells = 60;
+  constexpr double kHeight = 1e-6;
+  for (int j = 0; j < 2; ++j)
+    for (int i = 0; i <= kCells; ++i)
+      soup.positions.emplace_back((i + random.uniform(-0.4, 0.4)) * kHeight, j, kHeight * random.uniform(-1, 1));
+  for (int i = 0; i < kCells; ++i) {
+    add_polygon(soup, {i, i + 1, i + kCells + 2});
+    add_polygon(soup, {i, i + kCells + 2, i + kCells + 1});
+  }
+  const TriangleMesh mesh(soup);
+  const ExactReference reference(mesh, {});
+  REQUIRE(reference.complete());
+  const ExactSearch search(mesh);
+  ExactSearch::Workspace workspace(search);
+  int fine = 0;
+  for (int k = 0; k < 300; ++k) {
+    const std::int32_t i = random.integer(0, mesh.vertex_count() - 1), j = random.integer(0, mesh.vertex_count() - 1);
+    if (i == j) continue;
+    const ExactResult found = search.shortest(vertex_point(mesh, i), vertex_point(mesh, j), workspace);
+    const Long truth = reference.distance(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+    CAPTURE(i, j, found.twice_the_digits);
+    CHECK(found.lower_bound <= truth);
+    CHECK(found.is_proved());
+    CHECK(found.length >= truth * (1 - Long(1e-9)));
+    CHECK(found.length <= truth * (1 + Long(2e-9)));
+    fine += found.twice_the_digits ? 1 : 0;
+  }
+  CHECK(fine > 0);
+}
+
 TEST_CASE("exact: nothing false beside edges with three faces") {
   Random random;
-  const Tally tally = compare(random, Terrain::wings, 12);
+  const Tally tally = compare(random, Terrain::wings, 18);
   CHECK(tally.pairs > 500);
   CHECK(tally.false_bounds == 0);
   CHECK(tally.false_paths == 0);
