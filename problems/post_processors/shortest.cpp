@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/post_processors/shortest.hpp>
 
+#include <algorithm>
 #include <chrono>
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -19,6 +21,7 @@ namespace {
 constexpr std::int32_t kSmallMesh = 20000;           // vertices up to which a proof goes to its end by default
 constexpr std::int64_t kLargeMeshWindows = 2000000;  // above: a second or so, 200 MB
 constexpr std::int64_t kMostWindows = 10000000;      // a GB
+constexpr double kShareOfTime = 0.5;  // of what is left before a deadline; the certificate needs the rest
 
 GlobalBudget budget_of(const GlobalProof& proof, const TriangleMesh& mesh) {
   GlobalBudget budget;
@@ -52,6 +55,9 @@ PostProcessed ShortestPostProcessor::apply(const Problem& problem, const FirstPa
   const GlobalBudget budget = budget_of(proof_, mesh);
   const auto begin = Monitor::Clock::now();
   const auto elapsed = [&begin] { return std::chrono::duration<double>(Monitor::Clock::now() - begin).count(); };
+  double seconds = budget.max_seconds.value_or(std::numeric_limits<double>::infinity());
+  if (monitor.deadline)
+    seconds = std::min(seconds, kShareOfTime * std::chrono::duration<double>(*monitor.deadline - begin).count());
   const SurfacePath start = as_surface_path(current.curve);
   const std::vector<SurfacePoint> points = surface_points(mesh, current.chain);
 
@@ -61,7 +67,7 @@ PostProcessed ShortestPostProcessor::apply(const Problem& problem, const FirstPa
   options.tolerance = budget.tolerance;
   options.max_windows = *budget.max_windows;
   options.start = &start;
-  options.stop = [&] { return monitor.interrupted() || (budget.max_seconds && elapsed() > *budget.max_seconds); };
+  options.stop = [&] { return monitor.interrupted() || elapsed() > seconds; };
   const ExactResult found = search.shortest(points.front(), points.back(), workspace, options);
 
   const double before = current.curve.cost;

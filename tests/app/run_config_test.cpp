@@ -36,8 +36,11 @@ TEST_CASE("run config: defaults on a mesh") {
   const std::string ends = "ends: {source: {vertex: 0}, target: {vertex: 1}}\n";
   const RunConfig c = parse("manifold: {type: mesh, file: m.obj}\ncost: euclidean\n" + ends).config;
   CHECK(c.initializer.plugin->type == "dijkstra");
-  CHECK(c.solver.plugin->type == "lbfgs");
+  CHECK(c.solver.plugin->type == "none");  // the shortest path is proved
   CHECK(types(c.post_process) == std::vector<std::string>{"trace", "straighten"});
+  for (const char* other : {"certificate: {global: off}\n", "family: {routes: 2}\n", "certificate: {enabled: false}\n"})
+    CHECK(parse("manifold: {type: mesh, file: m.obj}\ncost: euclidean\n" + ends + other).config.solver.plugin->type ==
+          "lbfgs");
   const RunConfig tensor =
       parse("manifold: {type: mesh, file: m.obj}\ncost: {type: metric_tensor, matrix: [[1]]}\n" + ends).config;
   CHECK(types(tensor.post_process) == std::vector<std::string>{"trace", "straighten"});

@@ -92,6 +92,35 @@ TEST_CASE("run: every promised file, and result.json with every promised key") {
   CHECK(r["cost"]["unit"] == "s");
 }
 
+TEST_CASE("run: on a mesh under the Euclidean cost the shortest path is proved, unless told otherwise") {
+  const ScratchDir dir;
+  write(dir / "pyramid.obj", kPyramid);
+  const auto result_with = [&dir](const std::string& more, const char* name) {
+    run_file(write(dir / (std::string(name) + ".yaml"), kOnPyramid + more), dir / name);
+    return result_of(dir / name);
+  };
+  const Json proved = result_with("", "proved");
+  CHECK(proved["status"] == "certified");
+  CHECK(proved["scope"] == "global_on_polyhedron");
+  CHECK(proved["solver"]["name"] == "none");
+  CHECK(proved["global"]["outcome"] == "proved");
+  CHECK(proved["global"]["bound"] == "euclid");
+  CHECK(proved["global"]["windows"] > 0);
+  const double length = proved["cost"]["curve"], lower = proved["global"]["lower_bound"];
+  CHECK(lower <= length);
+  CHECK(lower >= length * (1 - 1e-9));
+
+  const Json off = result_with("certificate: {global: off}\n", "off");
+  CHECK(off["scope"] == "local_on_polyhedron");
+  CHECK(off["global"].is_null());
+  CHECK(off["solver"]["name"] == "lbfgs");
+  const Json little = result_with("certificate: {global: {type: budget, max_windows: 1}}\n", "little");
+  CHECK(little["global"]["outcome"] == "bounded");
+  CHECK(little["scope"] == "local_on_polyhedron");
+  CHECK(little["status"] == "certified");
+  CHECK(little["global"]["lower_bound"] <= length);
+}
+
 TEST_CASE("run: path.csv holds the path to the last bit and starts another run") {
   const ScratchDir dir;
   const app::WrittenRun outcome = run_file(write(dir / "chute.yaml", kChute), dir / "out");

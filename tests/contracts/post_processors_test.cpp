@@ -2,18 +2,22 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/framework/clearance.hpp>
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/has_constant_metric.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/initializers/plane_cut.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
 #include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/mesh/edge_graph.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/problems/post_processors/on_surface.hpp>
+#include <leastcost/problems/post_processors/shortest.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>
 #include <leastcost/problems/post_processors/taut.hpp>
 #include <leastcost/problems/post_processors/trace.hpp>
 #include "framework/spacing.hpp"
+#include "problems/mesh/mesh_curve.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
@@ -107,6 +111,63 @@ TEST_CASE("post_processor contract: straighten", "[contract]") {
     CHECK(*made.curve.straightness >= -1e-7);  // radians; angles of lengths with rounding 1e-16 near pi
     CHECK(spread(made.curve_costs) <= 1e-9);
   }
+}
+
+/// After straighten: never longer, straight, on the surface, with a bound below it; refused where it cannot unfold.
+TEST_CASE("post_processor contract: shortest", "[contract]") {
+  for (const Problem& problem : problems()) {
+    const FirstPath first = DijkstraInitializer().first_path(problem, {});
+    const PostProcessed chain = as_delivered(problem, sample_equally(problem, first.path, kPoints));
+    const PostProcessed straight = StraightenPostProcessor().apply(problem, first, chain, {});
+    if (!find_ability<HasConstantMetric>(*problem.cost)->metric().isIdentity()) {
+      CHECK_THROWS_WITH(ShortestPostProcessor().apply(problem, first, straight, {}),
+                        Catch::Contains("needs the Euclidean cost"));
+      continue;
+    }
+    const PostProcessed made = ShortestPostProcessor().apply(problem, first, straight, {});
+    check_curve(problem, made.curve);
+    REQUIRE(made.curve.global);
+    CHECK(made.curve.global->proved);
+    CHECK(made.curve.global->gap <= 1e-9);
+    CHECK(made.curve.global->lower_bound <= made.curve.cost * (1 + 1e-14));
+    CHECK(made.curve.cost <= straight.curve.cost);
+    REQUIRE(made.curve.straightness);
+    CHECK(*made.curve.straightness >= -1e-7);
+    CHECK(spread(made.curve_costs) <= 1e-9);
+    CHECK(made.chain.u.cols() == chain.chain.u.cols());
+    CHECK(made.chain.u.col(0) == chain.chain.u.col(0));
+    CHECK(made.chain.u.rightCols(1) == chain.chain.u.rightCols(1));
+    CHECK_FALSE(ShortestPostProcessor(GlobalOff{}).apply(problem, first, straight, {}).curve.global);
+  }
+}
+
+/// The long way round a ball: the shortest path of all is delivered in its place, and the note says so.
+TEST_CASE("post_processor contract: shortest leaves a class that is not the best", "[contract]") {
+  const Problem problem = between(small_ball(), make_euclidean_cost(3), Eigen::Vector3d(1, 0, 0.1),
+                                  Eigen::Vector3d(std::cos(2.5), std::sin(2.5), -0.1));
+  const TriangleMesh& mesh = small_ball()->mesh();
+  const PostProcessed chain =
+      as_delivered(problem, sample_equally(problem, DijkstraInitializer().first_path(problem, {}).path, kPoints));
+  PostProcessed longer =
+      StraightenPostProcessor().apply(problem, DijkstraInitializer().first_path(problem, {}), chain, {});
+  const double shortest = longer.curve.cost;
+  // A detour over the pole, not straight: that it is as straight as it says is not what is asked here.
+  EdgeGraphSearch graph(mesh);
+  const auto length = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (b - a).norm(); };
+  const SurfacePoint pole = vertex_point(mesh, 0);
+  const std::vector<SurfacePoint> ends = surface_points(mesh, chain.chain);
+  SurfacePath way = graph.shortest(ends.front(), pole, length).path;
+  const SurfacePath on = graph.shortest(pole, ends.back(), length).path;
+  way.points.insert(way.points.end(), on.points.begin() + 1, on.points.end());
+  way.faces.insert(way.faces.end(), on.faces.begin(), on.faces.end());
+  longer.curve = as_curve(problem, way);
+  longer.curve.straightness = 0;
+  const PostProcessed made = ShortestPostProcessor().apply(problem, {}, longer, {});
+  CHECK(made.curve.global->outcome == "improved");
+  CHECK(made.curve.cost <= shortest * (1 + 1e-12));
+  CHECK(made.curve.straightness.value() >= -1e-7);
+  REQUIRE(made.notes.size() == longer.notes.size() + 1);
+  CHECK_THAT(made.notes.back(), Catch::Contains("was longer than the least one found"));
 }
 
 /// The curve joins the ends clear of the obstacles, the chain lies on it with as many points as before.
