@@ -160,8 +160,9 @@ struct KineticEnergy {
     const std::size_t joints = arm.links.size();
     by_middle = Joints<S>::Constant(rates.size(), S(0.0));
     by_rates = by_middle;
-    std::vector<Vector3<S>> before(joints + 1, Vector3<S>::Zero());  // how the joints before each turn it
-    for (std::size_t j = 0; j < joints; ++j) before[j + 1] = before[j] + rates[static_cast<Index>(j)] * frames.axes[j];
+    std::vector<Vector3<S>> before = {Vector3<S>::Zero()};  // how the joints before each turn it
+    for (std::size_t j = 0; j < joints; ++j)
+      before.push_back(before[j] + rates[static_cast<Index>(j)] * frames.axes[j]);
     std::vector<Vector3<S>> swept(joints);
     S square(0.0);
     for (std::size_t i = 0; i < joints; ++i) {

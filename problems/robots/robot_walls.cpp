@@ -363,7 +363,7 @@ void RobotWalls::gaps_within(const Vector& x, double reach, std::vector<PairGap>
       pose, [&](int i) { return reach * bodies_[static_cast<std::size_t>(i)].steepest; }, pairs);
   found.clear();
   for (const Pair& pair : pairs) {
-    const double gap = (distance(pose, pair) - pair.required) / pair.steepest;
+    const double gap = (between(pose, pair).distance - pair.required) / pair.steepest;
     if (gap < reach) found.push_back({pair, gap});
   }
 }
