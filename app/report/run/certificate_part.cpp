@@ -116,9 +116,8 @@ class CertificateTable {
     const double lower = result_.number("cost.lower"), upper = result_.number("cost.upper");
     if (!std::isfinite(lower) || !std::isfinite(upper)) return;
     row("bracket", "width " + number_text(upper - lower, 2), "", {},
-        fmt::format(
-            "The least cost lies between the bound of the chords, {:.12g}, and the cost of a feasible curve, {:.12g}.",
-            lower, upper),
+        fmt::format("The least cost lies between a bound below, {:.12g}, and the cost of a feasible curve, {:.12g}.",
+                    lower, upper),
         true);
   }
 
