@@ -163,9 +163,9 @@ TEST_CASE("kinetic energy: geodesics of the mass matrix are where shooting finds
     const Result result = solved(cost, a, b, 40);
     CHECK(result.status == Status::certified);
     const double length = bars.length(a, b);
-    CAPTURE(length, result.certificate.value, result.certificate.error_bar);
-    CHECK(std::abs(result.certificate.value - length) <= result.certificate.error_bar + 1e-10 * length);
-    CHECK(result.certificate.error_bar < 1e-4 * length);
+    CAPTURE(length, result.certificate.estimate.value, result.certificate.estimate.error);
+    CHECK(std::abs(result.certificate.estimate.value - length) <= result.certificate.estimate.error + 1e-10 * length);
+    CHECK(result.certificate.estimate.error < 1e-4 * length);
   }
 }
 
