@@ -34,7 +34,7 @@ Words<ProofRule> words(ProofRule);
 struct CertificateOptions {
   bool enabled = true;
   ProofRule proof = ProofRule::always;
-  GlobalProof global;  ///< on a mesh under the Euclidean cost
+  GlobalProof global = {};  ///< on a mesh under the Euclidean cost
   double stationarity = 1e-10;
   double residual = 1e-10;
   double spacing = 1e-6;
