@@ -200,6 +200,7 @@ void Propagation<Real>::add(std::int32_t from_side, bool from_tail, Window<Real>
   w.begin = clamped(Real(w.begin - outward), Real(0.0), length);
   w.end = clamped(Real(w.end + outward), Real(0.0), length);
   w.rise += 4 * kRoundingOf<Real> * value(length);
+  turn_at_ends(h, w);
   const double rest = bound_->through(h, value(w.begin), value(w.end), {value(w.x), value(w.height)});
   const double key = (w.sigma + rest) * (1 - 2 * kEpsilon) - w.error;
   if (key >= limit_) return;
@@ -219,6 +220,18 @@ void Propagation<Real>::add(std::int32_t from_side, bool from_tail, Window<Real>
     pool_[at(id)] = w;
   }
   push(key, id);
+}
+
+/// What goes through a vertex that may be flat or a little more may turn there, by what its angle leaves open: as if
+/// the image were off by that.
+template <class Real>
+void Propagation<Real>::turn_at_ends(std::int32_t h, Window<Real>& w) const {
+  const std::int32_t tail = mesh_->tail(h), head = mesh_->head(h);
+  const double x = value(w.x), height = value(w.height), length = mesh_->side(h).length;
+  if (mesh_->kind(tail) == VertexKind::flat && !(value(w.begin) > 0))
+    w.error += mesh_->turn_error(tail) * length_in_plane(x, height);
+  if (mesh_->kind(head) == VertexKind::flat && !(value(w.end) < length))
+    w.error += mesh_->turn_error(head) * length_in_plane(length - x, height);
 }
 
 // ---------------------------------------------------------------- over a face
@@ -254,14 +267,19 @@ void Propagation<Real>::propagate(std::int32_t id) {
   const Real crossing = w.x + (s.x - w.x) * w.height / (s.y + w.height);
   const double distance = length_in_plane(value(Real(s.x - w.x)), height + y);
   const double image_error = w.error + 2 * kSideError * kRoundingOf<Real> * distance;
-  const double margin = 2 * image_error * distance * y / ((height + y) * (height + y)) +
-                        8 * kRoundingOf<Real> * (value(s.length) + std::abs(value(crossing)));
+  const double margin = 2 * image_error < height + y
+                            ? 2 * image_error * distance * y / ((height + y) * (height + y)) +
+                                  8 * kRoundingOf<Real> * (value(s.length) + std::abs(value(crossing)))
+                            : kInfinity;
   const double after_begin = value(Real(crossing - w.begin)), before_end = value(Real(w.end - crossing));
   bool left = after_begin > -margin, right = before_end > -margin;
   if (left && right) {
     see_corner(w, id, distance, std::max({0.0, -after_begin, -before_end}));
     const double below = distance * height / (height + y);  // from the image to the crossing
-    const double room = height > 0 ? margin + 2 * w.spread * below * below / height : kInfinity;
+    // The crossings are compared as doubles.
+    const double room = height > 0 ? margin + 2 * w.spread * below * below / height +
+                                         4 * kEpsilon * (value(s.length) + std::abs(value(crossing)))
+                                   : kInfinity;
     if (after_begin > room && before_end > room) {
       Apex& apex = apex_[at(h)];
       const double least = w.sigma + distance - image_error - 8 * kEpsilon * (w.sigma + distance);
@@ -346,11 +364,6 @@ void Propagation<Real>::leave(const Exit& exit, Real b0, Real b1, bool to_far, c
   const double px = t0 * value(exit.ux) - value(exit.base), py = t0 * value(exit.uy);
   if (at_most(exit.opposite) + length_in_plane(px, py) < r0 - margin) return;
 
-  // What goes through a vertex that may be flat or a little more may turn there, by what its angle leaves open.
-  if (t0 <= 0 && mesh_->kind(exit.near) == VertexKind::flat)
-    next.error += mesh_->turn_error(exit.near) * (r0 - w.sigma);
-  if (t1 >= length && mesh_->kind(exit.far) == VertexKind::flat)
-    next.error += mesh_->turn_error(exit.far) * (r1 - w.sigma);
   add(exit.halfedge, mesh_->tail(exit.halfedge) == exit.near, next);
 }
 
@@ -392,7 +405,9 @@ void Propagation<Real>::see_target(const Window<Real>& w, std::int32_t id) {
   const double distance = length_in_plane(tx - x, height + ty);
   const double crossing = height + ty > 0 ? x + (tx - x) * height / (height + ty) : x;
   const double depth = height + ty;
-  const double margin = depth > 0 ? 2 * (w.error + place) * (distance + place) / depth + 8 * kEpsilon * length : length;
+  const double margin = 2 * (w.error + place) < depth
+                            ? 2 * (w.error + place) * (distance + place) / depth + 8 * kEpsilon * length
+                            : kInfinity;
   const double beside = std::max({0.0, value(w.begin) - crossing, crossing - value(w.end)});
   if (beside > margin) return;
   const double rounding = 8 * kEpsilon * (w.sigma + distance) + place;

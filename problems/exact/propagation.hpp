@@ -75,6 +75,7 @@ class Propagation {
   void start(const EndPoint& source);
   void start_in_face(const EndPoint& source, std::int32_t face);
   void add(std::int32_t from_side, bool from_tail, Window<Real> w);
+  void turn_at_ends(std::int32_t h, Window<Real>& w) const;
   void block(double key);
   void propagate(std::int32_t id);
   bool dominated(const Window<Real>& w) const;
