@@ -8,6 +8,7 @@
 #include <array>
 #include <variant>
 
+#include <leastcost/problems/initializers/dijkstra.hpp>
 #include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/registry/registry.hpp"
@@ -60,10 +61,18 @@ bool plans_taut(const RunConfig& config) {
          why_not_taut(config).empty();
 }
 
+/// A first path that states no class: waypoints, other routes and the like are given for the sake of their class.
+bool states_no_class(const PluginChoice& initializer) {
+  if (!initializer) return true;
+  if (initializer.plugin->type != "dijkstra" || !initializer.options) return false;
+  return static_cast<const OptionsOf<DijkstraOptions>&>(*initializer.options).value.rank == 1;
+}
+
 }  // namespace
 
 bool proves_shortest(const RunConfig& config) {
   if (!config.certificate.enabled || config.ring || config.family.wanted()) return false;
+  if (!states_no_class(config.initializer)) return false;
   if (std::holds_alternative<GlobalOff>(config.certificate.global)) return false;
   const bool mesh =
       config.manifold &&

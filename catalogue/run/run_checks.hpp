@@ -14,7 +14,7 @@ std::string name_fault(const std::string& name);
 void complete_types(ConfigNode& tree);
 
 /// Whether the run proves that its path is the shortest of all, or tries to: an open path on a mesh under the Euclidean
-/// cost, unless the configuration says otherwise.
+/// cost, whose first path states no class, unless the configuration says otherwise.
 bool proves_shortest(const RunConfig& config);
 
 /// Fills in the plug-ins that the configuration leaves out and checks what no single option can: that the parts fit

@@ -38,7 +38,9 @@ TEST_CASE("run config: defaults on a mesh") {
   CHECK(c.initializer.plugin->type == "dijkstra");
   CHECK(c.solver.plugin->type == "none");  // the shortest path is proved
   CHECK(types(c.post_process) == std::vector<std::string>{"trace", "straighten"});
-  for (const char* other : {"certificate: {global: off}\n", "family: {routes: 2}\n", "certificate: {enabled: false}\n"})
+  for (const char* other :
+       {"certificate: {global: off}\n", "family: {routes: 2}\n", "certificate: {enabled: false}\n",
+        "initializer: {type: waypoints, points: [[0, 0, 0]]}\n", "initializer: {type: dijkstra, rank: 2}\n"})
     CHECK(parse("manifold: {type: mesh, file: m.obj}\ncost: euclidean\n" + ends + other).config.solver.plugin->type ==
           "lbfgs");
   const RunConfig tensor =
