@@ -3,9 +3,9 @@
 #include <leastcost/problems/obstacles/grid_obstacle.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include <leastcost/framework/errors.hpp>
 #include "framework/point_text.hpp"
@@ -60,17 +60,16 @@ class GridObstacle final : public Obstacle {
   double distance_of_segment(const Vector& from, const Vector& to, double& t) const override {
     const Vector3d a = from, b = to, way = b - a;
     const double length = way.norm();
-    std::array<double, 8> bends = {0, 1};
-    std::size_t count = 2;
+    std::vector<double> bends = {0, 1};
     for (Eigen::Index i = 0; i < 3; ++i)
       for (const double side : {lower_[i], upper_[i]}) {
         const double at = (side - a[i]) / way[i];
-        if (at > 0 && at < 1) bends[count++] = at;
+        if (at > 0 && at < 1) bends.push_back(at);
       }
-    std::sort(bends.begin(), bends.begin() + static_cast<std::ptrdiff_t>(count));
+    std::sort(bends.begin(), bends.end());
     double least = std::numeric_limits<double>::infinity();
     Vector3d slope;
-    for (std::size_t k = 0; k + 1 < count; ++k) {
+    for (std::size_t k = 0; k + 1 < bends.size(); ++k) {
       const Vector3d first = a + bends[k] * way;
       const double piece = (bends[k + 1] - bends[k]) * length;
       const Vector3d middle = a + (bends[k] + bends[k + 1]) / 2 * way;
