@@ -8,8 +8,8 @@
 #include <optional>
 
 #include <leastcost/framework/has_constant_metric.hpp>
+#include <leastcost/framework/path_index.hpp>
 #include "framework/extremal_field.hpp"
-#include "framework/path_index.hpp"
 #include "framework/tube.hpp"
 #include "framework/tube_bounds.hpp"
 #include "framework/tube_details.hpp"

@@ -42,7 +42,6 @@
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
 #include <leastcost/problems/obstacles/checker_walls.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
-#include <leastcost/problems/obstacles/grid_obstacle.hpp>
 #include <leastcost/problems/obstacles/map_obstacles.hpp>
 #include <leastcost/problems/obstacles/mesh_obstacle.hpp>
 #include <leastcost/problems/obstacles/polygon.hpp>

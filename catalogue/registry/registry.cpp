@@ -34,7 +34,6 @@
 #include <leastcost/problems/manifolds/signed_distance.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
-#include <leastcost/problems/obstacles/grid_obstacle.hpp>
 #include <leastcost/problems/obstacles/map_obstacles.hpp>
 #include <leastcost/problems/obstacles/mesh_obstacle.hpp>
 #include <leastcost/problems/obstacles/polygon.hpp>
@@ -186,12 +185,6 @@ const auto& obstacles() {
           "mesh", "A triangle mesh in space, solid or as a surface; asks for a clearance or a thickness.",
           [](const MeshObstacleOptions& o, const BuildContext& c) {
             return Obstacles{make_mesh_obstacle(o, c.folder)};
-          })
-          .waiting(),
-      plugin<ObstaclePlugin, GridObstacleOptions>(
-          "distance_grid", "A signed distance on a regular grid in space; asks for a clearance or a thickness.",
-          [](const GridObstacleOptions& o, const BuildContext& c) {
-            return Obstacles{make_grid_obstacle(o, c.folder)};
           })
           .waiting(),
   };

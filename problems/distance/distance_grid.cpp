@@ -136,57 +136,6 @@ double DistanceGrid::at_node(int i, int j, int k) const {
   return value;
 }
 
-GridBounds DistanceGrid::bounds(double from) const {
-  GridBounds out;
-  const std::size_t step[3] = {1, row_, row_ * rows_};
-  const double h = shape_.cell;
-  const auto cell_bounds = [&](const double* first) {
-    double top = -std::numeric_limits<double>::infinity();
-    double slopes[3] = {0, 0, 0}, bends[3] = {0, 0, 0}, mixed[3] = {0, 0, 0};
-    for (std::size_t k = 0; k < 4; ++k)
-      for (std::size_t j = 0; j < 4; ++j)
-        for (std::size_t i = 0; i < 4; ++i) {
-          const double* c = first + i * step[0] + j * step[1] + k * step[2];
-          const std::size_t at[3] = {i, j, k};
-          top = std::max(top, *c);
-          for (std::size_t a = 0; a < 3; ++a) {
-            const std::size_t b = (a + 1) % 3;
-            if (at[a] < 3) slopes[a] = std::max(slopes[a], std::abs(c[step[a]] - *c));
-            if (at[a] < 2) bends[a] = std::max(bends[a], c[2 * step[a]] - 2 * c[step[a]] + *c);
-            if (at[a] < 3 && at[b] < 3)
-              mixed[a] = std::max(mixed[a], std::abs(c[step[a] + step[b]] - c[step[a]] - c[step[b]] + *c));
-          }
-        }
-    if (top < from) return;
-    out.slope = std::max(out.slope, std::hypot(slopes[0], slopes[1], slopes[2]) / h);
-    for (std::size_t a = 0; a < 3; ++a)  // no eigenvalue is beyond the discs of Gershgorin
-      out.bend = std::max(out.bend, (bends[a] + mixed[a] + mixed[(a + 2) % 3]) / (h * h));
-  };
-  for (int k = 0; k + 1 < shape_.count[2]; ++k)
-    for (int j = 0; j + 1 < shape_.count[1]; ++j)
-      for (int i = 0; i + 1 < shape_.count[0]; ++i) cell_bounds(&coefficients_[padded(i, j, k)]);
-  return out;
-}
-
-/// On a side the spline is that of the coefficients which are left of its three layers there.
-double DistanceGrid::least_on_border() const {
-  const auto& n = shape_.count;
-  double least = std::numeric_limits<double>::infinity();
-  const std::size_t step[3] = {1, row_, row_ * rows_};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-    for (const int layer : {1, n[axis]})
-      for (int j = 0; j < n[u] + 2; ++j)
-        for (int i = 0; i < n[v] + 2; ++i) {
-          const double* c =
-              &coefficients_[static_cast<std::size_t>(layer) * step[axis] + static_cast<std::size_t>(j) * step[u] +
-                             static_cast<std::size_t>(i) * step[v]];
-          least = std::min(least, (*(c - step[axis]) + 4 * *c + c[step[axis]]) / 6);
-        }
-  }
-  return least;
-}
-
 DistanceGrid DistanceGrid::every_second() const {
   const GridShape half = leastcost::every_second(shape_);
   std::vector<double> values;

@@ -9,12 +9,6 @@
 
 namespace leastcost {
 
-/// What a function on a grid does nowhere more than.
-struct GridBounds {
-  double slope = 0;  ///< length of its gradient
-  double bend = 0;   ///< its second derivative along a line, upwards, 1 / length
-};
-
 /// A function sampled on a regular grid, between its nodes the tricubic spline through them: twice continuously
 /// differentiable, of order 4 where what was sampled is smooth. Coefficients of B-splines are computed once (Unser,
 /// Aldroubi, Eden 1993, IEEE PAMI 13:277, here by one tridiagonal solve per line with clamped ends whose slopes come
@@ -36,11 +30,6 @@ class DistanceGrid final : public ConstraintFunction {
   const GridShape& shape() const { return shape_; }
   /// The value that was given at a node, to rounding.
   double at_node(int i, int j, int k) const;
-  /// Bounds that hold in all cells where its values may be above `from`, but for rounding: a derivative of a spline is
-  /// the spline of the differences of its coefficients, nowhere more than the largest of those around.
-  GridBounds bounds(double from) const;
-  /// The least value that it may have on the six sides of the grid, a lower bound.
-  double least_on_border() const;
   /// The grid through every second node. Throws InputError when too few are left.
   DistanceGrid every_second() const;
   /// The same function, `rise` higher: its zeros lie that much farther inside.
