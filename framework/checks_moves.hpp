@@ -23,8 +23,8 @@ class ChecksMoves {
  public:
   virtual ~ChecksMoves() = default;
   virtual MoveClearance clearance(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const = 0;
-  /// Whether two paths (ambient, d x m) between the same ends can be moved into each other without touching an obstacle;
-  /// nothing where that is not known.
+  /// Whether two paths (ambient, d x m) between the same ends can be moved into each other without touching an
+  /// obstacle; nothing where that is not known.
   virtual std::optional<bool> same_class(const Eigen::MatrixXd&, const Eigen::MatrixXd&) const { return std::nullopt; }
   /// What to call an obstacle in a message.
   virtual std::string obstacle_name(int obstacle) const = 0;

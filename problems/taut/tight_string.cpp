@@ -17,7 +17,7 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-constexpr double kSoDeep = 1e-10;   ///< of the length: an end may be so deep in a clearance, for rounding
+constexpr double kSoDeep = 1e-10;     ///< of the length: an end may be so deep in a clearance, for rounding
 constexpr double kContactGap = 1e-7;  ///< of the length: a side so near to an obstacle touches it
 constexpr double kOfCoordinate = 64 * std::numeric_limits<double>::epsilon();  ///< of coordinates
 constexpr double kShortestSide = 1e-9;                                         ///< of the length
