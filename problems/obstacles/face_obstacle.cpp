@@ -19,11 +19,11 @@ namespace leastcost {
 namespace {
 
 using Eigen::Vector3d;
-using Corners = std::array<Vector3d, 3>;
+using FaceCorners = std::array<Vector3d, 3>;
 
 class FaceObstacle final : public Obstacle, public MeetsTriangles {
  public:
-  FaceObstacle(std::string name, const Corners& corners, const Vector3d& normal, double radius)
+  FaceObstacle(std::string name, const FaceCorners& corners, const Vector3d& normal, double radius)
       : name_(std::move(name)), corners_(corners), normal_(normal), radius_(radius), tree_({corners}) {}
 
   std::string name() const override { return name_; }
@@ -50,13 +50,13 @@ class FaceObstacle final : public Obstacle, public MeetsTriangles {
     return tree_.distance(Vector3d(a), Vector3d(b), t);
   }
 
-  double distance_of_triangle(const Corners& corners, Vector3d& nearest) const override {
+  double distance_of_triangle(const FaceCorners& corners, Vector3d& nearest) const override {
     return tree_.distance(corners, nearest);
   }
 
  private:
   std::string name_;
-  Corners corners_;
+  FaceCorners corners_;
   Vector3d normal_;
   double radius_;
   SegmentTree tree_;
@@ -70,7 +70,7 @@ std::vector<std::shared_ptr<const Obstacle>> make_face_obstacles(const TriangleM
   std::set<std::array<std::int32_t, 3>> known;
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
     auto vertices = mesh.faces()[static_cast<std::size_t>(f)];
-    const Corners corners = {mesh.position(vertices[0]), mesh.position(vertices[1]), mesh.position(vertices[2])};
+    const FaceCorners corners = {mesh.position(vertices[0]), mesh.position(vertices[1]), mesh.position(vertices[2])};
     const Vector3d normal = mesh.face_normal(f);
     std::sort(vertices.begin(), vertices.end());
     if (!(normal.norm() > 0) || !known.insert({vertices[0], vertices[1], vertices[2]}).second) continue;

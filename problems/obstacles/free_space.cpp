@@ -407,7 +407,8 @@ std::string FreeSpace::obstacle_name(int obstacle) const { return walls_->obstac
 /// A solve begins: its walls may remember.
 std::shared_ptr<const ConstraintManifold> FreeSpace::unfitted(const CoordinatePath& path) const {
   std::shared_ptr<const Walls> walls = walls_->remembering();
-  return unfitted_with(walls != nullptr ? std::move(walls) : walls_, path);
+  if (walls == nullptr) walls = walls_;
+  return unfitted_with(std::move(walls), path);
 }
 
 std::shared_ptr<FreeSpace> FreeSpace::unfitted_with(std::shared_ptr<const Walls> walls,
