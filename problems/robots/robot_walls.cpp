@@ -483,6 +483,7 @@ double RobotWalls::room(const Vector& a, const Vector& b, double reach) const {
     return reach * body.steepest - body.radius;  // between the cores, not from the surface
   });
   std::vector<PairGap> unknown;
+  unknown.reserve(pairs.size());
   for (const Pair& pair : pairs) unknown.push_back({pair, 0});
   return room(move, unknown, reach);
 }
