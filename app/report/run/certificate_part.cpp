@@ -198,7 +198,7 @@ std::string levels(const JsonFile& result) {
 /// What the scope means, in words.
 std::string what_it_says(const JsonFile& result) {
   const std::string outcome = result.has("global.outcome") ? result.text("global.outcome") : "";
-  const std::string local =
+  std::string local =
       "A certificate is about this path and its neighbours; it never says that no better path exists elsewhere.";
   if (outcome.empty()) return local;
   const std::string lower = fmt::format("{:.12g}", result.number("global.lower_bound"));
