@@ -21,10 +21,10 @@ constexpr int kScenes = 100, kDiscs = 12;
 constexpr double kGrain = 1e-3, kSameClass = 2e-6;
 
 constexpr const char* kHead =
-    R"(# Plans among discs: what solvers and designs make of 100 scenes with known optimum (12 discs in a square of side 10; an exact
-# tangent graph). First paths come from a grid and are all of the class of the shortest path, so what is missing is the solver's. With
-# post_process: [] the chain is delivered as it comes to rest beside the walls, with taut it is pulled tight; none moves nothing.
-# Made by benchmarks/plan_study.
+    R"(# Plans among discs: what solvers and designs make of 100 scenes with known optimum (12 discs in a square;
+# an exact tangent graph). First paths come from a grid and are all of the class of the shortest path, so what is
+# missing is the solver's. With post_process: [] the chain is delivered as it comes to rest beside the walls, with taut
+# it is pulled tight; none moves nothing. Made by benchmarks/plan_study.
 #
 #   leastcost study configs/studies/planning.yaml -o results/planning -j 2      # about 5 minutes
 name: planning

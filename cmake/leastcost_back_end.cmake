@@ -33,7 +33,9 @@ endfunction()
 function(leastcost_back_end_source file)
   get_property(includes GLOBAL PROPERTY LEASTCOST_BACK_END_INCLUDES)
   get_property(entries GLOBAL PROPERTY LEASTCOST_BACK_END_ENTRIES)
-  file(CONFIGURE OUTPUT ${file} @ONLY CONTENT "// Made by cmake/leastcost_back_end.cmake from solvers/*/CMakeLists.txt.
+  get_property(planners GLOBAL PROPERTY LEASTCOST_PLANNER_ENTRIES)
+  get_property(raster_reader GLOBAL PROPERTY LEASTCOST_RASTER_READER)
+  file(CONFIGURE OUTPUT ${file} @ONLY CONTENT "// Made by cmake/leastcost_back_end.cmake from solvers/*/CMakeLists.txt, ompl and gdal.
 #include \"catalogue/back_ends/back_ends.hpp\"
 
 @includes@
@@ -41,5 +43,12 @@ std::vector<leastcost::SolverPlugin> leastcost::back_ends() {
   return {
 @entries@  };
 }
+
+std::vector<leastcost::InitializerPlugin> leastcost::planners() {
+  return {
+@planners@  };
+}
+
+leastcost::RasterReader leastcost::raster_reader_of_libraries() { return @raster_reader@; }
 ")
 endfunction()

@@ -2,8 +2,8 @@
 #   leastcost                                        the program
 #   libleastcost-dev, libleastcost-<part>-dev        headers, CMake and pkg-config files, archives or links
 #   libleastcost0, libleastcost-<part>0              shared libraries, of a build with BUILD_SHARED_LIBS
-# with <part> = nlopt, ceres, catalogue, ompl. What a binary needs dpkg-shlibdeps finds out; what a static archive needs is
-# the -dev package of that library.
+# with <part> = nlopt, ceres, ompl, gdal, catalogue. What a binary needs dpkg-shlibdeps finds out; what a static archive
+# needs is the -dev package of that library.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "The leastcost authors <leastcost@invalid>")
 set(CPACK_PACKAGE_VENDOR "The leastcost authors")
@@ -40,10 +40,12 @@ set(archive_needs_ceres "libceres-dev (>= 2.1)")
 set(archive_needs_catalogue "libyaml-cpp-dev (>= 0.7)" "libfmt-dev (>= 9.1)" "libssl-dev (>= 3.0)"
   "libpng-dev (>= 1.6)")
 set(archive_needs_ompl "libompl-dev (>= 1.5)")
+set(archive_needs_gdal "libgdal-dev (>= 3.4)")
 set(about_nlopt "the NLopt solvers")
 set(about_ceres "the Ceres solvers")
 set(about_catalogue "configurations, results")
-set(about_ompl "OMPL's plans polished")
+set(about_ompl "OMPL's plans polished, its planners")
+set(about_gdal "rasters that GDAL reads")
 
 # The libraries without back ends, then each of those apart on top of them.
 set(libraries_needs "")
@@ -74,12 +76,10 @@ foreach(part IN LISTS apart)
   else()
     list(APPEND part_development ${archive_needs_${part}})
   endif()
-  if(NOT part STREQUAL "ompl")  # nothing of ours stands on it
-    if(BUILD_SHARED_LIBS)
-      list(APPEND below_libraries "libleastcost-${part}${soname} ${same}")
-    endif()
-    list(APPEND below_development "libleastcost-${part}-dev ${same}")
+  if(BUILD_SHARED_LIBS)
+    list(APPEND below_libraries "libleastcost-${part}${soname} ${same}")
   endif()
+  list(APPEND below_development "libleastcost-${part}-dev ${same}")
   leastcost_package(${part}_development libleastcost-${part}-dev libdevel "${about_${part}}, for programs"
     part_development)
 endforeach()

@@ -51,7 +51,7 @@ std::optional<Calibration> calibrate_constant(const TubeMetric<N, D>& metric, co
 
 /// The cost of the curve, to what `enough` of it is.
 template <int N, int D>
-Interval curve_cost(const TubeBounds<N, D>& bounds, const Tube<N, D>& tube, double enough) {
+Interval curve_cost(TubeBounds<N, D>& bounds, const Tube<N, D>& tube, double enough) {
   Interval sum(0);
   for (const TubeSegment<N, D>& segment : tube.segments)
     sum += bounds.curve_cost(segment, {0, 1}, enough * tube.cost / static_cast<double>(tube.segments.size()));

@@ -13,34 +13,26 @@
 #include <leastcost/framework/chain_model.hpp>
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/fits_segments.hpp>
+#include <leastcost/framework/has_interfaces.hpp>
 #include <leastcost/framework/path_energy.hpp>
-#include "framework/bundle.hpp"
+#include "framework/certify_polyhedral_chain.hpp"
+#include "framework/certify_straightened.hpp"
 #include "framework/curve_value.hpp"
 #include "framework/geometry_error.hpp"
 #include "framework/in_parts.hpp"
+#include "framework/judge_spacing.hpp"
 #include "framework/margin_bar.hpp"
 #include "framework/point_text.hpp"
+#include "framework/shared_failures.hpp"
 #include "framework/spacing.hpp"
 
 namespace leastcost {
 namespace {
 
-constexpr double kStraight = 1e-9;                ///< radians below pi that a side angle may fall
-constexpr double kNearlyStraight = 0.02;          ///< the same of a curve whose bar has what its turns cost
-constexpr double kPolyhedronStationarity = 1e-6;  ///< relative cost error of an unstraightened path on a polyhedron
-constexpr double kPolyhedronSpacing = 0.05;
-constexpr double kPolyhedronError = 0.01;  ///< relative error bar above which it is a failure
 constexpr double kWidestBar = 0.1;         ///< relative error bar above which a path on a smooth domain says nothing
-constexpr double kSpacingFall = 3;         ///< second order halves the step and quarters the spread; 3 leaves room
-constexpr double kGentleFall = 2.2;  ///< of a small spread: a bend sharper than a segment is met at places that differ
-constexpr double kSmallSpread = 0.05;      ///< as for an unstraightened path on a polyhedron
-constexpr double kWidestSpread = 1;        ///< a segment of twice the cost of another: not equally spaced in any sense
-constexpr double kBoundJitter = 4;         ///< room for where points happen to meet a bound
-constexpr double kTracedSafety = 4;        ///< of the largest difference between traced levels
 constexpr double kBetween = 1.25;          ///< room for the chords of the path between the points
 constexpr double kSoftestRounding = 1e-6;  ///< of the softest eigenvalue: curvature from second differences
 constexpr double kJump = 1.3;              ///< straight move in a chart against the chord: pi / 2 for one around a pole
-constexpr int kBundleSteps = 20;
 
 class Certifier {
  public:
@@ -79,9 +71,11 @@ class Certifier {
     measure_segments();
     measure_asymmetry();
     if (path_.curve.straightness) {
-      certify_straightened();
+      certify_straightened(problem_, path_, options_, c_);
     } else if (problem_.manifold->shape() == Shape::polyhedral) {
-      certify_polyhedral_chain();
+      measure_regularization();
+      certify_polyhedral_chain(problem_, energy_, path_, to_curve_, monitor_, c_);
+      add_regularization();
     } else {
       certify_chain();
     }
@@ -152,102 +146,14 @@ class Certifier {
     c_.asymmetry = energy_.cost(back) / energy_.cost(path_.chain) - 1;
   }
 
-  /// It certifies itself: no angle beside it is below pi, so no path nearby is shorter. Of the shortest path a proof
-  /// over all paths speaks, where there is one. Nothing is said about the smooth surface behind the mesh. Among
-  /// obstacles in the plane what is locally shortest is the shortest of its class; in space nothing is but what was
-  /// measured.
-  void certify_straightened() {
-    c_.global = path_.curve.global;
-    const bool global = c_.global && c_.global->proved, measured = path_.curve.excess.has_value();
-    c_.scope = global                       ? "global_on_polyhedron"
-               : path_.curve.least_of_class ? "least_of_class"
-               : measured                   ? "local"
-                                            : "local_on_polyhedron";
-    c_.straightness = path_.curve.straightness;
-    if (!(*c_.straightness >= -(measured ? kNearlyStraight : kStraight)))
-      fail("straightness",
-           "an angle beside the path is " + short_number(-*c_.straightness) + " below pi: it can be shortened there");
-    if (!(c_.spacing <= options_.spacing)) fail_spacing(options_.spacing);
-    c_.estimate.method = "straightened";
-    c_.estimate.error = std::numeric_limits<double>::epsilon() * path_.curve.cost *
-                        std::sqrt(static_cast<double>(path_.curve.x.cols())) * 4;
-    if (global) {
-      c_.estimate.error += std::max(0.0, path_.curve.cost - c_.global->lower_bound);
-      c_.estimate.lower = c_.global->lower_bound;
-      c_.estimate.upper = path_.curve.cost;
-    }
-    if (!path_.curve.least_of_class && !measured) return;
-    // Lengths of m sides, each from coordinates of this size.
-    const double sides = static_cast<double>(path_.curve.x.cols()), size = path_.curve.x.cwiseAbs().maxCoeff();
-    const double unit = path_.curve.cost / length_of_curve();
-    const double above = measured ? *path_.curve.excess : path_.curve.cost - *path_.curve.least_of_class;
-    c_.estimate.error +=
-        std::max(0.0, above) + 2 * std::numeric_limits<double>::epsilon() * sides * (unit * size + path_.curve.cost);
-    c_.estimate.lower = path_.curve.cost - c_.estimate.error;
-    c_.estimate.upper = path_.curve.cost;
-    if (!(c_.estimate.error <= kPolyhedronError * path_.curve.cost))
-      fail("error_bar", "the error bar is " + short_number(c_.estimate.error / path_.curve.cost) + " of the cost");
-  }
-
-  double length_of_curve() const {
-    const Points& x = path_.curve.x;
-    return (x.rightCols(x.cols() - 1) - x.leftCols(x.cols() - 1)).colwise().norm().sum();
-  }
-
-  void fail_spacing(double allowed) {
-    fail("spacing",
-         "max / min cost of a segment exceeds 1 by " + short_number(c_.spacing) + "; allowed " + short_number(allowed));
-  }
-
-  void certify_polyhedral_chain() {
-    c_.scope = "chain_on_polyhedron";
-    measure_kinked_stationarity();
-    std::vector<double> values;
-    const Refinement refinement = refine_levels(problem_, path_.chain, monitor_);
-    c_.levels = refinement.levels;
-    for (const CoordinatePath& level : refinement.paths) {
-      if (monitor_.interrupted()) return;
-      values.push_back(to_curve_(level).curve.cost);
-    }
-    values.push_back(path_.curve.cost);
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    c_.estimate.method = "traced";
-    c_.estimate.error = kTracedSafety * (*most - *least) + *c_.stationarity * path_.curve.cost;
-    if (refinement.levels.size() < 3)
-      fail(refinement.collapsed ? "collapsed" : "refinement", refinement.trouble);
-    else if (!(c_.estimate.error <= kPolyhedronError * path_.curve.cost))
-      fail("error_bar", "the traced cost varies by " + short_number((*most - *least) / path_.curve.cost) +
-                            " (relative) between " + std::to_string(refinement.levels[0].segments) + " and " +
-                            std::to_string(refinement.levels[2].segments) + " segments; use more points");
-    const auto& levels = c_.levels;
-    const bool falling =
-        levels.size() == 3 && levels[2].spacing < levels[1].spacing && levels[1].spacing < levels[0].spacing;
-    if (!(c_.spacing <= kPolyhedronSpacing) && !falling) fail_spacing(kPolyhedronSpacing);
-  }
-
-  /// On a polyhedron no single gradient need be small at a minimiser: what counts is how far a bundle of them can still
-  /// lower the energy.
-  void measure_kinked_stationarity() {
-    CoordinatePath path = path_.chain;
-    const double scale = energy_.scale(path);
-    double gained = 0;
-    BundleStep step{true, 0, 0};
-    for (int i = 0; i < kBundleSteps && step.lowered && !monitor_.interrupted(); ++i) {
-      step = bundle_step(energy_, path, kPolyhedronStationarity / 10);
-      gained += step.decrease;
-    }
-    c_.stationarity = gained / scale + step.cost_error;
-    check_stationarity(kPolyhedronStationarity);
-  }
-
-  void check_stationarity(double allowed) {
-    if (!(*c_.stationarity <= allowed))
-      fail("stationarity", "the relative cost error is " + short_number(*c_.stationarity) + "; allowed " +
-                               short_number(allowed) + ": the solver has not converged");
-  }
-
   void certify_chain() {
-    c_.scope = "local";
+    c_.global = path_.curve.global;
+    c_.scope = c_.global && c_.global->proved ? c_.global->scope : "local";
+    if (find_ability<HasInterfaces>(*problem_.cost) != nullptr)
+      fail("interfaces",
+           "the cost jumps at interfaces, which no chain of points resolves: use a post-processor that "
+           "knows them (refract)");
+    measure_regularization();
     measure_stationarity();
     c_.index = path_index(energy_, path_.chain, options_.index_shift);
     measure_chart_jumps();
@@ -258,7 +164,7 @@ class Certifier {
     measure_fine_index(refinement);
     judge_index();
     const std::optional<double> between = cost_between_points();
-    check_spacing();
+    judge_spacing(problem_, energy_, path_.chain, options_, hugs_bound_, c_);
     measure_doubling();
     EstimatedCost estimated = estimate_cost(problem_, energy_, path_.chain, refinement, c_.index, hugs_bound_);
     c_.estimate = std::move(estimated.estimate);
@@ -266,17 +172,45 @@ class Certifier {
     add_margin_bar(refinement);
     if (between) c_.estimate.error = std::max(c_.estimate.error, kBetween * std::abs(*between - c_.estimate.value));
     measure_resolution(refinement);
+    add_regularization();
     if (!(c_.estimate.error <= kWidestBar * c_.estimate.value))
       fail("error_bar", "the error bar is " + short_number(c_.estimate.error / c_.estimate.value) +
                             " of the cost: too few points for this path");
+    compare_with_bound();
     measure_domain();
     measure_places();
+  }
+
+  /// A cost below what is proved of all paths would be a fault of one of the two.
+  void compare_with_bound() {
+    if (!c_.global || c_.global->category == BoundCategory::sampled) return;
+    if (c_.estimate.value + c_.estimate.error >= c_.global->lower_bound) return;
+    fail("below_bound", "the cost " + short_number(c_.estimate.value) + " lies below " +
+                            short_number(c_.global->lower_bound) + ", which is proved of all paths: use more points");
   }
 
   void add_margin_bar(const Refinement& refinement) {
     const double bar = margin_bar(problem_, refinement, monitor_.deadline);
     if (bar > c_.estimate.error && c_.estimate.method == "exact") c_.estimate.method = "differences";
     c_.estimate.error += bar;
+  }
+
+  void measure_regularization() {
+    const auto* cost = find_ability<Regularized>(*problem_.cost);
+    if (cost != nullptr) c_.regularization = cost->regularization(energy_.ambient(path_.chain));
+    if (has_free_ways() && c_.scope == "local") c_.scope = "local_value";
+  }
+
+  /// Under the cost that is meant: nothing is said about the path but that it is one of them.
+  bool has_free_ways() const { return c_.regularization && c_.regularization->free_share > 0; }
+
+  /// What was minimised stands for another cost: the value and its bounds are those of that one.
+  void add_regularization() {
+    if (!c_.regularization) return;
+    CostEstimate& e = c_.estimate;
+    e.error += std::max(c_.regularization->below, c_.regularization->above);
+    if (e.lower) *e.lower -= c_.regularization->below;
+    if (e.upper) *e.upper += c_.regularization->above;
   }
 
   /// Only of a path that has no other failure: a proof about another one would say nothing. What is proved needs no
@@ -320,7 +254,7 @@ class Certifier {
       c_.stationarity = model.cost_error;
       hugs_bound_ = held_by_bound(model.frames);
     }
-    check_stationarity(options_.stationarity);
+    check_stationarity(c_, options_.stationarity);
   }
 
   /// Whether a bound holds a point. The first point of a ring is pinned besides.
@@ -400,6 +334,8 @@ class Certifier {
         return fail("saddle", "the path is a saddle of order " + std::to_string(c_.index.saddle_order) +
                                   ": a neighbouring path costs less");
       case IndexVerdict::degenerate:
+        // Where ways are free they cost nearly the same, and the path is the least of them nevertheless.
+        if (has_free_ways() && c_.index.negatives == 0) return;
         return fail("degenerate", "the path is degenerate with nullity " + std::to_string(c_.index.nullity) +
                                       ": neighbouring paths cost the same to second order");
       case IndexVerdict::undecidable:
@@ -411,43 +347,6 @@ class Certifier {
         return fail("index_not_applicable",
                     "the kernel is not strictly convex (H = s): points may slide along the path, no index, no spacing");
     }
-  }
-
-  /// Exactly equal where the cost is additive along the path; elsewhere as unequal as the discretisation makes it,
-  /// which falls at second order.
-  void check_spacing() {
-    if (c_.spacing <= options_.spacing) return;
-    const bool additive = problem_.cost->traits().additive && problem_.manifold->shape() == Shape::flat && !hugs_bound_;
-    if (additive || c_.levels.size() < 3) return fail_spacing(options_.spacing);
-    if (!(c_.spacing <= kWidestSpread)) return fail_spacing(kWidestSpread);
-    // Walls push points along the path wherever moves of that length meet them: what is unequal need not even out.
-    if (hugs_bound_ && find_ability<FitsSegments>(*problem_.manifold) != nullptr) return;
-    const double s1 = c_.levels[0].spacing, s2 = c_.levels[1].spacing, s4 = c_.levels[2].spacing;
-    bool falls = s2 <= options_.spacing || (s1 / s2 >= kSpacingFall && s2 / s4 >= kSpacingFall) ||
-                 (s2 <= kSmallSpread && s1 > s2 && s2 / s4 >= kGentleFall);
-    double second_order = s2;
-    if (hugs_bound_) {
-      // Where the path meets the bound one segment is off by h^2 times a factor between 0 and a constant, which depends
-      // on where the points happen to be: the largest of the levels must show it, up to kBoundJitter.
-      second_order = kBoundJitter / 2 * std::max({s1 / 4, s2, 4 * s4});
-      falls = s4 <= std::max(options_.spacing, kBoundJitter / 16 * std::max(s1, 4 * s2));
-    }
-    const double ratio = c_.levels[1].segments / static_cast<double>(path_.chain.segment_count());
-    const double expected = std::max(options_.spacing, 2 * softer_than_levels() * second_order * ratio * ratio);
-    if (!falls)
-      return fail("spacing",
-                  "unequal segments (" + short_number(c_.spacing) + ") that do not even out at second order");
-    if (c_.spacing > expected) fail_spacing(expected);
-  }
-
-  /// The spread of the segments falls with the stiffness of the kernel along the path. The levels have s = 1 in the
-  /// mean; the delivered chain has less where its reference cost comes from a longer first path, and an exponential
-  /// kernel is then up to three times less stiff.
-  double softer_than_levels() {
-    const double s =
-        energy_.cost(path_.chain) / static_cast<double>(path_.chain.segment_count()) / energy_.reference_cost();
-    const double stiffness = kernel_stiffness(*problem_.kernel, s);
-    return stiffness > 0 ? std::max(1.0, kernel_stiffness(*problem_.kernel, 1) / stiffness) : 1;
   }
 
   void measure_doubling() {
@@ -477,33 +376,6 @@ class Certifier {
 };
 
 }  // namespace
-
-Words<ProofRule> words(ProofRule) {
-  static constexpr std::array<Word<ProofRule>, 3> kWords = {
-      {{ProofRule::always, "always"}, {ProofRule::needed, "needed"}, {ProofRule::never, "never"}}};
-  return kWords;
-}
-
-void CertificateOptions::fields(FieldVisitor& visit) {
-  visit.field("enabled", enabled, {.help = "Whether the path is certified; without it the status is uncertified."});
-  visit.choice("proof", proof,
-               {.help = "When a proof of the local minimum is tried, where cost and domain are formulas. needed: where "
-                        "the path would be refused without it."});
-  visit.variant("global", global,
-                {.help = "A proof that no path at all costs less, where one can be made: on a mesh under the Euclidean "
-                         "cost."});
-  visit.field("stationarity", stationarity, {.help = "Largest relative cost error.", .minimum = 0});
-  visit.field("residual", residual, {.help = "Largest distance off the domain.", .unit = "diameters", .minimum = 0});
-  visit.field("spacing", spacing, {.help = "Largest max c / min c - 1 where the cost is additive.", .minimum = 0});
-  visit.field("doubling", doubling,
-              {.help = "Largest relative deviation of E(2M) / E(4M), VFCS Eq. (8).", .minimum = 0});
-  visit.field("longest_segment", longest_segment, {.help = "Largest max c / mean c.", .minimum = 1});
-  visit.field(
-      "clearance", clearance,
-      {.help = "How far a path may come too near to an obstacle; for rounding.", .unit = "diameters", .minimum = 0});
-  visit.field("index_shift", index_shift,
-              {.help = "Shift tau of the two counts of the index.", .minimum = 0, .exclusive_minimum = true});
-}
 
 Certificate certify(const Problem& problem, double reference_cost, const PostProcessed& path, const ToCurve& to_curve,
                     const CertificateOptions& options, const Monitor& monitor) {

@@ -18,6 +18,7 @@
 #include <leastcost/framework/post_processor.hpp>
 #include <leastcost/framework/problem.hpp>
 #include <leastcost/framework/refinement.hpp>
+#include <leastcost/framework/regularized.hpp>
 #include <leastcost/framework/resolution.hpp>
 
 namespace leastcost {
@@ -34,7 +35,8 @@ Words<ProofRule> words(ProofRule);
 struct CertificateOptions {
   bool enabled = true;
   ProofRule proof = ProofRule::always;
-  GlobalProof global = {};  ///< on a mesh under the Euclidean cost
+  GlobalProof global = {};  ///< on a mesh, among obstacles in the plane, or by a potential in a box of the plane
+  int refine = 6;           ///< doublings of the points at most, where more of them may mend what is refused
   double stationarity = 1e-10;
   double residual = 1e-10;
   double spacing = 1e-6;
@@ -50,8 +52,8 @@ struct CertificateOptions {
 /// cannot know.
 struct Certificate {
   bool measured = false;
-  std::string scope;                  ///< "local", "local_on_polyhedron", "chain_on_polyhedron", "least_of_class",
-                                      ///< "global_on_polyhedron"
+  std::string scope;                  ///< "local", "local_value", "local_on_polyhedron", "chain_on_polyhedron",
+                                      ///< "least_of_class", "global_on_polyhedron", "global"
   std::optional<GlobalBound> global;  ///< null: no proof over all paths was tried
   std::vector<CertificateFailure> failures;
   CostEstimate estimate;
@@ -69,6 +71,7 @@ struct Certificate {
   std::optional<double> straightness;    ///< smallest side angle minus pi, radians
   std::optional<double> asymmetry;       ///< backward cost / forward cost - 1
   std::optional<double> geometry_error;  ///< what the representation of the domain costs; null: exact or unknown
+  std::optional<Regularization> regularization;  ///< null: the cost is the one that is meant
   std::vector<RefinementLevel> levels;
 
   bool certified() const { return measured && failures.empty(); }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include <leastcost/framework/fits_segments.hpp>
 #include "framework/curve_value.hpp"
 
 namespace leastcost {
@@ -51,7 +52,7 @@ void quote(CostEstimate& e, const char* method, double value, double error) {
 /// such G, and on curved domains, whose chords are no moves in coordinates.
 double rounding_of_costs(const Problem& problem, PathEnergy& energy, const CoordinatePath& chain) {
   constexpr double kOperations = 4;
-  if (problem.manifold->shape() != Shape::flat || !problem.cost->traits().quadratic_at_rest) return 0;
+  if (problem.manifold->shape() != Shape::flat) return 0;
   if (find_ability<HasChart>(*problem.manifold) != nullptr) return 0;
   Points metrics;
   energy.metrics(chain, metrics);
@@ -79,7 +80,9 @@ EstimatedCost estimate_from_levels(const Problem& problem, PathEnergy& energy, c
   std::optional<double> curve =
       !chords_exist && (flat || chart != nullptr) ? smooth_curve_cost(problem, chain, energy.deadline()) : std::nullopt;
   e.upper = chords_exist ? std::optional(cost) : curve;
-  if (traits.below_curves && index.verdict == IndexVerdict::minimum)
+  // Among obstacles points keep a margin, and the least chain may be longer than the least curve.
+  const bool keeps_margins = find_ability<FitsSegments>(*problem.manifold) != nullptr;
+  if (traits.below_curves && index.verdict == IndexVerdict::minimum && !keeps_margins)
     e.lower = segments * energy.reference_cost() * kernel_inverse(*problem.kernel, energy.value(chain) / segments);
   if (refinement.levels.size() < 3) {
     e.error = std::numeric_limits<double>::infinity();

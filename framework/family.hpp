@@ -40,9 +40,10 @@ struct Family {
 /// farther from the other than three quarters of a segment.
 bool same_path(const Problem& problem, const CoordinatePath& a, const CoordinatePath& b);
 
-/// find_path() from every start. What is cheaper than every certified path without being certified itself is solved
-/// again with twice the points, up to four times, until it is certified, or left where it is a saddle; what is then
-/// delivered are the points that were asked for, of the finer chain. Where that decides nothing it stays first,
+/// find_path() from every start, without more points than are asked for. What is cheaper than every certified path
+/// without being certified itself goes on with twice the points, `certificate.refine` times at most, until it is
+/// certified, or is left where it is a saddle; what is then delivered are the points that were asked for, of the finer
+/// chain, as find_path() does. Where that decides nothing it stays first,
 /// uncertified, and a note says so. Not done with the certificate switched off. A proof is always
 /// tried of the first member only, of others where it is needed.
 /// A start without a first path, or one that throws otherwise, is a note and loses no other; where none has a path the

@@ -9,19 +9,16 @@
 #include <string_view>
 #include <utility>
 
-#include <leastcost/framework/path_energy.hpp>
 #include "framework/calibration.hpp"
 #include "framework/family_rank.hpp"
 #include "framework/feasible_cost.hpp"
 #include "framework/point_text.hpp"
-#include "framework/spacing.hpp"
+#include "framework/refine_until_certified.hpp"
 
 namespace leastcost {
 namespace {
 
-constexpr int kMostDoublings = 4;
-constexpr int kMostLooks = 64;          ///< members that are looked at, saddles' lower neighbours included
-constexpr Index kMostPoints = 100'000;  ///< of a refined member
+constexpr int kMostLooks = 64;  ///< members that are looked at, saddles' lower neighbours included
 
 bool fails_one_of(const Certificate& certificate, std::initializer_list<std::string_view> names) {
   return std::any_of(certificate.failures.begin(), certificate.failures.end(), [&](const CertificateFailure& f) {
@@ -38,45 +35,6 @@ bool beyond_help(const Certificate& certificate) {
 double ranking_cost(const Problem& problem, const Result& result, const Deadline& deadline) {
   return result.status == Status::certified ? result.certificate.estimate.value
                                             : feasible_cost(problem, result, deadline);
-}
-
-/// Every `factor`-th point of a chain.
-CoordinatePath every(const CoordinatePath& fine, Index factor) {
-  CoordinatePath path{Points(fine.u.rows(), (fine.u.cols() - 1) / factor + 1), {}, fine.ring, fine.closing};
-  for (Index i = 0; i < path.u.cols(); ++i) {
-    path.u.col(i) = fine.u.col(factor * i);
-    if (!fine.sites.empty()) path.sites.push_back(fine.site(factor * i));
-  }
-  return path;
-}
-
-/// The points that were asked for, of a chain with `factor` times as many: the curve and the certificate stay those of
-/// the finer one.
-void thin(const Problem& problem, Index factor, Result& result) {
-  if (factor == 1) return;
-  result.notes.push_back("found and certified with " + std::to_string(result.path.free_count()) + " points; every " +
-                         (factor == 2 ? "2nd" : std::to_string(factor) + "th") + " of them is delivered");
-  result.path = every(result.path, factor);
-  const Index segments = result.path.segment_count();
-  const Eigen::VectorXd fine = result.curve_costs;
-  result.curve_costs.resize(segments);
-  for (Index i = 0; i < segments; ++i) result.curve_costs[i] = fine.segment(factor * i, factor).sum();
-  result.costs = PathEnergy(problem, 1).costs(result.path);
-}
-
-/// A later result of the same search: where it began, and what it took, are those of the whole.
-Result continued(const Result& before, Result after) {
-  after.first = before.first;
-  after.initial = before.initial;
-  after.initial_cost = before.initial_cost;
-  after.reference_cost = before.reference_cost;
-  after.solve = joined(before.solve, std::move(after.solve));
-  after.seconds.initialize += before.seconds.initialize;
-  after.seconds.solve += before.seconds.solve;
-  after.seconds.post_process += before.seconds.post_process;
-  after.seconds.certify += before.seconds.certify;
-  after.notes.insert(after.notes.begin(), before.notes.begin(), before.notes.end());
-  return after;
 }
 
 class Decision {
@@ -133,45 +91,39 @@ class Decision {
   }
 
   void look_at(std::size_t i) {
-    Result fine = members_[i].result;
-    Index factor = 1;
-    for (int doubling = 0;; ++doubling) {
-      if (fine.certificate.index.verdict == IndexVerdict::saddle && leave(i, fine, factor)) return;
-      if (doubling == kMostDoublings || 2 * fine.path.free_count() > kMostPoints) return;
-      fine = continued(fine, doubled(members_[i].problem, fine, factor));
-      factor *= 2;
-      if (fine.status == Status::interrupted) return;
-      if (fine.status == Status::collapsed) {
+    const Problem problem = members_[i].problem;
+    FinerSearch search(problem, members_[i].result, solver_, options_, monitor_);
+    for (;;) {
+      if (search.fine().certificate.index.verdict == IndexVerdict::saddle && leave(i, search)) return;
+      if (!search.may_double()) return;
+      search.double_points();
+      if (search.fine().status == Status::interrupted) return;
+      if (search.fine().status == Status::collapsed) {
         members_[i].result.status = Status::collapsed;
         members_[i].result.notes.emplace_back("with more points it collapses");
         return;
       }
-      if (certified(fine)) return take(i, std::move(fine), factor);
-      if (fails_one_of(fine.certificate, {"stationarity"})) return;  // the solver does not get there
+      if (certified(search.fine())) return take(i, search.delivered(search.fine()));
+      if (fails_one_of(search.fine().certificate, {"stationarity"})) return;  // the solver does not get there
     }
   }
 
-  Result doubled(const Problem& problem, const Result& coarse, Index factor) {
-    FindOptions finer = options_;
-    finer.reference_cost = coarse.reference_cost / static_cast<double>(2 * factor);
-    finer.cascade = false;
-    return improve_path(problem, refine(problem, coarse.path, monitor_.deadline), solver_, finer, monitor_);
-  }
-
   /// Down from a saddle; false where no cheaper path was found there.
-  bool leave(std::size_t i, const Result& saddle, Index factor) {
+  bool leave(std::size_t i, const FinerSearch& search) {
     const FamilyMember& from = members_[i];
+    const Result& saddle = search.fine();
     FindOptions down = options_;
-    down.reference_cost = saddle.reference_cost / static_cast<double>(factor);
+    down.reference_cost = saddle.reference_cost / static_cast<double>(search.factor());
     down.escape_saddle = true;
     down.cascade = false;
+    down.certificate.refine = 0;
     Result lower = continued(saddle, improve_path(from.problem, saddle.path, solver_, down, monitor_));
     if (lower.status == Status::interrupted || lower.path.u.size() == 0) return false;
     FamilyMember found{{"down from the saddle of " + from.origins.front()}, from.problem, std::move(lower)};
     found.rank_cost = rank_cost(found.problem, found.result);
     if (!(found.rank_cost < feasible_cost(from.problem, saddle, monitor_.deadline))) return false;
     if (same_path(from.problem, found.result.path, saddle.path)) return false;
-    thin(found.problem, factor, found.result);
+    found.result = search.delivered(std::move(found.result));
     members_[i].left = true;
     add_member(std::move(found), members_);
     undecided_.resize(members_.size(), true);
@@ -179,10 +131,9 @@ class Decision {
   }
 
   /// The member is certified by its finer chain, and is perhaps one that was certified before.
-  void take(std::size_t i, Result fine, Index factor) {
+  void take(std::size_t i, Result finer) {
     FamilyMember& m = members_[i];
-    thin(m.problem, factor, fine);
-    m.result = std::move(fine);
+    m.result = std::move(finer);
     m.rank_cost = rank_cost(m.problem, m.result);
     for (std::size_t k = 0; k < members_.size(); ++k) {
       FamilyMember& known = members_[k];
@@ -219,6 +170,7 @@ bool is_refuted(std::vector<FamilyMember>& members, const Solver& solver, const 
   FindOptions again = options;
   again.reference_cost = first.result.reference_cost;
   again.cascade = false;
+  again.certificate.refine = 0;
   try {
     Result proved = improve_path(first.problem, first.result.path, solver, again, monitor);
     if (proved.status == Status::interrupted) return false;
@@ -249,7 +201,9 @@ std::vector<std::string> decide_family(std::vector<FamilyMember>& members, const
   if (sure == members.end()) return {};
   return {"family: the least path, of cost " + short_number(members.front().rank_cost) +
           ", could be neither certified nor ruled out" +
-          (monitor.interrupted() ? " in the time given" : ", with more points either") +
+          (monitor.interrupted()            ? " in the time given"
+           : options.certificate.refine > 0 ? ", with more points either"
+                                            : "") +
           "; the least certified one costs " + short_number(sure->rank_cost)};
 }
 

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
-#include <new>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,14 +12,22 @@
 #include <leastcost/framework/checks_moves.hpp>
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/fits_segments.hpp>
+#include <leastcost/framework/has_constant_metric.hpp>
+#include <leastcost/framework/has_notes.hpp>
 #include <leastcost/framework/other_images.hpp>
 #include <leastcost/framework/path_energy.hpp>
+#include "framework/among_obstacles.hpp"
 #include "framework/based_loop.hpp"
 #include "framework/cascade.hpp"
+#include "framework/delivery.hpp"
 #include "framework/escape_saddle.hpp"
 #include "framework/find_path_checks.hpp"
+#include "framework/free_passage.hpp"
 #include "framework/geometry_error.hpp"
 #include "framework/in_parts.hpp"
+#include "framework/placement.hpp"
+#include "framework/point_text.hpp"
+#include "framework/refine_until_certified.hpp"
 #include "framework/spacing.hpp"
 
 namespace leastcost {
@@ -36,8 +42,6 @@ void stage(Stage stage, const Monitor& monitor, double& seconds, Work work) {
   seconds = std::chrono::duration<double>(Monitor::Clock::now() - start).count();
 }
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-
 /// What may still be measured of an interrupted path: the first part of what the contract leaves after the deadline.
 Deadline last_words(const Deadline& deadline, Monitor::Clock::time_point start) {
   constexpr auto kLeast = std::chrono::microseconds(300);
@@ -46,94 +50,11 @@ Deadline last_words(const Deadline& deadline, Monitor::Clock::time_point start) 
   return *deadline + std::max<Monitor::Clock::duration>(kLeast, (*deadline - start) / kPart);
 }
 
-/// An end that was given by its coordinates alone, on a domain that has sites: it is found.
-void place(const ConstraintManifold& manifold, const char* which, PathEnd& end, std::vector<std::string>& notes) {
-  constexpr double kSame = 1e-9;  // of the size of the coordinates: rounding moves no end
-  if (end.site != kNoSite || end.u.size() == 0) return;
-  double moved = 0;
-  const PathEnd found = project_end(manifold, end.u, &moved);
-  if (found.site == kNoSite) return;
-  end.site = found.site;
-  if (moved <= kSame * end.u.cwiseAbs().maxCoeff()) return;
-  end.u = found.u;
-  notes.push_back(std::string(which) + " was moved onto the domain");
-}
-
-Problem with_sites(Problem problem, std::vector<std::string>& notes) {
-  if (problem.ring && !problem.based) return problem;
-  place(*problem.manifold, "the source", problem.source, notes);
-  if (!problem.ring) place(*problem.manifold, "the target", problem.target, notes);
-  return problem;
-}
-
 int point_count(const FindOptions& options, const FirstPath& first) {
   if (options.points) return *options.points;
   if (!first.graph_vertices)
     throw InputError("points: auto counts the vertices of an edge path, and this domain has no graph; give a number");
   return std::max(8, *first.graph_vertices);
-}
-
-/// The chain as a curve, before any post-processing.
-PostProcessed chain_as_curve(PathEnergy& energy, const CoordinatePath& path) {
-  PostProcessed out;
-  out.chain = path;
-  out.curve_costs = energy.costs(path);
-  out.curve.cost = out.curve_costs.sum();
-  out.curve.x = energy.ambient(path).x;
-  return out;
-}
-
-/// What the post-processors make of a chain. Each takes the curve that the one before it has made: `so_far` keeps it,
-/// for the case that the next one throws.
-void post_process(const Problem& problem, const FirstPath& first, const FindOptions& options, const Monitor& monitor,
-                  PostProcessed& so_far) {
-  const CoordinatePath chain = so_far.chain;
-  for (const auto& step : options.post_processors) {
-    look_at_clock(monitor.deadline);
-    PostProcessed processed = step->apply(problem, first, so_far, monitor);
-    check_processed(problem, chain, processed);
-    so_far = std::move(processed);
-  }
-}
-
-/// The same, but a path that is solved stays, whatever becomes of its curve: `so_far` is what there was before the step
-/// that threw, and the reason is returned. Throws Interrupted only.
-std::optional<std::string> post_process_or_say_why(const Problem& problem, const FirstPath& first,
-                                                   const FindOptions& options, const Monitor& monitor,
-                                                   PostProcessed& so_far) {
-  try {
-    post_process(problem, first, options, monitor, so_far);
-    return std::nullopt;
-  } catch (const Interrupted&) {
-    throw;
-  } catch (const std::bad_alloc&) {
-    return "there is not enough memory";
-  } catch (const std::exception& error) {
-    return error.what();
-  } catch (...) {
-    return "an exception that is no std::exception";
-  }
-}
-
-void deliver(const PostProcessed& processed, Eigen::VectorXd costs, Result& result) {
-  result.costs = std::move(costs);
-  result.path = processed.chain;
-  result.curve = processed.curve;
-  result.curve_costs = processed.curve_costs;
-  result.notes.insert(result.notes.end(), processed.notes.begin(), processed.notes.end());
-}
-
-/// A path about which nothing is measured.
-void deliver_unmeasured(Result& result) {
-  result.costs.setConstant(result.path.segment_count(), kUnknown);
-  result.curve_costs = result.costs;
-  result.curve = {};
-  result.curve.cost = kUnknown;
-}
-
-/// A ring that the solver lost may still be found again from the first path, by a post-processor that certifies itself.
-bool has_collapsed(const Result& result, const PostProcessed& processed) {
-  return processed.collapsed || (result.solve.termination == Termination::collapsed && !processed.curve.straightness);
 }
 
 /// Whether the cost, or another part of the problem, threw or contradicted itself.
@@ -164,6 +85,7 @@ class Search {
       : solver_(solver), options_(options), monitor_(monitor), last_words_(last_words(monitor.deadline, start_)) {
     check(problem);
     check(options);
+    if (const auto* told = find_ability<HasNotes>(*problem.cost)) result_.notes = told->notes();
     problem_ = with_sites(problem, result_.notes);
     refuse_one_point(problem_);
     refuse_end_in_clearance(problem_);
@@ -175,8 +97,8 @@ class Search {
       check_path(problem_, result_.first.path, problem_.ring ? 1 : 2, "the first path");
       cut_based_ring();
       pin_ends(problem_, result_.first.path);
-      result_.initial = sample_equally(problem_, result_.first.path, point_count(options_, result_.first), 0.05, 8,
-                                       monitor_.deadline);
+      result_.initial = sample_equally(problem_, result_.first.path, point_count(options_, result_.first), 0.05,
+                                       spacing_passes(), monitor_.deadline);
       sampled_ = true;
     });
   }
@@ -185,7 +107,7 @@ class Search {
     return whole([&] {
       result_.first.path = chain;
       cut_based_chain();
-      place_chain(result_.first.path);
+      place_chain(problem_, result_.first.path, monitor_.deadline);
       result_.initial = result_.first.path;
       PathEnergy energy(problem_, 1, monitor_.deadline);
       const Eigen::VectorXd costs = energy.costs(result_.initial);
@@ -208,6 +130,14 @@ class Search {
       interrupted(stopped.what());
     }
     return with_notes(std::move(result_));
+  }
+
+  /// Under a length, even steps along the first path are equally spaced on it; that is enough where no solver begins
+  /// from the points and a post-processor makes the curve.
+  int spacing_passes() const {
+    constexpr int kPasses = 8;
+    const bool on_curve = !solver_.moves_points() && !options_.post_processors.empty();
+    return on_curve && find_ability<HasConstantMetric>(*problem_.cost) != nullptr ? 0 : kPasses;
   }
 
   /// Among obstacles its failure has a name of its own.
@@ -241,25 +171,6 @@ class Search {
     problem_.ring = false;
     problem_.target = {chain.u.rightCols(1), problem_.source.site};
     check(problem_);
-  }
-
-  void place_chain(CoordinatePath& chain) {
-    constexpr double kSame = 1e-9;
-    check_path(problem_, chain, problem_.ring ? 1 : 3, "the chain");
-    pin_ends(problem_, chain);
-    CoordinatePath placed = chain;
-    const Projection projection = project(*problem_.manifold, placed, monitor_.deadline);
-    if (!projection.failed.empty())
-      throw InputError("column " + std::to_string(projection.failed.front()) +
-                       " of the chain has no nearest point on the domain" +
-                       reason_for_failure(*problem_.manifold, chain.u.col(projection.failed.front())));
-    const bool off = projection.moved > kSame * chain.u.cwiseAbs().maxCoeff();
-    if (off) chain.u = placed.u;
-    chain.sites = std::move(placed.sites);
-    pin_ends(problem_, chain);
-    if (chain.ring || chain.sites.empty()) return;
-    chain.sites.front() = problem_.source.site;
-    chain.sites.back() = problem_.target.site;
   }
 
   void set_reference_cost() {
@@ -303,14 +214,11 @@ class Search {
     result_.solve = result_.solve.history.empty() ? std::move(report) : joined(result_.solve, std::move(report));
   }
 
-  /// By how much the moves of the chain touch what its points keep away from; 0 where that is not measured.
-  double depth_in_obstacles() {
+  /// Only where its points can be fitted to them.
+  double depth_in_obstacles() const {
     if (failed(result_.solve.termination) || monitor_.interrupted()) return 0;
     if (find_ability<FitsSegments>(*problem_.manifold) == nullptr) return 0;
-    const Points x = positions(*problem_.manifold, result_.path);
-    const auto clearance = measure_clearance(*problem_.manifold, x, result_.path.ring, monitor_.deadline);
-    const double extent = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm();
-    return clearance && clearance->lower < -options_.certificate.clearance * extent ? -clearance->lower : 0;
+    return leastcost::depth_in_obstacles(problem_, result_.path, options_.certificate.clearance, monitor_.deadline);
   }
 
   /// Begins anew with twice as many points along the first path, where there is one and they are not too many.
@@ -334,32 +242,79 @@ class Search {
       post_process(problem_, result_.first, options_, monitor_, curve);
       return curve;
     };
+    const std::optional<FreePassage> joined = join_by_free_place();
     PostProcessed processed = chain_as_curve(energy, result_.path);
-    std::optional<std::string> fault;
-    stage(Stage::post_process, monitor_, result_.seconds.post_process,
-          [&] { fault = post_process_or_say_why(problem_, result_.first, options_, monitor_, processed); });
-    const bool collapsed = has_collapsed(result_, processed);
+    processed.unsolved = !solver_.moves_points();
+    std::optional<std::string> fault = make_curve(processed);
+    if (processed.cheaper && !fault && begin_anew(processed)) return deliver_and_certify();
+    const bool collapsed = joined || has_collapsed(result_, processed);
     deliver(processed, energy.costs(processed.chain), result_);
     result_.post_processed = true;
     if (fault) result_.certificate.failures.push_back({"post_process", "the curve stays as it was before: " + *fault});
     if (options_.certificate.enabled && !collapsed && !fault) certify_delivered(processed, to_curve);
-    say_what_obstacles_did();
+    if (options_.certificate.enabled) judge_among_obstacles(problem_, result_);
+    if (joined)
+      result_.certificate.spacing = spread_where_paid(result_.costs, joined->free);
+    else
+      name_free_passage();
     result_.status = status_of(result_, collapsed, monitor_);
   }
 
-  /// A path on the other side of an obstacle than the one that was begun with is not what was asked for, unless it is
-  /// shown to be the least of its class. Where the fit to the obstacles did not end, that is why the path fails.
-  void say_what_obstacles_did() {
-    const auto* obstacles = find_ability<ChecksMoves>(*problem_.manifold);
-    if (obstacles == nullptr || !options_.certificate.enabled) return;
-    auto& failures = result_.certificate.failures;
-    if (!failures.empty() && result_.solve.cycling)
-      failures.push_back(
-          {"active_set_cycling", "what the points keep from the obstacles and where they come to rest did not agree"});
-    if (problem_.ring || result_.curve.least_of_class) return;
-    const Points first = positions(*problem_.manifold, result_.first.path);
-    if (!obstacles->same_class(first, result_.curve.x).value_or(true))
-      failures.push_back({"class_lost", "the path passes an obstacle on another side than the first path"});
+  std::optional<std::string> make_curve(PostProcessed& processed) {
+    std::optional<std::string> fault;
+    const double before = result_.seconds.post_process;
+    stage(Stage::post_process, monitor_, result_.seconds.post_process,
+          [&] { fault = post_process_or_say_why(problem_, result_.first, options_, monitor_, processed); });
+    if (begun_anew_) result_.seconds.post_process += before;
+    return fault;
+  }
+
+  /// Solves again from a cheaper path that a post-processor has found, once. False where what comes out costs no less:
+  /// then everything is as it was.
+  bool begin_anew(const PostProcessed& processed) {
+    if (begun_anew_ || !sampled_) return false;
+    begun_anew_ = true;
+    Result before = result_;
+    result_.initial = sample_equally(problem_, *processed.cheaper, static_cast<int>(result_.path.free_count()), 0.05, 8,
+                                     monitor_.deadline);
+    result_.path = result_.initial;
+    set_reference_cost();
+    solve();
+    result_.seconds.solve += before.seconds.solve;
+    const double cost = failed(result_.solve.termination)
+                            ? std::numeric_limits<double>::infinity()
+                            : PathEnergy(problem_, 1, monitor_.deadline).cost(result_.path);
+    constexpr double kWorthSaying = 1e-9;
+    if (cost < processed.curve.cost * (1 - kWorthSaying)) {
+      result_.notes.push_back("a search over all paths found another way, which costs " +
+                              short_number(100 * (1 - cost / processed.curve.cost)) + " % less and is delivered");
+      return true;
+    }
+    result_ = std::move(before);
+    return false;
+  }
+
+  /// A path that has come to a place where moves are free is the way by it, whose two parts are joined there.
+  std::optional<FreePassage> join_by_free_place() {
+    if (!reaches_free_place(problem_, result_.path)) return std::nullopt;
+    std::optional<FreePassage> passage = free_passage(problem_, result_.path);
+    if (!passage) return std::nullopt;
+    result_.path.u = passage->points;
+    result_.notes.push_back(
+        "collapsed: the path has come to where moves are free; delivered is the cheapest way by "
+        "there, of cost " +
+        point_text(Eigen::VectorXd::Constant(1, passage->cost)) +
+        ", whose two parts are joined by a move that costs nothing");
+    return passage;
+  }
+
+  /// A path that keeps away from such places may be the least of its neighbours and dearer than the way by them.
+  void name_free_passage() {
+    const std::optional<FreePassage> passage = free_passage(problem_, result_.path);
+    if (!passage || !(passage->cost < result_.curve.cost)) return;
+    result_.notes.push_back("cheaper: the way by the places where moves are free costs " +
+                            point_text(Eigen::VectorXd::Constant(1, passage->cost)) +
+                            "; this path is the least of its neighbours only");
   }
 
   void certify_delivered(const PostProcessed& processed, const ToCurve& to_curve) {
@@ -370,6 +325,7 @@ class Search {
         result_.certificate =
             certify(problem_, result_.reference_cost, processed, to_curve, options_.certificate, monitor_);
         if (std::string note = name_cheaper_image(); !note.empty()) result_.notes.push_back(std::move(note));
+        name_free_ways();
       } catch (const Interrupted&) {
         throw;
       } catch (const std::exception& error) {  // the path is found: what a part throws now takes nothing away from it
@@ -392,6 +348,15 @@ class Search {
     } catch (const Interrupted&) {
       return "";  // the certificate stands
     }
+  }
+
+  /// A certificate then speaks of the value, and not of the path.
+  void name_free_ways() {
+    const std::optional<Regularization>& found = result_.certificate.regularization;
+    if (!found || found->free_ways.empty()) return;
+    result_.notes.push_back(found->free_ways + (result_.certificate.certified()
+                                                    ? ": the value is certified, the path is not unique"
+                                                    : ": the path is not unique"));
   }
 
   /// Without a deadline they are made now. With one there are those that prepare() has made, or none.
@@ -438,7 +403,8 @@ class Search {
   const Deadline last_words_;
   Problem problem_;
   Result result_;
-  bool sampled_ = false;  ///< the chain, along the first path
+  bool sampled_ = false;     ///< the chain, along the first path
+  bool begun_anew_ = false;  ///< from a path that a post-processor has found
 };
 
 }  // namespace
@@ -455,34 +421,14 @@ std::string_view name(Status status) {
 
 Result find_path(const Problem& problem, const Initializer& initializer, const Solver& solver,
                  const FindOptions& options, const Monitor& monitor) {
-  return Search(problem, solver, options, monitor).from(initializer);
+  Result found = Search(problem, solver, options, monitor).from(initializer);
+  return refine_until_certified(problem, std::move(found), solver, options, monitor);
 }
 
 Result improve_path(const Problem& problem, const CoordinatePath& chain, const Solver& solver,
                     const FindOptions& options, const Monitor& monitor) {
-  return Search(problem, solver, options, monitor).from(chain);
-}
-
-void complete_interrupted(const Problem& problem, const FindOptions& options, Result& result) {
-  if (result.status != Status::interrupted || result.post_processed || result.path.u.size() == 0) return;
-  check(problem);
-  check(options);
-  if (result.path.u.rows() != problem.manifold->dimensions().coordinate)  // (a based ring is open in its result)
-    throw InputError("the path has " + std::to_string(result.path.u.rows()) + " coordinates, the domain " +
-                     std::to_string(problem.manifold->dimensions().coordinate));
-  Monitor stopped;  // post-processors that improve a path step by step return at once
-  stopped.stop_requested = [] { return true; };
-  PathEnergy energy(problem, 1);
-  try {
-    PostProcessed processed = chain_as_curve(energy, result.path);
-    if (const auto fault = post_process_or_say_why(problem, result.first, options, stopped, processed))
-      processed.notes.push_back("the curve stays as it was before: " + *fault);
-    deliver(processed, energy.costs(processed.chain), result);
-    result.post_processed = true;
-  } catch (const Interrupted&) {
-    const PostProcessed chain = chain_as_curve(energy, result.path);
-    deliver(chain, chain.curve_costs, result);
-  }
+  Result found = Search(problem, solver, options, monitor).from(chain);
+  return refine_until_certified(problem, std::move(found), solver, options, monitor);
 }
 
 void prepare(const Problem& problem) {

@@ -18,7 +18,9 @@
 
 namespace leastcost {
 
-/// Complete as it is: {} solves 64 points and certifies them.
+/// Complete as it is: {} solves 64 points and certifies them, or goes on with more of them where that is what the
+/// certificate lacks (`certificate.refine`; the cost of a path that stays refused is that of chains with up to 64 times
+/// the points; 0 where there is no time for them).
 struct FindOptions {
   /// Free points n >= 1; nothing: max(8, interior vertices of the first edge path), VFCS 5.1. Doubled, which a note
   /// says, as long as the moves between them cannot go between the obstacles of the domain.
@@ -66,6 +68,13 @@ struct Result {
 /// InputError for a problem or options whose parts do not fit, InitializationError when there is no first path. What a
 /// user's own part throws ends a solve (Termination::exception, the best path is kept) or a certificate (failure
 /// `exception`); thrown by a first path, a post-processor or the monitor it passes through as it is.
+///
+/// **More points.** A path that was refused for want of points, and for no other reason, is solved again with twice as
+/// many, from the chain that was found (from the first path, with four times as many, where that was not solved or is a
+/// saddle), `options.certificate.refine` times at most. Certified, the points that were asked for are delivered: every
+/// 2^k-th of the finer chain, with its curve and its certificate, and a note (all of them where moves between fewer
+/// might touch an obstacle). Else the path stays as it came, uncertified, with a note; so it does where the deadline or
+/// a stop request comes in between. Not under a solver that moves no points.
 ///
 /// **Time.** After the monitor's deadline it comes back within max(1 ms, a tenth of the budget) of thread time, with
 /// NLopt and Ceres within 5 ms, plus one call of a user's function (chains of up to 10,000 points; beyond, in

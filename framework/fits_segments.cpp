@@ -27,20 +27,26 @@ SolveReport solve_fitted(Problem& problem, const Solver& solver, double referenc
                          const Monitor& monitor) {
   const auto* domain = find_ability<FitsSegments>(*problem.manifold);
   const bool fits = domain != nullptr && solver.moves_points();
-  if (fits) {  // to the path as it is, too: a move through an obstacle could not be drawn out of it
+  Points agreed;  // the chain to which the domain was fitted without a change: looking again would say the same
+  if (fits) {     // to the path as it is, too: a move through an obstacle could not be drawn out of it
     problem.manifold = domain->unfitted(path);
     project_free(*problem.manifold, path, monitor.deadline);
     auto fitted = find_ability<FitsSegments>(*problem.manifold)->fitted(path);
-    if (fitted != nullptr) problem.manifold = std::move(fitted);
+    if (fitted != nullptr)
+      problem.manifold = std::move(fitted);
+    else
+      agreed = path.u;
   }
   SolveReport report;
   int unsolved = 0;
   for (int k = 0;; ++k) {
-    if (fits) project_free(*problem.manifold, path, monitor.deadline);
+    if (fits && agreed.size() == 0) project_free(*problem.manifold, path, monitor.deadline);
     PathEnergy energy(problem, reference_cost, monitor.deadline);
     SolveReport next = solver.solve(energy, path, monitor);
     report = k == 0 ? std::move(next) : joined(report, std::move(next));
     if (!fits || report.termination == Termination::exception || monitor.interrupted()) break;
+    if (agreed.size() == path.u.size() && agreed == path.u) break;
+    agreed.resize(0, 0);
     if (!is_solved(report.termination) && ++unsolved == kMostUnsolved) break;
     auto fitted = find_ability<FitsSegments>(*problem.manifold)->fitted(path);
     if (fitted == nullptr) break;

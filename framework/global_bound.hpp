@@ -2,15 +2,34 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 
+#include <leastcost/eigen_alignment.hpp>
+
 #include <leastcost/framework/options.hpp>
 
 namespace leastcost {
+
+/// What a lower bound of the least cost rests on.
+enum class BoundCategory {
+  proved,               ///< on nothing but the arithmetic of the machine and the C library
+  proved_given_bounds,  ///< on bounds of derivatives that the user states
+  sampled               ///< on values at points: no proof
+};
+Words<BoundCategory> words(BoundCategory);
+
+/// The box and the grid of a lower bound by a potential on cells.
+struct BoundGrid {
+  Eigen::AlignedBox2d box;            ///< the paths that the bound speaks of stay in it
+  std::array<int, 2> cells = {0, 0};  ///< of the finest grid over the whole box
+  double upper = 0;                   ///< of the cost of the delivered curve: the gap is between both
+};
 
 /// What a proof over all paths of the domain between two ends says, whatever class they are of.
 struct GlobalBound {
@@ -18,9 +37,14 @@ struct GlobalBound {
   std::string outcome = {};  ///< "proved", "improved" (proved, of a path cheaper than before), "bounded", "blocked"
   double lower_bound = 0;    ///< no path costs less
   double gap = 0;            ///< (cost of the delivered path - lower_bound) / cost
-  std::int64_t steps = 0;    ///< windows that were looked at
-  std::string bound = {};    ///< what the search aimed by: "euclid"
-  std::string reason = {};   ///< why it is blocked, in words
+  std::string scope = "global_on_polyhedron";  ///< of a certificate, when it is proved
+  std::int64_t steps = 0;                      ///< of the search
+  std::string counts = "windows";              ///< what the steps are
+  std::string bound = {};                      ///< what the search aimed by: "euclid"
+  std::string reason = {};                     ///< why it is blocked, in words
+  BoundCategory category = BoundCategory::proved;
+  std::optional<BoundGrid> grid = {};  ///< of a bound by a potential
+  double seconds = 0;                  ///< that it took
 };
 
 /// How far a proof over all paths may go.
@@ -29,11 +53,13 @@ struct GlobalBudget {
   double tolerance = 1e-9;
   std::optional<double> max_seconds = {};
   std::optional<int> max_windows = {};
+  std::optional<int> landmarks = {};  ///< that lower bounds come from
+  std::string index = {};             ///< file of landmarks; empty: none
   void fields(FieldVisitor& visit);
 };
 struct GlobalAuto {
   static constexpr std::string_view kType = "auto",
-                                    kHelp = "To the end on meshes of up to 20000 vertices, within a budget above.";
+                                    kHelp = "To the end on meshes of up to 20000 vertices, else within a budget.";
 };
 struct GlobalOff {
   static constexpr std::string_view kType = "off", kHelp = "Not tried: the certificate is a local one.";

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include <leastcost/framework/encloses_metric.hpp>
+#include <leastcost/framework/has_conformal_metric.hpp>
 #include <leastcost/framework/segment_cost.hpp>
 
 #include <leastcost/eigen_alignment.hpp>
@@ -22,8 +23,14 @@ class HasConstantMetric {
 };
 
 /// A cost that has it, in any dimension.
-class ConstantMetricCost : public SegmentCost, public HasConstantMetric, public EnclosesMetricBy<ConstantMetricCost> {
+class ConstantMetricCost : public SegmentCost,
+                           public HasConstantMetric,
+                           public HasConformalMetric,
+                           public EnclosesMetricBy<ConstantMetricCost> {
  public:
+  Eigen::MatrixXd base() const override { return metric(); }
+  IntervalJet<2> enclose_squared_index(std::span<const IntervalJet<2>>) const override { return 1.0; }
+  IntervalJet<3> enclose_squared_index(std::span<const IntervalJet<3>>) const override { return 1.0; }
   template <class Jet>
   void enclose(std::span<const Jet>, std::span<Jet> upper) const {
     const Eigen::MatrixXd g = metric();

@@ -5,7 +5,8 @@
 namespace leastcost {
 
 /// Ability of a domain of poses: its first ambient coordinates are the place of the origin of a body, in the plane or
-/// in space. A move takes that place along a straight line. Obstacles of the plane or of space keep it out.
+/// in space (of a terrain: the place on the map). A move takes that place along a straight line. Obstacles of the plane
+/// or of space keep it out.
 class HasOrigin {
  public:
   virtual ~HasOrigin() = default;

@@ -157,10 +157,16 @@ void PathEnergy::metrics(const CoordinatePath& path, Points& g) {
   const int d = dims_.ambient, k = dims_.coordinate;
   const Index columns = path.u.cols();
   g.resize(k, k * columns);
+  const bool at_rest = problem_->cost->traits().quadratic_at_rest;
+  constexpr double kShort = 1e-4;  // of a segment: what a Finsler cost has for a metric, it has in a direction
   Points three(d, 3);
   for (Index i = 0; i < columns; ++i) {
     if (i % kHessianPart == 0) look_at_clock(deadline_);
     three.colwise() = x.x.col(i);
+    if (!at_rest) {
+      const Index begin = std::min(i, x.segment_count() - 1);
+      three.col(0) -= kShort * (x.x.col(begin + 1) - x.x.col(begin));
+    }
     // A move from x to x: half its second derivative in the free end, which is the middle of three (the others are
     // constants).
     problem_->cost->chain_blocks({{three.data(), d, 3}, {}, false}, kernel, 1, HessianKind::exact, blocks_);

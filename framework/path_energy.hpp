@@ -59,8 +59,9 @@ class PathEnergy {
   void residuals(const CoordinatePath& path, Points& r, Points* jacobians);
 
   /// The metric G of the cost at every column of a path, q(x, x + v) = v' G v + o(|v|^2), side by side: coordinate x
-  /// (coordinate * columns). For methods that work with a metric instead of moves. Counts as an energy. Means nothing
-  /// where q is not twice differentiable at a = b, as that of a Finsler cost is not: it has no such G.
+  /// (coordinate * columns). For methods that work with a metric instead of moves. Counts as an energy. Where q is not
+  /// twice differentiable at a = b (a Finsler cost: `quadratic_at_rest` is false) it is the metric in the direction of
+  /// the path, half the Hessian of F^2 in v, from moves of a ten-thousandth of a segment.
   void metrics(const CoordinatePath& path, Points& g);
 
   /// Work that a back end did by means of its own.

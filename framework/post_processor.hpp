@@ -39,6 +39,10 @@ struct PostProcessed {
   Eigen::VectorXd curve_costs;  ///< cost of the curve between consecutive points of the chain
   std::vector<std::string> notes;
   bool collapsed = false;  ///< a ring that contracts to a point: there is no closed curve to deliver
+  bool unsolved = false;   ///< the chain is samples of the first path, which no solver has moved
+  /// A path that costs less than the curve and is of another class, say: the search begins anew from it, once, and what
+  /// costs less is delivered.
+  std::optional<CoordinatePath> cheaper = {};
 };
 
 /// Turns a solved chain into a curve on the domain (VFCS 4.4.3). Applied in the order given; each sees what the one

@@ -38,7 +38,8 @@ struct Replan {
 /// object per thread.
 class Replanner {
  public:
-  /// `options`: of each search; `points` is a number. A certificate is measured only where it is asked for:
+  /// `options`: of each search; `points` is a number, and `certificate.refine` is taken for 0: the time is that of one
+  /// chain. A certificate is measured only where it is asked for:
   ///
   ///     Replanner planner(solver, initializer, {.points = 100, .certificate = {.enabled = false}});
   ///

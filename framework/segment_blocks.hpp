@@ -176,7 +176,8 @@ void gauss_newton_block(const C& c, const SegmentEnds<C::dim>& e, const Kernel& 
 
 /// lim c(x, x + e v) / e for e -> 0+: sqrt(v' q_bb v / 2) at a = b = x from one second-order directional dual. Where q
 /// is not twice differentiable there (a Finsler cost: |b - a| has no second derivatives), from short moves, to about
-/// 1e-9. +infinity outside the domain of the cost.
+/// 1e-9: a cost that says so is not asked, for it may return any number there. +infinity outside the domain of the
+/// cost.
 template <class C>
 double line_element_from_hessian(const C& c, const Point<double, C::dim>& x, const Point<double, C::dim>& v) {
   using S = detail::Dual11;
@@ -189,8 +190,10 @@ double line_element_from_hessian(const C& c, const Point<double, C::dim>& x, con
     size = std::max(size, std::abs(x[k]));
     speed = std::max(speed, std::abs(v[k]));
   }
-  const double half = c.template value<S>(a, b).d[0].d[0] / 2;
-  if (half >= 0) return std::sqrt(half);
+  if (c.traits().quadratic_at_rest) {
+    const double half = c.template value<S>(a, b).d[0].d[0] / 2;
+    if (half >= 0) return std::sqrt(half);
+  }
   return detail::short_move_limit(size, speed, [&](double e) {
     Point<double, C::dim> end = x;
     for (Index k = 0; k < x.size(); ++k) end[k] += e * v[k];

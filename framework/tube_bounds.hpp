@@ -24,16 +24,17 @@ class TubeBounds {
 
   /// Looks at `most_boxes` before it takes the bounds as they are.
   TubeBounds(const TubeField<N, D>& field, Index most_boxes, const Deadline& deadline)
-      : field_(field), most_boxes_(most_boxes), deadline_(deadline) {}
+      : field_(field), most_boxes_(most_boxes), kinks_left_(most_boxes), deadline_(deadline) {}
 
   /// The cost of a part of the curve, by Taylor's theorem: the third derivative of the speed bounds what its parabola
-  /// leaves out.
-  Interval curve_cost(const TubeSegment<N, D>& segment, const Interval& range, double enough, int depth = 0) const {
+  /// leaves out. Where there is none, at a kink, the part is halved until only a short one holds the kink.
+  Interval curve_cost(const TubeSegment<N, D>& segment, const Interval& range, double enough, int depth = 0) {
     constexpr int kDeepest = 3, kMostParts = 4;
     look_at_clock(deadline_);
     const double middle = range.middle(), half = range.width() / 2 * (1 + 1e-15);
     const TubeSegment<N, D> here = segment.around(middle);
     const IntervalJet<N> speed = field_.on_curve(here, {-half, half}).speed;
+    if (!speed.d(0, 0, 0).is_finite()) return kinked_cost(segment, range, speed.value(), enough);
     const Interval r(range.width() / 2 * (1 - 1e-15), half), r3 = r * square(r);
     const double odd = speed.d(0, 0, 0).width() * (r3 * r).hi / 24;
     const Interval sum =
@@ -89,6 +90,15 @@ class TubeBounds {
 
  private:
   using Box = std::array<Interval, kAcross>;
+
+  /// The cost of a part with a kink in it, which falls as the square of its length.
+  Interval kinked_cost(const TubeSegment<N, D>& segment, const Interval& range, const Interval& speed, double enough) {
+    const Interval sum = speed * (Interval(range.hi) - Interval(range.lo));
+    if (!sum.is_finite() || sum.width() <= enough || kinks_left_ == 0) return sum;
+    --kinks_left_;
+    const double middle = range.middle();
+    return curve_cost(segment, {range.lo, middle}, enough / 2) + curve_cost(segment, {middle, range.hi}, enough / 2);
+  }
 
   /// A bound of the eigenvalues of the Hessian of f across the curve where the largest coordinate is in `radius`.
   double shell_curvature(const TubeSegment<N, D>& segment, const Interval& radius) {
@@ -176,7 +186,8 @@ class TubeBounds {
   std::map<std::pair<double, double>, typename TubeField<N, D>::OnCurve>
       on_curve_;  ///< of parts of the segment at hand
   Index boxes_ = 0, most_boxes_;
-  double seen_ = 0;  ///< largest squared slope met on the curve in a segment
+  Index kinks_left_;  ///< parts with a kink that may still be halved
+  double seen_ = 0;   ///< largest squared slope met on the curve in a segment
   const Deadline& deadline_;
 };
 

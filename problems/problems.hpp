@@ -6,16 +6,28 @@
 /// Kernels, costs, manifolds, initializers, post-processors and readers. What this header reaches is public and
 /// installed; everything else in the folder is internal.
 
+#include <leastcost/problems/bracket/bracket.hpp>
 #include <leastcost/problems/chart/target_images.hpp>
 #include <leastcost/problems/costs/clearance_length.hpp>
+#include <leastcost/problems/costs/combined_cost.hpp>
+#include <leastcost/problems/costs/cost_map.hpp>
 #include <leastcost/problems/costs/end_effector_length.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
+#include <leastcost/problems/costs/formula_cost.hpp>
 #include <leastcost/problems/costs/kinetic_energy.hpp>
+#include <leastcost/problems/costs/layers.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
+#include <leastcost/problems/costs/refractive_index.hpp>
 #include <leastcost/problems/costs/travel_time.hpp>
+#include <leastcost/problems/costs/walking.hpp>
 #include <leastcost/problems/costs/weighted_length.hpp>
+#include <leastcost/problems/costs/zermelo.hpp>
 #include <leastcost/problems/exact/exact_search.hpp>
+#include <leastcost/problems/exact/landmark_file.hpp>
+#include <leastcost/problems/fields/descent.hpp>
+#include <leastcost/problems/fields/fast_marching.hpp>
+#include <leastcost/problems/fields/heat.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/initializers/coordinate_circle.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
@@ -28,6 +40,7 @@
 #include <leastcost/problems/kernels/kernels.hpp>
 #include <leastcost/problems/manifolds/angle.hpp>
 #include <leastcost/problems/manifolds/constraint.hpp>
+#include <leastcost/problems/manifolds/earth.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
 #include <leastcost/problems/manifolds/map.hpp>
@@ -37,18 +50,26 @@
 #include <leastcost/problems/manifolds/pose.hpp>
 #include <leastcost/problems/manifolds/product.hpp>
 #include <leastcost/problems/manifolds/signed_distance.hpp>
+#include <leastcost/problems/manifolds/terrain.hpp>
 #include <leastcost/problems/mesh/mesh_report.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
 #include <leastcost/problems/obstacles/checker_walls.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
+#include <leastcost/problems/obstacles/grid_obstacle.hpp>
 #include <leastcost/problems/obstacles/map_obstacles.hpp>
 #include <leastcost/problems/obstacles/mesh_obstacle.hpp>
 #include <leastcost/problems/obstacles/polygon.hpp>
+#include <leastcost/problems/obstacles/raster_obstacles.hpp>
 #include <leastcost/problems/occupancy/occupancy_options.hpp>
+#include <leastcost/problems/post_processors/bracket.hpp>
+#include <leastcost/problems/post_processors/fastest_refraction.hpp>
 #include <leastcost/problems/post_processors/on_surface.hpp>
+#include <leastcost/problems/post_processors/refract.hpp>
 #include <leastcost/problems/post_processors/shortest.hpp>
+#include <leastcost/problems/post_processors/shortest_plan.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>
+#include <leastcost/problems/post_processors/switchbacks.hpp>
 #include <leastcost/problems/post_processors/taut.hpp>
 #include <leastcost/problems/post_processors/trace.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>

@@ -9,6 +9,7 @@
 #include <CLI/Formatter.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <ostream>
@@ -22,16 +23,26 @@
 namespace leastcost::app {
 namespace {
 
+/// `ends: {pairs: FILE}` in the place of the ends that the configuration has. The file is relative to the current
+/// folder, as all of the command line is.
+Override pairs_option(const std::string& file) {
+  std::string quoted = "'";
+  for (const char c : std::filesystem::absolute(file).string()) quoted += c == '\'' ? "''" : std::string(1, c);
+  return {"ends={pairs: " + quoted + "'}", "--pairs " + file};
+}
+
 /// What the options of all commands write into; a command reads what it has declared.
 struct Values {
-  std::string config, output, seed, kind, type, name, mesh, shard, timeout, repetitions, format = "text";
+  std::string config, output, pairs, seed, kind, type, name, mesh, shard, timeout, repetitions, format = "text";
   std::vector<std::string> configs, set;
-  int parallel = 1;
+  int parallel = 1, vertex = 0;
   bool force = false, dry_run = false, quiet = false, verbose = false, weld = false, resume = false;
 
+  bool json_lines() const { return format == "jsonl"; }
   bool json() const { return format == "json"; }
   std::vector<Override> overrides() const {
     std::vector<Override> all;
+    if (!pairs.empty()) all.push_back(pairs_option(pairs));  // before what --set adds to it
     for (const std::string& assignment : set) all.push_back(set_option(assignment));
     if (!seed.empty()) all.push_back(seed_option(seed));
     if (!timeout.empty()) all.push_back({"max_seconds=" + timeout, "--timeout " + timeout});
@@ -72,17 +83,32 @@ void add_output(CLI::App& command, Values& v, const char* help, const char* type
   command.add_option("-o,--output", v.output, help)->type_name(type)->check(empty_fault);
 }
 
+constexpr const char* kPairsHelp =
+    "Many pairs of ends: a CSV file, one pair per line. Its header is source,target for numbers of vertices, or\n"
+    "source_x,source_y,..,target_x,.. for points, coordinates as the domain names them; other columns are left alone.\n"
+    "Each pair becomes one line of paths.jsonl, a wrong one too, in the order of the file. Exit codes: 0 every pair "
+    "is\n"
+    "certified, 5 every pair has a path, 7 some have none, 130 interrupted (--resume goes on), others as for one path";
+
 void add_run(CLI::App& app, Values& v, const std::vector<std::string>& arguments, const Streams& streams,
              Command& chosen) {
-  CLI::App& c = *app.add_subcommand("run", "Find a least-cost path and write its results");
+  CLI::App& c = *app.add_subcommand("run", "Find a least-cost path, or one for each of many pairs, and write results");
+  c.footer(kPairsHelp);
   c.add_option("config", v.config,
                "Configuration (YAML); - reads it from standard input, with files relative to the current folder")
       ->required()
       ->type_name("CONFIG");
   add_set(c, v);
-  add_format(c, v);
+  c.add_option("--format", v.format, "text or json; of many pairs also jsonl: the lines of paths.jsonl")
+      ->check(CLI::IsMember({"text", "json", "jsonl"}))
+      ->type_name("FORMAT");
   add_output(c, v, "Output folder; default: results/<name>", "DIR");
-  c.add_flag("--force", v.force, "Replace an output folder of an earlier run");
+  c.add_option("--pairs", v.pairs, "A path for each pair of this CSV file, in the place of the configuration's ends")
+      ->type_name("FILE")
+      ->check(empty_fault);
+  c.add_option("-j,--jobs", v.parallel, "With many pairs: threads")->type_name("N")->check(CLI::Range(1, 1024));
+  auto* resume = c.add_flag("--resume", v.resume, "With many pairs: go on where an interrupted or killed run ended");
+  c.add_flag("--force", v.force, "Replace an output folder of an earlier run")->excludes(resume);
   c.add_flag("-n,--dry-run", v.dry_run, "Check everything, input files included, and say what would be done");
   auto* quiet = c.add_flag("-q,--quiet", v.quiet, "No progress");
   c.add_flag("-v,--verbose", v.verbose, "More about the result")->excludes(quiet);
@@ -91,6 +117,9 @@ void add_run(CLI::App& app, Values& v, const std::vector<std::string>& arguments
       RunArguments run{{v.config, v.overrides(), v.output, v.force, arguments}, v.dry_run, v.json(), Verbosity::normal};
       if (v.quiet) run.verbosity = Verbosity::quiet;
       if (v.verbose) run.verbosity = Verbosity::verbose;
+      run.json_lines = v.json_lines();
+      run.resume = v.resume;
+      run.threads = v.parallel;
       return run_command(run, streams);
     };
   });
@@ -204,6 +233,18 @@ void add_helpers(CLI::App& app, Values& v, const Streams& streams, Command& chos
   doctor.add_flag("--weld", v.weld, "After merging vertices with equal positions");
   add_format(doctor, v);
   doctor.callback([&] { chosen = [&] { return doctor_command(v.mesh, v.weld, v.json(), streams); }; });
+
+  CLI::App& distances = *app.add_subcommand("distances", "Exact distances over a mesh, from one vertex to all others");
+  distances.add_option("mesh", v.mesh, "OBJ, OFF, PLY or STL file")->required()->type_name("MESH");
+  distances.add_option("--from", v.vertex, "Vertex of the file, from 0")
+      ->required()
+      ->type_name("VERTEX")
+      ->check(CLI::NonNegativeNumber);
+  distances.add_flag("--weld", v.weld, "After merging vertices with equal positions");
+  add_output(distances, v, "Write to this file: .csv, .vtp or .ply; default: CSV on standard output", "FILE");
+  distances.callback([&] {
+    chosen = [&] { return distances_command({v.mesh, v.vertex, v.output, v.weld}, streams); };
+  });
 }
 
 std::vector<std::string> names_of(const std::vector<CLI::App*>& commands) {
@@ -251,7 +292,8 @@ Exit parse_and_run(const std::vector<std::string>& arguments, const Streams& str
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 certified, 1 internal error, 2 usage, 3 configuration, 4 input, 5 uncertified or collapsed,\n"
-      "6 no path, 7 part of a study failed, 8 output or another condition of the host, 130 interrupted");
+      "6 no path, 7 part of a study or of many pairs failed, 8 output or another condition of the host, 130 "
+      "interrupted");
   Command chosen;
   add_run(app, values, arguments, streams, chosen);
   add_study(app, values, arguments, streams, chosen);

@@ -19,6 +19,10 @@ struct RunArguments {
   bool dry_run = false;
   bool json = false;
   Verbosity verbosity = Verbosity::normal;
+  // Of a run of many pairs:
+  bool json_lines = false;  ///< every line of paths.jsonl on standard output
+  bool resume = false;
+  int threads = 1;
 };
 
 struct StudyArguments {
@@ -33,6 +37,15 @@ struct MergeArguments {
   bool json = false;
 };
 
+struct DistancesArguments {
+  std::string mesh;
+  int vertex = 0;      ///< of the file
+  std::string output;  ///< empty: CSV on stdout
+  bool weld = false;
+};
+
+/// What run_command() does where the configuration has many pairs of ends.
+Exit pairs_command(const Run& run, const RunArguments& arguments, const Streams& streams);
 /// Each command returns the exit code of the program. They throw what they do not handle; see exit_of_exception().
 Exit run_command(const RunArguments& arguments, const Streams& streams);
 Exit study_command(const StudyArguments& arguments, const Streams& streams);
@@ -48,6 +61,8 @@ Exit describe_command(const std::string& kind, const std::string& type, const St
 /// `name`: empty for the list of templates; `file`: empty for stdout.
 Exit init_command(const std::string& name, const std::string& file, bool force, const Streams& streams);
 Exit doctor_command(const std::string& file, bool weld, bool json, const Streams& streams);
+/// Exact distances from one vertex of a mesh to all others.
+Exit distances_command(const DistancesArguments& arguments, const Streams& streams);
 
 /// Prints what the exception in flight says and returns its exit code. Call it in a catch block only.
 Exit exit_of_exception(const Streams& streams, bool json);

@@ -63,6 +63,18 @@ void ProgressPrinter::show_building(double part, std::string_view phase) {
     show_line(line, done, new_phase, true);
 }
 
+void ProgressPrinter::show_part(std::string_view what, double part, std::string_view words) {
+  if (quiet_) return;
+  if (streams_.err_is_terminal ? Clock::now() - last_shown_ < kBarInterval : Clock::now() - start_ < kSilentStart)
+    return;  // may be asked for every millisecond
+  const int done = std::clamp(static_cast<int>(100 * part), 0, 100);
+  const std::string line = fmt::format("{:<12} {}", what, words);
+  if (streams_.err_is_terminal)
+    show_bar(line, done);
+  else
+    show_line(line, done, false, true);
+}
+
 void ProgressPrinter::show_bar(const std::string& line, int percent) {
   const auto now = Clock::now();
   if (now - last_shown_ < kBarInterval) return;

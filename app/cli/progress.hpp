@@ -23,6 +23,8 @@ class ProgressPrinter {
   void show(const Progress& progress);
   /// A domain that is being made.
   void show_building(double part, std::string_view phase);
+  /// Of much work of one kind: what it is, how much is done, and how far that is in words.
+  void show_part(std::string_view what, double part, std::string_view words);
   /// Takes the bar away, so that other lines can follow.
   void clear();
 

@@ -6,6 +6,7 @@
 #include <new>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <utility>
 
 #include "app/cli/commands.hpp"
 #include "app/cli/interrupt.hpp"
@@ -13,18 +14,30 @@
 #include "app/cli/summary.hpp"
 #include "catalogue/output/json_numbers.hpp"
 #include "catalogue/output/output_folder.hpp"
+#include "catalogue/run/run_origin.hpp"
 
 namespace leastcost::app {
 namespace {
 
+std::string error_label(const Streams& streams) { return streams.color ? "\033[1;31merror:\033[0m" : "error:"; }
+
+/// Whether options that only a run of many pairs has are given to one without.
+bool misses_pairs(const RunArguments& arguments, const Run& run, const Streams& streams) {
+  if (run.origin->pairs || !(arguments.json_lines || arguments.resume || arguments.threads > 1)) return false;
+  streams.err << error_label(streams)
+              << " --resume, -j and --format jsonl are for a run of many pairs of ends: --pairs FILE, or ends: {pairs: "
+                 "FILE} in the configuration\n";
+  return true;
+}
+
 Exit dry_run(const RunArguments& arguments, const Streams& streams) {
   const Run prepared = load(arguments.request);
+  if (misses_pairs(arguments, prepared, streams)) return Exit::usage;
+  if (prepared.origin->pairs) return pairs_command(prepared, arguments, streams);
   streams.out << (arguments.json ? dry_run_json(arguments.request, prepared)
                                  : dry_run_text(arguments.request, prepared));
   return Exit::certified;
 }
-
-std::string error_label(const Streams& streams) { return streams.color ? "\033[1;31merror:\033[0m" : "error:"; }
 
 /// A run without a result still gives a program one object to read.
 std::string without_result(bool json, const char* status, const std::string& message) {
@@ -92,7 +105,13 @@ Exit run_command(const RunArguments& arguments, const Streams& streams) {
   RunRequest request = arguments.request;
   request.building = [&](double part, std::string_view phase) { progress.show_building(part, phase); };
   try {
-    const WrittenRun outcome = run(load_or_end(request, arguments.json, streams), request, monitor);
+    Run loaded = load_or_end(request, arguments.json, streams);
+    if (misses_pairs(arguments, loaded, streams)) return Exit::usage;
+    if (loaded.origin->pairs) {
+      progress.clear();
+      return pairs_command(loaded, arguments, streams);
+    }
+    const WrittenRun outcome = run(std::move(loaded), request, monitor);
     progress.clear();
     streams.out << (arguments.json ? summary_json(outcome)
                                    : summary_text(outcome, arguments.verbosity == Verbosity::verbose))

@@ -56,6 +56,14 @@ std::string cost_line(const WrittenRun& run) {
   return line;
 }
 
+/// What is proved of all paths in a box.
+std::string bracket_line(const GlobalBound& global) {
+  if (global.outcome == "blocked") return "nothing proved: " + global.reason;
+  return fmt::format("no path in this box is cheaper by more than {:.2g} % ({}, {} x {} cells, {:.2g} s)",
+                     100 * global.gap, word_of(global.category), global.grid->cells[0], global.grid->cells[1],
+                     global.seconds);
+}
+
 std::string solver_line(const WrittenRun& run) {
   const SolveReport& report = run.result.solve;
   std::string line =
@@ -130,6 +138,8 @@ std::string summary_text(const WrittenRun& run, bool verbose) {
   for (const CertificateFailure& f : result.certificate.failures)
     out += row("", fmt::format("{}: {}", f.name, f.message));
   out += row("cost", cost_line(run));
+  if (const auto& global = result.certificate.global; global && global->counts == "cells")
+    out += row("bracket", bracket_line(*global));
   if (result.certificate.measured && std::isfinite(result.curve.cost))
     out += row("spacing", fmt::format("{:.3g} (largest / smallest segment cost - 1)", result.certificate.spacing));
   out += row("points", fmt::format("{}{}", result.path.free_count(), shape_of(run)));

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "catalogue/options/run_visitor.hpp"
+#include "catalogue/plugins/run_visitor.hpp"
 
 namespace leastcost::app {
 

@@ -160,8 +160,11 @@ Json run_schema() {
       {"properties", {{"path", {{"properties", {{"ring", {{"const", true}}}}}, {"required", {"ring"}}}}}},
       {"required", {"path"}}};
   out["if"] = ring;
-  out["then"] = {{"properties", {{"ends", {{"not", {{"required", {"target"}}}}}}}}, {"required", {"initializer"}}};
-  out["else"] = {{"properties", {{"ends", {{"required", {"target"}}}}}}, {"required", {"ends"}}};
+  const Json beyond = {{"anyOf", {{{"required", {"target"}}}, {{"required", {"pairs"}}}}}};
+  const Json fixed_point = {{"required", {"source"}}, {"not", beyond}};
+  const Json two_or_many = {{"oneOf", {{{"required", {"source", "target"}}}, {{"required", {"pairs"}}}}}};
+  out["then"] = {{"properties", {{"ends", fixed_point}}}, {"required", {"initializer"}}};
+  out["else"] = {{"properties", {{"ends", two_or_many}}}, {"required", {"ends"}}};
   return out;
 }
 

@@ -23,6 +23,8 @@ std::vector<ReportFile> make_report(const fs::path& folder) {
   if (!manifest.has("program") || manifest.text("program") != kProgramName)
     throw InputError(file.string() + ": was not written by leastcost");
   if (manifest.has("kind") && manifest.text("kind") == "study") return study_report(folder);
+  if (manifest.has("kind") && manifest.text("kind") == "pairs")
+    throw InputError(folder.string() + ": a run of many pairs has no report; its lines are in paths.jsonl");
   return {{"report.html", run_report(folder)}};
 }
 

@@ -46,7 +46,7 @@ void write_files(WrittenRun& outcome, const RunRequest& request, const Monitor& 
     std::string missing;
     if (leaves_out_report(outcome, monitor))
       outcome.result.notes.emplace_back("interrupted: the report was left out; leastcost report makes it");
-    else
+    else if (outcome.origin->config.writes("report"))
       missing = add_report(outcome, folder);
     folder.commit();
     outcome.in_place = true;

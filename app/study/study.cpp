@@ -12,6 +12,7 @@
 #include "app/study/rows/row_json.hpp"
 #include "app/study/study_facts.hpp"
 #include "app/study/study_files.hpp"
+#include "catalogue/output/growing_folder.hpp"
 #include "catalogue/output/manifest.hpp"
 #include "catalogue/output/output_folder.hpp"
 
@@ -50,51 +51,6 @@ CellResult result_of(const Task& task, IsolatedEnd end) {
   }
   result.row.message = std::move(end.text);
   return result;
-}
-
-/// Whether a study was killed in this folder before it had a journal.
-bool barely_begun(const fs::path& folder) {
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-    if (entry.path().stem() != "manifest" && entry.path().stem() != "manifest.json") return false;
-  return true;
-}
-
-/// Throws OutputRefused where the results of the request may not be put there.
-void check_place(const StudyRequest& request, const fs::path& folder) {
-  std::error_code error;
-  const bool holds_study = fs::exists(folder / "journal.jsonl", error);
-  if (request.resume && (holds_study || barely_begun(folder))) return;
-  if (request.resume && fs::is_directory(folder, error))
-    throw OutputRefused(folder.string() + ": holds no study that could be resumed (no journal.jsonl)");
-  OutputRefusal refusal = output_refusal(folder, request.force);
-  if (refusal.empty()) return;
-  if (holds_study && !request.force) refusal.reason += "; --resume goes on with the study in it";
-  throw OutputRefused(refusal.reason, refusal.replaceable);
-}
-
-/// A folder for a new study, or the one to go on in.
-fs::path prepare_folder(const StudyRequest& request, const StudyGrid& grid) {
-  std::error_code error;
-  fs::path folder = fs::weakly_canonical(fs::absolute(output_of(request, grid)), error);
-  if (!folder.has_filename()) folder = folder.parent_path();
-  if (error) throw OutputError(fmt::format("{}: {}", folder.string(), error.message()));
-  check_place(request, folder);
-  fs::create_directories(folder, error);
-  if (error) throw OutputError(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
-  return folder;
-}
-
-/// The folder of an earlier study or run, for a new one. The journal has been emptied. What is none of ours has come
-/// since the folder was looked at, and stays.
-void clear(const fs::path& folder) {
-  std::error_code error;
-  std::vector<fs::path> ours;
-  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator(); entry.increment(error))
-    if (is_result_file(entry->path()) && entry->path().filename() != "journal.jsonl" &&
-        entry->path().filename() != "manifest.json")
-      ours.push_back(entry->path());
-  for (const fs::path& file : ours) fs::remove(file, error);
 }
 
 std::vector<InputFile> inputs_of(const StudyGrid& grid, const StudyFacts& facts) {
@@ -136,7 +92,7 @@ Journal open_journal(const StudyRequest& request, const StudyFacts& facts, Study
   const fs::path file = outcome.output / "journal.jsonl";
   if (request.resume) return Journal::resume(file, facts, request.shard, outcome.journal);
   Journal journal = Journal::create(file, facts, request.shard, request.force);
-  clear(outcome.output);
+  clear_folder(outcome.output, "journal.jsonl");
   outcome.journal = {facts, request.shard, {}};
   return journal;
 }
@@ -159,7 +115,7 @@ StudyOutcome run_study(const StudyRequest& request) {
   manifest.inputs = inputs_of(grid, facts);
 
   StudyOutcome outcome;
-  outcome.output = prepare_folder(request, grid);
+  outcome.output = prepare_folder({output_of(request, grid), "journal.jsonl", "study", request.force, request.resume});
   const auto write_manifest = [&] {
     manifest.finished = std::chrono::system_clock::now();
     write_whole_file(outcome.output / "manifest.json", manifest_json(manifest));

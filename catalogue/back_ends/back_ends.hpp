@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
+
+#include <leastcost/problems/raster/raster_options.hpp>
 
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/plugins/registration.hpp"
@@ -15,15 +17,25 @@ namespace leastcost {
 /// library was not found are there too, and say how to get it. Its definition is written by CMake.
 std::vector<SolverPlugin> back_ends();
 
+/// The same for first paths: OMPL's planners (ompl/CMakeLists.txt).
+std::vector<InitializerPlugin> planners();
+
+/// Reads a raster file; throws InputError.
+using RasterReader = RasterFile (*)(const std::filesystem::path& file);
+/// GDAL (gdal/CMakeLists.txt); null in builds without it.
+RasterReader raster_reader_of_libraries();
+
 /// What this build has. `library`: with its version.
-inline SolverPlugin present(SolverPlugin entry, std::string library) {
-  entry.library = std::move(library);
+template <class P>
+P present(P entry, const std::string& library) {
+  entry.library = library;
   return entry;
 }
 
 /// What this build has not. `package`: that of Debian.
-inline SolverPlugin absent(const char* type, const char* summary, const char* package) {
-  SolverPlugin entry;
+template <class P = SolverPlugin>
+P absent(const char* type, const char* summary, const char* package) {
+  P entry;
   entry.type = type;
   entry.summary = summary;
   entry.missing = std::string("install ") + package + " (Debian) and build again";

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "catalogue/options/run_visitor.hpp"
+#include "catalogue/plugins/run_visitor.hpp"
 #include "catalogue/yaml/config_node.hpp"
 
 namespace leastcost {

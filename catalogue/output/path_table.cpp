@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <leastcost/problems/manifolds/file_places.hpp>
+#include "problems/chart/chart_images.hpp"
 #include "problems/formula/coordinate_names.hpp"
 
 namespace leastcost {
@@ -43,7 +44,8 @@ PathTable table_of(const Problem& problem, const CoordinatePath& points) {
   table.x = positions(*problem.manifold, points);
   table.x_names = space_coordinates(*problem.manifold);
   if (const auto* chart = find_ability<HasChart>(*problem.manifold)) {
-    table.chart = points.u;
+    const auto* images = find_ability<HasImages>(*problem.manifold);
+    table.chart = images != nullptr ? continued(*images, points.u) : points.u;
     table.chart_names = chart->coordinate_names();
   }
   table.ring = points.ring;

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include <leastcost/catalogue/output/write_run.hpp>
+#include <leastcost/framework/has_interfaces.hpp>
 #include "catalogue/output/json_numbers.hpp"
 #include "catalogue/run/run_origin.hpp"
 
@@ -113,9 +115,44 @@ Json waypoints_json(const Waypoints& points) {
 /// What a proof over all paths says; null where none was tried.
 Json global_json(const std::optional<GlobalBound>& global) {
   if (!global) return nullptr;
-  return {{"outcome", global->outcome}, {"lower_bound", number(global->lower_bound)},
-          {"gap", number(global->gap)}, {"windows", global->steps},
-          {"bound", global->bound},     {"reason", global->reason.empty() ? Json(nullptr) : Json(global->reason)}};
+  Json out = {{"outcome", global->outcome},
+              {"category", std::string(word_of(global->category))},
+              {"lower_bound", number(global->lower_bound)},
+              {"gap", number(global->gap)},
+              {global->counts, global->steps},
+              {"bound", global->bound},
+              {"seconds", number(global->seconds)},
+              {"reason", global->reason.empty() ? Json(nullptr) : Json(global->reason)}};
+  if (!global->grid) return out;
+  out["upper_bound"] = number(global->grid->upper);
+  out["box"] = {{"lower", list(Eigen::VectorXd(global->grid->box.min()))},
+                {"upper", list(Eigen::VectorXd(global->grid->box.max()))}};
+  out["grid"] = global->grid->cells;
+  return out;
+}
+
+/// Where the path meets interfaces, with the angles to their normals.
+Json crossings_json(const HasInterfaces& cost, const Points& curve) {
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  Json out = Json::array();
+  for (const Crossing& c : cost.crossings(curve))
+    out.push_back({{"place", list(c.place)},
+                   {"interface", c.interface},
+                   {"layers", {c.from, c.to}},
+                   {"indices", {number(c.index_before), number(c.index_after)}},
+                   {"degrees", {number(kDegrees * c.angle_before), number(kDegrees * c.angle_after)}},
+                   {"slowness", number(c.slowness)},
+                   {"mismatch", number(c.mismatch)}});
+  return out;
+}
+
+/// How the cost that is meant lies to the one that was minimised; null where they are the same.
+Json regularization_json(const std::optional<Regularization>& r) {
+  if (!r) return nullptr;
+  return {{"below", number(r->below)},
+          {"above", number(r->above)},
+          {"free_share", number(r->free_share)},
+          {"free_ways", r->free_ways.empty() ? Json(nullptr) : Json(r->free_ways)}};
 }
 
 Json certificate_json(const Certificate& c, const CertificateOptions& options) {
@@ -140,6 +177,7 @@ Json certificate_json(const Certificate& c, const CertificateOptions& options) {
           {"straightness", number(c.straightness)},
           {"asymmetry", number(c.asymmetry)},
           {"geometry_error", number(c.geometry_error)},
+          {"regularization", regularization_json(c.regularization)},
           {"levels", levels(c)},
           {"thresholds", thresholds(options)}};
 }
@@ -237,6 +275,9 @@ std::string result_json(const RunOutcome& run) {
   out["seconds"] = seconds(run);
   out["ends"] = ends(run);
   if (!run.family.empty()) out["family"] = family(run);
+  if (const auto* cost = find_ability<HasInterfaces>(*run.parts.problem.cost);
+      cost != nullptr && result.curve.least_of_class)
+    out["crossings"] = crossings_json(*cost, result.curve.x);
   if (run.waypoints) out["waypoints"] = waypoints_json(*run.waypoints);
   out["notes"] = notes(run);
   return to_text(out);

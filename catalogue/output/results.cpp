@@ -9,6 +9,7 @@
 #include <span>
 
 #include <leastcost/framework/errors.hpp>
+#include "catalogue/output/geojson.hpp"
 #include "catalogue/output/manifest.hpp"
 #include "catalogue/output/path_table.hpp"
 #include "catalogue/run/run_origin.hpp"
@@ -42,17 +43,22 @@ ManifestFacts facts_of(const RunOutcome& outcome, const std::vector<std::string>
 
 /// Polylines: the delivered points and curve, and the curves of the family.
 void write_paths(const RunOutcome& outcome, OutputFolder& folder) {
+  const RunConfig& config = outcome.origin->config;
   const PathTable points = delivered_points(outcome.parts.problem, outcome.result);
   const PathTable curve = delivered_curve(outcome.parts.problem, outcome.result);
-  const bool curve_differs = curve.x.cols() != points.x.cols() || curve.x != points.x;
-  folder.write("curve.csv", csv_text(curve));
-  std::vector<PathTable> lines = {points};
-  if (curve_differs) lines.push_back(curve);
-  for (std::size_t k = 1; k < outcome.family.size(); ++k)
-    lines.push_back(delivered_curve(outcome.family[k].problem, outcome.family[k].result));
-  folder.write("path.vtp", vtp_text(lines));
-  folder.write("path.obj", obj_text(curve));
-  const std::string residuals = residuals_csv(outcome.parts.problem, curve);
+  if (config.writes("curve")) folder.write("curve.csv", csv_text(curve));
+  if (config.writes("vtp")) {
+    const bool curve_differs = curve.x.cols() != points.x.cols() || curve.x != points.x;
+    std::vector<PathTable> lines = {points};
+    if (curve_differs) lines.push_back(curve);
+    for (std::size_t k = 1; k < outcome.family.size(); ++k)
+      lines.push_back(delivered_curve(outcome.family[k].problem, outcome.family[k].result));
+    folder.write("path.vtp", vtp_text(lines));
+  }
+  if (config.writes("obj")) folder.write("path.obj", obj_text(curve));
+  const std::string geojson = config.writes("geojson") ? geojson_text(outcome) : "";
+  if (!geojson.empty()) folder.write("path.geojson", geojson);
+  const std::string residuals = config.writes("residuals") ? residuals_csv(outcome.parts.problem, curve) : "";
   if (!residuals.empty()) folder.write("residuals.csv", residuals);
 }
 
@@ -68,21 +74,25 @@ RenameFile from_output(const fs::path& folder_of_config, const fs::path& output)
 
 void write_results(RunOutcome& outcome, const std::vector<std::string>& arguments, OutputFolder& folder) {
   const auto start = std::chrono::steady_clock::now();
+  const RunConfig& config = outcome.origin->config;
   // What was solved comes first: a disk may be full after it.
-  folder.write("result.json", result_json(outcome));
-  folder.write("path.csv", csv_text(delivered_points(outcome.parts.problem, outcome.result)));
-  folder.write("config.resolved.yaml", resolved_config(outcome, folder.target()));
+  if (config.writes("result")) folder.write("result.json", result_json(outcome));
+  if (config.writes("path"))
+    folder.write("path.csv", csv_text(delivered_points(outcome.parts.problem, outcome.result)));
+  if (config.writes("config")) folder.write("config.resolved.yaml", resolved_config(outcome, folder.target()));
   folder.write("manifest.json", manifest_json(facts_of(outcome, arguments)));
   write_paths(outcome, folder);
-  if (outcome.waypoints)
+  if (outcome.waypoints && config.writes("waypoints"))
     folder.write("waypoints.csv", csv_text(waypoint_table(outcome.parts.problem, *outcome.waypoints)));
-  folder.write("history.csv", history_csv(outcome.result.solve.history));
-  folder.write("first_path.csv", first_path_csv(outcome.parts.problem, outcome.result.first));
+  if (config.writes("history")) folder.write("history.csv", history_csv(outcome.result.solve.history));
+  if (config.writes("first_path"))
+    folder.write("first_path.csv", first_path_csv(outcome.parts.problem, outcome.result.first));
   const std::span<const FamilyMember> family = outcome.family;
-  folder.write("scene.json",
-               scene_json(make_scene(outcome.parts.problem, outcome.result, family.subspan(family.empty() ? 0 : 1))));
+  if (config.writes("scene"))
+    folder.write("scene.json",
+                 scene_json(make_scene(outcome.parts.problem, outcome.result, family.subspan(family.empty() ? 0 : 1))));
   outcome.seconds.write = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  folder.write("result.json", result_json(outcome));
+  if (config.writes("result")) folder.write("result.json", result_json(outcome));
 }
 
 std::filesystem::path write_run(const RunOutcome& outcome, const fs::path& folder, const WriteOptions& options) {

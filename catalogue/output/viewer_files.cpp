@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "catalogue/output/path_table.hpp"
+#include "catalogue/output/vtp.hpp"
 
 namespace leastcost {
 namespace {
@@ -26,13 +27,6 @@ std::string row_text(const Vector& values) {
   return fmt::format("{:.17g}", fmt::join(values, " "));
 }
 
-std::string array(const char* name, Index components, const char* type, const std::string& values) {
-  return fmt::format(
-      "        <DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n{}        "
-      "</DataArray>\n",
-      type, name, components, values);
-}
-
 /// One line of text per point of all polylines.
 template <class Value>
 std::string over_points(const std::vector<PathTable>& lines, Value value) {
@@ -45,14 +39,14 @@ std::string over_points(const std::vector<PathTable>& lines, Value value) {
 
 std::string point_data(const std::vector<PathTable>& lines) {
   std::string text = "      <PointData Scalars=\"cumulative_cost\">\n";
-  text += array("cumulative_cost", 1, "Float64",
-                over_points(lines, [](const PathTable& t, Index i) { return number_text(t.cumulative_costs[i]); }));
-  text += array("segment_cost", 1, "Float64",
-                over_points(lines, [](const PathTable& t, Index i) { return number_text(t.segment_costs[i]); }));
+  text += vtp_array("cumulative_cost", 1, "Float64",
+                    over_points(lines, [](const PathTable& t, Index i) { return number_text(t.cumulative_costs[i]); }));
+  text += vtp_array("segment_cost", 1, "Float64",
+                    over_points(lines, [](const PathTable& t, Index i) { return number_text(t.segment_costs[i]); }));
   const Index dimension = lines.front().x.rows();
   if (dimension > 3)
-    text += array("coordinates", dimension, "Float64",
-                  over_points(lines, [](const PathTable& t, Index i) { return row_text(t.x.col(i)); }));
+    text += vtp_array("coordinates", dimension, "Float64",
+                      over_points(lines, [](const PathTable& t, Index i) { return row_text(t.x.col(i)); }));
   return text + "      </PointData>\n";
 }
 
@@ -68,8 +62,8 @@ std::string cells(const std::vector<PathTable>& lines) {
     end += line.x.cols() + (line.ring ? 1 : 0);
     fmt::format_to(std::back_inserter(offsets), "          {}\n", end);
   }
-  return "      <Lines>\n" + array("connectivity", 1, "Int64", connectivity) + array("offsets", 1, "Int64", offsets) +
-         "      </Lines>\n";
+  return "      <Lines>\n" + vtp_array("connectivity", 1, "Int64", connectivity) +
+         vtp_array("offsets", 1, "Int64", offsets) + "      </Lines>\n";
 }
 
 }  // namespace
@@ -81,19 +75,12 @@ std::string vtp_text(const std::vector<PathTable>& lines) {
     points += lines[k].x.cols();
     fmt::format_to(std::back_inserter(numbers), "          {}\n", k);
   }
-  std::string text =
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n  "
-      "<PolyData>\n";
-  text += fmt::format(
-      "    <Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" "
-      "NumberOfPolys=\"0\">\n",
-      points, lines.size());
-  text += point_data(lines);
-  text += "      <CellData>\n" + array("line", 1, "Int32", numbers) + "      </CellData>\n      <Points>\n";
-  text += array("Points", 3, "Float64",
-                over_points(lines, [](const PathTable& t, Index i) { return row_text(in_space(t, i)); }));
+  std::string text = point_data(lines);
+  text += "      <CellData>\n" + vtp_array("line", 1, "Int32", numbers) + "      </CellData>\n      <Points>\n";
+  text += vtp_array("Points", 3, "Float64",
+                    over_points(lines, [](const PathTable& t, Index i) { return row_text(in_space(t, i)); }));
   text += "      </Points>\n" + cells(lines);
-  return text + "    </Piece>\n  </PolyData>\n</VTKFile>\n";
+  return vtp_file({.points = points, .lines = static_cast<std::int64_t>(lines.size())}, text);
 }
 
 std::string obj_text(const PathTable& table) {

@@ -10,8 +10,10 @@
 #include <leastcost/framework/has_constant_metric.hpp>
 #include <leastcost/framework/has_graph.hpp>
 #include <leastcost/framework/initializer.hpp>
+#include <leastcost/framework/mixes_moves.hpp>
 #include <leastcost/problems/chart/seams.hpp>
 #include <leastcost/problems/distance/has_distance_grid.hpp>
+#include <leastcost/problems/layers/has_layers.hpp>
 #include <leastcost/problems/level_set/has_level_set.hpp>
 #include <leastcost/problems/manifolds/file_places.hpp>
 #include <leastcost/problems/mesh/has_mesh.hpp>
@@ -22,7 +24,7 @@ namespace leastcost {
 /// The abilities that have a word, in the order in which people read them. A plug-in gets its words from the type of
 /// what its factory returns.
 using NamedAbilities = std::tuple<HasMesh, IsSurface, HasSeams, HasGraph, HasLevelSet, HasDistanceGrid, HasVertices,
-                                  HasFaces, HasConstantMetric, MakesRings>;
+                                  HasFaces, HasConstantMetric, HasLayers, MixesMoves, MakesRings>;
 
 /// Calls visit.operator()<Ability>() for each of them.
 template <class Visit>

@@ -19,17 +19,20 @@
 
 namespace leastcost {
 
-/// The options of a plug-in, of a type that only its registration line knows.
+class RunVisitor;
+
+/// The options of a plug-in, of a type that only its registration line knows. Those that hold other plug-ins need a
+/// RunVisitor.
 class AnyOptions {
  public:
   virtual ~AnyOptions() = default;
-  virtual void fields(FieldVisitor& visit) = 0;
+  virtual void fields(RunVisitor& visit) = 0;
 };
 
 template <class T>
 class OptionsOf final : public AnyOptions {
  public:
-  void fields(FieldVisitor& visit) override { value.fields(visit); }
+  void fields(RunVisitor& visit) override { value.fields(visit); }
   T value;
 };
 
@@ -38,6 +41,7 @@ struct BuildContext {
   std::filesystem::path folder;                             ///< of the configuration; files are relative to it
   int dimension = 0;                                        ///< of the ambient space; 0 while the manifold is made
   std::optional<Eigen::VectorXd> source = {};               ///< projected onto the manifold, ambient; none in a ring
+  std::optional<Eigen::VectorXd> target = {};               ///< the same; none where there are many
   std::vector<std::string> coordinates = {};                ///< names of the coordinates in which points are given
   int seed = 0;                                             ///< master seed of the run
   std::shared_ptr<const ConstraintManifold> manifold = {};  ///< null while it is made, or waits for its files
@@ -61,7 +65,8 @@ struct PluginEntry {
   std::string missing;  ///< why this build has it not, and how to get it; empty: it is there
   std::string library;  ///< third party it stands on, with version: "NLopt 2.7.1"; empty: none
   std::function<std::unique_ptr<AnyOptions>()> defaults;
-  int ambient = 3;  ///< of a manifold that waits for its files: the dimension of the space that it lies in
+  bool follows_source = false;  ///< a cost that is another one for another source
+  int ambient = 3;              ///< of a manifold that waits for its files: the dimension of the space that it lies in
 };
 
 /// A plug-in that makes objects of type Made.
@@ -91,6 +96,10 @@ struct Plugin : PluginEntry {
   }
   Plugin&& of_dimension(int dimension) && {
     this->ambient = dimension;
+    return std::move(*this);
+  }
+  Plugin&& following_source() && {
+    this->follows_source = true;
     return std::move(*this);
   }
   template <class Ability>

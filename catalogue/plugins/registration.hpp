@@ -8,6 +8,7 @@
 
 #include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/plugin.hpp"
+#include "catalogue/plugins/run_visitor.hpp"
 
 namespace leastcost {
 

@@ -4,16 +4,23 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <utility>
 
 #include <leastcost/problems/costs/clearance_length.hpp>
+#include <leastcost/problems/costs/cost_map.hpp>
 #include <leastcost/problems/costs/end_effector_length.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
+#include <leastcost/problems/costs/formula_cost.hpp>
 #include <leastcost/problems/costs/kinetic_energy.hpp>
+#include <leastcost/problems/costs/layers.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
+#include <leastcost/problems/costs/refractive_index.hpp>
 #include <leastcost/problems/costs/travel_time.hpp>
+#include <leastcost/problems/costs/walking.hpp>
 #include <leastcost/problems/costs/weighted_length.hpp>
+#include <leastcost/problems/costs/zermelo.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/initializers/coordinate_circle.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
@@ -24,6 +31,7 @@
 #include <leastcost/problems/initializers/waypoints.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
 #include <leastcost/problems/manifolds/constraint.hpp>
+#include <leastcost/problems/manifolds/earth.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
 #include <leastcost/problems/manifolds/map.hpp>
@@ -32,13 +40,18 @@
 #include <leastcost/problems/manifolds/point_cloud.hpp>
 #include <leastcost/problems/manifolds/pose.hpp>
 #include <leastcost/problems/manifolds/signed_distance.hpp>
+#include <leastcost/problems/manifolds/terrain.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
+#include <leastcost/problems/obstacles/grid_obstacle.hpp>
 #include <leastcost/problems/obstacles/map_obstacles.hpp>
 #include <leastcost/problems/obstacles/mesh_obstacle.hpp>
 #include <leastcost/problems/obstacles/polygon.hpp>
+#include <leastcost/problems/obstacles/raster_obstacles.hpp>
 #include <leastcost/problems/post_processors/on_surface.hpp>
+#include <leastcost/problems/post_processors/refract.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>
+#include <leastcost/problems/post_processors/switchbacks.hpp>
 #include <leastcost/problems/post_processors/taut.hpp>
 #include <leastcost/problems/post_processors/trace.hpp>
 #include <leastcost/problems/robots/arm_models.hpp>
@@ -52,8 +65,10 @@
 #include <leastcost/solvers/vfcs.hpp>
 #include "catalogue/back_ends/back_ends.hpp"
 #include "catalogue/inputs/map_file.hpp"
+#include "catalogue/inputs/raster_file.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/plugins/registration.hpp"
+#include "catalogue/registry/combined_costs.hpp"
 #include "problems/readers/waypoint_reader.hpp"
 
 namespace leastcost {
@@ -94,25 +109,66 @@ const auto& costs() {
           .waiting<MetricFieldOptions>(
               [](const MetricFieldOptions& o) { return o.needs_domain() ? WaitsFor::domain : WaitsFor::nothing; }),
       plugin<CostPlugin, TravelTimeOptions>(
-          "travel_time", "Time of a bead that slides without friction under gravity; the last coordinate is height.",
+          "travel_time", "Time of a bead that slides without friction, under gravity or in a potential.",
           [](const TravelTimeOptions& o, O c) { return make_travel_time_cost(o, c.dimension, c.source); })
           .waiting<TravelTimeOptions>([](const TravelTimeOptions&) { return WaitsFor::domain; })
           .checked_by<TravelTimeOptions>(
-              [](const TravelTimeOptions& o, O c) { check_travel_time(o, c.source.has_value()); }),
+              [](const TravelTimeOptions& o, O c) { check_travel_time(o, c.source.has_value()); })
+          .following_source(),
       plugin<CostPlugin, ClearanceLengthOptions>(
           "clearance", "Length that counts more near obstacles, smoothly.",
           [](const ClearanceLengthOptions& o, O c) { return make_clearance_length(o, c.dimension, c.manifold); })
           .waiting<ClearanceLengthOptions>([](const ClearanceLengthOptions&) { return WaitsFor::domain; }),
+      plugin<CostPlugin, CostMapOptions>(
+          "cost_map", "Length times what a unit of it costs at a place of the plane, from a raster.",
+          [](const CostMapOptions& o, O c) {
+            return make_cost_map(read_raster(o.raster, c.folder), o.interpolation, c.dimension);
+          })
+          .waiting()
+          .checked_by<CostMapOptions>([](const CostMapOptions& o, O) { check(o.raster); }),
       plugin<CostPlugin, WeightedLengthOptions>(
           "weighted_length", "Length in which every factor of the domain, or every coordinate, has a weight.",
           [](const WeightedLengthOptions& o, O c) { return make_weighted_length(o, *c.manifold); })
           .waiting<WeightedLengthOptions>([](const WeightedLengthOptions&) { return WaitsFor::domain; }),
+      plugin<CostPlugin, LayersOptions>("layers",
+                                        "Length or time through layers of constant index, with refraction between.",
+                                        [](const LayersOptions& o, O c) { return make_layers_cost(o, c.dimension); }),
       plugin<CostPlugin, KineticEnergyOptions>(
           "kinetic_energy", "Length under the kinetic energy of an arm: how it moves by itself.",
           [](const KineticEnergyOptions& o, O c) { return make_kinetic_energy_cost(o, c.dimension); }),
       plugin<CostPlugin, EndEffectorLengthOptions>(
           "end_effector_length", "Length of the way of an arm's tool, and a little of that of its joints.",
           [](const EndEffectorLengthOptions& o, O c) { return make_end_effector_length(o, c.dimension); }),
+      plugin<CostPlugin, ZermeloOptions>(
+          "zermelo", "Time of a vehicle of given speed in a wind or current, by formula or on a grid.",
+          [](const ZermeloOptions& o, O c) { return make_zermelo_cost(o, c.dimension, c.folder); })
+          .waiting<ZermeloOptions>(
+              [](const ZermeloOptions& o) { return o.reads_file() ? WaitsFor::files : WaitsFor::nothing; })
+          .checked_by<ZermeloOptions>([](const ZermeloOptions& o, O c) { check_zermelo(o, c.dimension); }),
+      plugin<CostPlugin, WalkingOptions>(
+          "walking",
+          "Time or energy of walking over terrain, in switchbacks where it is steep; the last of three "
+          "coordinates is height.",
+          [](const WalkingOptions& o, O c) { return make_walking_cost(o, c.dimension); }),
+      plugin<CostPlugin, RefractiveIndexOptions>(
+          "refractive_index", "Optical length under an index n(x): linear velocity, lenses, layers, powers, formulas.",
+          [](const RefractiveIndexOptions& o, O c) { return make_refractive_index_cost(o, c.dimension); }),
+      plugin<CostPlugin, FormulaCostOptions>(
+          "formula", "Any cost per length F(x, v) as a formula in place and direction, asymmetric ones too.",
+          [](const FormulaCostOptions& o, O c) {
+            return make_formula_cost(o, c.dimension, checked_region(*c.manifold, c.source, c.target));
+          })
+          .waiting<FormulaCostOptions>([](const FormulaCostOptions&) { return WaitsFor::domain; }),
+      plugin<CostPlugin, SumCostOptions>("sum", "A sum of costs with positive weights.",
+                                         [](const SumCostOptions& o, O c) { return make_sum(o, c); })
+          .waiting<SumCostOptions>([](const SumCostOptions& o) { return waits_of(o); })
+          .checked_by<SumCostOptions>([](const SumCostOptions& o, O c) { check_parts_of(o, c); })
+          .following_source(),
+      plugin<CostPlugin, ScaledCostOptions>("scaled", "A cost times a positive field f(x), given as a formula.",
+                                            [](const ScaledCostOptions& o, O c) { return make_scaled(o, c); })
+          .waiting<ScaledCostOptions>([](const ScaledCostOptions& o) { return waits_of(o); })
+          .checked_by<ScaledCostOptions>([](const ScaledCostOptions& o, O c) { check_parts_of(o, c); })
+          .following_source(),
   };
   return all;
 }
@@ -134,6 +190,8 @@ const auto& manifolds() {
       plugin<ManifoldPlugin, ParametricOptions>(
           "parametric", "A surface x(u, v) in R^3, by name or by formulas; points are given in u and v.",
           [](const ParametricOptions& o, const BuildContext&) { return make_parametric_manifold(o); }),
+      made_of<ManifoldPlugin, EarthManifold, EarthOptions>(
+          "earth", "The WGS84 ellipsoid; points are (latitude, longitude) in degrees, lengths in metres."),
       plugin<ManifoldPlugin, ImplicitManifoldOptions>(
           "implicit", "A surface f(x, y, z) = 0, or a curve f(x, y) = 0: by name or as a formula.",
           [](const ImplicitManifoldOptions& o, const BuildContext&) { return make_implicit_manifold(o); }),
@@ -161,6 +219,13 @@ const auto& manifolds() {
           .waiting()
           .checked_by<SignedDistanceOptions>(
               [](const SignedDistanceOptions& o, const BuildContext&) { check_signed_distance(o); }),
+      plugin<ManifoldPlugin, RasterOptions>(
+          "terrain", "The surface (x, y, z(x, y)) over a raster of heights; points are places (x, y) on the map.",
+          [](const RasterOptions& o, const BuildContext& c) {
+            return std::make_shared<const TerrainManifold>(read_raster(o, c.folder));
+          })
+          .waiting()
+          .checked_by<RasterOptions>([](const RasterOptions& o, const BuildContext&) { check(o); }),
   };
   return all;
 }
@@ -181,10 +246,24 @@ const auto& obstacles() {
           "map", "The blocked cells of an occupancy map, as boxes in the plane; asks for a clearance.",
           [](const OccupancyOptions& o, const BuildContext& c) { return map_obstacles(read_map(o, c.folder)); })
           .waiting(),
+      plugin<ObstaclePlugin, RasterObstacleOptions>(
+          "raster", "Cells of a raster without data, or above or below a value, as boxes; asks for a clearance.",
+          [](const RasterObstacleOptions& o, const BuildContext& c) {
+            return make_raster_obstacles(read_raster(o.raster, c.folder), o);
+          })
+          .waiting()
+          .checked_by<RasterObstacleOptions>(
+              [](const RasterObstacleOptions& o, const BuildContext&) { check(o.raster); }),
       plugin<ObstaclePlugin, MeshObstacleOptions>(
           "mesh", "A triangle mesh in space, solid or as a surface; asks for a clearance or a thickness.",
           [](const MeshObstacleOptions& o, const BuildContext& c) {
             return Obstacles{make_mesh_obstacle(o, c.folder)};
+          })
+          .waiting(),
+      plugin<ObstaclePlugin, GridObstacleOptions>(
+          "distance_grid", "A signed distance on a regular grid in space; asks for a clearance or a thickness.",
+          [](const GridObstacleOptions& o, const BuildContext& c) {
+            return Obstacles{make_grid_obstacle(o, c.folder)};
           })
           .waiting(),
   };
@@ -203,8 +282,14 @@ const auto& robots() {
   return all;
 }
 
+template <class P>
+std::vector<P> with_those_of_libraries(std::vector<P> own, std::vector<P> others) {
+  std::move(others.begin(), others.end(), std::back_inserter(own));
+  return own;
+}
+
 const auto& initializers() {
-  static const std::vector<InitializerPlugin> all = {
+  static const std::vector<InitializerPlugin> own = {
       made_of<InitializerPlugin, StraightInitializer>(
           "straight", "The straight line between the ends, bowed out of the way where its cost is infinite."),
       made_of<InitializerPlugin, BowInitializer, BowOptions>("bow",
@@ -235,6 +320,7 @@ const auto& initializers() {
           })
           .waiting(),
   };
+  static const std::vector<InitializerPlugin> all = with_those_of_libraries(own, planners());
   return all;
 }
 
@@ -251,11 +337,7 @@ const auto& solvers() {
           "string", "The string method: steps normal to the path, then equal spacing; no energy."),
       made_of<SolverPlugin, NoSolver>("none", "The first path as it is, for post-processors that find the shortest."),
   };
-  static const std::vector<SolverPlugin> all = [] {
-    std::vector<SolverPlugin> both = own;
-    for (SolverPlugin& plugin : back_ends()) both.push_back(std::move(plugin));
-    return both;
-  }();
+  static const std::vector<SolverPlugin> all = with_those_of_libraries(own, back_ends());
   return all;
 }
 
@@ -273,6 +355,12 @@ const auto& post_processors() {
       made_of<PostProcessorPlugin, TautPostProcessor, TautOptions>(
           "taut", "The shortest path of its class among obstacles in the plane.")
           .needing<HasConstantMetric>(),
+      made_of<PostProcessorPlugin, RefractPostProcessor>(
+          "refract", "The least-cost path through the same layers, with Snell's law at every interface.")
+          .needing<HasLayers>(),
+      made_of<PostProcessorPlugin, SwitchbackPostProcessor, SwitchbackOptions>(
+          "switchbacks", "The zigzag of given width that a path of walking stands for where it is steep.")
+          .needing<MixesMoves>(),
   };
   return all;
 }

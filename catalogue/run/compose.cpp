@@ -7,70 +7,37 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
+#include <memory>
 #include <optional>
 #include <utility>
+#include <variant>
 
-#include <leastcost/framework/clearance.hpp>
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/has_box.hpp>
-#include <leastcost/framework/other_images.hpp>
 #include <leastcost/problems/chart/target_images.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/initializers/mirrored.hpp>
 #include <leastcost/problems/manifolds/made_from_data.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
+#include <leastcost/problems/post_processors/bracket.hpp>
+#include <leastcost/problems/post_processors/fastest_refraction.hpp>
 #include <leastcost/problems/post_processors/shortest.hpp>
+#include <leastcost/problems/post_processors/shortest_plan.hpp>
 #include <leastcost/problems/robots/robot_walls.hpp>
 #include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/registry/registry.hpp"
 #include "catalogue/run/ends.hpp"
 #include "catalogue/run/memory.hpp"
+#include "catalogue/run/pair_composer.hpp"
 #include "catalogue/run/run_checks.hpp"
 #include "problems/formula/coordinate_names.hpp"
 #include "problems/obstacles/walls_in.hpp"
 
 namespace leastcost {
 namespace {
-
-void place_target(const RunConfig& config, RunParts& out) {
-  out.target = place_end(*out.problem.manifold, config.target.value_or(EndOptions{}), "ends.target");
-  out.problem.target = out.target.end;
-  if (out.problem.source.u == out.problem.target.u)
-    throw OptionError("ends.target", "is the same point as the source; a closed path is a ring (path.ring: true)");
-  const auto* domain = find_ability<HasImages>(*out.problem.manifold);
-  if (domain == nullptr || !ends_are_one_point(out.problem)) return;
-  if (!domain->states_way(out.problem.target.u, out.problem.source.u))
-    throw OptionError("ends.target",
-                      "names the same point as the source, by other coordinates; a closed path is a ring (path.ring: "
-                      "true), and a target a whole period away from the source states a winding");
-}
-
-/// A straight start does not insist on the coordinates of its target where others name the same point. Which of them is
-/// cheapest is looked at without obstacles, in `open_domain`: straight lines through these tell nothing.
-void take_cheapest_image(const RunConfig& config, const std::shared_ptr<const ConstraintManifold>& open_domain,
-                         RunParts& out) {
-  Problem& problem = out.problem;
-  const auto* domain = find_ability<HasImages>(*problem.manifold);
-  if (domain == nullptr || problem.ring || config.family.windings > 0) return;
-  if (config.target_image == TargetImageChoice::given) return;
-  const bool chart = find_ability<HasChart>(*problem.manifold) != nullptr;  // where other starts have their own way
-  if (chart && out.initializer->name() != "straight") return;
-  if (out.initializer->name() == "waypoints") return;  // they lead to the coordinates that are given
-  if (domain->states_way(problem.target.u, problem.source.u)) return;
-  Problem open = problem;
-  open.manifold = open_domain;
-  const std::optional<CheaperImage> best = find_cheaper_image(open);
-  if (!best) return;
-  problem.target.u = out.target.end.u = best->image.u;
-  out.notes.push_back(
-      fmt::format("the target was replaced by ({:.6g}), {}, another name of the same point: a path to "
-                  "it costs about {:.6g}, not {:.6g}{} (images tried: {}; path: "
-                  "{{target_image: given}} keeps the given one)",
-                  fmt::join(best->image.u, ", "), best->image.where, best->cost, best->given,
-                  open_domain == problem.manifold ? "" : " without obstacles", best->tried));
-}
 
 /// Which option a fault of the obstacles is one of: their constructor numbers them, `entry_of` is where they come from.
 std::string key_of_fault(const std::string& key, const std::vector<std::size_t>& entry_of) {
@@ -116,15 +83,6 @@ std::shared_ptr<const ConstraintManifold> among(std::shared_ptr<const Walls> wal
   }
 }
 
-void refuse_end_in_clearance(const Problem& problem, const PathEnd& end, const char* key) {
-  const std::string why = why_in_clearance(problem, end);
-  if (!why.empty()) throw OptionError(key, "end_in_clearance: it " + why);
-}
-
-Eigen::VectorXd source_position(const Problem& problem) {
-  return positions(*problem.manifold, {problem.source.u, {}, true});
-}
-
 void fill_options(const RunConfig& config, RunParts& out) {
   out.options.points = config.points;
   out.options.reference_cost = config.reference_cost;
@@ -135,10 +93,21 @@ void fill_options(const RunConfig& config, RunParts& out) {
 }
 
 /// A proof over all paths after the path is straight. Not for families: their members are paths of other classes.
-void add_proof(const RunConfig& config, RunParts& out) {
+void add_proof(const RunConfig& config, const std::filesystem::path& folder, RunParts& out) {
+  if (brackets(config))
+    out.options.post_processors.push_back(
+        std::make_shared<const BracketPostProcessor>(std::get<GlobalBudget>(config.certificate.global)));
   if (!proves_shortest(config) || !config.post_process || config.post_process->empty()) return;
-  if (config.post_process->back().plugin->type != "straighten") return;
-  out.options.post_processors.push_back(std::make_shared<const ShortestPostProcessor>(config.certificate.global));
+  const std::string& last = config.post_process->back().plugin->type;
+  GlobalProof proof = config.certificate.global;
+  if (auto* budget = std::get_if<GlobalBudget>(&proof); budget != nullptr && !budget->index.empty())
+    budget->index = (folder / budget->index).string();
+  if (last == "straighten")
+    out.options.post_processors.push_back(std::make_shared<const ShortestPostProcessor>(std::move(proof)));
+  else if (last == "taut")
+    out.options.post_processors.push_back(std::make_shared<const ShortestPlanPostProcessor>(std::move(proof)));
+  else if (last == "refract")
+    out.options.post_processors.push_back(std::make_shared<const FastestRefractionPostProcessor>(std::move(proof)));
 }
 
 /// The further ways of a family: bows, the mirror image, routes, and what else was given.
@@ -255,14 +224,19 @@ void Composer::take_domain() {
   check_all_needs();
   out_.problem.ring = config_.ring;
   out_.problem.based = config_.ring && config_.source.has_value();
-  if (config_.ring && !out_.problem.based) return;
+  if (config_.has_pairs()) context_.source = Eigen::VectorXd::Zero(dimension);  // every pair has its own
+  if (config_.has_pairs() || (config_.ring && !out_.problem.based)) return;
   const bool placed = attempt([&] {
     out_.source = place_end(manifold, config_.source.value_or(EndOptions{}), "ends.source");
     out_.problem.source = out_.source.end;
     context_.source = source_position(out_.problem);
   });
   if (!placed) context_.source = Eigen::VectorXd::Zero(dimension);  // the other parts are checked all the same
-  if (!config_.ring && placed) attempt([&] { place_target(config_, out_); });
+  if (!config_.ring && placed)
+    attempt([&] {
+      place_target(config_.target.value_or(EndOptions{}), "ends.target", out_);
+      context_.target = positions(manifold, {out_.problem.target.u, {}, true});
+    });
 }
 
 /// After the ends have found their places: an end that is given within an obstacle is an error, not to be moved.
@@ -354,7 +328,7 @@ void Composer::make_from_files(const BuildProgress& progress) {
 RunParts Composer::take() {
   add_family(config_, others_, out_);
   fill_options(config_, out_);
-  add_proof(config_, out_);
+  add_proof(config_, context_.folder, out_);
   return std::move(out_);
 }
 
@@ -362,6 +336,10 @@ void check_parts(LoadedConfig& loaded) {
   Composer(loaded.config, loaded.folder, [&](const OptionError& e) {
     loaded.add_error(e.key(), e.what());
   }).make_from_options();
+}
+
+std::shared_ptr<const PairComposer> Composer::pairs(const RunParts& parts) const {
+  return config_.has_pairs() ? std::make_shared<const PairComposer>(config_, context_, open_domain_, parts) : nullptr;
 }
 
 std::vector<FamilyStart> family_starts(const RunParts& parts) {

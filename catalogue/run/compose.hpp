@@ -12,6 +12,8 @@
 
 namespace leastcost {
 
+class PairComposer;
+
 /// Makes the objects that a configuration describes, each of them once, in two steps: first what its options alone
 /// allow, then what needs the files. Whoever only wants to know the errors stops after the first.
 ///
@@ -30,6 +32,8 @@ class Composer {
   void make_from_files(const BuildProgress& progress = {});
   /// Complete after both steps, unless something was refused.
   RunParts take();
+  /// Of a configuration with many pairs of ends, whose `parts` have none: what makes those of each; else null.
+  std::shared_ptr<const PairComposer> pairs(const RunParts& parts) const;
   /// Of the files and the domains made from them.
   double read_seconds() const { return read_seconds_; }
 

@@ -3,8 +3,16 @@
 #include "catalogue/run/ends.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <leastcost/framework/clearance.hpp>
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/other_images.hpp>
+#include <leastcost/problems/chart/is_geographic.hpp>
 #include <leastcost/problems/manifolds/file_places.hpp>
 #include <leastcost/problems/manifolds/made_from_data.hpp>
 
@@ -43,6 +51,55 @@ double default_tolerance(const ConstraintManifold& manifold, const Eigen::Vector
   return data != nullptr ? data->end_tolerance() : kRounding * (1 + point.norm());
 }
 
+/// The latitude of a chart with two poles: which coordinate it is, and where the north pole is.
+struct LatitudeOfChart {
+  Eigen::Index coordinate = 0;
+  double pole = 0;
+};
+
+std::optional<LatitudeOfChart> latitude_of(const ConstraintManifold& manifold) {
+  const auto* chart = find_ability<HasChart>(manifold);
+  if (chart == nullptr || chart->poles().size() != 2) return std::nullopt;
+  const SeamMap& over = chart->poles().front();
+  for (Eigen::Index c = 0; c < over.sign.size(); ++c)
+    if (over.sign[c] < 0) return LatitudeOfChart{c, std::abs(over.shift[c]) / 2};
+  return std::nullopt;
+}
+
+/// On the Earth a latitude beyond a pole is a mistake, mostly of order. On a chart in radians it may state a way over a
+/// pole; beyond a whole turn it is given in degrees.
+void check_latitude(const ConstraintManifold& manifold, const Eigen::VectorXd& point, const std::string& path) {
+  const std::optional<LatitudeOfChart> latitude = latitude_of(manifold);
+  if (!latitude) return;
+  const double value = point[latitude->coordinate];
+  if (find_ability<IsGeographic>(manifold) != nullptr) {
+    if (std::abs(value) > latitude->pole)
+      throw OptionError(path + ".point", fmt::format("the latitude {:.9g} is beyond {:g} degrees; points here are "
+                                                     "(latitude, longitude), latitude first",
+                                                     value, latitude->pole));
+  } else if (std::abs(value) > 4 * latitude->pole) {
+    throw OptionError(path + ".point",
+                      fmt::format("the latitude {:.9g} is more than a turn, and it is in radians here (a pole is at "
+                                  "pi/2): degrees? see earth (manifold: {{type: earth}})",
+                                  value));
+  }
+}
+
+/// Ends that a user may have given in degrees.
+void note_latitudes(RunParts& out) {
+  const ConstraintManifold& manifold = *out.problem.manifold;
+  const std::optional<LatitudeOfChart> latitude = latitude_of(manifold);
+  if (!latitude || find_ability<IsGeographic>(manifold) != nullptr) return;
+  for (const auto& [end, name] : {std::pair{&out.source, "source"}, std::pair{&out.target, "target"}}) {
+    const double value = end->given[latitude->coordinate];
+    if (std::abs(value) <= latitude->pole) continue;
+    out.notes.push_back(
+        fmt::format("the latitude {:.9g} of the {} is beyond pi/2; it was taken in radians, as a way over a pole: "
+                    "degrees? see earth (manifold: {{type: earth}})",
+                    value, name));
+  }
+}
+
 PlacedEnd at_point(const ConstraintManifold& manifold, const EndOptions& options, const std::string& path) {
   const int wanted = manifold.dimensions().coordinate;
   const Eigen::VectorXd point = options.point.value_or(Eigen::VectorXd());
@@ -50,6 +107,7 @@ PlacedEnd at_point(const ConstraintManifold& manifold, const EndOptions& options
     throw OptionError(path + ".point",
                       fmt::format("{} coordinates, points of the manifold have {}", point.size(), wanted));
   if (!point.allFinite()) throw OptionError(path + ".point", "coordinates must be finite");
+  check_latitude(manifold, point, path);
   PlacedEnd placed{point, {}, 0};
   try {
     placed.end = project_end(manifold, point, &placed.moved);
@@ -80,6 +138,52 @@ PlacedEnd place_end(const ConstraintManifold& manifold, const EndOptions& option
     throw OptionError(path + ".face", "the manifold has no faces: give {point: [..]}");
   }
   return at_point(manifold, options, path);
+}
+
+void place_target(const EndOptions& options, const std::string& path, RunParts& out) {
+  out.target = place_end(*out.problem.manifold, options, path);
+  out.problem.target = out.target.end;
+  note_latitudes(out);
+  if (out.problem.source.u == out.problem.target.u)
+    throw OptionError(path, "is the same point as the source; a closed path is a ring (path.ring: true)");
+  const auto* domain = find_ability<HasImages>(*out.problem.manifold);
+  if (domain == nullptr || !ends_are_one_point(out.problem)) return;
+  if (!domain->states_way(out.problem.target.u, out.problem.source.u))
+    throw OptionError(path,
+                      "names the same point as the source, by other coordinates; a closed path is a ring (path.ring: "
+                      "true), and a target a whole period away from the source states a winding");
+}
+
+void take_cheapest_image(const RunConfig& config, const std::shared_ptr<const ConstraintManifold>& open_domain,
+                         RunParts& out) {
+  Problem& problem = out.problem;
+  const auto* domain = find_ability<HasImages>(*problem.manifold);
+  if (domain == nullptr || problem.ring || config.family.windings > 0) return;
+  if (config.target_image == TargetImageChoice::given) return;
+  const bool chart = find_ability<HasChart>(*problem.manifold) != nullptr;  // where other starts have their own way
+  if (chart && out.initializer->name() != "straight") return;
+  if (out.initializer->name() == "waypoints") return;  // they lead to the coordinates that are given
+  if (domain->states_way(problem.target.u, problem.source.u)) return;
+  Problem open = problem;
+  open.manifold = open_domain;
+  const std::optional<CheaperImage> best = find_cheaper_image(open);
+  if (!best) return;
+  problem.target.u = out.target.end.u = best->image.u;
+  out.notes.push_back(
+      fmt::format("the target was replaced by ({:.6g}), {}, another name of the same point: a path to "
+                  "it costs about {:.6g}, not {:.6g}{} (images tried: {}; path: "
+                  "{{target_image: given}} keeps the given one)",
+                  fmt::join(best->image.u, ", "), best->image.where, best->cost, best->given,
+                  open_domain == problem.manifold ? "" : " without obstacles", best->tried));
+}
+
+void refuse_end_in_clearance(const Problem& problem, const PathEnd& end, const std::string& key) {
+  const std::string why = why_in_clearance(problem, end);
+  if (!why.empty()) throw OptionError(key, "end_in_clearance: it " + why);
+}
+
+Eigen::VectorXd source_position(const Problem& problem) {
+  return positions(*problem.manifold, {problem.source.u, {}, true});
 }
 
 }  // namespace leastcost

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <string>
 
-#include "catalogue/options/run_visitor.hpp"
+#include "catalogue/plugins/run_visitor.hpp"
 #include "catalogue/run/compose.hpp"
 
 namespace leastcost {
@@ -12,5 +13,20 @@ namespace leastcost {
 /// Puts an end of the configuration onto the manifold. `path` ("ends.source") is for messages. Throws OptionError where
 /// the domain has no such vertex or face, or the point is farther away than its tolerance.
 PlacedEnd place_end(const ConstraintManifold& manifold, const EndOptions& options, const std::string& path);
+
+/// The same for the target of parts whose source is placed, and in the domain without its obstacles. Throws OptionError
+/// also where it is the point of the source, perhaps by other coordinates that state no winding.
+void place_target(const EndOptions& options, const std::string& path, RunParts& out);
+
+/// Throws OptionError with this key for an end that an obstacle does not let be there.
+void refuse_end_in_clearance(const Problem& problem, const PathEnd& end, const std::string& key);
+
+/// Where the source is in space.
+Eigen::VectorXd source_position(const Problem& problem);
+
+/// A straight start does not insist on the coordinates of its target where others name the same point. Which of them is
+/// cheapest is looked at without obstacles, in `open_domain`: straight lines through these tell nothing.
+void take_cheapest_image(const RunConfig& config, const std::shared_ptr<const ConstraintManifold>& open_domain,
+                         RunParts& out);
 
 }  // namespace leastcost

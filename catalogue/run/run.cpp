@@ -11,7 +11,9 @@
 
 #include <leastcost/framework/errors.hpp>
 #include "catalogue/run/compose.hpp"
+#include "catalogue/run/pair_composer.hpp"
 #include "catalogue/run/run_origin.hpp"
+#include "catalogue/run/search.hpp"
 #include "framework/point_text.hpp"
 
 namespace leastcost {
@@ -63,13 +65,13 @@ void check_files(const LoadedConfig& loaded) {
 }
 
 Run run_of(RunConfig config, std::filesystem::path folder, std::vector<InputFile> inputs, RunParts parts,
-           const Start& start) {
+           std::shared_ptr<const PairComposer> pairs, const Start& start) {
   Run run;
   run.name = config.name;
   run.max_seconds = config.max_seconds;
   run.parts = parts;
-  run.origin = std::make_shared<const RunOrigin>(
-      RunOrigin{std::move(config), std::move(folder), std::move(inputs), start.time, std::move(parts)});
+  run.origin = std::make_shared<const RunOrigin>(RunOrigin{std::move(config), std::move(folder), std::move(inputs),
+                                                           start.time, std::move(parts), std::move(pairs)});
   return run;
 }
 
@@ -88,7 +90,9 @@ Run composed(LoadedConfig loaded, const BuildProgress& progress, const Start& st
   std::vector<InputFile> inputs = inputs_of(loaded);
   const double hashed = seconds_since(hashing);
   RunParts parts = composer.take();
-  Run run = run_of(std::move(loaded.config), loaded.folder, std::move(inputs), std::move(parts), start);
+  std::shared_ptr<const PairComposer> pairs = composer.pairs(parts);
+  Run run =
+      run_of(std::move(loaded.config), loaded.folder, std::move(inputs), std::move(parts), std::move(pairs), start);
   run.seconds.read = composer.read_seconds() + hashed;
   run.seconds.compose = seconds_since(start.clock) - run.seconds.read;
   return run;
@@ -188,14 +192,29 @@ Run compose_run(const RunConfig& config, const std::filesystem::path& folder) {
   Composer composer(config, folder, [](const OptionError& e) { throw OptionError(e); });
   composer.make_from_options();
   composer.make_from_files();
-  Run run = run_of(config, folder, {}, composer.take(), start);
+  RunParts parts = composer.take();
+  std::shared_ptr<const PairComposer> pairs = composer.pairs(parts);
+  Run run = run_of(config, folder, {}, std::move(parts), std::move(pairs), start);
   run.seconds.read = composer.read_seconds();
   run.seconds.compose = seconds_since(start.clock) - run.seconds.read;
   return run;
 }
 
+void search(RunOutcome& outcome, std::optional<double> max_seconds, const Monitor& monitor) {
+  find(outcome, with_budget(monitor, max_seconds));
+  const RunParts& parts = outcome.parts;
+  const Result& result = outcome.result;
+  if (result.path.u.size() == 0) throw StoppedEarly(result.notes.empty() ? "no path yet" : result.notes.back());
+  complete_interrupted(parts.problem, parts.options, outcome.result);
+  for (FamilyMember& member : outcome.family) complete_interrupted(member.problem, parts.options, member.result);
+}
+
 RunOutcome solve(Run run, const Monitor& monitor) {
   if (!run.origin) throw InputError("a run is made by load_run() or parse_run()");
+  if (run.origin->pairs)
+    throw InputError(
+        "the configuration has many pairs of ends (ends.pairs), and solve() finds one path: give it a "
+        "'source' and a 'target'");
   if (!run.parts.solver || !run.parts.initializer) throw InputError("the run has no solver, or no initializer");
   const Clock::time_point start = Clock::now();
   RunOutcome outcome;
@@ -215,12 +234,8 @@ RunOutcome solve(Run run, const Monitor& monitor) {
     prepare(parts.problem);
     prepared = seconds_since(begin);
   }
-  find(outcome, with_budget(monitor, run.max_seconds));
+  search(outcome, run.max_seconds, monitor);
   outcome.result.seconds.prepare += prepared;
-  const Result& result = outcome.result;
-  if (result.path.u.size() == 0) throw StoppedEarly(result.notes.empty() ? "no path yet" : result.notes.back());
-  complete_interrupted(parts.problem, parts.options, outcome.result);
-  for (FamilyMember& member : outcome.family) complete_interrupted(member.problem, parts.options, member.result);
   outcome.seconds.search = seconds_since(start);
   place_waypoints(outcome);
   outcome.finished = std::chrono::system_clock::now();

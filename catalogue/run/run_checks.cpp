@@ -9,10 +9,12 @@
 #include <variant>
 
 #include <leastcost/problems/initializers/dijkstra.hpp>
+#include "catalogue/options/options_writer.hpp"
 #include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/registry/registry.hpp"
 #include "catalogue/yaml/scalars.hpp"
+#include "catalogue/yaml/suggest.hpp"
 
 namespace leastcost {
 namespace {
@@ -35,8 +37,24 @@ bool is(const PluginChoice& choice, std::initializer_list<std::string_view> type
   return choice && std::count(types.begin(), types.end(), choice.plugin->type) > 0;
 }
 
-/// The coordinates of points, where the ends say so; else 0.
+/// The options of a plug-in, as a configuration would have them; those that are not given and have no default are left
+/// out.
+ConfigNode options_of(const PluginChoice& choice) {
+  OptionsWriter writer;
+  if (choice.options) choice.options->fields(writer);
+  return writer.take();
+}
+
+/// A whole number among the options of a plug-in; 0 where it has none of this name.
+int whole_option(const PluginChoice& choice, std::string_view name) {
+  const ConfigNode options = options_of(choice);
+  const ConfigEntry* entry = options.find(name);
+  return entry == nullptr ? 0 : parse_int(entry->value).value.value_or(0);
+}
+
+/// The coordinates of points, where the ends say so, or of many pairs of ends their flat domain; else 0.
 Eigen::Index coordinates(const RunConfig& config) {
+  if (config.has_pairs()) return is(config.manifold, {"euclidean"}) ? whole_option(config.manifold, "dimension") : 0;
   return config.source && config.source->point ? config.source->point->size() : 0;
 }
 
@@ -55,15 +73,28 @@ std::string why_not_taut(const RunConfig& config) {
   return "";
 }
 
+/// A string in space knows obstacles only: one that the sides of a box would have to hold is a solver's.
+bool is_unbounded(const PluginChoice& euclidean) {
+  const ConfigNode options = options_of(euclidean);
+  return options.find("lower") == nullptr && options.find("upper") == nullptr;
+}
+
 /// Among obstacles, under a cost that is a length.
 bool plans_taut(const RunConfig& config) {
   return is(config.manifold, {"euclidean"}) && is(config.cost, {"euclidean"}) && coordinates(config) != 0 &&
-         why_not_taut(config).empty();
+         why_not_taut(config).empty() && (coordinates(config) == 2 || is_unbounded(config.manifold));
+}
+
+/// Under a cost with layers, in R^d without obstacles.
+bool refracts(const RunConfig& config) {
+  return !config.ring && !config.robot && config.obstacles.empty() && is(config.manifold, {"euclidean"}) &&
+         config.cost && config.cost.provides<HasLayers>();
 }
 
 /// A first path that states no class: waypoints, other routes and the like are given for the sake of their class.
 bool states_no_class(const PluginChoice& initializer) {
   if (!initializer) return true;
+  if (is(initializer, {"grid", "rrt", "ompl"})) return true;
   if (initializer.plugin->type != "dijkstra" || !initializer.options) return false;
   return static_cast<const OptionsOf<DijkstraOptions>&>(*initializer.options).value.rank == 1;
 }
@@ -72,19 +103,32 @@ bool states_no_class(const PluginChoice& initializer) {
 
 bool proves_shortest(const RunConfig& config) {
   if (!config.certificate.enabled || config.ring || config.family.wanted()) return false;
-  if (!states_no_class(config.initializer)) return false;
   if (std::holds_alternative<GlobalOff>(config.certificate.global)) return false;
+  if (refracts(config) && is(config.initializer, {"straight"})) return true;
+  if (!states_no_class(config.initializer)) return false;
+  if (refracts(config)) return true;
+  if (plans_taut(config) && coordinates(config) == 2) return true;
   const bool mesh =
       config.manifold &&
       (config.manifold.plugin->type == "mesh" ||
        (config.manifold.provides<HasMesh>() && std::holds_alternative<GlobalBudget>(config.certificate.global)));
-  return mesh && config.cost && config.cost.plugin->type == "euclidean";
+  return mesh && config.cost && config.cost.provides<HasConstantMetric>();
+}
+
+bool brackets(const RunConfig& config) {
+  if (!config.certificate.enabled || proves_shortest(config)) return false;
+  return std::holds_alternative<GlobalBudget>(config.certificate.global) && is(config.manifold, {"euclidean"});
 }
 
 namespace {
 
+/// The default of a path that is only straightened, and proved: its class is then more often that of the shortest.
+void go_over_diagonals(PluginChoice& dijkstra) {
+  static_cast<OptionsOf<DijkstraOptions>&>(*dijkstra.options).value.diagonals = true;
+}
+
 void complete(RunConfig& config) {
-  const bool mesh = config.manifold.provides<HasMesh>();
+  const bool mesh = config.manifold.provides<HasMesh>(), default_first = !config.initializer;
   const auto fill = [&](const char* part, PluginChoice& choice) {
     std::string type =
         default_type(part, config.manifold.plugin, config.ring, !config.obstacles.empty() || config.robot);
@@ -95,8 +139,12 @@ void complete(RunConfig& config) {
   fill("kernel", config.kernel);
   fill("initializer", config.initializer);
   const bool taut = !config.post_process && plans_taut(config);
+  const bool layers = !config.post_process && refracts(config);
   const bool proof = !config.post_process && proves_shortest(config);
-  if ((taut || proof) && !config.solver) config.solver = default_plugin("solver", "none", "solver");
+  if ((taut || layers || proof) && !config.solver) {
+    config.solver = default_plugin("solver", "none", "solver");
+    if (default_first && is(config.manifold, {"mesh"})) go_over_diagonals(config.initializer);
+  }
   fill("solver", config.solver);
   if (config.post_process) return;
   PluginList& steps = config.post_process.emplace();
@@ -106,6 +154,7 @@ void complete(RunConfig& config) {
   if (mesh && config.cost.provides<HasConstantMetric>())
     steps.push_back(default_plugin("post_processor", "straighten", "post_process.1"));
   if (taut) steps.push_back(default_plugin("post_processor", "taut", "post_process.0"));
+  if (layers) steps.push_back(default_plugin("post_processor", "refract", "post_process.0"));
 }
 
 /// Whether it is something that costs have, not manifolds.
@@ -127,9 +176,48 @@ void check_needs(LoadedConfig& loaded, const PluginChoice& choice) {
   }
 }
 
+/// Pairs take the place of the two ends, and of what only one path can have.
+void check_pairs(LoadedConfig& loaded) {
+  const RunConfig& config = loaded.config;
+  const auto refuse = [&loaded](const char* key, const char* reason) {
+    loaded.errors.error(place_of(loaded.tree, key), reason);
+  };
+  if (!config.has_pairs()) {
+    if (config.pair_tolerance)
+      refuse("ends.tolerance", "'tolerance' in ends is for the points of pairs; an end has its own, beside its point");
+    if (config.pair_points) refuse("output.pair_points", "'pair_points' is for many pairs of ends (ends.pairs)");
+    return;
+  }
+  if (config.source || config.target)
+    refuse("ends.pairs", "either 'pairs', or a 'source' and a 'target': remove one of the two");
+  if (config.ring) refuse("ends.pairs", "a ring (path.ring: true) has no ends: remove one of the two");
+  if (!config.output_files.empty())
+    refuse("output.files", "'files' is for a run of one path; one of many pairs writes paths.jsonl and result.json");
+  if (config.waypoints.wanted()) refuse("output.waypoints", "waypoints are for a run of one path, not for pairs");
+}
+
+void check_files_of_output(LoadedConfig& loaded) {
+  const RunConfig& config = loaded.config;
+  const Place place = place_of(loaded.tree, "output.files");
+  const std::vector<std::string> known(kRunFiles.begin(), kRunFiles.end());
+  for (const std::string& file : config.output_files)
+    if (std::count(known.begin(), known.end(), file) == 0)
+      loaded.errors.error(place, fmt::format("'files' has {}, which is none of: {}{}", in_quotes(file), joined(known),
+                                             did_you_mean(file, known)));
+  if (config.output_files.empty() || !config.writes("report")) return;
+  for (const char* needed : {"result", "path", "history", "scene", "config"})
+    if (!config.writes(needed))
+      loaded.errors.error(place, fmt::format("'files' has 'report', which is made from '{}' too: add it", needed));
+}
+
 void check_ends(LoadedConfig& loaded) {
   const RunConfig& config = loaded.config;
+  check_pairs(loaded);
+  if (config.has_pairs()) return;
   const ConfigEntry* ends = loaded.tree.find("ends");
+  if (ends != nullptr && ends->value.is_block() && ends->value.find("source") == nullptr)
+    loaded.errors.error(ends->place,
+                        "missing key 'source' in ends: Where the path begins; of a ring: its fixed point.");
   const bool target = ends != nullptr && ends->value.find("target") != nullptr;
   if (config.ring && target) {
     loaded.errors.error(ends->place,
@@ -221,6 +309,31 @@ void check_taut(LoadedConfig& loaded) {
   }
 }
 
+void check_refract(LoadedConfig& loaded) {
+  const RunConfig& config = loaded.config;
+  if (!config.manifold || !config.cost || !config.cost.provides<HasLayers>() || refracts(config)) return;
+  for (const PluginChoice& step : config.post_process.value_or(PluginList{}))
+    if (is(step, {"refract"}))
+      loaded.errors.error(place_of(loaded.tree, step.path),
+                          "'refract' joins two ends in R^d or a box of it (euclidean), without obstacles, robots and "
+                          "rings");
+}
+
+/// What a bracket of the globally least cost in the plane needs, as far as a configuration shows it.
+void check_bracket(LoadedConfig& loaded) {
+  const RunConfig& config = loaded.config;
+  if (!brackets(config)) return;
+  const auto refuse = [&](const std::string& why) {
+    loaded.errors.error(place_of(loaded.tree, "certificate.global"), "a proof over all paths of the plane " + why);
+  };
+  if (config.ring) refuse("is of paths between two ends, and a ring has none: remove it");
+  if (config.family.wanted()) refuse("is of the least cost, and a family is of others: remove one of the two");
+  if (whole_option(config.manifold, "dimension") != 2) refuse("works in two dimensions: remove it");
+  const ConfigNode options = options_of(config.manifold);
+  if (options.find("lower") == nullptr || options.find("upper") == nullptr)
+    refuse("speaks of the paths in a box: give the manifold lower: [..] and upper: [..]");
+}
+
 void check_points(LoadedConfig& loaded) {
   const RunConfig& config = loaded.config;
   const Place place = place_of(loaded.tree, "path.points");
@@ -253,11 +366,12 @@ void check_name(LoadedConfig& loaded) {
 void check_expected_exit(LoadedConfig& loaded) {
   const ConfigEntry* note = loaded.tree.find("x-expect-exit");
   if (note == nullptr) return;
-  constexpr std::array<int, 8> kCodes = {0, 1, 3, 4, 5, 6, 8, 130};
+  constexpr std::array<int, 9> kCodes = {0, 1, 3, 4, 5, 6, 7, 8, 130};
   const Parsed<int> code = parse_int(note->value);
   if (code.value && std::count(kCodes.begin(), kCodes.end(), *code.value) > 0) return;
-  loaded.errors.error(note->value.place, "'x-expect-exit' must be an exit code of a run: 0, 1, 3, 4, 5, 6, 8 or 130 (" +
-                                             found(note->value) + ")");
+  loaded.errors.error(
+      note->value.place,
+      "'x-expect-exit' must be an exit code of a run: 0, 1, 3, 4, 5, 6, 7, 8 or 130 (" + found(note->value) + ")");
 }
 
 }  // namespace
@@ -302,7 +416,10 @@ void check_and_complete(LoadedConfig& loaded) {
   check_family(loaded);
   check_points(loaded);
   check_waypoints(loaded);
+  check_files_of_output(loaded);
   check_taut(loaded);
+  check_refract(loaded);
+  check_bracket(loaded);
   check_needs(loaded, loaded.config.initializer);
   check_needs(loaded, loaded.config.solver);
   for (const PluginChoice& choice : loaded.config.family.initializers) check_needs(loaded, choice);

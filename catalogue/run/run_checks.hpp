@@ -13,9 +13,14 @@ std::string name_fault(const std::string& name);
 /// nothing its type: `--set solver.max_iterations=50`.
 void complete_types(ConfigNode& tree);
 
-/// Whether the run proves that its path is the shortest of all, or tries to: an open path on a mesh under the Euclidean
-/// cost, whose first path states no class, unless the configuration says otherwise.
+/// Whether the run proves that its path is the shortest of all, or tries to: an open path on a mesh, or
+/// among obstacles in the plane, under the Euclidean cost, whose first path states no class, unless the configuration
+/// says otherwise.
 bool proves_shortest(const RunConfig& config);
+
+/// Whether the run puts a bracket around the globally least cost: in a box of the plane, where a budget for it is
+/// given.
+bool brackets(const RunConfig& config);
 
 /// Fills in the plug-ins that the configuration leaves out and checks what no single option can: that the parts fit
 /// each other.

@@ -66,9 +66,15 @@ void RunConfig::fields(RunVisitor& visit) {
   visit.plugin("kernel", kernel, kind("kernel"), {.help = "The convex H of the energy; default: expm1_square."});
   visit.block("ends", {.help = "Where the path begins and ends; none in a ring, or the source alone: its fixed point."},
               [&](RunVisitor& ends) {
-                ends.end("source", source,
-                         {.help = "Where the path begins; of a ring: its fixed point.", .required = true});
+                ends.end("source", source, {.help = "Where the path begins; of a ring: its fixed point."});
                 ends.end("target", target, {.help = "Where the path ends; none in a ring."});
+                ends.file("pairs", pairs,
+                          {.help = "Instead of the two: a CSV file of many pairs, a path for each of them; its header "
+                                   "is source,target for vertices, or source_x,source_y,..,target_x,.. for points."});
+                ends.field("tolerance", pair_tolerance,
+                           {.help = "With pairs: how far their points may be moved; default: as of an end.",
+                            .unit = "length",
+                            .minimum = 0});
               });
   visit.block("path", {.help = "The discrete path."}, [&](RunVisitor& path) {
     path.points(
@@ -109,10 +115,19 @@ void RunConfig::fields(RunVisitor& visit) {
            "After the solve, in this order; default: trace, and straighten where the metric is constant, on a mesh."});
   visit.block("output", {.help = "Where results go."}, [&](RunVisitor& v) {
     v.field("folder", output_folder, {.help = "Output folder, relative to the current one; default: results/<name>."});
+    v.field("files", output_files,
+            {.help = "Which files a run of one path writes beside manifest.json; default: all. Of result, path, curve, "
+                     "vtp, obj, geojson (on the earth), residuals, waypoints, history, first_path, scene, config, "
+                     "report; a report needs result, path, history, scene and config."});
+    v.field("pair_points", pair_points, {.help = "With ends.pairs: the lines of paths.jsonl have the points too."});
     v.block("waypoints",
             {.help = "Also waypoints.csv: points of the path, equally spaced in cost; a count or a spacing."},
             [&](RunVisitor& w) { waypoints.fields(w); });
   });
+}
+
+bool RunConfig::writes(std::string_view file) const {
+  return output_files.empty() || std::count(output_files.begin(), output_files.end(), file) > 0;
 }
 
 void LoadedConfig::add_error(const std::string& key, const std::string& message) {

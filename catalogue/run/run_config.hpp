@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <istream>
 #include <optional>
@@ -12,7 +13,7 @@
 #include <leastcost/framework/certificate.hpp>
 #include <leastcost/framework/waypoints.hpp>
 #include "catalogue/options/options_writer.hpp"
-#include "catalogue/options/run_visitor.hpp"
+#include "catalogue/plugins/run_visitor.hpp"
 #include "catalogue/yaml/config_node.hpp"
 #include "catalogue/yaml/overrides.hpp"
 
@@ -35,6 +36,10 @@ struct FamilyOptions {
 enum class TargetImageChoice { cheapest, given };
 Words<TargetImageChoice> words(TargetImageChoice);
 
+/// What `output.files` can name: parts of what a run of one path leaves in its folder, beside manifest.json.
+inline constexpr std::array<std::string_view, 13> kRunFiles = {
+    "result",    "path",    "curve",      "vtp",   "obj",    "geojson", "residuals",
+    "waypoints", "history", "first_path", "scene", "config", "report"};
 /// One run as its configuration describes it. Everything typed, checked and with its default in place; nothing read
 /// from the disk and nothing computed yet.
 struct RunConfig {
@@ -46,6 +51,8 @@ struct RunConfig {
   PluginChoice robot;                        ///< none: points are places among the obstacles
   double clearance = 0;                      ///< from the obstacles, length units
   std::optional<EndOptions> source, target;  ///< none in a ring, or the source alone: its fixed point
+  std::string pairs;                         ///< file of many pairs of ends, in the place of these two; empty: none
+  std::optional<double> pair_tolerance;      ///< of their points, as of an end
   std::optional<int> points = 64;            ///< free points n; none: as many as the first edge path has
   bool ring = false;
   bool cascade = false;
@@ -57,9 +64,14 @@ struct RunConfig {
   CertificateOptions certificate;
   std::optional<PluginList> post_process;    ///< none: those of the manifold
   std::optional<std::string> output_folder;  ///< relative to the current folder; else results/<name>
+  std::vector<std::string> output_files;     ///< which of kRunFiles a run of one path writes; empty: all of them
+  bool pair_points = false;                  ///< the lines of a run of pairs have the points of the paths
   WaypointOptions waypoints;                 ///< of the output
 
   void fields(RunVisitor& visit);
+  bool has_pairs() const { return !pairs.empty(); }
+  /// Whether a run writes what one of kRunFiles stands for.
+  bool writes(std::string_view file) const;
 };
 
 /// A configuration file after reading.

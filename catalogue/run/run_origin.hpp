@@ -4,11 +4,13 @@
 
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <leastcost/catalogue/run/run.hpp>
 #include "catalogue/inputs/input_file.hpp"
+#include "catalogue/run/pair_composer.hpp"
 #include "catalogue/run/run_config.hpp"
 
 namespace leastcost {
@@ -19,7 +21,8 @@ struct RunOrigin {
   std::filesystem::path folder;   ///< files of the configuration are relative to it
   std::vector<InputFile> inputs;  ///< the configuration, then its data, as they were when they were read
   std::chrono::system_clock::time_point started;
-  RunParts parts;  ///< as they were composed
+  RunParts parts;                             ///< as they were composed
+  std::shared_ptr<const PairComposer> pairs;  ///< of a run of many pairs of ends, whose parts have none; else null
 };
 
 /// A run of a configuration that is there already and has passed its checks. Throws OptionError, InputError.

@@ -70,4 +70,14 @@ std::vector<PointImage> chart_images(const std::vector<Seam>& seams, const std::
   return all;
 }
 
+Points continued(const HasImages& chart, const Points& u) {
+  Points out = u;
+  for (Index i = 1; i < u.cols(); ++i) {
+    const Eigen::VectorXd before = out.col(i - 1);
+    for (const PointImage& image : chart.images(u.col(i), before, 1))
+      if ((image.u - before).norm() < (out.col(i) - before).norm()) out.col(i) = image.u;
+  }
+  return out;
+}
+
 }  // namespace leastcost

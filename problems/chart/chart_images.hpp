@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <leastcost/framework/has_images.hpp>
+#include <leastcost/framework/path.hpp>
 #include <leastcost/problems/chart/seams.hpp>
 
 namespace leastcost {
@@ -16,5 +17,9 @@ namespace leastcost {
 /// at, however many turns off u itself is.
 std::vector<PointImage> chart_images(const std::vector<Seam>& seams, const std::vector<SeamMap>& poles,
                                      const Eigen::VectorXd& u, const Eigen::VectorXd& reference, std::size_t most);
+
+/// The columns of a path in a chart, each by that of its names that is nearest to the column before it: the points of a
+/// chain are where they are in space, and their coordinates may be those of another sheet of the cover.
+Points continued(const HasImages& chart, const Points& u);
 
 }  // namespace leastcost

@@ -9,9 +9,10 @@
 #include <sstream>
 #include <string>
 
-#include <leastcost/framework/encloses_metric.hpp>
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/has_conformal_metric.hpp>
 #include <leastcost/framework/segment_cost_function.hpp>
+#include "problems/costs/potential_time.hpp"
 
 namespace leastcost {
 namespace {
@@ -122,16 +123,14 @@ struct Midpoint : TravelTimeBase<D> {
 
 /// Both rules are the length under the metric I / v^2 in the limit of short segments.
 template <class Rule>
-class TravelTimeCost final : public SegmentCostOf<Rule>, public EnclosesMetricBy<TravelTimeCost<Rule>> {
+class TravelTimeCost final : public SegmentCostOf<Rule>, public ConformalMetricBy<TravelTimeCost<Rule>> {
  public:
   using SegmentCostOf<Rule>::SegmentCostOf;
 
+  Eigen::MatrixXd base() const override { return Eigen::MatrixXd::Identity(this->dim(), this->dim()); }
   template <class Jet>
-  void enclose(std::span<const Jet> x, std::span<Jet> upper) const {
-    const Jet g = Jet(1.0) / this->function().energy.squared_speed(x.back());
-    std::size_t k = 0;
-    for (std::size_t i = 0; i < x.size(); ++i)
-      for (std::size_t j = i; j < x.size(); ++j) upper[k++] = i == j ? g : Jet(0.0);
+  Jet squared_index(std::span<const Jet> x) const {
+    return Jet(1.0) / this->function().energy.squared_speed(x.back());
   }
 };
 
@@ -160,9 +159,15 @@ void TravelTimeOptions::fields(FieldVisitor& visit) {
                .exclusive_minimum = true});
   visit.field("start_speed", start_speed, {.help = "Speed at the source.", .unit = "length/s", .minimum = 0});
   visit.field("level", level,
-              {.help = "Height at which the bead is at rest; default: source height + start_speed^2 / (2 gravity). A "
-                       "ring has no source and must state it.",
-               .unit = "length"});
+              {.help = "Height at which the bead is at rest, in a potential its energy; default: that of the source "
+                       "with the start speed. A ring has no source and must state it.",
+               .unit = "length, in a potential length^2/s^2"});
+  visit.field(
+      "potential", potential,
+      {.help = "Instead of gravity: the potential energy per mass as a formula in the coordinates, like \"(x^2 + "
+               "y^2) / 2\".",
+       .unit = "length^2/s^2"});
+  visit.field("parameters", parameters, {.help = "Numbers that the potential may name, like {k: 2}."});
 }
 
 void check_travel_time(const TravelTimeOptions& options, bool has_source) {
@@ -172,6 +177,14 @@ void check_travel_time(const TravelTimeOptions& options, bool has_source) {
   if (options.level && !std::isfinite(*options.level)) throw OptionError("level", "must be finite");
   if (!options.level && !has_source)
     throw OptionError("level", "a ring has no source: state the energy level (a height)");
+  if (!options.potential) {
+    if (!options.parameters.empty()) throw OptionError("parameters", "are numbers of a potential, and there is none");
+    return;
+  }
+  if (options.gravity != TravelTimeOptions{}.gravity)
+    throw OptionError("gravity", "give one of gravity and potential: put gravity into the potential, like \"9.8 * y\"");
+  if (options.rule != TravelTimeRule::chute)
+    throw OptionError("rule", "in a potential it is chute: a bead at rest has no time by the speed in the middle");
 }
 
 std::shared_ptr<const SegmentCost> make_travel_time_cost(const TravelTimeOptions& options, int dim,
@@ -181,6 +194,9 @@ std::shared_ptr<const SegmentCost> make_travel_time_cost(const TravelTimeOptions
   if (source && source->size() != dim)
     throw InputError("the source has " + std::to_string(source->size()) + " coordinates, the space has " +
                      std::to_string(dim));
+  if (options.potential)
+    return make_potential_time_cost({*options.potential, options.parameters, options.start_speed, options.level}, dim,
+                                    source);
   const double level = options.level
                            ? *options.level
                            : (*source)[dim - 1] + options.start_speed * options.start_speed / (2 * options.gravity);

@@ -8,54 +8,11 @@
 #include <string>
 
 #include <leastcost/framework/errors.hpp>
+#include "problems/spline/bspline_line.hpp"
 
 namespace leastcost {
-namespace {
 
 using Eigen::Vector3d;
-using Row = Eigen::Map<Eigen::ArrayXd>;
-
-/// B-spline coefficients c_-1 .. c_n of lines of n values, `width` lines side by side; value i of line w is first[i *
-/// stride + w]. Solves (c_i-1 + 4 c_i + c_i+1) / 6 = f_i with (c_1 - c_-1) / 2 and (c_n - c_n-2) / 2 the slopes at the
-/// ends (times the cell), which are those of the cubic through the four nodes there.
-void to_coefficients(double* first, int n, std::size_t stride, std::size_t width) {
-  const auto row = [&](int i) {
-    return Row(first + static_cast<std::ptrdiff_t>(stride) * i, static_cast<Eigen::Index>(width));
-  };
-  Row before = row(-1), after = row(n);
-  before = (-11 * row(0) + 18 * row(1) - 9 * row(2) + 2 * row(3)) / 3;  // twice the slope
-  after = (11 * row(n - 1) - 18 * row(n - 2) + 9 * row(n - 3) - 2 * row(n - 4)) / 3;
-  std::vector<double> above(static_cast<std::size_t>(n), 0.0);  // of the eliminated matrix
-  row(0) = (6 * row(0) + before) / 4;
-  above[0] = 0.5;
-  for (int i = 1; i < n; ++i) {
-    const double below = i == n - 1 ? 2 : 1, pivot = 1 / (4 - below * above[static_cast<std::size_t>(i) - 1]);
-    above[static_cast<std::size_t>(i)] = pivot;
-    if (i == n - 1) row(i) -= after / 6;
-    row(i) = (6 * row(i) - below * row(i - 1)) * pivot;
-  }
-  for (int i = n - 2; i >= 0; --i) row(i) -= above[static_cast<std::size_t>(i)] * row(i + 1);
-  before = row(1) - before;
-  after = row(n - 2) + after;
-}
-
-/// Weights of the four coefficients around a place `u` of the way from one node to the next, and their derivatives.
-struct Weights {
-  double w[4], d[4];
-  explicit Weights(double u) {
-    const double v = 1 - u;
-    w[0] = v * v * v / 6;
-    w[1] = (3 * u - 6) * u * u / 6 + 2.0 / 3;
-    w[2] = (3 * v - 6) * v * v / 6 + 2.0 / 3;
-    w[3] = u * u * u / 6;
-    d[0] = -v * v / 2;
-    d[1] = (1.5 * u - 2) * u;
-    d[2] = -(1.5 * v - 2) * v;
-    d[3] = u * u / 2;
-  }
-};
-
-}  // namespace
 
 DistanceGrid::DistanceGrid(const GridShape& shape, std::vector<double> values)
     : shape_(shape),
@@ -81,10 +38,10 @@ DistanceGrid::DistanceGrid(const GridShape& shape, std::vector<double> values)
 void DistanceGrid::filter() {
   const auto& n = shape_.count;
   for (int k = 1; k <= n[2]; ++k) {
-    for (int j = 1; j <= n[1]; ++j) to_coefficients(&coefficients_[padded(1, j, k)], n[0], 1, 1);
-    to_coefficients(&coefficients_[padded(0, 1, k)], n[1], row_, row_);
+    for (int j = 1; j <= n[1]; ++j) to_bspline_coefficients(&coefficients_[padded(1, j, k)], n[0], 1, 1);
+    to_bspline_coefficients(&coefficients_[padded(0, 1, k)], n[1], row_, row_);
   }
-  to_coefficients(&coefficients_[padded(0, 0, 1)], n[2], row_ * rows_, row_ * rows_);
+  to_bspline_coefficients(&coefficients_[padded(0, 0, 1)], n[2], row_ * rows_, row_ * rows_);
 }
 
 double DistanceGrid::evaluate(const Vector3d& x, Vector3d& gradient) const {
@@ -98,7 +55,7 @@ double DistanceGrid::evaluate(const Vector3d& x, Vector3d& gradient) const {
     }
     from[axis] = std::min(static_cast<int>(t[axis]), last - 1);
   }
-  const Weights wx(t[0] - from[0]), wy(t[1] - from[1]), wz(t[2] - from[2]);
+  const BsplineWeights wx(t[0] - from[0]), wy(t[1] - from[1]), wz(t[2] - from[2]);
   double value = 0, dx = 0, dy = 0, dz = 0;
   for (int k = 0; k < 4; ++k) {
     const double* c = &coefficients_[padded(from[0], from[1], from[2] + k)];
@@ -134,6 +91,14 @@ double DistanceGrid::at_node(int i, int j, int k) const {
       for (int a = 0; a < 3; ++a)
         value += kWeights[a] * kWeights[b] * kWeights[c] * coefficients_[padded(i + a, j + b, k + c)];
   return value;
+}
+
+std::array<double, 64> DistanceGrid::coefficients_of_cell(int i, int j, int k) const {
+  std::array<double, 64> all{};
+  auto to = all.begin();
+  for (int c = 0; c < 4; ++c)
+    for (int b = 0; b < 4; ++b) to = std::copy_n(&coefficients_[padded(i, j + b, k + c)], 4, to);
+  return all;
 }
 
 DistanceGrid DistanceGrid::every_second() const {

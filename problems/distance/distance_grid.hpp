@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include <leastcost/problems/distance/grid_shape.hpp>
@@ -30,6 +31,8 @@ class DistanceGrid final : public ConstraintFunction {
   const GridShape& shape() const { return shape_; }
   /// The value that was given at a node, to rounding.
   double at_node(int i, int j, int k) const;
+  /// The 4 x 4 x 4 coefficients of B-splines whose sum the function is in the cell after node (i, j, k), x fastest.
+  std::array<double, 64> coefficients_of_cell(int i, int j, int k) const;
   /// The grid through every second node. Throws InputError when too few are left.
   DistanceGrid every_second() const;
   /// The same function, `rise` higher: its zeros lie that much farther inside.

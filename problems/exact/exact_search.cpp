@@ -20,13 +20,17 @@ double rounded_up(const SurfacePath& path) {
   return path_length(path) * (1 + static_cast<double>(path.points.size() + 8) * kRoundingOf<double>);
 }
 
-/// The path of a propagation, straightened exactly; as it is where straightening is not defined.
+/// The path of a propagation, straightened exactly; as it is where straightening is not defined. It is as short as can
+/// be already, but for rounding, which may make either the longer one: only the straightened one has its points in
+/// order where it runs into a vertex.
 SurfacePath straightened(const TriangleMesh& mesh, const SurfacePath& path) {
+  constexpr double kRounding = 1e-12;  // relative length
   try {
     StraightenOptions options;
     options.shortcuts = false;
     Straightened result = straighten(mesh, path, options);
-    if (result.finished && result.final_length <= result.initial_length) return std::move(result.path);
+    if (result.finished && result.final_length <= result.initial_length * (1 + kRounding))
+      return std::move(result.path);
   } catch (const InputError&) {
   }
   return path;
@@ -81,7 +85,7 @@ ExactResult ExactSearch::shortest(const SurfacePoint& source, const SurfacePoint
   Workspace::Parts& parts = *workspace.parts_;
   const EndPoint from = end_point(edges, source), to = end_point(edges, target);
   const bool with_landmarks = options.landmarks && tables_->landmarks.count() > 0;
-  const LowerBound bound(edges, from, &to, with_landmarks ? &tables_->landmarks : nullptr);
+  const LowerBound bound(edges, &to, with_landmarks ? &tables_->landmarks : nullptr);
 
   ExactResult result;
   result.bound = with_landmarks ? "euclid + " + std::to_string(tables_->landmarks.count()) + " landmarks" : "euclid";
@@ -143,7 +147,7 @@ ExactDistances ExactSearch::distances(const SurfacePoint& source, Workspace& wor
   QueryLimits limits;
   limits.max_windows = options.max_windows;
   limits.stop = options.stop;
-  run.run(from, nullptr, LowerBound(edges, from, nullptr, nullptr), limits);
+  run.run(from, nullptr, LowerBound(edges, nullptr, nullptr), limits);
   ExactDistances all;
   all.windows = run.windows();
   all.complete = !run.stopped() && !run.blocked();
@@ -154,14 +158,35 @@ ExactDistances ExactSearch::distances(const SurfacePoint& source, Workspace& wor
   return all;
 }
 
-Landmarks ExactSearch::make_landmarks(int count, Workspace& workspace) const {
+std::vector<SurfacePath> ExactSearch::paths(const SurfacePoint& source, std::span<const std::int32_t> vertices,
+                                            Workspace& workspace, const ExactOptions& options) const {
+  const HalfEdges& edges = tables_->edges;
+  const EndPoint from = end_point(edges, source);
+  Propagation<double>& run = workspace.parts_->quick;
+  QueryLimits limits;
+  limits.max_windows = options.max_windows;
+  limits.stop = options.stop;
+  limits.keep_windows = true;
+  run.run(from, nullptr, LowerBound(edges, nullptr, nullptr), limits);
+  std::vector<SurfacePath> paths;
+  paths.reserve(vertices.size());
+  for (const std::int32_t v : vertices) {
+    SurfacePath path = run.path_to(v);
+    paths.push_back(path.points.size() > 1 ? straightened(edges.mesh(), path) : std::move(path));
+  }
+  return paths;
+}
+
+std::uint64_t ExactSearch::made_for() const { return fingerprint(tables_->edges.mesh()); }
+
+Landmarks ExactSearch::make_landmarks(int count, Workspace& workspace, const std::function<bool()>& stop) const {
   const TriangleMesh& mesh = tables_->edges.mesh();
   Landmarks landmarks(fingerprint(mesh), static_cast<std::size_t>(mesh.vertex_count()));
   std::vector<double> nearest(static_cast<std::size_t>(mesh.vertex_count()), std::numeric_limits<double>::infinity());
   std::int32_t next = 0;
   // The first run only finds a vertex far from the others.
   for (int i = -1; i < count; ++i) {
-    const ExactDistances all = distances(vertex_point(mesh, next), workspace);
+    const ExactDistances all = distances(vertex_point(mesh, next), workspace, {.stop = stop});
     if (!all.complete) break;
     if (i >= 0) landmarks.add(next, all.at_least, all.at_most);
     double farthest = 0;

@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -81,8 +82,16 @@ class ExactSearch {
                        const ExactOptions& options = {}) const;
   ExactDistances distances(const SurfacePoint& source, Workspace& workspace, const ExactOptions& options = {}) const;
 
-  /// Landmarks far from each other, one propagation each. Fewer where a propagation does not complete.
-  Landmarks make_landmarks(int count, Workspace& workspace) const;
+  /// Shortest paths from one point to many vertices by one propagation, each straightened; empty where there is none.
+  /// All windows are kept for it, about 100 bytes each; after a stop, or a spent budget, paths need not be the
+  /// shortest.
+  std::vector<SurfacePath> paths(const SurfacePoint& source, std::span<const std::int32_t> vertices,
+                                 Workspace& workspace, const ExactOptions& options = {}) const;
+
+  /// Landmarks far from each other, one propagation each. Fewer where a propagation does not complete, or was stopped.
+  Landmarks make_landmarks(int count, Workspace& workspace, const std::function<bool()>& stop = {}) const;
+  /// What landmarks of this mesh carry: its fingerprint.
+  std::uint64_t made_for() const;
   /// Throws InputError when they were made for another mesh or other positions.
   void use(Landmarks landmarks);
 

@@ -68,6 +68,7 @@ HalfEdges::HalfEdges(const TriangleMesh& mesh) : mesh_(&mesh) {
     sides_[at(h)] =
         make_side<double>(position(mesh.tail(h)), position(mesh.head(h)), position(mesh.tail(mesh.previous(h))));
   }
+  for (const Side<double>& s : sides_) mean_edge_ += s.length / static_cast<double>(sides);
   for (const Eigen::Vector3d& p : mesh.positions()) reach_ = std::max(reach_, p.lpNorm<Eigen::Infinity>());
   begin_.reserve(at(vertices) + 1);
   corners_.reserve(at(sides));

@@ -64,6 +64,8 @@ class HalfEdges {
   const Corner& corner(std::int32_t h) const { return corners_[at(corner_of_[at(h)])]; }
   /// Largest absolute coordinate, length units: what rounding of a point's position is relative to.
   double reach() const { return reach_; }
+  /// Length units.
+  double mean_edge() const { return mean_edge_; }
 
  private:
   static std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
@@ -77,7 +79,7 @@ class HalfEdges {
   std::vector<std::int32_t> corner_of_;  // per half-edge, into corners_
   std::vector<VertexKind> kind_;
   std::vector<double> angle_, turn_error_;
-  double reach_ = 0;
+  double reach_ = 0, mean_edge_ = 0;
 };
 
 /// The side of half-edge h, computed in Real.

@@ -7,6 +7,7 @@
 
 #include <leastcost/problems/exact/landmarks.hpp>
 #include "problems/exact/end_point.hpp"
+#include "problems/exact/window.hpp"
 
 namespace leastcost {
 
@@ -20,13 +21,18 @@ struct ImagePlace {
 class LowerBound {
  public:
   LowerBound() = default;
-  /// Without a target: nothing is left anywhere. Landmarks may be null; those that say most of the pair are used.
-  LowerBound(const HalfEdges& mesh, const EndPoint& source, const EndPoint* target, const Landmarks* landmarks);
+  /// Without a target: nothing is left anywhere. Landmarks may be null.
+  LowerBound(const HalfEdges& mesh, const EndPoint* target, const Landmarks* landmarks);
 
+  bool aims() const { return aims_; }
   /// Of every path from v to the target.
   double from_vertex(std::int32_t v) const;
-  /// Of every path from the image straight through [begin, end] of the edge of h and on to the target.
-  double through(std::int32_t h, double begin, double end, const ImagePlace& image) const;
+  /// Of every path from an end of a query to the target.
+  double from_end(const EndPoint& end) const;
+  /// What `through` needs of the edge of h; `rest_tail` and `rest_head` are those of from_vertex().
+  void look_from(std::int32_t h, EdgeState& edge) const;
+  /// Of every path from the image straight through [begin, end] of an edge of this length and on to the target.
+  double through(const EdgeState& edge, double length, double begin, double end, const ImagePlace& image) const;
 
  private:
   const HalfEdges* mesh_ = nullptr;
@@ -34,8 +40,8 @@ class LowerBound {
   Eigen::Vector3d target_ = Eigen::Vector3d::Zero();
   double target_error_ = 0;
   const Landmarks* landmarks_ = nullptr;
-  std::vector<std::int32_t> used_;
-  std::vector<double> at_least_, at_most_;  // distance of each used landmark from the target
+  // Of each landmark: beyond its distance from the target a field leaves its difference to go, before it likewise.
+  std::vector<double> beyond_, before_;
 };
 
 }  // namespace leastcost

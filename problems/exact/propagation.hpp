@@ -4,12 +4,14 @@
 
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "problems/exact/end_point.hpp"
 #include "problems/exact/half_edges.hpp"
 #include "problems/exact/lower_bound.hpp"
 #include "problems/exact/window.hpp"
+#include "problems/exact/window_queue.hpp"
 
 namespace leastcost {
 
@@ -43,19 +45,10 @@ class Propagation {
 
   /// Where the found path goes: ends of straight pieces and crossings of edges, from the source on.
   SurfacePath path() const;
+  /// The same to a vertex, after a run without a target that kept its windows; empty where there is none.
+  SurfacePath path_to(std::int32_t vertex) const;
 
  private:
-  struct Entry {
-    double key;
-    std::int32_t id;                                                      ///< of a window, or ~vertex
-    bool operator<(const Entry& other) const { return key > other.key; }  // least key first
-  };
-  /// The best window that sees the third corner over a half-edge: of two such windows the worse one need not go on on
-  /// the far side of the better one's ray (Chen and Han 1990).
-  struct Apex {
-    std::uint32_t query = 0;
-    double at_most = 0, crossing = 0, margin = 0;
-  };
   /// One of the two edges through which a window leaves the face: seen from the corner that it shares with the edge
   /// entered, from which t runs towards the third corner.
   struct Exit {
@@ -68,18 +61,38 @@ class Propagation {
   };
 
   static std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-  Side<Real> side(std::int32_t h) const;
+  Side<Real> side(std::int32_t h) const {
+    if constexpr (std::is_same_v<Real, double>) return mesh_->side(h);
+    return make_side<Real>(mesh_->position(mesh_->tail(h)), mesh_->position(mesh_->head(h)),
+                           mesh_->position(mesh_->tail(TriangleMesh::previous(h))));
+  }
   VertexReach& touch(std::int32_t v);
-  double at_most(std::int32_t v) const { return reached(v).at_most; }
+  VertexGuide& guide(std::int32_t v) {
+    VertexGuide& guide = guides_[at(v)];
+    if (guide.query != query_) guide = VertexGuide{.query = query_};
+    return guide;
+  }
+  double at_most(std::int32_t v) const {
+    const VertexGuide& guide = guides_[at(v)];
+    return guide.query == query_ ? guide.at_most : std::numeric_limits<double>::infinity();
+  }
+  /// Of every path from v to the target: asked once per query.
+  double rest(std::int32_t v) {
+    VertexGuide& known = guide(v);
+    if (known.rest < 0) known.rest = bound_->from_vertex(v);
+    return known.rest;
+  }
+  EdgeState& edge(std::int32_t h);
+  double rest_through(std::int32_t h, const Window<Real>& w);
 
   void start(const EndPoint& source);
   void start_in_face(const EndPoint& source, std::int32_t face);
-  void add(std::int32_t from_side, bool from_tail, Window<Real> w);
+  void add(std::int32_t from_side, bool from_tail, Window<Real>& w);
+  bool sabotaged(Window<Real>& w) const;
   void turn_at_ends(std::int32_t h, Window<Real>& w) const;
   void block(double key);
   void propagate(std::int32_t id);
-  bool dominated(const Window<Real>& w) const;
-  void leave(const Exit& exit, Real b0, Real b1, bool to_far, const Window<Real>& w, std::int32_t id);
+  void leave(const Exit& exit, const Real& b0, const Real& b1, bool to_far, const Window<Real>& w, std::int32_t id);
   void see_corner(const Window<Real>& w, std::int32_t id, double distance, double beside);
   void see_target(const Window<Real>& w, std::int32_t id);
   void reach(std::int32_t v, double at_least, double at_most, std::int32_t window, std::int32_t vertex,
@@ -88,15 +101,24 @@ class Propagation {
   void fire(std::int32_t v);
   void fire_corner(std::int32_t v, const Corner& corner, double from, double to);
   void fire_edge(std::int32_t v, std::int32_t halfedge);
-  void push(double key, std::int32_t id);
   void trace_back(std::int32_t window, Point2 towards, SurfacePath& reversed) const;
+  std::int32_t root_of(std::int32_t window) const;
+  std::int32_t face_between(std::int32_t v, std::int32_t other, const EndPoint& end) const;
+  void trace_to_source(std::int32_t vertex, SurfacePath& reversed) const;
 
   const HalfEdges* mesh_;
   std::vector<VertexReach> reach_;
-  std::vector<Apex> apex_;
+  std::vector<VertexGuide> guides_;
+  /// Where the state of a half-edge's edge is, and the query that this is of.
+  struct Slot {
+    std::uint32_t query = 0;
+    std::int32_t index = -1;
+  };
+  std::vector<Slot> slots_;
+  std::vector<EdgeState> edges_;  // of those that windows of this query came to
   std::vector<Window<Real>> pool_;
   std::vector<std::int32_t> free_;
-  std::vector<Entry> queue_;
+  WindowQueue queue_;
   std::uint32_t query_ = 0;
 
   const EndPoint *source_ = nullptr, *target_ = nullptr;
@@ -104,7 +126,8 @@ class Propagation {
   double best_ = 0, slack_ = 0, limit_ = 0;  // best length known; what ends the search
   double target_at_least_ = 0, target_at_most_ = 0, blocked_ = 0, fork_ = 0, open_ = 0;
   std::int32_t target_window_ = -1, target_vertex_ = -1;
-  bool stopped_ = false;
+  bool stopped_ = false, keeps_ = true, sabotaged_ = false;
+  Sabotage sabotage_;
   std::int64_t windows_ = 0;
 };
 

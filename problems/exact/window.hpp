@@ -25,7 +25,7 @@ struct Window {
   double spread = 0;  ///< the part reaches beyond what the faces leave free by this angle at most, radians
 };
 
-/// What is known of a vertex.
+/// What is known of a vertex that paths were found to.
 struct VertexReach {
   std::uint32_t query = 0;                                    ///< the query that this is of
   bool pending = false, fired = false, all_around = false;    ///< as a root: in the queue; has sent windows; everywhere
@@ -36,12 +36,37 @@ struct VertexReach {
   std::int32_t from_window = -1, from_vertex = -1;  ///< where the path came from; neither: straight from the source
 };
 
+/// What every window beside a vertex asks for, apart from the rest: a few of them to a line of memory.
+struct VertexGuide {
+  double at_most = std::numeric_limits<double>::infinity();  ///< as in its VertexReach
+  double rest = -1;                                          ///< lower bound to the target; negative: not yet asked
+  std::uint32_t query = 0;
+};
+
+/// What one query keeps of an edge, seen by the windows that enter the face of its half-edge.
+struct EdgeState {
+  /// The target turned into the plane of the edge, beyond it; what is left to it from the two ends at least; bound on
+  /// the rounding of all that. Length units.
+  double target_x = 0, target_y = 0, rest_tail = 0, rest_head = 0, rounding = 0;
+  /// The best window that sees the third corner over the edge: of two such windows the worse one need not go on on the
+  /// far side of the better one's ray (Chen and Han 1990).
+  double apex_at_most = std::numeric_limits<double>::infinity(), apex_crossing = 0, apex_margin = 0;
+};
+
+/// Faults on purpose, for tests that must find them.
+struct Sabotage {
+  std::int64_t drop_every = 0;  ///< every so many-th window is left out; 0: none
+  double crack = 0;             ///< parts are narrower by this share at both ends
+};
+
 /// When a query stops before it is done.
 struct QueryLimits {
   double upper = std::numeric_limits<double>::infinity();  ///< length of a known path, rounded up
   double slack = 0;                                        ///< paths within this fraction of the best are not sought
   std::int64_t max_windows = std::numeric_limits<std::int64_t>::max();
   std::function<bool()> stop = {};  ///< true: stop; empty: never
+  bool keep_windows = false;        ///< without a target: for paths, too, not for distances alone
+  Sabotage sabotage = {};
 };
 
 }  // namespace leastcost

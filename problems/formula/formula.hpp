@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <leastcost/framework/errors.hpp>
@@ -63,6 +64,8 @@ class Formula {
   Formula(std::string_view text, const std::vector<std::string>& variables,
           const std::map<std::string, double>& parameters = {})
       : formulas_({std::string(text)}, variables, parameters) {}
+  /// The only one of them.
+  explicit Formula(Formulas formulas) : formulas_(std::move(formulas)) {}
 
   template <class S>
   S operator()(std::span<const S> variables) const {

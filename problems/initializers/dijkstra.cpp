@@ -9,33 +9,52 @@
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/has_graph.hpp>
-#include <leastcost/problems/straighten/geodesic.hpp>
 #include "problems/initializers/away_from_routes.hpp"
+#include "problems/initializers/route_keeper.hpp"
+#include "problems/mesh/edge_route.hpp"
 #include "problems/mesh/mesh_curve.hpp"
 
 namespace leastcost {
 
 namespace {
 
-FirstPath best_straightened(const Problem& problem, int routes, const Monitor& monitor) {
+/// Over a mesh by length: over diagonals too, aimed by landmarks, or the better of two that are straightened.
+FirstPath by_length(const Problem& problem, const DijkstraOptions& options, RouteKeeper& keeper,
+                    const Monitor& monitor) {
   const auto* domain = find_ability<HasMesh>(*problem.manifold);
   if (domain == nullptr)
-    throw InputError("dijkstra with more than one route needs a mesh; use routes: 1 on other domains");
+    throw InputError(
+        "dijkstra with more than one route, diagonals or landmarks needs a mesh; leave them out elsewhere");
   const TriangleMesh& mesh = domain->mesh();
-  const SurfacePoint source = point_on_face(mesh, problem.source.site, in_space(problem.source.u));
-  const SurfacePoint target = point_on_face(mesh, problem.target.site, in_space(problem.target.u));
   const std::optional<MetricRoot> metric = constant_metric(problem);
   if (!metric)
     throw InputError(
-        "dijkstra with more than one route straightens them, which needs a cost with a constant metric "
-        "(euclidean, metric_tensor); use routes: 1");
-  GeodesicOptions options{.metric = *metric, .stop = [&monitor] { return monitor.interrupted(); }, .routes = routes};
-  Geodesic best = GeodesicSearch(mesh).shortest(source, target, options);
-  if (best.first.outcome == EdgePathOutcome::stopped) throw Interrupted(best.first.failure());
-  if (!best.found()) throw InitializationError(best.first.failure());
+        "dijkstra with more than one route, diagonals or landmarks measures lengths, which needs a cost with a "
+        "constant metric (euclidean, metric_tensor); leave them out");
+  const SurfacePoint source = point_on_face(mesh, problem.source.site, in_space(problem.source.u));
+  const SurfacePoint target = point_on_face(mesh, problem.target.site, in_space(problem.target.u));
+  const StopPredicate stop = [&monitor] { return monitor.interrupted(); };
+  const std::shared_ptr<KeptRoutes> kept = keeper.routes_for(problem, mesh, *metric, options.landmarks, stop);
+  GeodesicSearch search = kept->borrow();
+  SurfacePath path;
+  std::size_t points = 0;  // of the path along the graph
+  if (options.routes > 1) {
+    Geodesic best = search.shortest(
+        source, target, {.metric = *metric, .stop = stop, .routes = options.routes, .landmarks = kept->landmarks()});
+    points = found_or_throw(std::move(best.first)).path.points.size();
+    path = std::move(best.result.path);
+  } else {
+    path = found_or_throw(
+               search.first_path(
+                   source, target,
+                   {.metric = *metric, .stop = stop, .diagonals = options.diagonals, .landmarks = kept->landmarks()}))
+               .path;
+    points = path.points.size();
+  }
+  kept->give_back(std::move(search));
   FirstPath first;
-  first.path = as_coordinates(problem, best.result.path);
-  first.graph_vertices = static_cast<int>(best.first.path.points.size()) - 2;
+  first.path = as_coordinates(problem, path);
+  first.graph_vertices = static_cast<int>(points) - 2;
   return first;
 }
 
@@ -72,15 +91,29 @@ void DijkstraOptions::fields(FieldVisitor& visit) {
               {.help = "k: the k-th of routes that keep away from each other, for another class of paths.",
                .minimum = 1,
                .maximum = 32});
+  visit.field("diagonals", diagonals,
+              {.help = "Also moves from a vertex of a mesh straight across an edge to the vertex opposite, for costs "
+                       "with a constant metric: more often the class of the shortest path."});
+  visit.field("landmarks", landmarks,
+              {.help = "Vertices of a mesh whose distances to all others are made once and aim every later search, for "
+                       "costs with a constant metric: quicker for many pairs on a large mesh, for 4 bytes each.",
+               .minimum = 0,
+               .maximum = 256});
 }
+
+DijkstraInitializer::DijkstraInitializer(DijkstraOptions options)
+    : options_(options), keeper_(std::make_shared<RouteKeeper>()) {}
 
 FirstPath DijkstraInitializer::first_path(const Problem& problem, const Monitor& monitor) const {
   if (problem.ring) throw InitializationError("a ring has no ends to join: give waypoints");
+  const bool lengths = options_.routes > 1 || options_.diagonals || options_.landmarks > 0;
   if (options_.rank > 1 && options_.routes > 1)
     throw OptionError("rank", "goes with routes: 1; the best of two routes has no second best");
+  if (options_.rank > 1 && lengths)
+    throw OptionError("rank", "goes without diagonals and landmarks: routes keep away from each other by their cost");
   const auto* domain = find_ability<HasGraph>(*problem.manifold);
   if (domain == nullptr) throw InputError("initializer dijkstra needs a domain with a graph: a mesh or a point cloud");
-  if (options_.routes > 1) return best_straightened(problem, options_.routes, monitor);
+  if (lengths) return by_length(problem, options_, *keeper_, monitor);
   return ranked(problem, options_.rank, [&](const Problem& p) { return domain->least_cost_edges(p, monitor); });
 }
 

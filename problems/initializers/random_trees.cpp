@@ -6,29 +6,15 @@
 #include <cmath>
 #include <utility>
 
-#include <leastcost/framework/clearance.hpp>
-
 namespace leastcost {
 namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr int kEdgePieces = 2;             ///< of an edge, before it is bisected
-constexpr double kLongest = 1.5;           ///< a projected piece may be so much longer than the piece
+constexpr double kLongest = 3;             ///< an edge may be so many steps long
 constexpr int kSamplesPerNode = 20;        ///< samples that may fail for each node that is allowed
 constexpr double kShortestStep = 1.0 / 8;  ///< of a step that is taken where a whole one is blocked
 constexpr double kProgress = 0.1;          ///< of a step: a node that brings less would only be in the way
-
-/// Uniform in [0, 1) from the engine's own bits: the same on every platform.
-double uniform(std::mt19937_64& engine) { return static_cast<double>(engine() >> 11U) * 0x1p-53; }
-
-double pieces_length(const Vector& start, const std::vector<std::vector<Vector>>& pieces) {
-  std::vector<Vector> points = {start};
-  for (const std::vector<Vector>& piece : pieces) points.insert(points.end(), piece.begin(), piece.end());
-  return polyline_length(points);
-}
-
-std::ptrdiff_t signed_of(std::size_t i) { return static_cast<std::ptrdiff_t>(i); }
 
 }  // namespace
 
@@ -47,14 +33,12 @@ std::vector<Vector> RandomTree::branch(int node) const {
   return nodes;
 }
 
-RandomTrees::RandomTrees(const Problem& problem, const RrtOptions& options)
-    : problem_(problem),
-      obstacles_(find_ability<ChecksMoves>(*problem.manifold)),
-      options_(options),
+RandomTrees::RandomTrees(const Problem& problem, const RrtOptions& options, std::uint64_t seed)
+    : options_(options),
       step_(options.step.value_or((problem.target.u - problem.source.u).norm() / 16)),
       shell_(options.shell.value_or(step_ / 4)),
-      engine_(static_cast<std::uint64_t>(options.seed.value_or(0))),
-      lines_(*problem.manifold),
+      engine_(seed),
+      lines_(problem, step_),
       trees_{RandomTree(problem.source.u), RandomTree(problem.target.u)},
       margin_(Vector::Constant(problem.source.u.size(), options.reach * (problem.target.u - problem.source.u).norm())) {
   around_ends_ = {problem.source.u.cwiseMin(problem.target.u) - margin_,
@@ -64,8 +48,23 @@ RandomTrees::RandomTrees(const Problem& problem, const RrtOptions& options)
     of_use_ = domain->sample_box(problem.source.u, problem.target.u);
 }
 
-std::optional<std::vector<Vector>> RandomTrees::joined(const Monitor& monitor) {
-  const long most = static_cast<long>(kSamplesPerNode) * options_.max_nodes;
+/// The box of the ellipsoid whose foci are the ends (Gammell, Srinivasa and Barfoot 2014, informed RRT*).
+void RandomTrees::look_for(double length) {
+  const Vector& source = trees_[0].foot(0);
+  const Vector& target = trees_[1].foot(0);
+  const double apart = (target - source).norm();
+  if (!(apart > 0)) return;
+  const double along = length / 2, across = std::sqrt(std::max(0.0, length * length - apart * apart)) / 2;
+  const Eigen::ArrayXd axis = ((target - source) / apart).array().square();
+  const Vector half = (along * along * axis + across * across * (1 - axis)).sqrt(), middle = (source + target) / 2;
+  if (of_use_.lower.size() == 0) of_use_ = {middle - half, middle + half};
+  of_use_.lower = of_use_.lower.cwiseMax(middle - half);
+  of_use_.upper = of_use_.upper.cwiseMin(middle + half);
+}
+
+std::optional<std::vector<Vector>> RandomTrees::joined(int most_nodes, const Monitor& monitor) {
+  most_nodes_ = most_nodes;
+  const long most = static_cast<long>(kSamplesPerNode) * most_nodes;
   for (int tree = 0; samples_ < most; tree = 1 - tree, ++samples_) {
     if (is_over(monitor)) return {};
     const Vector x = sample(trees_[static_cast<std::size_t>(1 - tree)].foot(0));
@@ -82,34 +81,13 @@ std::optional<std::vector<Vector>> RandomTrees::joined(const Monitor& monitor) {
   return {};
 }
 
-std::vector<Vector> RandomTrees::shortened(std::vector<Vector> nodes, const Monitor& monitor) {
-  std::vector<std::vector<Vector>> pieces;  // piece i: from node i to node i + 1, without its first point
-  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-    pieces.emplace_back();
-    look_at_clock(monitor.deadline);
-    line(nodes[i], nodes[i + 1], pieces.back());
-  }
-  for (int k = 0; k < options_.shortcuts && nodes.size() > 2 && !monitor.interrupted(); ++k) {
-    const auto pick = [&] { return static_cast<std::size_t>(uniform(engine_) * static_cast<double>(nodes.size())); };
-    const auto [i, j] = std::minmax({pick(), pick()});
-    if (j < i + 2) continue;
-    std::vector<Vector> shortcut;
-    if (!line(nodes[i], nodes[j], shortcut)) continue;
-    if (!(pieces_length(nodes[i], {shortcut}) <
-          pieces_length(nodes[i], {pieces.begin() + signed_of(i), pieces.begin() + signed_of(j)})))
-      continue;
-    pieces.erase(pieces.begin() + signed_of(i) + 1, pieces.begin() + signed_of(j));
-    pieces[i] = std::move(shortcut);
-    nodes.erase(nodes.begin() + signed_of(i) + 1, nodes.begin() + signed_of(j));
-  }
-  std::vector<Vector> path = {nodes.front()};
-  for (const std::vector<Vector>& piece : pieces) path.insert(path.end(), piece.begin(), piece.end());
-  return path;
+std::vector<Vector> RandomTrees::shortened(const std::vector<Vector>& nodes, const Monitor& monitor) {
+  return lines_.shortened(nodes, options_.shortcuts, engine_, monitor);
 }
 
 /// Whether the limit of nodes is reached or the monitor says stop.
 bool RandomTrees::is_over(const Monitor& monitor) {
-  if (size() >= options_.max_nodes) return true;
+  if (size() >= most_nodes_) return true;
   constexpr long kAskEvery = 4;
   stopped_ = stopped_ || (samples_ % kAskEvery == 0 && monitor.interrupted());
   return stopped_;
@@ -118,13 +96,13 @@ bool RandomTrees::is_over(const Monitor& monitor) {
 /// The other end, or uniform in one of two boxes: around the ends, where most paths are, or around all that the trees
 /// have reached, which may have to go far.
 Vector RandomTrees::sample(const Vector& other_end) {
-  const double chance = uniform(engine_);
+  const double chance = uniform_number(engine_);
   if (chance < options_.goal_bias) return other_end;
   const SampleBox& box = chance < (1 + options_.goal_bias) / 2 ? around_ends_ : around_trees_;
   const bool known = of_use_.lower.size() > 0;
   const Vector low = known ? Vector(box.lower.cwiseMax(of_use_.lower)) : box.lower;
   const Vector high = known ? Vector(box.upper.cwiseMin(of_use_.upper)) : box.upper;
-  return low + Vector::NullaryExpr(low.size(), [&] { return uniform(engine_); }).cwiseProduct(high - low);
+  return low + Vector::NullaryExpr(low.size(), [&] { return uniform_number(engine_); }).cwiseProduct(high - low);
 }
 
 /// One step from a node towards x, then into the shell; less than a step where that is blocked. The new node, or -1.
@@ -168,24 +146,8 @@ int RandomTrees::connect(int tree, const Vector& goal, const Monitor& monitor) {
 /// Whether an edge may lead from the foot of a node to another point, in the sense in which the path will run.
 bool RandomTrees::joins(int tree, int from, const Vector& foot) {
   const Vector& start = trees_[static_cast<std::size_t>(tree)].foot(from);
-  if ((foot - start).norm() > 2 * kLongest * step_) return false;
-  edge_.clear();
-  return tree == 0 ? line(start, foot, edge_) : line(foot, start, edge_);
-}
-
-/// The projection of a -> b in pieces of about half a step into `out`, which is empty; false where there is no
-/// continuous one, its cost is infinite or an obstacle is in the way.
-bool RandomTrees::line(const Vector& a, const Vector& b, std::vector<Vector>& out) {
-  const double distance = (b - a).norm();
-  const int pieces = std::max(1, static_cast<int>(std::ceil(kEdgePieces * distance / step_)));
-  if (!lines_.append(a, b, pieces, kLongest * step_ / kEdgePieces, out)) return false;
-  const Vector* from = &a;
-  for (const Vector& to : out) {
-    if (!std::isfinite(move_cost(*problem_.cost, *from, to))) return false;
-    if (obstacles_ != nullptr && !goes_clear(*obstacles_, *from, to)) return false;
-    from = &to;
-  }
-  return true;
+  if ((foot - start).norm() > kLongest * step_) return false;
+  return tree == 0 ? lines_.is_clear(start, foot) : lines_.is_clear(foot, start);
 }
 
 }  // namespace leastcost

@@ -3,18 +3,18 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <random>
 #include <vector>
 
-#include <leastcost/framework/checks_moves.hpp>
 #include <leastcost/framework/has_sample_box.hpp>
 #include <leastcost/framework/monitor.hpp>
 #include <leastcost/framework/problem.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>
+#include "problems/initializers/clear_lines.hpp"
 #include "problems/initializers/growing_points.hpp"
-#include "problems/section/projected_line.hpp"
 
 namespace leastcost {
 
@@ -40,15 +40,19 @@ class RandomTree {
 /// the other has just gained (Kuffner and LaValle 2000, RRT-Connect), in the shell of VFCS Sec. 4.2.1.
 class RandomTrees {
  public:
-  RandomTrees(const Problem& problem, const RrtOptions& options);
+  /// `seed`: of the samples, whatever the options say. Problem and options outlive it.
+  RandomTrees(const Problem& problem, const RrtOptions& options, std::uint64_t seed);
 
-  /// Grows until the trees meet: the nodes from the source to the target, on the domain. Nothing when the limits are
-  /// reached or the monitor says stop.
-  std::optional<std::vector<Eigen::VectorXd>> joined(const Monitor& monitor);
+  /// Samples only where paths of at most this length come, longer than the ends are apart.
+  void look_for(double length);
 
-  /// Leaves out what lies between two nodes whose straight line projects to something shorter; then the whole path on
-  /// the domain.
-  std::vector<Eigen::VectorXd> shortened(std::vector<Eigen::VectorXd> nodes, const Monitor& monitor);
+  /// Grows until the trees meet: the nodes from the source to the target, on the domain. Nothing when there are
+  /// `most_nodes` or the monitor says stop.
+  std::optional<std::vector<Eigen::VectorXd>> joined(int most_nodes, const Monitor& monitor);
+
+  /// The whole path on the domain, without what lies between two of its points whose straight line projects to
+  /// something shorter.
+  std::vector<Eigen::VectorXd> shortened(const std::vector<Eigen::VectorXd>& nodes, const Monitor& monitor);
 
   int size() const { return trees_[0].size() + trees_[1].size(); }
   long samples() const { return samples_; }
@@ -61,18 +65,15 @@ class RandomTrees {
   int extend(int tree, int from, const Eigen::VectorXd& x);
   int connect(int tree, const Eigen::VectorXd& foot, const Monitor& monitor);
   bool joins(int tree, int from, const Eigen::VectorXd& foot);
-  bool line(const Eigen::VectorXd& a, const Eigen::VectorXd& b, std::vector<Eigen::VectorXd>& out);
 
-  const Problem& problem_;
-  const ChecksMoves* obstacles_;
   const RrtOptions& options_;
   double step_, shell_;
   std::mt19937_64 engine_;
-  LineProjector lines_;
+  ClearLines lines_;
   std::array<RandomTree, 2> trees_;  ///< from the source, from the target
-  std::vector<Eigen::VectorXd> edge_;
   Eigen::VectorXd margin_;
   SampleBox around_ends_, around_trees_, of_use_;
+  int most_nodes_ = 0;
   long samples_ = 0;
   bool stopped_ = false;
   double distance_ = std::numeric_limits<double>::infinity();

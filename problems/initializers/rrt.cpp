@@ -3,11 +3,14 @@
 #include <leastcost/problems/initializers/rrt.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <leastcost/framework/checks_moves.hpp>
 #include <leastcost/framework/errors.hpp>
 #include "problems/initializers/random_trees.hpp"
 
@@ -24,6 +27,44 @@ std::string failure(const RandomTrees& trees, const RrtOptions& options, double 
     out << ". The ends may lie on different parts of the domain; otherwise try a smaller step, more than max_nodes: "
         << options.max_nodes << ", or a larger reach";
   return out.str();
+}
+
+/// What is found in space is pulled tight, and no pull leaves the class that it begins in.
+int paths_by_default(const Problem& problem) {
+  constexpr int kInSpace = 8;
+  const bool in_space = problem.source.u.size() == 3 && find_ability<ChecksMoves>(*problem.manifold) != nullptr;
+  return in_space ? kInSpace : 1;
+}
+
+/// What further paths may take of the time that is left: a quarter. The search for the least path needs the rest.
+Monitor for_further_paths(const Monitor& monitor) {
+  Monitor shorter = monitor;
+  const auto now = Monitor::Clock::now();
+  if (monitor.deadline) shorter.deadline = now + (*monitor.deadline - now) / 4;
+  return shorter;
+}
+
+/// Looks for further paths, with trees of other seeds that may become a few times as large as those of the first: the
+/// shortest of all that there is time for.
+std::vector<Eigen::VectorXd> shortest_of(int paths, std::vector<Eigen::VectorXd> best, int nodes_of_first,
+                                         const Problem& problem, const RrtOptions& options, const Monitor& monitor) {
+  constexpr int kTimesFirst = 4, kFewest = 200;
+  constexpr std::uint64_t kNextSeed = 0x9E3779B97F4A7C15;  // far from the seeds that people take
+  const int most = std::min(options.max_nodes, std::max(kFewest, kTimesFirst * nodes_of_first));
+  const Monitor within = for_further_paths(monitor);
+  auto seed = static_cast<std::uint64_t>(*options.seed);
+  try {
+    for (int k = 1; k < paths && !within.interrupted(); ++k) {
+      RandomTrees trees(problem, options, seed += kNextSeed);
+      trees.look_for(polyline_length(best));
+      const std::optional<std::vector<Eigen::VectorXd>> nodes = trees.joined(most, within);
+      if (!nodes) continue;
+      std::vector<Eigen::VectorXd> path = trees.shortened(*nodes, within);
+      if (polyline_length(path) < polyline_length(best)) best = std::move(path);
+    }
+  } catch (const Interrupted&) {  // there is a path
+  }
+  return best;
 }
 
 }  // namespace
@@ -44,6 +85,10 @@ void RrtOptions::fields(FieldVisitor& visit) {
                .exclusive_minimum = true});
   visit.field("max_nodes", max_nodes, {.help = "Nodes of both trees after which the search gives up.", .minimum = 1});
   visit.field("shortcuts", shortcuts, {.help = "Random shortcuts that are tried on the path found.", .minimum = 0});
+  visit.field("paths", paths,
+              {.help = "How many paths are looked for, of which the shortest is taken; default: 8 among obstacles in "
+                       "space, else 1.",
+               .minimum = 1});
   visit.field("seed", seed, {.help = "Seed of the samples; default: the seed of the run.", .minimum = 0});
 }
 
@@ -61,8 +106,8 @@ FirstPath RrtInitializer::first_path(const Problem& problem, const Monitor& moni
     throw InitializationError(
         "rrt works in the space around a domain; a chart has none: use straight, bow or waypoints");
   const double distance = (problem.target.u - problem.source.u).norm();
-  RandomTrees trees(problem, options_);
-  const std::optional<std::vector<Eigen::VectorXd>> nodes = trees.joined(monitor);
+  RandomTrees trees(problem, options_, static_cast<std::uint64_t>(*options_.seed));
+  const std::optional<std::vector<Eigen::VectorXd>> nodes = trees.joined(options_.max_nodes, monitor);
   if (!nodes) {
     if (trees.stopped()) throw Interrupted(failure(trees, options_, distance, true));
     throw InitializationError(failure(trees, options_, distance, false));
@@ -70,7 +115,8 @@ FirstPath RrtInitializer::first_path(const Problem& problem, const Monitor& moni
   FirstPath first;
   first.notes.push_back("rrt: " + std::to_string(trees.size()) + " nodes, " + std::to_string(trees.samples()) +
                         " samples");
-  first.path = as_open_path(trees.shortened(*nodes, monitor));
+  first.path = as_open_path(shortest_of(options_.paths.value_or(paths_by_default(problem)),
+                                        trees.shortened(*nodes, monitor), trees.size(), problem, options_, monitor));
   pin_ends(problem, first.path);
   return first;
 }

@@ -16,7 +16,8 @@ struct RrtOptions {
   double reach = 1;
   int max_nodes = 20000;
   int shortcuts = 200;
-  std::optional<int> seed = {};  ///< else the seed of the run
+  std::optional<int> paths = {};  ///< else 8 among obstacles in space, 1 anywhere else
+  std::optional<int> seed = {};   ///< else the seed of the run
   void fields(FieldVisitor& visit);
 };
 
@@ -24,7 +25,9 @@ struct RrtOptions {
 /// to a random sample one step towards it, then into the shell; one tree from each end, which grow towards each other
 /// (Kuffner and LaValle 2000). Here the shell is what lies within a distance of the domain, on both sides, so that it
 /// needs nothing but a projection. Every edge has a continuous projection and is clear of obstacles; the path is
-/// projected and shortened by random shortcuts. The same seed gives the same path.
+/// projected and shortened by random shortcuts. Of several `paths`, each of trees of its own, the shortest is taken:
+/// among obstacles in space what is pulled tight later stays in the class that it began in. The same seed gives the
+/// same path.
 class RrtInitializer final : public Initializer {
  public:
   /// Throws OptionError for a step or shell that is no distance.

@@ -51,12 +51,11 @@ CoordinatePath stops(const Problem& problem, const Points& waypoints) {
 
 CoordinatePath join_on_mesh(const Problem& problem, const TriangleMesh& mesh, const CoordinatePath& stops,
                             const Monitor& monitor) {
-  EdgeGraphSearch search(mesh);
   const std::vector<SurfacePoint> points = surface_points(mesh, stops);
   CoordinatePath path;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     if (stops.u.col(static_cast<Index>(i)) == stops.u.col(static_cast<Index>(i) + 1)) continue;
-    append(path, as_coordinates(problem, edge_route(problem, mesh, search, points[i], points[i + 1], monitor).path));
+    append(path, as_coordinates(problem, edge_route(problem, mesh, points[i], points[i + 1], monitor).path));
   }
   return path;
 }

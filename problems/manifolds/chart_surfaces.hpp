@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <numbers>
 
 /// Named surfaces as maps (u, v) -> R^3. Where a surface is round, u is the angle about the z axis.
 namespace leastcost::chart {
@@ -26,6 +27,21 @@ struct Ellipsoid {
     using std::cos, std::sin;
     const S r = cos(v);
     return {a * r * cos(u), b * r * sin(u), c * sin(v)};
+  }
+};
+
+/// An ellipsoid of revolution with the equatorial radius a and the flattening f. u: geodetic latitude, v: longitude,
+/// degrees. With e^2 = f (2 - f) and the radius of curvature N = a / sqrt(1 - e^2 sin^2 u) in the prime vertical.
+struct Geodetic {
+  double a = 1, f = 0;
+  template <class S>
+  Vector3<S> operator()(const S& u, const S& v) const {
+    using std::cos, std::sin, std::sqrt;
+    constexpr double kDegree = std::numbers::pi / 180;
+    const double e2 = f * (2 - f);
+    const S latitude = kDegree * u, longitude = kDegree * v, up = sin(latitude);
+    const S n = a / sqrt(1.0 - e2 * up * up), r = n * cos(latitude);
+    return {r * cos(longitude), r * sin(longitude), (1 - e2) * n * up};
   }
 };
 

@@ -16,6 +16,7 @@ namespace {
 
 /// Barycentric coordinate below which a point counts as lying on an edge.
 constexpr double kOnEdge = 1e-9;
+constexpr double kOnFace = 1e-14;  // mesh diameters
 
 void orthonormal_to(const Eigen::Vector3d& normal, Eigen::Ref<Points> basis) {
   basis.col(0) = normal.unitOrthogonal();
@@ -49,7 +50,19 @@ void MeshManifoldOptions::fields(FieldVisitor& visit) {
               {.help = "Midpoint subdivisions: the same geometry with 4^k as many faces.", .minimum = 0, .maximum = 8});
 }
 
-MeshManifold::MeshManifold(TriangleMesh mesh) : mesh_(std::move(mesh)), tree_(mesh_) {}
+MeshManifold::MeshManifold(TriangleMesh mesh) : mesh_(std::move(mesh)) {}
+
+const ClosestPointTree& MeshManifold::tree() const {
+  std::call_once(tree_asked_, [this] { tree_.emplace(mesh_); });
+  return *tree_;
+}
+
+/// Distance of a point from the face that it names, where that is rounding: no other is nearer by more than that.
+std::optional<double> MeshManifold::off_own_face(const Eigen::Vector3d& p, Site site) const {
+  if (site < 0 || site >= mesh_.face_count()) return std::nullopt;
+  const double off = (mesh_.point(point_on_face(mesh_, site, p)) - p).norm();
+  return off <= kOnFace * mesh_.diameter() ? std::optional(off) : std::nullopt;
+}
 
 Projection MeshManifold::project(CoordinatePath& path) const {
   Projection result;
@@ -60,7 +73,8 @@ Projection MeshManifold::project(CoordinatePath& path) const {
       result.failed.push_back(i);
       continue;
     }
-    const ClosestPoint nearest = tree_.nearest(path.u.col(i), site);
+    if (off_own_face(path.u.col(i), site)) continue;
+    const ClosestPoint nearest = tree().nearest(path.u.col(i), site);
     path.u.col(i) = nearest.position;
     site = nearest.where.face;
     result.moved = std::max(result.moved, nearest.distance);
@@ -78,9 +92,10 @@ void MeshManifold::tangent_bases(const CoordinatePath& path, Points& bases) cons
 void MeshManifold::retract(const CoordinatePath& from, const Points& step, CoordinatePath& to) const {
   prepare_like(from, to);
   to.sites.resize(static_cast<std::size_t>(to.u.cols()), kNoSite);
+  const ClosestPointTree& tree = this->tree();
   const Index first = from.free_begin();
   for (Index i = 0; i < step.cols(); ++i) {
-    const ClosestPoint nearest = tree_.nearest(from.u.col(first + i) + step.col(i), from.site(first + i));
+    const ClosestPoint nearest = tree.nearest(from.u.col(first + i) + step.col(i), from.site(first + i));
     to.u.col(first + i) = nearest.position;
     to.sites[static_cast<std::size_t>(first + i)] = nearest.where.face;
   }
@@ -88,8 +103,11 @@ void MeshManifold::retract(const CoordinatePath& from, const Points& step, Coord
 
 double MeshManifold::residual(const CoordinatePath& path) const {
   double worst = 0;
-  for (Index i = 0; i < path.u.cols(); ++i)
-    worst = std::max(worst, tree_.nearest(path.u.col(i), path.site(i)).distance);
+  for (Index i = 0; i < path.u.cols(); ++i) {
+    const Eigen::Vector3d p = path.u.col(i);
+    const std::optional<double> off = off_own_face(p, path.site(i));
+    worst = std::max(worst, off ? *off : tree().nearest(p, path.site(i)).distance);
+  }
   return worst;
 }
 

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
 
 #include <leastcost/framework/has_graph.hpp>
@@ -49,7 +51,8 @@ class MeshManifold final : public ConstraintManifold,
   int active_bounds(const CoordinatePath& path, Index column, Eigen::Ref<Points> normals) const override;
   void into_pieces(const CoordinatePath& path, Points& vectors) const override;
   const TriangleMesh& mesh() const override { return mesh_; }
-  const ClosestPointTree& tree() const override { return tree_; }
+  /// Made when it is first asked for: what only walks on the mesh never does. Threads may ask at once.
+  const ClosestPointTree& tree() const override;
   FirstPath least_cost_edges(const Problem& problem, const Monitor& monitor) const override;
   PathEnd vertex(int number) const override;
   PathEnd on_face(int face, const Eigen::Vector3d& barycentric) const override;
@@ -62,8 +65,11 @@ class MeshManifold final : public ConstraintManifold,
   void draw(const DrawnPaths& paths, Drawing& out) const override;
 
  private:
+  std::optional<double> off_own_face(const Eigen::Vector3d& p, Site site) const;
+
   TriangleMesh mesh_;
-  ClosestPointTree tree_;
+  mutable std::once_flag tree_asked_;
+  mutable std::optional<ClosestPointTree> tree_;
 };
 
 /// Reads the file (relative to `folder`) and builds the mesh. Throws InputError.

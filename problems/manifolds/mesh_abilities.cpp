@@ -8,7 +8,6 @@
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/manifolds/mesh.hpp>
-#include <leastcost/problems/mesh/edge_graph.hpp>
 #include <leastcost/problems/mesh/surface_path.hpp>
 #include "problems/drawing/domain_shapes.hpp"
 #include "problems/mesh/edge_route.hpp"
@@ -24,8 +23,7 @@ PathEnd end_at(const TriangleMesh& mesh, const SurfacePoint& p) { return {mesh.p
 FirstPath MeshManifold::least_cost_edges(const Problem& problem, const Monitor& monitor) const {
   const SurfacePoint source = point_on_face(mesh_, problem.source.site, problem.source.u);
   const SurfacePoint target = point_on_face(mesh_, problem.target.site, problem.target.u);
-  EdgeGraphSearch search(mesh_);
-  const EdgePath route = edge_route(problem, mesh_, search, source, target, monitor);
+  const EdgePath route = edge_route(problem, mesh_, source, target, monitor);
   FirstPath first;
   first.path = as_coordinates(problem, route.path);
   first.graph_vertices = static_cast<int>(route.path.points.size()) - 2;

@@ -139,14 +139,14 @@ struct ParametricOptions {
 /// A surface x(u, v) in R^3 (VFCS 4.4.1, Eq. 12). The chart's coordinates are the unknowns; they lie on the universal
 /// cover, so that paths cross seams and poles and keep their winding. The edges of the chart (an apex, a rim) are
 /// bounds.
-class ParametricManifold final : public ConstraintManifold,
-                                 public HasChart,
-                                 public EnclosesChart,
-                                 public HasBounds,
-                                 public HasSeams,
-                                 public HasImages,
-                                 public IsSurface,
-                                 public DrawsItself {
+class ParametricManifold : public ConstraintManifold,
+                           public HasChart,
+                           public EnclosesChart,
+                           public HasBounds,
+                           public HasSeams,
+                           public HasImages,
+                           public IsSurface,
+                           public DrawsItself {
  public:
   ParametricManifold(std::shared_ptr<const ChartMap> map, Box box, std::vector<Seam> seams,
                      std::vector<SeamMap> poles = {});

@@ -3,15 +3,26 @@
 #include "problems/mesh/edge_route.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/problems/mesh/length_search.hpp>
 #include "problems/mesh/mesh_curve.hpp"
 
 namespace leastcost {
 
-EdgePath edge_route(const Problem& problem, const TriangleMesh& mesh, EdgeGraphSearch& search,
-                    const SurfacePoint& source, const SurfacePoint& target, const Monitor& monitor) {
+EdgePath found_or_throw(EdgePath route, const std::string& reason) {
+  if (route.outcome == EdgePathOutcome::stopped) throw Interrupted(route.failure());
+  if (!route.found()) throw InitializationError(route.failure() + reason);
+  return route;
+}
+
+EdgePath edge_route(const Problem& problem, const TriangleMesh& mesh, const SurfacePoint& source,
+                    const SurfacePoint& target, const Monitor& monitor) {
+  const auto stop = [&monitor] { return monitor.interrupted(); };
+  if (const std::optional<MetricRoot> metric = constant_metric(problem))
+    return found_or_throw(LengthSearch(mesh).shortest(source, target, {.metric = *metric, .stop = stop}));
   const SegmentCost& cost = *problem.cost;
   // The ends as they were given: barycentric rounding may lift them above the level of a bead at rest.
   const auto exact = [&problem, near = 1e-13 * mesh.diameter()](const Eigen::Vector3d& p) -> Eigen::Vector3d {
@@ -30,14 +41,11 @@ EdgePath edge_route(const Problem& problem, const TriangleMesh& mesh, EdgeGraphS
     return std::sqrt(q);
   };
   EdgePathOptions options;
-  options.stop = [&monitor] { return monitor.interrupted(); };
+  options.stop = stop;
   // A chord that is below every curve is admissible, and consistent by the triangle inequality.
   if (cost.traits().below_curves)
     options.lower_bound = [&move, goal = mesh.point(target)](const Eigen::Vector3d& p) { return move(p, goal); };
-  EdgePath route = search.shortest(source, target, move, options);
-  if (route.outcome == EdgePathOutcome::stopped) throw Interrupted(route.failure());
-  if (!route.found()) throw InitializationError(route.failure() + reason);
-  return route;
+  return found_or_throw(EdgeGraphSearch(mesh).shortest(source, target, move, options), reason);
 }
 
 }  // namespace leastcost

@@ -25,7 +25,8 @@ class Obstacle : public HasAbilities<Obstacle> {
   virtual bool convex() const { return false; }
   /// Corners of the core in the plane, 2 x m, counterclockwise (one: a point).
   virtual Eigen::MatrixXd corners() const = 0;
-  /// Distance of x from the core, negative within it, and the direction in which it grows fastest, of length one.
+  /// Distance of x from the core, negative within it, and its derivative: the direction in which it grows fastest, of
+  /// length one. What is sampled may say less than the distance, nowhere more, and grow at a rate of less than one.
   virtual double distance(const Vector& x, Eigen::Ref<Vector> away) const = 0;
   /// The least distance of a point a + t (b - a) from the core, and that t; 0 where the segment meets it, and the t of
   /// where it does so first.

@@ -7,13 +7,16 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/exact/exact_search.hpp>
+#include <leastcost/problems/straighten/geodesic.hpp>
 #include <leastcost/problems/straighten/straighten.hpp>
 #include "problems/mesh/mesh_curve.hpp"
+#include "problems/post_processors/search_keeper.hpp"
 
 namespace leastcost {
 namespace {
@@ -21,6 +24,7 @@ namespace {
 constexpr std::int32_t kSmallMesh = 20000;           // vertices up to which a proof goes to its end by default
 constexpr std::int64_t kLargeMeshWindows = 2000000;  // above: a second or so, 200 MB
 constexpr std::int64_t kMostWindows = 10000000;      // a GB
+constexpr double kShorter = 1e-9;                    // relative length that makes another class
 constexpr double kShareOfTime = 0.5;  // of what is left before a deadline; the certificate needs the rest
 
 GlobalBudget budget_of(const GlobalProof& proof, const TriangleMesh& mesh) {
@@ -34,22 +38,43 @@ GlobalBudget budget_of(const GlobalProof& proof, const TriangleMesh& mesh) {
 }
 
 /// The path becomes the curve that is delivered, with the chain's points on it.
-void deliver_path(const Problem& problem, const TriangleMesh& mesh, const SurfacePath& path, PostProcessed& current) {
+void deliver_path(const Problem& problem, const TriangleMesh& mesh, const SurfacePath& path, const MetricRoot& metric,
+                  PostProcessed& current) {
   const int columns = static_cast<int>(current.chain.u.cols());
   current.curve = as_curve(problem, path);
-  current.curve.straightness = check_straight(mesh, path);
-  current.chain = coordinate_path(problem, mesh, resample(mesh, path, columns));
+  current.curve.straightness = check_straight(mesh, path, metric);
+  current.chain = coordinate_path(problem, mesh, resample(mesh, path, columns, metric));
   pin_ends(problem, current.chain);
   current.curve_costs = costs_along(problem, current.curve, current.chain);
 }
 
+/// Where the search did not come to its end, the shortest path may be of another class than the best that is known: the
+/// better of two more that are only straightened takes its place where it is shorter.
+void try_other_starts(const TriangleMesh& mesh, const SurfacePoint& from, const SurfacePoint& to,
+                      const StopPredicate& stop, ExactResult& found) {
+  Geodesic other;
+  try {
+    other = GeodesicSearch(mesh).shortest(from, to, {.stop = stop});
+  } catch (const InputError&) {  // an edge with three faces on both ways
+    return;
+  }
+  if (!other.found() || !other.result.finished || !(other.result.final_length < found.length * (1 - kShorter))) return;
+  found.path = std::move(other.result.path);
+  found.length = other.result.final_length;
+  found.lower_bound = std::min(found.lower_bound, found.length);
+  found.gap = (found.length - found.lower_bound) / found.length;
+}
+
 }  // namespace
+
+ShortestPostProcessor::ShortestPostProcessor(GlobalProof proof)
+    : proof_(std::move(proof)), keeper_(std::make_shared<SearchKeeper>()) {}
 
 PostProcessed ShortestPostProcessor::apply(const Problem& problem, const FirstPath&, PostProcessed current,
                                            const Monitor& monitor) const {
   const TriangleMesh& mesh = mesh_of(problem, "post-processor shortest").mesh();
   const std::optional<MetricRoot> metric = constant_metric(problem);
-  if (!metric || *metric) throw InputError("shortest needs the Euclidean cost: it unfolds the mesh as it is");
+  if (!metric) throw InputError("shortest needs a cost that is a length in one metric: it unfolds the mesh");
   if (current.chain.ring || problem.based) throw InputError("shortest joins two ends, and this path is a ring");
   if (std::holds_alternative<GlobalOff>(proof_) || !current.curve.straightness || monitor.interrupted()) return current;
   const GlobalBudget budget = budget_of(proof_, mesh);
@@ -58,21 +83,26 @@ PostProcessed ShortestPostProcessor::apply(const Problem& problem, const FirstPa
   double seconds = budget.max_seconds.value_or(std::numeric_limits<double>::infinity());
   if (monitor.deadline)
     seconds = std::min(seconds, kShareOfTime * std::chrono::duration<double>(*monitor.deadline - begin).count());
-  const SurfacePath start = as_surface_path(current.curve);
-  const std::vector<SurfacePoint> points = surface_points(mesh, current.chain);
-
-  const ExactSearch search(mesh);
-  ExactSearch::Workspace workspace(search);
   ExactOptions options;
+  options.stop = [&] { return monitor.interrupted() || elapsed() > seconds; };
+  const std::shared_ptr<KeptSearch> kept = keeper_->search_for(problem, mesh, *metric, budget, options.stop);
+  const MetricMesh* turned = kept->turned();
+  SurfacePath start = as_surface_path(current.curve);
+  if (turned) start = turned->there(std::move(start));
+  const std::vector<SurfacePoint> points = surface_points(mesh, current.chain);
   options.tolerance = budget.tolerance;
   options.max_windows = *budget.max_windows;
   options.start = &start;
-  options.stop = [&] { return monitor.interrupted() || elapsed() > seconds; };
-  const ExactResult found = search.shortest(points.front(), points.back(), workspace, options);
+  ExactSearch::Workspace workspace = kept->borrow();
+  ExactResult found = kept->search().shortest(points.front(), points.back(), workspace, options);
+  kept->give_back(std::move(workspace));
+  // Paths are known on the mesh of the search, whose positions are turned by the metric.
+  const StopPredicate spent = [&monitor] { return monitor.interrupted(); };
+  if (!found.is_proved()) try_other_starts(turned ? turned->mesh() : mesh, points.front(), points.back(), spent, found);
 
   const double before = current.curve.cost;
   if (found.length < before * (1 - budget.tolerance)) {
-    deliver_path(problem, mesh, found.path, current);
+    deliver_path(problem, mesh, turned ? turned->back(std::move(found.path)) : found.path, *metric, current);
     current.notes.push_back("shortest: the straightened path was longer than the least one found by " +
                             std::to_string(100 * (before / current.curve.cost - 1)) + " %, which is delivered");
   }

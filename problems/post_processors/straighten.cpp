@@ -74,6 +74,15 @@ CoordinatePath spaced(const Problem& problem, const TriangleMesh& mesh, const Su
   return chain;
 }
 
+/// The path given, where there is no other.
+Outcome straighten_one(const TriangleMesh& mesh, const SurfacePath& path, bool based,
+                       const StraightenOptions& options) {
+  constexpr double kNothing = 1e-9;  // of the loop given
+  Straightened straight = straighten(mesh, path, options);
+  const bool collapsed = based && straight.final_length <= kNothing * straight.initial_length;
+  return {std::move(straight.path), straight.finished, collapsed};
+}
+
 }  // namespace
 
 PostProcessed StraightenPostProcessor::apply(const Problem& problem, const FirstPath& first, PostProcessed current,
@@ -86,10 +95,15 @@ PostProcessed StraightenPostProcessor::apply(const Problem& problem, const First
   const StraightenOptions options{
       .metric = *metric, .stop = [&monitor] { return monitor.interrupted(); }, .flips = true};
   const bool ring = current.chain.ring;
-  const SurfacePath start = traced(mesh, first.path, monitor.deadline);
-  const SurfacePath solved = on_surface(mesh, current, monitor.deadline);
-  const Outcome best = ring ? straighten_closed(mesh, start, solved, options)
-                            : straighten_open(mesh, start, solved, problem.based, options);
+  const auto straightened = [&] {
+    if (current.unsolved && !ring)
+      return straighten_one(mesh, on_surface(mesh, current, monitor.deadline), problem.based, options);
+    const SurfacePath start = traced(mesh, first.path, monitor.deadline);
+    const SurfacePath solved = on_surface(mesh, current, monitor.deadline);
+    return ring ? straighten_closed(mesh, start, solved, options)
+                : straighten_open(mesh, start, solved, problem.based, options);
+  };
+  const Outcome best = straightened();
   if (best.collapsed) {
     current.collapsed = true;
     current.notes.emplace_back("straighten: the ring contracts to a point of the mesh");

@@ -42,6 +42,11 @@ PostProcessed TracePostProcessor::apply(const Problem& problem, const FirstPath&
   std::vector<SurfacePoint> points = surface_points(mesh, current.chain);
   if (current.curve.straightness) return current;  // it lies on the mesh already
   const bool ring = current.chain.ring;
+  if (current.unsolved && !ring) {  // the points lie on the first path: that is the curve
+    current.curve = as_curve(problem, trace_chain(mesh, surface_points(mesh, first.path), monitor.deadline).path);
+    current.curve_costs = costs_along(problem, current.curve, current.chain);
+    return current;
+  }
   if (leaves_component(mesh, points)) {
     std::vector<SurfacePoint> start = surface_points(mesh, first.path);
     if (ring) start.push_back(start.front());

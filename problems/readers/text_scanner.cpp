@@ -53,6 +53,13 @@ std::string printable(std::string_view token) {
   return result + (token.size() > kShown ? "...'" : "'");
 }
 
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r";
+  const std::size_t begin = text.find_first_not_of(kBlanks);
+  return begin == std::string_view::npos ? std::string_view()
+                                         : text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+}
+
 TextScanner::TextScanner(std::string_view text, std::string file, Syntax syntax)
     : text_(text), file_(std::move(file)), syntax_(syntax) {
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";

@@ -11,6 +11,8 @@ namespace leastcost {
 
 /// The token as it may appear in a message: in quotes, shortened, without control characters.
 std::string printable(std::string_view token);
+/// Without the blanks before it and after it.
+std::string_view trimmed(std::string_view text);
 
 /// Walks through text line by line, token by token, and knows where it is. Lines end with LF, CR LF or CR; blanks
 /// separate tokens; a comment runs from its character to the end of the line; lines without a token are skipped.

@@ -12,14 +12,10 @@ namespace leastcost {
 
 Geodesic GeodesicSearch::shortest(const SurfacePoint& source, const SurfacePoint& target,
                                   const GeodesicOptions& options) {
-  const Eigen::Matrix3d root = options.metric ? *options.metric : Eigen::Matrix3d::Identity();
-  const Eigen::Vector3d goal = mesh_->point(target);
-  const MoveCost length = [&root](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    return (root * (b - a)).norm();
-  };
-  EdgePathOptions graph_options;
-  graph_options.lower_bound = [&root, &goal](const Eigen::Vector3d& p) { return (root * (p - goal)).norm(); };
+  LengthSearchOptions graph_options;
+  graph_options.metric = options.metric;
   graph_options.stop = options.stop;
+  graph_options.landmarks = options.landmarks;
   StraightenOptions straighten_options;
   straighten_options.metric = options.metric;
   straighten_options.stop = options.stop;
@@ -30,7 +26,7 @@ Geodesic GeodesicSearch::shortest(const SurfacePoint& source, const SurfacePoint
   for (int route = 0; route < std::min(options.routes, 2); ++route) {
     graph_options.diagonals = route == 0;
     Geodesic next;
-    next.first = graph_.shortest(source, target, length, graph_options);
+    next.first = graph_.shortest(source, target, graph_options);
     if (!next.found()) return route == 0 ? next : best;
     try {
       next.result = straighten(*mesh_, next.first.path, straighten_options);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <leastcost/problems/mesh/edge_graph.hpp>
+#include <leastcost/problems/mesh/length_search.hpp>
 #include <leastcost/problems/straighten/straighten.hpp>
 
 namespace leastcost {
@@ -13,7 +13,8 @@ struct GeodesicOptions {
   /// First paths tried, each straightened and the shortest result kept. 1: over edges and diagonals; 2: over edges
   /// alone as well (mean excess over the shortest path halved, twice the time).
   int routes = 2;
-  bool flips = true;  ///< StraightenOptions::flips
+  bool flips = true;                         ///< StraightenOptions::flips
+  const EdgeLandmarks* landmarks = nullptr;  ///< LengthSearchOptions::landmarks
 };
 
 struct Geodesic {
@@ -29,11 +30,15 @@ class GeodesicSearch {
  public:
   explicit GeodesicSearch(const TriangleMesh& mesh) : mesh_(&mesh), graph_(mesh) {}
 
+  /// The graph path alone, over edges and, where asked for, diagonals.
+  EdgePath first_path(const SurfacePoint& source, const SurfacePoint& target, const LengthSearchOptions& options) {
+    return graph_.shortest(source, target, options);
+  }
   Geodesic shortest(const SurfacePoint& source, const SurfacePoint& target, const GeodesicOptions& options = {});
 
  private:
   const TriangleMesh* mesh_;
-  EdgeGraphSearch graph_;
+  LengthSearch graph_;
 };
 
 }  // namespace leastcost

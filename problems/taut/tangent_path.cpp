@@ -56,33 +56,31 @@ class TangentPath::Maker {
 
  private:
   std::vector<Bend>& bends() { return path_.bends_; }
-  std::vector<Leg>& legs() { return path_.legs_; }
+  std::vector<Tangent>& legs() { return path_.legs_; }
 
   /// The i-th disc that the path comes by; the ends are discs without a radius.
   const Bend& stop(std::size_t i) const {
     return i == 0 ? ends_[0] : i > path_.bends_.size() ? ends_[1] : path_.bends_[i - 1];
   }
 
-  /// The tangent from one disc to the next: with n to its left, n (c' - c) = s' r' - s r. Where one disc lies within
-  /// the other there is none; `contained_` is then the inner one. False where two overlap that it should pass between.
+  /// The tangent from one disc to the next. Where one disc lies within the other there is none; `contained_` is then
+  /// the inner one. False where two overlap that it should pass between.
   bool draw_legs() {
     contained_ = 0;
     legs().clear();
     for (std::size_t i = 0; i <= bends().size(); ++i) {
       const Bend &a = stop(i), &b = stop(i + 1);
-      const Point2 way = b.round.center - a.round.center;
-      const double across = b.side * b.round.radius - a.side * a.round.radius, distance = way.norm();
       const bool ends_here = a.side == 0 || b.side == 0;
-      if (!(distance > 0) || std::abs(across) > distance + (ends_here ? kEndWithin : kTouching) * size_) {
+      const auto leg = tangent(a.round.center, a.side * a.round.radius, b.round.center, b.side * b.round.radius,
+                               (ends_here ? kEndWithin : kTouching) * size_);
+      if (!leg) {
+        const double distance = (b.round.center - a.round.center).norm();
         const bool nested = std::abs(a.round.radius - b.round.radius) >= distance;
         if (ends_here || !nested) return false;
         contained_ = a.round.radius <= b.round.radius ? i : i + 1;
         return true;
       }
-      const double along = std::sqrt(std::max(0.0, distance * distance - across * across));
-      const Point2 unit = way / distance, left(-unit.y(), unit.x());
-      const Point2 n = (across * unit + along * left) / distance;
-      legs().push_back({a.round.center - a.side * a.round.radius * n, b.round.center - b.side * b.round.radius * n});
+      legs().push_back(*leg);
     }
     return true;
   }
@@ -108,7 +106,7 @@ class TangentPath::Maker {
     Point2 in = direction(0);
     for (std::size_t i = 0; i < bends().size(); ++i) {
       const Point2 out = direction(i + 1);
-      bends()[i].turn = nearest_turn(std::atan2(cross2(in, out), in.dot(out)), bends()[i].turn);
+      bends()[i].turn = nearest_turn(turn_between(in, out), bends()[i].turn);
       in = out;
     }
   }
@@ -182,7 +180,7 @@ std::optional<TangentPath> TangentPath::make(const Walls& walls, const Point2& s
 
 double TangentPath::length() const {
   double length = 0;
-  for (const Leg& leg : legs_) length += (leg.to - leg.from).norm();
+  for (const Tangent& leg : legs_) length += (leg.to - leg.from).norm();
   for (const Bend& bend : bends_) length += bend.round.radius * std::abs(bend.turn);
   return length;
 }

@@ -8,6 +8,7 @@
 #include <leastcost/framework/deadline.hpp>
 #include <leastcost/framework/path.hpp>
 #include "problems/taut/string_pull.hpp"
+#include "problems/taut/tangent.hpp"
 
 namespace leastcost {
 
@@ -29,13 +30,10 @@ class TangentPath {
   Points polyline(double excess) const;
 
  private:
-  struct Leg {
-    Eigen::Vector2d from, to;
-  };
   class Maker;
 
   std::vector<Bend> bends_;
-  std::vector<Leg> legs_;  ///< one more than bends; the straight parts
+  std::vector<Tangent> legs_;  ///< one more than bends; the straight parts
 };
 
 }  // namespace leastcost

@@ -10,6 +10,7 @@
 #include "framework/in_parts.hpp"
 #include "problems/obstacles/crossing_word.hpp"
 #include "problems/taut/string_pull.hpp"
+#include "problems/taut/tangent.hpp"
 #include "problems/taut/tangent_path.hpp"
 
 namespace leastcost {
@@ -63,7 +64,7 @@ double unheld_turn(const Walls& walls, const Points& polyline, const Deadline& d
   in_parts(std::max<Index>(0, polyline.cols() - 2), kAtOnce, deadline, [&](Index begin, Index count) {
     for (Index i = begin + 1; i <= begin + count; ++i) {
       const Point2 corner = polyline.col(i), in = corner - polyline.col(i - 1), out = polyline.col(i + 1) - corner;
-      const double turn = std::abs(std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out)));
+      const double turn = std::abs(turn_between(in, out));
       const double least = kOfPlaces * std::max({corner.cwiseAbs().maxCoeff(), in.norm(), out.norm()});
       if (turn > worst && !is_held(walls, corner, in, out, turn, least)) worst = turn;
     }

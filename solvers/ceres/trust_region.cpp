@@ -139,7 +139,8 @@ class TrustRegion final : public ceres::IterationCallback {
       const bool free = path_.ring || (i > 0 && i + 1 < columns);
       add_point(problem, residuals, i, free ? i - first : -1);
     }
-    for (Index i = 0; i < path_.segment_count(); ++i)
+    // The segment of a ring of one point joins it to itself: it is always zero, and Ceres would abort at it.
+    for (Index i = 0; columns > 1 && i < path_.segment_count(); ++i)
       problem.AddResidualBlock(new SegmentResiduals(residuals, i, k), &loss_, residuals.point(i),
                                residuals.point((i + 1) % columns));
     return problem;

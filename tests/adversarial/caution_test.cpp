@@ -4,7 +4,8 @@
 // known. LEASTCOST_ADVERSARIES sets how many of each family, LEASTCOST_ADVERSARIES_SEED the first seed (in steps of
 // two): what was tuned on even seeds is measured on odd ones. LEASTCOST_ADVERSARIES_FAMILY: only those whose names hold
 // this text; LEASTCOST_ADVERSARIES_CSV: a file to which each problem adds a line; LEASTCOST_ADVERSARIES_BLACK_BOXES:
-// the costs are asked as if they were no formulas, which is counted and not judged.
+// the costs are asked as if they were no formulas, which is counted and not judged; LEASTCOST_ADVERSARIES_REFINE: how
+// often the points may be doubled.
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -30,11 +31,13 @@ TEST_CASE("adversaries: false and over-cautious certificates by family", "[adver
   std::printf("  %-28s %5s %5s %9s %5s %8s  reasons\n", "family", "asked", "known", "certified", "false", "cautious");
   const bool black_boxes =
       std::getenv("LEASTCOST_ADVERSARIES_BLACK_BOXES") != nullptr;  // NOLINT(concurrency-mt-unsafe)
-  const ProofRule proof = black_boxes ? ProofRule::never : ProofRule::always;
+  CertificateOptions options;
+  if (black_boxes) options.proof = ProofRule::never;
+  options.refine = number_from("LEASTCOST_ADVERSARIES_REFINE", options.refine);
   const char* only = std::getenv("LEASTCOST_ADVERSARIES_FAMILY");  // NOLINT(concurrency-mt-unsafe)
   for (const AdversaryFamily& family : adversary_families()) {
     if (only != nullptr && family.name.find(only) == std::string::npos) continue;
-    const Tally tally = measure(family, first, count, proof);
+    const Tally tally = measure(family, first, count, options);
     std::printf("%s\n", tally.row(family.name).c_str());
     CAPTURE(family.name, count, first);
     CHECK(tally.known > 0);
@@ -55,7 +58,7 @@ TEST_CASE("adversaries: what was false once", "[adversarial]") {
       if (family.name != name) continue;
       for (const ProofRule proof : {ProofRule::always, ProofRule::never}) {
         CAPTURE(name, seed);
-        const Tally tally = measure(family, seed, 1, proof);
+        const Tally tally = measure(family, seed, 1, {.proof = proof});
         CHECK(tally.known == 1);
         CHECK(tally.false_ones == 0);
       }

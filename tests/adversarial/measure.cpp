@@ -26,9 +26,10 @@ void write_line(const std::string& family, std::uint64_t seed, const Result& r,
   for (std::size_t k = 0; k < 3; ++k) out << ',' << (k < c.levels.size() ? c.levels[k].spacing : -1);
   out << ',' << c.longest_segment << ',' << c.estimate.order.value_or(0) << ','
       << (c.resolution ? word_of(c.resolution->verdict) : "not examined") << ',' << feature << ','
-      << (c.resolution ? c.resolution->narrowest.value_or(0) : 0) << ',';
+      << (c.resolution ? c.resolution->narrowest.value_or(0) : 0) << ','
+      << (c.levels.size() > 2 ? c.levels[2].segments : 0) << ',' << r.seconds.solve + r.seconds.certify << ',';
   for (const CertificateFailure& f : c.failures) out << f.name << ' ';
-  out << '\n';
+  out << ',' << (r.notes.empty() ? "" : '"' + r.notes.back() + '"') << '\n';
 }
 
 }  // namespace
@@ -42,14 +43,13 @@ std::string Tally::row(const std::string& family) const {
   return line;
 }
 
-Tally measure(const AdversaryFamily& family, std::uint64_t first, int count, ProofRule proof) {
+Tally measure(const AdversaryFamily& family, std::uint64_t first, int count, const CertificateOptions& certificate) {
   constexpr double kRight = 1e-4;
   Tally tally;
   for (int i = 0; i < count; ++i) {
     const std::uint64_t seed = first + 2 * static_cast<std::uint64_t>(i);
     const Adversary a = family.make(seed);
-    FindOptions options{.points = a.points};
-    options.certificate.proof = proof;
+    const FindOptions options{.points = a.points, .certificate = certificate};
     ++tally.problems;
     Result r;
     try {

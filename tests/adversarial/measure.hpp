@@ -19,8 +19,8 @@ struct Tally {
 };
 
 /// Seeds first, first + 2, ...: development on even ones, measurement on odd ones. With LEASTCOST_ADVERSARIES_CSV every
-/// problem is a line of that file. `proof`: never, as of a black box.
-Tally measure(const AdversaryFamily& family, std::uint64_t first, int count, ProofRule proof);
+/// problem is a line of that file.
+Tally measure(const AdversaryFamily& family, std::uint64_t first, int count, const CertificateOptions& options);
 
 /// What `family` does for pairs of points on an oblate ellipsoid: `longer`, it delivers a path that is certified, and
 /// longer than another one in its list by more than the bars (in truth, by shooting).

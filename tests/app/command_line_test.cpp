@@ -248,4 +248,29 @@ TEST_CASE("command line: doctor") {
   CHECK(call({"doctor", (dir / "none.obj").string()}).exit == 4);
 }
 
+/// A square of two triangles folded along its diagonal, and a triangle apart: distances by hand.
+TEST_CASE("command line: distances") {
+  const ScratchDir dir;
+  const std::string mesh = write_text(dir / "fold.obj",
+                                      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 9 0 0\nv 9 1 0\nv 9 0 1\n"
+                                      "f 1 2 3\nf 2 4 3\nf 5 6 7\n");
+  const Called table = call({"distances", mesh, "--from", "0"});
+  CHECK(table.exit == 0);
+  CHECK_THAT(table.out, Contains("vertex,x,y,z,distance,error\n0,0,0,0,0,0\n"));
+  CHECK_THAT(table.out, Contains("\n3,1,1,0,1.41421356"));
+  CHECK_THAT(table.out, Contains("\n5,9,1,0,inf,0\n"));
+  for (const std::string ending : {"csv", "vtp", "ply"}) {
+    const std::string file = (dir / ("d." + ending)).string();
+    const Called written = call({"distances", mesh, "--from", "0", "-o", file});
+    CHECK(written.exit == 0);
+    CHECK_THAT(written.out, Contains("4 of 7 vertices reached, the farthest at 1.414213562"));
+    CHECK_THAT(content(file), Contains("1.41421356"));
+  }
+  CHECK(content(dir / "d.csv") == table.out);
+  CHECK_THAT(content(dir / "d.ply"), Contains("element vertex 7") && Contains("9 0 1 -1 0\n3 0 1 2\n"));
+  CHECK_THAT(call({"distances", mesh, "--from", "0", "-o", "d.txt"}).err, Contains(".csv, .vtp or .ply"));
+  CHECK_THAT(call({"distances", mesh, "--from", "7"}).err, Contains("7"));
+  CHECK(call({"distances", mesh, "--from", "7"}).exit == 4);
+}
+
 }  // namespace leastcost::test

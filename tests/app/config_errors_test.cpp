@@ -195,6 +195,37 @@ TEST_CASE("config errors: parts that do not fit each other") {
   CHECK(errors_of(cut + "{type: implicit, surface: sphere}\n") == "");
 }
 
+TEST_CASE("config errors: taut is the default among obstacles, in space where no box holds the path as well") {
+  const auto solver_of = [](const std::string& box) {
+    return parse("manifold: {type: euclidean, dimension: 3" + box +
+                 "}\ncost: euclidean\nends: {source: {point: [-2, 0, 0]}, target: {point: [2, 0, 0]}}\n"
+                 "obstacles: [{type: ball, center: [0, 0, 0], radius: 1}]\n")
+        .config.solver.plugin->type;
+  };
+  CHECK(solver_of("") == "none");
+  CHECK(solver_of(", lower: [-3, -3, -1.1], upper: [3, 3, 1.1]") == "newton");
+}
+
+TEST_CASE("config errors: layers, and refraction where it cannot be") {
+  const std::string plane = "manifold: {type: euclidean, dimension: 2}\n";
+  const std::string ends = "ends: {source: {point: [0, 1]}, target: {point: [2, -1]}}\n";
+  const std::string layers = "cost: {type: layers, interfaces: [0], speeds: [2, 1]}\n",
+                    refract = "post_process: [refract]\n";
+  CHECK(errors_of(plane + ends + layers) == "");
+  CHECK(errors_of(plane + ends + layers + refract) == "");
+  CHECK_THAT(errors_of(plane + ends + "cost: {type: layers, interfaces: [0], speeds: [2, 1, 1]}\n"),
+             Contains("has 3 numbers, and 1 interfaces lie between 2 layers"));
+  CHECK_THAT(errors_of(plane + ends + "cost: {type: layers, interfaces: [0]}\n"),
+             Contains("give either 'speeds' or 'indices'"));
+  CHECK_THAT(errors_of(plane + ends + "cost: {type: layers, interfaces: [1, 0], speeds: [1, 2, 3]}\n"),
+             Contains("must rise: number 2 is not above the one before"));
+  CHECK_THAT(errors_of(plane + ends + "cost: euclidean\n" + refract),
+             Contains("'refract' needs a cost with a stack of layers, which 'euclidean' does not have"));
+  CHECK_THAT(
+      errors_of(plane + ends + layers + refract + "obstacles: [{type: ball, center: [9, 9], radius: 1}]\n"),
+      Contains("'refract' joins two ends in R^d or a box of it (euclidean), without obstacles, robots and rings"));
+}
+
 TEST_CASE("config errors: taut where paths cannot be pulled tight") {
   const auto plan = [](const std::string& manifold, const std::string& cost, const std::string& obstacles) {
     const std::string ends = manifold.find("3") == std::string::npos

@@ -215,7 +215,7 @@ TEST_CASE("plot: a chart says what it is, and leaves gaps where there is no valu
   CHECK(text.find("inf") == std::string::npos);
 }
 
-TEST_CASE("plot: seven colours, then dashes; shapes differ as well") {
+TEST_CASE("plot: seven colours, then dashes, shapes differ as well") {
   CHECK(stroke_of({0}) == "class=\"s s0\"");
   CHECK_THAT(stroke_of({7}), Contains("s s0") && Contains("stroke-dasharray"));
   std::set<std::string> looks;

@@ -239,7 +239,7 @@ TEST_CASE("study analysis: the test of More and Wild goes by the way down") {
   CHECK(work_table(study, Work::evaluations, 1e-5, Test::excess)[0] == std::vector<double>{2, 2});
 }
 
-TEST_CASE("study analysis: ties count for each; times tie within a tenth") {
+TEST_CASE("study analysis: ties count for each, times tie within a tenth") {
   const WorkTable work = {{10, 10, 10.9}, {kNever, kNever, kNever}, {5, 4, kNever}};
   CHECK(problems_won(work, Work::evaluations, 3) == std::vector<std::size_t>{1, 2, 0});
   CHECK(problems_won(work, Work::seconds, 3) == std::vector<std::size_t>{1, 2, 1});

@@ -201,6 +201,7 @@ TEST_CASE("registry: the choices of all plug-ins are those whose misspelling is 
   for (const char* back_end : {"nlopt", "ceres"})
     if (find_plugin(kind("solver"), back_end)->missing.empty())
       for (const char* option : {".algorithm", ".precondition"}) known.insert(std::string(back_end) + option);
+  if (find_plugin(kind("initializer"), "ompl")->missing.empty()) known.insert("ompl.planner");
   CHECK(found == known);
 }
 

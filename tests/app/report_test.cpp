@@ -123,7 +123,7 @@ TEST_CASE("report: made again from its folder it is the one that the run wrote")
   CHECK(names_in(folder) == before);  // nothing else was left behind
 }
 
-TEST_CASE("report: the 3D view goes with its script; a still picture is always there") {
+TEST_CASE("report: the 3D view goes with its script, a still picture is always there") {
   const ScratchDir dir;
   const std::string page = content(run_of(dir, kTorus) / "report.html");
   check_holds(page, {"id=\"stage\"", "class=\"path"});

@@ -237,7 +237,7 @@ TEST_CASE("run: the manifest names the inputs by content") {
     CHECK(m.contains(key));
 }
 
-TEST_CASE("run: a stop request keeps the best path; a time budget too") {
+TEST_CASE("run: a stop request keeps the best path, a time budget too") {
   const ScratchDir dir;
   int asked = 0;
   Monitor monitor;

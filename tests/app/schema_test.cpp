@@ -141,7 +141,7 @@ TEST_CASE("schema: draft 7, and every shipped configuration fits, also resolved"
   }
 }
 
-TEST_CASE("schema: every shipped study fits, also resolved; wrong studies do not") {
+TEST_CASE("schema: every shipped study fits, also resolved, wrong studies do not") {
   const Validator validator(Json::parse(app::json_schema()));
   for (const auto& entry : std::filesystem::directory_iterator(project_dir() / "configs/studies")) {
     if (entry.path().extension() != ".yaml") continue;

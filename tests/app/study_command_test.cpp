@@ -44,7 +44,7 @@ TEST_CASE("study command: a table on stdout, the files in the folder, exit 0") {
   CHECK(summary["output"] == (dir / "b").string());
 }
 
-TEST_CASE("study command: exit 7 when a part failed, with the reason on stderr; a refusal is an answer") {
+TEST_CASE("study command: exit 7 when a part failed, with the reason on stderr, a refusal is an answer") {
   const ScratchDir dir;
   const std::string study = study_in(dir);
   const Called failed =

@@ -65,7 +65,7 @@ TEST_CASE("study grid: seeds depend on the master seed and the problem, on nothi
   CHECK(good_grid(own).cells[0].config.seed == 5);
 }
 
-TEST_CASE("study grid: what a problem sets is its own; limits reach every cell") {
+TEST_CASE("study grid: what a problem sets is its own, limits reach every cell") {
   const app::StudyGrid grid = good_grid(
       "set: {path.points: 10, certificate.spacing: 0.5}\nmax_seconds: 9\nmax_evaluations: 77\nproblems:\n"
       "  - {name: a, set: {path.points: 20}, config: {manifold: euclidean, cost: euclidean, ends: {source: {point: [0, "

@@ -78,7 +78,7 @@ std::string children_of(pid_t pid) {
 
 }  // namespace
 
-TEST_CASE("study program: Ctrl-C for the whole group ends it with the journal kept; what is left is run on resume") {
+TEST_CASE("study program: Ctrl-C for the whole group ends it with the journal kept, what is left is run on resume") {
   if (program().empty()) return record_skip("studies from outside", "the program was not built");
   const ScratchDir dir;
   write_endless(dir);

@@ -40,7 +40,7 @@ TEST_CASE("a straight start goes to the cheapest image of the target, and says s
         Approx(std::acos(sine * sine + cosine * cosine * std::cos(2.5))).epsilon(1e-3));
 }
 
-TEST_CASE("a target that states a winding keeps it, and so does a given one; the cheaper image is named") {
+TEST_CASE("a target that states a winding keeps it, and so does a given one, the cheaper image is named") {
   const RunOutcome wound = solved_image(with_ends("cylinder", "[0.1, 0]", "[7.1, 0.5]"));
   CHECK(wound.result.curve.cost == Approx(std::hypot(7, 0.5)).epsilon(1e-3));
   CHECK(has_note(wound, "the target is also (0.816815, 0.5), winding (-1)"));

@@ -29,7 +29,8 @@ struct Include {
   bool open = false;   ///< written <leastcost/...>: installed
 };
 
-constexpr std::array<std::string_view, 6> kLayers = {"framework", "problems", "solvers", "ompl", "catalogue", "app"};
+constexpr std::array<std::string_view, 7> kLayers = {"framework", "problems",  "solvers", "ompl",
+                                                     "gdal",      "catalogue", "app"};
 
 constexpr std::string_view kPublic = "leastcost/";
 
@@ -92,6 +93,7 @@ const Arrows& layers() {
                                {"problems", {"framework"}},
                                {"solvers", {"framework"}},
                                {"ompl", {"framework", "problems", "solvers"}},
+                               {"gdal", {"framework", "problems"}},
                                {"catalogue", {"framework", "problems", "solvers"}},
                                {"app", {"framework", "problems", "solvers", "catalogue"}}};
   return table;
@@ -101,27 +103,34 @@ const Arrows& layers() {
 /// is for. Rooms that are not listed here may not exist.
 const Arrows& rooms() {
   static const std::set<std::string> subjects = {
-      "problems/graph",     "problems/chart",   "problems/cloud",     "problems/distance", "problems/drawing",
-      "problems/exact",     "problems/formula", "problems/level_set", "problems/mesh",     "problems/obstacles",
-      "problems/occupancy", "problems/readers", "problems/robots",    "problems/section",  "problems/straighten",
-      "problems/taut",      "problems/tensor"};
+      "problems/chart",  "problems/cloud",     "problems/distance",  "problems/drawing",    "problems/exact",
+      "problems/fields", "problems/formula",   "problems/graph",     "problems/layers",     "problems/level_set",
+      "problems/mesh",   "problems/obstacles", "problems/occupancy", "problems/raster",     "problems/readers",
+      "problems/robots", "problems/section",   "problems/spline",    "problems/straighten", "problems/taut",
+      "problems/tensor"};
   static const Arrows table = {
       {"problems/chart", {}},
       {"problems/cloud", {"problems/graph"}},
       {"problems/formula", {}},
       {"problems/graph", {}},
+      {"problems/layers", {}},
       {"problems/mesh", {}},
       {"problems/level_set", {"problems/formula"}},
       {"problems/drawing", {"problems/chart", "problems/level_set"}},
-      {"problems/distance", {"problems/cloud", "problems/level_set", "problems/mesh"}},
+      {"problems/spline", {}},
+      {"problems/raster", {"problems/spline"}},
+      {"problems/distance", {"problems/cloud", "problems/level_set", "problems/mesh", "problems/spline"}},
       {"problems/section", {"problems/chart", "problems/cloud", "problems/mesh"}},
       {"problems/straighten", {"problems/mesh"}},
       {"problems/exact", {"problems/mesh", "problems/straighten"}},
+      {"problems/fields", {"problems/mesh"}},
       {"problems/tensor", {"problems/cloud", "problems/mesh"}},
       {"problems/occupancy", {"problems/mesh"}},
-      {"problems/readers", {"problems/cloud", "problems/distance", "problems/mesh", "problems/occupancy"}},
+      {"problems/readers",
+       {"problems/cloud", "problems/distance", "problems/mesh", "problems/occupancy", "problems/raster"}},
       {"problems/obstacles",
-       {"problems/distance", "problems/drawing", "problems/mesh", "problems/occupancy", "problems/readers"}},
+       {"problems/distance", "problems/drawing", "problems/mesh", "problems/occupancy", "problems/raster",
+        "problems/readers"}},
       {"problems/taut", {"problems/obstacles"}},
       {"problems/robots", {"problems/drawing", "problems/obstacles"}},
       {"problems/kernels", {}},
@@ -145,13 +154,16 @@ const Arrows& rooms() {
       {"app/report/run", {"app/report/page", "app/plot", "app/study/rows"}},
       {"app/report/study", {"app/report/page", "app/plot", "app/study", "app/study/rows"}},
       {"app/report", {"app/report/page", "app/report/run", "app/report/study"}},
+      {"app/distances", {}},
       {"app/run", {"app/report"}},
+      {"app/pairs", {"app/run", "app/study/rows"}},
       {"app/study/grid", {}},
       {"app/study/rows", {}},
       {"app/study/cell", {"app/study/grid", "app/study/rows"}},
       {"app/study", {"app/study/cell", "app/study/grid", "app/study/rows"}},
       {"app/reference", {"app/study/grid"}},
-      {"app/cli", {"app/reference", "app/report", "app/run", "app/study", "app/study/rows"}}};
+      {"app/cli",
+       {"app/distances", "app/pairs", "app/reference", "app/report", "app/run", "app/study", "app/study/rows"}}};
   return table;
 }
 
@@ -172,6 +184,8 @@ std::string third_party_fault(const Include& include) {
     return is_back_end_header(file) ? "the installed header of a back end includes no third party but Eigen" : "";
   if (starts_with(target, "ompl/"))
     return starts_with(file, "ompl/") && !is_header(file) ? "" : "only .cpp files of ompl use OMPL";
+  if (starts_with(target, "gdal") || starts_with(target, "cpl_"))
+    return starts_with(file, "gdal/") && !is_header(file) ? "" : "only .cpp files of gdal use GDAL";
   const bool program = starts_with(file, "catalogue/") || starts_with(file, "app/");
   if (file == "problems/graph/compressed_rows.hpp" && starts_with(target, "boost/")) return "";
   if (!program && is_header(file)) return "a header of the library includes no third party but Eigen";
@@ -265,7 +279,7 @@ std::set<std::string> public_headers(const std::vector<Include>& includes) {
   for (const Include& include : includes)
     if (include.open) reaches.emplace(include.file, include.target);
   std::vector<std::string> open = {"framework/framework.hpp", "problems/problems.hpp", "solvers/solvers.hpp",
-                                   "ompl/ompl.hpp", "catalogue/catalogue.hpp"};
+                                   "ompl/ompl.hpp",           "gdal/gdal.hpp",         "catalogue/catalogue.hpp"};
   for (const Include& include : includes)
     for (const std::string& file : {include.file, include.target})
       if (is_back_end_header(file)) open.push_back(file);
@@ -399,6 +413,9 @@ TEST_CASE("layers: every wrong arrow is caught") {
       Wrong{"catalogue/catalogue.hpp", "#include <fmt/format.h>", "an installed header includes no third party"},
       Wrong{"ompl/polish.hpp", "#include <ompl/base/State.h>", "only .cpp files of ompl use OMPL"},
       Wrong{"problems/initializers/a.cpp", "#include <ompl/base/State.h>", "only .cpp files of ompl use OMPL"},
+      Wrong{"gdal/gdal_raster.hpp", "#include <gdal.h>", "only .cpp files of gdal use GDAL"},
+      Wrong{"catalogue/inputs/a.cpp", "#include <cpl_conv.h>", "only .cpp files of gdal use GDAL"},
+      Wrong{"gdal/a.cpp", "#include \"solvers/b.hpp\"", "gdal must not include solvers"},
       Wrong{"catalogue/run/a.cpp", "#include \"ompl/b.hpp\"", "catalogue must not include ompl"},
       Wrong{"ompl/a.cpp", "#include \"catalogue/b.hpp\"", "ompl must not include catalogue"},
       Wrong{"solvers/ceres/a.cpp", "#include \"solvers/nlopt/b.hpp\"", "not in the table of rooms"},

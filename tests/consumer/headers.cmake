@@ -13,7 +13,7 @@ function(no_internal_header prefix)
   file(GLOB_RECURSE headers RELATIVE ${prefix}/include ${prefix}/include/*.hpp)
   set(reached leastcost/leastcost.hpp leastcost/version.hpp leastcost/framework/framework.hpp
     leastcost/problems/problems.hpp leastcost/solvers/solvers.hpp leastcost/catalogue/catalogue.hpp
-    leastcost/ompl/ompl.hpp)
+    leastcost/ompl/ompl.hpp leastcost/gdal/gdal.hpp)
   foreach(back_end IN LISTS BACK_ENDS)
     list(APPEND reached leastcost/solvers/${back_end}/${back_end}_solver.hpp)
   endforeach()
@@ -40,7 +40,7 @@ endfunction()
 # of them together, with a strict consumer's warnings.
 function(headers_compile prefix eigen)
   file(GLOB_RECURSE sources ${SOURCE_DIR}/framework/*.cpp ${SOURCE_DIR}/problems/*.cpp ${SOURCE_DIR}/solvers/*.cpp
-    ${SOURCE_DIR}/ompl/*.cpp ${SOURCE_DIR}/catalogue/*.cpp)
+    ${SOURCE_DIR}/ompl/*.cpp ${SOURCE_DIR}/gdal/*.cpp ${SOURCE_DIR}/catalogue/*.cpp)
   set(first "")
   foreach(source IN LISTS sources)
     file(STRINGS ${source} include REGEX "^#include" LIMIT_COUNT 1)

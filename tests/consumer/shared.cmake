@@ -37,7 +37,7 @@ endif()
 # Nothing but Eigen has to be found by who uses the shared libraries.
 set(prefix ${SCRATCH}/unpacked/usr)
 set(without "")
-foreach(package IN ITEMS NLopt Ceres ompl yaml-cpp fmt OpenSSL)
+foreach(package IN ITEMS NLopt Ceres ompl GDAL yaml-cpp fmt OpenSSL)
   list(APPEND without -D CMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
 endforeach()
 find_package_consumer(${prefix} ${SCRATCH}/hello ${without})

@@ -7,6 +7,7 @@
 #include <leastcost/problems/costs/kinetic_energy.hpp>
 #include "tests/contracts/cost_contract.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/refused_key.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -26,16 +27,6 @@ arm_inertia::Table two_bars() {
   table.links << 4, -0.5, 0, 0, 0, 0.34, 0.34, 0, 0, 0,  //
       2, -0.4, 0, 0, 0, 0.11, 0.11, 0, 0, 0;
   return table;
-}
-
-template <class Make>
-std::string refused_key(const Make& make) {
-  try {
-    make();
-  } catch (const OptionError& error) {
-    return error.key();
-  }
-  return "";
 }
 
 }  // namespace

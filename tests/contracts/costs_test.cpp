@@ -4,7 +4,9 @@
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/costs/clearance_length.hpp>
+#include <leastcost/problems/costs/cost_map.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
+#include <leastcost/problems/costs/layers.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
 #include <leastcost/problems/costs/travel_time.hpp>
@@ -15,6 +17,7 @@
 #include "tests/contracts/cost_contract.hpp"
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/problems/sample_meshes.hpp"
+#include "tests/problems/sample_rasters.hpp"
 #include "tests/support/data.hpp"
 #include "tests/support/words.hpp"
 
@@ -85,6 +88,27 @@ CostCase travel_time(TravelTimeRule rule, int d) {
           .outside = {1e-8 * up, 0.5 * up, 100 * up}};
 }
 
+/// Three layers, parallel or dipping; points well inside them, moves through up to three. Where the dipping interfaces
+/// have crossed there is no layer.
+CostCase layers(int d, bool dipping) {
+  LayersOptions options;
+  options.interfaces = Eigen::Vector2d(0, 4);
+  options.indices = Eigen::Vector3d(1, 1.7, 0.6);
+  if (dipping) {
+    options.normals = Eigen::MatrixXd::Zero(2, d);
+    options.normals->rightCols(1).setOnes();
+    options.normals->col(0) << 0.1, -0.1;
+  }
+  const Eigen::VectorXd up = Eigen::VectorXd::Unit(d, d - 1);
+  CostCase c{.cost = make_layers_cost(options, d), .draw = [up](Random& random) -> Eigen::VectorXd {
+               const double height = 4 * random.integer(-1, 1) + 2 + random.uniform(-0.5, 0.5);
+               return height * up + 0.5 * random.vector(up.size()).cwiseMin(1).cwiseMax(-1).cwiseProduct(
+                                              Eigen::VectorXd::Ones(up.size()) - up);
+             }};
+  if (dipping) c.outside = {-30 * Eigen::VectorXd::Unit(d, 0) + 2 * up};
+  return c;
+}
+
 /// Among two balls that the points are beside, with a third out of reach.
 CostCase clearance(int d) {
   Eigen::VectorXd here = Eigen::VectorXd::Zero(d), there = here, far = here;
@@ -94,7 +118,29 @@ CostCase clearance(int d) {
           .draw = [d](Random& random) -> Eigen::VectorXd { return 0.5 * random.vector(d); }};
 }
 
+/// From a raster with a gap and one without data at the upper right.
+CostCase cost_map(CostMapInterpolation interpolation, int d) {
+  const RasterGrid raster = with_gap(raster_of(16, 16, waves), 15, 15);
+  CostCase c{.cost = make_cost_map(raster, interpolation, d), .draw = [d](Random& random) -> Eigen::VectorXd {
+               Eigen::VectorXd x(d);
+               x << random.uniform(0, 4.5), random.uniform(2.5, 4.5), random.vector(d - 2);
+               return x;
+             }};
+  for (const Eigen::Vector2d& at : {Eigen::Vector2d(-0.76, 3), Eigen::Vector2d(3, 50), raster.place(15, 15)}) {
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(d);
+    x.head<2>() = at;
+    c.outside.push_back(x);
+  }
+  return c;
+}
+
 }  // namespace
+
+TEST_CASE("cost contract: cost_map", "[contract]") {
+  const int d = GENERATE(2, 3);
+  check_cost_contract(cost_map(CostMapInterpolation::smooth, d));
+  check_cost_contract(cost_map(CostMapInterpolation::bilinear, d));
+}
 
 TEST_CASE("cost contract: euclidean", "[contract]") { check_cost_contract(euclidean(GENERATE(2, 3, 7))); }
 TEST_CASE("cost contract: clearance", "[contract]") {
@@ -139,6 +185,56 @@ TEST_CASE("cost contract: metric_field, file", "[contract]") {
   for (const std::string& row : rows) out << row << '\n';
   out.close();
   check_cost_contract(on_data(*domain, options, folder.path()));
+}
+TEST_CASE("cost contract: layers", "[contract]") {
+  check_cost_contract(layers(GENERATE(2, 3, 7), GENERATE(false, true)));
+}
+
+TEST_CASE("layers: moves along, from and through interfaces", "[contract]") {
+  LayersOptions options;
+  options.interfaces = Eigen::Vector2d(0, 1);
+  options.speeds = Eigen::Vector3d(2, 1, 4);
+  const auto cost = make_layers_cost(options, 2);
+  const auto move = [&](double ax, double ay, double bx, double by) {
+    return move_cost(*cost, Eigen::Vector2d(ax, ay), Eigen::Vector2d(bx, by));
+  };
+  CHECK(move(0, 0, 3, 0) == 1.5);  // along an interface: the faster layer beside it
+  CHECK(move(0, 1, 3, 1) == 0.75);
+  CHECK(move(0, 0, 0, 1) == 1);
+  CHECK(move(0, -1, 0, 2) == Approx(1.75));
+  CHECK(move(0, 2, 0, -1) == Approx(1.75));
+  CHECK(move(0, 0, 0, -1) == 0.5);
+  CHECK(cost->line_element(Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0)) == 0.5);
+  CHECK(cost->line_element(Eigen::Vector2d(0, 0), Eigen::Vector2d(0, 1)) == 1);
+  CHECK(cost->line_element(Eigen::Vector2d(0, 0), Eigen::Vector2d(0, -1)) == 0.5);
+  CHECK(cost->traits().unit == "s");
+}
+
+TEST_CASE("layers refuses what is no stack, by name", "[contract]") {
+  const auto key = [](const Eigen::VectorXd& interfaces, const Eigen::VectorXd& speeds,
+                      const std::optional<Eigen::MatrixXd>& normals = {}, int dim = 2) -> std::string {
+    LayersOptions options;
+    options.interfaces = interfaces;
+    if (speeds.size() > 0) options.speeds = speeds;
+    options.normals = normals;
+    try {
+      make_layers_cost(options, dim);
+    } catch (const OptionError& error) {
+      return error.key();
+    }
+    return "";
+  };
+  const Eigen::VectorXd one = Eigen::VectorXd::Zero(1);
+  CHECK(key(one, Eigen::Vector2d(1, 2)).empty());
+  CHECK(key({}, Eigen::Vector2d(1, 2)) == "interfaces");
+  CHECK(key(one, {}) == "speeds");
+  CHECK(key(one, Eigen::Vector3d(1, 2, 3)) == "speeds");
+  CHECK(key(one, Eigen::Vector2d(1, -2)) == "speeds");
+  CHECK(key(Eigen::Vector2d(1, 0), Eigen::Vector3d(1, 2, 3)) == "interfaces");
+  CHECK(key(one, Eigen::Vector2d(1, 2), Eigen::MatrixXd::Ones(1, 3)) == "normals");
+  CHECK(key(one, Eigen::Vector2d(1, 2), Eigen::MatrixXd::Ones(2, 2)) == "normals");
+  CHECK(key(one, Eigen::Vector2d(1, 2), Eigen::MatrixXd::Zero(1, 2)) == "normals");
+  CHECK(key(one, Eigen::Vector2d(1, 2), {}, 1) == "interfaces");
 }
 TEST_CASE("cost contract: travel_time, chute", "[contract]") {
   check_cost_contract(travel_time(TravelTimeRule::chute, GENERATE(2, 3, 7)));

@@ -1,14 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/manifolds/earth.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
 #include <leastcost/problems/manifolds/map.hpp>
 #include <leastcost/problems/manifolds/mesh.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
 #include <leastcost/problems/manifolds/point_cloud.hpp>
+#include <leastcost/problems/manifolds/terrain.hpp>
 #include "tests/contracts/manifold_contract.hpp"
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/problems/sample_meshes.hpp"
+#include "tests/problems/sample_rasters.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/sample_domains.hpp"
 #include "tests/support/words.hpp"
@@ -134,6 +137,30 @@ TEST_CASE("manifold contract: parametric", "[contract]") {
   Points points(2, 6);
   for (Index i = 0; i < points.cols(); ++i) points.col(i) = c.near(random);
   check_seams(*manifold, points);
+}
+
+TEST_CASE("manifold contract: earth", "[contract]") {
+  const auto manifold = std::make_shared<const EarthManifold>();
+  const auto near = [](Random& random) -> Eigen::VectorXd {
+    return Eigen::Vector2d(random.uniform(-85, 85), random.uniform(-200, 200));
+  };
+  check_manifold_contract({.manifold = manifold, .near = near, .size = 6.4e6, .step = 1});
+  Random random;
+  Points points(2, 6);
+  for (Index i = 0; i < points.cols(); ++i) points.col(i) = near(random);
+  check_seams(*manifold, points);
+}
+
+TEST_CASE("manifold contract: terrain", "[contract]") {
+  const auto manifold = std::make_shared<const TerrainManifold>(raster_of(20, 20, waves));
+  ManifoldCase c{.manifold = manifold,
+                 .near = [](Random& random) -> Eigen::VectorXd {
+                   return Eigen::Vector2d(random.uniform(-0.5, 8.5), random.uniform(2.2, 6.8));
+                 },
+                 .size = 10};
+  const Eigen::Vector2d corner = manifold->box_upper();
+  for (const double off : {0.0, 1e-8, -1e-8}) c.special.emplace_back(corner + off * Eigen::Vector2d(1, -1));
+  check_manifold_contract(c);
 }
 
 TEST_CASE("manifold contract: point_cloud, a sampled torus", "[contract]") { check_manifold_contract(cloud_case()); }

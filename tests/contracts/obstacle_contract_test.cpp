@@ -6,13 +6,18 @@
 #include <cmath>
 #include <memory>
 #include <random>
+#include <vector>
 
+#include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
+#include <leastcost/problems/obstacles/grid_obstacle.hpp>
 #include <leastcost/problems/obstacles/map_obstacles.hpp>
 #include <leastcost/problems/obstacles/mesh_obstacle.hpp>
 #include <leastcost/problems/obstacles/polygon.hpp>
+#include <leastcost/problems/obstacles/raster_obstacles.hpp>
 #include "tests/problems/sample_meshes.hpp"
+#include "tests/problems/sample_rasters.hpp"
 #include "tests/support/catch.hpp"
 
 namespace leastcost {
@@ -26,7 +31,10 @@ constexpr int kTries = 200;
 
 /// What FreeSpace relies on, at random places: distances of segments are the least of those of their points, the way
 /// out leads out at the rate of one, and the core lies in its box.
-void check_obstacle(const Obstacle& obstacle) {
+///
+/// `found`: how nearly distances of segments are found. A distance that is only nowhere more than the true one
+/// (not `exact`) grows by at most one, outside at the rate that it says.
+void check_obstacle(const Obstacle& obstacle, double found = 1e-12, bool exact = true) {
   std::mt19937 engine(20261123);
   const Obstacle::Box box = obstacle.core_bounds();
   const Eigen::Index d = box.dim();
@@ -44,12 +52,18 @@ void check_obstacle(const Obstacle& obstacle) {
     CHECK(of_segment <= sampled + 1e-12);
     CHECK(of_segment >= sampled - (b - a).norm() / kSamples);
     REQUIRE((t >= 0 && t <= 1));
-    CHECK(std::abs(distance(a + t * (b - a)) - of_segment) <= 1e-12);
+    CHECK(std::abs(distance(a + t * (b - a)) - of_segment) <= found);
 
     constexpr double kStep = 1e-6;
     const double here = obstacle.distance(a, away);
-    CHECK(away.norm() == Approx(1));
-    CHECK(obstacle.distance(a + kStep * away, there) == Approx(here + kStep).margin(1e-9));
+    const double rate = exact ? 1 : away.norm();
+    CHECK(away.norm() == Approx(rate));
+    CHECK(rate <= 1 + 1e-12);
+    const double ahead = obstacle.distance(a + kStep * away, there);
+    if (exact || here > 0)
+      CHECK(ahead == Approx(here + kStep * rate * rate).margin(1e-9));
+    else  // within, what is not exact may end at a depth
+      CHECK(ahead >= here - 1e-9);
     CHECK(here <= box.exteriorDistance(a) + (box.max() - box.min()).norm());
     if (here <= 0) CHECK(box.contains(a));
   }
@@ -71,6 +85,24 @@ TEST_CASE("obstacle contract: map") {
   for (const auto& obstacle : all) check_obstacle(*obstacle);
 }
 
+TEST_CASE("obstacle contract: raster") {
+  RasterGrid raster = test::with_gap(test::raster_of(8, 8, [](double, double) { return 1.0; }), 2, 3);
+  raster.corner << -2, -1;
+  raster.values[raster.index(7, 7)] = 5;
+  RasterObstacleOptions options;
+  options.above = 4;
+  const auto all = make_raster_obstacles(raster, options);
+  REQUIRE(all.size() == 2);
+  for (const auto& obstacle : all) check_obstacle(*obstacle);
+  // Without data at (2, 3) there are none from the middles of the cells two before to those two behind it.
+  const Obstacle::Box gap = all[0]->core_bounds(), above = all[1]->core_bounds();
+  CHECK(gap.min() == raster.place(0, 1));
+  CHECK(gap.max() == raster.place(4, 5));
+  CHECK(above.min() == Vector2d(1.5, 0.75));
+  CHECK(above.max() == Vector2d(2, 1));
+  raster.values[raster.index(2, 3)] = 1;
+  CHECK_THROWS_AS(make_raster_obstacles(raster, {}), InputError);
+}
 TEST_CASE("obstacle contract: ball") {
   check_obstacle(*make_ball({Vector2d(0.3, -0.2), 0.5}));
   check_obstacle(*make_ball({Vector3d(0.3, -0.2, 0.1), 0.5}));
@@ -95,6 +127,17 @@ TEST_CASE("obstacle contract: mesh") {
                                                                 return {2 * s - 1, 2 * t - 1, 0.3 * std::sin(4 * s)};
                                                               })),
                                      MeshInside::surface, 0.1));
+}
+
+/// Of a ball of radius 0.6, whose centre is no node.
+TEST_CASE("obstacle contract: distance_grid") {
+  const GridShape shape{Vector3d(-1.05, -1.1, -1), 0.1, {22, 22, 21}};
+  std::vector<double> values;
+  for (int k = 0; k < shape.count[2]; ++k)
+    for (int j = 0; j < shape.count[1]; ++j)
+      for (int i = 0; i < shape.count[0]; ++i)
+        values.push_back((shape.node(i, j, k) - Vector3d(0.03, 0, -0.02)).norm() - 0.6);
+  check_obstacle(*make_grid_obstacle(DistanceGrid(shape, values), 0.1, "the ball"), 1e-9, false);
 }
 
 }  // namespace leastcost

@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
+#include <filesystem>
+
 #include <leastcost/framework/clearance.hpp>
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/has_constant_metric.hpp>
+#include <leastcost/problems/costs/layers.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/initializers/plane_cut.hpp>
@@ -11,7 +14,9 @@
 #include <leastcost/problems/mesh/edge_graph.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
+#include <leastcost/problems/post_processors/fastest_refraction.hpp>
 #include <leastcost/problems/post_processors/on_surface.hpp>
+#include <leastcost/problems/post_processors/refract.hpp>
 #include <leastcost/problems/post_processors/shortest.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>
 #include <leastcost/problems/post_processors/taut.hpp>
@@ -119,11 +124,6 @@ TEST_CASE("post_processor contract: shortest", "[contract]") {
     const FirstPath first = DijkstraInitializer().first_path(problem, {});
     const PostProcessed chain = as_delivered(problem, sample_equally(problem, first.path, kPoints));
     const PostProcessed straight = StraightenPostProcessor().apply(problem, first, chain, {});
-    if (!find_ability<HasConstantMetric>(*problem.cost)->metric().isIdentity()) {
-      CHECK_THROWS_WITH(ShortestPostProcessor().apply(problem, first, straight, {}),
-                        Catch::Contains("needs the Euclidean cost"));
-      continue;
-    }
     const PostProcessed made = ShortestPostProcessor().apply(problem, first, straight, {});
     check_curve(problem, made.curve);
     REQUIRE(made.curve.global);
@@ -139,6 +139,36 @@ TEST_CASE("post_processor contract: shortest", "[contract]") {
     CHECK(made.chain.u.rightCols(1) == problem.target.u);
     CHECK_FALSE(ShortestPostProcessor(GlobalOff{}).apply(problem, first, straight, {}).curve.global);
   }
+}
+
+/// One object, two domains, landmarks of each: made, written, read again, and of the other domain refused.
+TEST_CASE("post_processor contract: shortest with an index on disk", "[contract]") {
+  const auto file = std::filesystem::temp_directory_path() / "leastcost_shortest_test.landmarks";
+  std::filesystem::remove(file);
+  const ShortestPostProcessor with_index(GlobalBudget{.landmarks = 3, .index = file.string()});
+  const std::vector<Problem> all = problems();
+  const auto prove = [&](const ShortestPostProcessor& shortest, const Problem& problem) {
+    const FirstPath first = DijkstraInitializer().first_path(problem, {});
+    const PostProcessed chain = as_delivered(problem, sample_equally(problem, first.path, kPoints));
+    const PostProcessed straight = StraightenPostProcessor().apply(problem, first, chain, {});
+    return shortest.apply(problem, first, straight, {}).curve.global.value();
+  };
+  const GlobalBound made = prove(with_index, all.front());
+  CHECK(made.bound == "euclid + 3 landmarks");
+  CHECK(made.proved);
+  CHECK(std::filesystem::exists(file));
+  CHECK(prove(with_index, all.front()).steps == made.steps);  // kept
+  const ShortestPostProcessor again(GlobalBudget{.index = file.string()});
+  CHECK(prove(again, all.front()).steps == made.steps);  // read
+  bool refused = false;
+  for (const Problem& problem : all) {
+    const auto* cost = find_ability<HasConstantMetric>(*problem.cost);
+    if (cost->metric().isIdentity()) continue;
+    refused = true;
+    CHECK_THROWS_WITH(prove(again, problem), Catch::Contains("another metric"));
+  }
+  CHECK(refused);
+  std::filesystem::remove(file);
 }
 
 /// The long way round a ball: the shortest path of all is delivered in its place, and the note says so.
@@ -193,6 +223,49 @@ TEST_CASE("post_processor contract: taut", "[contract]") {
   CHECK(spread(made.curve_costs) <= 1e-12);
   CHECK(*made.curve.least_of_class <= made.curve.cost);
   CHECK(made.curve.straightness == 0);
+}
+
+TEST_CASE("post_processor contract: refract", "[contract]") {
+  const int d = GENERATE(2, 3);
+  LayersOptions options;
+  options.interfaces = Eigen::Vector2d(0, 1);
+  options.indices = Eigen::Vector3d(0.6, 1.5, 1);
+  options.normals = Eigen::MatrixXd::Zero(2, d);
+  options.normals->rightCols(1).setOnes();
+  options.normals->col(0) << 0.1, -0.05;
+  Eigen::VectorXd source = Eigen::VectorXd::Zero(d), target = source;
+  source[0] = -2;
+  target[0] = 2;
+  source[d - 1] = -1;
+  target[d - 1] = 2;
+  const Problem problem = between(space(d), make_layers_cost(options, d), source, target);
+  const FirstPath first = StraightInitializer().first_path(problem, {});
+  const PostProcessed chain = as_delivered(problem, sample_equally(problem, first.path, kPoints));
+  const PostProcessed made = RefractPostProcessor().apply(problem, first, chain, {});
+  for (const Points& points : {made.curve.x, made.chain.u}) {
+    CHECK(points.col(0) == problem.source.u);
+    CHECK(points.rightCols(1) == problem.target.u);
+  }
+  REQUIRE(made.chain.u.cols() == chain.chain.u.cols());
+  const Eigen::VectorXd costs =
+      segment_costs(*problem.cost, {{made.curve.x.data(), d, made.curve.x.cols()}, {}, false});
+  CHECK(made.curve.cost == Approx(costs.sum()).epsilon(1e-13));
+  CHECK(made.curve_costs.sum() == Approx(made.curve.cost).epsilon(1e-13));
+  CHECK(spread(made.curve_costs) <= 1e-12);
+  CHECK(made.curve.cost < chain.curve.cost);
+  REQUIRE(made.curve.least_of_class);
+  CHECK(*made.curve.least_of_class <= made.curve.cost);
+  CHECK(*made.curve.least_of_class >= made.curve.cost * (1 - 1e-12));
+  CHECK(*made.curve.straightness == 0);
+  const PostProcessed all = FastestRefractionPostProcessor().apply(problem, first, made, {});
+  REQUIRE(all.curve.global);
+  CHECK(all.curve.global->proved);
+  CHECK(all.curve.cost <= made.curve.cost);
+  CHECK_FALSE(FastestRefractionPostProcessor(GlobalOff{}).apply(problem, first, made, {}).curve.global);
+  // A polyline that does not obey Snell's law is told from one that does.
+  Points off = made.curve.x;
+  off.col(1) += 1e-6 * Eigen::VectorXd::Unit(d, 0);
+  CHECK(find_ability<HasInterfaces>(*problem.cost)->crossings(off).front().mismatch > 1e-8);
 }
 
 TEST_CASE("post_processor contract: on_surface", "[contract]") {

@@ -266,6 +266,17 @@ inline void check_refuses_infinite(const Solver& solver) {
   CHECK(path.u == before);
 }
 
+/// A ring of one point: its only segment joins it to itself. (Ceres aborts at such a block.)
+inline void check_survives_one_point(const Solver& solver) {
+  const Problem problem = closed(space(2), make_euclidean_cost(2));
+  CoordinatePath path{Points::Constant(2, 1, 0.5), {}, true};
+  PathEnergy energy(problem, 1);
+  const SolveReport report = solver.solve(energy, path, {});
+  CAPTURE(solver.name(), name(report.termination), report.message);
+  CHECK(path.u == Points::Constant(2, 1, 0.5));
+  if (report.termination != Termination::refused) CHECK(report.final_energy == report.initial_energy);
+}
+
 /// The contract of Solver (framework/solver.hpp).
 inline void check_solver_contract(const MakeSolver& make, const Promise& promise = {}) {
   const std::unique_ptr<Solver> solver = make(100000, 1000000);
@@ -281,6 +292,7 @@ inline void check_solver_contract(const MakeSolver& make, const Promise& promise
   }
   check_refuses_infinite(*solver);
   check_survives_faults(*solver);
+  check_survives_one_point(*solver);
 }
 
 /// Two solvers give the same energy to the digits they claim. (On a mesh each may come to rest in a kink of its own:

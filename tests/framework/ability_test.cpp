@@ -128,7 +128,7 @@ TEST_CASE("abilities: of a decorated domain") {
   CHECK(find_ability<HasChart>(watched) == nullptr);
 }
 
-TEST_CASE("abilities: one that depends on how an object was made is there or not; no object has none") {
+TEST_CASE("abilities: one that depends on how an object was made is there or not, no object has none") {
   CHECK(find_ability<Perhaps>(Switched(true)) != nullptr);
   CHECK(find_ability<Perhaps>(Switched(false)) == nullptr);
   CHECK(find_ability<HasConstantMetric>(static_cast<const SegmentCost*>(nullptr)) == nullptr);

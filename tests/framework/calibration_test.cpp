@@ -370,6 +370,25 @@ TEST_CASE("no proof of what a chain did not see", "[calibration]") {
   }
 }
 
+TEST_CASE("the cost of a curve across kinks is enclosed", "[calibration]") {
+  struct Kinked {
+    std::string index;
+    double cost;  // straight ahead from -1 to 1
+  };
+  const Kinked kinked = GENERATE(Kinked{"1+abs(x-0.1234)", 2 + (1.1234 * 1.1234 + 0.8766 * 0.8766) / 2},
+                                 Kinked{"max(1,1.5+x)", 3.125}, Kinked{"min(1+x^2,1.25)", 2 + 1.0 / 3});
+  const Problem problem = between(space(2), index(kinked.index), Eigen::Vector2d(-1, 0), Eigen::Vector2d(1, 0));
+  CoordinatePath line{Points::Zero(2, 42), {}, false};
+  line.u.row(0).setLinSpaced(-1, 1);
+  const Calibration found = calibrate(problem, line, {41, 1e-9}, {});
+  CAPTURE(kinked.index, kinked.cost);
+  REQUIRE(found.applies);
+  CHECK_FALSE(found.proved);
+  REQUIRE(found.upper);
+  CHECK(*found.upper >= kinked.cost * (1 - 1e-15));
+  CHECK(*found.upper <= kinked.cost * (1 + 1e-9));
+}
+
 TEST_CASE("problems finer than the segments are not certified with an error beyond the bar", "[calibration]") {
   SECTION("ripples that fit all levels") {
     const Result r =

@@ -63,7 +63,7 @@ TEST_CASE("index of a whole great circle: a saddle", "[framework]") {
   CHECK(index.saddle_order >= 1);  // sinking to a small circle; tilting costs nothing to second order
 }
 
-TEST_CASE("index of a straight line is 0 in any dimension; H = s has none", "[framework]") {
+TEST_CASE("index of a straight line is 0 in any dimension, H = s has none", "[framework]") {
   const int d = GENERATE(2, 3, 7);
   CoordinatePath line{Points(d, 21), {}, false};
   for (Index i = 0; i < 21; ++i) line.u.col(i).setConstant(0.1 * static_cast<double>(i));
@@ -104,7 +104,7 @@ TEST_CASE("index by elimination keeps its digits where a metric is ill-condition
   if (condition < 1e12) CHECK(result.certificate.index.verdict == IndexVerdict::minimum);
 }
 
-TEST_CASE("index of a ring on a shallow neck: a minimum; on a cylinder: degenerate", "[framework]") {
+TEST_CASE("index of a ring on a shallow neck: a minimum, on a cylinder: degenerate", "[framework]") {
   const double opening = GENERATE(0.0, 1e-9, 1e-4, 1e-3);
   const ImplicitManifoldOptions options{
       .surface = implicit::Formula{.f = "x^2 + y^2 - k*z^2 - 1", .parameters = {{"k", opening}}}};
@@ -118,7 +118,14 @@ TEST_CASE("index of a ring on a shallow neck: a minimum; on a cylinder: degenera
       find(closed(make_implicit_manifold(options), make_euclidean_cost(3)), n, WaypointsInitializer(loop));
   CAPTURE(opening, n, failures(result.certificate));
   CHECK(result.certificate.index.verdict == (opening > 1e-6 ? IndexVerdict::minimum : IndexVerdict::degenerate));
-  if (opening > 1e-6) CHECK(std::abs(result.certificate.estimate.value - 2 * kPi) <= result.certificate.estimate.error);
+  if (opening < 1e-6) return;
+  // 15 segments of 24 degrees are too few to tell the neck from other sheets: then there is no bar.
+  if (failed(result.certificate, "unresolved")) {
+    CHECK(n == 15);
+    CHECK(std::isnan(result.certificate.estimate.error));
+  } else {
+    CHECK(std::abs(result.certificate.estimate.value - 2 * kPi) <= result.certificate.estimate.error);
+  }
 }
 
 }  // namespace leastcost::test

@@ -108,7 +108,7 @@ TEST_CASE("refine: midpoints of order 4 inside, 3 at the ends, old points stay",
   }
 }
 
-TEST_CASE("refine: on a curved domain the new points lie on it; at the edge of a cost they stay inside",
+TEST_CASE("refine: on a curved domain the new points lie on it, at the edge of a cost they stay inside",
           "[framework]") {
   const Problem arc =
       between(std::make_shared<Sphere>(), make_euclidean_cost(3), Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0));

@@ -10,15 +10,18 @@
 #include <fstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/obstacles/map_obstacles.hpp>
 #include <leastcost/problems/obstacles/mesh_obstacle.hpp>
+#include <leastcost/problems/obstacles/raster_obstacles.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
 #include <leastcost/problems/readers/point_cloud_reader.hpp>
 #include <leastcost/problems/readers/sdf_reader.hpp>
 #include <leastcost/problems/readers/tensor_reader.hpp>
+#include "app/pairs/pair_reader.hpp"
 #include "app/report/page/json_file.hpp"
 #include "app/report/run/run_files.hpp"
 #include "app/study/grid/grid.hpp"
@@ -32,6 +35,8 @@
 #include "catalogue/yaml/overrides.hpp"
 #include "problems/formula/formula.hpp"
 #include "problems/occupancy/free_mesh.hpp"
+#include "problems/raster/raster_function.hpp"
+#include "problems/readers/raster_reader.hpp"
 #include "problems/readers/waypoint_reader.hpp"
 
 namespace leastcost::fuzz {
@@ -81,6 +86,22 @@ inline void mesh_obstacle(std::string_view bytes) {
     obstacle->distance(Eigen::Vector3d(0.2, 0.2, 0.2), away);
     obstacle->distance_of_segment(Eigen::Vector3d(-1, 0.1, 0.2), Eigen::Vector3d(1, 0.3, 0.1), t);
   }
+}
+
+/// A raster as a terrain, a cost map and obstacles.
+inline void raster(RasterFile file) {
+  const RasterGrid grid = placed(std::move(file), {});
+  const auto look = [&grid](const RasterFunction& f) {
+    const Eigen::Vector2d from = grid.place(0, 0), to = grid.place(grid.rows - 1, grid.columns - 1);
+    f.at(from[0], from[1]);
+    f.at(0.3 * from[0] + 0.7 * to[0], 0.7 * from[1] + 0.3 * to[1]);
+    f.patches().cut<double>({0, 0}, f.patches().in_cells(to[0], to[1]),
+                            [&f](const RasterPatch& patch, double, double) { f.bounds(patch); });
+  };
+  look(BilinearFunction(grid));
+  look(SplineFunction::near(grid));
+  look(SplineFunction::through(grid));
+  make_raster_obstacles(grid, {});
 }
 
 /// A configuration with what its last line puts in: the option after `--set`.
@@ -157,11 +178,19 @@ inline const std::vector<Target>& targets() {
       {"map_server", [](std::string_view b) { map(b, ".yaml"); }},
       {"xyz", [](std::string_view b) { read_point_cloud(file_with(b, ".xyz")); }},
       {"cloud_ply", [](std::string_view b) { read_point_cloud(file_with(b, ".ply")); }},
+      {"esri_grid", [](std::string_view b) { raster(read_esri_grid(b, "fuzz.asc")); }},
+      {"csv_raster", [](std::string_view b) { raster(read_csv_raster(b, "fuzz.csv")); }},
       {"sdf", [](std::string_view b) { read_sdf(b, "fuzz.sdf", 1e8); }},
       {"tensors", [](std::string_view b) { read_tensors(file_with(b, ".txt")); }},
       {"waypoints",
        [](std::string_view b) {
          read_waypoints(file_with(b, ".csv"), {"x", "y", "z"});
+       }},
+      {"pairs",
+       [](std::string_view b) {
+         app::PairReader reader(file_with(b, ".csv"), {"x", "y"}, true);
+         while (reader.next()) {
+         }
        }},
       {"configuration", configuration},
       {"override", override_of},

@@ -11,7 +11,10 @@
 
 #include <leastcost/framework/segment_cost_function.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
+#include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
+#include <leastcost/problems/obstacles/ball.hpp>
+#include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/solvers/georce.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
@@ -141,6 +144,22 @@ TEST_CASE("found false: a solver that stops early quotes what its path costs, wi
   CHECK(result.status == Status::uncertified);
   CHECK(std::isnan(result.certificate.estimate.error));
   CHECK(result.certificate.estimate.value == Approx(result.costs.sum()).epsilon(1e-12));
+}
+
+/// Points keep margins from walls: the least chain is longer than the least curve, and bounds nothing from below.
+TEST_CASE("found false: the lower bound of a cost among obstacles", "[oracle]") {
+  const std::shared_ptr<const ConstraintManifold> plane = space(2);
+  const auto around = std::make_shared<const FreeSpace>(plane, FreeSpace::Obstacles{make_ball({Vector2d(0, 0), 1})}, 0);
+  const double truth = 2 * std::sqrt(3) + kPi / 3;
+  for (const int points : {10, 20, 40}) {
+    FindOptions options;
+    options.points = points;
+    const Result result = find_path(between(around, make_euclidean_cost(2), Vector2d(-2, 0), Vector2d(2, 0)),
+                                    BowInitializer(BowOptions{0.5, 0}), Newton(), options);
+    CAPTURE(points, result.certificate.estimate.value);
+    check_bar(result, truth);
+    if (result.certificate.estimate.lower) CHECK(*result.certificate.estimate.lower <= truth * (1 + 1e-12));
+  }
 }
 
 }  // namespace leastcost::test

@@ -47,7 +47,7 @@ TEST_CASE("Eq. 10: H'(|d|) d / |d| for the others", "[paper]") {
         [](const Eigen::VectorXd& d) -> Eigen::VectorXd { return std::exp(d.norm()) * d / d.norm(); });
 }
 
-TEST_CASE("Eq. 10 has 0 / 0 at coincident points; in q = s^2 nothing of the kind", "[paper]") {
+TEST_CASE("Eq. 10 has 0 / 0 at coincident points, in q = s^2 nothing of the kind", "[paper]") {
   for (const auto& kernel : {make_kernel<Square>(), make_kernel<Expm1Square>(), make_kernel<ExpSquare>(),
                              make_kernel<Linear>(), make_kernel<Exp>(), make_kernel<Expm1>()}) {
     const Problem problem{space(2), make_euclidean_cost(2), kernel, {}, {}, false};

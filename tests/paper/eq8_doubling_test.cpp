@@ -53,7 +53,7 @@ TEST_CASE("Eq. 8: E1 / E2 is 1/2, 1, 2 by the kind of the kernel", "[paper]") {
 }
 
 TEST_CASE(
-    "Eq. 8: at s near 1 the limit does not apply to exp(s^2) - 1; the certificate compares with H(s) / (2 H(s / 2))",
+    "Eq. 8: at s near 1 the limit does not apply to exp(s^2) - 1: the certificate compares with H(s) / (2 H(s / 2))",
     "[paper]") {
   const Result result = find(on_sphere(make_kernel<Expm1Square>()), 31);
   REQUIRE(result.certificate.doubling);

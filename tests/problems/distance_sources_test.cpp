@@ -74,7 +74,7 @@ TEST_CASE("distance of a mesh: exact near it, right to a hundredth of a cell els
         CHECK(std::abs(values[shape.index(i, j, k)] - off_cube(shape.node(i, j, k))) <= 0.01 * shape.cell);
 }
 
-TEST_CASE("distance of a mesh: inside out, mixed up, a cavity; parts that overlap are refused") {
+TEST_CASE("distance of a mesh: inside out, mixed up, a cavity, parts that overlap are refused") {
   const TriangleMesh ball{sphere(3)};
   const auto with = [&](auto&& change) {
     PolygonSoup soup = soup_of(ball);

@@ -4,13 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
+#include <numeric>
 #include <sstream>
 
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/exact/landmark_file.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
 #include <leastcost/problems/straighten/straighten.hpp>
+#include "problems/exact/metric_mesh.hpp"
+#include "problems/exact/propagation.hpp"
 #include "tests/problems/exact_reference.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
@@ -195,6 +201,30 @@ TEST_CASE("exact: all vertices of nine meshes as an independent program has them
   }
 }
 
+/// Midpoint subdivision makes flat patches, whose vertices shortest paths run into.
+TEST_CASE("exact: paths on a mesh that was subdivided are straight and on it") {
+  Random random;
+  int through = 0;
+  for (int k = 0; k < 6; ++k) {
+    MeshOptions finer;
+    finer.subdivide = 1;
+    const TriangleMesh mesh(random_sheet(random, Terrain::mountains), finer);
+    const ExactSearch search(mesh);
+    ExactSearch::Workspace workspace(search);
+    for (std::int32_t i = 0; i < mesh.vertex_count(); i += 3)
+      for (std::int32_t j = i + 1; j < mesh.vertex_count(); j += 2) {
+        const ExactResult found = search.shortest(vertex_point(mesh, i), vertex_point(mesh, j), workspace);
+        if (found.path.points.empty()) continue;
+        CAPTURE(k, i, j);
+        CHECK(lies_on(mesh, found.path));
+        CHECK(check_straight(mesh, found.path) > -1e-9);
+        CHECK(path_length(found.path) == Approx(found.length).epsilon(1e-12));
+        ++through;
+      }
+  }
+  CHECK(through > 500);
+}
+
 TEST_CASE("exact: a flat sheet with a notch, every pair of vertices") {
   const auto model = data_file("truth/flat_triangular_mesh.off");
   const auto table = data_file("truth/flat_triangular_mesh_pairwise.csv");
@@ -374,6 +404,133 @@ TEST_CASE("exact: a spent budget leaves a bound that holds") {
     if (!some.is_proved()) CHECK(some.outcome == ExactOutcome::bounded);
   }
   CHECK(last > 0);
+}
+
+/// How often a search with faults on purpose claims more than the truth.
+int false_claims(const Sabotage& sabotage) {
+  Random random;
+  int claims = 0;
+  for (int k = 0; k < 6; ++k) {
+    const TriangleMesh mesh(random_sheet(random, k % 2 == 0 ? Terrain::hills : Terrain::flat));
+    const ExactReference reference(mesh, {});
+    if (!reference.complete()) continue;
+    const HalfEdges edges(mesh);
+    Propagation<double> run(edges);
+    for (std::int32_t i = 0; i < mesh.vertex_count(); ++i)
+      for (std::int32_t j = 0; j < mesh.vertex_count(); ++j) {
+        const EndPoint from = end_point(edges, vertex_point(mesh, i)), to = end_point(edges, vertex_point(mesh, j));
+        QueryLimits limits;
+        limits.sabotage = sabotage;
+        run.run(from, &to, LowerBound(edges, &to, nullptr), limits);
+        const Long truth = reference.distance(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+        if (Long(run.lower_bound()) > truth + Long(1e-9)) ++claims;
+      }
+  }
+  return claims;
+}
+
+TEST_CASE("exact: windows that are dropped, and cracks between them, are found by the comparison") {
+  CHECK(false_claims({}) == 0);
+  // A fold of the search that leaves out so few would pass any test of lengths.
+  CHECK(false_claims({.drop_every = 10}) > 0);
+  CHECK(false_claims({.crack = 1e-3}) > 0);
+}
+
+TEST_CASE("exact: paths to many vertices by one propagation are as long as those of single queries") {
+  Random random;
+  const TriangleMesh mesh(random_sheet(random, Terrain::mountains));
+  const ExactSearch search(mesh);
+  ExactSearch::Workspace workspace(search);
+  std::vector<std::int32_t> all(static_cast<std::size_t>(mesh.vertex_count()));
+  std::iota(all.begin(), all.end(), 0);
+  for (const SurfacePoint& from : {vertex_point(mesh, 0), SurfacePoint{0, {0.2, 0.3, 0.5}}}) {
+    const std::vector<SurfacePath> paths = search.paths(from, all, workspace);
+    for (const std::int32_t v : all) {
+      const SurfacePath& path = paths[static_cast<std::size_t>(v)];
+      const ExactResult alone = search.shortest(from, vertex_point(mesh, v), workspace);
+      CHECK(path.points.empty() == std::isinf(alone.length));
+      if (path.points.empty()) continue;
+      CHECK(path_length(path) == Approx(alone.length).epsilon(1e-9).margin(1e-12));
+      CHECK(lies_on(mesh, path));
+      CHECK(path.points.front().isApprox(mesh.point(from)));
+      CHECK(path.points.back() == mesh.position(v));
+    }
+  }
+}
+
+TEST_CASE("exact: an index on disk is what was written, and any other is refused") {
+  const auto file = std::filesystem::temp_directory_path() / "leastcost_exact_test.landmarks";
+  Random random;
+  const TriangleMesh mesh(random_sheet(random, Terrain::hills));
+  ExactSearch search(mesh);
+  ExactSearch::Workspace workspace(search);
+  const Landmarks made = search.make_landmarks(5, workspace);
+  write_landmarks(made, file);
+  const Landmarks read = read_landmarks(file, search.made_for());
+  CHECK(read.vertices() == made.vertices());
+  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v)
+    for (std::int32_t i = 0; i < made.count(); ++i) {
+      CHECK(read.at_least(v, i) == made.at_least(v, i));
+      CHECK(read.at_most(v, i) == made.at_most(v, i));
+    }
+  search.use(read);
+  CHECK(search.shortest(vertex_point(mesh, 0), vertex_point(mesh, 5), workspace).bound == "euclid + 5 landmarks");
+
+  const MetricMesh turned(mesh, Eigen::Vector3d(1, 2, 1).asDiagonal());
+  const ExactSearch in_metric(turned.mesh());
+  CHECK_THROWS_WITH(read_landmarks(file, in_metric.made_for()), Catch::Contains("another metric"));
+  std::ifstream in(file, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  const auto refusal = [&](const std::string& content) {
+    std::ofstream(file, std::ios::binary) << content;
+    try {
+      read_landmarks(file, search.made_for());
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  for (const std::size_t left : {std::size_t{0}, std::size_t{7}, std::size_t{20}, bytes.size() / 2, bytes.size() - 1})
+    CHECK_THAT(refusal(bytes.substr(0, left)), Catch::Contains("index"));
+  for (std::size_t i = 0; i < bytes.size(); i += 7) {
+    std::string changed = bytes;
+    changed[i] = static_cast<char>(changed[i] ^ 1);
+    CAPTURE(i);
+    CHECK_THAT(refusal(changed), Catch::Contains("index"));
+  }
+  CHECK_THAT(refusal(bytes + "x"), Catch::Contains("index"));
+  std::filesystem::remove(file);
+  CHECK_THROWS_WITH(read_landmarks(file, search.made_for()), Catch::Contains("cannot be read"));
+  CHECK_THROWS_WITH(read_landmarks(file.parent_path(), search.made_for()), Catch::Contains("a folder"));
+}
+
+/// On a convex flat sheet the least cost is |A d|; there and back the path is the same.
+TEST_CASE("exact: a constant metric is the Euclidean one on a mesh that was turned") {
+  PolygonSoup soup;
+  constexpr int kSide = 6;
+  for (int j = 0; j <= kSide; ++j)
+    for (int i = 0; i <= kSide; ++i) soup.positions.emplace_back(1000 + i, j, 0.5 * j);
+  for (int j = 0; j < kSide; ++j)
+    for (int i = 0; i < kSide; ++i) {
+      const int a = j * (kSide + 1) + i;
+      add_polygon(soup, {a, a + 1, a + kSide + 2});
+      add_polygon(soup, {a, a + kSide + 2, a + kSide + 1});
+    }
+  const TriangleMesh mesh(soup);
+  Eigen::Matrix3d root;
+  root << 1, 0.3, 0, 0, 4, 0.2, 0, 0, 0.5;
+  const MetricMesh turned(mesh, root);
+  const ExactSearch search(turned.mesh());
+  ExactSearch::Workspace workspace(search);
+  for (std::int32_t v = 1; v < mesh.vertex_count(); v += 3) {
+    const ExactResult found = search.shortest(vertex_point(mesh, 0), vertex_point(mesh, v), workspace);
+    CHECK(found.is_proved());
+    CHECK(found.length == Approx((root * (mesh.position(v) - mesh.position(0))).norm()).epsilon(1e-12));
+    const SurfacePath path = turned.back(found.path);
+    CHECK(lies_on(mesh, path));
+    CHECK(path_length(path, MetricRoot(root)) == Approx(found.length).epsilon(1e-12));
+    CHECK(check_straight(mesh, path, MetricRoot(root)) > -1e-9);
+  }
 }
 
 }  // namespace leastcost::test

@@ -72,7 +72,7 @@ TEST_CASE("mesh obstacles: a surface lets a path be within it, an open mesh has 
                     Catch::Contains("it is open, with 4 border edges"));
 }
 
-TEST_CASE("mesh obstacles: scaled, turned, moved, from a file; faults have names") {
+TEST_CASE("mesh obstacles: scaled, turned, moved, from a file, faults have names") {
   const test::ScratchDir folder;
   std::ofstream(folder.path() / "a.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   MeshObstacleOptions options;

@@ -119,7 +119,7 @@ TEST_CASE("occupancy of an image: thresholds, unknown, upside down") {
   CHECK((occupancy_of(image, options).free(1, 0) && !occupancy_of(image, options).free(1, 1)));
 }
 
-TEST_CASE("free boxes part the free cells; blocking boxes hold what can be reached and no free cell") {
+TEST_CASE("free boxes part the free cells, blocking boxes hold what can be reached and no free cell") {
   Random random;
   for (int round = 0; round < 50; ++round) {
     const OccupancyGrid grid = random_grid(random, random.integer(1, 12), random.integer(1, 12), round % 10);

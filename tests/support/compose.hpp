@@ -51,11 +51,12 @@ inline Problem bead(const Eigen::VectorXd& source, const Eigen::VectorXd& target
   return between(space(d), make_travel_time_cost(options, d, source), source, target, std::move(kernel));
 }
 
-/// find_path() from the straight line with Newton and a full certificate.
+/// find_path() from the straight line with Newton and a full certificate, of as many points as are asked for.
 inline Result find(const Problem& problem, int points, const Initializer& initializer = StraightInitializer(),
                    const Solver& solver = Newton()) {
   FindOptions options;
   options.points = points;
+  options.certificate.refine = 0;
   return find_path(problem, initializer, solver, options);
 }
 

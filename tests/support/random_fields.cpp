@@ -43,7 +43,10 @@ constexpr std::array kFormulas = {"x",
                                   "q",
                                   "((((x))))",
                                   "1e400",
-                                  "x1^2 + x2^2 - 1"};
+                                  "x1^2 + x2^2 - 1",
+                                  "sqrt(vx^2 + vy^2)",
+                                  "sqrt(vx^2 + vy^2) + 0.5*vx*sin(y)",
+                                  "sqrt(vx^2 + vy^2 + vz^2) * (2 + sin(x))"};
 
 }  // namespace
 
@@ -103,6 +106,23 @@ void RandomFields::file(std::string_view, std::string& value, const FieldDoc& do
 }
 
 void RandomFields::group(std::string_view, const FieldDoc&, const std::function<void(FieldVisitor&)>& body) {
+  body(*this);
+}
+
+void RandomFields::plugin(std::string_view key, PluginChoice& value, const PluginKind& kind, const FieldDoc&) {
+  if (chance(bad_)) return;  // not given
+  const PluginEntry* entry = kind.entries[chance(0.6) ? 0 : below(kind.entries.size())];
+  if (!entry->missing.empty()) entry = kind.entries[0];
+  value = choose(*entry, std::string(key));
+  value.options->fields(*this);
+}
+
+void RandomFields::blocks(std::string_view, const BlockList& list, const FieldDoc&) {
+  list.resize(chance(1 - bad_) ? 1 + below(2) : below(3));
+  for (std::size_t i = 0; i < list.size(); ++i) list.fields(i, *this);
+}
+
+void RandomFields::block(std::string_view, const FieldDoc&, const std::function<void(RunVisitor&)>& body) {
   body(*this);
 }
 

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/options.hpp>
+#include "catalogue/plugins/run_visitor.hpp"
 
 namespace leastcost::test {
 
 /// Fills the options of any plug-in with numbers and words, past every check that a configuration would make: mostly
 /// sensible ones, now and then such as no author thought of.
-class RandomFields final : public FieldVisitor {
+class RandomFields final : public RunVisitor {
  public:
   /// `files`: what file options may name. `dimension`: rows that vectors and matrices mostly have. `boldness`: part of
   /// the fields that do not keep their default; `bad`: part of the numbers that no author thought of.
@@ -32,6 +32,16 @@ class RandomFields final : public FieldVisitor {
   void field(std::string_view key, std::vector<std::string>& value, const FieldDoc& doc) override;
   void file(std::string_view key, std::string& value, const FieldDoc& doc) override;
   void group(std::string_view key, const FieldDoc& doc, const std::function<void(FieldVisitor&)>& body) override;
+
+  /// One of those that need no files; of costs within costs mostly the first.
+  void plugin(std::string_view key, PluginChoice& value, const PluginKind& kind, const FieldDoc& doc) override;
+  void blocks(std::string_view key, const BlockList& list, const FieldDoc& doc) override;
+  void block(std::string_view key, const FieldDoc& doc, const std::function<void(RunVisitor&)>& body) override;
+  // What only a whole run has keeps its default.
+  void points(std::string_view, std::optional<int>&, const FieldDoc&) override {}
+  void end(std::string_view, std::optional<EndOptions>&, const FieldDoc&) override {}
+  void plugins(std::string_view, std::optional<PluginList>&, const PluginKind&, const FieldDoc&) override {}
+  void tree(std::string_view, ConfigNode&, TreeForm, const PluginKind*, const FieldDoc&) override {}
 
  protected:
   void optional_field(std::string_view key, bool& given, const std::function<void()>& field) override;

@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 
 #include "app/plot/text.hpp"
 #include "app/report/page/page.hpp"
@@ -53,6 +56,14 @@ class CertificateTable {
            "the "
            "error bar.",
            {"geometry_error"});
+    simple("rounded below", "certificate.regularization.below", "",
+           "How far the least cost that is meant may lie below the one that was minimised, where a kink of it was "
+           "rounded; part of the error bar.");
+    simple("tilted above", "certificate.regularization.above", "",
+           "How far it may lie above, where a flat part was tilted; part of the error bar.");
+    simple("ways that are free", "certificate.regularization.free_share", "",
+           "Part of the cost, 0 to 1, that is paid where other ways cost the same: of the path only the value is "
+           "certified.");
     return std::move(table_);
   }
 
@@ -195,21 +206,64 @@ std::string levels(const JsonFile& result) {
   return "<h3>Levels of the refinement</h3>\n" + html(table);
 }
 
+/// "0.0023 %".
+std::string percent(double part) { return fmt::format("{:.2g} %", 100 * part); }
+
+/// What a bracket of the globally least cost says: a bound by a potential on cells.
+std::string what_bracket_says(const JsonFile& result) {
+  const std::string outcome = result.text("global.outcome"), category = result.text("global.category");
+  if (outcome == "blocked")
+    return "A bound of the cost of all paths was asked for, and there is none: " + result.text("global.reason") + ".";
+  const auto corner = [&](const char* name) {
+    return fmt::format("({:.6g})", fmt::join(result.numbers(std::string("global.box.") + name), ", "));
+  };
+  const std::string work =
+      fmt::format("a potential, the finest of it on a part of {:g} cells; {} cells searched in all, {:.2g} s; {}",
+                  fmt::join(result.numbers("global.grid"), " x "), result.text("global.cells"),
+                  result.number("global.seconds"), category);
+  const std::string bound = fmt::format(
+      "No path in the box from {} to {} is cheaper by more than {}: none costs less than {:.12g}, and the "
+      "smooth curve through the points no more than {:.12g} ({}).",
+      corner("lower"), corner("upper"), percent(result.number("global.gap")), result.number("global.lower_bound"),
+      result.number("global.upper_bound"), work);
+  if (outcome != "bounded") return bound + " Paths that leave the box are not spoken of; others may cost as much.";
+  return bound + " That is more than the tolerance: the scope stays local.";
+}
+
+/// A search over all paths: what it counted, among what it looked, and what it says nothing about.
+struct SearchWords {
+  const char* counts;
+  const char* where;
+  const char* caution = "";
+};
+constexpr std::array<SearchWords, 3> kSearches = {
+    {{"windows", "on this polyhedron", " Nothing is said about a smooth surface behind the mesh."},
+     {"tangents", "among these obstacles"},
+     {"words", "through these layers"}}};
+
+const SearchWords& search_of(const JsonFile& result) {
+  const auto found = std::find_if(kSearches.begin(), kSearches.end(), [&](const SearchWords& search) {
+    return result.has(std::string("global.") + search.counts);
+  });
+  return found == kSearches.end() ? kSearches.front() : *found;
+}
+
 /// What the scope means, in words.
 std::string what_it_says(const JsonFile& result) {
   const std::string outcome = result.has("global.outcome") ? result.text("global.outcome") : "";
   std::string local =
       "A certificate is about this path and its neighbours; it never says that no better path exists elsewhere.";
   if (outcome.empty()) return local;
+  if (result.has("global.cells")) return what_bracket_says(result);
   const std::string lower = fmt::format("{:.12g}", result.number("global.lower_bound"));
-  const std::string work =
-      fmt::format("{} windows, aimed by {}", result.text("global.windows"), result.text("global.bound"));
+  const SearchWords& search = search_of(result);
+  const std::string work = fmt::format("{} {}, aimed by {}", result.text(std::string("global.") + search.counts),
+                                       search.counts, result.text("global.bound"));
   if (outcome == "proved" || outcome == "improved")
     return fmt::format(
-        "No path on this polyhedron costs less than {}, by a search over all of them ({}): none is shorter "
-        "than the delivered one by more than {} of it; others may be as short. Nothing is said about a "
-        "smooth surface behind the mesh.",
-        lower, work, number_text(result.number("global.gap"), 1));
+        "No path {} costs less than {}, by a search over all of them ({}): none is shorter than the delivered one by "
+        "more than {} of it; others may be as short.{}",
+        search.where, lower, work, number_text(result.number("global.gap"), 1), search.caution);
   return fmt::format("{} A search over all paths was not finished ({}; {}): no path costs less than {}.", local, work,
                      outcome == "blocked" ? result.text("global.reason") : "its budget is spent", lower);
 }

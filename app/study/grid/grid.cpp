@@ -89,6 +89,8 @@ class GridBuilder {
     const std::string absent = take_absent_solver(loaded.tree, out.skipped);
     read_tree(loaded, problem.name);
     if (loaded.errors.empty()) check_parts(loaded);
+    if (loaded.errors.empty() && loaded.config.has_pairs())
+      loaded.add_error("ends.pairs", "is for `leastcost run`; a problem of a study has one source and one target");
     add_errors(loaded.errors, problem);
     if (!loaded.errors.empty()) return out;
     complete(loaded, problem);

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "catalogue/options/run_visitor.hpp"
+#include "catalogue/plugins/run_visitor.hpp"
 #include "catalogue/yaml/config_node.hpp"
 #include "catalogue/yaml/overrides.hpp"
 

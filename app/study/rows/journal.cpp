@@ -2,19 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "app/study/rows/journal.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <cerrno>
-#include <chrono>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <system_error>
-#include <thread>
 
 #include "app/study/rows/row_json.hpp"
 #include "catalogue/output/json_numbers.hpp"
@@ -131,41 +126,11 @@ JournalContent read_journal(const fs::path& file) {
   return parse_journal(text, file);
 }
 
-Journal::Journal(fs::path file) : file_(std::move(file)) {
-  fd_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-  if (fd_ < 0) throw OutputError(fmt::format("{}: cannot be written: {}", file_.string(), last_error()));
-  // A killed predecessor's children may hold the lock for the moment it takes them to die.
-  constexpr int kTries = 20;
-  constexpr std::chrono::milliseconds kPause{50};
-  for (int i = 0; ::flock(fd_, LOCK_EX | LOCK_NB) != 0; ++i) {
-    if (i < kTries) {
-      std::this_thread::sleep_for(kPause);
-      continue;
-    }
-    ::close(fd_);
-    throw OutputRefused(file_.string() + ": another process is writing to this study");
-  }
-}
-
-Journal::~Journal() { forget(); }
-
-Journal::Journal(Journal&& other) noexcept : file_(std::move(other.file_)), fd_(other.fd_) { other.fd_ = -1; }
-
-void Journal::forget() {
-  if (fd_ >= 0) ::close(fd_);
-  fd_ = -1;
-}
-
-void Journal::cut(std::size_t size) {
-  if (::ftruncate(fd_, static_cast<off_t>(size)) != 0)
-    throw OutputError(fmt::format("{}: cannot be written: {}", file_.string(), last_error()));
-}
-
 Journal Journal::create(const fs::path& file, const StudyFacts& facts, const Shard& shard, bool replace) {
   Journal journal(file);
-  if (!replace && ::lseek(journal.fd_, 0, SEEK_END) > 0)
+  if (!replace && !journal.file_.empty())
     throw OutputRefused(file.string() + ": another study has been written there meanwhile");
-  journal.cut(0);
+  journal.file_.cut(0);
   journal.write_line(facts_line(facts, shard));
   return journal;
 }
@@ -182,27 +147,16 @@ Journal Journal::resume(const fs::path& file, const StudyFacts& facts, const Sha
   if (!(content.shard == shard))
     throw OutputRefused(fmt::format("{}: holds shard {}/{} of this study, not {}/{}", file.string(),
                                     content.shard.index, content.shard.count, shard.index, shard.count));
-  journal.cut(text.size());
+  journal.file_.cut(text.size());
   if (text.empty()) journal.write_line(facts_line(facts, shard));
   return journal;
 }
 
 void Journal::append(const CellResult& result) { write_line(to_json_line(result) + "\n"); }
 
-/// One write per line: a kill leaves at most a torn last one. So does a full disk, whose part of a line is cut off
-/// again.
 void Journal::write_line(const std::string& line) {
-  const off_t before = ::lseek(fd_, 0, SEEK_END);
-  ssize_t written = -1;
-  do {
-    written = ::write(fd_, line.data(), line.size());
-  } while (written < 0 && errno == EINTR);
-  if (written == static_cast<ssize_t>(line.size()) && ::fdatasync(fd_) == 0) return;
-  const std::string reason = written < 0 ? last_error() : "the disk is full";
-  if (written > 0 && ::ftruncate(fd_, before) != 0) {
-    // Nothing more can be done: the torn line is cut off on resume.
-  }
-  throw OutputError(fmt::format("{}: cannot be written: {}", file_.string(), reason));
+  file_.append(line);
+  file_.sync();
 }
 
 }  // namespace leastcost::app

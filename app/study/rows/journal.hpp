@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/study/rows/locked_file.hpp"
 #include "app/study/rows/run_row.hpp"
 
 namespace leastcost::app {
@@ -63,21 +64,15 @@ class Journal {
   /// another process writes to it, or it belongs to another study or shard; OutputError, InputError.
   static Journal resume(const std::filesystem::path& file, const StudyFacts& facts, const Shard& shard,
                         JournalContent& content);
-  ~Journal();
-  Journal(Journal&& other) noexcept;
-  Journal& operator=(Journal&&) = delete;
-
   void append(const CellResult& result);
   /// In a child: it must not keep the lock when its parent has died.
-  void forget();
+  void forget() { file_.forget(); }
 
  private:
-  explicit Journal(std::filesystem::path file);
-  void cut(std::size_t size);
+  explicit Journal(const std::filesystem::path& file) : file_(file, "this study") {}
   void write_line(const std::string& line);
 
-  std::filesystem::path file_;
-  int fd_ = -1;
+  LockedFile file_;
 };
 
 }  // namespace leastcost::app

@@ -27,6 +27,7 @@
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/problems/obstacles/polygon.hpp>
+#include <leastcost/problems/post_processors/shortest_plan.hpp>
 #include <leastcost/problems/post_processors/taut.hpp>
 #include <leastcost/solvers/no_solver.hpp>
 #include "tests/adversarial/planning/judge/exact.hpp"
@@ -39,8 +40,9 @@ namespace {
 using judge::Thing;
 using Vector = Eigen::VectorXd;
 
-constexpr unsigned kMostSeconds = 60;  ///< beyond the budget
-constexpr double kTolerance = 1e-9;    ///< of the diameter: what the certificate promises
+constexpr double kProvedExcess = 2e-6;  ///< of what is proved to be the shortest: a polyline around discs
+constexpr unsigned kMostSeconds = 60;   ///< beyond the budget
+constexpr double kTolerance = 1e-9;     ///< of the diameter: what the certificate promises
 constexpr int kNodesInPlane = 400, kNodesInSpace = 60;
 
 Vector vector(const judge::Place& x) { return Eigen::Map<const Vector>(x.data(), static_cast<Index>(x.size())); }
@@ -72,12 +74,19 @@ std::string word_of(const Result& result) {
   return word;
 }
 
-/// The word, and the delivered curve where there is one.
-std::pair<std::string, Points> plan(const PlannedScene& planned, double budget) {
+struct Plan {
+  std::string word;
+  Points curve = {};
+  std::optional<double> least = {};  ///< no path at all is shorter, where that is proved
+};
+
+Plan plan(const PlannedScene& planned, double budget) {
   try {
     FindOptions options;
     options.points = planned.points;
     options.post_processors = {std::make_shared<const TautPostProcessor>()};
+    if (planned.scene.dimension == 2)
+      options.post_processors.push_back(std::make_shared<const ShortestPlanPostProcessor>());
     Monitor monitor;
     monitor.deadline = Monitor::Clock::now() +
                        std::chrono::duration_cast<Monitor::Clock::duration>(std::chrono::duration<double>(budget));
@@ -85,7 +94,9 @@ std::pair<std::string, Points> plan(const PlannedScene& planned, double budget) 
     const Result result = planned.scene.dimension == 2
                               ? find_path(problem, GridInitializer(), NoSolver(), options, monitor)
                               : find_path(problem, RrtInitializer(), NoSolver(), options, monitor);
-    return {word_of(result), result.curve.x};
+    Plan delivered{word_of(result), result.curve.x};
+    if (const auto& global = result.certificate.global; global && global->proved) delivered.least = global->lower_bound;
+    return delivered;
   } catch (const InitializationError&) {
     return {"no first path", {}};
   } catch (const InputError& error) {
@@ -107,7 +118,7 @@ SceneOutcome judged(const PlannedScene& planned, double budget) {
   SceneOutcome outcome;
   outcome.excess = std::numeric_limits<double>::quiet_NaN();
   const auto start = std::chrono::steady_clock::now();
-  const auto [word, curve] = plan(planned, budget);
+  const auto [word, curve, least] = plan(planned, budget);
   outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   outcome.word = word;
   for (const judge::Place& end : {scene.source, scene.target})
@@ -131,6 +142,8 @@ SceneOutcome judged(const PlannedScene& planned, double budget) {
   if (shortest) outcome.excess = length / *shortest - 1;
   // A curve that keeps the clearance but for the tolerance may be shorter than the shortest by a root of it.
   if (outcome.excess < -1e-4) outcome.wrong = true;
+  if (shortest && least && (outcome.excess > kProvedExcess || *least > (1 + kProvedExcess) * *shortest))
+    outcome.wrong = true;
   return outcome;
 }
 

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "app/distances/distance_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <leastcost/framework/errors.hpp>
+#include "catalogue/output/vtp.hpp"
+
+namespace leastcost::app {
+namespace {
+
+struct AtVertex {
+  double distance, error;
+};
+
+AtVertex at_vertex(const ExactDistances& distances, std::int32_t v, double none) {
+  const double most = distances.at_most[static_cast<std::size_t>(v)];
+  if (!std::isfinite(most)) return {none, 0};
+  return {most, most - distances.at_least[static_cast<std::size_t>(v)]};
+}
+
+constexpr double kNoPath = -1;  // in formats whose readers do not take inf
+
+std::string distance_csv(const TriangleMesh& mesh, const ExactDistances& distances) {
+  std::string out = "vertex,x,y,z,distance,error\n";
+  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.file_vertex(v) < 0) continue;  // made by subdivision
+    const Eigen::Vector3d& p = mesh.position(v);
+    const AtVertex at = at_vertex(distances, v, distances.at_most[static_cast<std::size_t>(v)]);
+    fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{}\n", mesh.file_vertex(v), p.x(), p.y(), p.z(),
+                   at.distance, at.error);
+  }
+  return out;
+}
+
+std::string distance_ply(const TriangleMesh& mesh, const ExactDistances& distances) {
+  std::string out = fmt::format(
+      "ply\nformat ascii 1.0\ncomment exact distances on the mesh; -1: no path\nelement vertex {}\n"
+      "property double x\nproperty double y\nproperty double z\nproperty double distance\nproperty double error\n"
+      "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+      mesh.vertex_count(), mesh.face_count());
+  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
+    const Eigen::Vector3d& p = mesh.position(v);
+    const AtVertex at = at_vertex(distances, v, kNoPath);
+    fmt::format_to(std::back_inserter(out), "{} {} {} {} {}\n", p.x(), p.y(), p.z(), at.distance, at.error);
+  }
+  for (const auto& face : mesh.faces())
+    fmt::format_to(std::back_inserter(out), "3 {} {} {}\n", face[0], face[1], face[2]);
+  return out;
+}
+
+/// One row of text for each of so many.
+template <class Row>
+std::string rows(std::int32_t count, Row row) {
+  std::string text;
+  for (std::int32_t i = 0; i < count; ++i) fmt::format_to(std::back_inserter(text), "{}\n", row(i));
+  return text;
+}
+
+std::string distance_vtp(const TriangleMesh& mesh, const ExactDistances& distances) {
+  const std::int32_t points = mesh.vertex_count(), faces = mesh.face_count();
+  const auto of_vertices = [&](const char* name, double AtVertex::*value) {
+    return vtp_array(name, 1, "Float64",
+                     rows(points, [&](std::int32_t v) { return at_vertex(distances, v, kNoPath).*value; }));
+  };
+  std::string piece = "      <PointData Scalars=\"distance\">\n" + of_vertices("distance", &AtVertex::distance) +
+                      of_vertices("error", &AtVertex::error) + "      </PointData>\n      <Points>\n";
+  piece += vtp_array("Points", 3, "Float64", rows(points, [&](std::int32_t v) {
+                       const Eigen::Vector3d& p = mesh.position(v);
+                       return fmt::format("{} {} {}", p.x(), p.y(), p.z());
+                     }));
+  piece += "      </Points>\n      <Polys>\n";
+  piece += vtp_array("connectivity", 1, "Int32", rows(faces, [&](std::int32_t f) {
+                       const auto& face = mesh.faces()[static_cast<std::size_t>(f)];
+                       return fmt::format("{} {} {}", face[0], face[1], face[2]);
+                     }));
+  piece += vtp_array("offsets", 1, "Int32", rows(faces, [](std::int32_t f) { return 3 * (f + 1); }));
+  return vtp_file({.points = points, .polygons = faces}, piece + "      </Polys>\n");
+}
+
+}  // namespace
+
+DistanceFormat distance_format(std::string_view file) {
+  const std::string_view ending = file.substr(std::min(file.size(), file.rfind('.')));
+  if (ending == ".csv") return DistanceFormat::csv;
+  if (ending == ".vtp") return DistanceFormat::vtp;
+  if (ending == ".ply") return DistanceFormat::ply;
+  throw InputError(std::string(file) + ": distances are written as .csv, .vtp or .ply");
+}
+
+std::string distance_text(const TriangleMesh& mesh, const ExactDistances& distances, DistanceFormat format) {
+  switch (format) {
+    case DistanceFormat::csv: return distance_csv(mesh, distances);
+    case DistanceFormat::vtp: return distance_vtp(mesh, distances);
+    case DistanceFormat::ply: return distance_ply(mesh, distances);
+  }
+  return "";
+}
+
+}  // namespace leastcost::app

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+
+#include <leastcost/problems/raster/raster_options.hpp>
+
+namespace leastcost {
+
+/// The raster of a file, by its ending: ESRI ASCII grid (.asc), table of numbers (.csv, .txt), all else by GDAL where
+/// the build has it. The file is relative to `folder`. Throws OptionError, InputError.
+RasterGrid read_raster(const RasterOptions& options, const std::filesystem::path& folder);
+
+}  // namespace leastcost

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "framework/certify_polyhedral_chain.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <leastcost/framework/refinement.hpp>
+#include "framework/bundle.hpp"
+#include "framework/point_text.hpp"
+#include "framework/shared_failures.hpp"
+
+namespace leastcost {
+namespace {
+
+constexpr double kPolyhedronStationarity = 1e-6;  ///< relative cost error of an unstraightened path
+constexpr double kPolyhedronSpacing = 0.05;
+constexpr double kTracedSafety = 4;  ///< of the largest difference between traced levels
+constexpr int kBundleSteps = 20;
+
+/// On a polyhedron no single gradient need be small at a minimiser: what counts is how far a bundle of them can still
+/// lower the energy.
+void measure_kinked_stationarity(PathEnergy& energy, const CoordinatePath& chain, const Monitor& monitor,
+                                 Certificate& c) {
+  CoordinatePath path = chain;
+  const double scale = energy.scale(path);
+  double gained = 0;
+  BundleStep step{true, 0, 0};
+  for (int i = 0; i < kBundleSteps && step.lowered && !monitor.interrupted(); ++i) {
+    step = bundle_step(energy, path, kPolyhedronStationarity / 10);
+    gained += step.decrease;
+  }
+  c.stationarity = gained / scale + step.cost_error;
+  check_stationarity(c, kPolyhedronStationarity);
+}
+
+}  // namespace
+
+void certify_polyhedral_chain(const Problem& problem, PathEnergy& energy, const PostProcessed& path,
+                              const ToCurve& to_curve, const Monitor& monitor, Certificate& c) {
+  c.scope = "chain_on_polyhedron";
+  measure_kinked_stationarity(energy, path.chain, monitor, c);
+  std::vector<double> values;
+  const Refinement refinement = refine_levels(problem, path.chain, monitor);
+  c.levels = refinement.levels;
+  for (const CoordinatePath& level : refinement.paths) {
+    if (monitor.interrupted()) return;
+    values.push_back(to_curve(level).curve.cost);
+  }
+  values.push_back(path.curve.cost);
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  c.estimate.method = "traced";
+  c.estimate.error = kTracedSafety * (*most - *least) + *c.stationarity * path.curve.cost;
+  if (refinement.levels.size() < 3)
+    c.failures.push_back({refinement.collapsed ? "collapsed" : "refinement", refinement.trouble});
+  else if (!(c.estimate.error <= kPolyhedronError * path.curve.cost))
+    c.failures.push_back({"error_bar", "the traced cost varies by " + short_number((*most - *least) / path.curve.cost) +
+                                           " (relative) between " + std::to_string(refinement.levels[0].segments) +
+                                           " and " + std::to_string(refinement.levels[2].segments) +
+                                           " segments; use more points"});
+  const auto& levels = c.levels;
+  const bool falling =
+      levels.size() == 3 && levels[2].spacing < levels[1].spacing && levels[1].spacing < levels[0].spacing;
+  if (!(c.spacing <= kPolyhedronSpacing) && !falling) fail_spacing(c, kPolyhedronSpacing);
+}
+
+}  // namespace leastcost

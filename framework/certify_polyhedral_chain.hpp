@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <leastcost/framework/certificate.hpp>
+#include <leastcost/framework/path_energy.hpp>
+
+namespace leastcost {
+
+/// The certificate of a chain on a polyhedron that is traced and not straightened: stationarity by bundles, levels by
+/// what their traced curves cost. `c`: what was measured of its points; out, the rest.
+void certify_polyhedral_chain(const Problem& problem, PathEnergy& energy, const PostProcessed& path,
+                              const ToCurve& to_curve, const Monitor& monitor, Certificate& c);
+
+}  // namespace leastcost

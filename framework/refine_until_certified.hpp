@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <leastcost/framework/find_path.hpp>
+
+namespace leastcost {
+
+/// A later result of the same search: where it began, and what it took, are those of the whole.
+Result continued(const Result& before, Result later);
+
+/// A search that goes on with twice the points, again and again. What it delivers are the points that were asked for:
+/// every second, fourth, ... of the finer chain, with its curve and its certificate.
+class FinerSearch {
+ public:
+  /// `coarse`: what find_path() came to for `problem`. `options.certificate.refine`: the doublings at most.
+  FinerSearch(const Problem& problem, Result coarse, const Solver& solver, const FindOptions& options,
+              const Monitor& monitor);
+
+  /// Whether the points may be doubled once more: there is time, and they would not be too many.
+  bool may_double() const;
+  /// Solves and certifies the chain with twice the points, from the one before it; where that one led astray (not
+  /// solved, a saddle) from the first path, with four times the points. Throws as improve_path() does, and what there
+  /// was before stays.
+  void double_points();
+
+  const Result& fine() const { return fine_; }  ///< of the finest chain so far
+  Index factor() const { return factor_; }      ///< how many times the points that were asked for it has
+  /// The points that were asked for, of `finer`, which is fine() or what was made of its chain.
+  Result delivered(Result finer) const;
+
+ private:
+  void begin_anew();
+  void solve_from(const CoordinatePath& start, Index factor, ProofRule proof);
+
+  const Problem& problem_;
+  const Solver& solver_;
+  const FindOptions& options_;
+  const Monitor& monitor_;
+  Result fine_;
+  Index factor_ = 1;
+  int doublings_ = 0;
+};
+
+/// Whether every reason why a path was refused is one that more points may mend.
+bool more_points_may_help(const Problem& problem, const Result& result);
+
+/// Goes on with twice the points where that may help, until the path is certified, or refused for another reason, or
+/// there are no more doublings, points or time. What is not certified then stays as it came, with a note.
+Result refine_until_certified(const Problem& problem, Result found, const Solver& solver, const FindOptions& options,
+                              const Monitor& monitor);
+
+}  // namespace leastcost

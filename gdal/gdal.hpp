@@ -1,0 +1,8 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// All that is for rasters of GDAL, by component gdal; a library of its own, built where GDAL is found.
+
+#include <leastcost/gdal/gdal_raster.hpp>

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/problems/bracket/bracket.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <leastcost/framework/dual.hpp>
+#include <leastcost/framework/errors.hpp>
+#include "problems/bracket/bisector.hpp"
+#include "problems/bracket/descent.hpp"
+#include "problems/bracket/level.hpp"
+#include "problems/bracket/tube.hpp"
+
+namespace leastcost {
+namespace {
+
+using namespace bracket;
+using Eigen::Vector2d;
+
+constexpr int kRefinement = 4;  ///< a cell of the next grid is so much smaller
+constexpr int kBisectorRings = 2;
+constexpr int kBisectorDeflations = 6;
+
+class Search {
+ public:
+  Search(const CostDensity& density, const Eigen::AlignedBox2d& box, const Vector2d& source, const Vector2d& target,
+         double upper, const BracketOptions& options)
+      : density_(density), source_(source), target_(target), options_(options), way_cost_(upper) {
+    out_.box = box;
+    out_.upper = upper;
+  }
+
+  Bracket run() {
+    try {
+      level_ = whole_level(medium_, out_.box, options_.cells, look_);
+      search();
+    } catch (const Stopped&) {
+      out_.stopped = true;
+    }
+    return std::move(out_);
+  }
+
+ private:
+  /// Grid after grid, until the gap is small enough.
+  void search() {
+    while (true) {
+      count_level();
+      const DistanceField from_s = field_of(source_), from_t = field_of(target_);
+      follow_field(from_s);
+      if (is_part_) bisect(from_s, from_t);
+      if (out_.gap() <= options_.tolerance) return;
+      if (!refine(from_s, from_t)) break;
+    }
+    out_.stopped = true;
+  }
+
+  void count_level() {
+    out_.grid = {level_.grid.nx, level_.grid.ny};
+    out_.cells += static_cast<long>(level_.cells.size());
+    ++out_.grids;
+  }
+
+  /// The error of the seeds grows with the square around an end, that of the first cells around it falls.
+  DistanceField field_of(const Vector2d& end) {
+    const double apart = (source_ - target_).norm();
+    const int rings = std::max(3, static_cast<int>(std::lround(0.375 * std::sqrt(apart / level_.grid.h))));
+    return distance_field(density_, level_, end_region(density_, level_.grid, end, rings), marching_);
+  }
+
+  void follow_field(const DistanceField& from_s) {
+    for (const Eigen::Matrix2Xd& way : ways_down(level_, from_s, target_)) {
+      const double cost = polyline_cost_above(density_, way);
+      if (!(cost < way_cost_)) continue;
+      way_cost_ = cost;
+      out_.way = way;
+      if (!options_.depth) out_.upper = cost;
+    }
+  }
+
+  void raise_lower(double lower) { out_.lower = std::max(out_.lower, std::min(lower, out_.upper)); }
+
+  /// What a potential proves.
+  void take(const std::vector<double>& u, double ratio, const EndRegion& s, const EndRegion& t) {
+    if (!s.valid || !t.valid || s.touches(t)) return;
+    const CellGrid& grid = level_.grid;
+    const double begin = rim_minimum(grid, s, level_.searched, u, -1, ratio),
+                 end = rim_minimum(grid, t, level_.searched, u, 1, ratio);
+    const double lower = (Interval(begin) + Interval(end)).lo;
+    if (!(lower > out_.lower)) return;
+    raise_lower(lower);
+    auto potential = std::make_shared<BracketPotential>();
+    *potential = {{grid.x0, grid.y0}, grid.h, grid.nx, grid.ny, u, level_.searched, ratio, s.k, t.k, source_, target_};
+    out_.potential = std::move(potential);
+  }
+
+  /// By the signed distance to the bisector, on a grid that has little behind the ends, where it has shocks.
+  void bisect(const DistanceField& from_s, const DistanceField& from_t) {
+    constexpr double kWorthWhile = 0.97;
+    const EndRegion s = end_region(density_, level_.grid, source_, kBisectorRings),
+                    t = end_region(density_, level_.grid, target_, kBisectorRings);
+    Front front = front_at_bisector(level_, from_s.u, from_t.u);
+    if (front.seeds.empty()) return;
+    std::vector<double> u = march(level_, front, 1, marching_), ratios;
+    for (int round = 0;; ++round) {
+      const double before = out_.gap(), ratio = check(level_, u, s, t, ratios);
+      take(u, ratio, s, t);
+      const bool stalls = round > 1 && out_.gap() > kWorthWhile * before;
+      if (!(ratio > 1) || round == kBisectorDeflations || stalls || out_.gap() <= options_.tolerance) return;
+      deflate(level_, ratios, front);
+      u = march(level_, front, 0, marching_);
+    }
+  }
+
+  /// A bound of the cost from an end is one of the whole path at the other end.
+  void take_at(const DistanceBound& bound, const Vector2d& x) {
+    const CellGrid& grid = level_.grid;
+    const int i = grid.column_at(x[0]), j = grid.row_at(x[1]);
+    if (!bound.region.valid || bound.region.holds(i, j)) return;
+    const Interval h(grid.h), a = (Interval(x[0]) - grid.x0) / h - (Interval(i) - 0.5),
+                              b = (Interval(x[1]) - grid.y0) / h - (Interval(j) - 0.5);
+    const Interval u = spline_value<Interval>(bound.u, grid.stride(), static_cast<std::size_t>(grid.id(i, j)), a, b);
+    raise_lower((u / Interval(bound.ratio) + Interval(bound.offset)).lo);
+  }
+
+  /// The next grid; false where there is none.
+  bool refine(const DistanceField& from_s, const DistanceField& from_t) {
+    const bool is_last = std::max(level_.grid.nx, level_.grid.ny) * kRefinement > options_.max_cells;
+    if (is_last && is_part_) return false;
+    if (!from_s.region.valid || !from_t.region.valid || from_s.region.touches(from_t.region) ||
+        !std::isfinite(out_.upper))
+      return refine_whole();
+    const DistanceBound below_s = distance_bound(level_, from_s, marching_),
+                        below_t = distance_bound(level_, from_t, marching_);
+    take_at(below_s, target_);
+    take_at(below_t, source_);
+    if (is_last || out_.gap() <= options_.tolerance) return false;
+    level_ = tube_level(medium_, level_, below_s, below_t, out_.upper, kRefinement, look_);
+    is_part_ = true;
+    return !level_.cells.empty() && static_cast<double>(level_.cells.size()) <= options_.max_searched;
+  }
+
+  /// Where the first grid is too coarse for the ends: a finer one over the whole box.
+  bool refine_whole() {
+    constexpr int kFinestWhole = 1024;
+    const int cells = 2 * std::max(level_.grid.nx, level_.grid.ny);
+    if (is_part_ || cells > std::min(kFinestWhole, options_.max_cells)) return false;
+    level_ = whole_level(medium_, out_.box, cells, look_);
+    return true;
+  }
+
+  const CostDensity& density_;
+  const Vector2d source_, target_;
+  const BracketOptions& options_;
+  const Medium medium_{density_, options_.depth};
+  const StopLook look_{options_.stop};
+  Level level_;
+  double way_cost_;       ///< of out_.way, or what it has to be below
+  bool is_part_ = false;  ///< of the box, is what the level searches
+  FastMarching marching_{look_};
+  Bracket out_;
+};
+
+/// The cell of a place, from 1 on, and where in it.
+struct Located {
+  int i, j;
+  double a, b;
+};
+Located locate(const BracketPotential& p, const Vector2d& x) {
+  const Vector2d at = (x - p.corner) / p.side;
+  const int i = std::clamp(static_cast<int>(std::floor(at[0])) + 1, 1, p.nx),
+            j = std::clamp(static_cast<int>(std::floor(at[1])) + 1, 1, p.ny);
+  return {i, j, at[0] - i + 0.5, at[1] - j + 0.5};
+}
+
+std::size_t node_of(const BracketPotential& p, const Located& at) {
+  return static_cast<std::size_t>(at.j * (p.nx + 2) + at.i);
+}
+
+bool in_square(const BracketPotential& p, const Located& at, const Vector2d& end, int rings) {
+  const Located e = locate(p, end);
+  return std::abs(at.i - e.i) <= rings && std::abs(at.j - e.j) <= rings;
+}
+
+}  // namespace
+
+bool BracketPotential::is_checked(const Vector2d& x) const {
+  const Located at = locate(*this, x);
+  return searched[node_of(*this, at)] != 0 && !in_square(*this, at, source, source_rings) &&
+         !in_square(*this, at, target, target_rings);
+}
+
+double BracketPotential::value(const Vector2d& x) const {
+  const Located at = locate(*this, x);
+  return spline_value<double>(coefficients, nx + 2, node_of(*this, at), at.a, at.b);
+}
+
+Vector2d BracketPotential::gradient(const Vector2d& x) const {
+  const Located at = locate(*this, x);
+  using Slope = Dual<double, 2>;
+  Slope a(at.a), b(at.b);
+  a.d[0] = b.d[1] = 1;
+  const Slope v = spline_value<Slope>(coefficients, nx + 2, node_of(*this, at), a, b);
+  return Vector2d(v.d[0], v.d[1]) / side;
+}
+
+Bracket bracket_least_cost(const CostDensity& density, const Eigen::AlignedBox2d& box, const Vector2d& source,
+                           const Vector2d& target, double upper, const BracketOptions& options) {
+  if (!(box.sizes().minCoeff() > 0) || !box.sizes().allFinite())
+    throw InputError("a bracket needs a box with finite sides of some length");
+  if (!box.contains(source) || !box.contains(target))
+    throw InputError("both ends have to lie in the box of the bracket");
+  return Search(density, box, source, target, upper, options).run();
+}
+
+}  // namespace leastcost

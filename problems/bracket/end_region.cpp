@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/bracket/end_region.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace leastcost::bracket {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kSafety = 1 + 1e-12;
+constexpr int kLeastRings = 2;
+constexpr int kPieces = 16;  ///< per side of a cell on the rim
+
+double radius_of(const Interval& x) { return std::max(x.hi - x.middle(), x.middle() - x.lo); }
+
+/// c of the cone within `reach` of the end, for n >= n0 + g.d - K r^2 / 2; infinite: there is none.
+double cubic_of_cone(double n0, double g, double curvature, double reach) {
+  const double least = n0 - g * reach;
+  if (!(least > 0)) return kInfinity;
+  const double fixed = curvature / 6 + g * g / (24 * least);
+  double c = fixed * kSafety;
+  constexpr int kRounds = 60;
+  for (int i = 0; i < kRounds; ++i) {
+    const double needed = (fixed + 1.5 * c * c * reach * reach / least) * kSafety;
+    if (c >= needed) return c;
+    c = needed * 1.01;
+  }
+  return kInfinity;
+}
+
+/// The largest K with which -d'H d <= K |d|^2 for the second derivatives H in a part of the box, from small parts of
+/// it; infinite where nothing is known.
+double curvature_bound(const CostDensity& density, const Eigen::AlignedBox2d& box) {
+  constexpr int kParts = 8;
+  double worst = 0;
+  for (int q = 0; q < kParts; ++q)
+    for (int p = 0; p < kParts; ++p) {
+      const auto at = [&](int i, int j) {
+        return Vector2d(box.min() + box.sizes().cwiseProduct(Vector2d(i, j)) / kParts);
+      };
+      // Corners are computed alike for the parts on both sides.
+      Eigen::AlignedBox2d part(at(p, q), at(p + 1, q + 1));
+      if (p + 1 == kParts) part.max()[0] = box.max()[0];
+      if (q + 1 == kParts) part.max()[1] = box.max()[1];
+      const DensityEnclosure n = density.enclose_density(part);
+      if (!n.is_finite() || n.slack != 0) return kInfinity;
+      const double a = n.xx.lo, b = n.yy.lo, c = n.xy.magnitude();
+      worst =
+          std::max(worst, (std::hypot((a - b) / 2, c) - (a + b) / 2) * kSafety + 1e-14 * (std::abs(a) + std::abs(b)));
+    }
+  return worst;
+}
+
+/// Fills the cone for an S2 that is `wider` times as wide as S; false where its conditions fail.
+bool make_cone(const CostDensity& density, const CellGrid& grid, double wider, EndRegion& region) {
+  const double inner = (region.k + 0.5) * grid.h, outer = wider * inner + grid.h;
+  const Vector2d off = (region.place - grid.node(region.ci, region.cj)).cwiseAbs();
+  const double to_rim = (outer - off.maxCoeff()) / kSafety;
+  const double reach = (Vector2d(outer, outer) + off).norm() * kSafety,
+               inner_reach = (Vector2d(inner, inner) + off).norm() * kSafety;
+  const DensityEnclosure at = density.enclose_density({region.place, region.place});
+  if (!at.is_finite() || at.slack != 0) return false;
+  region.gx = at.dx.middle();
+  region.gy = at.dy.middle();
+  const double unsure = (radius_of(at.dx) + radius_of(at.dy)) * reach * kSafety;
+  region.n0 = at.value.lo - unsure;
+  const double g = std::hypot(region.gx, region.gy) * kSafety;
+  const double bend = curvature_bound(density, grid.cell(region.ci, region.cj, outer / grid.h - 0.5));
+  region.c = cubic_of_cone(region.n0, g, bend, reach);
+  if (!std::isfinite(region.c)) return false;
+  const double rises = region.n0 - g * reach - 3 * region.c * reach * reach;
+  const double leaving = to_rim * (region.n0 - g * to_rim / 2 - region.c * to_rim * to_rim);
+  const double largest = inner_reach * (region.n0 + g * inner_reach / 2);
+  return rises > 0 && leaving > largest * kSafety;
+}
+
+/// A side of a cell on the rim: its end points in units of the cell, and the cells beyond it.
+struct Side {
+  int i, j, out_i, out_j;  ///< the cell, and the step to the cell beyond
+};
+
+bool is_left_by(const CellGrid& grid, const EndRegion& region, const std::vector<unsigned char>& searched,
+                const Side& side) {
+  for (int along = -1; along <= 1; ++along) {
+    const int i = side.i + side.out_i + (side.out_i == 0 ? along : 0),
+              j = side.j + side.out_j + (side.out_j == 0 ? along : 0);
+    if (grid.is_cell(i, j) && !region.holds(i, j) && searched[static_cast<std::size_t>(grid.id(i, j))]) return true;
+  }
+  return false;
+}
+
+/// On one side: least value at the ends of its pieces, less what the function can fall between them.
+double side_minimum(const CellGrid& grid, const EndRegion& region, const Side& side, const std::vector<double>& u,
+                    double sign, double ratio) {
+  const int stride = grid.stride();
+  const auto node = static_cast<std::size_t>(grid.id(side.i, side.j));
+  const Interval h(grid.h), x_node = Interval(grid.x0) + (Interval(side.i) - 0.5) * h,
+                            y_node = Interval(grid.y0) + (Interval(side.j) - 0.5) * h;
+  double least = kInfinity;
+  for (int piece = 0; piece <= kPieces; ++piece) {
+    const double t = -0.5 + static_cast<double>(piece) / kPieces;
+    const Interval a(side.out_i == 0 ? t : 0.5 * side.out_i), b(side.out_j == 0 ? t : 0.5 * side.out_j);
+    const Interval v =
+        region.cone(x_node + a * h - Interval(region.place[0]), y_node + b * h - Interval(region.place[1]));
+    const double value = (v + Interval(sign) * spline_value<Interval>(u, stride, node, a, b) / Interval(ratio)).lo;
+    if (!(value >= least)) least = value;
+  }
+  // Second derivative along the side: of v at most n0 / distance + 3 |g| / 2, of u constant.
+  const double away = std::min((region.k + 0.5) * grid.h - std::abs(region.place[0] - grid.x(region.ci)),
+                               (region.k + 0.5) * grid.h - std::abs(region.place[1] - grid.y(region.cj)));
+  const int step = side.out_i == 0 ? 1 : stride, out = side.out_i == 0 ? stride * side.out_j : side.out_i;
+  const auto difference = [&](long at) {
+    const auto k = [&](long d) { return u[static_cast<std::size_t>(at + d)]; };
+    return std::abs(k(step) - 2 * k(0) + k(-step)) + 4e-15 * (std::abs(k(step)) + std::abs(k(0)) + std::abs(k(-step)));
+  };
+  const double bend_u = std::max(difference(static_cast<long>(node)), difference(static_cast<long>(node) + out));
+  const double bend = region.n0 / away + 1.5 * std::hypot(region.gx, region.gy) + bend_u / (grid.h * grid.h * ratio);
+  const double length = grid.h / kPieces;
+  const double bound = least - length * length / 8 * bend * (1 + 1e-10);
+  return bound == bound ? bound : -kInfinity;
+}
+
+}  // namespace
+
+EndRegion end_region(const CostDensity& density, const CellGrid& grid, const Vector2d& place, int k) {
+  EndRegion region;
+  region.place = place;
+  region.ci = grid.column_at(place[0]);
+  region.cj = grid.row_at(place[1]);
+  for (region.k = std::max(k, kLeastRings); region.k >= kLeastRings; --region.k)
+    for (const double wider : {1.6, 2.0, 2.6}) {
+      region.valid = make_cone(density, grid, wider, region);
+      if (region.valid) return region;
+    }
+  region.k = kLeastRings;
+  return region;
+}
+
+double rim_minimum(const CellGrid& grid, const EndRegion& region, const std::vector<unsigned char>& searched,
+                   const std::vector<double>& u, double sign, double ratio) {
+  double least = kInfinity;
+  for (int t = -region.k; t <= region.k; ++t) {
+    const std::array<Side, 4> sides = {{{region.ci + region.k, region.cj + t, 1, 0},
+                                        {region.ci - region.k, region.cj + t, -1, 0},
+                                        {region.ci + t, region.cj + region.k, 0, 1},
+                                        {region.ci + t, region.cj - region.k, 0, -1}}};
+    for (const Side& side : sides) {
+      if (!grid.is_cell(side.i, side.j) || !is_left_by(grid, region, searched, side)) continue;
+      const double here = side_minimum(grid, region, side, u, sign, ratio);
+      if (!(here >= least)) least = here;
+    }
+  }
+  return least;
+}
+
+}  // namespace leastcost::bracket

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/bracket/level.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace leastcost::bracket {
+namespace {
+
+/// Cells of a front around those that are searched: at the rim a march is wrong, and that spreads with the number of
+/// cells it goes. Measured: 12 suffice at 512 cells, 50 at 2048.
+int margin_of(const CellGrid& grid) { return std::max(12, std::max(grid.nx, grid.ny) / 40); }
+
+constexpr int kCorrections = 3;
+constexpr int kDeflations = 4;
+constexpr double kLeastFactor = 0.6, kMostFactor = 1.15;  ///< of a correction; beyond is a shock
+constexpr double kOvershoot = 1.1;
+
+double largest_of(const std::vector<double>& u) {
+  double largest = 0;
+  for (const double value : u)
+    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+}  // namespace
+
+double Medium::marched(const CellGrid& grid, int i, int j) const {
+  constexpr double kFree = 0.75, kScale = 4;  // cells
+  const Eigen::Vector2d x = grid.in_box(grid.node(i, j));
+  const double n = density.density(x), deep = depth ? depth(x) / grid.h - kFree : 0;
+  return deep > 0 ? n * (1 + deep * deep / (kScale * kScale)) : n;
+}
+
+void fill_density(const Medium& medium, Level& level, const StopLook& look) {
+  const CellGrid& grid = level.grid;
+  level.density.assign(static_cast<std::size_t>(grid.nodes()), kInfinity);
+  level.cells.clear();
+  const int around = margin_of(grid);
+  for (int j = 1; j <= grid.ny; ++j)
+    for (int i = 1; i <= grid.nx; ++i) {
+      if (!level.searched[static_cast<std::size_t>(grid.id(i, j))]) continue;
+      look.now_and_then();
+      level.cells.push_back(grid.id(i, j));
+      const auto inside = [&](int a, int b) { return level.searched[static_cast<std::size_t>(grid.id(a, b))] != 0; };
+      const bool inner = inside(i + 1, j) && inside(i - 1, j) && inside(i, j + 1) && inside(i, j - 1);
+      const int margin = inner ? 0 : around;
+      for (int b = std::max(0, j - margin); b <= std::min(grid.ny + 1, j + margin); ++b)
+        for (int a = std::max(0, i - margin); a <= std::min(grid.nx + 1, i + margin); ++a) {
+          double& n = level.density[static_cast<std::size_t>(grid.id(a, b))];
+          if (!(n < kInfinity)) n = medium.marched(grid, a, b);
+        }
+    }
+}
+
+void fill_level(const Medium& medium, Level& level, const StopLook& look) {
+  fill_density(medium, level, look);
+  level.floors.clear();
+  for (const int node : level.cells) {
+    look.now_and_then();
+    level.floors.push_back(density_floor(medium.density, level.grid, level.grid.column(node), level.grid.row(node)));
+  }
+}
+
+Level whole_level(const Medium& medium, const Eigen::AlignedBox2d& box, int cells, const StopLook& look) {
+  Level level;
+  level.grid = CellGrid::over(box, cells);
+  level.searched.assign(static_cast<std::size_t>(level.grid.nodes()), 0);
+  for (int j = 1; j <= level.grid.ny; ++j)
+    for (int i = 1; i <= level.grid.nx; ++i)
+      level.searched[static_cast<std::size_t>(level.grid.id(i, j))] = medium.is_blocked(level.grid, i, j) ? 0 : 1;
+  fill_level(medium, level, look);
+  return level;
+}
+
+Front front_around(const CostDensity& density, const Level& level, const EndRegion& region) {
+  const CellGrid& grid = level.grid;
+  Front front;
+  front.density = level.density;
+  front.values.assign(level.density.size(), kInfinity);
+  const double reach = (region.k + 2) * grid.h * std::sqrt(2.0), n0 = density.density(region.place);
+  const int span = 2 * region.k + 6;
+  for (int j = std::max(0, region.cj - span); j <= std::min(grid.ny + 1, region.cj + span); ++j)
+    for (int i = std::max(0, region.ci - span); i <= std::min(grid.nx + 1, region.ci + span); ++i) {
+      const Eigen::Vector2d x = grid.node(i, j), d = x - region.place;
+      const double r = d.norm();
+      if (r > reach) continue;
+      const double across = r > 0 ? (region.gx * d[1] - region.gy * d[0]) / r : 0;
+      const double middle = density.density(grid.in_box(region.place + d / 2)), end = density.density(grid.in_box(x));
+      const int node = grid.id(i, j);
+      front.values[static_cast<std::size_t>(node)] =
+          r * (n0 + 4 * middle + end) / 6 - r * r * r * across * across / (24 * n0);
+      front.seeds.push_back(node);
+    }
+  return front;
+}
+
+std::vector<double> march(const Level& level, Front& front, int corrections, FastMarching& marching) {
+  const CellGrid& grid = level.grid;
+  const int stride = grid.stride();
+  for (int pass = 0;; ++pass) {
+    std::vector<double> u = front.values;
+    marching.run(grid, front.density, front.seeds, u);
+    if (!front.sign.empty())
+      for (std::size_t node = 0; node < u.size(); ++node) u[node] *= front.sign[node];
+    if (pass == corrections) return u;
+    for (int j = 1; j <= grid.ny; ++j)
+      for (int i = 1; i <= grid.nx; ++i) {
+        const auto node = static_cast<std::size_t>(grid.id(i, j));
+        if (!(level.density[node] < kInfinity)) continue;
+        const double gx = u[node + 1] - u[node - 1],
+                     gy = u[node + static_cast<std::size_t>(stride)] - u[node - static_cast<std::size_t>(stride)];
+        const double factor = 2 * grid.h * level.density[node] / std::sqrt(gx * gx + gy * gy);
+        if (factor > kLeastFactor && factor < kMostFactor) front.density[node] *= factor;
+      }
+  }
+}
+
+double check(const Level& level, const std::vector<double>& u, const EndRegion& s, const EndRegion& t,
+             std::vector<double>& ratios) {
+  const CellGrid& grid = level.grid;
+  const double largest = largest_of(u);
+  ratios.assign(u.size(), 0);
+  double worst = 1;
+  for (std::size_t k = 0; k < level.cells.size(); ++k) {
+    const int node = level.cells[k], i = grid.column(node), j = grid.row(node);
+    if ((s.valid && s.holds(i, j)) || (t.valid && t.holds(i, j))) continue;
+    const double ratio =
+        proved_ratio(u, grid.stride(), static_cast<std::size_t>(node), grid.h, largest, level.floors[k]);
+    ratios[static_cast<std::size_t>(node)] = ratio;
+    worst = std::max(worst, ratio);
+  }
+  return worst;
+}
+
+void deflate(const Level& level, const std::vector<double>& ratios, Front& front) {
+  const CellGrid& grid = level.grid;
+  for (int j = 1; j <= grid.ny; ++j)
+    for (int i = 1; i <= grid.nx; ++i) {
+      double worst = 1;
+      for (int b = -1; b <= 1; ++b)
+        for (int a = -1; a <= 1; ++a) worst = std::max(worst, ratios[static_cast<std::size_t>(grid.id(i + a, j + b))]);
+      if (!(worst > 1) || !std::isfinite(worst)) continue;
+      const double factor = 1 + kOvershoot * (worst - 1);
+      const auto node = static_cast<std::size_t>(grid.id(i, j));
+      front.density[node] /= factor;
+      if (!front.sign.empty()) front.values[node] /= factor;
+    }
+}
+
+DistanceField distance_field(const CostDensity& density, const Level& level, const EndRegion& region,
+                             FastMarching& marching) {
+  DistanceField field{region, {}, front_around(density, level, region)};
+  field.u = march(level, field.front, kCorrections, marching);
+  return field;
+}
+
+DistanceBound distance_bound(const Level& level, DistanceField field, FastMarching& marching) {
+  DistanceBound bound{field.region, {}, kInfinity, 0};
+  std::vector<double> ratios;
+  for (int round = 0;; ++round) {
+    const double ratio = check(level, field.u, field.region, EndRegion(), ratios);
+    if (round == 0 || ratio < bound.ratio) {
+      bound.ratio = ratio;
+      bound.u = field.u;
+    }
+    if (round == kDeflations || !(ratio > 1)) break;
+    deflate(level, ratios, field.front);
+    field.u = march(level, field.front, 0, marching);
+  }
+  bound.offset = rim_minimum(level.grid, bound.region, level.searched, bound.u, -1, bound.ratio);
+  return bound;
+}
+
+}  // namespace leastcost::bracket

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+
+#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/problems/raster/raster_options.hpp>
+
+namespace leastcost {
+
+/// What lies between the values of a cost map.
+enum class CostMapInterpolation { smooth, bilinear };
+Words<CostMapInterpolation> words(CostMapInterpolation);
+
+struct CostMapOptions {
+  RasterOptions raster = {};
+  CostMapInterpolation interpolation = CostMapInterpolation::smooth;
+  void fields(FieldVisitor& visit);
+};
+
+/// Length times what a unit of it costs there, n(x, y) > 0 from a raster: c(a, b) = |b - a| int_0^1 n(a + t (b - a))
+/// dt, exact to rounding, in the plane or, over a map, in space (|b - a| in space, n of the first two coordinates).
+/// bilinear: n as GIS programs interpolate it; its gradient jumps where patches meet. smooth: the bicubic spline that
+/// has the values as its coefficients, twice differentiable, between the values around and a little smoother than they
+/// are. +infinity beyond the outermost values and beside cells without data; the cost says where. It has the ability
+/// HasCellIndex. Throws OptionError("file" or "value_scale") for a value that is not above 0, InputError.
+std::shared_ptr<const SegmentCost> make_cost_map(const RasterGrid& values, CostMapInterpolation interpolation, int dim);
+
+}  // namespace leastcost

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/exact/window_queue.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace leastcost {
+namespace {
+
+constexpr double kWiden = 8;  // slots of what was beyond the last one
+constexpr double kSlotRounding = 8 * std::numeric_limits<double>::epsilon();
+
+}  // namespace
+
+void WindowQueue::begin(double origin, double width) {
+  if (open_ > 0)
+    for (std::size_t i = current_; i <= highest_; ++i) slots_[i].clear();
+  later_.clear();
+  origin_ = origin;
+  width_ = width;
+  per_width_ = 1 / width;
+  current_ = highest_ = open_ = 0;
+}
+
+double WindowQueue::floor() const {
+  const double offset = width_ * static_cast<double>(current_);
+  return origin_ + offset - kSlotRounding * (std::abs(origin_) + offset);
+}
+
+/// The slot after one that is empty, or what was beyond the last one in wider slots.
+bool WindowQueue::advance() {
+  if (open_ > 0) {
+    while (slots_[current_].empty()) ++current_;
+    return true;
+  }
+  if (later_.empty()) return false;
+  moved_.swap(later_);
+  later_.clear();
+  double least = moved_.front().key;
+  for (const Entry& entry : moved_) least = std::min(least, entry.key);
+  begin(std::max(least, floor()), width_ * kWiden);
+  for (const Entry& entry : moved_) push(entry.key, entry.id);
+  moved_.clear();
+  return true;
+}
+
+}  // namespace leastcost

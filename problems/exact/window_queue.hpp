@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace leastcost {
+
+/// What is open, by key, in slots of one width: no order within a slot, last in first out, so that a step costs the
+/// same however many wait. No proof rests on the order; `floor()` is a lower bound of all open keys. A key below the
+/// slot in hand counts as in it: what comes from an entry of that slot cannot be less. Keeps its memory.
+class WindowQueue {
+ public:
+  struct Entry {
+    double key;
+    std::int32_t id;
+  };
+
+  /// Empties it. Keys are expected from `origin` on; `width` > 0 of the first slots.
+  void begin(double origin, double width);
+  void push(double key, std::int32_t id) {
+    const double slot = (key - origin_) * per_width_;
+    if (!(slot < kSlots)) {
+      later_.push_back({key, id});
+      return;
+    }
+    std::size_t i = slot > 0 ? static_cast<std::size_t>(slot) : 0;
+    if (i < current_) i = current_;
+    if (i > highest_) highest_ = i;
+    slots_[i].push_back({key, id});
+    ++open_;
+  }
+  /// Goes to the next slot that holds anything; false when nothing is left. floor() is right from then on.
+  bool settle() {
+    while (slots_[current_].empty())
+      if (!advance()) return false;
+    return true;
+  }
+  /// After settle().
+  Entry pop() {
+    const Entry entry = slots_[current_].back();
+    slots_[current_].pop_back();
+    --open_;
+    return entry;
+  }
+  double floor() const;
+
+ private:
+  static constexpr std::size_t kSlots = 4096;
+  bool advance();
+
+  std::vector<std::vector<Entry>> slots_{kSlots};
+  std::vector<Entry> later_, moved_;  // beyond the last slot
+  double origin_ = 0, width_ = 1, per_width_ = 1;
+  std::size_t current_ = 0, highest_ = 0, open_ = 0;
+};
+
+}  // namespace leastcost

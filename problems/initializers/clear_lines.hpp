@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <random>
+#include <vector>
+
+#include <leastcost/framework/checks_moves.hpp>
+#include <leastcost/framework/monitor.hpp>
+#include <leastcost/framework/problem.hpp>
+#include "problems/section/projected_line.hpp"
+
+namespace leastcost {
+
+/// Straight lines of the space around a domain without sites, projected onto it, as the edges of a search: those on
+/// which the cost is finite and no obstacle is met. Has a workspace: one thread at a time.
+class ClearLines {
+ public:
+  /// `step`: length units; projections are looked at in pieces of half of it. The problem outlives it.
+  ClearLines(const Problem& problem, double step);
+
+  /// The nearest point of the domain, if there is one.
+  std::optional<Eigen::VectorXd> nearest(const Eigen::VectorXd& x) { return lines_.nearest(x); }
+  /// The projection of a -> b into `out`, which is empty, without that of a; false where there is no continuous one,
+  /// its cost is infinite or an obstacle is in the way.
+  bool append(const Eigen::VectorXd& a, const Eigen::VectorXd& b, std::vector<Eigen::VectorXd>& out);
+  bool is_clear(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
+
+  /// The path through `nodes` on the domain, from which `tries` random shortcuts leave out what lies between two of its
+  /// points whose line is shorter; fewer where the monitor says stop. Throws Interrupted after its deadline.
+  std::vector<Eigen::VectorXd> shortened(const std::vector<Eigen::VectorXd>& nodes, int tries, std::mt19937_64& engine,
+                                         const Monitor& monitor);
+
+ private:
+  const Problem& problem_;
+  const ChecksMoves* obstacles_;
+  double step_;
+  LineProjector lines_;
+  std::vector<Eigen::VectorXd> line_;
+};
+
+/// Uniform in [0, 1) from the engine's own bits: the same on every platform.
+inline double uniform_number(std::mt19937_64& engine) { return static_cast<double>(engine() >> 11U) * 0x1p-53; }
+
+}  // namespace leastcost

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/problems/post_processors/bracket.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <leastcost/framework/checks_moves.hpp>
+#include <leastcost/framework/clearance.hpp>
+#include <leastcost/framework/has_box.hpp>
+#include <leastcost/problems/bracket/bracket.hpp>
+#include <leastcost/problems/obstacles/has_walls.hpp>
+#include "problems/bracket/smooth_polyline.hpp"
+#include "problems/post_processors/search_time.hpp"
+
+namespace leastcost {
+
+/// The bracket of the problem that was asked for last.
+struct KeptBracket {
+  std::mutex lock;
+  std::shared_ptr<const SegmentCost> cost;  // kept alive, hence its address is its own
+  std::shared_ptr<const ConstraintManifold> domain;
+  Bracket bracket;
+  Eigen::Vector2d source = Eigen::Vector2d::Zero(), target = Eigen::Vector2d::Zero();
+  double seconds = 0;
+  bool improved = false;
+};
+
+namespace {
+
+using Eigen::Vector2d;
+
+/// The box that all paths stay in; empty where there is none.
+Eigen::AlignedBox2d box_of(const ConstraintManifold& domain) {
+  const auto* box = find_ability<HasBox>(domain);
+  if (box == nullptr || !box->box_lower().allFinite() || !box->box_upper().allFinite()) return {};
+  return {Vector2d(box->box_lower()), Vector2d(box->box_upper())};
+}
+
+/// Obstacles in the plane itself, whose gaps are distances; null: there are none.
+const Walls* walls_in_plane(const ConstraintManifold& domain) {
+  const auto* among = find_ability<HasWalls>(domain);
+  if (among == nullptr || among->walls().dimension() != 2 || !among->walls().rounds(box_of(domain))) return nullptr;
+  return &among->walls();
+}
+
+/// Why there is no bracket of a problem; empty: there may be one.
+std::string why_no_bracket(const Problem& problem) {
+  const ConstraintManifold& domain = *problem.manifold;
+  if (problem.ring || problem.based) return "a bracket is of the cost between two ends, and a ring has none";
+  if ((domain.shape() != Shape::flat && find_ability<HasWalls>(domain) == nullptr) ||
+      domain.dimensions().coordinate != 2)
+    return "a bracket needs the plane: a flat domain with two coordinates";
+  if (find_ability<ChecksMoves>(domain) != nullptr && walls_in_plane(domain) == nullptr)
+    return "a bracket needs obstacles that are balls, boxes, polygons or maps in the plane";
+  if (box_of(domain).isEmpty()) return "a bracket speaks of the paths in a box: give the manifold finite bounds";
+  if (density_of(problem.cost) == nullptr)
+    return "a bracket needs a cost by formula: bounds of a black box would prove nothing";
+  return "";
+}
+
+GlobalBound blocked(std::string reason) {
+  GlobalBound out;
+  out.outcome = "blocked";
+  out.scope = "global";
+  out.gap = 1;
+  out.counts = "cells";
+  out.bound = "potential";
+  out.reason = std::move(reason);
+  return out;
+}
+
+std::string why_nothing_proved(const CostDensity& density, const Bracket& bracket, const Vector2d& source) {
+  if (bracket.stopped && bracket.grids == 0) return "";
+  if (!density.enclose_density({source, source}).is_finite())
+    return "the cost has no finite bounds beside the source: it has to be n(x) times length, a metric of n(x)^2 times "
+           "the unit matrix with \"0\" beside the diagonal";
+  return "nothing is proved on these grids: the ends are too near to each other or to where the cost is singular";
+}
+
+/// The smooth curve through the points, or the moves between them where that curve meets an obstacle.
+Eigen::Matrix2Xd feasible_polyline(const Problem& problem, const Points& chain, const Eigen::AlignedBox2d& box) {
+  Eigen::Matrix2Xd smooth = smooth_polyline(chain, box);
+  const auto clearance = measure_clearance(*problem.manifold, smooth, false, {});
+  return clearance && clearance->lower < 0 ? Eigen::Matrix2Xd(chain) : smooth;
+}
+
+/// Whether a way goes round the obstacles as the curve does, as far as that is known.
+bool passes_alike(const Problem& problem, const Eigen::Matrix2Xd& way, const Points& curve) {
+  return way.cols() < 2 || find_ability<ChecksMoves>(*problem.manifold)->same_class(way, curve).value_or(true);
+}
+
+Bracket bracket_of(const Problem& problem, const CostDensity& density, double upper, const GlobalBudget& budget,
+                   const Monitor& monitor) {
+  BracketOptions options;
+  options.tolerance = budget.tolerance;
+  if (budget.max_windows) options.max_searched = *budget.max_windows;
+  if (const Walls* walls = walls_in_plane(*problem.manifold))
+    options.depth = [walls](const Vector2d& x) { return -walls->clearance(x, x).upper; };
+  options.stop = [&monitor, end = end_of_search(budget, monitor)] {
+    return monitor.interrupted() || (end && Monitor::Clock::now() > *end);
+  };
+  return bracket_least_cost(density, box_of(*problem.manifold), problem.source.u, problem.target.u, upper, options);
+}
+
+}  // namespace
+
+BracketPostProcessor::BracketPostProcessor(GlobalBudget budget)
+    : budget_(std::move(budget)), kept_(std::make_shared<KeptBracket>()) {}
+
+PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPath&, PostProcessed current,
+                                          const Monitor& monitor) const {
+  if (monitor.interrupted()) return current;
+  if (std::string why = why_no_bracket(problem); !why.empty()) {
+    current.curve.global = blocked(std::move(why));
+    return current;
+  }
+  const auto begin = Monitor::Clock::now();
+  const std::shared_ptr<const CostDensity> density = density_of(problem.cost);
+  const Eigen::AlignedBox2d box = box_of(*problem.manifold);
+  const double upper = polyline_cost_above(*density, feasible_polyline(problem, current.chain.u, box));
+
+  const std::lock_guard<std::mutex> guard(kept_->lock);
+  KeptBracket& kept = *kept_;
+  const bool again = kept.cost == problem.cost && kept.domain == problem.manifold && kept.source == problem.source.u &&
+                     kept.target == problem.target.u && upper <= kept.bracket.upper * (1 + budget_.tolerance);
+  if (!again) {
+    kept.cost = problem.cost;
+    kept.domain = problem.manifold;
+    kept.source = problem.source.u;
+    kept.target = problem.target.u;
+    kept.bracket = bracket_of(problem, *density, upper, budget_, monitor);
+    kept.improved = false;
+  }
+  const Bracket& bracket = kept.bracket;
+  const double seconds = std::chrono::duration<double>(Monitor::Clock::now() - begin).count();
+  kept.seconds = again ? kept.seconds + seconds : seconds;
+
+  GlobalBound global;
+  global.scope = "global";
+  global.counts = "cells";
+  global.bound = "potential";
+  global.steps = bracket.cells;
+  global.lower_bound = bracket.lower;
+  global.gap = bracket.lower < upper ? (upper - bracket.lower) / upper : 0;
+  global.proved = bracket.lower > 0 && global.gap <= budget_.tolerance;
+  global.grid = BoundGrid{box, bracket.grid, upper};
+  const bool among = find_ability<ChecksMoves>(*problem.manifold) != nullptr;
+  const bool cheaper = among ? !passes_alike(problem, bracket.way, current.curve.x)
+                             : bracket.upper < upper * (1 - budget_.tolerance / 4);
+  if (!again && bracket.way.cols() > 1 && cheaper) {
+    current.cheaper = CoordinatePath{bracket.way, {}, false};
+    kept.improved = true;
+  }
+  global.outcome = !global.proved ? "bounded" : kept.improved ? "improved" : "proved";
+  if (bracket.lower == 0) {
+    global.reason = why_nothing_proved(*density, bracket, problem.source.u);
+    if (!global.reason.empty()) global.outcome = "blocked";
+  }
+  global.seconds = kept.seconds;
+  current.curve.global = std::move(global);
+  return current;
+}
+
+}  // namespace leastcost

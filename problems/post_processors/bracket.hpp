@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+
+#include <leastcost/framework/global_bound.hpp>
+#include <leastcost/framework/post_processor.hpp>
+
+namespace leastcost {
+
+struct KeptBracket;
+
+/// After a solve in a box of the plane: a proved lower bound of the cost of all paths in the box between the two ends
+/// (problems/bracket), beside the proved cost of the smooth curve through the points. Where the way down its own field
+/// costs less than that, the search begins anew from it (PostProcessed::cheaper). Without a cost that is a formula and
+/// the same in all directions, a box with finite sides or a flat domain, the bound is `blocked`, with the reason. The
+/// last bound is kept: what begins anew does not prove it again. Shared by threads.
+class BracketPostProcessor final : public PostProcessor {
+ public:
+  explicit BracketPostProcessor(GlobalBudget budget = {});
+  std::string_view name() const override { return "bracket"; }
+  PostProcessed apply(const Problem& problem, const FirstPath& first, PostProcessed current,
+                      const Monitor& monitor) const override;
+
+ private:
+  GlobalBudget budget_;
+  std::shared_ptr<KeptBracket> kept_;
+};
+
+}  // namespace leastcost

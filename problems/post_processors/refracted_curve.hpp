@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include <leastcost/framework/post_processor.hpp>
+#include <leastcost/framework/problem.hpp>
+#include <leastcost/problems/layers/layer_stack.hpp>
+#include "problems/layers/refracted_ray.hpp"
+
+namespace leastcost {
+
+/// The layers of the cost. Throws InputError, which begins with `who`, where it has none, for rings, and where points
+/// are not free in R^d or a box.
+const LayerStack& layers_of(const Problem& problem, const std::string& who);
+
+/// Whether a polyline stays in the box of the domain.
+bool is_in_box(const Problem& problem, const Points& polyline);
+
+/// The ray becomes the curve that is delivered, with the chain's points on it. `least`: no path of its word costs less.
+void deliver_ray(const LayerStack& stack, const RefractedRay& ray, double least, PostProcessed& current);
+
+}  // namespace leastcost

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/problems/raster/raster_options.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include <leastcost/framework/errors.hpp>
+
+namespace leastcost {
+namespace {
+
+/// Lengths of a degree of longitude and of latitude at a latitude (degrees) on WGS84, m.
+Eigen::Vector2d metres_per_degree(double latitude) {
+  constexpr double kDegree = std::numbers::pi / 180, kA = 6378137, kF = 1 / 298.257223563, kE2 = kF * (2 - kF);
+  const double up = std::sin(latitude * kDegree), root = std::sqrt(1 - kE2 * up * up);
+  return kDegree * Eigen::Vector2d(kA / root * std::cos(latitude * kDegree), kA * (1 - kE2) / (root * root * root));
+}
+
+/// From longitudes and latitudes to metres east and north of the lower left corner: a plane that touches in the middle.
+void from_degrees(RasterGrid& raster) {
+  const Eigen::Vector2d middle =
+      raster.corner + 0.5 * raster.cell.cwiseProduct(Eigen::Vector2d(raster.columns, raster.rows));
+  constexpr double kSteepest = 89;  // where a plane no longer means anything
+  if (!(std::abs(middle[1]) <= kSteepest) || !(std::abs(middle[0]) <= 540))
+    throw OptionError("degrees", raster.source + ": its middle would be at longitude " + std::to_string(middle[0]) +
+                                     " and latitude " + std::to_string(middle[1]));
+  const RasterDegrees degrees{raster.corner, metres_per_degree(middle[1])};
+  raster.cell = raster.cell.cwiseProduct(degrees.per_degree);
+  raster.corner.setZero();
+  raster.degrees = degrees;
+}
+
+/// Large ones (the least float, mostly) are written with as many digits as a program likes.
+bool is_nodata(double value, double nodata) {
+  constexpr double kLarge = 1e6, kDigits = 1e-6;
+  return std::abs(nodata) < kLarge ? value == nodata : std::abs(value - nodata) <= kDigits * std::abs(nodata);
+}
+
+}  // namespace
+
+std::string RasterGrid::name_of(int row, int column) const {
+  return "row " + std::to_string(rows - 1 - row) + ", column " + std::to_string(column) + " of " + source;
+}
+
+void RasterOptions::fields(FieldVisitor& visit) {
+  visit.file("file", file,
+             {.help = "Raster: an ESRI ASCII grid (.asc), a table of numbers whose first line is the northernmost row "
+                      "(.csv), or, in builds with GDAL, what GDAL reads (.tif).",
+              .required = true});
+  visit.field("cell", cell,
+              {.help = "Side of a cell, [25], or those along x and y, [25, 30]; default: that of the file, or [1].",
+               .unit = "length",
+               .minimum = 0,
+               .exclusive_minimum = true});
+  visit.field("origin", origin,
+              {.help = "Place (x, y) of the lower left corner of the raster; default: that of the file, or (0, 0).",
+               .unit = "length"});
+  visit.field("nodata", nodata, {.help = "Value that means no data; default: that of the file."});
+  visit.field("value_scale", value_scale, {.help = "What values are multiplied by: 0.3048 takes feet to metres."});
+  visit.field("degrees", degrees,
+              {.help = "cell and origin, of the file or given here, are longitude and latitude in degrees. Places are "
+                       "then metres east and north of the lower left corner, on WGS84, true in the raster's middle."});
+}
+
+void check(const RasterOptions& o) {
+  const auto positive = [](double x) { return x > 0 && std::isfinite(x); };
+  if (o.cell && (o.cell->size() < 1 || o.cell->size() > 2 || !std::all_of(o.cell->begin(), o.cell->end(), positive)))
+    throw OptionError("cell", "must be one or two lengths greater than 0");
+  if (o.origin && (o.origin->size() != 2 || !o.origin->allFinite()))
+    throw OptionError("origin", "must have two finite numbers, x and y");
+  if (!std::isfinite(o.value_scale) || o.value_scale == 0)
+    throw OptionError("value_scale", "must be a finite number other than 0");
+}
+
+RasterGrid placed(RasterFile file, const RasterOptions& options) {
+  check(options);
+  RasterGrid raster = std::move(file.raster);
+  if (options.cell) raster.cell = {(*options.cell)[0], (*options.cell)[options.cell->size() - 1]};
+  if (options.origin) raster.corner = *options.origin;
+  const std::optional<double> nodata = options.nodata ? options.nodata : file.nodata;
+  bool any = false;
+  for (double& value : raster.values) {
+    if ((nodata && is_nodata(value, *nodata)) || !std::isfinite(value))
+      value = std::numeric_limits<double>::quiet_NaN();
+    value *= options.value_scale;
+    any = any || std::isfinite(value);
+  }
+  if (!any) throw InputError(raster.source + ": no cell of the raster has data");
+  if (!raster.place(raster.rows, raster.columns).allFinite())
+    throw InputError(raster.source + ": the raster reaches beyond the largest numbers");
+  if (options.degrees) from_degrees(raster);
+  return raster;
+}
+
+}  // namespace leastcost

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+
+#include <leastcost/framework/options.hpp>
+#include <leastcost/problems/raster/raster.hpp>
+
+namespace leastcost {
+
+/// A raster file, and what of its georeference the file does not say, or says otherwise.
+struct RasterOptions {
+  std::string file = {};
+  std::optional<Eigen::VectorXd> cell = {};    ///< one side, or one along x and one along y
+  std::optional<Eigen::VectorXd> origin = {};  ///< lower left corner of the lower left cell
+  std::optional<double> nodata = {};
+  double value_scale = 1;
+  bool degrees = false;  ///< the file is in longitude and latitude
+  void fields(FieldVisitor& visit);
+};
+
+/// Throws OptionError for options that cannot be, whatever the file says.
+void check(const RasterOptions& options);
+
+/// What a reader found in a file: the values, NaN where the file itself says that there are none, and where they are.
+struct RasterFile {
+  RasterGrid raster;
+  std::optional<double> nodata = {};
+};
+
+/// The raster of a file, placed and scaled by the options. Throws OptionError, InputError where there are no data.
+RasterGrid placed(RasterFile file, const RasterOptions& options);
+
+}  // namespace leastcost

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <deque>
+
+#include "problems/raster/raster_function.hpp"
+#include "problems/spline/bspline_line.hpp"
+
+namespace leastcost {
+namespace {
+
+/// Second derivatives of the weights of BsplineWeights.
+std::array<double, 4> bends(double u) { return {1 - u, 3 * u - 2, 1 - 3 * u, u}; }
+
+/// The values in an array with one more on every side; `width` of its rows.
+std::vector<double> padded(const RasterGrid& raster, std::size_t width) {
+  std::vector<double> all(width * (static_cast<std::size_t>(raster.rows) + 2));
+  for (int row = 0; row < raster.rows; ++row)
+    std::copy_n(&raster.values[raster.index(row, 0)], raster.columns,
+                &all[(static_cast<std::size_t>(row) + 1) * width + 1]);
+  return all;
+}
+
+std::size_t width_of(const RasterGrid& raster) { return static_cast<std::size_t>(raster.columns) + 2; }
+
+/// Values where there are none, ring by ring: the mean of the neighbours that have one.
+void fill_gaps(RasterGrid& raster) {
+  struct Cell {
+    int row, column;
+  };
+  const auto neighbours = [&raster](const Cell& at, const auto& visit) {
+    for (int r = std::max(0, at.row - 1); r <= std::min(raster.rows - 1, at.row + 1); ++r)
+      for (int c = std::max(0, at.column - 1); c <= std::min(raster.columns - 1, at.column + 1); ++c) visit(Cell{r, c});
+  };
+  std::vector<bool> waits(raster.values.size(), false);
+  std::vector<Cell> ring;
+  const auto await = [&](const Cell& cell) {
+    const std::size_t i = raster.index(cell.row, cell.column);
+    if (waits[i] || std::isfinite(raster.values[i])) return;
+    waits[i] = true;
+    ring.push_back(cell);
+  };
+  for (int row = 0; row < raster.rows; ++row)
+    for (int column = 0; column < raster.columns; ++column)
+      if (std::isfinite(raster.value(row, column))) neighbours({row, column}, await);
+  while (!ring.empty()) {
+    std::vector<double> means;
+    for (const Cell& cell : ring) {
+      double sum = 0, count = 0;
+      neighbours(cell, [&](const Cell& other) {
+        const double value = raster.value(other.row, other.column);
+        if (std::isfinite(value)) sum += value, ++count;
+      });
+      means.push_back(sum / count);
+    }
+    const std::vector<Cell> filled = std::exchange(ring, {});
+    for (std::size_t i = 0; i < filled.size(); ++i)
+      raster.values[raster.index(filled[i].row, filled[i].column)] = means[i];
+    for (const Cell& cell : filled) neighbours(cell, await);
+  }
+}
+
+}  // namespace
+
+SplineFunction::SplineFunction(RasterPatches patches, std::vector<double> coefficients)
+    : RasterFunction(std::move(patches)),
+      width_(static_cast<std::size_t>(this->patches().columns()) + 3),
+      coefficients_(std::move(coefficients)) {}
+
+SplineFunction SplineFunction::through(const RasterGrid& raster) {
+  RasterPatches patches(raster, 1, kFewestOfSpline);
+  RasterGrid filled = raster;
+  fill_gaps(filled);
+  const std::size_t width = width_of(filled);
+  std::vector<double> c = padded(filled, width);
+  for (int row = 0; row < filled.rows; ++row)
+    to_bspline_coefficients(&c[(static_cast<std::size_t>(row) + 1) * width + 1], filled.columns, 1, 1);
+  to_bspline_coefficients(&c[width], filled.rows, width, width);
+  return {std::move(patches), std::move(c)};
+}
+
+SplineFunction SplineFunction::near(const RasterGrid& raster) {
+  RasterPatches patches(raster, 1, 2);
+  const std::size_t width = width_of(raster), rows = static_cast<std::size_t>(raster.rows);
+  std::vector<double> c = padded(raster, width);
+  for (std::size_t row = 1; row <= rows; ++row) {  // beyond the border the outermost values go on
+    c[row * width] = c[row * width + 1];
+    c[row * width + width - 1] = c[row * width + width - 2];
+  }
+  std::copy_n(&c[width], width, &c[0]);
+  std::copy_n(&c[rows * width], width, &c[(rows + 1) * width]);
+  return {std::move(patches), std::move(c)};
+}
+
+PlaneJet SplineFunction::in_patch(const RasterPatch& patch, double column, double row) const {
+  const double u = column - patch.column, v = row - patch.row;
+  const BsplineWeights across(u), up(v);
+  const std::array<double, 4> across_bends = bends(u), up_bends = bends(v);
+  const double* c = coefficients_of(patch);
+  PlaneJet jet;
+  double dx = 0, dy = 0, dxx = 0, dxy = 0, dyy = 0;
+  for (std::size_t j = 0; j < 4; ++j, c += width_) {
+    double line = 0, slope = 0, bend = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      line += across.w[i] * c[i];
+      slope += across.d[i] * c[i];
+      bend += across_bends[i] * c[i];
+    }
+    jet.value += up.w[j] * line;
+    dx += up.w[j] * slope;
+    dy += up.d[j] * line;
+    dxx += up.w[j] * bend;
+    dxy += up.d[j] * slope;
+    dyy += up_bends[j] * line;
+  }
+  const double hx = patches().cell()[0], hy = patches().cell()[1];
+  jet.gradient << dx / hx, dy / hy;
+  jet.hessian << dxx / (hx * hx), dxy / (hx * hy), dxy / (hx * hy), dyy / (hy * hy);
+  return jet;
+}
+
+/// A spline lies between its least and its largest coefficient, and its slope is a spline of their differences.
+PatchBounds SplineFunction::bounds(const RasterPatch& patch) const {
+  const double* c = coefficients_of(patch);
+  const Interval hx(patches().cell()[0]), hy(patches().cell()[1]);
+  const auto slope = [](double from, double to, const Interval& h) { return (Interval(to) - Interval(from)) / h; };
+  PatchBounds out{c[0], slope(c[0], c[1], hx), slope(c[0], c[width_], hy)};
+  for (std::size_t j = 0; j < 4; ++j)
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double* at = c + j * width_ + i;
+      out.value = hull(out.value, *at);
+      if (i < 3) out.dx = hull(out.dx, slope(at[0], at[1], hx));
+      if (j < 3) out.dy = hull(out.dy, slope(at[0], at[width_], hy));
+    }
+  return out;
+}
+
+}  // namespace leastcost

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+
+// The Earth in configurations: degrees, latitude first; path.geojson, longitude first; degrees on a chart in radians.
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include <leastcost/catalogue/output/write_run.hpp>
+#include <leastcost/catalogue/run/run.hpp>
+#include "catalogue/output/geojson.hpp"
+#include "tests/app/config_text.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/data.hpp"
+#include "tests/support/shell.hpp"
+
+namespace leastcost::test {
+namespace {
+
+using Catch::Contains;
+using Json = nlohmann::json;
+using LonLat = Eigen::Vector2d;
+
+std::string on_earth(const std::string& source, const std::string& target) {
+  return "manifold: earth\ncost: euclidean\nends:\n  source: {point: " + source + "}\n  target: {point: " + target +
+         "}\npath: {points: 20}\n";
+}
+
+std::string on_sphere(const std::string& source, const std::string& target) {
+  return "manifold: {type: parametric, surface: sphere}\ncost: euclidean\nends:\n  source: {point: " + source +
+         "}\n  target: {point: " + target + "}\npath: {points: 10}\n";
+}
+
+Json written_geojson(const std::string& config, const std::filesystem::path& folder) {
+  const RunOutcome run = solve(parse_run(config, "a.yaml"));
+  write_run(run, folder);
+  return Json::parse(content(folder / "path.geojson"));
+}
+
+}  // namespace
+
+TEST_CASE("GeoJSON: the path across the antimeridian is cut there, longitude first, points in order") {
+  const ScratchDir dir;
+  const Json json = written_geojson(on_earth("[60, 170]", "[50, -150]"), dir / "out");
+  CHECK(json["type"] == "FeatureCollection");
+  const Json& path = json["features"][0];
+  CHECK(path["properties"]["status"] == "certified");
+  CHECK(path["geometry"]["type"] == "MultiLineString");
+  const Json& lines = path["geometry"]["coordinates"];
+  REQUIRE(lines.size() == 2);
+  CHECK(lines[0][0] == Json({170.0, 60.0}));
+  CHECK(lines[0].back()[0] == 180.0);
+  CHECK(lines[1][0][0] == -180.0);
+  CHECK(lines[0].back()[1] == lines[1][0][1]);
+  CHECK(lines[1].back() == Json({-150.0, 50.0}));
+  CHECK(json["features"].size() == 1 + 22);
+  CHECK(json["features"][22]["geometry"]["coordinates"] == Json({-150.0, 50.0}));
+  CHECK(json["features"][22]["properties"]["cumulative_cost"].get<double>() ==
+        Approx(path["properties"]["cost"].get<double>()).epsilon(1e-4));
+}
+
+TEST_CASE("GeoJSON: a line is cut at seams and poles, and only there") {
+  const auto lines = [](const std::vector<LonLat>& cover) { return geographic_lines(cover); };
+  CHECK(lines({{10, 20}, {30, 40}, {50, 60}}).size() == 1);
+  // Twice around the axis and on.
+  const auto turns = lines({{100, 0}, {900, 10}});
+  REQUIRE(turns.size() == 3);
+  CHECK(turns[1].front() == LonLat(-180, 1));
+  CHECK(turns[1].back() == LonLat(180, 5.5));
+  CHECK(turns[2].back() == LonLat(180, 10));
+  // Over the north pole: down the meridian opposite.
+  const auto over = lines({{20, 80}, {20, 100}});
+  REQUIRE(over.size() == 2);
+  CHECK(over[0].back() == LonLat(20, 90));
+  CHECK(over[1].front() == LonLat(-160, 90));
+  CHECK(over[1].back() == LonLat(-160, 80));
+  // A point that lies on the seam cuts nothing twice.
+  const auto at = lines({{170, 0}, {180, 1}, {190, 2}});
+  REQUIRE(at.size() == 2);
+  CHECK(at[0].back() == LonLat(180, 1));
+  CHECK(at[1].front() == LonLat(-180, 1));
+  CHECK(at[1].back() == LonLat(-170, 2));
+  for (const auto& all : {turns, over, at})
+    for (const GeographicLine& line : all)
+      for (const LonLat& place : line) CHECK((std::abs(place[0]) <= 180 && std::abs(place[1]) <= 90));
+}
+
+TEST_CASE("GeoJSON opens in ogrinfo") {
+  if (!has_program("ogrinfo", "gdal-bin")) return;
+  const ScratchDir dir;
+  written_geojson(on_earth("[60, 170]", "[50, -150]"), dir / "out");
+  const std::string out = output_of("ogrinfo -al -q '" + (dir / "out/path.geojson").string() + "' 2>&1");
+  CHECK_THAT(out, Contains("MULTILINESTRING ((170 60,"));
+  CHECK_THAT(out, Contains("status (String) = certified"));
+  CHECK_THAT(out, Contains("index (Integer) = 21"));
+}
+
+TEST_CASE("GeoJSON is written on the Earth alone, and can be left out") {
+  const ScratchDir dir;
+  write_run(solve(parse_run(kPlane, "a.yaml")), dir / "plane");
+  CHECK_FALSE(std::filesystem::exists(dir / "plane/path.geojson"));
+  write_run(solve(parse_run(on_earth("[60, 170]", "[50, -150]") + "output: {files: [path]}\n", "a.yaml")),
+            dir / "some");
+  CHECK_FALSE(std::filesystem::exists(dir / "some/path.geojson"));
+}
+
+TEST_CASE("degrees: a latitude beyond a pole is an error on the Earth, and met with a word on charts in radians") {
+  CHECK_THAT(errors_of(on_earth("[-0.1, 51.5]", "[139.7, 35.7]")),
+             Contains("'point' in ends.target") && Contains("the latitude 139.7 is beyond 90 degrees") &&
+                 Contains("(latitude, longitude)"));
+  CHECK_THAT(errors_of(on_sphere("[-0.1, 51.5]", "[139.7, 35.7]")), Contains("degrees? see earth"));
+  CHECK(errors_of(on_sphere("[-0.1, 0.5]", "[1, 3]")) == "");
+  const Run run = parse_run(on_sphere("[-0.1, 0.5]", "[1, 3]"), "a.yaml");
+  bool said = false;
+  for (const std::string& note : run.parts.notes)
+    said = said || note.find("the latitude 3 of the target is beyond pi/2") != std::string::npos;
+  CHECK(said);
+  CHECK(parse_run(on_sphere("[-0.1, 0.5]", "[1, 1.5]"), "a.yaml").parts.notes.empty());
+}
+
+TEST_CASE("the Earth: an ellipsoid that is none is refused by name") {
+  const std::string ends = "cost: euclidean\nends:\n  source: {point: [0, 0]}\n  target: {point: [1, 1]}\n";
+  CHECK_THAT(errors_of("manifold: {type: earth, inverse_flattening: 0.5}\n" + ends), Contains("inverse_flattening"));
+  CHECK_THAT(errors_of("manifold: {type: earth, semi_major_axis: 0}\n" + ends), Contains("semi_major_axis"));
+  CHECK(errors_of("manifold: {type: earth, inverse_flattening: 0}\n" + ends) == "");
+}
+
+}  // namespace leastcost::test

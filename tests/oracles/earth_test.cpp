@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+
+// Geodesics of the WGS84 ellipsoid, points in degrees: values of two quadratures, GeodSolve (GeographicLib) where it is
+// installed, and Karney's GeodTest.
+#include <leastcost/problems/manifolds/earth.hpp>
+
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include <leastcost/problems/initializers/straight.hpp>
+#include "tests/support/catch.hpp"
+#include "tests/support/compose.hpp"
+#include "tests/support/data.hpp"
+#include "tests/support/shell.hpp"
+
+namespace leastcost::test {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kRelative = 1e-9;
+
+struct Line {
+  Vector2d from, to;  ///< latitude, longitude
+  double length;      ///< m
+};
+
+const std::vector<Line> kLines = {{{40.6, -73.8}, {51.6, -0.5}, 5551759.40031867851},
+                                  {{-30, 0}, {45, 100}, 13041867.3355196569},
+                                  {{51.5, -0.1}, {35.7, 139.7}, 9581233.264}};
+
+Result solved(const Vector2d& from, const Vector2d& to, int points) {
+  static const auto earth = std::make_shared<const EarthManifold>();
+  FindOptions options;
+  options.points = points;
+  options.certificate.proof = ProofRule::never;  // dear, and not what is asked here
+  return find_path(between(earth, make_euclidean_cost(3), from, to), StraightInitializer(), Newton(), options);
+}
+
+void check_length(const Result& result, double length) {
+  const CostEstimate& estimate = result.certificate.estimate;
+  CHECK(result.status == Status::certified);
+  CHECK(std::abs(estimate.value - length) <= kRelative * length);
+  CHECK(std::abs(estimate.value - length) <= estimate.error + 1e-6);  // the lengths have a micrometre
+}
+
+}  // namespace
+
+TEST_CASE("oracles: the Earth, by quadrature", "[oracle]") {
+  for (const Line& line : kLines) {
+    CAPTURE(line.from.transpose(), line.to.transpose());
+    check_length(solved(line.from, line.to, 127), line.length);
+  }
+}
+
+TEST_CASE("oracles: the Earth, by GeodSolve", "[oracle]") {
+  if (!has_program("GeodSolve", "geographiclib-tools")) return;
+  for (const Line& line : kLines) {
+    std::ostringstream command;
+    command.precision(17);
+    command << "GeodSolve -i -p 6 --input-string '" << line.from[0] << ' ' << line.from[1] << ' ' << line.to[0] << ' '
+            << line.to[1] << "'";
+    const std::string out = output_of(command.str());
+    CAPTURE(command.str(), out);
+    double azimuth1 = 0, azimuth2 = 0, length = 0;
+    std::istringstream(out) >> azimuth1 >> azimuth2 >> length;
+    REQUIRE(length > 0);
+    CHECK(length == Approx(line.length).epsilon(1e-10));
+    check_length(solved(line.from, line.to, 127), length);
+  }
+}
+
+/// Pairs in all positions. A straight start finds one of the two locally shortest paths near the antipode, and few
+/// points beside a pole are not certified; what is certified is what it says.
+TEST_CASE("oracles: the Earth, by GeodTest", "[oracle]") {
+  const auto file = data_file("truth/GeodTest-100.csv");
+  if (!file) return;
+  std::ifstream in(*file);
+  std::string line;
+  std::getline(in, line);
+  REQUIRE(line.rfind("lat1,lon1,azi1,lat2,lon2,azi2,s12_m", 0) == 0);
+  int pairs = 0, shortest = 0;
+  while (std::getline(in, line)) {
+    std::vector<double> v;
+    std::string word;
+    for (std::istringstream words(line); std::getline(words, word, ',');) v.push_back(std::stod(word));
+    REQUIRE(v.size() >= 7);
+    const Vector2d from(v[0], v[1]), to(v[3], v[1] + std::remainder(v[4] - v[1], 360));
+    const double length = v[6];
+    CAPTURE(from.transpose(), to.transpose(), length);
+    ++pairs;
+    const Result result = solved(from, to, 63);
+    const CostEstimate& estimate = result.certificate.estimate;
+    if (!result.certificate.measured || std::isnan(estimate.error)) continue;
+    CHECK(estimate.value >= length - estimate.error - 1e-6);
+    if (result.status == Status::certified && std::abs(estimate.value - length) <= 1e-3 * length) {
+      ++shortest;
+      CHECK(std::abs(estimate.value - length) <= estimate.error + 1e-6);
+    }
+  }
+  std::printf("  GeodTest-100: certified and the shortest from the straight start, %d of %d\n", shortest, pairs);
+  CHECK(pairs == 100);
+  CHECK(shortest >= 80);
+}
+
+}  // namespace leastcost::test

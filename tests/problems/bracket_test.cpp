@@ -1,0 +1,427 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/problems/bracket/bracket.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/find_path.hpp>
+#include <leastcost/problems/costs/euclidean.hpp>
+#include <leastcost/problems/costs/metric_field.hpp>
+#include <leastcost/problems/initializers/straight.hpp>
+#include <leastcost/problems/initializers/waypoints.hpp>
+#include <leastcost/problems/kernels/kernels.hpp>
+#include <leastcost/problems/manifolds/euclidean.hpp>
+#include <leastcost/problems/obstacles/ball.hpp>
+#include <leastcost/problems/obstacles/free_space.hpp>
+#include <leastcost/problems/post_processors/bracket.hpp>
+#include <leastcost/solvers/newton.hpp>
+#include "problems/bracket/level.hpp"
+#include "tests/problems/planted_media.hpp"
+#include "tests/support/catch.hpp"
+
+namespace leastcost::test {
+namespace {
+
+using Eigen::AlignedBox2d;
+using Eigen::Vector2d;
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kOfTruth = 1e-13;  // relative rounding of the planted least cost itself
+
+int problems_to_try(int otherwise) {
+  const char* text = std::getenv("LEASTCOST_BRACKET_PROBLEMS");  // NOLINT(concurrency-mt-unsafe)
+  return text == nullptr ? otherwise : std::atoi(text);
+}
+
+std::shared_ptr<const CostDensity> isotropic(const std::string& squared,
+                                             const std::map<std::string, double>& parameters = {}) {
+  return density_of(make_metric_field_cost({.field = metric::Formula{{squared, "0", squared}, parameters}}, 2));
+}
+
+AlignedBox2d box(double x0, double y0, double x1, double y1) { return {Vector2d(x0, y0), Vector2d(x1, y1)}; }
+
+/// Largest |grad u| / n at random places where the inequality is said to be proved, over the ratio that is proved.
+double worst_sample(const BracketPotential& potential, const CostDensity& density, const AlignedBox2d& box, int count,
+                    Random& random) {
+  double worst = 0;
+  for (int k = 0; k < count; ++k) {
+    const Vector2d x(random.uniform(box.min()[0], box.max()[0]), random.uniform(box.min()[1], box.max()[1]));
+    if (!potential.is_checked(x)) continue;
+    worst = std::max(worst, potential.gradient(x).norm() / (potential.ratio * density.density(x)));
+  }
+  return worst;
+}
+
+}  // namespace
+
+/// A bound above a true least cost is the worst defect. LEASTCOST_BRACKET_PROBLEMS sets another number of them.
+TEST_CASE("bracket: never above a planted least cost") {
+  Random random;
+  const int count = problems_to_try(100);
+  std::vector<double> gaps;
+  int bounded = 0;
+  for (int k = 0; k < count; ++k) {
+    CAPTURE(k);
+    const PlantedMedium medium = PlantedMedium::random(random);
+    const std::shared_ptr<const CostDensity> density = density_of(medium.cost());
+    const bool fine = k % 10 == 0, known = k % 2 == 0;
+    const double truth = medium.least_cost();
+    const Bracket bracket =
+        bracket_least_cost(*density, medium.box, medium.source, medium.target,
+                           known ? truth * (1 + random.uniform(1e-7, 1e-3)) : kInfinite,
+                           {.tolerance = 1e-12, .cells = fine ? 64 : random.integer(24, 40), .max_cells = 330});
+    REQUIRE(bracket.lower <= truth * (1 + kOfTruth));
+    REQUIRE(bracket.upper >= truth * (1 - kOfTruth));
+    if (bracket.potential) {
+      CHECK(worst_sample(*bracket.potential, *density, medium.box, 500, random) <= 1 + 1e-11);
+      ++bounded;
+      gaps.push_back(1 - bracket.lower / truth);
+    }
+  }
+  std::sort(gaps.begin(), gaps.end());
+  INFO(bounded << " of " << count << " with a potential");
+  CHECK(bounded >= 9 * count / 10);
+  CHECK(gaps[gaps.size() / 2] < 1e-3);
+  if (count > 100)
+    WARN(bounded << " of " << count << " bounded by a potential; gap: median " << gaps[gaps.size() / 2] << ", 90 % "
+                 << gaps[gaps.size() * 9 / 10] << ", largest " << gaps.back());
+}
+
+TEST_CASE("bracket: the polyline of a planted flow costs what it has to") {
+  Random random;
+  for (int k = 0; k < 20; ++k) {
+    const PlantedMedium medium = PlantedMedium::random(random);
+    const std::shared_ptr<const CostDensity> density = density_of(medium.cost());
+    Eigen::Matrix2Xd x(2, static_cast<Eigen::Index>(medium.flow.size()));
+    for (std::size_t i = 0; i < medium.flow.size(); ++i) x.col(static_cast<Eigen::Index>(i)) = medium.flow[i];
+    const double cost = polyline_cost_above(*density, x), truth = medium.least_cost();
+    CHECK(cost >= truth);
+    CHECK(cost <= truth * (1 + 1e-4));
+  }
+}
+
+/// Closed forms (docs/oracles.md), and gaps that the construction is built for.
+TEST_CASE("bracket: media with known least costs") {
+  struct Case {
+    const char* squared;
+    Vector2d source, target;
+    AlignedBox2d box;
+    double cost;
+  };
+  const std::vector<Case> cases = {
+      {"1", {-1, 0.3}, {1.2, -0.4}, box(-2, -2, 2, 2), std::hypot(2.2, 0.7)},
+      {"(1 + 2 * exp(-x^2 - y^2))^2", {-2, 0}, {2, 0}, box(-3, -3, 3, 3), 6.030127200428},
+      {"(2 / (1 + x^2 + y^2))^2", {0.5, -0.2}, {-0.7, 0.9}, box(-1.6, -1.2, 1.6, 2), 2.47561986411056569},
+      {"1 / (1 + 0.5 * y)^2", {0, 0}, {4, 1}, box(-0.5, -0.5, 4.5, 4.5), 3.05937323665641694},
+      {"1 / y^2", {0, 1}, {2, 3}, box(-1.2, 0.3, 2.8, 4.3), 1.49099630899480838},
+  };
+  for (const Case& c : cases) {
+    CAPTURE(c.squared);
+    const std::shared_ptr<const CostDensity> density = isotropic(c.squared);
+    const Bracket found = bracket_least_cost(*density, c.box, c.source, c.target, kInfinite, {.max_cells = 512});
+    CHECK(found.lower <= c.cost * (1 + 1e-12));
+    CHECK(found.upper >= c.cost * (1 - 1e-12));
+    CHECK(found.gap() <= 2e-4);
+    CHECK(1 - found.lower / c.cost <= 1e-4);
+    REQUIRE(found.way.cols() > 2);
+    CHECK(found.way.leftCols(1) == c.source);
+    CHECK(found.way.rightCols(1) == c.target);
+  }
+}
+
+TEST_CASE("bracket: one of two ways, whichever is cheaper") {
+  // A hill beside the straight line: the way down the field takes the side that costs less.
+  const std::shared_ptr<const CostDensity> density = isotropic("(1 + 2 * exp(-x^2 - (y + 0.1)^2))^2");
+  const Bracket found =
+      bracket_least_cost(*density, box(-3, -3, 3, 3), Vector2d(-2, 0), Vector2d(2, 0), kInfinite, {.max_cells = 512});
+  CHECK(found.way.row(1).maxCoeff() > 0.5);
+  CHECK(found.way.row(1).minCoeff() > -0.1);
+  CHECK(found.gap() <= 1e-4);
+}
+
+TEST_CASE("bracket: nothing is proved of what is not known") {
+  const AlignedBox2d around = box(-1, -1, 1, 1);
+  const Vector2d s(-0.5, 0), t(0.5, 0.1);
+  // Not the same in all directions, but by formula: the bound is of the cheaper direction, and holds.
+  const auto metric = density_of(make_metric_field_cost({.field = metric::Formula{{"1", "0", "4"}, {}}}, 2));
+  const Bracket weak = bracket_least_cost(*metric, around, s, t, 1.1, {.max_cells = 128});
+  CHECK(weak.lower > 0.9);
+  CHECK(weak.lower <= std::hypot(1, 0.1));
+  const auto skew = density_of(make_metric_field_cost({.field = metric::Formula{{"1", "0.1", "1"}, {}}}, 2));
+  CHECK(bracket_least_cost(*skew, around, s, t, 2, {.max_cells = 128}).lower == 0);
+  // A place in the box where the formula has no value: only the surroundings of an end prove something.
+  CHECK(bracket_least_cost(*isotropic("log(x + 0.8)^2 + 1"), around, s, t, 10, {.max_cells = 128}).lower < 0.3);
+  CHECK_THROWS_AS(bracket_least_cost(*metric, around, s, Vector2d(2, 0)), InputError);
+  CHECK_THROWS_AS(bracket_least_cost(*metric, AlignedBox2d(), s, t), InputError);
+}
+
+TEST_CASE("bracket: stopped at any time it keeps what is proved") {
+  const std::shared_ptr<const CostDensity> density = isotropic("(2 / (1 + x^2 + y^2))^2");
+  for (int after : {0, 1, 3, 10, 30, 100, 200}) {
+    int looks = 0;
+    const BracketOptions options{.tolerance = 1e-9, .max_cells = 512, .stop = [&] { return ++looks > after; }};
+    const Bracket found = bracket_least_cost(*density, box(-1.6, -1.2, 1.6, 2), Vector2d(0.5, -0.2),
+                                             Vector2d(-0.7, 0.9), kInfinite, options);
+    CHECK(found.stopped);
+    CHECK(looks == after + 1);
+    CHECK(found.lower <= 2.47561986411056569);
+  }
+}
+
+namespace {
+
+using namespace bracket;
+
+/// A cell with random coefficients around a plane, and the largest length of its gradient at 33 x 33 places, in long
+/// double.
+struct RandomCell {
+  std::vector<double> u = std::vector<double>(9);
+  long double longest = 0;
+
+  RandomCell(Random& random, double noise) {
+    const double angle = random.uniform(0, 6.3), size = random.uniform(0.5, 2);
+    for (int k = 0; k < 9; ++k)
+      u[static_cast<std::size_t>(k)] =
+          size * (std::cos(angle) * (k % 3 - 1) + std::sin(angle) * (k / 3 - 1)) + noise * random.normal();
+    for (int q = 0; q <= 32; ++q)
+      for (int p = 0; p <= 32; ++p) longest = std::max(longest, slope(p / 32.0L - 0.5L, q / 32.0L - 0.5L));
+  }
+  long double slope(long double a, long double b) const {
+    const auto w = [](long double t) {
+      return std::array<long double, 3>{(0.5L - t) * (0.5L - t) / 2, 0.75L - t * t, (0.5L + t) * (0.5L + t) / 2};
+    };
+    const auto d = [](long double t) { return std::array<long double, 3>{t - 0.5L, -2 * t, t + 0.5L}; };
+    const auto wa = w(a), wb = w(b), da = d(a), db = d(b);
+    long double x = 0, y = 0;
+    for (std::size_t k = 0; k < 9; ++k) {
+      x += da[k % 3] * wb[k / 3] * u[k];
+      y += wa[k % 3] * db[k / 3] * u[k];
+    }
+    return std::sqrt(x * x + y * y);
+  }
+};
+
+double proved_of(const RandomCell& cell, const CheckRules& rules) {
+  Net one;
+  for (auto& row : one) row.fill(1);
+  return proved_ratio(cell.u, 3, 4, 1, 3, one, rules);
+}
+
+/// How often the rules claim less than the gradient has.
+int false_claims(const CheckRules& rules, double noise, Random& random) {
+  int wrong = 0;
+  for (int k = 0; k < 300; ++k) {
+    const RandomCell cell(random, noise);
+    wrong += static_cast<long double>(proved_of(cell, rules)) < cell.longest ? 1 : 0;
+  }
+  return wrong;
+}
+
+}  // namespace
+
+/// Mutations of the check are seen by the same comparison that the check itself passes.
+TEST_CASE("bracket: the check of a cell, and checks that are not") {
+  Random random;
+  for (const double noise : {0.0, 1e-14, 1e-3, 0.3}) CHECK(false_claims({}, noise, random) == 0);
+  CHECK(false_claims({.rounding = -1}, 0, random) > 100);
+  for (unsigned k = 0; k < 9; ++k) {
+    if (k == 4) continue;  // the mean of others in x and in y: no spline is known that needs it
+    CAPTURE(k);
+    CHECK(false_claims({.dropped = 1U << k, .halvings = 0}, 0.3, random) > 0);
+  }
+  for (const double noise : {1e-3, 0.3}) CHECK(false_claims({.halvings = 0}, noise, random) == 0);
+}
+
+TEST_CASE("bracket: the floor of a density lies below it, and near") {
+  Random random;
+  for (int k = 0; k < 50; ++k) {
+    const PlantedMedium medium = PlantedMedium::random(random);
+    const std::shared_ptr<const CostDensity> density = density_of(medium.cost());
+    const CellGrid grid = CellGrid::over(medium.box, 40);
+    const int i = random.integer(1, grid.nx), j = random.integer(1, grid.ny);
+    const Net floor = density_floor(*density, grid, i, j);
+    for (int n = 0; n < 50; ++n) {
+      const double a = random.uniform(0, 1), b = random.uniform(0, 1);
+      const Vector2d x = grid.node(i, j) + grid.h * Vector2d(a - 0.5, b - 0.5);
+      if (!medium.box.contains(x)) continue;
+      const std::array<double, 3> wa = {(1 - a) * (1 - a), 2 * a * (1 - a), a * a},
+                                  wb = {(1 - b) * (1 - b), 2 * b * (1 - b), b * b};
+      double value = 0;
+      for (std::size_t q = 0; q < 3; ++q)
+        for (std::size_t p = 0; p < 3; ++p) value += wb[q] * wa[p] * floor[q][p];
+      CHECK(value <= medium.density(x));
+      CHECK(value >= medium.density(x) - 0.05);
+    }
+  }
+}
+
+/// The squares around the ends: with the one that the check left out the bound holds, with a smaller one it uses a part
+/// of the potential that nobody has checked.
+TEST_CASE("bracket: an end square that is too small is caught") {
+  const std::shared_ptr<const CostDensity> density = isotropic("1");
+  const std::function<bool()> never;
+  const StopLook look(never);
+  const Vector2d source(0.2625, 0.5125), target(0.7625, 0.5125);
+  const std::function<double(const Vector2d&)> open;
+  const Level level = whole_level({*density, open}, box(0, 0, 1, 1), 40, look);
+  const CellGrid& grid = level.grid;
+  EndRegion s = end_region(*density, grid, source, 3), t = end_region(*density, grid, target, 3);
+  REQUIRE(s.valid);
+  REQUIRE(t.valid);
+  REQUIRE(s.k == 3);
+  std::vector<double> u(level.density.size()), ratios;
+  for (int node = 0; node < grid.nodes(); ++node) u[static_cast<std::size_t>(node)] = grid.x(grid.column(node));
+  u[static_cast<std::size_t>(grid.id(s.ci, s.cj))] -= 0.2;  // within the square of the source, seen by no cell outside
+  const auto bound = [&](const EndRegion& around_s, double ratio) {
+    return rim_minimum(grid, around_s, level.searched, u, -1, ratio) +
+           rim_minimum(grid, t, level.searched, u, 1, ratio);
+  };
+  const double truth = 0.5, ratio = check(level, u, s, t, ratios);
+  CHECK(ratio < 1 + 1e-9);
+  CHECK(bound(s, ratio) <= truth);
+  CHECK(bound(s, ratio) > 0.9 * truth);
+  EndRegion small = s;
+  small.k = 0;
+  CHECK(bound(small, ratio) > truth);  // what a wrong square would claim
+  CHECK(check(level, u, small, t, ratios) > 2);
+  CHECK(bound(small, check(level, u, small, t, ratios)) <= truth);
+}
+
+/// v of the squares around the ends, against the costs of planted media: along their flow, whichever way it goes on.
+TEST_CASE("bracket: the cone at an end lies below the cost") {
+  Random random;
+  int valid = 0;
+  for (int k = 0; k < 100; ++k) {
+    const PlantedMedium medium = PlantedMedium::random(random);
+    const std::shared_ptr<const CostDensity> density = density_of(medium.cost());
+    const CellGrid grid = CellGrid::over(medium.box, random.integer(30, 200));
+    const EndRegion region = end_region(*density, grid, medium.source, random.integer(2, 12));
+    if (!region.valid) continue;
+    ++valid;
+    for (const Vector2d& x : medium.flow) {
+      if (!region.holds(grid.column_at(x[0]), grid.row_at(x[1]))) break;
+      const Vector2d d = x - medium.source;
+      CHECK(region.cone(d[0], d[1]) <= (medium.u(x) - medium.u(medium.source)) * (1 + 1e-12) + 1e-15);
+    }
+  }
+  CHECK(valid > 80);
+}
+
+namespace {
+
+Problem in_box(const AlignedBox2d& box, const std::string& squared, const Vector2d& source, const Vector2d& target) {
+  Problem problem;
+  problem.manifold = std::make_shared<EuclideanManifold>(
+      EuclideanManifoldOptions{2, {Eigen::VectorXd(box.min()), Eigen::VectorXd(box.max())}});
+  problem.cost = make_metric_field_cost({.field = metric::Formula{{squared, "0", squared}, {}}}, 2);
+  problem.kernel = make_kernel<Expm1Square>();
+  problem.source.u = source;
+  problem.target.u = target;
+  return problem;
+}
+
+WaypointsInitializer over(double x, double y) {
+  WaypointsOptions way;
+  way.points = {Eigen::VectorXd(Vector2d(x, y))};
+  return WaypointsInitializer(way);
+}
+
+FindOptions with_bracket(double tolerance) {
+  FindOptions options;
+  options.points = 40;
+  options.post_processors = {std::make_shared<BracketPostProcessor>(GlobalBudget{.tolerance = tolerance})};
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("bracket: find_path says that no path in the box is cheaper") {
+  const Problem problem = in_box(box(-1.2, 0.3, 2.8, 4.3), "1 / y^2", {0, 1}, {2, 3});
+  const Result result = find_path(problem, StraightInitializer(), Newton(), with_bracket(1e-4));
+  CHECK(result.status == Status::certified);
+  CHECK(result.certificate.scope == "global");
+  REQUIRE(result.certificate.global);
+  const GlobalBound& bound = *result.certificate.global;
+  CHECK(bound.outcome == "proved");
+  CHECK(bound.category == BoundCategory::proved);
+  CHECK(bound.gap <= 1e-4);
+  CHECK(bound.lower_bound <= 1.49099630899480838);
+  REQUIRE(bound.grid);
+  CHECK(bound.grid->upper >= 1.49099630899480838);
+  CHECK(bound.grid->box.max() == Vector2d(2.8, 4.3));
+  // A tolerance that is out of reach: what is proved is quoted, and the certificate stays a local one.
+  const Result fine = find_path(problem, StraightInitializer(), Newton(),
+                                {.post_processors = {std::make_shared<BracketPostProcessor>(
+                                     GlobalBudget{.tolerance = 1e-11, .max_windows = 10000})}});
+  CHECK(fine.status == Status::certified);
+  CHECK(fine.certificate.scope == "local");
+  CHECK(fine.certificate.global.value().outcome == "bounded");
+}
+
+/// Hills beside the line between the ends: from either side the cheaper way is delivered, where they differ by more
+/// than the gap. LEASTCOST_BRACKET_PROBLEMS sets another number of them.
+TEST_CASE("bracket: from either side of a hill the cheaper way is delivered") {
+  Random random;
+  for (int k = 0, count = problems_to_try(100) / 20; k < count; ++k) {
+    const double off = random.uniform(-0.4, 0.4), height = random.uniform(1.5, 4), width = random.uniform(0.5, 1.2);
+    const std::string hill = "(1 + " + std::to_string(height) + " * exp(-(x^2 + (y - (" + std::to_string(off) +
+                             "))^2) / " + std::to_string(width) + "))^2";
+    CAPTURE(hill);
+    const Problem problem = in_box(box(-3, -3, 3, 3), hill, {-2, 0}, {2, 0});
+    FindOptions local;
+    local.points = 40;
+    double least = kInfinite;
+    std::vector<double> delivered, gaps;
+    for (const double side : {-1.0, 1.0}) {
+      const Result alone = find_path(problem, over(0, 1.5 * side), Newton(), local);
+      if (alone.certificate.certified()) least = std::min(least, alone.certificate.estimate.value);
+      const Result all = find_path(problem, over(0, 1.5 * side), Newton(), with_bracket(1e-3));
+      delivered.push_back(all.certificate.estimate.value);
+      gaps.push_back(all.certificate.global.value().gap);
+      CHECK(all.certificate.global->lower_bound <= least);
+    }
+    for (std::size_t i = 0; i < 2; ++i) CHECK(delivered[i] <= least * (1 + gaps[i]) + 1e-6);
+  }
+}
+
+TEST_CASE("bracket: around a disc, and from the wrong side of it") {
+  Problem problem = in_box(box(-2, -2, 2, 2), "1", {-1.5, 0}, {1.5, 0});
+  problem.manifold = std::make_shared<FreeSpace>(
+      problem.manifold, FreeSpace::Obstacles{make_ball({.center = Vector2d(0, 0.2), .radius = 0.6})}, 0);
+  // Two tangents and an arc, below the centre.
+  const double far = std::hypot(1.5, 0.2), turn = std::acos(-1.0) - 2 * std::atan(0.2 / 1.5) - 2 * std::acos(0.6 / far);
+  const double least = 2 * std::sqrt(far * far - 0.36) + 0.6 * turn;
+  const Result result = find_path(problem, over(0, 1.2), Newton(), with_bracket(1e-2));
+  REQUIRE(result.certificate.global);
+  const GlobalBound& bound = *result.certificate.global;
+  CHECK(bound.lower_bound <= least);
+  CHECK(bound.lower_bound >= 0.99 * least);
+  CHECK(bound.outcome == "improved");
+  CHECK(result.curve.x.row(1).minCoeff() < -0.3);
+  CHECK(bound.grid.value().upper >= least);
+  CHECK(bound.grid->upper <= 1.01 * least);
+}
+
+TEST_CASE("bracket: blocked, with a reason") {
+  const auto reason = [](const Problem& problem) {
+    const Result result = find_path(problem, StraightInitializer(), Newton(), with_bracket(1e-3));
+    CHECK(result.certificate.scope == "local");
+    const GlobalBound bound = result.curve.global.value();
+    CHECK(bound.outcome == "blocked");
+    CHECK_FALSE(bound.proved);
+    return bound.reason;
+  };
+  Problem problem = in_box(box(-2, -2, 2, 2), "1 + x^2", {-1, 0}, {1, 0.5});
+  problem.manifold = std::make_shared<EuclideanManifold>(EuclideanManifoldOptions{2, {}});
+  CHECK_THAT(reason(problem), Catch::Contains("finite bounds"));
+  Problem skew = in_box(box(-2, -2, 2, 2), "1", {-1, 0}, {1, 0.5});
+  skew.cost = make_metric_field_cost({.field = metric::Formula{{"1 + x^2", "0.1 * x", "1"}, {}}}, 2);
+  CHECK_THAT(reason(skew), Catch::Contains("unit matrix"));
+}
+
+}  // namespace leastcost::test

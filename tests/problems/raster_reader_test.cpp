@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/readers/raster_reader.hpp"
+
+#include <leastcost/framework/errors.hpp>
+#include "tests/support/catch.hpp"
+#include "tests/support/pi.hpp"
+
+namespace leastcost::test {
+namespace {
+
+const std::string kHead = "ncols 3\nnrows 2\nxllcorner 10\nyllcorner 20\ncellsize 2.5\n";
+
+std::string refusal_of_grid(const std::string& text) {
+  try {
+    read_esri_grid(text, "a.asc");
+    return "accepted";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+std::string refusal_of_table(const std::string& text) {
+  try {
+    read_csv_raster(text, "a.csv");
+    return "accepted";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+std::string key_of(const RasterOptions& options, const RasterFile& file) {
+  try {
+    placed(file, options);
+    return "accepted";
+  } catch (const OptionError& error) {
+    return error.key();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+TEST_CASE("ESRI grid: the first line of the file is the northernmost row") {
+  const RasterFile file = read_esri_grid(kHead + "NODATA_value -9999\n1 2 3\n4 5 -9999\n", "a.asc");
+  CHECK(file.nodata == -9999);
+  const RasterGrid raster = placed(file, {});
+  CHECK(raster.rows == 2);
+  CHECK(raster.columns == 3);
+  CHECK(raster.value(1, 0) == 1);
+  CHECK(raster.value(0, 1) == 5);
+  CHECK(std::isnan(raster.value(0, 2)));
+  CHECK(raster.place(0, 0) == Eigen::Vector2d(11.25, 21.25));
+  CHECK(raster.place(1, 2) == Eigen::Vector2d(16.25, 23.75));
+  CHECK(raster.name_of(1, 2) == "row 0, column 2 of a.asc");
+}
+
+TEST_CASE("ESRI grid: keys in any order and case, middles of cells, two sides, values across lines, CR LF") {
+  const RasterFile file =
+      read_esri_grid("NROWS 2\r\nNCOLS 2\r\nXLLCENTER 1\r\nYLLCENTER 3\r\nDX 2\r\nDY 4\r\n1\r\n2 3\r\n-1e3", "a.asc");
+  CHECK(file.raster.corner == Eigen::Vector2d(0, 1));
+  CHECK(file.raster.cell == Eigen::Vector2d(2, 4));
+  CHECK(file.raster.value(1, 1) == 2);
+  CHECK(file.raster.value(0, 1) == -1000);
+}
+
+TEST_CASE("ESRI grid: what is wrong, with its line") {
+  using Catch::Contains;
+  CHECK(refusal_of_grid(kHead + "1 2 3 4 5 6") == "accepted");
+  CHECK_THAT(refusal_of_grid(kHead + "1 2 3\n4    5"), Contains("a.asc:7: the file ends after 5 of 6 values"));
+  CHECK_THAT(refusal_of_grid(kHead + "1 2 3\n4 5 6 7"), Contains("a.asc:7: more values than the header says (6)"));
+  CHECK_THAT(refusal_of_grid(kHead + "1 2 x\n4 5 6"), Contains("a.asc:6: expected a value of the grid, found 'x'"));
+  CHECK_THAT(refusal_of_grid("ncols 3\nrows 2\n1"), Contains("a.asc:2: expected a key of an ESRI ASCII grid"));
+  CHECK_THAT(refusal_of_grid("ncols 3\nncols 2\n1"), Contains("a.asc:2: a second ncols"));
+  CHECK_THAT(refusal_of_grid("ncols 3\nnrows 2\ncellsize 1\nyllcorner 0\n1"),
+             Contains("neither xllcorner nor xllcenter"));
+  CHECK_THAT(refusal_of_grid("ncols 2.5\nnrows 2\ncellsize 1\n1"), Contains("a.asc:1: ncols must be a whole number"));
+  CHECK_THAT(refusal_of_grid("ncols 2\nnrows 2\ncellsize 0\n1"), Contains("a.asc:3: cellsize must be greater than 0"));
+  CHECK_THAT(refusal_of_grid("ncols 10000\nnrows 10000\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3"),
+             Contains("but the file has only"));
+  CHECK_THAT(refusal_of_grid("ncols 100000000\nnrows 100000000\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3"),
+             Contains("at most"));
+  CHECK_THAT(refusal_of_grid(""), Contains("the file ends before the values"));
+}
+
+TEST_CASE("table: commas, semicolons or blanks; empty fields, NA and nan are no data") {
+  const RasterGrid raster = placed(read_csv_raster("# heights\n1,2,3\n\n4,,NA\r\n", "a.csv"), {});
+  CHECK(raster.rows == 2);
+  CHECK(raster.columns == 3);
+  CHECK(raster.value(1, 2) == 3);
+  CHECK(raster.value(0, 0) == 4);
+  CHECK(std::isnan(raster.value(0, 1)));
+  CHECK(std::isnan(raster.value(0, 2)));
+  CHECK(read_csv_raster("1; 2\nnan;4\n", "a.csv").raster.value(1, 1) == 2);
+  CHECK(read_csv_raster(" 1   2\t3 \n4 5 6", "a.csv").raster.columns == 3);
+}
+
+TEST_CASE("table: what is wrong, with its line") {
+  using Catch::Contains;
+  CHECK_THAT(refusal_of_table("1,2\n3\n"), Contains("a.csv:2: 1 values, the rows before have 2"));
+  CHECK_THAT(refusal_of_table("a,b\n1,2\n"), Contains("a.csv:1: expected a number or an empty field, found 'a'"));
+  CHECK_THAT(refusal_of_table("# nothing\n"), Contains("holds no values"));
+}
+
+TEST_CASE("a raster is placed by its file, or by options") {
+  RasterFile file = read_esri_grid(kHead + "1 2 3\n4 5 -1\n", "a.asc");
+  RasterOptions options;
+  options.cell = Eigen::Vector2d(1, 2);
+  options.origin = Eigen::Vector2d(-1, -2);
+  options.nodata = -1;
+  options.value_scale = 10;
+  const RasterGrid raster = placed(file, options);
+  CHECK(raster.place(1, 2) == Eigen::Vector2d(1.5, 1));
+  CHECK(raster.value(0, 1) == 50);
+  CHECK(std::isnan(raster.value(0, 2)));
+  options.cell = Eigen::Vector3d(1, 1, 1);
+  CHECK(key_of(options, file) == "cell");
+  options.cell = Eigen::VectorXd::Constant(1, -1);
+  CHECK(key_of(options, file) == "cell");
+  options.cell = Eigen::VectorXd::Constant(1, 3);
+  CHECK(key_of(options, file) == "accepted");
+  options.origin = Eigen::VectorXd::Zero(1);
+  CHECK(key_of(options, file) == "origin");
+  options.origin.reset();
+  options.value_scale = 0;
+  CHECK(key_of(options, file) == "value_scale");
+  options.value_scale = 1;
+  options.degrees = true;
+  options.origin = Eigen::Vector2d(0, 95);
+  CHECK(key_of(options, file) == "degrees");
+  file.raster.values.assign(6, -1);
+  CHECK(key_of(options, file) == "a.asc: no cell of the raster has data");
+}
+
+TEST_CASE("a raster in degrees becomes metres that are true in its middle") {
+  RasterOptions options;
+  options.degrees = true;
+  options.cell = Eigen::VectorXd::Constant(1, 0.01);
+  options.origin = Eigen::Vector2d(6, 44.99);
+  const RasterGrid raster = placed(read_csv_raster("1,2\n3,4\n", "a.csv"), options);
+  REQUIRE(raster.degrees);
+  CHECK(raster.corner == Eigen::Vector2d::Zero());
+  // At 45 degrees north on WGS84 the axis is 4517590.8788 m away, and the meridian's radius of curvature 6367381.8156
+  // m.
+  CHECK(raster.degrees->per_degree[0] == Approx(4517590.8788 * kDegree).epsilon(1e-9));
+  CHECK(raster.degrees->per_degree[1] == Approx(6367381.8156 * kDegree).epsilon(1e-9));
+  CHECK(raster.cell[0] == Approx(45175.908788 * kDegree).epsilon(1e-9));
+}
+
+}  // namespace leastcost::test
