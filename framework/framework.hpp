@@ -13,7 +13,9 @@
 #include <leastcost/framework/find_path.hpp>
 #include <leastcost/framework/goes_beyond_bounds.hpp>
 #include <leastcost/framework/has_constant_metric.hpp>
+#include <leastcost/framework/has_free_places.hpp>
 #include <leastcost/framework/has_graph.hpp>
+#include <leastcost/framework/has_notes.hpp>
 #include <leastcost/framework/other_images.hpp>
 #include <leastcost/framework/replanner.hpp>
 #include <leastcost/framework/segment_cost_function.hpp>

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -41,8 +42,9 @@ Json texts_schema() {
   return {{"anyOf", {text, list_of(text)}}};
 }
 
-/// A block whose `type` decides which options it has, or the word alone where no option is required.
-Json variant_schema(const std::vector<FieldInfo>& types) {
+/// A block whose `type` decides which options it has, or the word alone where no option is required. A type that alone
+/// has options need not be named beside them where `lone_options`.
+Json variant_schema(const std::vector<FieldInfo>& types, bool lone_options = false) {
   Json words = Json::array(), names = Json::array(), cases = Json::array();
   for (const FieldInfo& type : types) {
     Json then = object_schema(type.children);
@@ -52,8 +54,17 @@ Json variant_schema(const std::vector<FieldInfo>& types) {
     cases.push_back(
         {{"if", {{"properties", {{"type", {{"const", type.key}}}}}, {"required", {"type"}}}}, {"then", then}});
   }
-  const Json block = {
-      {"type", "object"}, {"properties", {{"type", {{"enum", names}}}}}, {"required", {"type"}}, {"allOf", cases}};
+  Json block = {{"type", "object"}, {"properties", {{"type", {{"enum", names}}}}}};
+  const auto has_options = [](const FieldInfo& type) { return !type.children.empty(); };
+  if (lone_options && std::count_if(types.begin(), types.end(), has_options) == 1) {
+    const auto lone = std::find_if(types.begin(), types.end(), has_options);
+    Json then = object_schema(lone->children);
+    then["properties"]["type"] = {{"const", lone->key}};
+    cases.push_back({{"if", {{"not", {{"required", {"type"}}}}}}, {"then", then}});
+  } else {
+    block["required"] = {"type"};
+  }
+  block["allOf"] = cases;
   Json out = Json::object();
   out["anyOf"] = words.empty() ? Json::array({block}) : Json::array({{{"enum", words}}, block});
   return out;
@@ -96,7 +107,7 @@ Json value_schema(const FieldInfo& field) {
     case FieldType::texts: return texts_schema();
     case FieldType::choice: return {{"enum", field.choices}};
     case FieldType::block: return object_schema(field.children);
-    case FieldType::variant: return variant_schema(field.children);
+    case FieldType::variant: return variant_schema(field.children, true);
     case FieldType::points: return {{"anyOf", {ranged("integer", field), {{"const", "auto"}}}}};
     case FieldType::end: return end_schema(field);
     case FieldType::plugin: return {{"$ref", definition(*field.kind)}};

@@ -4,6 +4,8 @@
 // The part of OptionsReader that reads plug-ins, variants and ends.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "catalogue/options/options_reader.hpp"
 #include "catalogue/registry/registry.hpp"
 #include "catalogue/yaml/scalars.hpp"
@@ -84,6 +86,10 @@ std::optional<std::size_t> OptionsReader::find_variant(const ConfigEntry& e, con
   const ConfigNode* type = &e.value;
   if (e.value.is_block()) {
     const ConfigEntry* named = e.value.find("type");
+    const auto has_options = [](const FieldVariant& v) { return v.fields != nullptr; };
+    // Options without a type are those of the only form that has any.
+    if (named == nullptr && std::count_if(variants.begin(), variants.end(), has_options) == 1)
+      return std::find_if(variants.begin(), variants.end(), has_options) - variants.begin();
     if (named == nullptr) {
       errors_.error(e.place, fmt::format("missing key 'type' in {}: one of {}", path, joined(types)));
       return std::nullopt;

@@ -24,6 +24,7 @@
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/initializers/coordinate_circle.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/initializers/eikonal.hpp>
 #include <leastcost/problems/initializers/grid.hpp>
 #include <leastcost/problems/initializers/plane_cut.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>
@@ -300,6 +301,8 @@ const auto& initializers() {
       made_of<InitializerPlugin, PlaneCutInitializer, PlaneCutOptions>(
           "plane_cut", "The closed curve in which a plane cuts the surface, for a ring.")
           .needing<IsSurface>(),
+      made_of<InitializerPlugin, EikonalInitializer, EikonalOptions>(
+          "eikonal", "The way back down the field of least arrival costs over two coordinates, whatever the cost."),
       made_of<InitializerPlugin, GridInitializer, GridOptions>(
           "grid", "A least-cost route over a regular grid in the plane or in space that keeps clear of obstacles."),
       plugin<InitializerPlugin, RrtOptions>(

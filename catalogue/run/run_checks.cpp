@@ -94,7 +94,7 @@ bool refracts(const RunConfig& config) {
 /// A first path that states no class: waypoints, other routes and the like are given for the sake of their class.
 bool states_no_class(const PluginChoice& initializer) {
   if (!initializer) return true;
-  if (is(initializer, {"grid", "rrt", "ompl"})) return true;
+  if (is(initializer, {"eikonal", "grid", "rrt", "ompl"})) return true;
   if (initializer.plugin->type != "dijkstra" || !initializer.options) return false;
   return static_cast<const OptionsOf<DijkstraOptions>&>(*initializer.options).value.rank == 1;
 }

@@ -10,9 +10,9 @@
 
 #include <leastcost/framework/checks_moves.hpp>
 #include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_box.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>
 #include "problems/initializers/grid_search.hpp"
+#include "problems/initializers/lattice_box.hpp"
 #include "problems/section/projected_line.hpp"
 
 namespace leastcost {
@@ -21,11 +21,6 @@ namespace {
 using Vector = Eigen::VectorXd;
 
 constexpr double kMostNodes = 1 << 22;  ///< of a grid that is searched
-
-struct SearchBox {
-  Vector lower, upper;
-  std::vector<bool> open_lower, open_upper;  ///< a side that nobody has given: a wider box may help
-};
 
 void check_domain(const Problem& problem) {
   if (problem.ring) throw InitializationError("grid: a ring has no ends to join: give waypoints");
@@ -38,40 +33,6 @@ void check_domain(const Problem& problem) {
         "grid works in the plane and in space; on a mesh, a cloud or a map use dijkstra, elsewhere rrt");
 }
 
-/// The box as stated, else that of the domain, else the ends and as much around them as they are apart.
-SearchBox box_of(const Problem& problem, const GridOptions& options) {
-  const Vector &a = problem.source.u, &b = problem.target.u;
-  const auto* domain = find_ability<HasBox>(*problem.manifold);
-  const auto side = [&](const std::optional<Vector>& stated, const Vector* own, const char* key) {
-    if (stated && stated->size() != a.size())
-      throw OptionError(
-          key, "has " + std::to_string(stated->size()) + " coordinates, the domain has " + std::to_string(a.size()));
-    return stated ? *stated : own != nullptr && own->size() > 0 ? *own : Vector::Constant(a.size(), std::nan(""));
-  };
-  SearchBox box{side(options.lower, domain != nullptr ? &domain->box_lower() : nullptr, "lower"),
-                side(options.upper, domain != nullptr ? &domain->box_upper() : nullptr, "upper"),
-                {},
-                {}};
-  const double margin = (b - a).norm();
-  for (Eigen::Index i = 0; i < a.size(); ++i) {
-    box.open_lower.push_back(!std::isfinite(box.lower[i]));
-    box.open_upper.push_back(!std::isfinite(box.upper[i]));
-    if (box.open_lower.back()) box.lower[i] = std::min(a[i], b[i]) - margin;
-    if (box.open_upper.back()) box.upper[i] = std::max(a[i], b[i]) + margin;
-    if (!(box.lower[i] < box.upper[i])) throw OptionError("upper", "must be greater than lower in every coordinate");
-  }
-  return box;
-}
-
-/// Half as much again on the sides that nobody has given.
-void widen(SearchBox& box) {
-  for (Eigen::Index i = 0; i < box.lower.size(); ++i) {
-    const double more = (box.upper[i] - box.lower[i]) / 2;
-    if (box.open_lower[static_cast<std::size_t>(i)]) box.lower[i] -= more;
-    if (box.open_upper[static_cast<std::size_t>(i)]) box.upper[i] += more;
-  }
-}
-
 std::string cells_in_words(const GridSearch& grid) {
   std::ostringstream out;
   out.precision(4);
@@ -82,7 +43,7 @@ std::string cells_in_words(const GridSearch& grid) {
   return out.str();
 }
 
-double most_cells(const SearchBox& box, double resolution) {
+double most_cells(const LatticeBox& box, double resolution) {
   return ((box.upper - box.lower) / resolution).cwiseMax(1.0).prod();
 }
 
@@ -116,11 +77,11 @@ FirstPath GridInitializer::first_path(const Problem& problem, const Monitor& mon
   constexpr double kCellsInPlane = 64, kCellsInSpace = 32;  // along the longest side
   check_domain(problem);
   const MoveCheck moves(problem);
-  SearchBox box = box_of(problem, options_);
+  LatticeBox box = LatticeBox::of(problem, options_.lower, options_.upper);
   const double cells = problem.source.u.size() == 2 ? kCellsInPlane : kCellsInSpace;
   double resolution = options_.resolution.value_or((box.upper - box.lower).maxCoeff() / cells);
   std::string tried;
-  for (int k = 0; k <= options_.refinements; ++k, resolution /= 2, widen(box)) {
+  for (int k = 0; k <= options_.refinements; ++k, resolution /= 2, box.widen()) {
     if (most_cells(box, resolution) > kMostNodes) {
       tried += "; a finer grid would have more than " + std::to_string(static_cast<long>(kMostNodes)) + " cells";
       break;

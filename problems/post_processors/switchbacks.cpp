@@ -88,7 +88,7 @@ class Zigzag {
       if (chart != nullptr) offset = slopes.middleCols(d * column, d).householderQr().solve(offset).eval();
       path.u.col(column) += offset;
     }
-      if (!manifold_.project(path).failed.empty()) return std::nullopt;
+    if (!manifold_.project(path).failed.empty()) return std::nullopt;
     return leastcost::positions(manifold_, path);
   }
 

@@ -114,7 +114,7 @@ TEST_CASE("run: on a mesh under the Euclidean cost the shortest path is proved, 
   CHECK(off["scope"] == "local_on_polyhedron");
   CHECK(off["global"].is_null());
   CHECK(off["solver"]["name"] == "lbfgs");
-  const Json little = result_with("certificate: {global: {type: budget, max_windows: 1}}\n", "little");
+  const Json little = result_with("certificate: {global: {max_windows: 1}}\n", "little");
   CHECK(little["global"]["outcome"] == "bounded");
   CHECK(little["scope"] == "local_on_polyhedron");
   CHECK(little["status"] == "certified");

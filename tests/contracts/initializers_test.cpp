@@ -6,6 +6,7 @@
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/initializers/coordinate_circle.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/initializers/eikonal.hpp>
 #include <leastcost/problems/initializers/grid.hpp>
 #include <leastcost/problems/initializers/mirrored.hpp>
 #include <leastcost/problems/initializers/plane_cut.hpp>
@@ -91,6 +92,10 @@ TEST_CASE("initializer contract: bow", "[contract]") {
     check_initializer_contract(bow, between(space(d), make_euclidean_cost(d), a, b));
   }
   check_initializer_contract(bow, problems_on_mesh().front());
+}
+
+TEST_CASE("initializer contract: eikonal", "[contract]") {
+  for (const Problem& problem : problems_in_plane()) check_initializer_contract(EikonalInitializer(), problem);
 }
 
 TEST_CASE("initializer contract: coordinate_circle", "[contract]") {

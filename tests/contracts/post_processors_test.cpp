@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <filesystem>
 
 #include <leastcost/framework/clearance.hpp>
@@ -7,10 +8,12 @@
 #include <leastcost/framework/has_constant_metric.hpp>
 #include <leastcost/problems/costs/layers.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
+#include <leastcost/problems/costs/walking.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/initializers/plane_cut.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
 #include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/manifolds/parametric.hpp>
 #include <leastcost/problems/mesh/edge_graph.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
@@ -19,6 +22,7 @@
 #include <leastcost/problems/post_processors/refract.hpp>
 #include <leastcost/problems/post_processors/shortest.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>
+#include <leastcost/problems/post_processors/switchbacks.hpp>
 #include <leastcost/problems/post_processors/taut.hpp>
 #include <leastcost/problems/post_processors/trace.hpp>
 #include "framework/spacing.hpp"
@@ -399,6 +403,32 @@ TEST_CASE("post_processor contract: a ring that slid onto another component give
   CHECK(made.curve.x.col(0) == made.curve.x.rightCols(1));
   REQUIRE_FALSE(made.notes.empty());
   CHECK_THAT(made.notes[0], Catch::Contains("slid onto another component"));
+}
+
+TEST_CASE("post_processor contract: switchbacks", "[contract]") {
+  ParametricOptions options;
+  options.surface = parametric::Formula{.x = "u", .y = "v", .z = "0.6 * v + 0.1 * sin(u)"};
+  const auto hill = make_parametric_manifold(options);
+  const SwitchbackPostProcessor switchbacks({.width = 0.1});
+  const Problem uphill = between(hill, make_walking_cost({.length = MapLength::kilometres}, 3), Eigen::Vector2d(0, 0),
+                                 Eigen::Vector2d(0.4, 1));
+  const FirstPath first = StraightInitializer().first_path(uphill, {});
+  const CoordinatePath chain = sample_equally(uphill, first.path, kPoints);
+  const PostProcessed made = switchbacks.apply(uphill, first, as_delivered(uphill, chain), {});
+  CHECK(made.chain.u == chain.u);
+  CHECK(made.curve.x.cols() > 4 * kPoints);
+  CHECK((made.curve.x.leftCols(1) - positions(*hill, chain).leftCols(1)).norm() < 1e-14);
+  CHECK((made.curve.x.rightCols(1) - positions(*hill, chain).rightCols(1)).norm() < 1e-14);
+  for (Index i = 0; i < made.curve.x.cols(); ++i) {
+    const Eigen::Vector3d x = made.curve.x.col(i);
+    CHECK(x[2] == Approx(0.6 * x[1] + 0.1 * std::sin(x[0])).margin(1e-12));
+  }
+  REQUIRE(made.curve_costs.size() == chain.segment_count());
+  CHECK(made.curve_costs.sum() == Approx(made.curve.cost).epsilon(1e-12));
+  CHECK(made.curve.cost >= as_delivered(uphill, chain).curve.cost * (1 - 1e-6));
+  CHECK_THROWS_AS(SwitchbackPostProcessor({.width = 0}), OptionError);
+  const Problem level = between(hill, make_euclidean_cost(3), Eigen::Vector2d(0, 0), Eigen::Vector2d(0.4, 1));
+  CHECK_THROWS_AS(switchbacks.apply(level, first, as_delivered(level, chain), {}), InputError);
 }
 
 TEST_CASE("post_processor contract: what does not fit is refused", "[contract]") {

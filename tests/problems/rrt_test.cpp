@@ -58,7 +58,8 @@ TEST_CASE("rrt: more paths are never longer than the first of them") {
   const Problem problem = behind_two_slots();
   for (int seed = 21; seed <= 23; ++seed) {
     const auto length = [&](int paths) {
-      return polyline_length(RrtInitializer({.shortcuts = 50, .paths = paths, .seed = seed}).first_path(problem, {}).path.u);
+      return polyline_length(
+          RrtInitializer({.shortcuts = 50, .paths = paths, .seed = seed}).first_path(problem, {}).path.u);
     };
     const double one = length(1), three = length(3);
     CHECK(three <= one);

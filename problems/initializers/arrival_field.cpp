@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/initializers/arrival_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/segment_cost.hpp>
+
+namespace leastcost {
+namespace {
+
+constexpr int kReach = 2;            ///< cells around an end that it is joined to
+constexpr double kNoBetter = 1e-10;  ///< a gain of this part of a cost is not passed on
+
+/// The nodes around a node, counter-clockwise: neighbours in the list are those of an edge.
+constexpr std::array<std::array<std::int32_t, 2>, 8> kRing = {
+    {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+
+}  // namespace
+
+ArrivalField::ArrivalField(const Problem& problem, const MoveCheck& moves, const LatticeBox& box, int cells,
+                           const std::function<bool()>& stop)
+    : problem_(problem), moves_(moves) {
+  lay(box, cells);
+  spread(stop);
+  arrive_at_target();
+}
+
+void ArrivalField::lay(const LatticeBox& box, int cells) {
+  lower_ = box.lower, upper_ = box.upper;
+  const Eigen::Vector2d size = upper_ - lower_;
+  for (std::size_t d = 0; d < 2; ++d) {
+    const auto k = static_cast<Eigen::Index>(d);
+    const double along = std::max(1.0, std::round(size[k] / size.maxCoeff() * cells));
+    lattice_.count[d] = static_cast<std::int32_t>(along) + 1;
+    step_[k] = size[k] / along;
+  }
+  const auto nodes = static_cast<std::int32_t>(lattice_.size());
+  CoordinatePath all{Points(2, nodes + 2), {}, true};
+  for (std::int32_t node = 0; node < nodes; ++node) all.u.col(node) = coordinates({node, node, 0});
+  all.u.col(nodes) = problem_.source.u;
+  all.u.col(nodes + 1) = problem_.target.u;
+  x_ = positions(*problem_.manifold, all);
+  source_ = x_.col(nodes);
+  target_ = x_.col(nodes + 1);
+  arrivals_.resize(static_cast<std::size_t>(nodes));
+  clear_.assign(2 * static_cast<std::size_t>(nodes), -1);
+  ends_.resize(x_.rows(), 2);
+}
+
+/// As Dijkstra, but that a node is worked off again when it becomes cheaper.
+void ArrivalField::spread(const std::function<bool()>& stop) {
+  constexpr int kNodesPerLook = 256;
+  using Open = std::pair<double, std::int32_t>;
+  std::priority_queue<Open, std::vector<Open>, std::greater<>> queue;
+  const Window start = around(problem_.source.u, kReach);
+  for (std::int32_t j = start.low[1]; j <= start.high[1]; ++j)
+    for (std::int32_t i = start.low[0]; i <= start.high[0]; ++i) {
+      const std::int32_t node = lattice_.number({i, j, 0});
+      const double c = move(source_, x_.col(node));
+      if (!(c < kNever) || !moves_.clear(source_, x_.col(node), kNever)) continue;
+      arrivals_[static_cast<std::size_t>(node)].cost = c;
+      queue.push({c, node});
+    }
+  for (int steps = 1; !queue.empty(); ++steps) {
+    if (steps % kNodesPerLook == 0 && stop()) throw Interrupted("eikonal: interrupted while costs spread");
+    const auto [c, node] = queue.top();
+    queue.pop();
+    if (c > arrivals_[static_cast<std::size_t>(node)].cost) continue;
+    const std::array<std::int32_t, 3> at = lattice_.place(node);
+    for (const auto& [di, dj] : kRing) {
+      const std::int32_t i = at[0] + di, j = at[1] + dj;
+      if (i < 0 || j < 0 || i >= lattice_.count[0] || j >= lattice_.count[1]) continue;
+      const std::int32_t neighbour = lattice_.number({i, j, 0});
+      if (improve(neighbour, node)) queue.push({arrivals_[static_cast<std::size_t>(neighbour)].cost, neighbour});
+    }
+  }
+}
+
+/// Over the two edges around a node that end in one of its neighbours.
+bool ArrivalField::improve(std::int32_t node, std::int32_t by) {
+  if (!x_.col(node).allFinite()) return false;
+  const std::array<std::int32_t, 3> at = lattice_.place(node), from = lattice_.place(by);
+  const auto here = std::find_if(kRing.begin(), kRing.end(),
+                                 [&](const auto& s) { return s[0] == from[0] - at[0] && s[1] == from[1] - at[1]; });
+  const auto k = static_cast<std::size_t>(here - kRing.begin());
+  Arrival& arrival = arrivals_[static_cast<std::size_t>(node)];
+  Arrival best = arrival;
+  best.cost *= 1 - kNoBetter;
+  const double before = best.cost;
+  for (const std::size_t other : {(k + 1) % kRing.size(), (k + kRing.size() - 1) % kRing.size()}) {
+    const std::int32_t i = at[0] + kRing[other][0], j = at[1] + kRing[other][1];
+    const bool inside = i >= 0 && j >= 0 && i < lattice_.count[0] && j < lattice_.count[1];
+    try_edge({by, inside ? lattice_.number({i, j, 0}) : by}, x_.col(node), best);
+  }
+  if (!(best.cost < before)) return false;
+  arrival = best;
+  return true;
+}
+
+void ArrivalField::arrive_at_target() {
+  const Window near_target = around(problem_.target.u, kReach), near_source = around(problem_.source.u, kReach);
+  const std::array<std::int32_t, 3> middle = around(problem_.target.u, 0).low;
+  bool near = true;
+  for (std::size_t d = 0; d < 2; ++d)
+    near = near && middle[d] >= near_source.low[d] && middle[d] <= near_source.high[d];
+  const double straight = near ? move(source_, target_) : kNever;
+  if (straight < kNever && moves_.clear(source_, target_, kNever)) at_target_.cost = straight;
+  for (const Edge& edge : edges_in(near_target)) try_edge(edge, target_, at_target_);
+}
+
+ArrivalField::Arrival ArrivalField::over_edge(const Edge& edge, const Eigen::VectorXd& x) const {
+  constexpr int kSamples = 8, kSections = 8;
+  Arrival best;
+  const auto look = [&](double t) {
+    const Place place{edge.a, edge.b, t};
+    const double c = cost(place) + move(position(place), x);
+    if (c < best.cost) best = {c, place};
+  };
+  for (int k = 0; k <= kSamples; ++k) look(static_cast<double>(k) / kSamples);
+  // The best sample halved between its neighbours: near a least value an error of the place counts by its square.
+  for (double width = 0.5 / kSamples; width > 0.5 / kSamples / (1 << kSections / 2); width /= 2) {
+    const double t = best.from.t;
+    if (t - width >= 0) look(t - width);
+    if (t + width <= 1) look(t + width);
+  }
+  return best;
+}
+
+void ArrivalField::try_edge(const Edge& edge, const Eigen::VectorXd& x, Arrival& best) const {
+  const auto take = [&](const Arrival& arrival) {
+    if (arrival.cost < best.cost && moves_.clear(position(arrival.from), x, kNever)) best = arrival;
+  };
+  const bool both = edge.a != edge.b && known(edge.b);
+  if (!known(edge.a) || std::min(cost({edge.a, edge.a, 0}), both ? cost({edge.b, edge.b, 0}) : kNever) >= best.cost)
+    return;
+  if (both && clear(edge)) take(over_edge(edge, x));
+  const Place node{edge.a, edge.a, 0};
+  take({cost(node) + move(position(node), x), node});
+}
+
+bool ArrivalField::clear(const Edge& edge) const {
+  const bool upward = lattice_.place(edge.a)[0] == lattice_.place(edge.b)[0];
+  signed char& kept = clear_[2 * static_cast<std::size_t>(std::min(edge.a, edge.b)) + (upward ? 1 : 0)];
+  if (kept < 0) kept = moves_.clear(x_.col(edge.a), x_.col(edge.b), kNever) ? 1 : 0;
+  return kept == 1;
+}
+
+double ArrivalField::move(const Eigen::Ref<const Eigen::VectorXd>& a,
+                          const Eigen::Ref<const Eigen::VectorXd>& b) const {
+  if (moves_.euclidean()) return (b - a).norm();
+  ends_ << a, b;
+  double q = 0;
+  problem_.cost->squared_costs({{ends_.data(), ends_.rows(), 2}, {}, false}, {&q, 1});
+  return std::sqrt(q);
+}
+
+double ArrivalField::cost(const Place& place) const {
+  const double a = arrivals_[static_cast<std::size_t>(place.a)].cost;
+  return place.a == place.b ? a : a + place.t * (arrivals_[static_cast<std::size_t>(place.b)].cost - a);
+}
+
+Eigen::Vector2d ArrivalField::coordinates(const Place& place) const {
+  const auto of = [&](std::int32_t node) {
+    const std::array<std::int32_t, 3> at = lattice_.place(node);
+    return Eigen::Vector2d(lower_ + step_.cwiseProduct(Eigen::Vector2d(at[0], at[1]))).cwiseMin(upper_).eval();
+  };
+  return of(place.a) + place.t * (of(place.b) - of(place.a));
+}
+
+ArrivalField::Window ArrivalField::around(const Eigen::Vector2d& u, int reach) const {
+  Window window{};
+  for (std::size_t d = 0; d < 2; ++d) {
+    const auto k = static_cast<Eigen::Index>(d);
+    const double last = lattice_.count[d] - 1, at = std::round((u[k] - lower_[k]) / step_[k]);
+    window.low[d] = static_cast<std::int32_t>(std::clamp(at - reach, 0.0, last));
+    window.high[d] = static_cast<std::int32_t>(std::clamp(at + reach, 0.0, last));
+  }
+  return window;
+}
+
+/// The nodes of the cells that have an edge in common.
+ArrivalField::Window ArrivalField::cells_beside(const Place& edge) const {
+  const std::array<std::int32_t, 3> a = lattice_.place(edge.a), b = lattice_.place(edge.b);
+  Window window{};
+  for (std::size_t d = 0; d < 2; ++d) {
+    const std::int32_t beside = a[d] == b[d] ? 1 : 0;
+    window.low[d] = std::max(std::min(a[d], b[d]) - beside, 0);
+    window.high[d] = std::min(std::max(a[d], b[d]) + beside, lattice_.count[d] - 1);
+  }
+  return window;
+}
+
+std::vector<ArrivalField::Edge> ArrivalField::edges_in(const Window& window) const {
+  std::vector<Edge> edges;
+  for (std::int32_t j = window.low[1]; j <= window.high[1]; ++j)
+    for (std::int32_t i = window.low[0]; i <= window.high[0]; ++i) {
+      const std::int32_t node = lattice_.number({i, j, 0});
+      edges.push_back({node, i < window.high[0] ? lattice_.number({i + 1, j, 0}) : node});
+      edges.push_back({node, j < window.high[1] ? lattice_.number({i, j + 1, 0}) : node});
+      // Either end of an edge may be the only one that is known.
+      if (i > window.low[0]) edges.push_back({node, lattice_.number({i - 1, j, 0})});
+      if (j > window.low[1]) edges.push_back({node, lattice_.number({i, j - 1, 0})});
+    }
+  return edges;
+}
+
+std::optional<double> ArrivalField::arrival_cost() const {
+  return at_target_.cost < kNever ? std::optional(at_target_.cost) : std::nullopt;
+}
+
+/// What comes before a place on the way, at less cost, so that the way ends. A node knows; within an edge it is the
+/// best place on another edge of the two cells beside it, or where that is not clear the cheaper node of the edge
+/// itself.
+ArrivalField::Place ArrivalField::before(const Place& place) const {
+  if (place.a == place.b || place.t <= 0) return arrivals_[static_cast<std::size_t>(place.a)].from;
+  if (place.t >= 1) return arrivals_[static_cast<std::size_t>(place.b)].from;
+  const Eigen::VectorXd x = position(place);
+  const bool a_first = cost({place.a, place.a, 0}) <= cost({place.b, place.b, 0});
+  const std::int32_t node = a_first ? place.a : place.b;
+  Arrival best;
+  const Window beside = cells_beside(place), start = around(problem_.source.u, 1);
+  const bool near = beside.low[0] >= start.low[0] - 1 && beside.high[0] <= start.high[0] + 1 &&
+                    beside.low[1] >= start.low[1] - 1 && beside.high[1] <= start.high[1] + 1;
+  if (near && moves_.clear(source_, x, kNever)) best.cost = move(source_, x);
+  for (const Edge& edge : edges_in(beside)) {
+    const bool same = std::min(edge.a, edge.b) == std::min(place.a, place.b) &&
+                      std::max(edge.a, edge.b) == std::max(place.a, place.b);
+    if (!same) try_edge(edge, x, best);
+  }
+  const bool down = best.from.a < 0 || cost(best.from) < cost(place);
+  return best.cost < kNever && down ? best.from : Place{node, node, 0};
+}
+
+std::vector<Eigen::Vector2d> ArrivalField::way() const {
+  std::vector<Eigen::Vector2d> way = {problem_.target.u};
+  for (Place place = at_target_.from; place.a >= 0; place = before(place)) way.push_back(coordinates(place));
+  way.emplace_back(problem_.source.u);
+  std::reverse(way.begin(), way.end());
+  return way;
+}
+
+}  // namespace leastcost

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <leastcost/framework/problem.hpp>
+#include "problems/graph/lattice_route.hpp"
+#include "problems/initializers/grid_search.hpp"
+#include "problems/initializers/lattice_box.hpp"
+
+namespace leastcost {
+
+/// What it costs at least to come from the source of a problem to each node of a lattice in two coordinates: the
+/// viscosity solution of its Hamilton-Jacobi equation (|grad u| = n for n times length), by the local variational
+/// principle over the eight triangles around a node (Bornemann, Rasch: Finite-element discretization of static
+/// Hamilton-Jacobi equations based on a local variational principle, Comput. Vis. Sci. 9, 2006, Eq. 5),
+///
+///     u(x) = min over the edges (a, b) around x and t in [0, 1] of (1 - t) u(a) + t u(b) + c((1 - t) a + t b, x).
+///
+/// Only c, the problem's own segment cost, is asked: it may depend on place and direction, and be asymmetric. Nodes are
+/// worked off in the order of their costs, and again when they become cheaper, for with a cost that depends on
+/// direction no single order is right. Moves and edges that obstacles do not let pass are left out.
+class ArrivalField {
+ public:
+  /// A lattice of so many cells along the longest side of the box. Throws Interrupted.
+  ArrivalField(const Problem& problem, const MoveCheck& moves, const LatticeBox& box, int cells,
+               const std::function<bool()>& stop);
+
+  /// Nothing where the target is not reached.
+  std::optional<double> arrival_cost() const;
+  /// The way on which the target is reached, in coordinates, from the source on.
+  std::vector<Eigen::Vector2d> way() const;
+  const Lattice& lattice() const { return lattice_; }
+
+ private:
+  /// A point of an edge between two nodes, (1 - t) a + t b; a node where a = b.
+  struct Place {
+    std::int32_t a = -1, b = -1;
+    double t = 0;
+  };
+  /// The last move to a point, and what it costs to come there.
+  struct Arrival {
+    double cost = std::numeric_limits<double>::infinity();
+    Place from = {};  ///< a = -1: the source
+  };
+  struct Edge {
+    std::int32_t a, b;
+  };
+
+  struct Window {  ///< of nodes, both ends included
+    std::array<std::int32_t, 3> low, high;
+  };
+
+  void lay(const LatticeBox& box, int cells);
+  void spread(const std::function<bool()>& stop);
+  bool improve(std::int32_t node, std::int32_t by);
+  void arrive_at_target();
+  /// The cheapest move to x over one edge that obstacles let pass, where it is cheaper than `best`.
+  void try_edge(const Edge& edge, const Eigen::VectorXd& x, Arrival& best) const;
+  Arrival over_edge(const Edge& edge, const Eigen::VectorXd& x) const;
+  bool clear(const Edge& edge) const;
+  double move(const Eigen::Ref<const Eigen::VectorXd>& a, const Eigen::Ref<const Eigen::VectorXd>& b) const;
+
+  Place before(const Place& place) const;
+  Window around(const Eigen::Vector2d& u, int reach) const;
+  Window cells_beside(const Place& edge) const;
+  std::vector<Edge> edges_in(const Window& window) const;
+
+  bool known(std::int32_t node) const { return arrivals_[static_cast<std::size_t>(node)].cost < kNever; }
+  double cost(const Place& place) const;
+  Eigen::Vector2d coordinates(const Place& place) const;
+  Eigen::VectorXd position(const Place& place) const {
+    return x_.col(place.a) + place.t * (x_.col(place.b) - x_.col(place.a));
+  }
+
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
+
+  const Problem& problem_;
+  const MoveCheck& moves_;
+  Lattice lattice_;
+  Eigen::Vector2d lower_, upper_, step_;    ///< the box in coordinates, and from node to node
+  Points x_;                                ///< ambient positions of the nodes; not finite off the domain
+  Eigen::VectorXd source_, target_;         ///< ambient
+  std::vector<Arrival> arrivals_;           ///< per node
+  mutable std::vector<signed char> clear_;  ///< per edge: 1 clear, 0 not, -1 not asked yet
+  mutable Points ends_;                     ///< of the move whose cost is asked
+  Arrival at_target_;
+};
+
+}  // namespace leastcost
