@@ -303,8 +303,7 @@ class Search {
     result_.notes.push_back(
         "collapsed: the path has come to where moves are free; delivered is the cheapest way by "
         "there, of cost " +
-        point_text(Eigen::VectorXd::Constant(1, passage->cost)) +
-        ", whose two parts are joined by a move that costs nothing");
+        short_number(passage->cost, 6) + ", whose two parts are joined by a move that costs nothing");
     return passage;
   }
 
@@ -313,8 +312,7 @@ class Search {
     const std::optional<FreePassage> passage = free_passage(problem_, result_.path);
     if (!passage || !(passage->cost < result_.curve.cost)) return;
     result_.notes.push_back("cheaper: the way by the places where moves are free costs " +
-                            point_text(Eigen::VectorXd::Constant(1, passage->cost)) +
-                            "; this path is the least of its neighbours only");
+                            short_number(passage->cost, 6) + "; this path is the least of its neighbours only");
   }
 
   void certify_delivered(const PostProcessed& processed, const ToCurve& to_curve) {

@@ -14,9 +14,9 @@ std::string point_text(const Eigen::Ref<const Eigen::VectorXd>& x, int digits) {
   return out.str();
 }
 
-std::string short_number(double x) {
+std::string short_number(double x, int digits) {
   std::ostringstream out;
-  out.precision(3);
+  out.precision(digits);
   out << x;
   return out.str();
 }

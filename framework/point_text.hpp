@@ -10,7 +10,7 @@ namespace leastcost {
 /// "(1, 2.5, -3)", for messages.
 std::string point_text(const Eigen::Ref<const Eigen::VectorXd>& x, int digits = 6);
 
-/// Three significant digits, for messages.
-std::string short_number(double x);
+/// To so many significant digits, for messages.
+std::string short_number(double x, int digits = 3);
 
 }  // namespace leastcost

@@ -11,7 +11,9 @@
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/has_conformal_metric.hpp>
 #include <leastcost/framework/has_constant_metric.hpp>
+#include <leastcost/framework/has_interfaces.hpp>
 #include <leastcost/framework/has_notes.hpp>
+#include <leastcost/framework/regularized.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
 #include "problems/costs/derived_cost.hpp"
 #include "problems/formula/coordinate_names.hpp"
@@ -193,12 +195,26 @@ class SumOnData final : public SumCost, public FollowsDomain {
   }
 };
 
+/// What no sum or multiple is: layers, whose interfaces a path has to know, and walking, whose hull is not that of the
+/// sum and whose kinks would be missing in the bar.
+void check_part(const SegmentCost& cost, const std::string& key) {
+  if (find_ability<HasInterfaces>(cost) != nullptr)
+    throw OptionError(key,
+                      "jumps at interfaces, which a sum or a multiple would hide from the path ('layers'): name it "
+                      "as the cost itself, or use smooth layers ('refractive_index')");
+  if (find_ability<Regularized>(cost) != nullptr)
+    throw OptionError(key,
+                      "stands for a law with kinks and its hull ('walking'), and the hull of a sum or a multiple "
+                      "is another: name it as the cost itself");
+}
+
 void check_terms(const Terms& terms) {
   if (terms.empty()) throw OptionError("terms", "a sum has one term at least");
   for (std::size_t k = 0; k < terms.size(); ++k) {
     const double weight = terms[k].weight;
     if (!(weight > 0) || !std::isfinite(weight))
       throw OptionError("terms." + std::to_string(k) + ".weight", "must be a number greater than 0");
+    check_part(*terms[k].cost, "terms." + std::to_string(k) + ".cost");
     if (terms[k].cost->dim() != terms.front().cost->dim())
       throw OptionError("terms." + std::to_string(k), "has another dimension than the first");
   }
@@ -374,6 +390,7 @@ std::shared_ptr<const SegmentCost> make_sum_cost(std::vector<WeightedCost> terms
 
 std::shared_ptr<const SegmentCost> make_scaled_cost(const ScaleOptions& options,
                                                     std::shared_ptr<const SegmentCost> cost) {
+  check_part(*cost, "cost");
   Formula field(formulas_of_option("by", {options.by}, coordinate_names(cost->dim()), options.parameters));
   if (find_ability<HasConformalMetric>(*cost) != nullptr)
     return std::make_shared<ScaledConformalCost>(options, std::move(field), std::move(cost));

@@ -22,7 +22,8 @@ struct WeightedCost {
 /// are. Where all parts are lengths under multiples of one metric (refractive indices, travel times, a constant metric:
 /// HasConformalMetric) it is one too, and certificates can be proved; elsewhere it is a Finsler cost, whose square is
 /// not twice differentiable at a = b (`quadratic_at_rest` is false). Where all are one constant metric, so is the sum.
-/// Follows the data of the domain where a part does. Throws OptionError ("terms", "terms.1.weight").
+/// Follows the data of the domain where a part does. A part with interfaces (HasInterfaces) or a regularized one
+/// (Regularized: walking) is refused. Throws OptionError ("terms", "terms.1.weight", "terms.1.cost").
 std::shared_ptr<const SegmentCost> make_sum_cost(std::vector<WeightedCost> terms);
 
 struct ScaleOptions {
@@ -32,7 +33,7 @@ struct ScaleOptions {
 };
 
 /// c(a, b) = f(m) c_0(a, b) with f > 0 in the middle m. Keeps what c_0 is but for exactness along a move. +infinity
-/// where f is not positive. Throws OptionError.
+/// where f is not positive. Refuses what a sum refuses. Throws OptionError ("by", "cost").
 std::shared_ptr<const SegmentCost> make_scaled_cost(const ScaleOptions& options,
                                                     std::shared_ptr<const SegmentCost> cost);
 

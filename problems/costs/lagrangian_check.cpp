@@ -59,7 +59,7 @@ class LagrangianChecker {
     check_degree(form);
     LagrangianCheck out;
     const bool decided = box_.known() && dim_ <= 3 && halve();
-    if (!decided && box_.known()) sample();
+    if ((!decided || any_shape_) && box_.known()) sample();  // whether F is convex is not asked of intervals then
     out.proved = decided && form.degree == 1;
     out.convex = convex_;
     out.note = note(out.proved);

@@ -13,8 +13,8 @@
 namespace leastcost {
 namespace {
 
-constexpr int kReach = 2;            ///< cells around an end that it is joined to
-constexpr double kNoBetter = 1e-10;  ///< a gain of this part of a cost is not passed on
+constexpr int kReach = 2;           ///< cells around an end that it is joined to
+constexpr double kNoBetter = 1e-5;  ///< a gain of this part of a cost is not passed on
 
 /// The nodes around a node, counter-clockwise: neighbours in the list are those of an edge.
 constexpr std::array<std::array<std::int32_t, 2>, 8> kRing = {

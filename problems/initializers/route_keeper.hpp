@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <leastcost/framework/problem.hpp>
-#include <leastcost/problems/mesh/edge_landmarks.hpp>
+#include "problems/mesh/edge_landmarks.hpp"
 #include <leastcost/problems/straighten/geodesic.hpp>
 
 namespace leastcost {

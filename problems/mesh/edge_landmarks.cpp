@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/problems/mesh/edge_landmarks.hpp>
+#include "problems/mesh/edge_landmarks.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <new>
 
-#include <leastcost/problems/mesh/edge_landmarks.hpp>
+#include "problems/mesh/edge_landmarks.hpp"
 #include <leastcost/problems/mesh/surface_path.hpp>
 
 namespace leastcost {

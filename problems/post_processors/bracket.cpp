@@ -127,15 +127,16 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
 
   const std::lock_guard<std::mutex> guard(kept_->lock);
   KeptBracket& kept = *kept_;
-  const bool again = kept.cost == problem.cost && kept.domain == problem.manifold && kept.source == problem.source.u &&
-                     kept.target == problem.target.u && upper <= kept.bracket.upper * (1 + budget_.tolerance);
+  const bool same_problem = kept.cost == problem.cost && kept.domain == problem.manifold &&
+                            kept.source == problem.source.u && kept.target == problem.target.u;
+  const bool again = same_problem && upper <= kept.bracket.upper * (1 + budget_.tolerance);
   if (!again) {
     kept.cost = problem.cost;
     kept.domain = problem.manifold;
     kept.source = problem.source.u;
     kept.target = problem.target.u;
     kept.bracket = bracket_of(problem, *density, upper, budget_, monitor);
-    kept.improved = false;
+    kept.improved = same_problem && kept.improved;
   }
   const Bracket& bracket = kept.bracket;
   const double seconds = std::chrono::duration<double>(Monitor::Clock::now() - begin).count();

@@ -6,7 +6,7 @@
 #include <array>
 #include <span>
 
-#include <leastcost/framework/gauss.hpp>
+#include "framework/gauss.hpp"
 #include <leastcost/framework/interval.hpp>
 #include "problems/raster/raster_patches.hpp"
 

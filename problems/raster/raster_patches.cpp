@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/point_text.hpp>
+#include "framework/point_text.hpp"
 
 namespace leastcost {
 namespace {

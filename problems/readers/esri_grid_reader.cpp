@@ -96,8 +96,9 @@ RasterFile read_esri_grid(std::string_view text, const std::string& file) {
   raster.columns = static_cast<int>(columns);
   raster.source = file;
   const bool square = header.find("cellsize").has_value();
-  raster.cell << header.length(scanner, square ? "cellsize" : "dx"), header.length(scanner, square ? "cellsize" : "dy");
-  raster.corner << corner(scanner, header, "x", raster.cell[0]), corner(scanner, header, "y", raster.cell[1]);
+  // Not by Eigen's comma, which ends the program where one of its values is an error that is thrown.
+  raster.cell = {header.length(scanner, square ? "cellsize" : "dx"), header.length(scanner, square ? "cellsize" : "dy")};
+  raster.corner = {corner(scanner, header, "x", raster.cell[0]), corner(scanner, header, "y", raster.cell[1])};
   out.nodata = header.find("nodata_value");
   const std::int64_t cells = rows * columns;
   if (static_cast<std::int64_t>(scanner.bytes_left()) + 1 < 2 * (cells - 1))  // before memory is taken

@@ -29,6 +29,7 @@ Json json(const fs::path& file) { return Json::parse(content(file)); }
 Json without_seconds(const fs::path& file) {
   Json result = json(file);
   result.erase("seconds");
+  if (result.contains("global") && result["global"].is_object()) result["global"].erase("seconds");
   return result;
 }
 

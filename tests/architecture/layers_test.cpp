@@ -103,11 +103,11 @@ const Arrows& layers() {
 /// is for. Rooms that are not listed here may not exist.
 const Arrows& rooms() {
   static const std::set<std::string> subjects = {
-      "problems/chart",  "problems/cloud",     "problems/distance",  "problems/drawing",    "problems/exact",
-      "problems/fields", "problems/formula",   "problems/graph",     "problems/layers",     "problems/level_set",
-      "problems/mesh",   "problems/obstacles", "problems/occupancy", "problems/raster",     "problems/readers",
-      "problems/robots", "problems/section",   "problems/spline",    "problems/straighten", "problems/taut",
-      "problems/tensor"};
+      "problems/bracket",   "problems/chart",  "problems/cloud",     "problems/distance",  "problems/drawing",
+      "problems/exact",     "problems/fields", "problems/formula",   "problems/graph",     "problems/layers",
+      "problems/level_set", "problems/mesh",   "problems/obstacles", "problems/occupancy", "problems/raster",
+      "problems/readers",   "problems/robots", "problems/section",   "problems/spline",    "problems/straighten",
+      "problems/taut",      "problems/tensor"};
   static const Arrows table = {
       {"problems/chart", {}},
       {"problems/cloud", {"problems/graph"}},
@@ -131,6 +131,7 @@ const Arrows& rooms() {
       {"problems/obstacles",
        {"problems/distance", "problems/drawing", "problems/mesh", "problems/occupancy", "problems/raster",
         "problems/readers"}},
+      {"problems/bracket", {}},
       {"problems/taut", {"problems/obstacles"}},
       {"problems/robots", {"problems/drawing", "problems/obstacles"}},
       {"problems/kernels", {}},
@@ -139,8 +140,8 @@ const Arrows& rooms() {
       {"problems/manifolds", subjects},
       {"problems/post_processors", subjects},
       {"catalogue/yaml", {}},
-      {"catalogue/inputs", {"catalogue/yaml"}},
-      {"catalogue/plugins", {}},
+      {"catalogue/inputs", {"catalogue/yaml", "catalogue/back_ends"}},
+      {"catalogue/plugins", {"catalogue/yaml"}},
       {"catalogue/back_ends", {"catalogue/plugins"}},
       {"catalogue/registry", {"catalogue/plugins", "catalogue/back_ends", "catalogue/inputs"}},
       {"catalogue/options", {"catalogue/yaml", "catalogue/plugins", "catalogue/registry"}},

@@ -52,6 +52,10 @@ static_assert(!kTakesWords<decltype(MeshObstacleOptions::inside)>);
 static_assert(!kTakesWords<decltype(arm_model::Table::convention)>);
 static_assert(!kTakesWords<decltype(PointCloudSettings::normals)>);
 static_assert(!kTakesWords<decltype(distance_source::Sides::sign)>);
+static_assert(!kTakesWords<decltype(refraction::SmoothLayers::values_are)>);
+static_assert(!kTakesWords<decltype(walking::Tobler::unit)>);
+static_assert(!kTakesWords<decltype(WalkingOptions::length)>);
+static_assert(!kTakesWords<decltype(CostMapOptions::interpolation)>);
 static_assert(!kTakesWords<decltype(LbfgsOptions::precondition)>);
 static_assert(!kTakesWords<decltype(RoundOptions::precondition)>);
 
@@ -62,6 +66,9 @@ static_assert(!kTakesWords<decltype(ConstraintManifoldOptions::set)>);
 static_assert(!kTakesWords<decltype(MetricFieldOptions::field)>);
 static_assert(!kTakesWords<decltype(SignedDistanceOptions::source)>);
 static_assert(!kTakesWords<decltype(DhArmOptions::model)>);
+static_assert(!kTakesWords<decltype(RefractiveIndexOptions::index)>);
+static_assert(!kTakesWords<decltype(WalkingOptions::law)>);
+static_assert(!kTakesWords<decltype(ZermeloOptions::flow)>);
 
 }  // namespace
 
@@ -76,6 +83,10 @@ TEST_CASE("typed options: every value of a choice has one word") {
   check_words(NormalSource::estimate);
   check_words(DistanceSign::without_sides);
   check_words(Preconditioner::none);
+  check_words(refraction::LayerValues::speed);
+  check_words(WalkingTime::seconds);
+  check_words(MapLength::kilometres);
+  check_words(CostMapInterpolation::bilinear);
 }
 
 TEST_CASE("typed options: a number that is no value of a choice is refused where it matters") {

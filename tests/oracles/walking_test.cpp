@@ -171,8 +171,8 @@ TEST_CASE("Minetti's energy on level ground, gentle and steep planes", "[oracle]
     return straight(sign * best) / best;
   };
   const double climb = least_per_height(1), descent = least_per_height(-1);
-  check_walk(walk("0.4 * v", kHere, kNorth, 20, StraightInitializer(), law), 0.4 * climb, 1e-3, "local_value");
-  check_walk(walk("0.4 * v", kNorth, kHere, 20, StraightInitializer(), law), 0.4 * descent, 1e-3, "local_value");
+  check_walk(walk("0.4 * v", kHere, kNorth, 20, StraightInitializer(), law), 0.4 * climb, 3e-3, "local_value");
+  check_walk(walk("0.4 * v", kNorth, kHere, 20, StraightInitializer(), law), 0.4 * descent, 3e-3, "local_value");
 }
 
 }  // namespace leastcost::test

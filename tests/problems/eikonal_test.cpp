@@ -85,7 +85,7 @@ TEST_CASE("eikonal: among obstacles, thin walls too") {
   // A wall between the nodes of the lattice, open above y = 0.72 only; a disc before it.
   const auto wall = make_box_obstacle({Vector2d(0.005, -1), Vector2d(0.006, 0.72)});
   const auto free = std::make_shared<const FreeSpace>(
-      square(1), FreeSpace::Obstacles{wall, make_ball({Vector2d(-0.4, 0.3), 0.2})}, 0);
+      square(1), FreeSpace::Obstacles{wall, make_ball({Vector2d(-0.4, 0.3), 0.2})}, 0.001);
   const Problem problem = between(free, make_euclidean_cost(2), Vector2d(-0.8, -0.5), Vector2d(0.7, -0.2));
   const FirstPath first = EikonalInitializer().first_path(problem, {});
   const auto clearance = measure_clearance(*free, first.path.u, false, {});
@@ -98,7 +98,7 @@ TEST_CASE("eikonal: among obstacles, thin walls too") {
   CHECK(length <= over_the_wall * 1.03);
 
   const auto closed_wall = make_box_obstacle({Vector2d(0.005, -1.1), Vector2d(0.006, 1.1)});
-  const auto halves = std::make_shared<const FreeSpace>(square(1), FreeSpace::Obstacles{closed_wall}, 0);
+  const auto halves = std::make_shared<const FreeSpace>(square(1), FreeSpace::Obstacles{closed_wall}, 0.001);
   const Problem blocked = between(halves, make_euclidean_cost(2), Vector2d(-0.8, -0.5), Vector2d(0.7, -0.2));
   CHECK_THROWS_WITH(EikonalInitializer().first_path(blocked, {}), Catch::Contains("no way arrives at the target"));
 }

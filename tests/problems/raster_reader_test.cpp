@@ -84,7 +84,7 @@ TEST_CASE("ESRI grid: what is wrong, with its line") {
   CHECK_THAT(refusal_of_grid(""), Contains("the file ends before the values"));
 }
 
-TEST_CASE("table: commas, semicolons or blanks; empty fields, NA and nan are no data") {
+TEST_CASE("table: commas, semicolons or blanks, and empty fields, NA and nan are no data") {
   const RasterGrid raster = placed(read_csv_raster("# heights\n1,2,3\n\n4,,NA\r\n", "a.csv"), {});
   CHECK(raster.rows == 2);
   CHECK(raster.columns == 3);
