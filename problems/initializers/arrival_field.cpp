@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
+#include <numeric>
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/manifold.hpp>
@@ -19,6 +19,11 @@ constexpr double kNoBetter = 1e-5;  ///< a gain of this part of a cost is not pa
 /// The nodes around a node, counter-clockwise: neighbours in the list are those of an edge.
 constexpr std::array<std::array<std::int32_t, 2>, 8> kRing = {
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+
+InitializationError lost() {
+  return InitializationError(
+      "eikonal: the target is reached, but the way back is lost between the nodes: more cells may show it");
+}
 
 }  // namespace
 
@@ -52,11 +57,18 @@ void ArrivalField::lay(const LatticeBox& box, int cells) {
   ends_.resize(x_.rows(), 2);
 }
 
-/// As Dijkstra, but that a node is worked off again when it becomes cheaper.
+/// As Dijkstra, but that a node is worked off again when it becomes cheaper. When all is done there are leaps to what
+/// is not reached yet: where a current carries all moves into a narrow cone no neighbour may lie in it.
 void ArrivalField::spread(const std::function<bool()>& stop) {
-  constexpr int kNodesPerLook = 256;
-  using Open = std::pair<double, std::int32_t>;
-  std::priority_queue<Open, std::vector<Open>, std::greater<>> queue;
+  Queue queue;
+  leave_source(queue);
+  work_off(queue, false, stop);
+  for (std::int32_t node = 0; node < static_cast<std::int32_t>(arrivals_.size()); ++node)
+    if (known(node)) queue.push({arrivals_[static_cast<std::size_t>(node)].cost, node});
+  work_off(queue, true, stop);
+}
+
+void ArrivalField::leave_source(Queue& queue) {
   const Window start = around(problem_.source.u, kReach);
   for (std::int32_t j = start.low[1]; j <= start.high[1]; ++j)
     for (std::int32_t i = start.low[0]; i <= start.high[0]; ++i) {
@@ -66,6 +78,10 @@ void ArrivalField::spread(const std::function<bool()>& stop) {
       arrivals_[static_cast<std::size_t>(node)].cost = c;
       queue.push({c, node});
     }
+}
+
+void ArrivalField::work_off(Queue& queue, bool leaping, const std::function<bool()>& stop) {
+  constexpr int kNodesPerLook = 256;
   for (int steps = 1; !queue.empty(); ++steps) {
     if (steps % kNodesPerLook == 0 && stop()) throw Interrupted("eikonal: interrupted while costs spread");
     const auto [c, node] = queue.top();
@@ -78,7 +94,24 @@ void ArrivalField::spread(const std::function<bool()>& stop) {
       const std::int32_t neighbour = lattice_.number({i, j, 0});
       if (improve(neighbour, node)) queue.push({arrivals_[static_cast<std::size_t>(neighbour)].cost, neighbour});
     }
+    if (leaping) leap(node, queue);
   }
+}
+
+/// To nodes further away in other directions than those of neighbours.
+void ArrivalField::leap(std::int32_t node, Queue& queue) {
+  constexpr std::int32_t kFurthest = 5;
+  const std::array<std::int32_t, 3> at = lattice_.place(node);
+  for (std::int32_t dj = -kFurthest; dj <= kFurthest; ++dj)
+    for (std::int32_t di = -kFurthest; di <= kFurthest; ++di) {
+      const std::int32_t i = at[0] + di, j = at[1] + dj;
+      if (std::gcd(di, dj) != 1 || i < 0 || j < 0 || i >= lattice_.count[0] || j >= lattice_.count[1]) continue;
+      const std::int32_t there = lattice_.number({i, j, 0});
+      Arrival& arrival = arrivals_[static_cast<std::size_t>(there)];
+      if (known(there) || !x_.col(there).allFinite()) continue;
+      try_edge({node, node}, x_.col(there), arrival);
+      if (known(there)) queue.push({arrival.cost, there});
+    }
 }
 
 /// Over the two edges around a node that end in one of its neighbours.
@@ -213,15 +246,12 @@ std::optional<double> ArrivalField::arrival_cost() const {
   return at_target_.cost < kNever ? std::optional(at_target_.cost) : std::nullopt;
 }
 
-/// What comes before a place on the way, at less cost, so that the way ends. A node knows; within an edge it is the
-/// best place on another edge of the two cells beside it, or where that is not clear the cheaper node of the edge
-/// itself.
+/// What comes before a place on the way. A node knows; within an edge it is the best place on another edge of the two
+/// cells beside it, or a node of the edge itself.
 ArrivalField::Place ArrivalField::before(const Place& place) const {
   if (place.a == place.b || place.t <= 0) return arrivals_[static_cast<std::size_t>(place.a)].from;
   if (place.t >= 1) return arrivals_[static_cast<std::size_t>(place.b)].from;
   const Eigen::VectorXd x = position(place);
-  const bool a_first = cost({place.a, place.a, 0}) <= cost({place.b, place.b, 0});
-  const std::int32_t node = a_first ? place.a : place.b;
   Arrival best;
   const Window beside = cells_beside(place), start = around(problem_.source.u, 1);
   const bool near = beside.low[0] >= start.low[0] - 1 && beside.high[0] <= start.high[0] + 1 &&
@@ -232,13 +262,20 @@ ArrivalField::Place ArrivalField::before(const Place& place) const {
                       std::max(edge.a, edge.b) == std::max(place.a, place.b);
     if (!same) try_edge(edge, x, best);
   }
-  const bool down = best.from.a < 0 || cost(best.from) < cost(place);
-  return best.cost < kNever && down ? best.from : Place{node, node, 0};
+  for (const std::int32_t node : {place.a, place.b}) {  // along the edge, which is clear
+    const double c = cost({node, node, 0}) + move(x_.col(node), x);
+    if (c < best.cost) best = {c, {node, node, 0}};
+  }
+  if (best.cost < kNever) return best.from;
+  throw lost();
 }
 
 std::vector<Eigen::Vector2d> ArrivalField::way() const {
   std::vector<Eigen::Vector2d> way = {problem_.target.u};
-  for (Place place = at_target_.from; place.a >= 0; place = before(place)) way.push_back(coordinates(place));
+  for (Place place = at_target_.from; place.a >= 0; place = before(place)) {
+    way.push_back(coordinates(place));
+    if (way.size() > 2 * arrivals_.size()) throw lost();
+  }
   way.emplace_back(problem_.source.u);
   std::reverse(way.begin(), way.end());
   return way;

@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <queue>
 #include <utility>
 #include <vector>
 
@@ -36,7 +37,8 @@ class ArrivalField {
 
   /// Nothing where the target is not reached.
   std::optional<double> arrival_cost() const;
-  /// The way on which the target is reached, in coordinates, from the source on.
+  /// The way on which the target is reached, in coordinates, from the source on. Throws InitializationError where it
+  /// cannot be followed back.
   std::vector<Eigen::Vector2d> way() const;
   const Lattice& lattice() const { return lattice_; }
 
@@ -59,8 +61,14 @@ class ArrivalField {
     std::array<std::int32_t, 3> low, high;
   };
 
+  using Open = std::pair<double, std::int32_t>;  ///< a node and what it cost when it was put there
+  using Queue = std::priority_queue<Open, std::vector<Open>, std::greater<>>;
+
   void lay(const LatticeBox& box, int cells);
   void spread(const std::function<bool()>& stop);
+  void leave_source(Queue& queue);
+  void work_off(Queue& queue, bool leaping, const std::function<bool()>& stop);
+  void leap(std::int32_t node, Queue& queue);
   bool improve(std::int32_t node, std::int32_t by);
   void arrive_at_target();
   /// The cheapest move to x over one edge that obstacles let pass, where it is cheaper than `best`.
