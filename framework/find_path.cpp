@@ -275,7 +275,8 @@ class Search {
     if (begun_anew_ || !sampled_) return false;
     begun_anew_ = true;
     Result before = result_;
-    result_.initial = sample_equally(problem_, *processed.cheaper, static_cast<int>(result_.path.free_count()), 0.05, 8,
+    result_.first.path = *processed.cheaper;  // whose class is kept from here on
+    result_.initial = sample_equally(problem_, result_.first.path, static_cast<int>(result_.path.free_count()), 0.05, 8,
                                      monitor_.deadline);
     result_.path = result_.initial;
     set_reference_cost();

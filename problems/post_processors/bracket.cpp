@@ -25,6 +25,8 @@ struct KeptBracket {
   std::mutex lock;
   std::shared_ptr<const SegmentCost> cost;  // kept alive, hence its address is its own
   std::shared_ptr<const ConstraintManifold> domain;
+  const Walls* walls = nullptr;  // of the domain; margins fitted to a chain make another domain of the same walls
+  Eigen::AlignedBox2d box;
   Bracket bracket;
   Eigen::Vector2d source = Eigen::Vector2d::Zero(), target = Eigen::Vector2d::Zero();
   double seconds = 0;
@@ -127,12 +129,15 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
 
   const std::lock_guard<std::mutex> guard(kept_->lock);
   KeptBracket& kept = *kept_;
-  const bool same_problem = kept.cost == problem.cost && kept.domain == problem.manifold &&
+  const Walls* walls = walls_in_plane(*problem.manifold);
+  const bool same_problem = kept.cost == problem.cost && kept.walls == walls && kept.box.isApprox(box, 0) &&
                             kept.source == problem.source.u && kept.target == problem.target.u;
   const bool again = same_problem && upper <= kept.bracket.upper * (1 + budget_.tolerance);
   if (!again) {
     kept.cost = problem.cost;
     kept.domain = problem.manifold;
+    kept.walls = walls;
+    kept.box = box;
     kept.source = problem.source.u;
     kept.target = problem.target.u;
     kept.bracket = bracket_of(problem, *density, upper, budget_, monitor);
