@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include <leastcost/eigen_alignment.hpp>
 
@@ -24,11 +25,20 @@ enum class BoundCategory {
 };
 Words<BoundCategory> words(BoundCategory);
 
+/// Values of a potential on a regular grid over a box, the corners included, for pictures. +infinity where no path that
+/// may be cheaper goes.
+struct PotentialSamples {
+  Eigen::AlignedBox2d box;
+  int columns = 0, rows = 0;
+  std::vector<double> values;  ///< x runs fastest, from below
+};
+
 /// The box and the grid of a lower bound by a potential on cells.
 struct BoundGrid {
   Eigen::AlignedBox2d box;            ///< the paths that the bound speaks of stay in it
   std::array<int, 2> cells = {0, 0};  ///< of the finest grid over the whole box
   double upper = 0;                   ///< of the cost of the delivered curve: the gap is between both
+  PotentialSamples potential = {};    ///< around all places that were searched; empty: none
 };
 
 /// What a proof over all paths of the domain between two ends says, whatever class they are of.

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
@@ -42,6 +43,20 @@ std::string part_above(const std::array<Corner, 4>& c, double level, const ToDra
   return d.empty() ? "" : d + "Z";
 }
 
+/// Where the level passes through a cell: one line, or at a saddle two.
+std::string line_through(const std::array<Corner, 4>& c, double level, const ToDrawing& x, const ToDrawing& y) {
+  std::string d;
+  int ends = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Corner &a = c[k], &b = c[(k + 1) % 4];
+    if ((a.value >= level) == (b.value >= level)) continue;
+    const double t = (level - a.value) / (b.value - a.value);
+    fmt::format_to(std::back_inserter(d), "{}{:.1f} {:.1f}", ends++ % 2 == 0 ? "M" : "L", x(a.x + t * (b.x - a.x)),
+                   y(a.y + t * (b.y - a.y)));
+  }
+  return d;
+}
+
 /// A rectangle of whole cells, from column i to column i_end of row j.
 std::string run_of_cells(int i, int i_end, int j, const ToDrawing& x, const ToDrawing& y) {
   return fmt::format("M{:.1f} {:.1f}H{:.1f}V{:.1f}H{:.1f}Z", x(i), y(j), x(i_end), y(j + 1), x(i));
@@ -74,6 +89,17 @@ std::string region_above(const Grid& grid, double level, const ToDrawing& x, con
         return c[0].value >= level && c[1].value >= level && c[2].value >= level && c[3].value >= level;
       },
       [&](const std::array<Corner, 4>& c) { return part_above(c, level, x, y); });
+}
+
+std::string line_at(const Grid& grid, double level, const ToDrawing& x, const ToDrawing& y) {
+  std::string d;
+  for (int j = 0; j + 1 < grid.rows; ++j)
+    for (int i = 0; i + 1 < grid.columns; ++i) {
+      const std::array<Corner, 4> c = corners_of(grid, i, j);
+      if (std::all_of(c.begin(), c.end(), [](const Corner& corner) { return std::isfinite(corner.value); }))
+        d += line_through(c, level, x, y);
+    }
+  return d;
 }
 
 std::string region_infinite(const Grid& grid, const ToDrawing& x, const ToDrawing& y) {

@@ -24,6 +24,10 @@ using ToDrawing = std::function<double(double)>;
 /// cells that lie inside as a whole merged row by row. Infinite values are above every level.
 std::string region_above(const Grid& grid, double level, const ToDrawing& x, const ToDrawing& y);
 
+/// The line where the bilinear function between the nodes is `level`, as SVG path data. Not in cells with a node
+/// without value.
+std::string line_at(const Grid& grid, double level, const ToDrawing& x, const ToDrawing& y);
+
 /// The cells with a node without value.
 std::string region_infinite(const Grid& grid, const ToDrawing& x, const ToDrawing& y);
 

@@ -74,6 +74,13 @@ std::optional<Raster> cost_raster(const SegmentCost& cost, const Surroundings& r
   return raster;
 }
 
+std::optional<Raster> potential_raster(const Result& result) {
+  if (!result.certificate.global || !result.certificate.global->grid) return std::nullopt;
+  const PotentialSamples& samples = result.certificate.global->grid->potential;
+  if (samples.columns < 2 || samples.rows < 2) return std::nullopt;
+  return Raster{samples.columns, samples.rows, samples.box.min(), samples.box.max(), samples.values};
+}
+
 void draw_plane(const Problem& problem, const Points& paths, Scene& scene) {
   Surroundings shown = around(paths).enlarged(0.15);
   // A path along an axis still gets a picture with some height.
@@ -110,6 +117,7 @@ Scene make_scene(const Problem& problem, const Result& result, std::span<const F
   if (const auto* domain = find_ability<DrawsItself>(*problem.manifold))
     domain->draw({drawn, side_by_side(result.path.u, result.first.path.u)}, scene);
   if (scene.dimension == 2 && problem.manifold->shape() == Shape::flat) draw_plane(problem, drawn, scene);
+  scene.potential = potential_raster(result);
   return scene;
 }
 

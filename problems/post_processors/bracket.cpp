@@ -97,6 +97,30 @@ bool passes_alike(const Problem& problem, const Eigen::Matrix2Xd& way, const Poi
   return way.cols() < 2 || find_ability<ChecksMoves>(*problem.manifold)->same_class(way, curve).value_or(true);
 }
 
+/// Around all cells that were searched on the last grid.
+PotentialSamples samples_of(const BracketPotential& potential) {
+  constexpr int kNodes = 121;  // along the longer side
+  PotentialSamples out;
+  for (int j = 0; j < potential.ny; ++j)
+    for (int i = 0; i < potential.nx; ++i) {
+      if (potential.searched[static_cast<std::size_t>(i + 1 + (j + 1) * (potential.nx + 2))] == 0) continue;
+      out.box.extend(potential.corner + potential.side * Vector2d(i, j));
+      out.box.extend(potential.corner + potential.side * Vector2d(i + 1, j + 1));
+    }
+  if (out.box.isEmpty()) return out;
+  const Vector2d size = out.box.sizes();
+  const double cell = size.maxCoeff() / (kNodes - 1);
+  out.columns = static_cast<int>(std::ceil(size[0] / cell)) + 1;
+  out.rows = static_cast<int>(std::ceil(size[1] / cell)) + 1;
+  for (int j = 0; j < out.rows; ++j)
+    for (int i = 0; i < out.columns; ++i) {
+      const Vector2d part(static_cast<double>(i) / (out.columns - 1), static_cast<double>(j) / (out.rows - 1));
+      const Vector2d x = out.box.min() + part.cwiseProduct(size);
+      out.values.push_back(potential.is_checked(x) ? potential.value(x) : std::numeric_limits<double>::infinity());
+    }
+  return out;
+}
+
 Bracket bracket_of(const Problem& problem, const CostDensity& density, double upper, const GlobalBudget& budget,
                    const Monitor& monitor) {
   BracketOptions options;
@@ -156,6 +180,7 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
   global.gap = bracket.lower < upper ? (upper - bracket.lower) / upper : 0;
   global.proved = bracket.lower > 0 && global.gap <= budget_.tolerance;
   global.grid = BoundGrid{box, bracket.grid, upper};
+  if (bracket.potential) global.grid->potential = samples_of(*bracket.potential);
   const bool among = find_ability<ChecksMoves>(*problem.manifold) != nullptr;
   const bool cheaper = among ? !passes_alike(problem, bracket.way, current.curve.x)
                              : bracket.upper < upper * (1 - budget_.tolerance / 4);

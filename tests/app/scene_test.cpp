@@ -10,6 +10,7 @@
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
+#include <leastcost/problems/post_processors/bracket.hpp>
 #include "problems/drawing/domain_shapes.hpp"
 #include "problems/drawing/thinned.hpp"
 #include "problems/level_set/named_surfaces.hpp"
@@ -137,6 +138,28 @@ TEST_CASE("scene: the plane shows the cost, and where there is none") {
       make_scene(between(space(2), make_euclidean_cost(2), Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1)),
                  find(between(space(2), make_euclidean_cost(2), Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1)), 5))
           .cost);
+}
+
+TEST_CASE("scene: the potential that bounds all paths, where they were searched") {
+  const Problem problem = between(box(Eigen::Vector2d(-1, -1), Eigen::Vector2d(4, 1)), make_euclidean_cost(2),
+                                  Eigen::Vector2d(0, 0), Eigen::Vector2d(3, 0));
+  FindOptions options;
+  options.points = 15;
+  options.post_processors = {std::make_shared<BracketPostProcessor>(GlobalBudget{.tolerance = 1e-3})};
+  const Scene scene = make_scene(problem, find_path(problem, StraightInitializer(), Newton(), options));
+  REQUIRE(scene.potential);
+  const Raster& raster = *scene.potential;
+  CHECK(raster.values.size() == static_cast<std::size_t>(raster.columns) * static_cast<std::size_t>(raster.rows));
+  double low = 1e9, high = -1e9;
+  for (const double value : raster.values)
+    if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
+  CHECK(high - low > 2.5);  // of the distance 3, but for squares around the ends
+  CHECK(high - low < 3.5);
+  const Scene again = read_scene(scene_json(scene), "scene.json");
+  REQUIRE(again.potential);
+  CHECK(again.potential->columns == raster.columns);
+  CHECK(std::isfinite(again.potential->values[raster.values.size() / 2]) ==
+        std::isfinite(raster.values[raster.values.size() / 2]));
 }
 
 TEST_CASE("scene: boxes with open sides, spaces without a picture") {

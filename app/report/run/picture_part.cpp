@@ -130,6 +130,11 @@ Picture space_of_path(const RunFiles& files) {
           "Shading: cost per unit of length, mean over all directions, on a logarithmic scale; the stronger, the "
           "dearer.";
     if (files.scene.cost && holds_infinity(*files.scene.cost)) bands += " Hatched: not reachable.";
+    if (files.scene.potential)
+      bands +=
+          " Thin lines: levels of the potential that no path climbs for less, where a cheaper path could still go on "
+          "the "
+          "last grid; what lies outside had been ruled out.";
     return {"<figure>\n" + plane_svg(files) + legend_of(files, false) + caption_of(files, bands) + "</figure>\n", ""};
   }
   return {

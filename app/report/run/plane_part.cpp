@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "app/plot/chart.hpp"
 #include "app/plot/contour.hpp"
@@ -83,21 +84,42 @@ std::vector<double> levels_of(const Raster& raster) {
   return levels;
 }
 
+/// From nodes of a raster to the drawing.
+ToDrawing columns_of(const Raster& raster, const Frame& frame) {
+  return [&](double i) {
+    return frame.x(raster.lower[0] + (raster.upper[0] - raster.lower[0]) * i / (raster.columns - 1));
+  };
+}
+ToDrawing rows_of(const Raster& raster, const Frame& frame) {
+  return
+      [&](double j) { return frame.y(raster.lower[1] + (raster.upper[1] - raster.lower[1]) * j / (raster.rows - 1)); };
+}
+
 std::string cost_bands(const Raster& raster, const Frame& frame) {
   const std::vector<double> levels = levels_of(raster);
   const Grid grid{raster.columns, raster.rows, raster.values};
-  const auto x = [&](double i) {
-    return frame.x(raster.lower[0] + (raster.upper[0] - raster.lower[0]) * i / (raster.columns - 1));
-  };
-  const auto y = [&](double j) {
-    return frame.y(raster.lower[1] + (raster.upper[1] - raster.lower[1]) * j / (raster.rows - 1));
-  };
+  const ToDrawing x = columns_of(raster, frame), y = rows_of(raster, frame);
   std::string out =
       fmt::format("<rect class=\"band0\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n",
                   frame.x(raster.lower[0]), frame.y(raster.upper[1]), frame.width(), frame.height());
   for (const double level : levels)
     out += fmt::format("<path class=\"band\" d=\"{}\"/>\n", region_above(grid, level, x, y));
   return out + fmt::format("<path class=\"out\" d=\"{}\"/>\n", region_infinite(grid, x, y));
+}
+
+/// Level lines of a potential in the part of the plane where it was needed.
+std::string potential_lines(const Raster& raster, const Frame& frame) {
+  constexpr int kLines = 20;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const double value : raster.values)
+    if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
+  if (!(low < high)) return "";
+  const Grid grid{raster.columns, raster.rows, raster.values};
+  const ToDrawing x = columns_of(raster, frame), y = rows_of(raster, frame);
+  std::string out;
+  for (int k = 1; k < kLines; ++k)
+    out += fmt::format("<path class=\"level\" d=\"{}\"/>\n", line_at(grid, low + (high - low) * k / kLines, x, y));
+  return out;
 }
 
 std::string axes(const Frame& frame) {
@@ -152,6 +174,7 @@ std::string plane_svg(const RunFiles& files) {
   const Scene& scene = files.scene;
   std::string inside;
   if (scene.cost) inside += cost_bands(*scene.cost, frame);
+  if (scene.potential) inside += potential_lines(*scene.potential, frame);
   for (const Points& curve : scene.curves) inside += stroke(curve, frame, "domain");
   inside += box_sides(scene, frame);
   inside += stroke(scene.lines.first, frame, "first");
