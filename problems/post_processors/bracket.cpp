@@ -49,6 +49,51 @@ const Walls* walls_in_plane(const ConstraintManifold& domain) {
   return &among->walls();
 }
 
+/// What is known of a cost in cells: one of both, or neither.
+struct CostInCells {
+  std::shared_ptr<const CostDensity> density;
+  std::shared_ptr<const CostDual> dual;
+
+  explicit operator bool() const { return density != nullptr || dual != nullptr; }
+  double above(const Eigen::Matrix2Xd& x) const {
+    return dual != nullptr ? polyline_cost_above(*dual, x) : polyline_cost_above(*density, x);
+  }
+  bool is_known_at(const Vector2d& x) const {
+    if (dual == nullptr) return density->enclose_density({x, x}).is_finite();
+    const DualNorm<CostDual::Jet> norm = dual->enclose_cell({x, x});
+    return norm.xx.value().is_finite() && norm.yy.value().is_finite();
+  }
+};
+
+/// Whether the dual norm is the same in all directions at some places, as far as rounding lets it.
+bool looks_isotropic(const CostDual& dual, const Eigen::AlignedBox2d& box) {
+  constexpr double kRounding = 1e-9;
+  constexpr int kPlaces = 5;
+  for (int k = 0; k < kPlaces; ++k) {
+    const Vector2d part(0.1 + 0.19 * k, 0.07 + 0.41 * k - 0.5 * (k / 2)),
+        x = box.min() + box.sizes().cwiseProduct(part);
+    const DualNorm<double> norm = dual.dual(box.center() + 0.9 * (x - box.center()));
+    if (!std::isfinite(norm.xx)) continue;
+    const double size = kRounding * (norm.xx + norm.yy);
+    if (std::abs(norm.xx - norm.yy) > size || std::abs(norm.xy) > size || norm.wx != 0 || norm.wy != 0) return false;
+  }
+  return true;
+}
+
+/// Both bounds hold for every metric; that of a density is narrow where the metric is the same in all directions.
+CostInCells in_cells(const Problem& problem) {
+  CostInCells cost{density_of(problem.cost), dual_of(problem.cost)};
+  if (cost.density != nullptr && cost.dual != nullptr) {
+    const Vector2d source = problem.source.u;
+    if (looks_isotropic(*cost.dual, box_of(*problem.manifold)) &&
+        cost.density->enclose_density({source, source}).is_finite())
+      cost.dual = nullptr;
+    else
+      cost.density = nullptr;
+  }
+  return cost;
+}
+
 /// Why there is no bracket of a problem; empty: there may be one.
 std::string why_no_bracket(const Problem& problem) {
   const ConstraintManifold& domain = *problem.manifold;
@@ -59,8 +104,7 @@ std::string why_no_bracket(const Problem& problem) {
   if (find_ability<ChecksMoves>(domain) != nullptr && walls_in_plane(domain) == nullptr)
     return "a bracket needs obstacles that are balls, boxes, polygons or maps in the plane";
   if (box_of(domain).isEmpty()) return "a bracket speaks of the paths in a box: give the manifold finite bounds";
-  if (density_of(problem.cost) == nullptr)
-    return "a bracket needs a cost by formula: bounds of a black box would prove nothing";
+  if (!in_cells(problem)) return "a bracket needs a cost by formula: bounds of a black box would prove nothing";
   return "";
 }
 
@@ -75,11 +119,9 @@ GlobalBound blocked(std::string reason) {
   return out;
 }
 
-std::string why_nothing_proved(const CostDensity& density, const Bracket& bracket, const Vector2d& source) {
+std::string why_nothing_proved(const CostInCells& cost, const Bracket& bracket, const Vector2d& source) {
   if (bracket.stopped && bracket.grids == 0) return "";
-  if (!density.enclose_density({source, source}).is_finite())
-    return "the cost has no finite bounds beside the source: it has to be n(x) times length, a metric of n(x)^2 times "
-           "the unit matrix with \"0\" beside the diagonal";
+  if (!cost.is_known_at(source)) return "the cost has no finite bounds beside the source";
   return "nothing is proved on these grids: the ends are too near to each other or to where the cost is singular";
 }
 
@@ -95,7 +137,7 @@ bool passes_alike(const Problem& problem, const Eigen::Matrix2Xd& way, const Poi
   return way.cols() < 2 || find_ability<ChecksMoves>(*problem.manifold)->same_class(way, curve).value_or(true);
 }
 
-Bracket bracket_of(const Problem& problem, const CostDensity& density, double upper, const GlobalBudget& budget,
+Bracket bracket_of(const Problem& problem, const CostInCells& cost, double upper, const GlobalBudget& budget,
                    const Monitor& monitor) {
   BracketOptions options;
   options.tolerance = budget.tolerance;
@@ -105,7 +147,10 @@ Bracket bracket_of(const Problem& problem, const CostDensity& density, double up
   options.stop = [&monitor, end = end_of_search(budget, monitor)] {
     return monitor.interrupted() || (end && Monitor::Clock::now() > *end);
   };
-  return bracket_least_cost(density, box_of(*problem.manifold), problem.source.u, problem.target.u, upper, options);
+  const auto of = [&](const auto& known) {
+    return bracket_least_cost(known, box_of(*problem.manifold), problem.source.u, problem.target.u, upper, options);
+  };
+  return cost.dual != nullptr ? of(*cost.dual) : of(*cost.density);
 }
 
 }  // namespace
@@ -121,9 +166,9 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
     return current;
   }
   const auto begin = Monitor::Clock::now();
-  const std::shared_ptr<const CostDensity> density = density_of(problem.cost);
+  const CostInCells cost = in_cells(problem);
   const Eigen::AlignedBox2d box = box_of(*problem.manifold);
-  const double upper = polyline_cost_above(*density, feasible_polyline(problem, current.chain.u, box));
+  const double upper = cost.above(feasible_polyline(problem, current.chain.u, box));
 
   const std::lock_guard<std::mutex> guard(kept_->lock);
   KeptBracket& kept = *kept_;
@@ -134,7 +179,7 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
     kept.domain = problem.manifold;
     kept.source = problem.source.u;
     kept.target = problem.target.u;
-    kept.bracket = bracket_of(problem, *density, upper, budget_, monitor);
+    kept.bracket = bracket_of(problem, cost, upper, budget_, monitor);
     kept.improved = false;
   }
   const Bracket& bracket = kept.bracket;
@@ -159,7 +204,7 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
   }
   global.outcome = !global.proved ? "bounded" : kept.improved ? "improved" : "proved";
   if (bracket.lower == 0) {
-    global.reason = why_nothing_proved(*density, bracket, problem.source.u);
+    global.reason = why_nothing_proved(cost, bracket, problem.source.u);
     if (!global.reason.empty()) global.outcome = "blocked";
   }
   global.seconds = kept.seconds;
