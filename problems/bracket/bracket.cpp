@@ -132,7 +132,7 @@ class Search {
         !std::isfinite(out_.upper))
       return refine_whole();
     constexpr double kFarther = 1.25;  // than this times the known cost nothing need be told apart
-    const double cap = kFarther * out_.upper;
+    const double cap = medium_.dual != nullptr ? kFarther * out_.upper : kInfinity;
     const DistanceBound below_s = distance_bound(level_, from_s, cap, marching_),
                         below_t = distance_bound(level_, from_t, cap, marching_);
     take_at(below_s, target_);

@@ -61,7 +61,10 @@ struct CostInCells {
   bool is_known_at(const Vector2d& x) const {
     if (dual == nullptr) return density->enclose_density({x, x}).is_finite();
     const DualNorm<CostDual::Jet> norm = dual->enclose_cell({x, x});
-    return norm.xx.value().is_finite() && norm.yy.value().is_finite();
+    const auto known = [](const CostDual::Jet& f) {
+      return f.value().is_finite() && f.d(0, 0).is_finite() && f.d(0, 1).is_finite() && f.d(1, 1).is_finite();
+    };
+    return known(norm.xx) && known(norm.xy) && known(norm.yy) && known(norm.wx) && known(norm.wy);
   }
 };
 
@@ -70,7 +73,7 @@ bool looks_isotropic(const CostDual& dual, const Eigen::AlignedBox2d& box) {
   constexpr double kRounding = 1e-9;
   constexpr int kPlaces = 5;
   for (int k = 0; k < kPlaces; ++k) {
-    const Vector2d part(0.1 + 0.19 * k, 0.07 + 0.41 * k - 0.5 * (k / 2)),
+    const Vector2d part(0.1 + 0.19 * k, std::fmod(0.07 + 0.41 * k, 1.0)),
         x = box.min() + box.sizes().cwiseProduct(part);
     const DualNorm<double> norm = dual.dual(box.center() + 0.9 * (x - box.center()));
     if (!std::isfinite(norm.xx)) continue;
@@ -119,9 +122,8 @@ GlobalBound blocked(std::string reason) {
   return out;
 }
 
-std::string why_nothing_proved(const CostInCells& cost, const Bracket& bracket, const Vector2d& source) {
+std::string why_nothing_proved(const Bracket& bracket) {
   if (bracket.stopped && bracket.grids == 0) return "";
-  if (!cost.is_known_at(source)) return "the cost has no finite bounds beside the source";
   return "nothing is proved on these grids: the ends are too near to each other or to where the cost is singular";
 }
 
@@ -167,6 +169,12 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
   }
   const auto begin = Monitor::Clock::now();
   const CostInCells cost = in_cells(problem);
+  for (const bool is_source : {true, false}) {
+    if (cost.is_known_at(is_source ? problem.source.u : problem.target.u)) continue;
+    current.curve.global =
+        blocked(std::string("the cost has no finite bounds beside the ") + (is_source ? "source" : "target"));
+    return current;
+  }
   const Eigen::AlignedBox2d box = box_of(*problem.manifold);
   const double upper = cost.above(feasible_polyline(problem, current.chain.u, box));
 
@@ -204,7 +212,7 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
   }
   global.outcome = !global.proved ? "bounded" : kept.improved ? "improved" : "proved";
   if (bracket.lower == 0) {
-    global.reason = why_nothing_proved(cost, bracket, problem.source.u);
+    global.reason = why_nothing_proved(bracket);
     if (!global.reason.empty()) global.outcome = "blocked";
   }
   global.seconds = kept.seconds;
