@@ -40,6 +40,32 @@ double cost_to_bisector(const LocalField& field, const std::vector<double>& dens
   return distance * (n - (std::isfinite(rise) ? 0.5 * rise * distance : 0));
 }
 
+/// The same where the cost depends on the direction: u = a f (1 - f (dH/dp . grad a) / 2), a = 1 / H(x, grad f), has
+/// H(x, grad u) = 1 up to the square of f.
+double dual_cost_to_bisector(const std::vector<double>& half, const Level& level, int i, int j) {
+  const CellGrid& grid = level.grid;
+  const auto node = static_cast<std::size_t>(grid.id(i, j)), stride = static_cast<std::size_t>(grid.stride());
+  const auto slope = [&](std::size_t at) -> Eigen::Vector2d {
+    return Eigen::Vector2d(half[at + 1] - half[at - 1], half[at + stride] - half[at - stride]) / (2 * grid.h);
+  };
+  const auto factor = [&](std::size_t at) {
+    const Eigen::Vector2d p = slope(at);
+    return 1 / level.size(at, p[0], p[1], false);
+  };
+  const double f = half[node], a = factor(node);
+  if (i < 2 || j < 2 || i >= grid.nx || j >= grid.ny) return a * f;
+  const Eigen::Vector2d p = slope(node);
+  const DualNorm<double>& norm = level.duals[node];
+  const double size = std::sqrt(norm.squared(p[0], p[1]));
+  const double vx = (norm.xx * p[0] + norm.xy * p[1]) / size + norm.wx,
+               vy = (norm.xy * p[0] + norm.yy * p[1]) / size + norm.wy;
+  const double rise =
+      (vx * (factor(node + 1) - factor(node - 1)) + vy * (factor(node + stride) - factor(node - stride))) /
+      (2 * grid.h);
+  constexpr double kMost = 0.5;  // beyond is a shock
+  return std::abs(f * rise) < kMost ? a * f * (1 - 0.5 * f * rise) : a * f;
+}
+
 }  // namespace
 
 Front front_at_bisector(const Level& level, const std::vector<double>& from_s, const std::vector<double>& from_t) {
@@ -65,7 +91,9 @@ Front front_at_bisector(const Level& level, const std::vector<double>& from_s, c
           beside = beside || (std::isfinite(half[other]) && front.sign[other] != front.sign[node]);
         }
       if (!beside) continue;
-      const double cost = cost_to_bisector({half, node, stride, grid.h}, level.density, node, stride, grid.h);
+      const double cost = level.duals.empty()
+                              ? cost_to_bisector({half, node, stride, grid.h}, level.density, node, stride, grid.h)
+                              : dual_cost_to_bisector(half, level, i, j);
       if (!std::isfinite(cost)) continue;
       front.values[node] = std::abs(cost);
       front.seeds.push_back(static_cast<int>(node));

@@ -25,9 +25,9 @@ constexpr int kBisectorDeflations = 6;
 
 class Search {
  public:
-  Search(const CostDensity& density, const Eigen::AlignedBox2d& box, const Vector2d& source, const Vector2d& target,
+  Search(const Medium& medium, const Eigen::AlignedBox2d& box, const Vector2d& source, const Vector2d& target,
          double upper, const BracketOptions& options)
-      : density_(density), source_(source), target_(target), options_(options), way_cost_(upper) {
+      : medium_(medium), source_(source), target_(target), options_(options), way_cost_(upper) {
     out_.box = box;
     out_.upper = upper;
   }
@@ -47,7 +47,7 @@ class Search {
   void search() {
     while (true) {
       count_level();
-      const DistanceField from_s = field_of(source_), from_t = field_of(target_);
+      const DistanceField from_s = field_of(source_, false), from_t = field_of(target_, true);
       follow_field(from_s);
       if (is_part_) bisect(from_s, from_t);
       if (out_.gap() <= options_.tolerance) return;
@@ -63,15 +63,15 @@ class Search {
   }
 
   /// The error of the seeds grows with the square around an end, that of the first cells around it falls.
-  DistanceField field_of(const Vector2d& end) {
+  DistanceField field_of(const Vector2d& end, bool reversed) {
     const double apart = (source_ - target_).norm();
     const int rings = std::max(3, static_cast<int>(std::lround(0.375 * std::sqrt(apart / level_.grid.h))));
-    return distance_field(density_, level_, end_region(density_, level_.grid, end, rings), marching_);
+    return distance_field(medium_, level_, medium_.end_region(level_.grid, end, rings, reversed), marching_);
   }
 
   void follow_field(const DistanceField& from_s) {
     for (const Eigen::Matrix2Xd& way : ways_down(level_, from_s, target_)) {
-      const double cost = polyline_cost_above(density_, way);
+      const double cost = medium_.polyline_above(way);
       if (!(cost < way_cost_)) continue;
       way_cost_ = cost;
       out_.way = way;
@@ -98,8 +98,8 @@ class Search {
   /// By the signed distance to the bisector, on a grid that has little behind the ends, where it has shocks.
   void bisect(const DistanceField& from_s, const DistanceField& from_t) {
     constexpr double kWorthWhile = 0.97;
-    const EndRegion s = end_region(density_, level_.grid, source_, kBisectorRings),
-                    t = end_region(density_, level_.grid, target_, kBisectorRings);
+    const EndRegion s = medium_.end_region(level_.grid, source_, kBisectorRings, false),
+                    t = medium_.end_region(level_.grid, target_, kBisectorRings, true);
     Front front = front_at_bisector(level_, from_s.u, from_t.u);
     if (front.seeds.empty()) return;
     std::vector<double> u = march(level_, front, 1, marching_), ratios;
@@ -121,7 +121,7 @@ class Search {
     const Interval h(grid.h), a = (Interval(x[0]) - grid.x0) / h - (Interval(i) - 0.5),
                               b = (Interval(x[1]) - grid.y0) / h - (Interval(j) - 0.5);
     const Interval u = spline_value<Interval>(bound.u, grid.stride(), static_cast<std::size_t>(grid.id(i, j)), a, b);
-    raise_lower((u / Interval(bound.ratio) + Interval(bound.offset)).lo);
+    raise_lower((Interval(std::min(u.lo, bound.cap)) / Interval(bound.ratio) + Interval(bound.offset)).lo);
   }
 
   /// The next grid; false where there is none.
@@ -131,8 +131,10 @@ class Search {
     if (!from_s.region.valid || !from_t.region.valid || from_s.region.touches(from_t.region) ||
         !std::isfinite(out_.upper))
       return refine_whole();
-    const DistanceBound below_s = distance_bound(level_, from_s, marching_),
-                        below_t = distance_bound(level_, from_t, marching_);
+    constexpr double kFarther = 1.25;  // than this times the known cost nothing need be told apart
+    const double cap = medium_.dual != nullptr ? kFarther * out_.upper : kInfinity;
+    const DistanceBound below_s = distance_bound(level_, from_s, cap, marching_),
+                        below_t = distance_bound(level_, from_t, cap, marching_);
     take_at(below_s, target_);
     take_at(below_t, source_);
     if (is_last || out_.gap() <= options_.tolerance) return false;
@@ -150,10 +152,9 @@ class Search {
     return true;
   }
 
-  const CostDensity& density_;
+  const Medium medium_;
   const Vector2d source_, target_;
   const BracketOptions& options_;
-  const Medium medium_{density_, options_.depth};
   const StopLook look_{options_.stop};
   Level level_;
   double way_cost_;       ///< of out_.way, or what it has to be below
@@ -205,13 +206,27 @@ Vector2d BracketPotential::gradient(const Vector2d& x) const {
   return Vector2d(v.d[0], v.d[1]) / side;
 }
 
-Bracket bracket_least_cost(const CostDensity& density, const Eigen::AlignedBox2d& box, const Vector2d& source,
-                           const Vector2d& target, double upper, const BracketOptions& options) {
+namespace {
+
+Bracket bracket_in(const Medium& medium, const Eigen::AlignedBox2d& box, const Vector2d& source, const Vector2d& target,
+                   double upper, const BracketOptions& options) {
   if (!(box.sizes().minCoeff() > 0) || !box.sizes().allFinite())
     throw InputError("a bracket needs a box with finite sides of some length");
   if (!box.contains(source) || !box.contains(target))
     throw InputError("both ends have to lie in the box of the bracket");
-  return Search(density, box, source, target, upper, options).run();
+  return Search(medium, box, source, target, upper, options).run();
+}
+
+}  // namespace
+
+Bracket bracket_least_cost(const CostDensity& density, const Eigen::AlignedBox2d& box, const Vector2d& source,
+                           const Vector2d& target, double upper, const BracketOptions& options) {
+  return bracket_in({density, options.depth}, box, source, target, upper, options);
+}
+
+Bracket bracket_least_cost(const CostDual& dual, const Eigen::AlignedBox2d& box, const Vector2d& source,
+                           const Vector2d& target, double upper, const BracketOptions& options) {
+  return bracket_in({dual, options.depth}, box, source, target, upper, options);
 }
 
 }  // namespace leastcost

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -12,11 +13,13 @@
 
 #include <leastcost/eigen_alignment.hpp>
 #include <leastcost/problems/bracket/cost_density.hpp>
+#include <leastcost/problems/bracket/cost_dual.hpp>
 
 namespace leastcost {
 
 /// A potential on square cells in a box: u = a biquadratic spline whose coefficients are numbers at the centres of the
-/// cells and of a row around them, with |grad u| <= ratio n in the searched cells outside the squares around the ends.
+/// cells and of a row around them, with |grad u| <= ratio n, or H(x, grad u) <= ratio for a cost that depends on the
+/// direction (DualNorm), in the searched cells outside the squares around the ends.
 /// What a proof rests on, and what a picture of it shows.
 struct BracketPotential {
   Eigen::Vector2d corner = Eigen::Vector2d::Zero();  ///< lower left one of the box
@@ -59,7 +62,7 @@ struct Bracket {
   bool stopped = false;                               ///< by options.stop or a limit, before the tolerance was reached
   std::shared_ptr<const BracketPotential> potential;  ///< of `lower`
 
-  double gap() const { return lower < upper ? (upper - lower) / upper : 0; }
+  double gap() const { return !std::isfinite(upper) ? 1 : lower < upper ? (upper - lower) / upper : 0; }
 };
 
 /// No path in the box from `source` to `target` costs less than `lower`: for a potential u with |grad u| <= n every
@@ -69,6 +72,12 @@ struct Bracket {
 /// the way down the field takes its place, where there are no obstacles. docs/numerics.md Sec. 6.10 says what is
 /// trusted. Throws InputError for ends outside the box or a box without area.
 Bracket bracket_least_cost(const CostDensity& density, const Eigen::AlignedBox2d& box, const Eigen::Vector2d& source,
+                           const Eigen::Vector2d& target, double upper = std::numeric_limits<double>::infinity(),
+                           const BracketOptions& options = {});
+
+/// The same of a cost that depends on the direction, there and back alike or not: metrics, winds. H(x, grad u) <= 1
+/// takes the place of |grad u| <= n.
+Bracket bracket_least_cost(const CostDual& dual, const Eigen::AlignedBox2d& box, const Eigen::Vector2d& source,
                            const Eigen::Vector2d& target, double upper = std::numeric_limits<double>::infinity(),
                            const BracketOptions& options = {});
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include <leastcost/framework/dual.hpp>
+
 namespace leastcost::bracket {
 namespace {
 
@@ -125,7 +127,70 @@ double side_minimum(const CellGrid& grid, const EndRegion& region, const Side& s
   return bound == bound ? bound : -kInfinity;
 }
 
+/// What the second derivative of the spline along a side lies in, in units of the cell.
+Interval bend_along(const std::vector<double>& u, int stride, std::size_t node, bool along_y) {
+  const long step = along_y ? stride : 1, across = along_y ? 1 : stride;
+  Interval out;
+  for (int q = -1; q <= 1; ++q) {
+    const auto at = [&](long k) {
+      return Interval(u[static_cast<std::size_t>(static_cast<long>(node) + q * across + k * step)]);
+    };
+    const Interval here = (at(1) - at(0)) - (at(0) - at(-1));
+    out = q < 0 ? here : hull(out, here);
+  }
+  return out;
+}
+
+/// The same for the cone of a dual norm: on each piece by the value in its middle and the slopes on it.
+double dual_side_minimum(const CellGrid& grid, const EndRegion& region, const Side& side, const std::vector<double>& u,
+                         double sign, double ratio) {
+  using Slope = Dual<Interval, 1>;
+  constexpr int kFinePieces = 32;
+  const bool along_y = side.out_i != 0;
+  const auto node = static_cast<std::size_t>(grid.id(side.i, side.j));
+  const Interval h(grid.h), x0 = Interval(grid.x0) + (Interval(side.i) - 0.5) * h - Interval(region.place[0]),
+                            y0 = Interval(grid.y0) + (Interval(side.j) - 0.5) * h - Interval(region.place[1]);
+  const Interval scale = Interval(sign) / Interval(ratio), bend = bend_along(u, grid.stride(), node, along_y);
+  const auto at = [&](const Interval& t, const auto& f) {
+    const Slope along(t, {Interval(1)});
+    return along_y ? f(Slope(0.5 * side.out_i), along) : f(along, Slope(0.5 * side.out_j));
+  };
+  const auto cone = [&](const Slope& a, const Slope& b) {
+    return region.dual->value<Slope>(Slope(x0, {}) + a * Slope(grid.h), Slope(y0, {}) + b * Slope(grid.h));
+  };
+  const auto spline = [&](const Slope& a, const Slope& b) { return spline_value<Slope>(u, grid.stride(), node, a, b); };
+  double least = kInfinity;
+  for (int k = 0; k < kFinePieces; ++k) {
+    const Interval piece(-0.5 + static_cast<double>(k) / kFinePieces, -0.5 + static_cast<double>(k + 1) / kFinePieces);
+    const Interval middle(piece.middle()), off = piece - middle;
+    const Slope v = at(middle, cone), p = at(middle, spline);
+    const Interval slope_u = scale * (p.d[0] + bend * off), slope_v = at(piece, cone).d[0];
+    const double by_cone = (v.value + scale * p.value + (slope_v + slope_u) * off).lo,
+                 by_most = (Interval(region.dual->most) + scale * p.value + slope_u * off).lo;
+    if (!(by_cone >= least)) least = by_cone == by_cone ? by_cone : -kInfinity;
+    if (!(by_most >= least)) least = by_most == by_most ? by_most : -kInfinity;
+  }
+  return least;
+}
+
 }  // namespace
+
+EndRegion end_region(const CostDual& dual, const CellGrid& grid, const Vector2d& place, int k, bool reversed) {
+  EndRegion region;
+  region.place = place;
+  region.reversed = reversed;
+  region.ci = grid.column_at(place[0]);
+  region.cj = grid.row_at(place[1]);
+  for (region.k = std::max(k, kLeastRings); region.k >= kLeastRings; --region.k) {
+    const double half = (region.k + 0.5) * grid.h;
+    const Vector2d off = (place - grid.node(region.ci, region.cj)).cwiseAbs();
+    region.dual = dual_cone(dual, grid.box, place, (Vector2d(half, half) + off).norm(), reversed);
+    region.valid = region.dual.has_value();
+    if (region.valid) return region;
+  }
+  region.k = kLeastRings;
+  return region;
+}
 
 EndRegion end_region(const CostDensity& density, const CellGrid& grid, const Vector2d& place, int k) {
   EndRegion region;
@@ -151,7 +216,8 @@ double rim_minimum(const CellGrid& grid, const EndRegion& region, const std::vec
                                         {region.ci + t, region.cj - region.k, 0, -1}}};
     for (const Side& side : sides) {
       if (!grid.is_cell(side.i, side.j) || !is_left_by(grid, region, searched, side)) continue;
-      const double here = side_minimum(grid, region, side, u, sign, ratio);
+      const double here = region.dual ? dual_side_minimum(grid, region, side, u, sign, ratio)
+                                      : side_minimum(grid, region, side, u, sign, ratio);
       if (!(here >= least)) least = here;
     }
   }

@@ -18,6 +18,7 @@ class FastMarching {
   /// frozen: they keep their values. Throws Stopped.
   void run(const CellGrid& grid, const std::vector<double>& density, const std::vector<int>& seeds,
            std::vector<double>& u);
+  const StopLook& look() const { return look_; }
 
  private:
   void raise(std::size_t k);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "problems/bracket/dual_marching.hpp"
+
 namespace leastcost::bracket {
 namespace {
 
@@ -17,6 +19,43 @@ constexpr int kCorrections = 3;
 constexpr int kDeflations = 4;
 constexpr double kLeastFactor = 0.6, kMostFactor = 1.15;  ///< of a correction; beyond is a shock
 constexpr double kOvershoot = 1.1;
+
+/// The cost of a straight move from the end by Simpson's rule, less what a curve saves.
+double straight_cost(const CostDensity& density, const EndRegion& region, const Eigen::Vector2d& d,
+                     const Eigen::Vector2d& middle, const Eigen::Vector2d& end) {
+  const double n0 = density.density(region.place), r = d.norm();
+  const double across = r > 0 ? (region.gx * d[1] - region.gy * d[0]) / r : 0;
+  return r * (n0 + 4 * density.density(middle) + density.density(end)) / 6 - r * r * r * across * across / (24 * n0);
+}
+
+/// The same under a dual norm: of a move with a bend in its middle, which is moved aside to where it costs least; a
+/// parabola saves 4 / 3 of what such a move saves.
+double straight_cost(const CostDual& dual, const EndRegion& region, const Eigen::Vector2d& d, const CellGrid& grid) {
+  if (d[0] == 0 && d[1] == 0) return 0;
+  constexpr double kAside = 0.05, kParabola = 4.0 / 3;
+  const double sign = region.reversed ? -1 : 1;
+  const auto move = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    const Eigen::Vector2d along = sign * (b - a);
+    const auto at = [&](double t) { return dual.dual(grid.in_box(a + t * (b - a))).cost(along[0], along[1]); };
+    return (at(0) + 4 * at(0.5) + at(1)) / 6;
+  };
+  const Eigen::Vector2d end = region.place + d, aside(-kAside * d[1], kAside * d[0]);
+  const auto over = [&](double s) {
+    const Eigen::Vector2d middle = region.place + 0.5 * d + s * aside;
+    return move(region.place, middle) + move(middle, end);
+  };
+  const double straight = over(0), left = over(1), right = over(-1);
+  const double bend = left + right - 2 * straight, saved = (left - right) * (left - right) / (8 * bend);
+  return bend > 0 && saved < 0.5 * straight ? straight - kParabola * saved : straight;
+}
+
+bool is_above(const Net& net, double cap) {
+  constexpr double kRounding = 1e-14;
+  for (const auto& row : net)
+    for (const double value : row)
+      if (!(value * (1 - kRounding) >= cap)) return false;
+  return true;
+}
 
 double largest_of(const std::vector<double>& u) {
   double largest = 0;
@@ -30,13 +69,20 @@ double largest_of(const std::vector<double>& u) {
 double Medium::marched(const CellGrid& grid, int i, int j) const {
   constexpr double kFree = 0.75, kScale = 4;  // cells
   const Eigen::Vector2d x = grid.in_box(grid.node(i, j));
-  const double n = density.density(x), deep = depth ? depth(x) / grid.h - kFree : 0;
+  const double n = dual == nullptr ? density->density(x) : std::isfinite(dual->dual(x).xx) ? 1 : kInfinity;
+  const double deep = depth ? depth(x) / grid.h - kFree : 0;
   return deep > 0 ? n * (1 + deep * deep / (kScale * kScale)) : n;
+}
+
+EndRegion Medium::end_region(const CellGrid& grid, const Eigen::Vector2d& place, int k, bool reversed) const {
+  return dual != nullptr ? bracket::end_region(*dual, grid, place, k, reversed)
+                         : bracket::end_region(*density, grid, place, k);
 }
 
 void fill_density(const Medium& medium, Level& level, const StopLook& look) {
   const CellGrid& grid = level.grid;
   level.density.assign(static_cast<std::size_t>(grid.nodes()), kInfinity);
+  if (medium.dual != nullptr) level.duals.resize(level.density.size());
   level.cells.clear();
   const int around = margin_of(grid);
   for (int j = 1; j <= grid.ny; ++j)
@@ -49,8 +95,11 @@ void fill_density(const Medium& medium, Level& level, const StopLook& look) {
       const int margin = inner ? 0 : around;
       for (int b = std::max(0, j - margin); b <= std::min(grid.ny + 1, j + margin); ++b)
         for (int a = std::max(0, i - margin); a <= std::min(grid.nx + 1, i + margin); ++a) {
-          double& n = level.density[static_cast<std::size_t>(grid.id(a, b))];
-          if (!(n < kInfinity)) n = medium.marched(grid, a, b);
+          const auto node = static_cast<std::size_t>(grid.id(a, b));
+          double& n = level.density[node];
+          if (n < kInfinity) continue;
+          n = medium.marched(grid, a, b);
+          if (medium.dual != nullptr) level.duals[node] = medium.dual->dual(grid.in_box(grid.node(a, b)));
         }
     }
 }
@@ -58,9 +107,14 @@ void fill_density(const Medium& medium, Level& level, const StopLook& look) {
 void fill_level(const Medium& medium, Level& level, const StopLook& look) {
   fill_density(medium, level, look);
   level.floors.clear();
+  level.dual_cells.clear();
   for (const int node : level.cells) {
     look.now_and_then();
-    level.floors.push_back(density_floor(medium.density, level.grid, level.grid.column(node), level.grid.row(node)));
+    const int i = level.grid.column(node), j = level.grid.row(node);
+    if (medium.dual != nullptr)
+      level.dual_cells.push_back(dual_cell(*medium.dual, level.grid, i, j));
+    else
+      level.floors.push_back(density_floor(*medium.density, level.grid, i, j));
   }
 }
 
@@ -75,24 +129,24 @@ Level whole_level(const Medium& medium, const Eigen::AlignedBox2d& box, int cell
   return level;
 }
 
-Front front_around(const CostDensity& density, const Level& level, const EndRegion& region) {
+Front front_around(const Medium& medium, const Level& level, const EndRegion& region) {
   const CellGrid& grid = level.grid;
   Front front;
   front.density = level.density;
   front.values.assign(level.density.size(), kInfinity);
-  const double reach = (region.k + 2) * grid.h * std::sqrt(2.0), n0 = density.density(region.place);
+  front.reversed = region.reversed;
+  const double reach = (region.k + 2) * grid.h * std::sqrt(2.0);
   const int span = 2 * region.k + 6;
   for (int j = std::max(0, region.cj - span); j <= std::min(grid.ny + 1, region.cj + span); ++j)
     for (int i = std::max(0, region.ci - span); i <= std::min(grid.nx + 1, region.ci + span); ++i) {
       const Eigen::Vector2d x = grid.node(i, j), d = x - region.place;
-      const double r = d.norm();
-      if (r > reach) continue;
-      const double across = r > 0 ? (region.gx * d[1] - region.gy * d[0]) / r : 0;
-      const double middle = density.density(grid.in_box(region.place + d / 2)), end = density.density(grid.in_box(x));
-      const int node = grid.id(i, j);
-      front.values[static_cast<std::size_t>(node)] =
-          r * (n0 + 4 * middle + end) / 6 - r * r * r * across * across / (24 * n0);
-      front.seeds.push_back(node);
+      if (d.norm() > reach) continue;
+      const double cost = medium.dual != nullptr ? straight_cost(*medium.dual, region, d, grid)
+                                                 : straight_cost(*medium.density, region, d,
+                                                                 grid.in_box(region.place + d / 2), grid.in_box(x));
+      if (!std::isfinite(cost)) continue;
+      front.values[static_cast<std::size_t>(grid.id(i, j))] = cost;
+      front.seeds.push_back(grid.id(i, j));
     }
   return front;
 }
@@ -102,7 +156,10 @@ std::vector<double> march(const Level& level, Front& front, int corrections, Fas
   const int stride = grid.stride();
   for (int pass = 0;; ++pass) {
     std::vector<double> u = front.values;
-    marching.run(grid, front.density, front.seeds, u);
+    if (level.duals.empty())
+      marching.run(grid, front.density, front.seeds, u);
+    else
+      march_dual(level, front, u, marching.look());
     if (!front.sign.empty())
       for (std::size_t node = 0; node < u.size(); ++node) u[node] *= front.sign[node];
     if (pass == corrections) return u;
@@ -112,14 +169,14 @@ std::vector<double> march(const Level& level, Front& front, int corrections, Fas
         if (!(level.density[node] < kInfinity)) continue;
         const double gx = u[node + 1] - u[node - 1],
                      gy = u[node + static_cast<std::size_t>(stride)] - u[node - static_cast<std::size_t>(stride)];
-        const double factor = 2 * grid.h * level.density[node] / std::sqrt(gx * gx + gy * gy);
+        const double factor = 2 * grid.h * level.density[node] / level.size(node, gx, gy, front.reversed);
         if (factor > kLeastFactor && factor < kMostFactor) front.density[node] *= factor;
       }
   }
 }
 
 double check(const Level& level, const std::vector<double>& u, const EndRegion& s, const EndRegion& t,
-             std::vector<double>& ratios) {
+             std::vector<double>& ratios, bool reversed, double cap) {
   const CellGrid& grid = level.grid;
   const double largest = largest_of(u);
   ratios.assign(u.size(), 0);
@@ -127,9 +184,12 @@ double check(const Level& level, const std::vector<double>& u, const EndRegion& 
   for (std::size_t k = 0; k < level.cells.size(); ++k) {
     const int node = level.cells[k], i = grid.column(node), j = grid.row(node);
     if ((s.valid && s.holds(i, j)) || (t.valid && t.holds(i, j))) continue;
-    const double ratio =
-        proved_ratio(u, grid.stride(), static_cast<std::size_t>(node), grid.h, largest, level.floors[k]);
-    ratios[static_cast<std::size_t>(node)] = ratio;
+    const auto at = static_cast<std::size_t>(node);
+    if (cap < kInfinity && is_above(value_net(u, grid.stride(), at), cap)) continue;
+    const double ratio = level.duals.empty() ? proved_ratio(u, grid.stride(), at, grid.h, largest, level.floors[k])
+                                             : proved_dual_ratio(u, grid.stride(), at, grid.h, largest,
+                                                                 reversed ? -1 : 1, level.dual_cells[k]);
+    ratios[at] = ratio;
     worst = std::max(worst, ratio);
   }
   return worst;
@@ -150,18 +210,18 @@ void deflate(const Level& level, const std::vector<double>& ratios, Front& front
     }
 }
 
-DistanceField distance_field(const CostDensity& density, const Level& level, const EndRegion& region,
+DistanceField distance_field(const Medium& medium, const Level& level, const EndRegion& region,
                              FastMarching& marching) {
-  DistanceField field{region, {}, front_around(density, level, region)};
+  DistanceField field{region, {}, front_around(medium, level, region)};
   field.u = march(level, field.front, kCorrections, marching);
   return field;
 }
 
-DistanceBound distance_bound(const Level& level, DistanceField field, FastMarching& marching) {
-  DistanceBound bound{field.region, {}, kInfinity, 0};
+DistanceBound distance_bound(const Level& level, DistanceField field, double cap, FastMarching& marching) {
+  DistanceBound bound{field.region, {}, cap, kInfinity, 0};
   std::vector<double> ratios;
   for (int round = 0;; ++round) {
-    const double ratio = check(level, field.u, field.region, EndRegion(), ratios);
+    const double ratio = check(level, field.u, field.region, EndRegion(), ratios, field.region.reversed, cap);
     if (round == 0 || ratio < bound.ratio) {
       bound.ratio = ratio;
       bound.u = field.u;

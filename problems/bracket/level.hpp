@@ -2,38 +2,60 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <vector>
 
+#include "problems/bracket/dual_check.hpp"
 #include "problems/bracket/end_region.hpp"
 #include "problems/bracket/fast_marching.hpp"
 #include "problems/bracket/spline_check.hpp"
 
 namespace leastcost::bracket {
 
-/// What paths run through: a density, and obstacles that no path enters. `depth` of a place is at most its distance
-/// from all places outside them, positive inside; none: there are no obstacles.
-struct Medium {
-  const CostDensity& density;
-  const std::function<double(const Eigen::Vector2d&)>& depth;
+/// What paths run through: a density or a dual norm, and obstacles that no path enters. `depth` of a place is at most
+/// its distance from all places outside them, positive inside; none: there are no obstacles.
+class Medium {
+ public:
+  using Depth = std::function<double(const Eigen::Vector2d&)>;
+  Medium(const CostDensity& n, const Depth& in_obstacles) : density(&n), depth(in_obstacles) {}
+  Medium(const CostDual& norm, const Depth& in_obstacles) : dual(&norm), depth(in_obstacles) {}
+
+  const CostDensity* density = nullptr;  ///< one of both is there
+  const CostDual* dual = nullptr;
+  const Depth& depth;
 
   /// Whether a cell lies within the obstacles, so that nothing need be proved in it.
   bool is_blocked(const CellGrid& grid, int i, int j) const {
     constexpr double kHalfDiagonal = 0.70711 * (1 + 1e-9);
     return depth && depth(grid.node(i, j)) > kHalfDiagonal * grid.h;
   }
-  /// The density that fronts are marched with: within obstacles it grows, from where no cell is searched any more, so
-  /// that potentials go on smoothly a little way.
+  /// The density that fronts are marched with, times the dual norm: within obstacles it grows, from where no cell is
+  /// searched any more, so that potentials go on smoothly a little way.
   double marched(const CellGrid& grid, int i, int j) const;
+  /// As of its density or dual norm.
+  double polyline_above(const Eigen::Ref<const Eigen::Matrix2Xd>& x) const {
+    return dual != nullptr ? polyline_cost_above(*dual, x) : polyline_cost_above(*density, x);
+  }
+  /// `reversed`: of the cost to the end.
+  EndRegion end_region(const CellGrid& grid, const Eigen::Vector2d& place, int k, bool reversed) const;
 };
 
 /// One grid, and the part of it in which a cheaper path may run.
 struct Level {
   CellGrid grid;
-  std::vector<double> density;          ///< n at the nodes; infinite where fronts do not go
+  std::vector<double> density;          ///< n at the nodes, or 1; infinite where fronts do not go
+  std::vector<DualNorm<double>> duals;  ///< at those nodes; empty under a density
   std::vector<unsigned char> searched;  ///< per node: its cell may hold a cheaper path, the inequality is checked in it
   std::vector<int> cells;               ///< those nodes
   std::vector<Net> floors;              ///< per cell: what is below n
+  std::vector<DualCell> dual_cells;     ///< per cell: what is known of the dual norm
+
+  /// The dual norm of a gradient at a node; its length where there is a density.
+  double size(std::size_t node, double px, double py, bool reversed) const {
+    if (duals.empty()) return std::sqrt(px * px + py * py);
+    return reversed ? duals[node](-px, -py) : duals[node](px, py);
+  }
 };
 
 /// The whole box. These throw Stopped.
@@ -52,38 +74,39 @@ struct Front {
   std::vector<double> values;  ///< at the seeds, infinite elsewhere
   std::vector<double> density;
   std::vector<signed char> sign;
+  bool reversed = false;  ///< of costs to the seeds, not from them
 };
 
 /// From an end: the cost of the straight move, less what the least cost is below it, near it.
-Front front_around(const CostDensity& density, const Level& level, const EndRegion& region);
+Front front_around(const Medium& medium, const Level& level, const EndRegion& region);
 
 /// Marches, `corrections` times with a density for which the central differences of the outcome have the length of n:
 /// second order instead of first.
 std::vector<double> march(const Level& level, Front& front, int corrections, FastMarching& marching);
 
-/// Proved ratios of |grad u| to n in the searched cells outside the regions; returns the largest, at least 1.
+/// Proved ratios of |grad u| to n, or dual norms of grad u, in the searched cells outside the regions, but for those
+/// where u is nowhere below `cap`; returns the largest, at least 1.
 double check(const Level& level, const std::vector<double>& u, const EndRegion& s, const EndRegion& t,
-             std::vector<double>& ratios);
+             std::vector<double>& ratios, bool reversed = false, double cap = kInfinity);
 
 /// Lowers the density where the ratio exceeds 1, so that the next march has less of an excess there.
 void deflate(const Level& level, const std::vector<double>& ratios, Front& front);
 
-/// The cost from an end to the nodes, nearly, of second order: nothing is proved.
+/// The cost from an end to the nodes, or back, nearly, of second order: nothing is proved.
 struct DistanceField {
   EndRegion region;
   std::vector<double> u;
   Front front;  ///< with the density that it was marched with
 };
-DistanceField distance_field(const CostDensity& density, const Level& level, const EndRegion& region,
-                             FastMarching& marching);
+DistanceField distance_field(const Medium& medium, const Level& level, const EndRegion& region, FastMarching& marching);
 
-/// A proved lower bound of the cost from an end to any place: u / ratio + offset outside the region of the end, its
-/// cone within.
+/// A proved lower bound of the cost from an end to any place: min(u, cap) / ratio + offset outside the region of the
+/// end, its cone within. Beyond the cap u may be as steep as it likes.
 struct DistanceBound {
   EndRegion region;
   std::vector<double> u;
-  double ratio = 1, offset = 0;
+  double cap = kInfinity, ratio = 1, offset = 0;
 };
-DistanceBound distance_bound(const Level& level, DistanceField field, FastMarching& marching);
+DistanceBound distance_bound(const Level& level, DistanceField field, double cap, FastMarching& marching);
 
 }  // namespace leastcost::bracket

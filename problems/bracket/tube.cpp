@@ -44,7 +44,7 @@ Net sum_net(const CellGrid& grid, const DistanceBound& a, const DistanceBound& b
   Net sum;
   for (std::size_t q = 0; q < 3; ++q)
     for (std::size_t p = 0; p < 3; ++p) {
-      const double x = va[q][p] / a.ratio, y = vb[q][p] / b.ratio;
+      const double x = std::min(va[q][p], a.cap) / a.ratio, y = std::min(vb[q][p], b.cap) / b.ratio;
       const double size = std::abs(x) + std::abs(y) + std::abs(a.offset) + std::abs(b.offset);
       sum[q][p] = x + y + a.offset + b.offset - 64 * kEps * size;
     }

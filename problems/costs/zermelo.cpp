@@ -8,10 +8,12 @@
 #include <numbers>
 #include <optional>
 #include <sstream>
+#include <type_traits>
 #include <utility>
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/problems/bracket/cost_dual.hpp>
 #include "problems/costs/flow_grid.hpp"
 #include "problems/formula/coordinate_names.hpp"
 #include "problems/formula/formula.hpp"
@@ -149,6 +151,31 @@ struct Zermelo {
   }
 };
 
+/// In the plane, in a flow that is a formula: V |p| + w.p <= 1, whichever of both is the faster.
+template <class Flow>
+class ZermeloInCells final : public SegmentCostOf<Zermelo<Flow>>, public CostDual {
+ public:
+  using SegmentCostOf<Zermelo<Flow>>::SegmentCostOf;
+
+  DualNorm<double> dual(const Eigen::Vector2d& x) const override { return norm<double>(x); }
+  DualNorm<Jet> enclose_dual(const std::array<Jet, 2>& x) const override {
+    const Jet unknown = Jet::unknown();
+    const bool moves = lowest_speed(x) > 0;
+    return moves ? norm<Jet>({x[0], x[1]}) : DualNorm<Jet>{unknown, unknown, unknown, unknown, unknown};
+  }
+
+ private:
+  double lowest_speed(const std::array<Jet, 2>& x) const {
+    return this->function().speed.template at<Jet, 2>({x[0], x[1]}).value().lo;
+  }
+  template <class S>
+  DualNorm<S> norm(const Point<S, 2>& x) const {
+    const Point<S, 2> w = this->function().flow(x);
+    const S v = this->function().speed.template at<S, 2>(x), squared = v * v;
+    return {squared, S(0.0), squared, w[0], w[1]};
+  }
+};
+
 /// A number, where the text is one.
 std::optional<double> as_number(const std::string& text) {
   double value = 0;
@@ -170,6 +197,10 @@ void check_count(std::size_t given, const char* what, int dim) {
                                          what + "; here are " + std::to_string(given));
 }
 
+/// Whether a flow can be bounded over cells of the plane: a grid of values cannot.
+template <class Flow>
+constexpr bool kInCells = std::is_same_v<Flow, UniformFlow<2>> || std::is_same_v<Flow, FormulaFlow<2>>;
+
 template <int D>
 struct FlowMaker {
   const ZermeloOptions& options;
@@ -184,7 +215,11 @@ struct FlowMaker {
                             .additive = constant,
                             .below_curves = constant,
                             .quadratic_at_rest = false};
-    return make_segment_cost(Zermelo<Flow>{std::move(flow), speed_of(options, D), traits});
+    Zermelo<Flow> time{std::move(flow), speed_of(options, D), traits};
+    if constexpr (kInCells<Flow>)
+      return std::make_shared<ZermeloInCells<Flow>>(std::move(time));
+    else
+      return make_segment_cost(std::move(time));
   }
   Made operator()(const flow::Uniform& uniform) const { return lifted(UniformFlow<D>{uniform.velocity}, true); }
   Made operator()(const flow::Formula& formula) const {

@@ -15,6 +15,7 @@
 #include <leastcost/framework/has_box.hpp>
 #include <leastcost/problems/bracket/bracket.hpp>
 #include <leastcost/problems/obstacles/has_walls.hpp>
+#include "problems/bracket/potential_samples.hpp"
 #include "problems/bracket/smooth_polyline.hpp"
 #include "problems/post_processors/search_time.hpp"
 
@@ -51,6 +52,54 @@ const Walls* walls_in_plane(const ConstraintManifold& domain) {
   return &among->walls();
 }
 
+/// What is known of a cost in cells: one of both, or neither.
+struct CostInCells {
+  std::shared_ptr<const CostDensity> density;
+  std::shared_ptr<const CostDual> dual;
+
+  explicit operator bool() const { return density != nullptr || dual != nullptr; }
+  double above(const Eigen::Matrix2Xd& x) const {
+    return dual != nullptr ? polyline_cost_above(*dual, x) : polyline_cost_above(*density, x);
+  }
+  bool is_known_at(const Vector2d& x) const {
+    if (dual == nullptr) return density->enclose_density({x, x}).is_finite();
+    const DualNorm<CostDual::Jet> norm = dual->enclose_cell({x, x});
+    const auto known = [](const CostDual::Jet& f) {
+      return f.value().is_finite() && f.d(0, 0).is_finite() && f.d(0, 1).is_finite() && f.d(1, 1).is_finite();
+    };
+    return known(norm.xx) && known(norm.xy) && known(norm.yy) && known(norm.wx) && known(norm.wy);
+  }
+};
+
+/// Whether the dual norm is the same in all directions at some places, as far as rounding lets it.
+bool looks_isotropic(const CostDual& dual, const Eigen::AlignedBox2d& box) {
+  constexpr double kRounding = 1e-9;
+  constexpr int kPlaces = 5;
+  for (int k = 0; k < kPlaces; ++k) {
+    const Vector2d part(0.1 + 0.19 * k, std::fmod(0.07 + 0.41 * k, 1.0)),
+        x = box.min() + box.sizes().cwiseProduct(part);
+    const DualNorm<double> norm = dual.dual(box.center() + 0.9 * (x - box.center()));
+    if (!std::isfinite(norm.xx)) continue;
+    const double size = kRounding * (norm.xx + norm.yy);
+    if (std::abs(norm.xx - norm.yy) > size || std::abs(norm.xy) > size || norm.wx != 0 || norm.wy != 0) return false;
+  }
+  return true;
+}
+
+/// Both bounds hold for every metric; that of a density is narrow where the metric is the same in all directions.
+CostInCells in_cells(const Problem& problem) {
+  CostInCells cost{density_of(problem.cost), dual_of(problem.cost)};
+  if (cost.density != nullptr && cost.dual != nullptr) {
+    const Vector2d source = problem.source.u;
+    if (looks_isotropic(*cost.dual, box_of(*problem.manifold)) &&
+        cost.density->enclose_density({source, source}).is_finite())
+      cost.dual = nullptr;
+    else
+      cost.density = nullptr;
+  }
+  return cost;
+}
+
 /// Why there is no bracket of a problem; empty: there may be one.
 std::string why_no_bracket(const Problem& problem) {
   const ConstraintManifold& domain = *problem.manifold;
@@ -61,8 +110,7 @@ std::string why_no_bracket(const Problem& problem) {
   if (find_ability<ChecksMoves>(domain) != nullptr && walls_in_plane(domain) == nullptr)
     return "a bracket needs obstacles that are balls, boxes, polygons or maps in the plane";
   if (box_of(domain).isEmpty()) return "a bracket speaks of the paths in a box: give the manifold finite bounds";
-  if (density_of(problem.cost) == nullptr)
-    return "a bracket needs a cost by formula: bounds of a black box would prove nothing";
+  if (!in_cells(problem)) return "a bracket needs a cost by formula: bounds of a black box would prove nothing";
   return "";
 }
 
@@ -77,11 +125,8 @@ GlobalBound blocked(std::string reason) {
   return out;
 }
 
-std::string why_nothing_proved(const CostDensity& density, const Bracket& bracket, const Vector2d& source) {
+std::string why_nothing_proved(const Bracket& bracket) {
   if (bracket.stopped && bracket.grids == 0) return "";
-  if (!density.enclose_density({source, source}).is_finite())
-    return "the cost has no finite bounds beside the source: it has to be n(x) times length, a metric of n(x)^2 times "
-           "the unit matrix with \"0\" beside the diagonal";
   return "nothing is proved on these grids: the ends are too near to each other or to where the cost is singular";
 }
 
@@ -97,31 +142,7 @@ bool passes_alike(const Problem& problem, const Eigen::Matrix2Xd& way, const Poi
   return way.cols() < 2 || find_ability<ChecksMoves>(*problem.manifold)->same_class(way, curve).value_or(true);
 }
 
-/// Around all cells that were searched on the last grid.
-PotentialSamples samples_of(const BracketPotential& potential) {
-  constexpr int kNodes = 121;  // along the longer side
-  PotentialSamples out;
-  for (int j = 0; j < potential.ny; ++j)
-    for (int i = 0; i < potential.nx; ++i) {
-      if (potential.searched[static_cast<std::size_t>(i + 1 + (j + 1) * (potential.nx + 2))] == 0) continue;
-      out.box.extend(potential.corner + potential.side * Vector2d(i, j));
-      out.box.extend(potential.corner + potential.side * Vector2d(i + 1, j + 1));
-    }
-  if (out.box.isEmpty()) return out;
-  const Vector2d size = out.box.sizes();
-  const double cell = size.maxCoeff() / (kNodes - 1);
-  out.columns = static_cast<int>(std::ceil(size[0] / cell)) + 1;
-  out.rows = static_cast<int>(std::ceil(size[1] / cell)) + 1;
-  for (int j = 0; j < out.rows; ++j)
-    for (int i = 0; i < out.columns; ++i) {
-      const Vector2d part(static_cast<double>(i) / (out.columns - 1), static_cast<double>(j) / (out.rows - 1));
-      const Vector2d x = out.box.min() + part.cwiseProduct(size);
-      out.values.push_back(potential.is_checked(x) ? potential.value(x) : std::numeric_limits<double>::infinity());
-    }
-  return out;
-}
-
-Bracket bracket_of(const Problem& problem, const CostDensity& density, double upper, const GlobalBudget& budget,
+Bracket bracket_of(const Problem& problem, const CostInCells& cost, double upper, const GlobalBudget& budget,
                    const Monitor& monitor) {
   BracketOptions options;
   options.tolerance = budget.tolerance;
@@ -131,7 +152,10 @@ Bracket bracket_of(const Problem& problem, const CostDensity& density, double up
   options.stop = [&monitor, end = end_of_search(budget, monitor)] {
     return monitor.interrupted() || (end && Monitor::Clock::now() > *end);
   };
-  return bracket_least_cost(density, box_of(*problem.manifold), problem.source.u, problem.target.u, upper, options);
+  const auto of = [&](const auto& known) {
+    return bracket_least_cost(known, box_of(*problem.manifold), problem.source.u, problem.target.u, upper, options);
+  };
+  return cost.dual != nullptr ? of(*cost.dual) : of(*cost.density);
 }
 
 }  // namespace
@@ -147,9 +171,15 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
     return current;
   }
   const auto begin = Monitor::Clock::now();
-  const std::shared_ptr<const CostDensity> density = density_of(problem.cost);
+  const CostInCells cost = in_cells(problem);
+  for (const bool is_source : {true, false}) {
+    if (cost.is_known_at(is_source ? problem.source.u : problem.target.u)) continue;
+    current.curve.global =
+        blocked(std::string("the cost has no finite bounds beside the ") + (is_source ? "source" : "target"));
+    return current;
+  }
   const Eigen::AlignedBox2d box = box_of(*problem.manifold);
-  const double upper = polyline_cost_above(*density, feasible_polyline(problem, current.chain.u, box));
+  const double upper = cost.above(feasible_polyline(problem, current.chain.u, box));
 
   const std::lock_guard<std::mutex> guard(kept_->lock);
   KeptBracket& kept = *kept_;
@@ -164,7 +194,7 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
     kept.box = box;
     kept.source = problem.source.u;
     kept.target = problem.target.u;
-    kept.bracket = bracket_of(problem, *density, upper, budget_, monitor);
+    kept.bracket = bracket_of(problem, cost, upper, budget_, monitor);
     kept.improved = same_problem && kept.improved;
   }
   const Bracket& bracket = kept.bracket;
@@ -190,7 +220,7 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
   }
   global.outcome = !global.proved ? "bounded" : kept.improved ? "improved" : "proved";
   if (bracket.lower == 0) {
-    global.reason = why_nothing_proved(*density, bracket, problem.source.u);
+    global.reason = why_nothing_proved(bracket);
     if (!global.reason.empty()) global.outcome = "blocked";
   }
   global.seconds = kept.seconds;

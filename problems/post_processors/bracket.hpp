@@ -13,9 +13,9 @@ struct KeptBracket;
 
 /// After a solve in a box of the plane: a proved lower bound of the cost of all paths in the box between the two ends
 /// (problems/bracket), beside the proved cost of the smooth curve through the points. Where the way down its own field
-/// costs less than that, the search begins anew from it (PostProcessed::cheaper). Without a cost that is a formula and
-/// the same in all directions, a box with finite sides or a flat domain, the bound is `blocked`, with the reason. The
-/// last bound is kept: what begins anew does not prove it again. Shared by threads.
+/// costs less than that, the search begins anew from it (PostProcessed::cheaper). Without a cost that is a metric or a
+/// wind by formula, a box with finite sides or a flat domain, the bound is `blocked`, with the reason. The last bound
+/// is kept: what begins anew does not prove it again. Shared by threads.
 class BracketPostProcessor final : public PostProcessor {
  public:
   explicit BracketPostProcessor(GlobalBudget budget = {});

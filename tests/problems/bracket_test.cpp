@@ -419,9 +419,9 @@ TEST_CASE("bracket: blocked, with a reason") {
   Problem problem = in_box(box(-2, -2, 2, 2), "1 + x^2", {-1, 0}, {1, 0.5});
   problem.manifold = std::make_shared<EuclideanManifold>(EuclideanManifoldOptions{2, {}});
   CHECK_THAT(reason(problem), Catch::Contains("finite bounds"));
-  Problem skew = in_box(box(-2, -2, 2, 2), "1", {-1, 0}, {1, 0.5});
-  skew.cost = make_metric_field_cost({.field = metric::Formula{{"1 + x^2", "0.1 * x", "1"}, {}}}, 2);
-  CHECK_THAT(reason(skew), Catch::Contains("unit matrix"));
+  Problem singular = in_box(box(-2, -2, 2, 2), "1", {-1, 0}, {1, 0.5});
+  singular.cost = make_metric_field_cost({.field = metric::Formula{{"1 + abs(x + 1)^0.5", "0.1 * x", "1"}, {}}}, 2);
+  CHECK_THAT(reason(singular), Catch::Contains("beside the source"));
 }
 
 }  // namespace leastcost::test
