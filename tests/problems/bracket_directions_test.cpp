@@ -169,9 +169,11 @@ struct DualRandomCell {
 
   DualRandomCell(Random& random, double noise) {
     const double angle = random.uniform(0, 6.3);
-    for (int k = 0; k < 9; ++k)
+    for (int k = 0; k < 9; ++k) {
+      const int column = k % 3, row = k / 3;
       u[static_cast<std::size_t>(k)] =
-          std::cos(angle) * (k % 3 - 1) + std::sin(angle) * (k / 3 - 1) + noise * random.normal();
+          std::cos(angle) * (column - 1) + std::sin(angle) * (row - 1) + noise * random.normal();
+    }
     const auto entry = [&](Quadratic& q, double value) {
       q.v = value, q.x = 0.1 * noise * random.normal(), q.y = 0.1 * noise * random.normal();
       q.size = std::abs(q.v) + 0.5 * (std::abs(q.x) + std::abs(q.y));
