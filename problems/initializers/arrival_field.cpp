@@ -13,7 +13,6 @@
 namespace leastcost {
 namespace {
 
-constexpr int kReach = 2;           ///< cells around an end that it is joined to
 constexpr double kNoBetter = 1e-5;  ///< a gain of this part of a cost is not passed on
 
 /// The nodes around a node, counter-clockwise: neighbours in the list are those of an edge.
@@ -69,7 +68,7 @@ void ArrivalField::spread(const std::function<bool()>& stop) {
 }
 
 void ArrivalField::leave_source(Queue& queue) {
-  const Window start = around(problem_.source.u, kReach);
+  const Window start = around(problem_.source.u, kEndReach);
   for (std::int32_t j = start.low[1]; j <= start.high[1]; ++j)
     for (std::int32_t i = start.low[0]; i <= start.high[0]; ++i) {
       const std::int32_t node = lattice_.number({i, j, 0});
@@ -136,7 +135,7 @@ bool ArrivalField::improve(std::int32_t node, std::int32_t by) {
 }
 
 void ArrivalField::arrive_at_target() {
-  const Window near_target = around(problem_.target.u, kReach), near_source = around(problem_.source.u, kReach);
+  const Window near_target = around(problem_.target.u, kEndReach), near_source = around(problem_.source.u, kEndReach);
   const std::array<std::int32_t, 3> middle = around(problem_.target.u, 0).low;
   bool near = true;
   for (std::size_t d = 0; d < 2; ++d)

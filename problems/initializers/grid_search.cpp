@@ -10,13 +10,12 @@
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/has_constant_metric.hpp>
 #include <leastcost/framework/segment_cost.hpp>
+#include "problems/initializers/lattice_box.hpp"
 
 namespace leastcost {
 namespace {
 
 using Vector = Eigen::VectorXd;
-
-constexpr int kReach = 2;  ///< cells around an end that it is joined to
 
 bool is_euclidean(const SegmentCost& cost) {
   const auto* constant = find_ability<HasConstantMetric>(cost);
@@ -72,8 +71,8 @@ std::vector<RouteEnd> GridSearch::joined(const Vector& x, bool from) const {
   for (std::size_t d = 0; d < static_cast<std::size_t>(x.size()); ++d) {
     const auto k = static_cast<Eigen::Index>(d);
     const double at = std::clamp(std::round((x[k] - first_[k]) / resolution_), 0.0, double(lattice_.count[d] - 1));
-    low[d] = std::max(static_cast<std::int32_t>(at) - kReach, 0);
-    high[d] = std::min(static_cast<std::int32_t>(at) + kReach, lattice_.count[d] - 1);
+    low[d] = std::max(static_cast<std::int32_t>(at) - kEndReach, 0);
+    high[d] = std::min(static_cast<std::int32_t>(at) + kEndReach, lattice_.count[d] - 1);
   }
   std::vector<RouteEnd> ends;
   for (std::int32_t k = low[2]; k <= high[2]; ++k)

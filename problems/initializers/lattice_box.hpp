@@ -10,6 +10,8 @@
 
 namespace leastcost {
 
+inline constexpr int kEndReach = 2;  ///< cells of a lattice around an end that it is joined to
+
 /// The box of coordinates over which a lattice is laid.
 struct LatticeBox {
   Eigen::VectorXd lower, upper;

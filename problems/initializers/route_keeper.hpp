@@ -8,8 +8,8 @@
 #include <vector>
 
 #include <leastcost/framework/problem.hpp>
-#include "problems/mesh/edge_landmarks.hpp"
 #include <leastcost/problems/straighten/geodesic.hpp>
+#include "problems/mesh/edge_landmarks.hpp"
 
 namespace leastcost {
 
