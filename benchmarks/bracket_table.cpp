@@ -2,17 +2,21 @@
 // SPDX-License-Identifier: MIT
 // The bracket around the globally least cost (docs/numerics.md Sec. 6.10): gap and CPU seconds per medium, of the
 // solve, the bound and the cost of the curve together, for a few tolerances. Where the least cost is known, how far the
-// bound
+// bound lies below it. Then the bracket alone on maps of noise.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <limits>
 #include <memory>
+#include <random>
 #include <string>
 #include <vector>
 
 #include <leastcost/framework/find_path.hpp>
+#include <leastcost/problems/bracket/bracket.hpp>
+#include <leastcost/problems/costs/cost_map.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/initializers/grid.hpp>
 #include <leastcost/problems/initializers/straight.hpp>
@@ -70,6 +74,31 @@ void print_row(const Medium& m, double tolerance) {
   std::fflush(stdout);
 }
 
+/// 64 x 64 values, each between 1 and 2 by itself.
+RasterGrid noise(unsigned seed) {
+  constexpr int kSide = 64;
+  std::mt19937_64 engine(seed);
+  std::uniform_real_distribution<double> value(1, 2);
+  RasterGrid raster;
+  raster.rows = raster.columns = kSide;
+  raster.source = "noise";
+  for (int k = 0; k < kSide * kSide; ++k) raster.values.push_back(value(engine));
+  return raster;
+}
+
+/// From one corner to the opposite one, nearly.
+void print_map_row(unsigned seed, double tolerance) {
+  const std::shared_ptr<const CostDensity> density =
+      density_of(make_cost_map(noise(seed), CostMapInterpolation::smooth, 2));
+  const Eigen::AlignedBox2d box(Vector2d(0.5, 0.5), Vector2d(63.5, 63.5));
+  const double begin = cpu_seconds();
+  const Bracket found = bracket_least_cost(*density, box, {4.14, 6.5}, {59.72, 51.6},
+                                           std::numeric_limits<double>::infinity(), {.tolerance = tolerance});
+  std::printf("noise %-6u %8.0e  %9.2e %7.2f s  %5d %9ld  %12.6f\n", seed, tolerance, found.gap(),
+              cpu_seconds() - begin, found.grid[0], found.cells, found.lower);
+  std::fflush(stdout);
+}
+
 }  // namespace
 
 int main() {
@@ -95,5 +124,8 @@ int main() {
   std::printf("medium       tolerance   gap      CPU       outcome   grid     cells         bound\n");
   for (const double tolerance : {1e-4, 4e-5, 1e-5})
     for (const Medium& m : media) print_row(m, m.disc_radius > 0 ? 10 * tolerance : tolerance);
+  std::printf("\nmap          tolerance   gap      CPU       grid     cells         bound\n");
+  for (const double tolerance : {5e-3, 1e-3})
+    for (const unsigned seed : {11U, 12U, 13U}) print_map_row(seed, tolerance);
   return 0;
 }

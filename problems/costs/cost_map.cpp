@@ -4,10 +4,13 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/problems/bracket/cost_density.hpp>
+#include "problems/costs/raster_density.hpp"
 #include "problems/raster/has_cell_index.hpp"
 
 namespace leastcost {
@@ -75,7 +78,7 @@ struct CostMap {
 };
 
 template <int D>
-class CostMapCost final : public SegmentCostOf<CostMap<D>>, public HasCellIndex {
+class CostMapCost final : public SegmentCostOf<CostMap<D>>, public HasCellIndex, public CostDensity {
  public:
   explicit CostMapCost(std::shared_ptr<const RasterFunction> n)
       : SegmentCostOf<CostMap<D>>(CostMap<D>{n}), n_(std::move(n)) {}
@@ -83,6 +86,8 @@ class CostMapCost final : public SegmentCostOf<CostMap<D>>, public HasCellIndex 
   PatchBounds bounds(const RasterPatch& patch) const override { return n_->bounds(patch); }
   PlaneJet index(double x, double y) const override { return n_->at(x, y); }
   std::optional<std::array<double, 4>> corners(const RasterPatch& patch) const override { return n_->corners(patch); }
+  double density(const Eigen::Vector2d& x) const override { return n_->at(x[0], x[1]).value; }
+  DensityEnclosure enclose_density(const Eigen::AlignedBox2d& cell) const override { return enclose_over(*n_, cell); }
 
  private:
   std::shared_ptr<const RasterFunction> n_;

@@ -35,6 +35,19 @@ PatchBounds BilinearFunction::bounds(const RasterPatch& patch) const {
           hull(slope(0, 2, 1), slope(1, 3, 1))};
 }
 
+PlaneEnclosure BilinearFunction::enclose(const RasterPatch& patch, const Interval& column, const Interval& row) const {
+  const std::array<double, 4> z = values_at(patch);
+  const Interval u = column - Interval(patch.column), v = row - Interval(patch.row), base(z[0]);
+  const Interval east = Interval(z[1]) - base, north = Interval(z[2]) - base,
+                 twist = Interval(z[3]) - Interval(z[2]) - east, hx(patches().cell()[0]), hy(patches().cell()[1]);
+  return {base + east * u + (north + twist * u) * v,
+          (east + twist * v) / hx,
+          (north + twist * u) / hy,
+          0.0,
+          twist / (hx * hy),
+          0.0};
+}
+
 /// Simpson's rule: along a line the function is a quadratic polynomial.
 PatchQuadrature BilinearFunction::quadrature() const {
   static constexpr std::array<double, 3> kNodes = {0, 0.5, 1}, kWeights = {1.0 / 6, 4.0 / 6, 1.0 / 6};

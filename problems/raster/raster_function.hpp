@@ -24,6 +24,11 @@ struct PatchBounds {
   Interval value, dx, dy;
 };
 
+/// A function and its derivatives by x and y between bounds.
+struct PlaneEnclosure {
+  Interval value, dx, dy, xx, xy, yy;
+};
+
 /// Nodes and weights on [0, 1] that integrate a function along any straight line within a patch exactly.
 struct PatchQuadrature {
   std::span<const double> nodes, weights;
@@ -38,6 +43,8 @@ class RasterFunction {
   virtual PlaneJet in_patch(const RasterPatch& patch, double column, double row) const = 0;
   /// Rounded outward.
   virtual PatchBounds bounds(const RasterPatch& patch) const = 0;
+  /// The polynomial of a patch over a rectangle, in cells, also beside the patch. Rounded outward.
+  virtual PlaneEnclosure enclose(const RasterPatch& patch, const Interval& column, const Interval& row) const = 0;
   virtual PatchQuadrature quadrature() const = 0;
   /// Where it is bilinear: the values at (row, column), (row, column + 1), (row + 1, column), (row + 1, column + 1).
   virtual std::optional<std::array<double, 4>> corners(const RasterPatch&) const { return std::nullopt; }
@@ -65,6 +72,7 @@ class BilinearFunction final : public RasterFunction {
   explicit BilinearFunction(const RasterGrid& raster);
   PlaneJet in_patch(const RasterPatch& patch, double column, double row) const override;
   PatchBounds bounds(const RasterPatch& patch) const override;
+  PlaneEnclosure enclose(const RasterPatch& patch, const Interval& column, const Interval& row) const override;
   PatchQuadrature quadrature() const override;
   std::optional<std::array<double, 4>> corners(const RasterPatch& patch) const override { return values_at(patch); }
 
@@ -87,6 +95,7 @@ class SplineFunction final : public RasterFunction {
 
   PlaneJet in_patch(const RasterPatch& patch, double column, double row) const override;
   PatchBounds bounds(const RasterPatch& patch) const override;
+  PlaneEnclosure enclose(const RasterPatch& patch, const Interval& column, const Interval& row) const override;
   PatchQuadrature quadrature() const override { return {kGaussNodes, kGaussWeights}; }
 
  private:

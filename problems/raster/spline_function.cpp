@@ -12,6 +12,36 @@ namespace {
 /// Second derivatives of the weights of BsplineWeights.
 std::array<double, 4> bends(double u) { return {1 - u, 3 * u - 2, 1 - 3 * u, u}; }
 
+/// The four weights of values, the three of their differences and the two of second differences, over a range of u.
+struct WeightRanges {
+  std::array<Interval, 4> value;
+  std::array<Interval, 3> slope;
+  std::array<Interval, 2> bend;
+
+  explicit WeightRanges(const Interval& u) {
+    const Interval v = Interval(1) - u, half(0.5), six(6), two_thirds = Interval(2) / Interval(3);
+    const Interval uu = square(u), vv = square(v);
+    value = {vv * v / six, two_thirds - uu * (Interval(1) - half * u), two_thirds - vv * (Interval(1) - half * v),
+             uu * u / six};
+    slope = {half * vv, half + u * v, half * uu};
+    bend = {v, u};
+  }
+};
+
+template <std::size_t N>
+Interval weighted(const std::array<Interval, N>& weights, const std::array<Interval, N>& terms) {
+  Interval sum = weights[0] * terms[0];
+  for (std::size_t k = 1; k < N; ++k) sum += weights[k] * terms[k];
+  return sum;
+}
+
+template <std::size_t N>
+std::array<Interval, N - 1> differences(const std::array<Interval, N>& terms) {
+  std::array<Interval, N - 1> out;
+  for (std::size_t k = 0; k + 1 < N; ++k) out[k] = terms[k + 1] - terms[k];
+  return out;
+}
+
 /// The values in an array with one more on every side; `width` of its rows.
 std::vector<double> padded(const RasterGrid& raster, std::size_t width) {
   std::vector<double> all(width * (static_cast<std::size_t>(raster.rows) + 2));
@@ -133,6 +163,25 @@ PatchBounds SplineFunction::bounds(const RasterPatch& patch) const {
       if (j < 3) out.dy = hull(out.dy, slope(at[0], at[width_], hy));
     }
   return out;
+}
+
+PlaneEnclosure SplineFunction::enclose(const RasterPatch& patch, const Interval& column, const Interval& row) const {
+  const WeightRanges across(column - Interval(patch.column)), up(row - Interval(patch.row));
+  std::array<Interval, 4> lines, slopes, curves;  // of the four rows
+  const double* c = coefficients_of(patch);
+  for (std::size_t j = 0; j < 4; ++j, c += width_) {
+    const std::array<Interval, 4> values = {c[0], c[1], c[2], c[3]};
+    lines[j] = weighted(across.value, values);
+    slopes[j] = weighted(across.slope, differences(values));
+    curves[j] = weighted(across.bend, differences(differences(values)));
+  }
+  const Interval hx(patches().cell()[0]), hy(patches().cell()[1]);
+  return {weighted(up.value, lines),
+          weighted(up.value, slopes) / hx,
+          weighted(up.slope, differences(lines)) / hy,
+          weighted(up.value, curves) / square(hx),
+          weighted(up.slope, differences(slopes)) / (hx * hy),
+          weighted(up.bend, differences(differences(lines))) / square(hy)};
 }
 
 }  // namespace leastcost
