@@ -36,16 +36,17 @@ Points chart_line(const Problem& problem, const CoordinatePath& path) {
   return positions(*problem.manifold, dense);
 }
 
-/// The delivered curve; in a chart it is drawn through the points along the chart, because its chords lie below the
-/// surface.
+/// The delivered curve. In a chart it is drawn through the points along the chart, because its chords lie below the
+/// surface, unless it is more than its points (a zigzag).
 Points path_line(const Problem& problem, const Result& result) {
-  if (find_ability<HasChart>(*problem.manifold) != nullptr) return chart_line(problem, result.path);
+  const bool only_points = result.curve.x.cols() == result.path.segment_count() + 1;
+  if (find_ability<HasChart>(*problem.manifold) != nullptr && only_points) return chart_line(problem, result.path);
   return result.curve.x;
 }
 
 /// Cost per unit of length over a rectangle of the plane; nothing where it is the same everywhere.
 std::optional<Raster> cost_raster(const SegmentCost& cost, const Surroundings& rectangle) {
-  constexpr int kLongest = 96, kDirections = 6;
+  constexpr int kLongest = 96, kDirections = 24;
   constexpr double kUniform = 1e-6;
   const Eigen::Vector2d extent = rectangle.extent();
   const double cell = extent.maxCoeff() / kLongest;
@@ -60,12 +61,16 @@ std::optional<Raster> cost_raster(const SegmentCost& cost, const Surroundings& r
     for (int i = 0; i < raster.columns; ++i) {
       x << raster.lower[0] + extent[0] * i / (raster.columns - 1), raster.lower[1] + extent[1] * j / (raster.rows - 1);
       double sum = 0;
+      int possible = 0;  // directions: a current may carry all but a few of them away
       for (int k = 0; k < kDirections; ++k) {
         const double angle = 2 * std::numbers::pi * (k + 0.5) / kDirections;
         v << std::cos(angle), std::sin(angle);
-        sum += cost.line_element(x, v) / kDirections;
+        const double element = cost.line_element(x, v);
+        if (!std::isfinite(element)) continue;
+        sum += element;
+        ++possible;
       }
-      raster.values.push_back(std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity());
+      raster.values.push_back(possible > 0 ? sum / possible : std::numeric_limits<double>::infinity());
       least = std::min(least, raster.values.back());
       largest = std::max(largest, raster.values.back());
     }
@@ -116,7 +121,9 @@ Scene make_scene(const Problem& problem, const Result& result, std::span<const F
   if (!box.lower.allFinite() || !(box.extent().maxCoeff() > 0)) return scene;
   if (const auto* domain = find_ability<DrawsItself>(*problem.manifold))
     domain->draw({drawn, side_by_side(result.path.u, result.first.path.u)}, scene);
-  if (scene.dimension == 2 && problem.manifold->shape() == Shape::flat) draw_plane(problem, drawn, scene);
+  const bool plane = scene.dimension == 2 && problem.manifold->dimensions().tangent == 2 &&
+                     find_ability<HasChart>(*problem.manifold) == nullptr;  // with obstacles or without
+  if (plane) draw_plane(problem, drawn, scene);
   scene.potential = potential_raster(result);
   return scene;
 }

@@ -35,8 +35,9 @@ struct SceneLines {
 struct Scene : Drawing {
   int dimension = 0;  ///< of the ambient space
   SceneLines lines;
-  PoseStrip strip;                  ///< of a robot; empty without one
-  std::optional<Raster> cost;       ///< of the plane: cost per unit of length, the mean over all directions
+  PoseStrip strip;  ///< of a robot; empty without one
+  std::optional<Raster>
+      cost;  ///< of the plane: cost per unit of length, the mean over the directions that are possible
   std::optional<Raster> potential;  ///< that bounds the least cost of all paths, where they were searched
 };
 

@@ -33,7 +33,7 @@ double OriginWalls::room(const Vector& a, const Vector& b, double reach) const {
 std::string OriginWalls::obstacle_name(int obstacle) const { return walls_->obstacle_name(obstacle); }
 
 void OriginWalls::draw(const DrawnPaths&, Drawing& out) const {
-  out.notes.emplace_back("obstacles keep out the origin of the body and are not drawn among its poses");
+  out.notes.emplace_back("obstacles act on the place alone, without height or turn, and are not drawn here");
 }
 
 }  // namespace leastcost

@@ -127,8 +127,8 @@ Picture space_of_path(const RunFiles& files) {
     std::string bands;
     if (files.scene.cost)
       bands =
-          "Shading: cost per unit of length, mean over all directions, on a logarithmic scale; the stronger, the "
-          "dearer.";
+          "Shading: cost per unit of length, mean over the directions that are possible, on a logarithmic scale; the "
+          "stronger, the dearer.";
     if (files.scene.cost && holds_infinity(*files.scene.cost)) bands += " Hatched: not reachable.";
     if (files.scene.potential)
       bands +=
