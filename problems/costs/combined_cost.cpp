@@ -248,7 +248,7 @@ class ScaledCost : public DerivedCost, public HasNotes {
   }
   std::string why_infinite(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const override {
     const auto* explains = find_ability<ExplainsInfinity>(*cost_);
-    const std::string why = explains != nullptr ? explains->why_infinite(a, b) : "";
+    std::string why = explains != nullptr ? explains->why_infinite(a, b) : "";
     const Eigen::VectorXd middle = (a + b) / 2;
     if (!why.empty() || at<double>(middle) > 0) return why;
     std::ostringstream out;

@@ -27,7 +27,7 @@ class LayerStack {
   int layers() const { return interfaces() + 1; }
   double index(int layer) const { return indices_[layer]; }
   const Eigen::VectorXd& indices() const { return indices_; }
-  Eigen::MatrixXd::ConstColXpr normal(int k) const { return normals_.col(k); }  ///< of length one, but for rounding
+  auto normal(int k) const { return normals_.col(k); }  ///< of length one, but for rounding
   double offset(int k) const { return offsets_[k]; }
   /// Orthonormal vectors along interface k, d x (d - 1).
   const Eigen::MatrixXd& tangents(int k) const { return tangents_[static_cast<std::size_t>(k)]; }

@@ -149,9 +149,7 @@ Bracket bracket_of(const Problem& problem, const CostInCells& cost, double upper
   if (budget.max_windows) options.max_searched = *budget.max_windows;
   if (const Walls* walls = walls_in_plane(*problem.manifold))
     options.depth = [walls](const Vector2d& x) { return -walls->clearance(x, x).upper; };
-  options.stop = [&monitor, end = end_of_search(budget, monitor)] {
-    return monitor.interrupted() || (end && Monitor::Clock::now() > *end);
-  };
+  options.stop = stop_of_search(budget, monitor);
   const auto of = [&](const auto& known) {
     return bracket_least_cost(known, box_of(*problem.manifold), problem.source.u, problem.target.u, upper, options);
   };

@@ -15,13 +15,13 @@
 #include "problems/layers/fastest_ray.hpp"
 #include "problems/layers/ray_bound.hpp"
 #include "problems/post_processors/refracted_curve.hpp"
+#include "problems/post_processors/search_time.hpp"
 
 namespace leastcost {
 namespace {
 
 constexpr double kSameCost = 1e-12;    ///< relative: a path so little cheaper is the same one
 constexpr double kRoundedBox = 1e-14;  ///< relative: so near to an interface a box is taken to meet it
-constexpr double kShareOfTime = 0.5;   ///< of what is left before a deadline; the certificate needs the rest
 
 /// The lowest and the highest layer in a box: beyond an interface that does not meet it there is no way.
 std::pair<int, int> layers_in(const LayerStack& stack, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
@@ -48,13 +48,7 @@ FastestRayOptions ray_search_options(const LayerStack& stack, const Problem& pro
   if (const auto* box = find_ability<HasBox>(*problem.manifold))
     std::tie(options.lowest, options.highest) = layers_in(stack, box->box_lower(), box->box_upper());
   options.allowed = [&problem](const Points& x) { return is_in_box(problem, x); };
-  const auto begin = Monitor::Clock::now();
-  double seconds = budget.max_seconds.value_or(std::numeric_limits<double>::infinity());
-  if (monitor.deadline)
-    seconds = std::min(seconds, kShareOfTime * std::chrono::duration<double>(*monitor.deadline - begin).count());
-  options.stop = [&monitor, begin, seconds] {
-    return monitor.interrupted() || std::chrono::duration<double>(Monitor::Clock::now() - begin).count() > seconds;
-  };
+  options.stop = stop_of_search(budget, monitor);
   return options;
 }
 

@@ -3,7 +3,6 @@
 #include <leastcost/problems/post_processors/shortest.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <optional>
 #include <string>
@@ -17,6 +16,7 @@
 #include <leastcost/problems/straighten/straighten.hpp>
 #include "problems/mesh/mesh_curve.hpp"
 #include "problems/post_processors/search_keeper.hpp"
+#include "problems/post_processors/search_time.hpp"
 
 namespace leastcost {
 namespace {
@@ -25,7 +25,6 @@ constexpr std::int32_t kSmallMesh = 20000;           // vertices up to which a p
 constexpr std::int64_t kLargeMeshWindows = 2000000;  // above: a second or so, 200 MB
 constexpr std::int64_t kMostWindows = 10000000;      // a GB
 constexpr double kShorter = 1e-9;                    // relative length that makes another class
-constexpr double kShareOfTime = 0.5;  // of what is left before a deadline; the certificate needs the rest
 
 GlobalBudget budget_of(const GlobalProof& proof, const TriangleMesh& mesh) {
   GlobalBudget budget;
@@ -78,13 +77,8 @@ PostProcessed ShortestPostProcessor::apply(const Problem& problem, const FirstPa
   if (current.chain.ring || problem.based) throw InputError("shortest joins two ends, and this path is a ring");
   if (std::holds_alternative<GlobalOff>(proof_) || !current.curve.straightness || monitor.interrupted()) return current;
   const GlobalBudget budget = budget_of(proof_, mesh);
-  const auto begin = Monitor::Clock::now();
-  const auto elapsed = [&begin] { return std::chrono::duration<double>(Monitor::Clock::now() - begin).count(); };
-  double seconds = budget.max_seconds.value_or(std::numeric_limits<double>::infinity());
-  if (monitor.deadline)
-    seconds = std::min(seconds, kShareOfTime * std::chrono::duration<double>(*monitor.deadline - begin).count());
   ExactOptions options;
-  options.stop = [&] { return monitor.interrupted() || elapsed() > seconds; };
+  options.stop = stop_of_search(budget, monitor);
   const std::shared_ptr<KeptSearch> kept = keeper_->search_for(problem, mesh, *metric, budget, options.stop);
   const MetricMesh* turned = kept->turned();
   SurfacePath start = as_surface_path(current.curve);

@@ -28,9 +28,7 @@ TangentSearchOptions search_options(const Problem& problem, const GlobalBudget& 
   TangentSearchOptions options;
   options.tolerance = budget.tolerance;
   if (budget.max_windows) options.max_tangents = *budget.max_windows;
-  options.stop = [&monitor, end = end_of_search(budget, monitor)] {
-    return monitor.interrupted() || (end && Monitor::Clock::now() > *end);
-  };
+  options.stop = stop_of_search(budget, monitor);
   if (const auto* box = find_ability<HasBox>(*problem.manifold))
     options.box = Eigen::AlignedBox2d(Vector2d(box->box_lower()), Vector2d(box->box_upper()));
   return options;

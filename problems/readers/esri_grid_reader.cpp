@@ -18,7 +18,7 @@ bool begins_number(std::string_view token) {
 }
 
 /// The lines of key and value at the top of the file.
-class Header {
+class GridHeader {
  public:
   /// Leaves the scanner behind the first value of the grid, which is returned.
   std::string_view read(TextScanner& scanner) {
@@ -70,7 +70,7 @@ class Header {
 };
 
 /// The lower left corner along one axis: given as such, or by the middle of the cell there.
-double corner(const TextScanner& scanner, const Header& header, const std::string& axis, double cell) {
+double corner(const TextScanner& scanner, const GridHeader& header, const std::string& axis, double cell) {
   const std::optional<double> at_corner = header.find(axis + "llcorner"), at_center = header.find(axis + "llcenter");
   if (at_corner && at_center) scanner.fail("the header has both " + axis + "llcorner and " + axis + "llcenter");
   if (!at_corner && !at_center) scanner.fail("the header has neither " + axis + "llcorner nor " + axis + "llcenter");
@@ -86,7 +86,7 @@ double value_of(const TextScanner& scanner, std::string_view token) {
 
 RasterFile read_esri_grid(std::string_view text, const std::string& file) {
   TextScanner scanner(text, file, {.comment = '\0'});
-  Header header;
+  GridHeader header;
   std::string_view token = header.read(scanner);
   RasterFile out;
   RasterGrid& raster = out.raster;
@@ -97,7 +97,8 @@ RasterFile read_esri_grid(std::string_view text, const std::string& file) {
   raster.source = file;
   const bool square = header.find("cellsize").has_value();
   // Not by Eigen's comma, which ends the program where one of its values is an error that is thrown.
-  raster.cell = {header.length(scanner, square ? "cellsize" : "dx"), header.length(scanner, square ? "cellsize" : "dy")};
+  raster.cell = {header.length(scanner, square ? "cellsize" : "dx"),
+                 header.length(scanner, square ? "cellsize" : "dy")};
   raster.corner = {corner(scanner, header, "x", raster.cell[0]), corner(scanner, header, "y", raster.cell[1])};
   out.nodata = header.find("nodata_value");
   const std::int64_t cells = rows * columns;
