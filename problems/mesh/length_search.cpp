@@ -8,8 +8,8 @@
 #include <iterator>
 #include <new>
 
-#include "problems/mesh/edge_landmarks.hpp"
 #include <leastcost/problems/mesh/surface_path.hpp>
+#include "problems/mesh/edge_landmarks.hpp"
 
 namespace leastcost {
 namespace {
