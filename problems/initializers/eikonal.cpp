@@ -47,8 +47,11 @@ FirstPath EikonalInitializer::first_path(const Problem& problem, const Monitor& 
         "eikonal works where two coordinates name a point: the plane, charts, terrain; on a mesh or a cloud use "
         "dijkstra, elsewhere rrt");
   const MoveCheck moves(problem);
-  const ArrivalField field(problem, moves, LatticeBox::of(problem, options_.lower, options_.upper), options_.cells,
-                           [&monitor] { return monitor.interrupted(); });
+  const LatticeBox box = LatticeBox::of(problem, options_.lower, options_.upper);
+  for (const PathEnd* end : {&problem.source, &problem.target})
+    if ((end->u.array() < box.lower.array()).any() || (end->u.array() > box.upper.array()).any())
+      throw InitializationError("eikonal: an end lies outside the box that is searched: widen lower and upper");
+  const ArrivalField field(problem, moves, box, options_.cells, [&monitor] { return monitor.interrupted(); });
   const std::string lattice = "eikonal: " + lattice_in_words(field.lattice());
   if (!field.arrival_cost())
     throw InitializationError(lattice +

@@ -126,7 +126,7 @@ GlobalBound blocked(std::string reason) {
 }
 
 std::string why_nothing_proved(const Bracket& bracket) {
-  if (bracket.stopped && bracket.grids == 0) return "";
+  if (bracket.stopped && bracket.grids == 0) return "its time was up before the first grid was done";
   return "nothing is proved on these grids: the ends are too near to each other or to where the cost is singular";
 }
 

@@ -134,6 +134,8 @@ TEST_CASE("eikonal: what it does not do is said") {
   options.lower = Vector2d(2, 2), options.upper = Vector2d(1, 3);
   const Problem plane = between(space(2), make_euclidean_cost(2), Vector2d(0, 0), Vector2d(1, 0));
   CHECK_THROWS_WITH(EikonalInitializer(options).first_path(plane, {}), Catch::Contains("greater than lower"));
+  options.upper = Vector2d(3, 3);
+  CHECK_THROWS_WITH(EikonalInitializer(options).first_path(plane, {}), Catch::Contains("outside the box"));
 }
 
 }  // namespace leastcost::test
