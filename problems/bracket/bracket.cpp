@@ -22,6 +22,7 @@ using Eigen::Vector2d;
 constexpr int kRefinement = 4;  ///< a cell of the next grid is so much smaller
 constexpr int kBisectorRings = 2;
 constexpr int kBisectorDeflations = 6;
+constexpr int kCorrections = 1, kCorrectionsAtWalls = 3;  ///< along which fronts creep: there one is too much
 
 class Search {
  public:
@@ -81,18 +82,19 @@ class Search {
 
   void raise_lower(double lower) { out_.lower = std::max(out_.lower, std::min(lower, out_.upper)); }
 
-  /// What a potential proves.
-  void take(const std::vector<double>& u, double ratio, const EndRegion& s, const EndRegion& t) {
-    if (!s.valid || !t.valid || s.touches(t)) return;
+  /// What a potential proves: its bound.
+  double take(const std::vector<double>& u, double ratio, const EndRegion& s, const EndRegion& t) {
+    if (!s.valid || !t.valid || s.touches(t)) return 0;
     const CellGrid& grid = level_.grid;
     const double begin = rim_minimum(grid, s, level_.searched, u, -1, ratio),
                  end = rim_minimum(grid, t, level_.searched, u, 1, ratio);
     const double lower = (Interval(begin) + Interval(end)).lo;
-    if (!(lower > out_.lower)) return;
+    if (!(lower > out_.lower)) return lower;
     raise_lower(lower);
     auto potential = std::make_shared<BracketPotential>();
     *potential = {{grid.x0, grid.y0}, grid.h, grid.nx, grid.ny, u, level_.searched, ratio, s.k, t.k, source_, target_};
     out_.potential = std::move(potential);
+    return lower;
   }
 
   /// By the signed distance to the bisector, on a grid that has little behind the ends, where it has shocks.
@@ -102,11 +104,13 @@ class Search {
                     t = medium_.end_region(level_.grid, target_, kBisectorRings, true);
     Front front = front_at_bisector(level_, from_s.u, from_t.u);
     if (front.seeds.empty()) return;
-    std::vector<double> u = march(level_, front, 1, marching_), ratios;
+    std::vector<double> u = march(level_, front, options_.depth ? kCorrectionsAtWalls : kCorrections, marching_),
+                        ratios;
+    double best = 0;  // on this grid
     for (int round = 0;; ++round) {
-      const double before = out_.gap(), ratio = check(level_, u, s, t, ratios);
-      take(u, ratio, s, t);
-      const bool stalls = round > 1 && out_.gap() > kWorthWhile * before;
+      const double ratio = check(level_, u, s, t, ratios), lower = take(u, ratio, s, t);
+      const bool stalls = round > 1 && out_.upper - lower > kWorthWhile * (out_.upper - best);
+      best = std::max(best, lower);
       if (!(ratio > 1) || round == kBisectorDeflations || stalls || out_.gap() <= options_.tolerance) return;
       deflate(level_, ratios, front);
       u = march(level_, front, 0, marching_);
