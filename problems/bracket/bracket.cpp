@@ -50,6 +50,7 @@ class Search {
       count_level();
       const DistanceField from_s = field_of(source_, false), from_t = field_of(target_, true);
       follow_field(from_s);
+      if (out_.way_taken) return;
       if (is_part_) bisect(from_s, from_t);
       if (out_.gap() <= options_.tolerance) return;
       if (!refine(from_s, from_t)) break;
@@ -71,6 +72,7 @@ class Search {
   }
 
   void follow_field(const DistanceField& from_s) {
+    const double before = way_cost_;
     for (const Eigen::Matrix2Xd& way : ways_down(level_, from_s, target_)) {
       const double cost = medium_.polyline_above(way);
       if (!(cost < way_cost_)) continue;
@@ -78,6 +80,7 @@ class Search {
       out_.way = way;
       if (!options_.depth) out_.upper = cost;
     }
+    out_.way_taken = way_cost_ < before && options_.takes_way && options_.takes_way(out_.way);
   }
 
   void raise_lower(double lower) { out_.lower = std::max(out_.lower, std::min(lower, out_.upper)); }

@@ -46,6 +46,9 @@ struct BracketOptions {
   /// outside; none: there are no obstacles.
   std::function<double(const Eigen::Vector2d&)> depth = {};
   std::function<bool()> stop = {};  ///< looked at between the steps of a grid
+  /// Whether a way down the field, which costs less than what is known, is one to go on from instead: then the search
+  /// ends, for its gap would be that of a path that nobody delivers. None: it never does.
+  std::function<bool(const Eigen::Matrix2Xd&)> takes_way = {};
 };
 
 /// Bounds of the least cost of all paths in a box between two places.
@@ -60,6 +63,7 @@ struct Bracket {
   long cells = 0;                    ///< searched on all grids
   int grids = 0;
   bool stopped = false;                               ///< by options.stop or a limit, before the tolerance was reached
+  bool way_taken = false;                             ///< the search has ended with options.takes_way
   std::shared_ptr<const BracketPotential> potential;  ///< of `lower`
 
   double gap() const { return !std::isfinite(upper) ? 1 : lower < upper ? (upper - lower) / upper : 0; }

@@ -31,12 +31,15 @@ struct KeptBracket {
   Bracket bracket;
   Eigen::Vector2d source = Eigen::Vector2d::Zero(), target = Eigen::Vector2d::Zero();
   double seconds = 0;
-  bool improved = false;
+  double left = 0;  ///< cost of the path from which another way was offered; 0: none was
 };
 
 namespace {
 
 using Eigen::Vector2d;
+
+/// A way down the field cuts in at obstacles, and so costs less than a path by so little even where it leads elsewhere.
+constexpr double kClearlyLess = 0.98;
 
 /// The box that all paths stay in; empty where there is none.
 Eigen::AlignedBox2d box_of(const ConstraintManifold& domain) {
@@ -143,13 +146,14 @@ bool passes_alike(const Problem& problem, const Eigen::Matrix2Xd& way, const Poi
 }
 
 Bracket bracket_of(const Problem& problem, const CostInCells& cost, double upper, const GlobalBudget& budget,
-                   const Monitor& monitor) {
+                   const std::function<bool(const Eigen::Matrix2Xd&)>& takes_way, const Monitor& monitor) {
   BracketOptions options;
   options.tolerance = budget.tolerance;
   if (budget.max_windows) options.max_searched = *budget.max_windows;
   if (const Walls* walls = walls_in_plane(*problem.manifold))
     options.depth = [walls](const Vector2d& x) { return -walls->clearance(x, x).upper; };
   options.stop = stop_of_search(budget, monitor);
+  options.takes_way = takes_way;
   const auto of = [&](const auto& known) {
     return bracket_least_cost(known, box_of(*problem.manifold), problem.source.u, problem.target.u, upper, options);
   };
@@ -184,7 +188,8 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
   const Walls* walls = walls_in_plane(*problem.manifold);
   const bool same_problem = kept.cost == problem.cost && kept.walls == walls && kept.box.isApprox(box, 0) &&
                             kept.source == problem.source.u && kept.target == problem.target.u;
-  const bool again = same_problem && upper <= kept.bracket.upper * (1 + budget_.tolerance);
+  const bool again = same_problem && !kept.bracket.way_taken && upper <= kept.bracket.upper * (1 + budget_.tolerance);
+  const bool among = find_ability<ChecksMoves>(*problem.manifold) != nullptr;
   if (!again) {
     kept.cost = problem.cost;
     kept.domain = problem.manifold;
@@ -192,8 +197,13 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
     kept.box = box;
     kept.source = problem.source.u;
     kept.target = problem.target.u;
-    kept.bracket = bracket_of(problem, cost, upper, budget_, monitor);
-    kept.improved = same_problem && kept.improved;
+    if (!same_problem) kept.left = 0;
+    std::function<bool(const Eigen::Matrix2Xd&)> takes_way;
+    if (among && !(kept.left > 0))
+      takes_way = [&](const Eigen::Matrix2Xd& way) {
+        return cost.above(way) < kClearlyLess * upper && !passes_alike(problem, way, current.curve.x);
+      };
+    kept.bracket = bracket_of(problem, cost, upper, budget_, takes_way, monitor);
   }
   const Bracket& bracket = kept.bracket;
   const double seconds = std::chrono::duration<double>(Monitor::Clock::now() - begin).count();
@@ -209,14 +219,13 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
   global.proved = bracket.lower > 0 && global.gap <= budget_.tolerance;
   global.grid = BoundGrid{box, bracket.grid, upper};
   if (bracket.potential) global.grid->potential = samples_of(*bracket.potential);
-  const bool among = find_ability<ChecksMoves>(*problem.manifold) != nullptr;
   const bool cheaper = among ? !passes_alike(problem, bracket.way, current.curve.x)
                              : bracket.upper < upper * (1 - budget_.tolerance / 4);
   if (!again && bracket.way.cols() > 1 && cheaper) {
     current.cheaper = CoordinatePath{bracket.way, {}, false};
-    kept.improved = true;
+    if (!(kept.left > 0)) kept.left = upper;
   }
-  global.outcome = !global.proved ? "bounded" : kept.improved ? "improved" : "proved";
+  global.outcome = !global.proved ? "bounded" : upper < kept.left ? "improved" : "proved";
   if (bracket.lower == 0) {
     global.reason = why_nothing_proved(bracket);
     if (!global.reason.empty()) global.outcome = "blocked";
