@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include <leastcost/framework/dual.hpp>
@@ -83,7 +84,17 @@ class Search {
     out_.way_taken = way_cost_ < before && options_.takes_way && options_.takes_way(out_.way);
   }
 
-  void raise_lower(double lower) { out_.lower = std::max(out_.lower, std::min(lower, out_.upper)); }
+  /// To a bound that is better than what is known, with the potential that proves it.
+  void raise_lower(double lower, const std::vector<double>& u, double ratio, double cap, int source_rings,
+                   int target_rings) {
+    if (!(lower > out_.lower)) return;
+    out_.lower = std::min(lower, out_.upper);
+    const CellGrid& grid = level_.grid;
+    auto potential = std::make_shared<BracketPotential>();
+    *potential = {{grid.x0, grid.y0}, grid.h,       grid.nx, grid.ny, u, level_.searched, ratio, cap,
+                  source_rings,       target_rings, source_, target_};
+    out_.potential = std::move(potential);
+  }
 
   /// What a potential proves: its bound.
   double take(const std::vector<double>& u, double ratio, const EndRegion& s, const EndRegion& t) {
@@ -92,11 +103,7 @@ class Search {
     const double begin = rim_minimum(grid, s, level_.searched, u, -1, ratio),
                  end = rim_minimum(grid, t, level_.searched, u, 1, ratio);
     const double lower = (Interval(begin) + Interval(end)).lo;
-    if (!(lower > out_.lower)) return lower;
-    raise_lower(lower);
-    auto potential = std::make_shared<BracketPotential>();
-    *potential = {{grid.x0, grid.y0}, grid.h, grid.nx, grid.ny, u, level_.searched, ratio, s.k, t.k, source_, target_};
-    out_.potential = std::move(potential);
+    raise_lower(lower, u, ratio, kInfinity, s.k, t.k);
     return lower;
   }
 
@@ -128,7 +135,11 @@ class Search {
     const Interval h(grid.h), a = (Interval(x[0]) - grid.x0) / h - (Interval(i) - 0.5),
                               b = (Interval(x[1]) - grid.y0) / h - (Interval(j) - 0.5);
     const Interval u = spline_value<Interval>(bound.u, grid.stride(), static_cast<std::size_t>(grid.id(i, j)), a, b);
-    raise_lower((Interval(std::min(u.lo, bound.cap)) / Interval(bound.ratio) + Interval(bound.offset)).lo);
+    const double lower = (Interval(std::min(u.lo, bound.cap)) / Interval(bound.ratio) + Interval(bound.offset)).lo;
+    if (!bound.region.reversed) return raise_lower(lower, bound.u, bound.ratio, bound.cap, bound.region.k, -1);
+    std::vector<double> falling(bound.u.size());  // towards the target
+    std::ranges::transform(bound.u, falling.begin(), std::negate());
+    raise_lower(lower, falling, bound.ratio, bound.cap, -1, bound.region.k);
   }
 
   /// The next grid; false where there is none.
@@ -196,7 +207,7 @@ bool in_square(const BracketPotential& p, const Located& at, const Vector2d& end
 bool BracketPotential::is_checked(const Vector2d& x) const {
   const Located at = locate(*this, x);
   return searched[node_of(*this, at)] != 0 && !in_square(*this, at, source, source_rings) &&
-         !in_square(*this, at, target, target_rings);
+         !in_square(*this, at, target, target_rings) && std::abs(value(x)) < cap;
 }
 
 double BracketPotential::value(const Vector2d& x) const {

@@ -28,10 +28,12 @@ struct BracketPotential {
   std::vector<double> coefficients;                  ///< (nx + 2) x (ny + 2), row by row, from the ring outside on
   std::vector<unsigned char> searched;               ///< per coefficient: whether its cell may hold a cheaper path
   double ratio = 1;
-  int source_rings = 0, target_rings = 0;  ///< squares of (2 rings + 1)^2 cells around the ends
+  double cap = std::numeric_limits<double>::infinity();  ///< beyond it, in size, nothing is proved, and nothing needed
+  int source_rings = 0, target_rings = 0;  ///< squares of (2 rings + 1)^2 cells around the ends; -1: there is none
   Eigen::Vector2d source = Eigen::Vector2d::Zero(), target = Eigen::Vector2d::Zero();
 
-  /// Whether x lies in a searched cell outside the squares around the ends: where the inequality is proved.
+  /// Whether x lies in a searched cell outside the squares around the ends, and within the cap: where the inequality
+  /// is proved.
   bool is_checked(const Eigen::Vector2d& x) const;
   double value(const Eigen::Vector2d& x) const;
   Eigen::Vector2d gradient(const Eigen::Vector2d& x) const;
