@@ -76,7 +76,7 @@ SpaceFloor space_floor(const SpaceDensity& density, const Eigen::AlignedBox3d& p
   const SpaceDensityEnclosure n = density.enclose_density(part);
   if (!n.is_finite()) return out;
   out.center = part.center();
-  const Eigen::Vector3d r = part.sizes() / 2;
+  const Eigen::Vector3d r = part.sizes() / 2 + 4 * kEps * (part.min().cwiseAbs() + part.max().cwiseAbs());
   const QuadraticPart over_cell(n.bend, r), at_center(n.bend_at_center, r);
   const bool by_cubic = at_center.unsure + n.cubic < over_cell.unsure;
   out.bend = by_cubic ? at_center.bend : over_cell.bend;

@@ -25,10 +25,11 @@ struct SpaceGrid {
 
   /// `count` cells along the longest side of the box.
   static SpaceGrid over(const Eigen::AlignedBox3d& box, int count) {
+    constexpr double kWhole = 1 + 1e-13;  // so that the cells cover a box of whole numbers of them, rounding included
     const Eigen::Vector3d size = box.sizes();
-    SpaceGrid g{box.min(), size.maxCoeff() / count, {0, 0, 0}, box};
+    SpaceGrid g{box.min(), size.maxCoeff() / count * kWhole, {0, 0, 0}, box};
     for (std::size_t k = 0; k < 3; ++k)
-      g.cells[k] = static_cast<int>(std::ceil(size[static_cast<int>(k)] / g.h * (1 - 1e-12)));
+      g.cells[k] = static_cast<int>(std::ceil(size[static_cast<int>(k)] / g.h * (1 + 1e-15)));
     return g;
   }
   /// Every cell in `parts`^3, a power of two, so that the sides are halved without rounding.

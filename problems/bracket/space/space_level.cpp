@@ -46,7 +46,7 @@ void correct(const SpaceLevel& level, const std::vector<double>& u, SpaceFront& 
 }  // namespace
 
 double SpaceMedium::marched(const SpaceGrid& grid, const Place& cell) const {
-  constexpr double kFree = 0.9, kScale = 4;  // cells
+  constexpr double kFree = 0.75, kScale = 8;  // cells
   const Eigen::Vector3d x = grid.in_box(grid.node(cell));
   const double n = density.density(x), deep = depth ? depth(x) / grid.h - kFree : 0;
   return deep > 0 ? n * (1 + deep * deep / (kScale * kScale)) : n;
