@@ -17,7 +17,6 @@
 #include <leastcost/problems/bracket/bracket.hpp>
 #include <leastcost/problems/bracket/space/space_bracket.hpp>
 #include <leastcost/problems/obstacles/has_walls.hpp>
-#include <leastcost/problems/obstacles/obstacle_walls.hpp>
 #include "problems/bracket/potential_samples.hpp"
 #include "problems/bracket/smooth_polyline.hpp"
 #include "problems/post_processors/search_time.hpp"
@@ -81,7 +80,7 @@ const Walls* walls_in_place(const ConstraintManifold& domain) {
   const Walls& walls = among->walls();
   const Eigen::AlignedBoxXd box = box_of(domain);
   const bool in_plane = walls.dimension() == 2 && !box.isEmpty() && walls.rounds(fixed<2>(box));
-  const bool in_space = walls.dimension() == 3 && dynamic_cast<const ObstacleWalls*>(&walls) != nullptr;
+  const bool in_space = walls.dimension() == 3 && walls.gaps_are_distances();
   return in_plane || in_space ? &walls : nullptr;
 }
 
@@ -204,13 +203,23 @@ bool passes_alike(const Problem& problem, const Points& way, const Points& curve
   return way.cols() < 2 || find_ability<ChecksMoves>(*problem.manifold)->same_class(way, curve).value_or(true);
 }
 
+/// How deep a place lies within an obstacle, at most its distance from all places outside, for gaps grow by no more
+/// than the way; 0 outside.
+double depth_within(const Walls& walls, const Eigen::VectorXd& x) {
+  std::vector<Wall> found;
+  walls.near(x, 0, found);
+  double deepest = 0;
+  for (const Wall& wall : found) deepest = std::max(deepest, -wall.gap);
+  return deepest;
+}
+
 /// Options of both kinds of brackets.
 template <class Options, class Place>
 Options options_of_bracket(const Problem& problem, const GlobalBudget& budget, const Monitor& monitor) {
   Options options;
   options.tolerance = budget.tolerance;
   if (const Walls* walls = walls_in_place(*problem.manifold))
-    options.depth = [walls](const Place& x) { return -walls->clearance(x, x).upper; };
+    options.depth = [walls](const Place& x) { return depth_within(*walls, x); };
   options.stop = stop_of_search(budget, monitor);
   return options;
 }

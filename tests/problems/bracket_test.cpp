@@ -17,6 +17,7 @@
 #include <leastcost/problems/kernels/kernels.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
+#include <leastcost/problems/obstacles/box_obstacle.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/problems/post_processors/bracket.hpp>
 #include <leastcost/solvers/newton.hpp>
@@ -405,6 +406,25 @@ TEST_CASE("bracket: around a disc, and from the wrong side of it") {
   CHECK(result.curve.x.row(1).minCoeff() < -0.3);
   CHECK(bound.grid.value().upper >= least);
   CHECK(bound.grid->upper <= 1.01 * least);
+}
+
+/// Beside a box of little clearance a place in its core is no deeper than it is: a cell that the rim cuts is searched.
+TEST_CASE("bracket: around a box with sharp corners") {
+  constexpr double kClearance = 1e-3;
+  for (const double half : {0.5, 0.52}) {
+    CAPTURE(half);
+    Problem problem = in_box(box(-2, -2, 2, 2), "1", {-1 - half, 0}, {1 + half, 0});
+    const Vector2d corner = Vector2d::Constant(half);
+    problem.manifold = std::make_shared<FreeSpace>(
+        problem.manifold, FreeSpace::Obstacles{make_box_obstacle({.lower = -corner, .upper = corner})}, kClearance);
+    const double far = std::hypot(1, half);
+    const double least = 2 * (std::sqrt(far * far - kClearance * kClearance) +
+                              kClearance * (std::atan(half) + std::asin(kClearance / far)) + half);
+    const Result result = find_path(problem, over(0, 1.2), Newton(), with_bracket(1e-2));
+    REQUIRE(result.certificate.global);
+    CHECK(result.certificate.global->lower_bound <= least);
+    CHECK(result.certificate.global->lower_bound >= 0.98 * least);
+  }
 }
 
 TEST_CASE("bracket: blocked, with a reason") {
