@@ -246,7 +246,13 @@ class Search {
     PostProcessed processed = chain_as_curve(energy, result_.path);
     processed.unsolved = !solver_.moves_points();
     std::optional<std::string> fault = make_curve(processed);
-    if (processed.cheaper && !fault && begin_anew(processed)) return deliver_and_certify();
+    if (processed.cheaper && !fault && !begun_anew_) {
+      if (begin_anew(processed)) return deliver_and_certify();
+      // What the post-processor left open for the other path's sake is done now.
+      processed = chain_as_curve(energy, result_.path);
+      processed.unsolved = !solver_.moves_points();
+      fault = make_curve(processed);
+    }
     const bool collapsed = joined || has_collapsed(result_, processed);
     deliver(processed, energy.costs(processed.chain), result_);
     result_.post_processed = true;
@@ -272,8 +278,8 @@ class Search {
   /// Solves again from a cheaper path that a post-processor has found, once. False where what comes out costs no less:
   /// then everything is as it was.
   bool begin_anew(const PostProcessed& processed) {
-    if (begun_anew_ || !sampled_) return false;
     begun_anew_ = true;
+    if (!sampled_) return false;
     Result before = result_;
     result_.first.path = *processed.cheaper;  // whose class is kept from here on
     result_.initial = sample_equally(problem_, result_.first.path, static_cast<int>(result_.path.free_count()), 0.05, 8,

@@ -60,7 +60,7 @@ bool PlanSpace::straight(const Eigen::VectorXd& a, const Eigen::VectorXd& b) con
 
 Eigen::VectorXd PlanSpace::between(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double t) const {
   Eigen::VectorXd x = (1 - t) * a + t * b;
-  if (domain_->shape() == Shape::flat) return x;
+  if (is_flat()) return x;
   CoordinatePath alone{x, {}, true};
   domain_->project(alone);
   return alone.u;
@@ -69,7 +69,7 @@ Eigen::VectorXd PlanSpace::between(const Eigen::VectorXd& a, const Eigen::Vector
 double PlanSpace::cost(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const { return move_cost(*cost_, a, b); }
 
 double PlanSpace::cost(const Points& x, double longest) const {
-  const bool whole = !(longest > 0) || (cost_->traits().additive && domain_->shape() == Shape::flat);
+  const bool whole = !(longest > 0) || (cost_->traits().additive && is_flat());
   double sum = 0;
   for (Index i = 0; i + 1 < x.cols(); ++i) {
     const Eigen::VectorXd a = x.col(i), b = x.col(i + 1);

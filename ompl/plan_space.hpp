@@ -29,6 +29,8 @@ class PlanSpace {
   void look_at(std::shared_ptr<const Walls> walls) { walls_ = std::move(walls); }
   /// As the checker of the planner says.
   double clearance(const Eigen::VectorXd& x) const;
+  /// Whether parts of a move are the same motion: of straight lines, not of the chords of a turn.
+  bool is_flat() const { return domain_->shape() == Shape::flat; }
   /// Whether the planner's own move between states is straight in the columns.
   bool straight(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
 

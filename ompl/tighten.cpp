@@ -17,7 +17,26 @@ constexpr double kEnough = 1e-4;  ///< relative gain of a round that is worth an
 constexpr int kMostPulls = 8;
 constexpr std::array<double, 4> kParts = {1, 0.5, 0.2, 0.05};  ///< of the way to a straight stretch
 
-/// The path with its vertices and points between them, no farther apart than an equal share of its length.
+bool all_move(const PlanSpace& space, const Points& x) {
+  for (Index i = 0; i + 1 < x.cols(); ++i)
+    if (!space.moves(x.col(i), x.col(i + 1))) return false;
+  return true;
+}
+
+/// Equal parts of a move, from its begin to its end. Chords of a turn do not take it evenly, so that shorter ones are
+/// other motions: where one of those is not valid, the move as a whole.
+Points parts_of(const PlanSpace& space, const Eigen::VectorXd& a, const Eigen::VectorXd& b, Index pieces) {
+  Points out(a.size(), pieces + 1);
+  for (Index k = 0; k <= pieces; ++k)
+    out.col(k) = space.between(a, b, static_cast<double>(k) / static_cast<double>(pieces));
+  out.col(0) = a;
+  out.col(pieces) = b;
+  const bool same = pieces == 1 || space.is_flat();
+  return same || all_move(space, out) ? out : (Points(a.size(), 2) << a, b).finished();
+}
+
+/// The path with its vertices and points between them, no farther apart than an equal share of its length where that
+/// leaves its moves valid.
 Points divided(const PlanSpace& space, const Points& x, int points) {
   double length = 0;
   for (Index i = 0; i + 1 < x.cols(); ++i) length += (x.col(i + 1) - x.col(i)).norm();
@@ -25,8 +44,8 @@ Points divided(const PlanSpace& space, const Points& x, int points) {
   std::vector<Eigen::VectorXd> all{x.col(0)};
   for (Index i = 0; i + 1 < x.cols(); ++i) {
     const double pieces = std::max(1.0, std::ceil((x.col(i + 1) - x.col(i)).norm() / share));
-    for (double k = 1; k < pieces; ++k) all.push_back(space.between(x.col(i), x.col(i + 1), k / pieces));
-    all.emplace_back(x.col(i + 1));
+    const Points parts = parts_of(space, x.col(i), x.col(i + 1), static_cast<Index>(pieces));
+    for (Index k = 1; k < parts.cols(); ++k) all.emplace_back(parts.col(k));
   }
   Points out(x.rows(), static_cast<Index>(all.size()));
   for (Index i = 0; i < out.cols(); ++i) out.col(i) = all[static_cast<std::size_t>(i)];
@@ -118,7 +137,7 @@ class Tightening {
     const double cost = space_.cost(now);
     for (const double part : kParts) {
       const Points next = moved(now, part);
-      if (!(space_.cost(next) < cost) || !all_move(next)) continue;
+      if (!(space_.cost(next) < cost) || !all_move(space_, next)) continue;
       x_.middleCols(begin, now.cols()) = next;
       return;
     }
@@ -133,12 +152,6 @@ class Tightening {
       out.col(k) = space_.between(now.col(k), space_.between(now.col(0), now.col(last), t), part);
     }
     return out;
-  }
-
-  bool all_move(const Points& x) const {
-    for (Index i = 0; i + 1 < x.cols(); ++i)
-      if (!space_.moves(x.col(i), x.col(i + 1))) return false;
-    return true;
   }
 
   const PlanSpace& space_;

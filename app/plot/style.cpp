@@ -85,6 +85,7 @@ constexpr std::string_view kRules =
 .plot .end{fill:var(--c1);stroke:var(--paper);stroke-width:1.5}
 .plot .wall{fill:none;stroke:var(--ink);stroke-width:2}.plot .solid{stroke-width:.7;stroke-linejoin:round}
 .plot .level{fill:none;stroke:var(--soft);stroke-width:.7;opacity:.7}
+.plot .shade0{fill:#6f6a62}.plot .shade{fill:#fff;fill-opacity:.085}
 .plot .band0{fill:var(--faint)}.plot .band{fill:var(--soft);fill-opacity:.06}
 .plot .out{fill:url(#hatch)}.plot .hatch{stroke:var(--soft);stroke-width:1.2;fill:none}
 .plot .s0{stroke:var(--c0)}.plot .s1{stroke:var(--c1)}.plot .s2{stroke:var(--c2)}.plot .s3{stroke:var(--c3)}

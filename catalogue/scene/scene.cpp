@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include <leastcost/framework/segment_cost.hpp>
+#include "catalogue/scene/relief.hpp"
 #include "problems/drawing/surroundings.hpp"
 
 namespace leastcost {
@@ -124,6 +125,7 @@ Scene make_scene(const Problem& problem, const Result& result, std::span<const F
   const bool plane = scene.dimension == 2 && problem.manifold->dimensions().tangent == 2 &&
                      find_ability<HasChart>(*problem.manifold) == nullptr;  // with obstacles or without
   if (plane) draw_plane(problem, drawn, scene);
+  scene.relief = relief_around(*problem.manifold, drawn);
   scene.potential = potential_raster(result);
   return scene;
 }

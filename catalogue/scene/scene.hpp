@@ -38,6 +38,7 @@ struct Scene : Drawing {
   PoseStrip strip;  ///< of a robot; empty without one
   std::optional<Raster>
       cost;  ///< of the plane: cost per unit of length, the mean over the directions that are possible
+  std::optional<Raster> relief;     ///< of a map: how light the ground is seen from above, 0 to 1
   std::optional<Raster> potential;  ///< that bounds the least cost of all paths, where they were searched
 };
 

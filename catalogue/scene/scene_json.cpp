@@ -191,6 +191,7 @@ Scene read(const Json& json) {
     }
   }
   if (json.contains("cost")) scene.cost = read_raster(json.at("cost"));
+  if (json.contains("relief")) scene.relief = read_raster(json.at("relief"));
   if (json.contains("potential")) scene.potential = read_raster(json.at("potential"));
   for (const Json& note : json.at("notes")) scene.notes.push_back(note.get<std::string>());
   return scene;
@@ -225,6 +226,7 @@ std::string scene_json(const Scene& scene) {
     text += fmt::format(",\n\"box\":{{\"lower\":{},\"upper\":{}}}", side(scene.lower), side(scene.upper));
   if (!scene.strip.poses.empty()) text += ",\n\"strip\":" + strip_text(scene.strip);
   if (scene.cost) text += ",\n\"cost\":" + raster_text(*scene.cost);
+  if (scene.relief) text += ",\n\"relief\":" + raster_text(*scene.relief);
   if (scene.potential) text += ",\n\"potential\":" + raster_text(*scene.potential);
   return text + ",\n\"notes\":" + Json(scene.notes).dump(-1, ' ', false, Json::error_handler_t::replace) + "}\n";
 }

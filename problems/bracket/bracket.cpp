@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include <leastcost/framework/dual.hpp>
@@ -22,6 +23,7 @@ using Eigen::Vector2d;
 constexpr int kRefinement = 4;  ///< a cell of the next grid is so much smaller
 constexpr int kBisectorRings = 2;
 constexpr int kBisectorDeflations = 6;
+constexpr int kCorrections = 1, kCorrectionsAtWalls = 3;  ///< along which fronts creep: there one is too much
 
 class Search {
  public:
@@ -49,6 +51,7 @@ class Search {
       count_level();
       const DistanceField from_s = field_of(source_, false), from_t = field_of(target_, true);
       follow_field(from_s);
+      if (out_.way_taken) return;
       if (is_part_) bisect(from_s, from_t);
       if (out_.gap() <= options_.tolerance) return;
       if (!refine(from_s, from_t)) break;
@@ -70,6 +73,7 @@ class Search {
   }
 
   void follow_field(const DistanceField& from_s) {
+    const double before = way_cost_;
     for (const Eigen::Matrix2Xd& way : ways_down(level_, from_s, target_)) {
       const double cost = medium_.polyline_above(way);
       if (!(cost < way_cost_)) continue;
@@ -77,22 +81,30 @@ class Search {
       out_.way = way;
       if (!options_.depth) out_.upper = cost;
     }
+    out_.way_taken = way_cost_ < before && options_.takes_way && options_.takes_way(out_.way);
   }
 
-  void raise_lower(double lower) { out_.lower = std::max(out_.lower, std::min(lower, out_.upper)); }
+  /// To a bound that is better than what is known, with the potential that proves it.
+  void raise_lower(double lower, const std::vector<double>& u, double ratio, double cap, int source_rings,
+                   int target_rings) {
+    if (!(lower > out_.lower)) return;
+    out_.lower = std::min(lower, out_.upper);
+    const CellGrid& grid = level_.grid;
+    auto potential = std::make_shared<BracketPotential>();
+    *potential = {{grid.x0, grid.y0}, grid.h,       grid.nx, grid.ny, u, level_.searched, ratio, cap,
+                  source_rings,       target_rings, source_, target_};
+    out_.potential = std::move(potential);
+  }
 
-  /// What a potential proves.
-  void take(const std::vector<double>& u, double ratio, const EndRegion& s, const EndRegion& t) {
-    if (!s.valid || !t.valid || s.touches(t)) return;
+  /// What a potential proves: its bound.
+  double take(const std::vector<double>& u, double ratio, const EndRegion& s, const EndRegion& t) {
+    if (!s.valid || !t.valid || s.touches(t)) return 0;
     const CellGrid& grid = level_.grid;
     const double begin = rim_minimum(grid, s, level_.searched, u, -1, ratio),
                  end = rim_minimum(grid, t, level_.searched, u, 1, ratio);
     const double lower = (Interval(begin) + Interval(end)).lo;
-    if (!(lower > out_.lower)) return;
-    raise_lower(lower);
-    auto potential = std::make_shared<BracketPotential>();
-    *potential = {{grid.x0, grid.y0}, grid.h, grid.nx, grid.ny, u, level_.searched, ratio, s.k, t.k, source_, target_};
-    out_.potential = std::move(potential);
+    raise_lower(lower, u, ratio, kInfinity, s.k, t.k);
+    return lower;
   }
 
   /// By the signed distance to the bisector, on a grid that has little behind the ends, where it has shocks.
@@ -102,11 +114,13 @@ class Search {
                     t = medium_.end_region(level_.grid, target_, kBisectorRings, true);
     Front front = front_at_bisector(level_, from_s.u, from_t.u);
     if (front.seeds.empty()) return;
-    std::vector<double> u = march(level_, front, 1, marching_), ratios;
+    std::vector<double> u = march(level_, front, options_.depth ? kCorrectionsAtWalls : kCorrections, marching_),
+                        ratios;
+    double best = 0;  // on this grid
     for (int round = 0;; ++round) {
-      const double before = out_.gap(), ratio = check(level_, u, s, t, ratios);
-      take(u, ratio, s, t);
-      const bool stalls = round > 1 && out_.gap() > kWorthWhile * before;
+      const double ratio = check(level_, u, s, t, ratios), lower = take(u, ratio, s, t);
+      const bool stalls = round > 1 && out_.upper - lower > kWorthWhile * (out_.upper - best);
+      best = std::max(best, lower);
       if (!(ratio > 1) || round == kBisectorDeflations || stalls || out_.gap() <= options_.tolerance) return;
       deflate(level_, ratios, front);
       u = march(level_, front, 0, marching_);
@@ -121,7 +135,11 @@ class Search {
     const Interval h(grid.h), a = (Interval(x[0]) - grid.x0) / h - (Interval(i) - 0.5),
                               b = (Interval(x[1]) - grid.y0) / h - (Interval(j) - 0.5);
     const Interval u = spline_value<Interval>(bound.u, grid.stride(), static_cast<std::size_t>(grid.id(i, j)), a, b);
-    raise_lower((Interval(std::min(u.lo, bound.cap)) / Interval(bound.ratio) + Interval(bound.offset)).lo);
+    const double lower = (Interval(std::min(u.lo, bound.cap)) / Interval(bound.ratio) + Interval(bound.offset)).lo;
+    if (!bound.region.reversed) return raise_lower(lower, bound.u, bound.ratio, bound.cap, bound.region.k, -1);
+    std::vector<double> falling(bound.u.size());  // towards the target
+    std::ranges::transform(bound.u, falling.begin(), std::negate());
+    raise_lower(lower, falling, bound.ratio, bound.cap, -1, bound.region.k);
   }
 
   /// The next grid; false where there is none.
@@ -189,7 +207,7 @@ bool in_square(const BracketPotential& p, const Located& at, const Vector2d& end
 bool BracketPotential::is_checked(const Vector2d& x) const {
   const Located at = locate(*this, x);
   return searched[node_of(*this, at)] != 0 && !in_square(*this, at, source, source_rings) &&
-         !in_square(*this, at, target, target_rings);
+         !in_square(*this, at, target, target_rings) && std::abs(value(x)) < cap;
 }
 
 double BracketPotential::value(const Vector2d& x) const {

@@ -28,10 +28,12 @@ struct BracketPotential {
   std::vector<double> coefficients;                  ///< (nx + 2) x (ny + 2), row by row, from the ring outside on
   std::vector<unsigned char> searched;               ///< per coefficient: whether its cell may hold a cheaper path
   double ratio = 1;
-  int source_rings = 0, target_rings = 0;  ///< squares of (2 rings + 1)^2 cells around the ends
+  double cap = std::numeric_limits<double>::infinity();  ///< beyond it, in size, nothing is proved, and nothing needed
+  int source_rings = 0, target_rings = 0;  ///< squares of (2 rings + 1)^2 cells around the ends; -1: there is none
   Eigen::Vector2d source = Eigen::Vector2d::Zero(), target = Eigen::Vector2d::Zero();
 
-  /// Whether x lies in a searched cell outside the squares around the ends: where the inequality is proved.
+  /// Whether x lies in a searched cell outside the squares around the ends, and within the cap: where the inequality
+  /// is proved.
   bool is_checked(const Eigen::Vector2d& x) const;
   double value(const Eigen::Vector2d& x) const;
   Eigen::Vector2d gradient(const Eigen::Vector2d& x) const;
@@ -46,6 +48,9 @@ struct BracketOptions {
   /// outside; none: there are no obstacles.
   std::function<double(const Eigen::Vector2d&)> depth = {};
   std::function<bool()> stop = {};  ///< looked at between the steps of a grid
+  /// Whether a way down the field, which costs less than what is known, is one to go on from instead: then the search
+  /// ends, for its gap would be that of a path that nobody delivers. None: it never does.
+  std::function<bool(const Eigen::Matrix2Xd&)> takes_way = {};
 };
 
 /// Bounds of the least cost of all paths in a box between two places.
@@ -60,6 +65,7 @@ struct Bracket {
   long cells = 0;                    ///< searched on all grids
   int grids = 0;
   bool stopped = false;                               ///< by options.stop or a limit, before the tolerance was reached
+  bool way_taken = false;                             ///< the search has ended with options.takes_way
   std::shared_ptr<const BracketPotential> potential;  ///< of `lower`
 
   double gap() const { return !std::isfinite(upper) ? 1 : lower < upper ? (upper - lower) / upper : 0; }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <mutex>
 #include <optional>
@@ -31,6 +32,7 @@ struct BracketInBox {
   long cells = 0;
   int grids = 0;
   bool stopped = false;
+  bool way_taken = false;  ///< the search has ended with takes_way
   PotentialSamples potential = {};
 };
 
@@ -44,7 +46,7 @@ struct KeptBracket {
   BracketInBox bracket;
   Eigen::VectorXd source, target;
   double seconds = 0;
-  bool improved = false;
+  double left = 0;  ///< cost of the path from which another way was offered; 0: none was
 
   bool is_of(const Problem& problem, const Walls* among, const Eigen::AlignedBoxXd& in) const {
     return cost == problem.cost && walls == among && box.dim() == in.dim() && box.isApprox(in, 0) &&
@@ -57,6 +59,9 @@ namespace {
 using Eigen::Vector2d;
 
 Eigen::Index dimension_of(const Problem& problem) { return problem.manifold->dimensions().coordinate; }
+
+/// A way down the field cuts in at obstacles, and so costs less than a path by so little even where it leads elsewhere.
+constexpr double kClearlyLess = 0.98;
 
 /// The box that all paths stay in; empty where there is none.
 Eigen::AlignedBoxXd box_of(const ConstraintManifold& domain) {
@@ -73,15 +78,12 @@ Eigen::AlignedBox<double, kDimension> fixed(const Eigen::AlignedBoxXd& box) {
   return {Vector(box.min()), Vector(box.max())};
 }
 
-/// Obstacles in the plane or in space itself, whose gaps are distances; null: there are none.
+/// Obstacles in the plane or in space itself, whose gaps are distances there; null: there are none.
 const Walls* walls_in_place(const ConstraintManifold& domain) {
   const auto* among = find_ability<HasWalls>(domain);
   if (among == nullptr) return nullptr;
   const Walls& walls = among->walls();
-  const Eigen::AlignedBoxXd box = box_of(domain);
-  const bool in_plane = walls.dimension() == 2 && !box.isEmpty() && walls.rounds(fixed<2>(box));
-  const bool in_space = walls.dimension() == 3 && walls.gaps_are_distances();
-  return in_plane || in_space ? &walls : nullptr;
+  return walls.gaps_are_distances() && walls.dimension() == domain.dimensions().coordinate ? &walls : nullptr;
 }
 
 /// What is known of a cost in cells: one of these, or none.
@@ -166,7 +168,7 @@ std::string why_no_bracket(const Problem& problem) {
   if (!flat || (dimension_of(problem) != 2 && dimension_of(problem) != 3))
     return "a bracket needs the plane or space: a flat domain with two or three coordinates";
   if (find_ability<ChecksMoves>(domain) != nullptr && walls_in_place(domain) == nullptr)
-    return "a bracket needs obstacles that are balls, boxes, polygons or maps in the plane, or in space itself";
+    return "a bracket needs obstacles that stand in the plane or in space itself: balls, boxes, polygons, maps, meshes";
   if (box_of(domain).isEmpty()) return "a bracket speaks of the paths in a box: give the manifold finite bounds";
   const CostInCells cost = in_cells(problem);
   if (cost.space != nullptr && !looks_isotropic(*problem.cost, box_of(domain)))
@@ -238,15 +240,18 @@ BracketInBox bracket_in_space(const Problem& problem, const SpaceDensity& densit
                                       upper, options));
 }
 
+/// `takes_way`: as of BracketOptions, of the plane.
 BracketInBox bracket_of(const Problem& problem, const CostInCells& cost, double upper, const GlobalBudget& budget,
-                        const Monitor& monitor) {
+                        const std::function<bool(const Eigen::Matrix2Xd&)>& takes_way, const Monitor& monitor) {
   if (cost.space != nullptr) return bracket_in_space(problem, *cost.space, upper, budget, monitor);
   auto options = options_of_bracket<BracketOptions, Vector2d>(problem, budget, monitor);
   if (budget.max_windows) options.max_searched = *budget.max_windows;
+  options.takes_way = takes_way;
   const Eigen::AlignedBox2d box = fixed<2>(box_of(*problem.manifold));
   const auto of = [&](const auto& known) {
     const Bracket found = bracket_least_cost(known, box, problem.source.u, problem.target.u, upper, options);
     BracketInBox out = in_box_of(found);
+    out.way_taken = found.way_taken;
     if (found.potential) out.potential = samples_of(*found.potential);
     return out;
   };
@@ -280,7 +285,8 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
   KeptBracket& kept = *kept_;
   const Walls* walls = walls_in_place(*problem.manifold);
   const bool same_problem = kept.is_of(problem, walls, box);
-  const bool again = same_problem && upper <= kept.bracket.upper * (1 + budget_.tolerance);
+  const bool again = same_problem && !kept.bracket.way_taken && upper <= kept.bracket.upper * (1 + budget_.tolerance);
+  const bool among = find_ability<ChecksMoves>(*problem.manifold) != nullptr;
   if (!again) {
     kept.cost = problem.cost;
     kept.domain = problem.manifold;
@@ -288,8 +294,13 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
     kept.box = box;
     kept.source = problem.source.u;
     kept.target = problem.target.u;
-    kept.bracket = bracket_of(problem, cost, upper, budget_, monitor);
-    kept.improved = same_problem && kept.improved;
+    if (!same_problem) kept.left = 0;
+    std::function<bool(const Eigen::Matrix2Xd&)> takes_way;
+    if (among && !(kept.left > 0))
+      takes_way = [&](const Eigen::Matrix2Xd& way) {
+        return cost.above(way) < kClearlyLess * upper && !passes_alike(problem, way, current.curve.x);
+      };
+    kept.bracket = bracket_of(problem, cost, upper, budget_, takes_way, monitor);
   }
   const BracketInBox& bracket = kept.bracket;
   const double seconds = std::chrono::duration<double>(Monitor::Clock::now() - begin).count();
@@ -304,14 +315,13 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
   global.gap = bracket.lower < upper ? (upper - bracket.lower) / upper : 0;
   global.proved = bracket.lower > 0 && global.gap <= budget_.tolerance;
   global.grid = BoundGrid{box, bracket.grid, upper, bracket.potential};
-  const bool among = find_ability<ChecksMoves>(*problem.manifold) != nullptr;
   const bool cheaper = among ? !passes_alike(problem, bracket.way, current.curve.x)
                              : bracket.upper < upper * (1 - budget_.tolerance / 4);
   if (!again && bracket.way.cols() > 1 && cheaper) {
     current.cheaper = CoordinatePath{bracket.way, {}, false};
-    kept.improved = true;
+    if (!(kept.left > 0)) kept.left = upper;
   }
-  global.outcome = !global.proved ? "bounded" : kept.improved ? "improved" : "proved";
+  global.outcome = !global.proved ? "bounded" : upper < kept.left ? "improved" : "proved";
   if (bracket.lower == 0) {
     global.reason = why_nothing_proved(bracket);
     if (!global.reason.empty()) global.outcome = "blocked";

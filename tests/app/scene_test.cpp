@@ -153,13 +153,51 @@ TEST_CASE("scene: the potential that bounds all paths, where they were searched"
   double low = 1e9, high = -1e9;
   for (const double value : raster.values)
     if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
-  CHECK(high - low > 2.5);  // of the distance 3, but for squares around the ends
-  CHECK(high - low < 3.5);
+  CHECK(high - low > 2.5);  // of the distance 3 of the ends, but for squares around them
+  CHECK(high - low < 4.2);  // to the farthest corner it is 4.12
   const Scene again = read_scene(scene_json(scene), "scene.json");
   REQUIRE(again.potential);
   CHECK(again.potential->columns == raster.columns);
   CHECK(std::isfinite(again.potential->values[raster.values.size() / 2]) ==
         std::isfinite(raster.values[raster.values.size() / 2]));
+}
+
+TEST_CASE("scene: a map of heights has its ground in the sun, and no other chart has") {
+  const auto on_map = [](const parametric::Surface& surface) {
+    const Problem problem = between(make_parametric_manifold({.surface = surface}), make_euclidean_cost(3),
+                                    Eigen::Vector2d(-1, -1), Eigen::Vector2d(1, 1));
+    return make_scene(problem, find(problem, 15));
+  };
+  const auto by_formula = [](const char* x, const char* y, const char* z) {
+    return parametric::Formula{.x = x, .y = y, .z = z};
+  };
+  const Scene scene = on_map(by_formula("u", "v", "exp(-u^2 - v^2)"));
+  REQUIRE(scene.relief);
+  const Raster& raster = *scene.relief;
+  CHECK(raster.values.size() == static_cast<std::size_t>(raster.columns) * static_cast<std::size_t>(raster.rows));
+  const auto at = [&raster](double x, double y) {
+    const Eigen::Vector2d part = (Eigen::Vector2d(x, y) - raster.lower).cwiseQuotient(raster.upper - raster.lower);
+    const auto i = static_cast<std::size_t>(std::lround(part[0] * (raster.columns - 1))),
+               j = static_cast<std::size_t>(std::lround(part[1] * (raster.rows - 1)));
+    return raster.values[j * static_cast<std::size_t>(raster.columns) + i];
+  };
+  CHECK(at(0, 0) == Approx(std::sqrt(0.5)).epsilon(0.01));  // level ground under a sun 45 degrees up
+  CHECK(at(-0.5, 0.5) > 0.95);                              // a slope to the north-west
+  CHECK(at(0.5, -0.5) < 0.4);
+  CHECK(at(0.5, 0.5) == Approx(at(-0.5, -0.5)));
+  const Scene again = read_scene(scene_json(scene), "scene.json");
+  REQUIRE(again.relief);
+  CHECK(again.relief->columns == raster.columns);
+  CHECK(again.relief->values.front() == Approx(raster.values.front()).epsilon(1e-3));
+
+  const Scene lake = on_map(by_formula("u", "v", "sqrt(u*v + 1.2)"));  // no ground in two corners
+  REQUIRE(lake.relief);
+  CHECK(std::isinf(lake.relief->values[static_cast<std::size_t>(lake.relief->columns) - 1]));
+  CHECK(std::isfinite(lake.relief->values.front()));
+
+  CHECK_FALSE(on_map(by_formula("u", "v", "u + v")).relief);  // a plane is even
+  CHECK_FALSE(on_map(by_formula("v", "u", "exp(-u^2 - v^2)")).relief);
+  CHECK_FALSE(on_map(parametric::Sphere{}).relief);
 }
 
 TEST_CASE("scene: boxes with open sides, spaces without a picture") {

@@ -22,6 +22,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
 #include "tests/support/random_fields.hpp"
+#include "tests/support/trials.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -196,11 +197,7 @@ std::uint64_t number_from(const char* variable, std::uint64_t otherwise) {
   return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
 }
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr std::uint64_t kProblems = 60;  // in the time of a thousand without
-#else
-constexpr std::uint64_t kProblems = 400;
-#endif
+constexpr std::uint64_t kProblems = test::trials(400);
 
 }  // namespace
 

@@ -13,6 +13,8 @@
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
 #include <leastcost/problems/obstacles/obstacle_walls.hpp>
+#include <leastcost/problems/robots/rigid_body.hpp>
+#include <leastcost/problems/robots/robot_walls.hpp>
 #include "tests/ompl/plans.hpp"
 
 namespace leastcost::test {
@@ -223,6 +225,42 @@ TEST_CASE("polish: a clearance is kept, and proved, between quaternions as well"
   REQUIRE(ours.clearance);
   CHECK(ours.clearance->proved);
   CHECK(clearance_of(columns_of(*ours.path).topRows(2), {{0, 0, 1.2}}) >= kContact);
+}
+
+TEST_CASE("polish: parts of a move with a turn are other motions, and are not taken for valid ones") {
+  // The tip of a long body passes close by balls on the chord of its turn, then goes a detour in the open.
+  Robot body;
+  body.kinematics = std::make_shared<const SpatialBody>();
+  body.capsules = {{0, {3, 0, 0}, {3, 0, 0}, 0.1}};
+  Points given = Points::Zero(7, 4);
+  given.row(0) << 0, 2, 3, 4;
+  given.row(1) << 0, 0, -4, 0;
+  const double half = 1.3;  // of the turn about z
+  given.row(5) << 0, std::sin(half), std::sin(half), std::sin(half);
+  given.row(6) << 1, std::cos(half), std::cos(half), std::cos(half);
+  const auto tip = [&](double t) {
+    const double angle = 2 * std::atan2(t * std::sin(half), (1 - t) + t * std::cos(half));
+    return Eigen::Vector3d(2 * t + 3 * std::cos(angle), 3 * std::sin(angle), 0);
+  };
+  RobotWalls::Obstacles balls;
+  for (int k = 1; k < 16; ++k) {
+    constexpr double kRadius = 0.05, kRoom = 0.001, kStep = 1e-4;
+    const double t = k / 16.0;
+    const Eigen::Vector3d aside = (tip(t + kStep) - tip(t - kStep)).cross(Eigen::Vector3d::UnitZ()).normalized();
+    for (const double side : {-1.0, 1.0})
+      balls.push_back(make_ball({Eigen::Vector3d(tip(t) + side * (0.1 + kRadius + kRoom) * aside), kRadius}));
+  }
+  const PlannerSpace space = open_space(poses());
+  PolishOptions options;
+  options.walls = make_pose_walls(StateColumns(space->getStateSpace()),
+                                  std::make_shared<RobotWalls>(make_robot(std::move(body)), std::move(balls), 0));
+  options.search = false;
+  const Polished ours = polish(path_through(space, given), options);
+  CAPTURE(ours.why);
+  CHECK(ours.outcome == PolishOutcome::tightened);
+  CHECK(ours.cost < 0.8 * ours.given_cost);
+  REQUIRE(ours.clearance);
+  CHECK(ours.clearance->lower >= kContact);
 }
 
 TEST_CASE("polish: another cost than the length") {

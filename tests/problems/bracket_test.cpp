@@ -390,6 +390,41 @@ TEST_CASE("bracket: from either side of a hill the cheaper way is delivered") {
   }
 }
 
+/// Two tangents and an arc, on either side of a disc: from either side the shorter way is delivered, where they differ
+/// by more than the gap. LEASTCOST_BRACKET_PROBLEMS sets another number of them.
+TEST_CASE("bracket: from either side of a disc the shorter way is delivered") {
+  Random random;
+  int told_apart = 0;
+  const int count = problems_to_try(100) / 20;
+  for (int k = 0; k < count; ++k) {
+    const Vector2d centre(random.uniform(-0.4, 0.4), random.uniform(-0.3, 0.3)), source(-1.5, 0), target(1.5, 0);
+    const double radius = random.uniform(0.4, 0.8);
+    CAPTURE(centre.transpose(), radius);
+    const double to_s = (source - centre).norm(), to_t = (target - centre).norm();
+    const auto length = [&](double side) {
+      const Vector2d a = source - centre, b = target - centre;
+      const double counter_clockwise = std::atan2(a[0] * b[1] - a[1] * b[0], a.dot(b));
+      const double turn = std::fmod(-side * counter_clockwise + 4 * std::acos(-1.0), 2 * std::acos(-1.0));
+      return std::sqrt(to_s * to_s - radius * radius) + std::sqrt(to_t * to_t - radius * radius) +
+             radius * (turn - std::acos(radius / to_s) - std::acos(radius / to_t));
+    };
+    const double least = std::min(length(1), length(-1)), other = std::max(length(1), length(-1));
+    Problem problem = in_box(box(-2, -2, 2, 2), "1", source, target);
+    problem.manifold = std::make_shared<FreeSpace>(
+        problem.manifold, FreeSpace::Obstacles{make_ball({.center = centre, .radius = radius})}, 0);
+    for (const double side : {-1.0, 1.0}) {
+      const Result result = find_path(problem, over(centre[0], centre[1] + 1.3 * side), Newton(), with_bracket(1e-2));
+      const GlobalBound& bound = result.certificate.global.value();
+      REQUIRE(bound.lower_bound <= least * (1 + kOfTruth));
+      if (!(other > least / (1 - bound.gap))) continue;
+      ++told_apart;
+      CHECK(result.curve.cost == Approx(least).epsilon(1e-3));
+    }
+  }
+  CHECK(told_apart > count / 2);
+  if (count > 5) WARN(told_apart << " of " << 2 * count << " told apart by the gap");
+}
+
 TEST_CASE("bracket: around a disc, and from the wrong side of it") {
   Problem problem = in_box(box(-2, -2, 2, 2), "1", {-1.5, 0}, {1.5, 0});
   problem.manifold = std::make_shared<FreeSpace>(
@@ -425,6 +460,22 @@ TEST_CASE("bracket: around a box with sharp corners") {
     CHECK(result.certificate.global->lower_bound <= least);
     CHECK(result.certificate.global->lower_bound >= 0.98 * least);
   }
+}
+
+TEST_CASE("bracket: a way through a wall thinner than a cell is not gone on from, and what is proved is kept") {
+  Problem problem = in_box(box(-2, -2, 2, 2), "1", {-1, -0.5}, {1, -0.5});
+  problem.manifold = std::make_shared<FreeSpace>(
+      problem.manifold, FreeSpace::Obstacles{make_box_obstacle({Vector2d(-0.001, -2.5), Vector2d(0.001, 1.5)})}, 0.004);
+  const double around_top = 2 * std::hypot(1, 2);
+  FindOptions options;
+  options.post_processors = {
+      std::make_shared<BracketPostProcessor>(GlobalBudget{.tolerance = 1e-2, .max_windows = 200000})};
+  const Result result = find_path(problem, over(0, 1.8), Newton(), options);
+  CHECK(result.curve.cost == Approx(around_top).epsilon(1e-2));
+  const GlobalBound& bound = result.certificate.global.value();
+  CHECK(bound.outcome == "bounded");
+  CHECK(bound.lower_bound <= result.curve.cost);
+  CHECK(bound.lower_bound > 1.95);  // that of the straight line
 }
 
 TEST_CASE("bracket: blocked, with a reason") {

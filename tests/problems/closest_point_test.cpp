@@ -10,6 +10,7 @@
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
+#include "tests/support/trials.hpp"
 
 namespace leastcost {
 namespace {
@@ -257,7 +258,7 @@ TEST_CASE("closest point: agrees with a brute-force search on real meshes, clean
     const auto file = test::data_file(name);
     if (!file) continue;
     INFO(name);
-    check_mesh(TriangleMesh(read_mesh(*file)), 12);
+    check_mesh(TriangleMesh(read_mesh(*file)), test::trials(12));
   }
 }
 

@@ -19,6 +19,7 @@
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
+#include "tests/support/trials.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -48,7 +49,7 @@ TEST_CASE("eikonal: around a hill, on the cheaper side of it") {
   const double truth = 6.030127200428;
   CHECK(first_cost(level) > truth * (1 - 1e-6));
   CHECK(first_cost(level, 50) < truth * 1.01);
-  CHECK(first_cost(level, 200) < truth * 1.002);
+  if (!test::kSanitized) CHECK(first_cost(level, 200) < truth * 1.002);
   for (const double side : {-0.1, 0.1}) {
     const Problem problem = between(square(3), hill(side), Vector2d(-2, 0), Vector2d(2, 0));
     const Points u = EikonalInitializer().first_path(problem, {}).path.u;
@@ -67,6 +68,7 @@ TEST_CASE("eikonal: a cost that depends on the direction, up to twenty times") {
       const Problem problem = between(square(1), cost, Vector2d(0.05, 0.02), target);
       const double truth = move_cost(*cost, problem.source.u, target);
       CAPTURE(ratio, target.transpose(), truth);
+      if (test::kSanitized && ratio == 5) continue;
       const double found = first_cost(problem);
       CHECK(found >= truth * (1 - 1e-12));
       CHECK(found <= truth * (1 + worst));
@@ -81,6 +83,7 @@ TEST_CASE("eikonal: a current that is faster than the boat where it starts") {
   const Problem problem = between(box, cost, Vector2d(3.66, -1.86), Vector2d(0, 0));
   const double truth = 5.45786526;
   for (const int cells : {60, 100, 200}) {
+    if (cells > 100 && test::kSanitized) continue;
     CAPTURE(cells);
     const double found = first_cost(problem, cells);
     CHECK(found >= truth);

@@ -20,6 +20,7 @@
 #include <leastcost/problems/robots/rigid_body.hpp>
 #include <leastcost/solvers/newton.hpp>
 #include "tests/support/catch.hpp"
+#include "tests/support/trials.hpp"
 
 namespace leastcost {
 namespace {
@@ -56,7 +57,7 @@ void look_about(const RobotWalls& walls, const Look& look) {
   std::normal_distribution<double> step;
   std::uniform_real_distribution<double> unit(0, 1);
   Place x = Place::Zero(walls.dimension());
-  for (int k = 0; k < 1500; ++k) {
+  for (int k = 0; k < test::trials(1500); ++k) {
     const double length = unit(engine) < 0.03 ? 1 : std::pow(10.0, -4 * unit(engine));
     x += length * Place::NullaryExpr(x.size(), [&] { return 0.2 * step(engine); });
     x = x.cwiseMax(-2).cwiseMin(2);
@@ -110,7 +111,7 @@ TEST_CASE("remembering walls: what is near is what the walls themselves say") {
       check_same_walls(plain, remembered);
       some += plain.empty() ? 0 : 1;
     });
-    CHECK(some > 100);
+    CHECK(some > test::trials(100));
     walls->near(Place::Constant(walls->dimension(), std::nan("")), 1, plain);
     remembering.near(Place::Constant(walls->dimension(), std::nan("")), 1, remembered);
     CHECK(plain.size() == remembered.size());
@@ -143,7 +144,7 @@ TEST_CASE("remembering walls: along moves they find the same walls, and a room t
       }
       less += room < 0.5 * walls->room(a, b, reach) - 1e-9 ? 1 : 0;
     });
-    CHECK(some > 20);
+    CHECK(some > test::trials(20));
     CHECK(less < 50);  // nor is it much less than the walls themselves know
   }
 }

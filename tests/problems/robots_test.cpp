@@ -20,6 +20,7 @@
 #include <leastcost/problems/obstacles/polygon.hpp>
 #include "problems/robots/segment_distance.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/trials.hpp"
 
 namespace leastcost {
 namespace {
@@ -311,7 +312,7 @@ TEST_CASE("robot walls: no place of a move is nearer than its clearance") {
       const MoveClearance found = walls.clearance(a, b);
       CAPTURE(k, kinematics.dimension(), walls.obstacle_name(found.obstacle));
       double sampled = std::numeric_limits<double>::infinity();
-      constexpr int kSamples = 300;
+      constexpr int kSamples = test::trials(300);
       for (int i = 0; i <= kSamples; ++i)
         sampled = std::min(sampled, own_gap(*robot, obstacles, required, a + (b - a) * i / kSamples));
       CHECK(found.proved);

@@ -121,8 +121,20 @@ std::string strip_part(const RunFiles& files) {
          "it.</figcaption>\n</figure>\n";
 }
 
+/// The path on the map, over its ground in the sun, where there is one.
+std::string map_part(const RunFiles& files) {
+  if (!files.scene.relief) return "";
+  std::string caption = "On the map: the ground under a sun in the north-west, 45 degrees up.";
+  if (holds_infinity(*files.scene.relief)) caption += " Hatched: no ground.";
+  return "<figure>\n" + plane_svg(files) + "<figcaption>" + caption + "</figcaption>\n</figure>\n";
+}
+
 Picture space_of_path(const RunFiles& files) {
-  if (files.scene.dimension == 3 && files.scene.lines.path.cols() > 0) return space_picture(files);
+  if (files.scene.dimension == 3 && files.scene.lines.path.cols() > 0) {
+    Picture picture = space_picture(files);
+    picture.part += map_part(files);
+    return picture;
+  }
   if (files.scene.dimension == 2 && files.scene.lines.path.cols() > 0) {
     std::string bands;
     if (files.scene.cost)

@@ -44,6 +44,7 @@ class Frame {
 Frame frame_of(const RunFiles& files) {
   const Scene& scene = files.scene;
   if (scene.cost) return {scene.cost->lower, scene.cost->upper};
+  if (scene.relief) return {scene.relief->lower, scene.relief->upper};
   Eigen::AlignedBox2d box(Eigen::Vector2d(files.points.col(0)));
   const auto grow = [&](const Points& x) {
     for (const auto p : x.colwise())
@@ -104,6 +105,23 @@ std::string cost_bands(const Raster& raster, const Frame& frame) {
                   frame.x(raster.lower[0]), frame.y(raster.upper[1]), frame.width(), frame.height());
   for (const double level : levels)
     out += fmt::format("<path class=\"band\" d=\"{}\"/>\n", region_above(grid, level, x, y));
+  return out + fmt::format("<path class=\"out\" d=\"{}\"/>\n", region_infinite(grid, x, y));
+}
+
+/// Ground in the sun and in the shade, in steps.
+std::string hillshade(const Raster& raster, const Frame& frame) {
+  constexpr int kShades = 14;
+  double darkest = 1, lightest = 0;
+  for (const double value : raster.values)
+    if (std::isfinite(value)) darkest = std::min(darkest, value), lightest = std::max(lightest, value);
+  const Grid grid{raster.columns, raster.rows, raster.values};
+  const ToDrawing x = columns_of(raster, frame), y = rows_of(raster, frame);
+  std::string out =
+      fmt::format("<rect class=\"shade0\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n",
+                  frame.x(raster.lower[0]), frame.y(raster.upper[1]), frame.width(), frame.height());
+  for (int k = 1; k < kShades; ++k)
+    out += fmt::format("<path class=\"shade\" d=\"{}\"/>\n",
+                       region_above(grid, darkest + (lightest - darkest) * k / kShades, x, y));
   return out + fmt::format("<path class=\"out\" d=\"{}\"/>\n", region_infinite(grid, x, y));
 }
 
@@ -174,6 +192,7 @@ std::string plane_svg(const RunFiles& files) {
   const Scene& scene = files.scene;
   std::string inside;
   if (scene.cost) inside += cost_bands(*scene.cost, frame);
+  if (scene.relief) inside += hillshade(*scene.relief, frame);
   if (scene.potential) inside += potential_lines(*scene.potential, frame);
   for (const Points& curve : scene.curves) inside += stroke(curve, frame, "domain");
   inside += box_sides(scene, frame);

@@ -28,7 +28,7 @@ struct Picture {
 };
 Picture picture_of(const RunFiles& files);
 
-/// The plane with path, first path, box and cost. SVG.
+/// The plane, or a map of the ground, with path, first path, box and cost. SVG.
 std::string plane_svg(const RunFiles& files);
 /// A robot on its way, the later the stronger, and its obstacles; empty without one. SVG.
 std::string strip_svg(const PoseStrip& strip);
