@@ -9,10 +9,16 @@
 #include <string>
 #include <vector>
 
+#include <leastcost/problems/bracket/space/space_density.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
+#include <leastcost/problems/costs/refractive_index.hpp>
 #include "tests/support/random.hpp"
 
 namespace leastcost::test {
+
+inline std::shared_ptr<const SpaceDensity> isotropic_density(const std::string& n) {
+  return space_density_of(make_refractive_index_cost({.index = refraction::Formula{n, {}}}, 3));
+}
 
 /// A medium in space with a known least cost, as PlantedMedium is one in the plane: u without critical points, n =
 /// |grad u|, and a target on the flow of grad u from the source. Every path costs at least u(target) - u(source), and
@@ -63,6 +69,8 @@ struct PlantedSpace {
     return sum;
   }
   double density(const Eigen::Vector3d& x) const { return gradient(x).norm(); }
+  /// The farthest that a place of the flow is from one of those that are kept, nearly.
+  double flow_step() const { return box.sizes().minCoeff() / 1000; }
   double least_cost() const { return u(target) - u(source); }
 
   /// n^2 as a formula.
@@ -91,7 +99,7 @@ struct PlantedSpace {
   void follow_flow() {
     const Eigen::Vector3d rim = 0.05 * box.sizes();
     const Eigen::AlignedBox3d inner(box.min() + rim, box.max() - rim);
-    const double step = box.sizes().minCoeff() / 1000;
+    const double step = flow_step();
     flow = {source};
     for (int k = 0; k < 1200; ++k) {
       const Eigen::Vector3d x = flow.back(), d1 = direction(x), d2 = direction(x + step / 2 * d1),

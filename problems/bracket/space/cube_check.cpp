@@ -30,7 +30,7 @@ struct CubeComparison {
       if (rules.dropped >> k & 1U) continue;
       const double floor = nets.floor[k], x = nets.x[k], y = nets.y[k], z = nets.z[k];
       const double squared = (x * x + y * y + z * z) / (floor * floor);
-      worst = squared <= worst ? worst : squared;  // NaN stays
+      worst = larger_or_nan(worst, squared);
       least = floor >= least ? least : floor;
     }
     const double ratio = (std::sqrt(worst) * (1 + 8 * kEps) + slack / least) / side;

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -62,11 +64,19 @@ inline CubeNet half_of(CubeNet net, std::size_t axis, bool upper) {
 
 /// The 27 numbers of `u` at and around an inner node.
 inline CubeNet around(const NodeSet& nodes, const std::vector<double>& u, int node) {
+  assert(nodes.is_inner(node));
   CubeNet out;
   std::size_t k = 0;
   for (const int row : nodes.rows_around(node))
     for (int p = -1; p <= 1; ++p) out[k++] = u[static_cast<std::size_t>(row + p)];
   return out;
+}
+
+/// The largest size of a coefficient; NaN where one of them is.
+inline double largest_of(const CubeNet& net) {
+  double largest = 0;
+  for (const double value : net) largest = larger_or_nan(largest, std::abs(value));
+  return largest;
 }
 
 /// The net of the triquadratic spline with these coefficients. Three averages away from rounding.

@@ -136,6 +136,7 @@ double bend_on_side(const CubeNet& u, const RimSide& side, std::size_t along) {
 /// On one side: least value at the corners of its pieces, less what the function can fall between them.
 double side_minimum(const SpaceGrid& grid, const EndBall& ball, const RimSide& side, const CubeNet& u, double sign,
                     double ratio) {
+  if (!(largest_of(u) < kInfinity)) return -kInfinity;
   constexpr int kPieces = 4;  // along each edge
   const Interval h(grid.h), scale = Interval(sign) / Interval(ratio);
   double least_by_cone = kInfinity, least_by_most = kInfinity;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include <leastcost/framework/errors.hpp>
@@ -104,17 +105,19 @@ class SpaceSearch {
     }
   }
 
-  void raise_lower(double lower) { out_.lower = std::max(out_.lower, std::min(lower, out_.upper)); }
+  /// To a bound that is better than what is known, with the potential that proves it.
+  void raise_lower(double lower, const std::vector<double>& u, double ratio, const EndBall& s, const EndBall& t) {
+    if (!(lower > out_.lower)) return;
+    out_.lower = std::min(lower, out_.upper);
+    out_.potential = std::make_shared<const LevelPotential>(level_, u, ratio, s, t);
+  }
 
   /// What a potential proves.
   void take(const std::vector<double>& u, double ratio, const EndBall& s, const EndBall& t) {
     if (!s.valid || !t.valid || s.touches(t)) return;
     const double begin = rim_minimum(level_->grid, level_->nodes, s, level_->searched, u, -1, ratio),
                  end = rim_minimum(level_->grid, level_->nodes, t, level_->searched, u, 1, ratio);
-    const double lower = (Interval(begin) + Interval(end)).lo;
-    if (!(lower > out_.lower)) return;
-    raise_lower(lower);
-    out_.potential = std::make_shared<const LevelPotential>(level_, u, ratio, s, t);
+    raise_lower((Interval(begin) + Interval(end)).lo, u, ratio, s, t);
   }
 
   /// By the signed distance to the bisector, on a grid that has little behind the ends, where it has shocks.
@@ -139,7 +142,7 @@ class SpaceSearch {
   }
 
   /// A bound of the cost from an end is one of the whole path at the other end.
-  void take_at(const SpaceDistanceBound& bound, const Vector3d& x) {
+  void take_at(const SpaceDistanceBound& bound, const Vector3d& x, bool is_from_source) {
     const Place cell = level_->grid.place_at(x);
     const int node = level_->nodes.find(cell);
     if (!bound.ball.valid || bound.ball.holds(cell) || node == level_->nodes.none() || !level_->nodes.is_inner(node))
@@ -149,7 +152,11 @@ class SpaceSearch {
       at[k] = (Interval(x[static_cast<int>(k)]) - level_->grid.corner[static_cast<int>(k)]) / Interval(level_->grid.h) -
               (Interval(cell[k]) - 0.5);
     const Interval u = spline_value<Interval>(around(level_->nodes, bound.u, node), at);
-    raise_lower((u / Interval(bound.ratio) + Interval(bound.offset)).lo);
+    const double lower = (u / Interval(bound.ratio) + Interval(bound.offset)).lo;
+    if (is_from_source) return raise_lower(lower, bound.u, bound.ratio, bound.ball, EndBall());
+    std::vector<double> falling(bound.u.size());  // towards the target
+    std::ranges::transform(bound.u, falling.begin(), std::negate());
+    raise_lower(lower, falling, bound.ratio, EndBall(), bound.ball);
   }
 
   /// The next grid; false where there is none.
@@ -158,8 +165,8 @@ class SpaceSearch {
       return refine_whole();
     const SpaceDistanceBound below_s = distance_bound(*level_, from_s, marching_),
                              below_t = distance_bound(*level_, from_t, marching_);
-    take_at(below_s, target_);
-    take_at(below_t, source_);
+    take_at(below_s, target_, true);
+    take_at(below_t, source_, false);
     if (out_.gap() <= options_.tolerance) return false;
     constexpr double kFew = 4e5;  // cells: where there are more, a grid between narrows what is searched
     for (const int parts : {4, 2}) {

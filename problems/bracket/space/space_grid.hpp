@@ -55,12 +55,13 @@ struct SpaceGrid {
   }
   Eigen::Vector3d in_box(const Eigen::Vector3d& p) const { return p.cwiseMax(box.min()).cwiseMin(box.max()); }
 
+  /// More than the coordinates of a place lose by rounding.
+  double slack() const { return 1e-15 * (corner.cwiseAbs().sum() + h * (cells[0] + cells[1] + cells[2])); }
   /// The part in the box of the cube of side 2 `half` cells around a place in units of cells, rounded outward; empty
   /// where it lies outside.
   Eigen::AlignedBox3d cube(const Eigen::Vector3d& middle, double half) const {
-    const double slack = 1e-15 * (corner.cwiseAbs().sum() + h * (cells[0] + cells[1] + cells[2]));
     const Eigen::Vector3d c = corner + (middle.array() - 0.5).matrix() * h;
-    const Eigen::Vector3d r = Eigen::Vector3d::Constant(half * h + slack);
+    const Eigen::Vector3d r = Eigen::Vector3d::Constant(half * h + slack());
     return Eigen::AlignedBox3d(c - r, c + r).intersection(box);
   }
   Eigen::AlignedBox3d cell(const Place& p, double reach = 0) const {

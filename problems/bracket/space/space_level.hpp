@@ -19,8 +19,8 @@ struct SpaceMedium {
 
   /// Whether a cell lies within the obstacles, so that nothing need be proved in it.
   bool is_blocked(const SpaceGrid& grid, const Place& cell) const {
-    constexpr double kHalfDiagonal = 0.8660255 * (1 + 1e-9);
-    return depth && depth(grid.node(cell)) > kHalfDiagonal * grid.h;
+    constexpr double kHalfDiagonal = 0.8660255 * (1 + 1e-9), kRounding = 16;
+    return depth && depth(grid.node(cell)) > kHalfDiagonal * grid.h + kRounding * grid.slack();
   }
   /// The density that fronts are marched with: within obstacles it grows, from where no cell is searched any more, so
   /// that potentials go on smoothly a little way.

@@ -17,13 +17,13 @@ double least_of(const CubeNet& net) {
 
 /// The sum of both bounds on a cell outside the balls of the ends, as a net that is nowhere above it.
 CubeNet sum_net(const NodeSet& nodes, const SpaceDistanceBound& a, const SpaceDistanceBound& b, int node) {
-  const CubeNet va = value_net(around(nodes, a.u, node)), vb = value_net(around(nodes, b.u, node));
+  const CubeNet ca = around(nodes, a.u, node), cb = around(nodes, b.u, node);
+  const CubeNet va = value_net(ca), vb = value_net(cb);
+  // Three averages, the sum, and as many averages as parts of parts take.
+  const double size = largest_of(ca) / a.ratio + largest_of(cb) / b.ratio + std::abs(a.offset) + std::abs(b.offset);
   CubeNet sum;
-  for (std::size_t k = 0; k < sum.size(); ++k) {
-    const double x = va[k] / a.ratio, y = vb[k] / b.ratio;
-    const double size = std::abs(x) + std::abs(y) + std::abs(a.offset) + std::abs(b.offset);
-    sum[k] = x + y + a.offset + b.offset - 64 * kEps * size;
-  }
+  for (std::size_t k = 0; k < sum.size(); ++k)
+    sum[k] = va[k] / a.ratio + vb[k] / b.ratio + a.offset + b.offset - 64 * kEps * size;
   return sum;
 }
 
