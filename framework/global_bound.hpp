@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -35,10 +34,10 @@ struct PotentialSamples {
 
 /// The box and the grid of a lower bound by a potential on cells.
 struct BoundGrid {
-  Eigen::AlignedBox2d box;            ///< the paths that the bound speaks of stay in it
-  std::array<int, 2> cells = {0, 0};  ///< of the finest grid over the whole box
-  double upper = 0;                   ///< of the cost of the delivered curve: the gap is between both
-  PotentialSamples potential = {};    ///< around all places that were searched; empty: none
+  Eigen::AlignedBoxXd box;          ///< in two or three dimensions: the paths that the bound speaks of stay in it
+  std::vector<int> cells = {};      ///< of the finest grid over the whole box, along each axis
+  double upper = 0;                 ///< of the cost of the delivered curve: the gap is between both
+  PotentialSamples potential = {};  ///< around all places that were searched; empty: none, as in space
 };
 
 /// What a proof over all paths of the domain between two ends says, whatever class they are of.

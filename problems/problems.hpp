@@ -7,6 +7,7 @@
 /// installed; everything else in the folder is internal.
 
 #include <leastcost/problems/bracket/bracket.hpp>
+#include <leastcost/problems/bracket/space/space_bracket.hpp>
 #include <leastcost/problems/chart/target_images.hpp>
 #include <leastcost/problems/costs/clearance_length.hpp>
 #include <leastcost/problems/costs/combined_cost.hpp>

@@ -3,6 +3,7 @@
 #include "app/cli/summary.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -59,9 +60,8 @@ std::string cost_line(const WrittenRun& run) {
 /// What is proved of all paths in a box.
 std::string bracket_line(const GlobalBound& global) {
   if (global.outcome == "blocked") return "nothing proved: " + global.reason;
-  return fmt::format("no path in this box is cheaper by more than {:.2g} % ({}, {} x {} cells, {:.2g} s)",
-                     100 * global.gap, word_of(global.category), global.grid->cells[0], global.grid->cells[1],
-                     global.seconds);
+  return fmt::format("no path in this box is cheaper by more than {:.2g} % ({}, {} cells, {:.2g} s)", 100 * global.gap,
+                     word_of(global.category), fmt::join(global.grid->cells, " x "), global.seconds);
 }
 
 std::string solver_line(const WrittenRun& run) {

@@ -319,16 +319,17 @@ void check_refract(LoadedConfig& loaded) {
                           "rings");
 }
 
-/// What a bracket of the globally least cost in the plane needs, as far as a configuration shows it.
+/// What a bracket of the globally least cost in a box needs, as far as a configuration shows it.
 void check_bracket(LoadedConfig& loaded) {
   const RunConfig& config = loaded.config;
   if (!brackets(config)) return;
   const auto refuse = [&](const std::string& why) {
-    loaded.errors.error(place_of(loaded.tree, "certificate.global"), "a proof over all paths of the plane " + why);
+    loaded.errors.error(place_of(loaded.tree, "certificate.global"), "a proof over all paths of a box " + why);
   };
   if (config.ring) refuse("is of paths between two ends, and a ring has none: remove it");
   if (config.family.wanted()) refuse("is of the least cost, and a family is of others: remove one of the two");
-  if (whole_option(config.manifold, "dimension") != 2) refuse("works in two dimensions: remove it");
+  const int dimension = whole_option(config.manifold, "dimension");
+  if (dimension != 2 && dimension != 3) refuse("works in two and three dimensions: remove it");
   const ConfigNode options = options_of(config.manifold);
   if (options.find("lower") == nullptr || options.find("upper") == nullptr)
     refuse("speaks of the paths in a box: give the manifold lower: [..] and upper: [..]");

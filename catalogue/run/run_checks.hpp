@@ -18,7 +18,7 @@ void complete_types(ConfigNode& tree);
 /// says otherwise.
 bool proves_shortest(const RunConfig& config);
 
-/// Whether the run puts a bracket around the globally least cost: in a box of the plane, where a budget for it is
+/// Whether the run puts a bracket around the globally least cost: in a box, where a budget for it is
 /// given.
 bool brackets(const RunConfig& config);
 

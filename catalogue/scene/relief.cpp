@@ -12,7 +12,7 @@
 namespace leastcost {
 namespace {
 
-constexpr int kLongest = 160;  ///< cells
+constexpr int kReliefCells = 160;  ///< cells
 constexpr double kAround = 0.25;
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
@@ -59,7 +59,7 @@ std::optional<Raster> relief_around(const ConstraintManifold& domain, const Poin
   if (find_ability<HasChart>(domain) == nullptr || dimensions.coordinate != 2 || dimensions.ambient != 3) return {};
   const Surroundings shown = map_around(domain, paths);
   if (!(shown.extent().minCoeff() > 0)) return {};
-  const Eigen::Vector2d count = (shown.extent() / shown.extent().maxCoeff() * kLongest).array().round().max(8);
+  const Eigen::Vector2d count = (shown.extent() / shown.extent().maxCoeff() * kReliefCells).array().round().max(8);
   const Eigen::Vector2d cell = shown.extent().cwiseQuotient(count);
   Raster out{static_cast<int>(count[0]) + 1, static_cast<int>(count[1]) + 1, shown.lower, shown.upper, {}};
   const Points z = heights_of(domain, out, cell);

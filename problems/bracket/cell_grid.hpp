@@ -13,6 +13,9 @@ namespace leastcost::bracket {
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr double kEps = std::numeric_limits<double>::epsilon();
 
+/// The larger of both; NaN, of which nothing is known, where one of them is.
+inline double larger_or_nan(double a, double b) { return a >= b || a != a ? a : b; }
+
 /// Square cells that tile a box and perhaps a little more, numbered from 1 to nx and ny; a row of cells lies around
 /// them. A node is the centre of a cell. By definition cell i reaches from x0 + (i - 1) h to x0 + i h, without
 /// rounding.

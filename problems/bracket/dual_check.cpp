@@ -96,7 +96,7 @@ struct DualComparison {
         const double px = static_cast<double>(p) - 1, py = static_cast<double>(q) - 1;
         const double bound = here.value + at.half * (px * middle.x + py * middle.y) +
                              at.half * (std::abs(here.x - middle.x) + std::abs(here.y - middle.y)) + here.bend;
-        worst = bound <= worst ? worst : bound;  // NaN stays
+        worst = larger_or_nan(worst, bound);
         if (p != 1 && q != 1) least = std::max(least, here.value + at.half * (px * here.x + py * here.y));
       }
     const double ratio = worst + slack;

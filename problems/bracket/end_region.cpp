@@ -8,6 +8,7 @@
 #include <limits>
 
 #include <leastcost/framework/dual.hpp>
+#include "problems/bracket/cone_bound.hpp"
 
 namespace leastcost::bracket {
 namespace {
@@ -19,21 +20,6 @@ constexpr int kLeastRings = 2;
 constexpr int kPieces = 16;  ///< per side of a cell on the rim
 
 double radius_of(const Interval& x) { return std::max(x.hi - x.middle(), x.middle() - x.lo); }
-
-/// c of the cone within `reach` of the end, for n >= n0 + g.d - K r^2 / 2; infinite: there is none.
-double cubic_of_cone(double n0, double g, double curvature, double reach) {
-  const double least = n0 - g * reach;
-  if (!(least > 0)) return kInfinity;
-  const double fixed = curvature / 6 + g * g / (24 * least);
-  double c = fixed * kSafety;
-  constexpr int kRounds = 60;
-  for (int i = 0; i < kRounds; ++i) {
-    const double needed = (fixed + 1.5 * c * c * reach * reach / least) * kSafety;
-    if (c >= needed) return c;
-    c = needed * 1.01;
-  }
-  return kInfinity;
-}
 
 /// The largest K with which -d'H d <= K |d|^2 for the second derivatives H in a part of the box, from small parts of
 /// it; infinite where nothing is known.
@@ -75,10 +61,9 @@ bool make_cone(const CostDensity& density, const CellGrid& grid, double wider, E
   const double bend = curvature_bound(density, grid.cell(region.ci, region.cj, outer / grid.h - 0.5));
   region.c = cubic_of_cone(region.n0, g, bend, reach);
   if (!std::isfinite(region.c)) return false;
-  const double rises = region.n0 - g * reach - 3 * region.c * reach * reach;
-  const double leaving = to_rim * (region.n0 - g * to_rim / 2 - region.c * to_rim * to_rim);
+  const ConeBound cone = {region.n0, g, region.c};
   const double largest = inner_reach * (region.n0 + g * inner_reach / 2);
-  return rises > 0 && leaving > largest * kSafety;
+  return cone_rises(cone, reach) && cone_at_least(cone, to_rim) > largest * kSafety;
 }
 
 /// A side of a cell on the rim: its end points in units of the cell, and the cells beyond it.

@@ -15,17 +15,17 @@ Eigen::Vector4d cubic_weights(double t) {
 
 }  // namespace
 
-Eigen::Matrix2Xd smooth_polyline(const Eigen::Ref<const Eigen::MatrixXd>& points, const Eigen::AlignedBox2d& box) {
+Eigen::MatrixXd smooth_polyline(const Eigen::Ref<const Eigen::MatrixXd>& points, const Eigen::AlignedBoxXd& box) {
   constexpr Eigen::Index kMoves = 4096, kMostPieces = 64;
   const Eigen::Index segments = points.cols() - 1;
   if (points.cols() < 4) return points;
   const Eigen::Index pieces = std::clamp<Eigen::Index>(kMoves / segments, 4, kMostPieces);
-  Eigen::Matrix2Xd out(2, segments * pieces + 1);
+  Eigen::MatrixXd out(points.rows(), segments * pieces + 1);
   for (Eigen::Index i = 0; i < segments; ++i) {
     const Eigen::Index first = std::clamp<Eigen::Index>(i - 1, 0, points.cols() - 4);
     for (Eigen::Index k = 0; k < pieces; ++k) {
       const double t = static_cast<double>(i - first) + static_cast<double>(k) / static_cast<double>(pieces);
-      const Eigen::Vector2d x = points.middleCols(first, 4) * cubic_weights(t);
+      const Eigen::VectorXd x = points.middleCols(first, 4) * cubic_weights(t);
       out.col(i * pieces + k) = x.cwiseMax(box.min()).cwiseMin(box.max());
     }
   }

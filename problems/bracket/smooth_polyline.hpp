@@ -6,8 +6,8 @@
 
 namespace leastcost {
 
-/// A fine polyline through the points of a chain (2 x m) that stays in a box: on each segment the cubic through its
+/// A fine polyline through the points of a chain (d x m) that stays in a box: on each segment the cubic through its
 /// four nearest points, as the certificate takes it (framework/curve_value.hpp).
-Eigen::Matrix2Xd smooth_polyline(const Eigen::Ref<const Eigen::MatrixXd>& points, const Eigen::AlignedBox2d& box);
+Eigen::MatrixXd smooth_polyline(const Eigen::Ref<const Eigen::MatrixXd>& points, const Eigen::AlignedBoxXd& box);
 
 }  // namespace leastcost

@@ -28,7 +28,7 @@ struct Comparison {
         if (rules.dropped >> (3 * q + p) & 1U) continue;
         const double floor = nets.floor[q][p], x = nets.x[q][p], y = nets.y[q][p];
         const double squared = (x * x + y * y) / (floor * floor);
-        worst = squared <= worst ? worst : squared;  // NaN stays
+        worst = larger_or_nan(worst, squared);
         least = floor >= least ? least : floor;
       }
     const double ratio = (std::sqrt(worst) * (1 + 8 * kEps) + slack / least) / side;

@@ -30,6 +30,7 @@ class ObstacleWalls final : public Walls {
   void along(const Vector& a, const Vector& b, double reach, std::vector<Wall>& found) const override;
   double room(const Vector& a, const Vector& b, double reach) const override;
   std::optional<std::vector<Round>> rounds(const Eigen::AlignedBox2d& box) const override;
+  bool gaps_are_distances() const override { return true; }
   bool planes(const Vector& a, const Vector& b, double reach, std::vector<SupportPlane>& found) const override;
   std::string obstacle_name(int obstacle) const override;
   void draw(const DrawnPaths& paths, Drawing& out) const override;

@@ -68,6 +68,9 @@ class Walls {
   /// All discs of the obstacles that come into a box of the plane, ascending by obstacle; nothing where walls are not
   /// made of discs.
   virtual std::optional<std::vector<Round>> rounds(const Eigen::AlignedBox2d& box) const;
+  /// Whether places are points among obstacles that stand in the space itself, and no gap is less than the distance
+  /// says.
+  virtual bool gaps_are_distances() const { return false; }
   /// One plane for each wall with a gap below `reach` somewhere on a straight move that goes into none, ascending by
   /// obstacle. False where a wall there is not known to be convex.
   virtual bool planes(const Vector& a, const Vector& b, double reach, std::vector<SupportPlane>& found) const;

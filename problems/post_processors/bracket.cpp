@@ -4,16 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <leastcost/framework/checks_moves.hpp>
 #include <leastcost/framework/clearance.hpp>
 #include <leastcost/framework/has_box.hpp>
 #include <leastcost/problems/bracket/bracket.hpp>
+#include <leastcost/problems/bracket/space/space_bracket.hpp>
 #include <leastcost/problems/obstacles/has_walls.hpp>
 #include "problems/bracket/potential_samples.hpp"
 #include "problems/bracket/smooth_polyline.hpp"
@@ -21,50 +24,86 @@
 
 namespace leastcost {
 
+/// What a bracket says, in the plane or in space.
+struct BracketInBox {
+  double lower = 0, upper = 0;
+  Points way = {};
+  std::vector<int> grid = {};
+  long cells = 0;
+  int grids = 0;
+  bool stopped = false;
+  bool way_taken = false;  ///< the search has ended with takes_way
+  PotentialSamples potential = {};
+};
+
 /// The bracket of the problem that was asked for last.
 struct KeptBracket {
   std::mutex lock;
   std::shared_ptr<const SegmentCost> cost;  // kept alive, hence its address is its own
   std::shared_ptr<const ConstraintManifold> domain;
   const Walls* walls = nullptr;  // of the domain; margins fitted to a chain make another domain of the same walls
-  Eigen::AlignedBox2d box;
-  Bracket bracket;
-  Eigen::Vector2d source = Eigen::Vector2d::Zero(), target = Eigen::Vector2d::Zero();
+  Eigen::AlignedBoxXd box;
+  BracketInBox bracket;
+  Eigen::VectorXd source, target;
   double seconds = 0;
   double left = 0;  ///< cost of the path from which another way was offered; 0: none was
+
+  bool is_of(const Problem& problem, const Walls* among, const Eigen::AlignedBoxXd& in) const {
+    return cost == problem.cost && walls == among && box.dim() == in.dim() && box.isApprox(in, 0) &&
+           source == problem.source.u && target == problem.target.u;
+  }
 };
 
 namespace {
 
 using Eigen::Vector2d;
 
+Eigen::Index dimension_of(const Problem& problem) { return problem.manifold->dimensions().coordinate; }
+
 /// A way down the field cuts in at obstacles, and so costs less than a path by so little even where it leads elsewhere.
 constexpr double kClearlyLess = 0.98;
 
 /// The box that all paths stay in; empty where there is none.
-Eigen::AlignedBox2d box_of(const ConstraintManifold& domain) {
+Eigen::AlignedBoxXd box_of(const ConstraintManifold& domain) {
   const auto* box = find_ability<HasBox>(domain);
-  if (box == nullptr || !box->box_lower().allFinite() || !box->box_upper().allFinite()) return {};
-  return {Vector2d(box->box_lower()), Vector2d(box->box_upper())};
+  if (box == nullptr || !box->box_lower().allFinite() || !box->box_upper().allFinite())
+    return Eigen::AlignedBoxXd(domain.dimensions().coordinate);
+  return {box->box_lower(), box->box_upper()};
 }
 
-/// Obstacles in the plane itself, whose gaps are distances; null: there are none.
-const Walls* walls_in_plane(const ConstraintManifold& domain) {
+/// The same box, of a dimension that is known.
+template <int kDimension>
+Eigen::AlignedBox<double, kDimension> fixed(const Eigen::AlignedBoxXd& box) {
+  using Vector = Eigen::Matrix<double, kDimension, 1>;
+  return {Vector(box.min()), Vector(box.max())};
+}
+
+/// Obstacles in the plane or in space itself, whose gaps are distances there; null: there are none.
+const Walls* walls_in_place(const ConstraintManifold& domain) {
   const auto* among = find_ability<HasWalls>(domain);
-  if (among == nullptr || among->walls().dimension() != 2 || !among->walls().rounds(box_of(domain))) return nullptr;
-  return &among->walls();
+  if (among == nullptr) return nullptr;
+  const Walls& walls = among->walls();
+  return walls.gaps_are_distances() && walls.dimension() == domain.dimensions().coordinate ? &walls : nullptr;
 }
 
-/// What is known of a cost in cells: one of both, or neither.
+/// What is known of a cost in cells: one of these, or none.
 struct CostInCells {
   std::shared_ptr<const CostDensity> density;
   std::shared_ptr<const CostDual> dual;
+  std::shared_ptr<const SpaceDensity> space;
 
-  explicit operator bool() const { return density != nullptr || dual != nullptr; }
-  double above(const Eigen::Matrix2Xd& x) const {
-    return dual != nullptr ? polyline_cost_above(*dual, x) : polyline_cost_above(*density, x);
+  explicit operator bool() const { return density != nullptr || dual != nullptr || space != nullptr; }
+  double above(const Points& x) const {
+    if (space != nullptr) return polyline_cost_above(*space, Eigen::Matrix3Xd(x));
+    return dual != nullptr ? polyline_cost_above(*dual, Eigen::Matrix2Xd(x))
+                           : polyline_cost_above(*density, Eigen::Matrix2Xd(x));
   }
-  bool is_known_at(const Vector2d& x) const {
+  bool is_known_at(const Eigen::VectorXd& place) const {
+    if (space != nullptr) {
+      const Eigen::Vector3d x = place;
+      return space->enclose_density({x, x}).is_finite();
+    }
+    const Vector2d x = place;
     if (dual == nullptr) return density->enclose_density({x, x}).is_finite();
     const DualNorm<CostDual::Jet> norm = dual->enclose_cell({x, x});
     const auto known = [](const CostDual::Jet& f) {
@@ -89,12 +128,30 @@ bool looks_isotropic(const CostDual& dual, const Eigen::AlignedBox2d& box) {
   return true;
 }
 
+/// The same of the line element of a cost in space.
+bool looks_isotropic(const SegmentCost& cost, const Eigen::AlignedBoxXd& box) {
+  constexpr double kRounding = 1e-9;
+  constexpr int kPlaces = 5;
+  for (int k = 0; k < kPlaces; ++k) {
+    const Eigen::Vector3d part(0.1 + 0.19 * k, std::fmod(0.07 + 0.41 * k, 1.0), std::fmod(0.13 + 0.29 * k, 1.0));
+    const Eigen::VectorXd x = box.min() + box.sizes().cwiseProduct(part);
+    const auto along = [&](const Eigen::Vector3d& d) { return cost.line_element(x, Eigen::VectorXd(d.normalized())); };
+    const double n = along(Eigen::Vector3d::UnitX());
+    if (!std::isfinite(n)) continue;
+    for (const Eigen::Vector3d& d : {Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(1, 1, 1),
+                                     Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, -2, 1)})
+      if (std::abs(along(d) - n) > kRounding * n) return false;
+  }
+  return true;
+}
+
 /// Both bounds hold for every metric; that of a density is narrow where the metric is the same in all directions.
 CostInCells in_cells(const Problem& problem) {
-  CostInCells cost{density_of(problem.cost), dual_of(problem.cost)};
+  if (dimension_of(problem) == 3) return {nullptr, nullptr, space_density_of(problem.cost)};
+  CostInCells cost{density_of(problem.cost), dual_of(problem.cost), nullptr};
   if (cost.density != nullptr && cost.dual != nullptr) {
     const Vector2d source = problem.source.u;
-    if (looks_isotropic(*cost.dual, box_of(*problem.manifold)) &&
+    if (looks_isotropic(*cost.dual, fixed<2>(box_of(*problem.manifold))) &&
         cost.density->enclose_density({source, source}).is_finite())
       cost.dual = nullptr;
     else
@@ -107,13 +164,16 @@ CostInCells in_cells(const Problem& problem) {
 std::string why_no_bracket(const Problem& problem) {
   const ConstraintManifold& domain = *problem.manifold;
   if (problem.ring || problem.based) return "a bracket is of the cost between two ends, and a ring has none";
-  if ((domain.shape() != Shape::flat && find_ability<HasWalls>(domain) == nullptr) ||
-      domain.dimensions().coordinate != 2)
-    return "a bracket needs the plane: a flat domain with two coordinates";
-  if (find_ability<ChecksMoves>(domain) != nullptr && walls_in_plane(domain) == nullptr)
-    return "a bracket needs obstacles that are balls, boxes, polygons or maps in the plane";
+  const bool flat = domain.shape() == Shape::flat || find_ability<HasWalls>(domain) != nullptr;
+  if (!flat || (dimension_of(problem) != 2 && dimension_of(problem) != 3))
+    return "a bracket needs the plane or space: a flat domain with two or three coordinates";
+  if (find_ability<ChecksMoves>(domain) != nullptr && walls_in_place(domain) == nullptr)
+    return "a bracket needs obstacles that stand in the plane or in space itself: balls, boxes, polygons, maps, meshes";
   if (box_of(domain).isEmpty()) return "a bracket speaks of the paths in a box: give the manifold finite bounds";
-  if (!in_cells(problem)) return "a bracket needs a cost by formula: bounds of a black box would prove nothing";
+  const CostInCells cost = in_cells(problem);
+  if (cost.space != nullptr && !looks_isotropic(*problem.cost, box_of(domain)))
+    return "a bracket in space needs a cost that is the same in all directions";
+  if (!cost) return "a bracket needs a cost by formula: bounds of a black box would prove nothing";
   return "";
 }
 
@@ -128,34 +188,72 @@ GlobalBound blocked(std::string reason) {
   return out;
 }
 
-std::string why_nothing_proved(const Bracket& bracket) {
+std::string why_nothing_proved(const BracketInBox& bracket) {
   if (bracket.stopped && bracket.grids == 0) return "its time was up before the first grid was done";
   return "nothing is proved on these grids: the ends are too near to each other or to where the cost is singular";
 }
 
 /// The smooth curve through the points, or the moves between them where that curve meets an obstacle.
-Eigen::Matrix2Xd feasible_polyline(const Problem& problem, const Points& chain, const Eigen::AlignedBox2d& box) {
-  Eigen::Matrix2Xd smooth = smooth_polyline(chain, box);
+Points feasible_polyline(const Problem& problem, const Points& chain, const Eigen::AlignedBoxXd& box) {
+  Points smooth = smooth_polyline(chain, box);
   const auto clearance = measure_clearance(*problem.manifold, smooth, false, {});
-  return clearance && clearance->lower < 0 ? Eigen::Matrix2Xd(chain) : smooth;
+  return clearance && clearance->lower < 0 ? chain : smooth;
 }
 
 /// Whether a way goes round the obstacles as the curve does, as far as that is known.
-bool passes_alike(const Problem& problem, const Eigen::Matrix2Xd& way, const Points& curve) {
+bool passes_alike(const Problem& problem, const Points& way, const Points& curve) {
   return way.cols() < 2 || find_ability<ChecksMoves>(*problem.manifold)->same_class(way, curve).value_or(true);
 }
 
-Bracket bracket_of(const Problem& problem, const CostInCells& cost, double upper, const GlobalBudget& budget,
-                   const std::function<bool(const Eigen::Matrix2Xd&)>& takes_way, const Monitor& monitor) {
-  BracketOptions options;
+/// How deep a place lies within an obstacle, at most its distance from all places outside, for gaps grow by no more
+/// than the way; 0 outside.
+double depth_within(const Walls& walls, const Eigen::VectorXd& x) {
+  std::vector<Wall> found;
+  walls.near(x, 0, found);
+  double deepest = 0;
+  for (const Wall& wall : found) deepest = std::max(deepest, -wall.gap);
+  return deepest;
+}
+
+/// Options of both kinds of brackets.
+template <class Options, class Place>
+Options options_of_bracket(const Problem& problem, const GlobalBudget& budget, const Monitor& monitor) {
+  Options options;
   options.tolerance = budget.tolerance;
-  if (budget.max_windows) options.max_searched = *budget.max_windows;
-  if (const Walls* walls = walls_in_plane(*problem.manifold))
-    options.depth = [walls](const Vector2d& x) { return -walls->clearance(x, x).upper; };
+  if (const Walls* walls = walls_in_place(*problem.manifold))
+    options.depth = [walls](const Place& x) { return depth_within(*walls, x); };
   options.stop = stop_of_search(budget, monitor);
+  return options;
+}
+
+template <class Found>
+BracketInBox in_box_of(const Found& found) {
+  return {found.lower, found.upper, found.way,    {found.grid.begin(), found.grid.end()},
+          found.cells, found.grids, found.stopped};
+}
+
+BracketInBox bracket_in_space(const Problem& problem, const SpaceDensity& density, double upper,
+                              const GlobalBudget& budget, const Monitor& monitor) {
+  auto options = options_of_bracket<SpaceBracketOptions, Eigen::Vector3d>(problem, budget, monitor);
+  if (budget.max_windows) options.max_searched = *budget.max_windows;
+  return in_box_of(bracket_least_cost(density, fixed<3>(box_of(*problem.manifold)), problem.source.u, problem.target.u,
+                                      upper, options));
+}
+
+/// `takes_way`: as of BracketOptions, of the plane.
+BracketInBox bracket_of(const Problem& problem, const CostInCells& cost, double upper, const GlobalBudget& budget,
+                        const std::function<bool(const Eigen::Matrix2Xd&)>& takes_way, const Monitor& monitor) {
+  if (cost.space != nullptr) return bracket_in_space(problem, *cost.space, upper, budget, monitor);
+  auto options = options_of_bracket<BracketOptions, Vector2d>(problem, budget, monitor);
+  if (budget.max_windows) options.max_searched = *budget.max_windows;
   options.takes_way = takes_way;
+  const Eigen::AlignedBox2d box = fixed<2>(box_of(*problem.manifold));
   const auto of = [&](const auto& known) {
-    return bracket_least_cost(known, box_of(*problem.manifold), problem.source.u, problem.target.u, upper, options);
+    const Bracket found = bracket_least_cost(known, box, problem.source.u, problem.target.u, upper, options);
+    BracketInBox out = in_box_of(found);
+    out.way_taken = found.way_taken;
+    if (found.potential) out.potential = samples_of(*found.potential);
+    return out;
   };
   return cost.dual != nullptr ? of(*cost.dual) : of(*cost.density);
 }
@@ -180,14 +278,13 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
         blocked(std::string("the cost has no finite bounds beside the ") + (is_source ? "source" : "target"));
     return current;
   }
-  const Eigen::AlignedBox2d box = box_of(*problem.manifold);
+  const Eigen::AlignedBoxXd box = box_of(*problem.manifold);
   const double upper = cost.above(feasible_polyline(problem, current.chain.u, box));
 
   const std::lock_guard<std::mutex> guard(kept_->lock);
   KeptBracket& kept = *kept_;
-  const Walls* walls = walls_in_plane(*problem.manifold);
-  const bool same_problem = kept.cost == problem.cost && kept.walls == walls && kept.box.isApprox(box, 0) &&
-                            kept.source == problem.source.u && kept.target == problem.target.u;
+  const Walls* walls = walls_in_place(*problem.manifold);
+  const bool same_problem = kept.is_of(problem, walls, box);
   const bool again = same_problem && !kept.bracket.way_taken && upper <= kept.bracket.upper * (1 + budget_.tolerance);
   const bool among = find_ability<ChecksMoves>(*problem.manifold) != nullptr;
   if (!again) {
@@ -205,7 +302,7 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
       };
     kept.bracket = bracket_of(problem, cost, upper, budget_, takes_way, monitor);
   }
-  const Bracket& bracket = kept.bracket;
+  const BracketInBox& bracket = kept.bracket;
   const double seconds = std::chrono::duration<double>(Monitor::Clock::now() - begin).count();
   kept.seconds = again ? kept.seconds + seconds : seconds;
 
@@ -217,8 +314,7 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
   global.lower_bound = bracket.lower;
   global.gap = bracket.lower < upper ? (upper - bracket.lower) / upper : 0;
   global.proved = bracket.lower > 0 && global.gap <= budget_.tolerance;
-  global.grid = BoundGrid{box, bracket.grid, upper};
-  if (bracket.potential) global.grid->potential = samples_of(*bracket.potential);
+  global.grid = BoundGrid{box, bracket.grid, upper, bracket.potential};
   const bool cheaper = among ? !passes_alike(problem, bracket.way, current.curve.x)
                              : bracket.upper < upper * (1 - budget_.tolerance / 4);
   if (!again && bracket.way.cols() > 1 && cheaper) {

@@ -11,11 +11,12 @@ namespace leastcost {
 
 struct KeptBracket;
 
-/// After a solve in a box of the plane: a proved lower bound of the cost of all paths in the box between the two ends
-/// (problems/bracket), beside the proved cost of the smooth curve through the points. Where the way down its own field
-/// costs less than that, the search begins anew from it (PostProcessed::cheaper). Without a cost that is a metric or a
-/// wind by formula, a box with finite sides or a flat domain, the bound is `blocked`, with the reason. The last bound
-/// is kept: what begins anew does not prove it again. Shared by threads.
+/// After a solve in a box of the plane or of space: a proved lower bound of the cost of all paths in the box between
+/// the two ends (problems/bracket), beside the proved cost of the smooth curve through the points. Where the way down
+/// its own field costs less than that, the search begins anew from it (PostProcessed::cheaper). Without a cost that is
+/// a metric or a wind by formula (in space one that is the same in all directions), a box with finite sides or a flat
+/// domain, the bound is `blocked`, with the reason. The last bound is kept: what begins anew does not prove it again.
+/// Shared by threads.
 class BracketPostProcessor final : public PostProcessor {
  public:
   explicit BracketPostProcessor(GlobalBudget budget = {});

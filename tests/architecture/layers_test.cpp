@@ -103,11 +103,11 @@ const Arrows& layers() {
 /// is for. Rooms that are not listed here may not exist.
 const Arrows& rooms() {
   static const std::set<std::string> subjects = {
-      "problems/bracket",   "problems/chart",  "problems/cloud",     "problems/distance",  "problems/drawing",
-      "problems/exact",     "problems/fields", "problems/formula",   "problems/graph",     "problems/layers",
-      "problems/level_set", "problems/mesh",   "problems/obstacles", "problems/occupancy", "problems/raster",
-      "problems/readers",   "problems/robots", "problems/section",   "problems/spline",    "problems/straighten",
-      "problems/taut",      "problems/tensor"};
+      "problems/bracket",   "problems/chart",  "problems/cloud",        "problems/distance",  "problems/drawing",
+      "problems/exact",     "problems/fields", "problems/formula",      "problems/graph",     "problems/layers",
+      "problems/level_set", "problems/mesh",   "problems/obstacles",    "problems/occupancy", "problems/raster",
+      "problems/readers",   "problems/robots", "problems/section",      "problems/spline",    "problems/straighten",
+      "problems/taut",      "problems/tensor", "problems/bracket/space"};
   static const Arrows table = {
       {"problems/chart", {}},
       {"problems/cloud", {"problems/graph"}},
@@ -132,6 +132,7 @@ const Arrows& rooms() {
        {"problems/distance", "problems/drawing", "problems/mesh", "problems/occupancy", "problems/raster",
         "problems/readers"}},
       {"problems/bracket", {}},
+      {"problems/bracket/space", {"problems/bracket"}},
       {"problems/taut", {"problems/obstacles"}},
       {"problems/robots", {"problems/drawing", "problems/obstacles"}},
       {"problems/kernels", {}},

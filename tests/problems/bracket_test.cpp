@@ -443,6 +443,28 @@ TEST_CASE("bracket: around a disc, and from the wrong side of it") {
   CHECK(bound.grid->upper <= 1.01 * least);
 }
 
+/// Beside a box of little clearance a place in its core is no deeper than it is: a cell that the rim cuts is searched.
+/// The nodes of a grid of 512 cells lie just within these boxes, so that half a cell beside them is free.
+TEST_CASE("bracket: around a box with sharp corners") {
+  constexpr double kClearance = 1e-6, kCell = 4.0 / 512, kWithin = 1e-6, kApart = 0.15;
+  for (const int cells : {10, 14}) {
+    CAPTURE(cells);
+    const double half = (cells + 0.5) * kCell + kWithin;
+    Problem problem = in_box(box(-2, -2, 2, 2), "1", {-kApart - half, 0}, {kApart + half, 0});
+    const Vector2d corner = Vector2d::Constant(half);
+    problem.manifold = std::make_shared<FreeSpace>(
+        problem.manifold, FreeSpace::Obstacles{make_box_obstacle({.lower = -corner, .upper = corner})}, kClearance);
+    // Two tangents of the arcs around two corners, the arcs, and the side.
+    const double far = std::hypot(kApart, half);
+    const double least = 2 * (std::sqrt(far * far - kClearance * kClearance) +
+                              kClearance * (std::atan(half / kApart) + std::asin(kClearance / far)) + half);
+    const Result result = find_path(problem, over(0, 1.5 * half), Newton(), with_bracket(1e-2));
+    REQUIRE(result.certificate.global);
+    CHECK(result.certificate.global->lower_bound <= least * (1 + kOfTruth));
+    CHECK(result.certificate.global->lower_bound >= 0.96 * least);
+  }
+}
+
 TEST_CASE("bracket: a way through a wall thinner than a cell is not gone on from, and what is proved is kept") {
   Problem problem = in_box(box(-2, -2, 2, 2), "1", {-1, -0.5}, {1, -0.5});
   problem.manifold = std::make_shared<FreeSpace>(

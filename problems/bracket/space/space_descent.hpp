@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "problems/bracket/space/space_level.hpp"
+
+namespace leastcost::bracket {
+
+/// Ways down a distance field from `from` to the end that it is of, as polylines in the box, from the end on: straight
+/// down, and from a little to four sides, for on a ridge between two ways straight down is neither.
+std::vector<Eigen::Matrix3Xd> ways_down(const SpaceLevel& level, const SpaceDistance& field,
+                                        const Eigen::Vector3d& from);
+
+}  // namespace leastcost::bracket
