@@ -3,6 +3,7 @@
 #include <leastcost/problems/initializers/rrt.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <sstream>
@@ -106,6 +107,8 @@ FirstPath RrtInitializer::first_path(const Problem& problem, const Monitor& moni
     throw InitializationError(
         "rrt works in the space around a domain; a chart has none: use straight, bow or waypoints");
   const double distance = (problem.target.u - problem.source.u).norm();
+  if (!std::isfinite(distance * distance))
+    throw InitializationError("rrt: the distance of the ends is more than its square can say as a number");
   RandomTrees trees(problem, options_, static_cast<std::uint64_t>(*options_.seed));
   const std::optional<std::vector<Eigen::VectorXd>> nodes = trees.joined(options_.max_nodes, monitor);
   if (!nodes) {

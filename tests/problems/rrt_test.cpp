@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
@@ -52,6 +53,14 @@ TEST_CASE("rrt: among obstacles in space several trees find the shorter way, whe
   const Problem problem = behind_two_slots();
   CHECK(found_near(problem, 1) <= 5);
   CHECK(found_near(problem, {}) == 8);
+}
+
+/// Found by random problems: half of an infinite step is infinite, and so on.
+TEST_CASE("rrt: ends whose distance is no number are refused") {
+  Problem problem = behind_two_slots();
+  problem.manifold = std::make_shared<const EuclideanManifold>(EuclideanManifoldOptions{.dimension = 3});
+  problem.target.u = Vector3d(1e300, 1, 1);
+  CHECK_THROWS_AS(RrtInitializer({.seed = 1}).first_path(problem, {}), InitializationError);
 }
 
 TEST_CASE("rrt: more paths are never longer than the first of them") {
