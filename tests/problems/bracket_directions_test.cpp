@@ -18,6 +18,7 @@
 #include "problems/bracket/end_region.hpp"
 #include "tests/problems/planted_directions.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/trials.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -30,7 +31,7 @@ constexpr double kOfPlanted = 1e-9;  // what the integration of the planted flow
 
 int planted_problems(int otherwise) {
   const char* text = std::getenv("LEASTCOST_BRACKET_PROBLEMS");  // NOLINT(concurrency-mt-unsafe)
-  return text == nullptr ? otherwise : std::atoi(text);
+  return text == nullptr ? trials(otherwise) : std::atoi(text);
 }
 
 std::shared_ptr<const SegmentCost> wind(const std::string& speed, const std::string& wx, const std::string& wy) {

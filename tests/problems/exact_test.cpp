@@ -22,6 +22,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
 #include "tests/support/random.hpp"
+#include "tests/support/trials.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -182,7 +183,7 @@ TEST_CASE("exact: all vertices of nine meshes as an independent program has them
       worst = std::max({worst, std::abs(all.at_most[v] / distance - 1), std::abs(all.at_least[v] / distance - 1)});
     }
     CHECK(worst < kTableDigits);
-    for (int k = 0; k < 50; ++k) {
+    for (int k = 0; k < test::trials(50); ++k) {
       const auto& [vertex, distance] =
           rows[static_cast<std::size_t>(random.integer(0, static_cast<int>(rows.size()) - 1))];
       if (!(distance > 0) || std::isinf(distance)) continue;
