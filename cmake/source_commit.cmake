@@ -1,5 +1,6 @@
 # cmake -D SOURCE_DIR=.. -D OUTPUT=source_commit.cpp -P source_commit.cmake: the commit of a checkout as a source file,
 # touched only when the commit is another one, so that a build without news compiles nothing.
+cmake_minimum_required(VERSION 3.25)
 set(commit "")
 find_program(git git)
 if(git AND EXISTS ${SOURCE_DIR}/.git)

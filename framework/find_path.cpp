@@ -96,6 +96,7 @@ class Search {
       result_.first = first_path(initializer);
       check_path(problem_, result_.first.path, problem_.ring ? 1 : 2, "the first path");
       cut_based_ring();
+      domain_ = problem_.manifold;
       pin_ends(problem_, result_.first.path);
       result_.initial = sample_equally(problem_, result_.first.path, point_count(options_, result_.first), 0.05,
                                        spacing_passes(), monitor_.deadline);
@@ -228,8 +229,20 @@ class Search {
     if (std::any_of(steps.begin(), steps.end(), [](const auto& step) { return step->finds_its_own(); })) return false;
     const Index points = 2 * result_.initial.free_count();
     if (!sampled_ || points > kMostPointsWhenDoubled) return false;
-    result_.initial =
-        sample_equally(problem_, result_.first.path, static_cast<int>(points), 0.05, 8, monitor_.deadline);
+    return sample_anew(result_.first.path, points);
+  }
+
+  /// Begins anew with points along another path, on the domain as it was given: what it has been fitted to says nothing
+  /// of another chain. False where there is no such chain, and nothing has changed.
+  bool sample_anew(const CoordinatePath& path, Index points) {
+    Problem given = problem_;
+    given.manifold = domain_;
+    try {
+      result_.initial = sample_equally(given, path, static_cast<int>(points), 0.05, 8, monitor_.deadline);
+    } catch (const InitializationError&) {
+      return false;
+    }
+    problem_ = std::move(given);
     result_.path = result_.initial;
     set_reference_cost();
     return true;
@@ -281,11 +294,9 @@ class Search {
     begun_anew_ = true;
     if (!sampled_) return false;
     Result before = result_;
+    const Problem fitted = problem_;
+    if (!sample_anew(*processed.cheaper, result_.path.free_count())) return false;
     result_.first.path = *processed.cheaper;  // whose class is kept from here on
-    result_.initial = sample_equally(problem_, result_.first.path, static_cast<int>(result_.path.free_count()), 0.05, 8,
-                                     monitor_.deadline);
-    result_.path = result_.initial;
-    set_reference_cost();
     solve();
     result_.seconds.solve += before.seconds.solve;
     const double cost = failed(result_.solve.termination)
@@ -298,6 +309,7 @@ class Search {
       return true;
     }
     result_ = std::move(before);
+    problem_ = fitted;
     return false;
   }
 
@@ -406,7 +418,8 @@ class Search {
   const FindOptions& options_;
   const Monitor& monitor_;
   const Deadline last_words_;
-  Problem problem_;
+  Problem problem_;                                   ///< its domain may be fitted to the chain that was solved last
+  std::shared_ptr<const ConstraintManifold> domain_;  ///< as it was given, where there is a first path
   Result result_;
   bool sampled_ = false;     ///< the chain, along the first path
   bool begun_anew_ = false;  ///< from a path that a post-processor has found

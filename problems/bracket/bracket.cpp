@@ -73,15 +73,18 @@ class Search {
   }
 
   void follow_field(const DistanceField& from_s) {
-    const double before = way_cost_;
     for (const Eigen::Matrix2Xd& way : ways_down(level_, from_s, target_)) {
       const double cost = medium_.polyline_above(way);
+      if (options_.takes_way && cost < out_.upper && options_.takes_way(way)) {
+        out_.way = way;
+        out_.way_taken = true;
+        return;
+      }
       if (!(cost < way_cost_)) continue;
       way_cost_ = cost;
       out_.way = way;
       if (!options_.depth) out_.upper = cost;
     }
-    out_.way_taken = way_cost_ < before && options_.takes_way && options_.takes_way(out_.way);
   }
 
   /// To a bound that is better than what is known, with the potential that proves it.

@@ -164,8 +164,9 @@ bool is_at_shock(const Level& level, const std::vector<double>& u, std::size_t n
 std::vector<double> march(const Level& level, Front& front, int corrections, FastMarching& marching) {
   const CellGrid& grid = level.grid;
   const int stride = grid.stride();
+  std::vector<double> u;
   for (int pass = 0;; ++pass) {
-    std::vector<double> u = front.values;
+    u = front.values;
     if (level.duals.empty())
       marching.run(grid, front.density, front.seeds, u);
     else

@@ -21,6 +21,7 @@
 #include "problems/bracket/potential_samples.hpp"
 #include "problems/bracket/smooth_polyline.hpp"
 #include "problems/post_processors/search_time.hpp"
+#include "problems/post_processors/way_among_obstacles.hpp"
 
 namespace leastcost {
 
@@ -60,8 +61,8 @@ using Eigen::Vector2d;
 
 Eigen::Index dimension_of(const Problem& problem) { return problem.manifold->dimensions().coordinate; }
 
-/// A way down the field cuts in at obstacles, and so costs less than a path by so little even where it leads elsewhere.
-constexpr double kClearlyLess = 0.98;
+/// Than a path: chains beside obstacles are dearer than the curve by less.
+constexpr double kClearlyLess = 0.995;
 
 /// The box that all paths stay in; empty where there is none.
 Eigen::AlignedBoxXd box_of(const ConstraintManifold& domain) {
@@ -202,7 +203,7 @@ Points feasible_polyline(const Problem& problem, const Points& chain, const Eige
 
 /// Whether a way goes round the obstacles as the curve does, as far as that is known.
 bool passes_alike(const Problem& problem, const Points& way, const Points& curve) {
-  return way.cols() < 2 || find_ability<ChecksMoves>(*problem.manifold)->same_class(way, curve).value_or(true);
+  return find_ability<ChecksMoves>(*problem.manifold)->same_class(way, curve).value_or(true);
 }
 
 /// How deep a place lies within an obstacle, at most its distance from all places outside, for gaps grow by no more
@@ -287,6 +288,14 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
   const bool same_problem = kept.is_of(problem, walls, box);
   const bool again = same_problem && !kept.bracket.way_taken && upper <= kept.bracket.upper * (1 + budget_.tolerance);
   const bool among = find_ability<ChecksMoves>(*problem.manifold) != nullptr;
+  const auto better_way = [&](const Points& way) -> std::optional<Points> {
+    if (way.cols() < 2) return std::nullopt;
+    if (!among) return cost.above(way) < upper * (1 - budget_.tolerance / 4) ? std::optional(way) : std::nullopt;
+    std::optional<Points> placed = way_among_obstacles(problem, way);
+    const bool better =
+        placed && cost.above(*placed) < kClearlyLess * upper && !passes_alike(problem, *placed, current.curve.x);
+    return better ? placed : std::nullopt;
+  };
   if (!again) {
     kept.cost = problem.cost;
     kept.domain = problem.manifold;
@@ -296,10 +305,7 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
     kept.target = problem.target.u;
     if (!same_problem) kept.left = 0;
     std::function<bool(const Eigen::Matrix2Xd&)> takes_way;
-    if (among && !(kept.left > 0))
-      takes_way = [&](const Eigen::Matrix2Xd& way) {
-        return cost.above(way) < kClearlyLess * upper && !passes_alike(problem, way, current.curve.x);
-      };
+    if (among && !(kept.left > 0)) takes_way = [&](const Eigen::Matrix2Xd& way) { return better_way(way).has_value(); };
     kept.bracket = bracket_of(problem, cost, upper, budget_, takes_way, monitor);
   }
   const BracketInBox& bracket = kept.bracket;
@@ -315,11 +321,9 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
   global.gap = bracket.lower < upper ? (upper - bracket.lower) / upper : 0;
   global.proved = bracket.lower > 0 && global.gap <= budget_.tolerance;
   global.grid = BoundGrid{box, bracket.grid, upper, bracket.potential};
-  const bool cheaper = among ? !passes_alike(problem, bracket.way, current.curve.x)
-                             : bracket.upper < upper * (1 - budget_.tolerance / 4);
-  if (!again && bracket.way.cols() > 1 && cheaper) {
-    current.cheaper = CoordinatePath{bracket.way, {}, false};
-    if (!(kept.left > 0)) kept.left = upper;
+  if (!again) {
+    if (const auto way = better_way(bracket.way)) current.cheaper = CoordinatePath{*way, {}, false};
+    if (current.cheaper && !(kept.left > 0)) kept.left = upper;
   }
   global.outcome = !global.proved ? "bounded" : upper < kept.left ? "improved" : "proved";
   if (bracket.lower == 0) {
