@@ -73,9 +73,9 @@ Eigen::AlignedBoxXd box_of(const ConstraintManifold& domain) {
 }
 
 /// The same box, of a dimension that is known.
-template <int kDimension>
-Eigen::AlignedBox<double, kDimension> fixed(const Eigen::AlignedBoxXd& box) {
-  using Vector = Eigen::Matrix<double, kDimension, 1>;
+template <int Dimension>
+Eigen::AlignedBox<double, Dimension> fixed(const Eigen::AlignedBoxXd& box) {
+  using Vector = Eigen::Matrix<double, Dimension, 1>;
   return {Vector(box.min()), Vector(box.max())};
 }
 
