@@ -124,11 +124,13 @@ class SpaceSearch {
   void bisect(const SpaceDistance& from_s, const SpaceDistance& from_t) {
     constexpr double kWorthWhile = 0.97, kFallen = 0.7, kSmall = 0.02;
     constexpr int kRings = 2, kDeflations = 8;
+    constexpr int kCorrections = 1, kCorrectionsAtWalls = 3;  // as in the plane
     const EndBall s = end_ball(medium_.density, level_->grid, source_, kRings),
                   t = end_ball(medium_.density, level_->grid, target_, kRings);
     SpaceFront front = front_at_bisector(*level_, from_s.u, from_t.u);
     if (front.seeds.empty()) return;
-    std::vector<double> u = march(*level_, front, 1, marching_), ratios;
+    std::vector<double> u = march(*level_, front, options_.depth ? kCorrectionsAtWalls : kCorrections, marching_),
+                        ratios;
     double excess = kInfinity;
     for (int round = 0;; ++round) {
       const double gap = out_.gap(), excess_before = excess, ratio = check(*level_, u, s, t, ratios, look_);

@@ -46,10 +46,10 @@ void correct(const SpaceLevel& level, const std::vector<double>& u, SpaceFront& 
 }  // namespace
 
 double SpaceMedium::marched(const SpaceGrid& grid, const Place& cell) const {
-  constexpr double kFree = 0.75, kScale = 8;  // cells
+  constexpr double kScale = 6;  // cells; the fourth power is flat where searched cells reach into an obstacle
   const Eigen::Vector3d x = grid.in_box(grid.node(cell));
-  const double n = density.density(x), deep = depth ? depth(x) / grid.h - kFree : 0;
-  return deep > 0 ? n * (1 + deep * deep / (kScale * kScale)) : n;
+  const double deep = depth ? std::max(0.0, depth(x)) / (kScale * grid.h) : 0;
+  return density.density(x) * (1 + deep * deep * deep * deep);
 }
 
 void fill_density(const SpaceMedium& medium, SpaceLevel& level, const StopLook& look) {
