@@ -201,9 +201,9 @@ Points feasible_polyline(const Problem& problem, const Points& chain, const Eige
   return clearance && clearance->lower < 0 ? chain : smooth;
 }
 
-/// Whether a way goes round the obstacles as the curve does, as far as that is known.
+/// Whether a way is known to go round the obstacles as the curve does: then it is the curve that it would become.
 bool passes_alike(const Problem& problem, const Points& way, const Points& curve) {
-  return find_ability<ChecksMoves>(*problem.manifold)->same_class(way, curve).value_or(true);
+  return find_ability<ChecksMoves>(*problem.manifold)->same_class(way, curve).value_or(false);
 }
 
 /// How deep a place lies within an obstacle, at most its distance from all places outside, for gaps grow by no more
@@ -216,43 +216,39 @@ double depth_within(const Walls& walls, const Eigen::VectorXd& x) {
   return deepest;
 }
 
+using TakesWay = std::function<bool(const Points&)>;
+
 /// Options of both kinds of brackets.
 template <class Options, class Place>
-Options options_of_bracket(const Problem& problem, const GlobalBudget& budget, const Monitor& monitor) {
+Options options_of_bracket(const Problem& problem, const GlobalBudget& budget, const TakesWay& takes_way,
+                           const Monitor& monitor) {
   Options options;
   options.tolerance = budget.tolerance;
+  if (budget.max_windows) options.max_searched = *budget.max_windows;
   if (const Walls* walls = walls_in_place(*problem.manifold))
     options.depth = [walls](const Place& x) { return depth_within(*walls, x); };
   options.stop = stop_of_search(budget, monitor);
+  options.takes_way = takes_way;
   return options;
 }
 
 template <class Found>
 BracketInBox in_box_of(const Found& found) {
-  return {found.lower, found.upper, found.way,    {found.grid.begin(), found.grid.end()},
-          found.cells, found.grids, found.stopped};
+  return {found.lower, found.upper, found.way,     {found.grid.begin(), found.grid.end()},
+          found.cells, found.grids, found.stopped, found.way_taken};
 }
 
-BracketInBox bracket_in_space(const Problem& problem, const SpaceDensity& density, double upper,
-                              const GlobalBudget& budget, const Monitor& monitor) {
-  auto options = options_of_bracket<SpaceBracketOptions, Eigen::Vector3d>(problem, budget, monitor);
-  if (budget.max_windows) options.max_searched = *budget.max_windows;
-  return in_box_of(bracket_least_cost(density, fixed<3>(box_of(*problem.manifold)), problem.source.u, problem.target.u,
-                                      upper, options));
-}
-
-/// `takes_way`: as of BracketOptions, of the plane.
 BracketInBox bracket_of(const Problem& problem, const CostInCells& cost, double upper, const GlobalBudget& budget,
-                        const std::function<bool(const Eigen::Matrix2Xd&)>& takes_way, const Monitor& monitor) {
-  if (cost.space != nullptr) return bracket_in_space(problem, *cost.space, upper, budget, monitor);
-  auto options = options_of_bracket<BracketOptions, Vector2d>(problem, budget, monitor);
-  if (budget.max_windows) options.max_searched = *budget.max_windows;
-  options.takes_way = takes_way;
-  const Eigen::AlignedBox2d box = fixed<2>(box_of(*problem.manifold));
+                        const TakesWay& takes_way, const Monitor& monitor) {
+  const Eigen::AlignedBoxXd box = box_of(*problem.manifold);
+  if (cost.space != nullptr)
+    return in_box_of(bracket_least_cost(
+        *cost.space, fixed<3>(box), problem.source.u, problem.target.u, upper,
+        options_of_bracket<SpaceBracketOptions, Eigen::Vector3d>(problem, budget, takes_way, monitor)));
+  const auto options = options_of_bracket<BracketOptions, Vector2d>(problem, budget, takes_way, monitor);
   const auto of = [&](const auto& known) {
-    const Bracket found = bracket_least_cost(known, box, problem.source.u, problem.target.u, upper, options);
+    const Bracket found = bracket_least_cost(known, fixed<2>(box), problem.source.u, problem.target.u, upper, options);
     BracketInBox out = in_box_of(found);
-    out.way_taken = found.way_taken;
     if (found.potential) out.potential = samples_of(*found.potential);
     return out;
   };
@@ -304,8 +300,8 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
     kept.source = problem.source.u;
     kept.target = problem.target.u;
     if (!same_problem) kept.left = 0;
-    std::function<bool(const Eigen::Matrix2Xd&)> takes_way;
-    if (among && !(kept.left > 0)) takes_way = [&](const Eigen::Matrix2Xd& way) { return better_way(way).has_value(); };
+    TakesWay takes_way;
+    if (among && !(kept.left > 0)) takes_way = [&](const Points& way) { return better_way(way).has_value(); };
     kept.bracket = bracket_of(problem, cost, upper, budget_, takes_way, monitor);
   }
   const BracketInBox& bracket = kept.bracket;

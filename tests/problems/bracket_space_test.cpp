@@ -10,11 +10,13 @@
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/find_path.hpp>
+#include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/initializers/straight.hpp>
 #include <leastcost/problems/initializers/waypoints.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
+#include <leastcost/problems/obstacles/box_obstacle.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/problems/post_processors/bracket.hpp>
 #include <leastcost/solvers/newton.hpp>
@@ -287,6 +289,29 @@ TEST_CASE("bracket in space: from the dearer side of a hill the cheaper way is d
   REQUIRE(result.certificate.global);
   CHECK(result.certificate.global->outcome == "improved");
   CHECK(result.curve.x.row(1).maxCoeff() > 0.5);
+}
+
+/// Two corners of a bar across the box, on either side of it.
+TEST_CASE("bracket in space: from the dearer side of a bar the shorter way is delivered") {
+  constexpr double kClearance = 0.1;
+  const AlignedBox3d box(Vector3d(-1.4, -1.4, -0.6), Vector3d(1.4, 1.4, 0.6));
+  Problem problem = in_space(box, make_euclidean_cost(3), {-1, 0, 0}, {1, 0, 0});
+  problem.manifold = std::make_shared<FreeSpace>(
+      problem.manifold,
+      FreeSpace::Obstacles{make_box_obstacle({.lower = Vector3d(-0.6, -0.3, -9), .upper = Vector3d(0.6, 0.5, 9)})},
+      kClearance);
+  Points above(3, 1);
+  above.col(0) << 0, 1, 0;
+  FindOptions coarse;
+  coarse.post_processors = {
+      std::make_shared<BracketPostProcessor>(GlobalBudget{.tolerance = 0.08, .max_windows = 150000})};
+  const Result result = find_path(problem, WaypointsInitializer(above), Newton(), coarse);
+  const double far = 0.5, turn = std::atan(0.3 / 0.4) + std::asin(kClearance / far);
+  const double least = 2 * (std::sqrt(far * far - kClearance * kClearance) + kClearance * turn + 0.6);
+  CHECK(result.curve.x.row(1).minCoeff() < -0.35);
+  CHECK(result.curve.cost >= least);
+  CHECK(result.curve.cost < 1.01 * least);
+  CHECK(result.certificate.global.value().lower_bound <= least);
 }
 
 TEST_CASE("bracket in space: blocked, with a reason") {

@@ -75,6 +75,7 @@ class SpaceSearch {
       count_level();
       const SpaceDistance from_s = field_of(source_), from_t = field_of(target_);
       follow_field(from_s);
+      if (out_.way_taken) return;
       if (is_part_) bisect(from_s, from_t);
       if (out_.gap() <= options_.tolerance) return;
       if (!refine(from_s, from_t)) break;
@@ -98,6 +99,11 @@ class SpaceSearch {
   void follow_field(const SpaceDistance& from_s) {
     for (const Eigen::Matrix3Xd& way : ways_down(*level_, from_s, target_)) {
       const double cost = polyline_cost_above(medium_.density, way);
+      if (options_.takes_way && cost < out_.upper && options_.takes_way(way)) {
+        out_.way = way;
+        out_.way_taken = true;
+        return;
+      }
       if (!(cost < way_cost_)) continue;
       way_cost_ = cost;
       out_.way = way;

@@ -35,7 +35,8 @@ struct SpaceBracketOptions {
   /// Obstacles: how deep a place lies in what no path enters, positive inside, at most its distance from all places
   /// outside; none: there are no obstacles.
   std::function<double(const Eigen::Vector3d&)> depth = {};
-  std::function<bool()> stop = {};  ///< looked at between the steps of a grid
+  std::function<bool()> stop = {};                              ///< looked at between the steps of a grid
+  std::function<bool(const Eigen::Matrix3Xd&)> takes_way = {};  ///< as of BracketOptions
 };
 
 /// Bounds of the least cost of all paths in a box of space between two places, as Bracket has them in the plane.
@@ -50,6 +51,7 @@ struct SpaceBracket {
   long cells = 0;                       ///< searched on all grids
   int grids = 0;
   bool stopped = false;                             ///< by options.stop or a limit, before the tolerance was reached
+  bool way_taken = false;                           ///< the search has ended with options.takes_way
   std::shared_ptr<const SpacePotential> potential;  ///< of `lower`
 
   double gap() const { return !std::isfinite(upper) ? 1 : lower < upper ? (upper - lower) / upper : 0; }
