@@ -40,7 +40,8 @@ Problem chute(double start_speed, Eigen::Vector2d target) {
 
 Solve cascade(std::shared_ptr<const Solver> solver) {
   return [solver](const Problem& problem, CoordinatePath& path, double s0) {
-    return solve_by_cascade(problem, *solver, s0, path, {});
+    Problem fitted = problem;
+    return solve_by_cascade(fitted, *solver, s0, path, {});
   };
 }
 
