@@ -237,12 +237,15 @@ class Search {
   bool sample_anew(const CoordinatePath& path, Index points) {
     Problem given = problem_;
     given.manifold = domain_;
+    CoordinatePath chain;
     try {
-      result_.initial = sample_equally(given, path, static_cast<int>(points), 0.05, 8, monitor_.deadline);
+      chain = sample_equally(given, path, static_cast<int>(points), 0.05, 8, monitor_.deadline);
     } catch (const InitializationError&) {
       return false;
     }
+    if (!(PathEnergy(given, 1, monitor_.deadline).cost(chain) > 0)) return false;
     problem_ = std::move(given);
+    result_.initial = std::move(chain);
     result_.path = result_.initial;
     set_reference_cost();
     return true;

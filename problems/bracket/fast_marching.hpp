@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "problems/bracket/cell_grid.hpp"
+#include "problems/bracket/front_heap.hpp"
 #include "problems/bracket/stopped.hpp"
 
 namespace leastcost::bracket {
@@ -21,15 +22,8 @@ class FastMarching {
   const StopLook& look() const { return look_; }
 
  private:
-  void raise(std::size_t k);
-  void sink(std::size_t k);
-  void lower_to(int node, double value);
-  int pop();
-
   const StopLook& look_;
-  std::vector<int> heap_, place_;  ///< nodes in the front, and where each is
-  std::vector<unsigned char> state_;
-  double* u_ = nullptr;
+  FrontHeap front_;
 };
 
 }  // namespace leastcost::bracket

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "problems/bracket/front_heap.hpp"
 #include "problems/bracket/space/node_set.hpp"
 #include "problems/bracket/stopped.hpp"
 
@@ -24,15 +25,8 @@ class SpaceMarching {
   const StopLook& look() const { return look_; }
 
  private:
-  void raise(std::size_t k);
-  void sink(std::size_t k);
-  void lower_to(int node, double value);
-  int pop();
-
   const StopLook& look_;
-  std::vector<int> heap_, place_;  ///< nodes in the front, and where each is
-  std::vector<unsigned char> state_;
-  double* u_ = nullptr;
+  FrontHeap front_;
 };
 
 }  // namespace leastcost::bracket
