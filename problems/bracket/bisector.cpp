@@ -55,12 +55,9 @@ double dual_cost_to_bisector(const std::vector<double>& half, const Level& level
   const double f = half[node], a = factor(node);
   if (i < 2 || j < 2 || i >= grid.nx || j >= grid.ny) return a * f;
   const Eigen::Vector2d p = slope(node);
-  const DualNorm<double>& norm = level.duals[node];
-  const double size = std::sqrt(norm.squared(p[0], p[1]));
-  const double vx = (norm.xx * p[0] + norm.xy * p[1]) / size + norm.wx,
-               vy = (norm.xy * p[0] + norm.yy * p[1]) / size + norm.wy;
+  const Eigen::Vector2d v = level.steepest(node, p);
   const double rise =
-      (vx * (factor(node + 1) - factor(node - 1)) + vy * (factor(node + stride) - factor(node - stride))) /
+      (v[0] * (factor(node + 1) - factor(node - 1)) + v[1] * (factor(node + stride) - factor(node - stride))) /
       (2 * grid.h);
   constexpr double kMost = 0.5;  // beyond is a shock
   return std::abs(f * rise) < kMost ? a * f * (1 - 0.5 * f * rise) : a * f;
@@ -91,7 +88,7 @@ Front front_at_bisector(const Level& level, const std::vector<double>& from_s, c
           beside = beside || (std::isfinite(half[other]) && front.sign[other] != front.sign[node]);
         }
       if (!beside) continue;
-      const double cost = level.duals.empty()
+      const double cost = level.is_isotropic()
                               ? cost_to_bisector({half, node, stride, grid.h}, level.density, node, stride, grid.h)
                               : dual_cost_to_bisector(half, level, i, j);
       if (!std::isfinite(cost)) continue;

@@ -153,7 +153,7 @@ class Search {
         !std::isfinite(out_.upper))
       return refine_whole();
     constexpr double kFarther = 1.25;  // than this times the known cost nothing need be told apart
-    const double cap = medium_.dual != nullptr ? kFarther * out_.upper : kInfinity;
+    const double cap = medium_.density == nullptr ? kFarther * out_.upper : kInfinity;
     const DistanceBound below_s = distance_bound(level_, from_s, cap, marching_),
                         below_t = distance_bound(level_, from_t, cap, marching_);
     take_at(below_s, target_);
@@ -248,6 +248,11 @@ Bracket bracket_least_cost(const CostDensity& density, const Eigen::AlignedBox2d
 Bracket bracket_least_cost(const CostDual& dual, const Eigen::AlignedBox2d& box, const Vector2d& source,
                            const Vector2d& target, double upper, const BracketOptions& options) {
   return bracket_in({dual, options.depth}, box, source, target, upper, options);
+}
+
+Bracket bracket_least_cost(const CoordinateCost& cost, const Eigen::AlignedBox2d& box, const Vector2d& source,
+                           const Vector2d& target, double upper, const BracketOptions& options) {
+  return bracket_in({cost, options.depth}, box, source, target, upper, options);
 }
 
 }  // namespace leastcost

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <leastcost/eigen_alignment.hpp>
+#include <leastcost/problems/bracket/coordinate_cost.hpp>
 #include <leastcost/problems/bracket/cost_density.hpp>
 #include <leastcost/problems/bracket/cost_dual.hpp>
 
@@ -84,6 +85,13 @@ Bracket bracket_least_cost(const CostDensity& density, const Eigen::AlignedBox2d
 /// The same of a cost that depends on the direction, there and back alike or not: metrics, winds. H(x, grad u) <= 1
 /// takes the place of |grad u| <= n.
 Bracket bracket_least_cost(const CostDual& dual, const Eigen::AlignedBox2d& box, const Eigen::Vector2d& source,
+                           const Eigen::Vector2d& target, double upper = std::numeric_limits<double>::infinity(),
+                           const BracketOptions& options = {});
+
+/// The same of a cost that is known by its values only, in the coordinates of its domain: nothing is proved. The
+/// inequality is looked at, at four places of each cell, and so are the surroundings of the ends; `lower` and `upper`
+/// are what they are if nothing lies in between.
+Bracket bracket_least_cost(const CoordinateCost& cost, const Eigen::AlignedBox2d& box, const Eigen::Vector2d& source,
                            const Eigen::Vector2d& target, double upper = std::numeric_limits<double>::infinity(),
                            const BracketOptions& options = {});
 

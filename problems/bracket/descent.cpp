@@ -27,12 +27,7 @@ Vector2d downhill(const Level& level, const std::vector<double>& u, const Vector
   b.d[1] = 1;
   const Slope value = spline_value<Slope>(u, grid.stride(), node, a, b);
   const Vector2d p = Vector2d(value.d[0], value.d[1]).normalized();
-  if (level.duals.empty()) return -p;
-  const DualNorm<double>& norm = level.duals[node];
-  const double size = std::sqrt(norm.squared(p[0], p[1]));
-  return -Vector2d((norm.xx * p[0] + norm.xy * p[1]) / size + norm.wx,
-                   (norm.xy * p[0] + norm.yy * p[1]) / size + norm.wy)
-              .normalized();
+  return -level.steepest(node, p).normalized();
 }
 
 /// Empty where it gets stuck.

@@ -9,6 +9,8 @@
 #include <queue>
 #include <utility>
 
+#include "problems/bracket/cubic_minimum.hpp"
+
 namespace leastcost::bracket {
 namespace {
 
@@ -16,40 +18,124 @@ namespace {
 constexpr std::array<std::array<int, 2>, 8> kRing = {
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 
-/// A corner of a triangle: from the node to it in cells, and its value.
+/// A corner of a triangle: its place in the ring, from the node to it in cells, and its value.
 struct Corner {
+  std::size_t k;
   double x, y, u;
 };
 
-/// The value at the node for which H(p) = density, p the gradient on the triangle, where the way it comes from lies in
-/// the triangle; else infinite.
-double over_edge(const DualNorm<double>& norm, double density, double h, const Corner& a, const Corner& b) {
-  const double base = std::min(a.u, b.u), ua = a.u - base, ub = b.u - base;
-  const double det = (a.x * b.y - a.y * b.x) * h;
-  const double ax = (a.y - b.y) / det, ay = (b.x - a.x) / det;  // p = (ax, ay) u + (bx, by)
-  const double bx = (b.y * ua - a.y * ub) / det, by = (a.x * ub - b.x * ua) / det;
-  const double nxx = norm.xx - norm.wx * norm.wx, nxy = norm.xy - norm.wx * norm.wy, nyy = norm.yy - norm.wy * norm.wy;
-  const double na = nxx * ax + nxy * ay, nb = nxy * ax + nyy * ay;
-  const double square = na * ax + nb * ay, half = na * bx + nb * by + density * (norm.wx * ax + norm.wy * ay);
-  const double rest = nxx * bx * bx + 2 * nxy * bx * by + nyy * by * by + 2 * density * (norm.wx * bx + norm.wy * by) -
-                      density * density;
-  const double radicand = half * half - square * rest;
-  if (!(radicand >= 0)) return kInfinity;
-  const double root = std::sqrt(radicand);
-  for (const double u : {(root - half) / square, (-root - half) / square}) {
-    const double px = ax * u + bx, py = ay * u + by, s = density - norm.wx * px - norm.wy * py;
-    if (!(s > 0)) continue;
-    const double vx = norm.xx * px + norm.xy * py + s * norm.wx, vy = norm.xy * px + norm.yy * py + s * norm.wy;
-    const double from_a = (vy * b.x - vx * b.y) / det, from_b = (vx * a.y - vy * a.x) / det;
-    if (from_a >= 0 && from_b >= 0) return base + u;
-  }
-  return kInfinity;
-}
+/// What an update at a node needs to know of it.
+struct At {
+  std::size_t node;
+  double density;
+  bool back;  ///< costs are those of moves from the node
+};
 
+/// Of a dual norm in closed form.
+class DualUpdates {
+ public:
+  explicit DualUpdates(const Level& level) : level_(level) {}
+
+  double over_node(const At& at, const Corner& a) const {
+    return a.u + at.density * norm_of(at).cost(-a.x * level_.grid.h, -a.y * level_.grid.h);
+  }
+
+  /// The value at the node for which H(p) = density, p the gradient on the triangle, where the way it comes from lies
+  /// in the triangle; else infinite.
+  double over_edge(const At& at, const Corner& a, const Corner& b) const {
+    const DualNorm<double> norm = norm_of(at);
+    const double density = at.density, base = std::min(a.u, b.u), ua = a.u - base, ub = b.u - base;
+    const double det = (a.x * b.y - a.y * b.x) * level_.grid.h;
+    const double ax = (a.y - b.y) / det, ay = (b.x - a.x) / det;  // p = (ax, ay) u + (bx, by)
+    const double bx = (b.y * ua - a.y * ub) / det, by = (a.x * ub - b.x * ua) / det;
+    const double nxx = norm.xx - norm.wx * norm.wx, nxy = norm.xy - norm.wx * norm.wy,
+                 nyy = norm.yy - norm.wy * norm.wy;
+    const double na = nxx * ax + nxy * ay, nb = nxy * ax + nyy * ay;
+    const double square = na * ax + nb * ay, half = na * bx + nb * by + density * (norm.wx * ax + norm.wy * ay);
+    const double rest = nxx * bx * bx + 2 * nxy * bx * by + nyy * by * by +
+                        2 * density * (norm.wx * bx + norm.wy * by) - density * density;
+    const double radicand = half * half - square * rest;
+    if (!(radicand >= 0)) return kInfinity;
+    const double root = std::sqrt(radicand);
+    for (const double u : {(root - half) / square, (-root - half) / square}) {
+      const double px = ax * u + bx, py = ay * u + by, s = density - norm.wx * px - norm.wy * py;
+      if (!(s > 0)) continue;
+      const double vx = norm.xx * px + norm.xy * py + s * norm.wx, vy = norm.xy * px + norm.yy * py + s * norm.wy;
+      const double from_a = (vy * b.x - vx * b.y) / det, from_b = (vx * a.y - vy * a.x) / det;
+      if (from_a >= 0 && from_b >= 0) return base + u;
+    }
+    return kInfinity;
+  }
+
+ private:
+  DualNorm<double> norm_of(const At& at) const {
+    return at.back ? level_.duals[at.node].reversed() : level_.duals[at.node];
+  }
+
+  const Level& level_;
+};
+
+/// Of a norm that is known in some directions: the move that costs least is among those, or near the best of them.
+class SampledUpdates {
+ public:
+  explicit SampledUpdates(const Level& level) : level_(level) {
+    for (int k = 0; k < SampledNorms::kDirections; ++k) {
+      const Eigen::Vector2d e = SampledNorms::direction(k);
+      const auto& [ax, ay] = kRing[static_cast<std::size_t>(k / kSector)];
+      const auto& [bx, by] = kRing[static_cast<std::size_t>(k / kSector + 1) % kRing.size()];
+      const double det = ax * by - ay * bx;
+      const double a = (e[0] * by - e[1] * bx) / det, b = (ax * e[1] - ay * e[0]) / det;  // e = a A + b B
+      moves_[static_cast<std::size_t>(k)] = {b / (a + b), 1 / (a + b)};
+    }
+  }
+
+  double over_node(const At& at, const Corner& a) const {
+    const double length = std::hypot(a.x, a.y) * level_.grid.h;
+    return a.u + at.density * length * towards(at, static_cast<int>(a.k) * kSector);
+  }
+
+  double over_edge(const At& at, const Corner& a, const Corner& b) const {
+    const bool forward = b.k == (a.k + 1) % kRing.size();
+    const Corner &first = forward ? a : b, &last = forward ? b : a;
+    const int from = static_cast<int>(first.k) * kSector;
+    std::array<double, kSector + 1> values;
+    values[0] = over_node(at, first);
+    values[kSector] = over_node(at, last);
+    for (int k = 1; k < kSector; ++k) {
+      const Move& move = moves_[static_cast<std::size_t>(from + k)];
+      values[static_cast<std::size_t>(k)] = (1 - move.share) * first.u + move.share * last.u +
+                                            at.density * move.length * level_.grid.h * towards(at, from + k);
+    }
+    const auto least = static_cast<int>(std::min_element(values.begin(), values.end()) - values.begin());
+    const auto value = [&](int k) { return k < 0 || k > kSector ? kInfinity : values[static_cast<std::size_t>(k)]; };
+    const int left = value(least - 1) < value(least + 1) ? least - 1 : least;  // it lies from there to the next one
+    const int begin = std::clamp(left - 1, 0, kSector - 3);
+    const std::array<double, 4> around = {value(begin), value(begin + 1), value(begin + 2), value(begin + 3)};
+    const double best = cubic_minimum(around, left - begin, left - begin + 1).value;
+    return best < value(least) ? best : value(least);  // infinite ones make no cubic
+  }
+
+ private:
+  static constexpr int kSector = SampledNorms::kDirections / 8;
+  /// To the edge between two neighbours: which part of the edge lies before it, and how far away it is, in cells.
+  struct Move {
+    double share, length;
+  };
+
+  /// Cost per length of the move to the node from that direction.
+  double towards(const At& at, int k) const {
+    return level_.norms.cost(at.node, at.back ? k : k + SampledNorms::kDirections / 2);
+  }
+
+  const Level& level_;
+  std::array<Move, SampledNorms::kDirections> moves_;
+};
+
+template <class Updates>
 class DualMarch {
  public:
   DualMarch(const Level& level, const Front& front, std::vector<double>& u)
-      : level_(level), front_(front), u_(u), is_seed_(u.size(), 0) {
+      : level_(level), updates_(level), front_(front), u_(u), is_seed_(u.size(), 0) {
     for (const int seed : front.seeds) {
       is_seed_[static_cast<std::size_t>(seed)] = 1;
       open_.push({u[static_cast<std::size_t>(seed)], seed});
@@ -81,15 +167,14 @@ class DualMarch {
     const double density = front_.density[node];
     if (is_seed_[node] || !(density < kInfinity)) return;
     const bool back = front_.reversed != (!front_.sign.empty() && front_.sign[node] < 0);
-    const DualNorm<double> norm = back ? level_.duals[node].reversed() : level_.duals[node];
+    const At at{node, density, back};
     const std::size_t here = (k + 4) % 8;
     const Corner from = corner(here, a, b);
     if (!(from.u < u_[node])) return;
-    const double h = level_.grid.h;
-    double best = from.u + density * norm.cost(-from.x * h, -from.y * h);
+    double best = updates_.over_node(at, from);
     for (const std::size_t beside : {(here + 1) % 8, (here + 7) % 8}) {
       const Corner other = corner(beside, a, b);
-      if (other.u < kInfinity) best = std::min(best, over_edge(norm, density, h, from, other));
+      if (other.u < kInfinity) best = std::min(best, updates_.over_edge(at, from, other));
     }
     if (!(best < u_[node] - kNoBetter * std::abs(best)) || !std::isfinite(best)) return;
     u_[node] = best;
@@ -99,11 +184,12 @@ class DualMarch {
   Corner corner(std::size_t k, int i, int j) const {
     const int a = i + kRing[k][0], b = j + kRing[k][1];
     const double u = inside(a, b) ? u_[static_cast<std::size_t>(level_.grid.id(a, b))] : kInfinity;
-    return {static_cast<double>(kRing[k][0]), static_cast<double>(kRing[k][1]), u};
+    return {k, static_cast<double>(kRing[k][0]), static_cast<double>(kRing[k][1]), u};
   }
 
   using Open = std::pair<double, int>;
   const Level& level_;
+  const Updates updates_;
   const Front& front_;
   std::vector<double>& u_;
   std::vector<unsigned char> is_seed_;
@@ -113,7 +199,10 @@ class DualMarch {
 }  // namespace
 
 void march_dual(const Level& level, const Front& front, std::vector<double>& u, const StopLook& look) {
-  DualMarch(level, front, u).run(look);
+  if (level.norms.empty())
+    DualMarch<DualUpdates>(level, front, u).run(look);
+  else
+    DualMarch<SampledUpdates>(level, front, u).run(look);
 }
 
 }  // namespace leastcost::bracket

@@ -158,23 +158,61 @@ double dual_side_minimum(const CellGrid& grid, const EndRegion& region, const Si
   return least;
 }
 
-}  // namespace
+/// The same of a cone that is sampled: at places on the side.
+double sampled_side_minimum(const CellGrid& grid, const EndRegion& region, const Side& side,
+                            const std::vector<double>& u, double sign, double ratio) {
+  const auto node = static_cast<std::size_t>(grid.id(side.i, side.j));
+  double least = kInfinity;
+  for (int piece = 0; piece <= kPieces; ++piece) {
+    const double t = -0.5 + static_cast<double>(piece) / kPieces;
+    const Vector2d at(side.out_i == 0 ? t : 0.5 * side.out_i, side.out_j == 0 ? t : 0.5 * side.out_j);
+    const Vector2d d = grid.node(side.i, side.j) + grid.h * at - region.place;
+    const double v = std::min(region.sampled->value(d), region.sampled->most);
+    const double value = v + sign * spline_value<double>(u, grid.stride(), node, at[0], at[1]) / ratio;
+    if (!(value >= least)) least = value == value ? value : -kInfinity;
+  }
+  return least;
+}
 
-EndRegion end_region(const CostDual& dual, const CellGrid& grid, const Vector2d& place, int k, bool reversed) {
+double side_bound(const CellGrid& grid, const EndRegion& region, const Side& side, const std::vector<double>& u,
+                  double sign, double ratio) {
+  if (region.sampled) return sampled_side_minimum(grid, region, side, u, sign, ratio);
+  return region.dual ? dual_side_minimum(grid, region, side, u, sign, ratio)
+                     : side_minimum(grid, region, side, u, sign, ratio);
+}
+
+/// The largest region whose cone, of what `make` makes of a reach, is there.
+template <class Make>
+EndRegion region_with_cone(const CellGrid& grid, const Vector2d& place, int k, bool reversed, const Make& make) {
   EndRegion region;
   region.place = place;
   region.reversed = reversed;
   region.ci = grid.column_at(place[0]);
   region.cj = grid.row_at(place[1]);
+  const Vector2d off = (place - grid.node(region.ci, region.cj)).cwiseAbs();
   for (region.k = std::max(k, kLeastRings); region.k >= kLeastRings; --region.k) {
     const double half = (region.k + 0.5) * grid.h;
-    const Vector2d off = (place - grid.node(region.ci, region.cj)).cwiseAbs();
-    region.dual = dual_cone(dual, grid.box, place, (Vector2d(half, half) + off).norm(), reversed);
-    region.valid = region.dual.has_value();
+    region.valid = make((Vector2d(half, half) + off).norm(), region);
     if (region.valid) return region;
   }
   region.k = kLeastRings;
   return region;
+}
+
+}  // namespace
+
+EndRegion end_region(const CostDual& dual, const CellGrid& grid, const Vector2d& place, int k, bool reversed) {
+  return region_with_cone(grid, place, k, reversed, [&](double reach, EndRegion& region) {
+    region.dual = dual_cone(dual, grid.box, place, reach, reversed);
+    return region.dual.has_value();
+  });
+}
+
+EndRegion end_region(const CoordinateCost& cost, const CellGrid& grid, const Vector2d& place, int k, bool reversed) {
+  return region_with_cone(grid, place, k, reversed, [&](double reach, EndRegion& region) {
+    region.sampled = sampled_cone(cost, grid.box, place, reach, reversed);
+    return region.sampled.has_value();
+  });
 }
 
 EndRegion end_region(const CostDensity& density, const CellGrid& grid, const Vector2d& place, int k) {
@@ -201,8 +239,7 @@ double rim_minimum(const CellGrid& grid, const EndRegion& region, const std::vec
                                         {region.ci + t, region.cj - region.k, 0, -1}}};
     for (const Side& side : sides) {
       if (!grid.is_cell(side.i, side.j) || !is_left_by(grid, region, searched, side)) continue;
-      const double here = region.dual ? dual_side_minimum(grid, region, side, u, sign, ratio)
-                                      : side_minimum(grid, region, side, u, sign, ratio);
+      const double here = side_bound(grid, region, side, u, sign, ratio);
       if (!(here >= least)) least = here;
     }
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "problems/bracket/dual_cone.hpp"
+#include "problems/bracket/sampled_cone.hpp"
 #include "problems/bracket/spline_check.hpp"
 
 namespace leastcost::bracket {
@@ -17,7 +18,7 @@ namespace leastcost::bracket {
 ///
 /// |grad v| <= n within a larger square S2, as n >= n0 + g.d - K r^2 / 2 there and c >= K / 6 + |g|^2 / (24 A) +
 /// 3 c^2 r^2 / (2 A) with A = n0 - |g| r > 0; and whoever leaves S2 has paid more than v anywhere in S. Where the cost
-/// depends on the direction v is that of a DualCone.
+/// depends on the direction v is that of a DualCone or a SampledCone.
 struct EndRegion {
   Eigen::Vector2d place = Eigen::Vector2d::Zero();
   int ci = 0, cj = 0, k = 0;
@@ -25,6 +26,7 @@ struct EndRegion {
   double n0 = 0, gx = 0, gy = 0, c = 0;
   bool reversed = false;  ///< the cost to the end
   std::optional<DualCone> dual = {};
+  std::optional<SampledCone> sampled = {};
 
   bool holds(int i, int j) const { return std::abs(i - ci) <= k && std::abs(j - cj) <= k; }
   bool touches(const EndRegion& o) const {
@@ -41,9 +43,12 @@ struct EndRegion {
 /// The largest such region with at most `k` rings of cells, at least two; not valid where there is none.
 EndRegion end_region(const CostDensity& density, const CellGrid& grid, const Eigen::Vector2d& place, int k);
 EndRegion end_region(const CostDual& dual, const CellGrid& grid, const Eigen::Vector2d& place, int k, bool reversed);
+EndRegion end_region(const CoordinateCost& cost, const CellGrid& grid, const Eigen::Vector2d& place, int k,
+                     bool reversed);
 
 /// A lower bound of v + sign u / ratio, v at most that of the cone, over the rim of the region, where a cell outside it
-/// that is `searched` touches it. Infinite where none does: no path leaves.
+/// that is `searched` touches it; of a SampledCone the least of some places on it. Infinite where none does: no path
+/// leaves.
 double rim_minimum(const CellGrid& grid, const EndRegion& region, const std::vector<unsigned char>& searched,
                    const std::vector<double>& u, double sign, double ratio);
 

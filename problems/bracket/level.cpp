@@ -29,15 +29,16 @@ double straight_cost(const CostDensity& density, const EndRegion& region, const 
   return r * (n0 + 4 * density.density(middle) + density.density(end)) / 6 - r * r * r * across * across / (24 * n0);
 }
 
-/// The same under a dual norm: of a move with a bend in its middle, which is moved aside to where it costs least; a
-/// parabola saves 4 / 3 of what such a move saves.
-double straight_cost(const CostDual& dual, const EndRegion& region, const Eigen::Vector2d& d, const CellGrid& grid) {
+/// The same where the cost depends on the direction: of a move with a bend in its middle, which is moved aside to where
+/// it costs least; a parabola saves 4 / 3 of what such a move saves. `element`: F(x, v).
+template <class Element>
+double straight_cost(const Element& element, const EndRegion& region, const Eigen::Vector2d& d, const CellGrid& grid) {
   if (d[0] == 0 && d[1] == 0) return 0;
   constexpr double kAside = 0.05, kParabola = 4.0 / 3;
   const double sign = region.reversed ? -1 : 1;
   const auto move = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     const Eigen::Vector2d along = sign * (b - a);
-    const auto at = [&](double t) { return dual.dual(grid.in_box(a + t * (b - a))).cost(along[0], along[1]); };
+    const auto at = [&](double t) { return element(grid.in_box(a + t * (b - a)), along); };
     return (at(0) + 4 * at(0.5) + at(1)) / 6;
   };
   const Eigen::Vector2d end = region.place + d, aside(-kAside * d[1], kAside * d[0]);
@@ -48,6 +49,18 @@ double straight_cost(const CostDual& dual, const EndRegion& region, const Eigen:
   const double straight = over(0), left = over(1), right = over(-1);
   const double bend = left + right - 2 * straight, saved = (left - right) * (left - right) / (8 * bend);
   return bend > 0 && saved < 0.5 * straight ? straight - kParabola * saved : straight;
+}
+
+double straight_cost(const Medium& medium, const EndRegion& region, const Eigen::Vector2d& x, const CellGrid& grid) {
+  using Eigen::Vector2d;
+  const Vector2d d = x - region.place;
+  if (medium.density != nullptr)
+    return straight_cost(*medium.density, region, d, grid.in_box(region.place + d / 2), grid.in_box(x));
+  const auto by_dual = [&](const Vector2d& at, const Vector2d& v) { return medium.dual->dual(at).cost(v[0], v[1]); };
+  const auto by_values = [&](const Vector2d& at, const Vector2d& v) {
+    return CoordinateCost::Element(*medium.sampled, at)(v);
+  };
+  return medium.dual != nullptr ? straight_cost(by_dual, region, d, grid) : straight_cost(by_values, region, d, grid);
 }
 
 bool is_above(const Net& net, double cap) {
@@ -70,12 +83,17 @@ double largest_of(const std::vector<double>& u) {
 double Medium::marched(const CellGrid& grid, int i, int j) const {
   constexpr double kScale = 6;  // cells; the fourth power is flat where searched cells reach into an obstacle
   const Eigen::Vector2d x = grid.in_box(grid.node(i, j));
-  const double n = dual == nullptr ? density->density(x) : std::isfinite(dual->dual(x).xx) ? 1 : kInfinity;
+  const double n = density != nullptr ? density->density(x) : is_known_at(x) ? 1 : kInfinity;
   const double deep = depth ? std::max(0.0, depth(x)) / (kScale * grid.h) : 0;
   return n * (1 + deep * deep * deep * deep);
 }
 
+bool Medium::is_known_at(const Eigen::Vector2d& x) const {
+  return dual != nullptr ? std::isfinite(dual->dual(x).xx) : CoordinateCost::Element(*sampled, x).is_inside();
+}
+
 EndRegion Medium::end_region(const CellGrid& grid, const Eigen::Vector2d& place, int k, bool reversed) const {
+  if (sampled != nullptr) return bracket::end_region(*sampled, grid, place, k, reversed);
   return dual != nullptr ? bracket::end_region(*dual, grid, place, k, reversed)
                          : bracket::end_region(*density, grid, place, k);
 }
@@ -84,6 +102,7 @@ void fill_density(const Medium& medium, Level& level, const StopLook& look) {
   const CellGrid& grid = level.grid;
   level.density.assign(static_cast<std::size_t>(grid.nodes()), kInfinity);
   if (medium.dual != nullptr) level.duals.resize(level.density.size());
+  if (medium.sampled != nullptr) level.norms.reset(level.density.size());
   level.cells.clear();
   const int around = margin_of(grid);
   for (int j = 1; j <= grid.ny; ++j)
@@ -101,6 +120,8 @@ void fill_density(const Medium& medium, Level& level, const StopLook& look) {
           if (n < kInfinity) continue;
           n = medium.marched(grid, a, b);
           if (medium.dual != nullptr) level.duals[node] = medium.dual->dual(grid.in_box(grid.node(a, b)));
+          if (medium.sampled != nullptr && n < kInfinity)
+            level.norms.learn(node, {*medium.sampled, grid.in_box(grid.node(a, b))});
         }
     }
 }
@@ -109,6 +130,10 @@ void fill_level(const Medium& medium, Level& level, const StopLook& look) {
   fill_density(medium, level, look);
   level.floors.clear();
   level.dual_cells.clear();
+  if (medium.sampled != nullptr) {
+    level.sampled_cells = SampledCells(*medium.sampled, level.grid, level.cells);
+    return;
+  }
   for (const int node : level.cells) {
     look.now_and_then();
     const int i = level.grid.column(node), j = level.grid.row(node);
@@ -142,9 +167,7 @@ Front front_around(const Medium& medium, const Level& level, const EndRegion& re
     for (int i = std::max(0, region.ci - span); i <= std::min(grid.nx + 1, region.ci + span); ++i) {
       const Eigen::Vector2d x = grid.node(i, j), d = x - region.place;
       if (d.norm() > reach) continue;
-      const double cost = medium.dual != nullptr ? straight_cost(*medium.dual, region, d, grid)
-                                                 : straight_cost(*medium.density, region, d,
-                                                                 grid.in_box(region.place + d / 2), grid.in_box(x));
+      const double cost = straight_cost(medium, region, x, grid);
       if (!std::isfinite(cost)) continue;
       front.values[static_cast<std::size_t>(grid.id(i, j))] = cost;
       front.seeds.push_back(grid.id(i, j));
@@ -167,7 +190,7 @@ std::vector<double> march(const Level& level, Front& front, int corrections, Fas
   std::vector<double> u;
   for (int pass = 0;; ++pass) {
     u = front.values;
-    if (level.duals.empty())
+    if (level.is_isotropic())
       marching.run(grid, front.density, front.seeds, u);
     else
       march_dual(level, front, u, marching.look());
@@ -197,9 +220,11 @@ double check(const Level& level, const std::vector<double>& u, const EndRegion& 
     if ((s.valid && s.holds(i, j)) || (t.valid && t.holds(i, j))) continue;
     const auto at = static_cast<std::size_t>(node);
     if (cap < kInfinity && is_above(value_net(u, grid.stride(), at), cap)) continue;
-    const double ratio = level.duals.empty() ? proved_ratio(u, grid.stride(), at, grid.h, largest, level.floors[k])
-                                             : proved_dual_ratio(u, grid.stride(), at, grid.h, largest,
-                                                                 reversed ? -1 : 1, level.dual_cells[k]);
+    const double sign = reversed ? -1 : 1;
+    const double ratio = !level.norms.empty() ? level.sampled_cells.ratio(grid, u, at, k, sign)
+                         : level.duals.empty()
+                             ? proved_ratio(u, grid.stride(), at, grid.h, largest, level.floors[k])
+                             : proved_dual_ratio(u, grid.stride(), at, grid.h, largest, sign, level.dual_cells[k]);
     ratios[at] = ratio;
     worst = std::max(worst, ratio);
   }
