@@ -43,7 +43,9 @@ struct BoundGrid {
 /// What a proof over all paths of the domain between two ends says, whatever class they are of.
 struct GlobalBound {
   bool proved = false;       ///< no path costs less than the delivered one by more than the gap
-  std::string outcome = {};  ///< "proved", "improved" (proved, of a path cheaper than before), "bounded", "blocked"
+  /// "proved", "improved" (proved, of a path cheaper than before), "sampled" (the gap is small enough, but nothing is
+  /// proved), "bounded", "blocked".
+  std::string outcome = {};
   double lower_bound = 0;    ///< no path costs less
   double gap = 0;            ///< (cost of the delivered path - lower_bound) / cost
   std::string scope = "global_on_polyhedron";  ///< of a certificate, when it is proved

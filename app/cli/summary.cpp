@@ -57,7 +57,7 @@ std::string cost_line(const WrittenRun& run) {
   return line;
 }
 
-/// What is proved of all paths in a box.
+/// What is proved of all paths in a box, or looks so.
 std::string bracket_line(const GlobalBound& global) {
   if (global.outcome == "blocked") return "nothing proved: " + global.reason;
   return fmt::format("no path in this box is cheaper by more than {:.2g} % ({}, {} cells, {:.2g} s)", 100 * global.gap,

@@ -117,7 +117,7 @@ bool proves_shortest(const RunConfig& config) {
 
 bool brackets(const RunConfig& config) {
   if (!config.certificate.enabled || proves_shortest(config)) return false;
-  return std::holds_alternative<GlobalBudget>(config.certificate.global) && is(config.manifold, {"euclidean"});
+  return std::holds_alternative<GlobalBudget>(config.certificate.global) && is(config.manifold, {"euclidean", "terrain"});
 }
 
 namespace {
@@ -328,6 +328,7 @@ void check_bracket(LoadedConfig& loaded) {
   };
   if (config.ring) refuse("is of paths between two ends, and a ring has none: remove it");
   if (config.family.wanted()) refuse("is of the least cost, and a family is of others: remove one of the two");
+  if (!is(config.manifold, {"euclidean"})) return;  // terrain has its own box
   const int dimension = whole_option(config.manifold, "dimension");
   if (dimension != 2 && dimension != 3) refuse("works in two and three dimensions: remove it");
   const ConfigNode options = options_of(config.manifold);

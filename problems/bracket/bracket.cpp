@@ -252,7 +252,7 @@ Bracket bracket_least_cost(const CostDual& dual, const Eigen::AlignedBox2d& box,
 
 Bracket bracket_least_cost(const CoordinateCost& cost, const Eigen::AlignedBox2d& box, const Vector2d& source,
                            const Vector2d& target, double upper, const BracketOptions& options) {
-  return bracket_in({cost, options.depth}, box, source, target, upper, options);
+  return bracket_in({cost, box, options.depth}, box, source, target, upper, options);
 }
 
 }  // namespace leastcost

@@ -36,6 +36,8 @@ class DualUpdates {
  public:
   explicit DualUpdates(const Level& level) : level_(level) {}
 
+  double least_of_move(const At&) const { return 0; }
+
   double over_node(const At& at, const Corner& a) const {
     return a.u + at.density * norm_of(at).cost(-a.x * level_.grid.h, -a.y * level_.grid.h);
   }
@@ -78,45 +80,52 @@ class DualUpdates {
 /// Of a norm that is known in some directions: the move that costs least is among those, or near the best of them.
 class SampledUpdates {
  public:
-  explicit SampledUpdates(const Level& level) : level_(level) {
-    for (int k = 0; k < SampledNorms::kDirections; ++k) {
-      const Eigen::Vector2d e = SampledNorms::direction(k);
-      const auto& [ax, ay] = kRing[static_cast<std::size_t>(k / kSector)];
-      const auto& [bx, by] = kRing[static_cast<std::size_t>(k / kSector + 1) % kRing.size()];
+  explicit SampledUpdates(const Level& level) : level_(level), sector_(level.norms.directions() / 8) {
+    for (int k = 0; k < level.norms.directions(); ++k) {
+      const Eigen::Vector2d& e = level.norms.direction(k);
+      const auto& [ax, ay] = kRing[static_cast<std::size_t>(k / sector_)];
+      const auto& [bx, by] = kRing[static_cast<std::size_t>(k / sector_ + 1) % kRing.size()];
       const double det = ax * by - ay * bx;
       const double a = (e[0] * by - e[1] * bx) / det, b = (ax * e[1] - ay * e[0]) / det;  // e = a A + b B
-      moves_[static_cast<std::size_t>(k)] = {b / (a + b), 1 / (a + b)};
+      moves_.push_back({b / (a + b), 1 / (a + b)});
     }
   }
+
+  /// Every edge is a cell away.
+  double least_of_move(const At& at) const { return at.density * level_.grid.h * level_.norms.least_cost(at.node); }
 
   double over_node(const At& at, const Corner& a) const {
     const double length = std::hypot(a.x, a.y) * level_.grid.h;
-    return a.u + at.density * length * towards(at, static_cast<int>(a.k) * kSector);
+    return a.u + at.density * length * towards(at, static_cast<int>(a.k) * sector_);
   }
 
+  /// The cost is convex along the edge: halving by its slope, then a cubic between the directions.
   double over_edge(const At& at, const Corner& a, const Corner& b) const {
     const bool forward = b.k == (a.k + 1) % kRing.size();
     const Corner &first = forward ? a : b, &last = forward ? b : a;
-    const int from = static_cast<int>(first.k) * kSector;
-    std::array<double, kSector + 1> values;
-    values[0] = over_node(at, first);
-    values[kSector] = over_node(at, last);
-    for (int k = 1; k < kSector; ++k) {
+    const int from = static_cast<int>(first.k) * sector_;
+    const auto value = [&](int k) {
+      if (k == 0) return over_node(at, first);
+      if (k == sector_) return over_node(at, last);
       const Move& move = moves_[static_cast<std::size_t>(from + k)];
-      values[static_cast<std::size_t>(k)] = (1 - move.share) * first.u + move.share * last.u +
-                                            at.density * move.length * level_.grid.h * towards(at, from + k);
+      return (1 - move.share) * first.u + move.share * last.u +
+             at.density * move.length * level_.grid.h * towards(at, from + k);
+    };
+    int low = -1, best = sector_;  // of all directions in the sector
+    while (best - low > 1) {
+      const int middle = (low + best) / 2;
+      const double here = value(middle), next = value(middle + 1);
+      (next < here || !std::isfinite(here) ? low : best) = middle;
     }
-    const auto least = static_cast<int>(std::min_element(values.begin(), values.end()) - values.begin());
-    const auto value = [&](int k) { return k < 0 || k > kSector ? kInfinity : values[static_cast<std::size_t>(k)]; };
-    const int left = value(least - 1) < value(least + 1) ? least - 1 : least;  // it lies from there to the next one
-    const int begin = std::clamp(left - 1, 0, kSector - 3);
+    const double least = value(best);
+    const int left = best == sector_ || (best > 0 && value(best - 1) < value(best + 1)) ? best - 1 : best;
+    const int begin = std::clamp(left - 1, 0, sector_ - 3);
     const std::array<double, 4> around = {value(begin), value(begin + 1), value(begin + 2), value(begin + 3)};
-    const double best = cubic_minimum(around, left - begin, left - begin + 1).value;
-    return best < value(least) ? best : value(least);  // infinite ones make no cubic
+    const double between = cubic_minimum(around, left - begin, left - begin + 1).value;
+    return between < least ? between : least;  // infinite ones make no cubic
   }
 
  private:
-  static constexpr int kSector = SampledNorms::kDirections / 8;
   /// To the edge between two neighbours: which part of the edge lies before it, and how far away it is, in cells.
   struct Move {
     double share, length;
@@ -124,11 +133,12 @@ class SampledUpdates {
 
   /// Cost per length of the move to the node from that direction.
   double towards(const At& at, int k) const {
-    return level_.norms.cost(at.node, at.back ? k : k + SampledNorms::kDirections / 2);
+    return level_.norms.cost(at.node, at.back ? k : k + level_.norms.directions() / 2);
   }
 
   const Level& level_;
-  std::array<Move, SampledNorms::kDirections> moves_;
+  const int sector_;
+  std::vector<Move> moves_;
 };
 
 template <class Updates>
@@ -174,7 +184,8 @@ class DualMarch {
     double best = updates_.over_node(at, from);
     for (const std::size_t beside : {(here + 1) % 8, (here + 7) % 8}) {
       const Corner other = corner(beside, a, b);
-      if (other.u < kInfinity) best = std::min(best, updates_.over_edge(at, from, other));
+      if (std::min(from.u, other.u) + updates_.least_of_move(at) < best && other.u < kInfinity)
+        best = std::min(best, updates_.over_edge(at, from, other));
     }
     if (!(best < u_[node] - kNoBetter * std::abs(best)) || !std::isfinite(best)) return;
     u_[node] = best;

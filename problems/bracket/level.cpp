@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "problems/bracket/dual_marching.hpp"
 
@@ -63,6 +64,13 @@ double straight_cost(const Medium& medium, const EndRegion& region, const Eigen:
   return medium.dual != nullptr ? straight_cost(by_dual, region, d, grid) : straight_cost(by_values, region, d, grid);
 }
 
+/// So many cells deep in what no path enters. The fourth power is flat where searched cells reach in.
+double density_at_depth(double cells) {
+  constexpr double kScale = 6;
+  const double deep = cells / kScale;
+  return 1 + deep * deep * deep * deep;
+}
+
 bool is_above(const Net& net, double cap) {
   constexpr double kRounding = 1e-14;
   for (const auto& row : net)
@@ -81,11 +89,9 @@ double largest_of(const std::vector<double>& u) {
 }  // namespace
 
 double Medium::marched(const CellGrid& grid, int i, int j) const {
-  constexpr double kScale = 6;  // cells; the fourth power is flat where searched cells reach into an obstacle
   const Eigen::Vector2d x = grid.in_box(grid.node(i, j));
   const double n = density != nullptr ? density->density(x) : is_known_at(x) ? 1 : kInfinity;
-  const double deep = depth ? std::max(0.0, depth(x)) / (kScale * grid.h) : 0;
-  return n * (1 + deep * deep * deep * deep);
+  return depth ? n * density_at_depth(std::max(0.0, depth(x)) / grid.h) : n;
 }
 
 bool Medium::is_known_at(const Eigen::Vector2d& x) const {
@@ -98,13 +104,44 @@ EndRegion Medium::end_region(const CellGrid& grid, const Eigen::Vector2d& place,
                          : bracket::end_region(*density, grid, place, k);
 }
 
+/// Where the domain has no places fronts run on as in obstacles: with the norm of the nearest node that has one, and a
+/// density that grows. `unknown`: nodes there, in the part that is marched over.
+void fill_unknown(Level& level, std::vector<int> unknown) {
+  constexpr int kLayers = 12;
+  const CellGrid& grid = level.grid;
+  for (int layer = 1; layer <= kLayers && !unknown.empty(); ++layer) {
+    std::vector<int> rest;
+    std::vector<std::pair<int, int>> filled;
+    for (const int node : unknown) {
+      int from = -1;
+      for (int b = -1; b <= 1; ++b)
+        for (int a = -1; a <= 1; ++a) {
+          const int i = grid.column(node) + a, j = grid.row(node) + b;
+          const bool inside = i >= 0 && j >= 0 && i < grid.stride() && j < grid.ny + 2;
+          if (inside && level.norms.knows(static_cast<std::size_t>(grid.id(i, j)))) from = grid.id(i, j);
+        }
+      if (from < 0)
+        rest.push_back(node);
+      else
+        filled.emplace_back(node, from);
+    }
+    for (const auto& [node, from] : filled) {
+      level.norms.take_over(static_cast<std::size_t>(node), static_cast<std::size_t>(from));
+      level.density[static_cast<std::size_t>(node)] = density_at_depth(layer);
+    }
+    unknown = std::move(rest);
+  }
+}
+
 void fill_density(const Medium& medium, Level& level, const StopLook& look) {
   const CellGrid& grid = level.grid;
   level.density.assign(static_cast<std::size_t>(grid.nodes()), kInfinity);
   if (medium.dual != nullptr) level.duals.resize(level.density.size());
-  if (medium.sampled != nullptr) level.norms.reset(level.density.size());
+  if (medium.sampled != nullptr) level.norms.reset(level.density.size(), medium.directions);
   level.cells.clear();
   const int around = margin_of(grid);
+  std::vector<unsigned char> seen(level.density.size(), 0);
+  std::vector<int> unknown;
   for (int j = 1; j <= grid.ny; ++j)
     for (int i = 1; i <= grid.nx; ++i) {
       if (!level.searched[static_cast<std::size_t>(grid.id(i, j))]) continue;
@@ -116,14 +153,17 @@ void fill_density(const Medium& medium, Level& level, const StopLook& look) {
       for (int b = std::max(0, j - margin); b <= std::min(grid.ny + 1, j + margin); ++b)
         for (int a = std::max(0, i - margin); a <= std::min(grid.nx + 1, i + margin); ++a) {
           const auto node = static_cast<std::size_t>(grid.id(a, b));
-          double& n = level.density[node];
-          if (n < kInfinity) continue;
-          n = medium.marched(grid, a, b);
+          if (std::exchange(seen[node], 1) != 0) continue;
+          const double n = level.density[node] = medium.marched(grid, a, b);
           if (medium.dual != nullptr) level.duals[node] = medium.dual->dual(grid.in_box(grid.node(a, b)));
-          if (medium.sampled != nullptr && n < kInfinity)
+          if (medium.sampled == nullptr) continue;
+          if (n < kInfinity)
             level.norms.learn(node, {*medium.sampled, grid.in_box(grid.node(a, b))});
+          else
+            unknown.push_back(grid.id(a, b));
         }
     }
+  if (medium.sampled != nullptr) fill_unknown(level, std::move(unknown));
 }
 
 void fill_level(const Medium& medium, Level& level, const StopLook& look) {
@@ -231,20 +271,47 @@ double check(const Level& level, const std::vector<double>& u, const EndRegion& 
   return worst;
 }
 
+namespace {
+
+/// Lets values fade out over so many nodes around, along both axes: what is there, or more.
+void fade_out(const CellGrid& grid, int nodes, std::vector<double>& values) {
+  for (const bool along_x : {true, false}) {
+    const std::vector<double> before = values;
+    for (int j = 0; j <= grid.ny + 1; ++j)
+      for (int i = 0; i <= grid.nx + 1; ++i) {
+        const double here = before[static_cast<std::size_t>(grid.id(i, j))];
+        if (!(here > 0)) continue;
+        for (int d = -nodes; d <= nodes; ++d) {
+          const int a = along_x ? i + d : i, b = along_x ? j : j + d;
+          if (a < 0 || b < 0 || a > grid.nx + 1 || b > grid.ny + 1) continue;
+          double& value = values[static_cast<std::size_t>(grid.id(a, b))];
+          value = std::max(value, here * (1 - static_cast<double>(std::abs(d)) / (nodes + 1)));
+        }
+      }
+  }
+}
+
+}  // namespace
+
 void deflate(const Level& level, const std::vector<double>& ratios, Front& front) {
+  // Where a cost has kinks, potentials have edges along ways: a density that jumps beside them makes new ones.
+  constexpr int kFading = 3;
   const CellGrid& grid = level.grid;
+  std::vector<double> excess(ratios.size(), 0);
   for (int j = 0; j <= grid.ny + 1; ++j)  // the cells of the rim depend on the nodes around the grid
     for (int i = 0; i <= grid.nx + 1; ++i) {
       double worst = 1;
       for (int b = std::max(0, j - 1); b <= std::min(grid.ny + 1, j + 1); ++b)
         for (int a = std::max(0, i - 1); a <= std::min(grid.nx + 1, i + 1); ++a)
           worst = std::max(worst, ratios[static_cast<std::size_t>(grid.id(a, b))]);
-      if (!(worst > 1) || !std::isfinite(worst)) continue;
-      const double factor = 1 + kOvershoot * (worst - 1);
-      const auto node = static_cast<std::size_t>(grid.id(i, j));
-      front.density[node] /= factor;
-      if (!front.sign.empty()) front.values[node] /= factor;
+      if (worst > 1 && std::isfinite(worst)) excess[static_cast<std::size_t>(grid.id(i, j))] = kOvershoot * (worst - 1);
     }
+  if (!level.norms.empty()) fade_out(grid, kFading, excess);
+  for (std::size_t node = 0; node < excess.size(); ++node) {
+    if (!(excess[node] > 0)) continue;
+    front.density[node] /= 1 + excess[node];
+    if (!front.sign.empty()) front.values[node] /= 1 + excess[node];
+  }
 }
 
 DistanceField distance_field(const Medium& medium, const Level& level, const EndRegion& region,

@@ -22,11 +22,13 @@ class Medium {
   using Depth = std::function<double(const Eigen::Vector2d&)>;
   Medium(const CostDensity& n, const Depth& in_obstacles) : density(&n), depth(in_obstacles) {}
   Medium(const CostDual& norm, const Depth& in_obstacles) : dual(&norm), depth(in_obstacles) {}
-  Medium(const CoordinateCost& cost, const Depth& in_obstacles) : sampled(&cost), depth(in_obstacles) {}
+  Medium(const CoordinateCost& cost, const Eigen::AlignedBox2d& box, const Depth& in_obstacles)
+      : sampled(&cost), directions(directions_for(cost, box)), depth(in_obstacles) {}
 
   const CostDensity* density = nullptr;  ///< one of the three is there
   const CostDual* dual = nullptr;
   const CoordinateCost* sampled = nullptr;
+  int directions = 0;  ///< that it is asked for at each node
   const Depth& depth;
 
   /// Whether a cell lies within the obstacles, so that nothing need be proved in it.

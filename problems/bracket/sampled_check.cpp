@@ -50,6 +50,7 @@ double SampledCells::ratio(const CellGrid& grid, const std::vector<double>& u, s
   double worst = 0;
   for (std::size_t i = 0; i < kQuarters.size(); ++i) {
     element.move_to(places_.middleCols<3>(3 * static_cast<Index>(kPlaces * k + i)));
+    if (!element.is_inside()) continue;  // no path is there
     const Eigen::Vector2d p = sign * slope_at(u, grid.stride(), node, kQuarters[i][0], kQuarters[i][1], grid.h);
     const double here = p.allFinite() ? dual_norm(element, p, std::atan2(p[1], p[0])) : kInfinity;
     worst = larger_or_nan(worst, here);

@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <mutex>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,6 +18,7 @@
 #include <leastcost/framework/has_box.hpp>
 #include <leastcost/problems/bracket/bracket.hpp>
 #include <leastcost/problems/bracket/space/space_bracket.hpp>
+#include <leastcost/problems/chart/seams.hpp>
 #include <leastcost/problems/obstacles/has_walls.hpp>
 #include "problems/bracket/potential_samples.hpp"
 #include "problems/bracket/smooth_polyline.hpp"
@@ -87,14 +89,29 @@ const Walls* walls_in_place(const ConstraintManifold& domain) {
   return walls.gaps_are_distances() && walls.dimension() == domain.dimensions().coordinate ? &walls : nullptr;
 }
 
+/// Whether there are moves in every direction from a place.
+bool has_all_moves(const CoordinateCost& cost, const Vector2d& place) {
+  constexpr int kDirections = 32;
+  const CoordinateCost::Element element(cost, place);
+  for (int k = 0; k < kDirections; ++k) {
+    const double angle = 2 * std::numbers::pi * k / kDirections;
+    if (!std::isfinite(element({std::cos(angle), std::sin(angle)}))) return false;
+  }
+  return true;
+}
+
 /// What is known of a cost in cells: one of these, or none.
 struct CostInCells {
   std::shared_ptr<const CostDensity> density;
   std::shared_ptr<const CostDual> dual;
   std::shared_ptr<const SpaceDensity> space;
+  std::shared_ptr<const CoordinateCost> values;  ///< nothing is proved of it
 
-  explicit operator bool() const { return density != nullptr || dual != nullptr || space != nullptr; }
+  explicit operator bool() const {
+    return density != nullptr || dual != nullptr || space != nullptr || values != nullptr;
+  }
   double above(const Points& x) const {
+    if (values != nullptr) return polyline_cost(*values, Eigen::Matrix2Xd(x));
     if (space != nullptr) return polyline_cost_above(*space, Eigen::Matrix3Xd(x));
     return dual != nullptr ? polyline_cost_above(*dual, Eigen::Matrix2Xd(x))
                            : polyline_cost_above(*density, Eigen::Matrix2Xd(x));
@@ -105,6 +122,7 @@ struct CostInCells {
       return space->enclose_density({x, x}).is_finite();
     }
     const Vector2d x = place;
+    if (values != nullptr) return has_all_moves(*values, x);
     if (dual == nullptr) return density->enclose_density({x, x}).is_finite();
     const DualNorm<CostDual::Jet> norm = dual->enclose_cell({x, x});
     const auto known = [](const CostDual::Jet& f) {
@@ -146,10 +164,13 @@ bool looks_isotropic(const SegmentCost& cost, const Eigen::AlignedBoxXd& box) {
   return true;
 }
 
-/// Both bounds hold for every metric; that of a density is narrow where the metric is the same in all directions.
+/// Both bounds hold for every metric; that of a density is narrow where the metric is the same in all directions. In
+/// two coordinates what has none of them at both ends is known by its values.
 CostInCells in_cells(const Problem& problem) {
-  if (dimension_of(problem) == 3) return {nullptr, nullptr, space_density_of(problem.cost)};
-  CostInCells cost{density_of(problem.cost), dual_of(problem.cost), nullptr};
+  if (dimension_of(problem) == 3) return {nullptr, nullptr, space_density_of(problem.cost), nullptr};
+  const bool flat = find_ability<HasChart>(*problem.manifold) == nullptr;
+  CostInCells cost;
+  if (flat) cost = {density_of(problem.cost), dual_of(problem.cost), nullptr, nullptr};
   if (cost.density != nullptr && cost.dual != nullptr) {
     const Vector2d source = problem.source.u;
     if (looks_isotropic(*cost.dual, fixed<2>(box_of(*problem.manifold))) &&
@@ -158,7 +179,17 @@ CostInCells in_cells(const Problem& problem) {
     else
       cost.density = nullptr;
   }
+  if (!cost || !cost.is_known_at(problem.source.u) || !cost.is_known_at(problem.target.u))
+    return {nullptr, nullptr, nullptr, std::make_shared<const CoordinateCost>(problem.manifold, problem.cost)};
   return cost;
+}
+
+/// Whether two coordinates name the places of a domain, none of them by two.
+bool has_plain_coordinates(const ConstraintManifold& domain) {
+  if (domain.dimensions().coordinate != 2) return false;
+  const auto* chart = find_ability<HasChart>(domain);
+  const auto* seams = find_ability<HasSeams>(domain);
+  return chart != nullptr && chart->poles().empty() && (seams == nullptr || seams->seams().empty());
 }
 
 /// Why there is no bracket of a problem; empty: there may be one.
@@ -166,15 +197,15 @@ std::string why_no_bracket(const Problem& problem) {
   const ConstraintManifold& domain = *problem.manifold;
   if (problem.ring || problem.based) return "a bracket is of the cost between two ends, and a ring has none";
   const bool flat = domain.shape() == Shape::flat || find_ability<HasWalls>(domain) != nullptr;
-  if (!flat || (dimension_of(problem) != 2 && dimension_of(problem) != 3))
-    return "a bracket needs the plane or space: a flat domain with two or three coordinates";
+  if (!(flat && (dimension_of(problem) == 2 || dimension_of(problem) == 3)) && !has_plain_coordinates(domain))
+    return "a bracket needs the plane or space, a flat domain with two or three coordinates, or terrain";
   if (find_ability<ChecksMoves>(domain) != nullptr && walls_in_place(domain) == nullptr)
     return "a bracket needs obstacles that stand in the plane or in space itself: balls, boxes, polygons, maps, meshes";
   if (box_of(domain).isEmpty()) return "a bracket speaks of the paths in a box: give the manifold finite bounds";
   const CostInCells cost = in_cells(problem);
   if (cost.space != nullptr && !looks_isotropic(*problem.cost, box_of(domain)))
     return "a bracket in space needs a cost that is the same in all directions";
-  if (!cost) return "a bracket needs a cost by formula: bounds of a black box would prove nothing";
+  if (!cost) return "a bracket in space needs a cost by formula: bounds of a black box would prove nothing";
   return "";
 }
 
@@ -245,13 +276,16 @@ BracketInBox bracket_of(const Problem& problem, const CostInCells& cost, double 
     return in_box_of(bracket_least_cost(
         *cost.space, fixed<3>(box), problem.source.u, problem.target.u, upper,
         options_of_bracket<SpaceBracketOptions, Eigen::Vector3d>(problem, budget, takes_way, monitor)));
-  const auto options = options_of_bracket<BracketOptions, Vector2d>(problem, budget, takes_way, monitor);
+  auto options = options_of_bracket<BracketOptions, Vector2d>(problem, budget, takes_way, monitor);
+  constexpr double kMostByValues = 1e6;  // cells: what is known of each takes half a kilobyte
+  if (cost.values != nullptr) options.max_searched = std::min(options.max_searched, kMostByValues);
   const auto of = [&](const auto& known) {
     const Bracket found = bracket_least_cost(known, fixed<2>(box), problem.source.u, problem.target.u, upper, options);
     BracketInBox out = in_box_of(found);
     if (found.potential) out.potential = samples_of(*found.potential);
     return out;
   };
+  if (cost.values != nullptr) return of(*cost.values);
   return cost.dual != nullptr ? of(*cost.dual) : of(*cost.density);
 }
 
@@ -315,13 +349,15 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
   global.steps = bracket.cells;
   global.lower_bound = bracket.lower;
   global.gap = bracket.lower < upper ? (upper - bracket.lower) / upper : 0;
-  global.proved = bracket.lower > 0 && global.gap <= budget_.tolerance;
+  const bool narrow = bracket.lower > 0 && global.gap <= budget_.tolerance;
+  global.category = cost.values != nullptr ? BoundCategory::sampled : BoundCategory::proved;
+  global.proved = narrow && global.category == BoundCategory::proved;
   global.grid = BoundGrid{box, bracket.grid, upper, bracket.potential};
   if (!again) {
     if (const auto way = better_way(bracket.way)) current.cheaper = CoordinatePath{*way, {}, false};
     if (current.cheaper && !(kept.left > 0)) kept.left = upper;
   }
-  global.outcome = !global.proved ? "bounded" : upper < kept.left ? "improved" : "proved";
+  global.outcome = !narrow ? "bounded" : !global.proved ? "sampled" : upper < kept.left ? "improved" : "proved";
   if (bracket.lower == 0) {
     global.reason = why_nothing_proved(bracket);
     if (!global.reason.empty()) global.outcome = "blocked";

@@ -222,10 +222,15 @@ std::string what_bracket_says(const JsonFile& result) {
                   fmt::join(result.numbers("global.grid"), " x "), result.text("global.cells"),
                   result.number("global.seconds"), category);
   const std::string bound = fmt::format(
-      "No path in the box from {} to {} is cheaper by more than {}: none costs less than {:.12g}, and the "
+      "{} path in the box from {} to {} is cheaper by more than {}: none costs less than {:.12g}, and the "
       "smooth curve through the points no more than {:.12g} ({}).",
-      corner("lower"), corner("upper"), percent(result.number("global.gap")), result.number("global.lower_bound"),
-      result.number("global.upper_bound"), work);
+      category == "sampled" ? "It looks as if no" : "No", corner("lower"), corner("upper"),
+      percent(result.number("global.gap")), result.number("global.lower_bound"), result.number("global.upper_bound"),
+      work);
+  if (category == "sampled")
+    return bound +
+           " Sampled: the inequality behind it holds at four places of every cell, and nothing is proved of what lies "
+           "between. The scope stays local.";
   if (outcome != "bounded") return bound + " Paths that leave the box are not spoken of; others may cost as much.";
   return bound + " That is more than the tolerance: the scope stays local.";
 }
