@@ -63,6 +63,8 @@ using Eigen::Vector2d;
 
 Eigen::Index dimension_of(const Problem& problem) { return problem.manifold->dimensions().coordinate; }
 
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
+
 /// Than a path: chains beside obstacles are dearer than the curve by less.
 constexpr double kClearlyLess = 0.995;
 
@@ -225,11 +227,14 @@ std::string why_nothing_proved(const BracketInBox& bracket) {
   return "nothing is proved on these grids: the ends are too near to each other or to where the cost is singular";
 }
 
-/// The smooth curve through the points, or the moves between them where that curve meets an obstacle.
-Points feasible_polyline(const Problem& problem, const Points& chain, const Eigen::AlignedBoxXd& box) {
-  Points smooth = smooth_polyline(chain, box);
+/// What the smooth curve through the points costs, or the moves between them where that curve meets an obstacle or
+/// leaves the domain.
+double cost_of_feasible(const Problem& problem, const CostInCells& cost, const Points& chain,
+                        const Eigen::AlignedBoxXd& box) {
+  const Points smooth = smooth_polyline(chain, box);
   const auto clearance = measure_clearance(*problem.manifold, smooth, false, {});
-  return clearance && clearance->lower < 0 ? chain : smooth;
+  const double of_smooth = clearance && clearance->lower < 0 ? kUnknown : cost.above(smooth);
+  return std::isfinite(of_smooth) ? of_smooth : cost.above(chain);
 }
 
 /// Whether a way is known to go round the obstacles as the curve does: then it is the curve that it would become.
@@ -310,7 +315,11 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
     return current;
   }
   const Eigen::AlignedBoxXd box = box_of(*problem.manifold);
-  const double upper = cost.above(feasible_polyline(problem, current.chain.u, box));
+  const double upper = cost_of_feasible(problem, cost, current.chain.u, box);
+  if (!std::isfinite(upper)) {
+    current.curve.global = blocked("the path passes between its points where the cost has no finite bounds");
+    return current;
+  }
 
   const std::lock_guard<std::mutex> guard(kept_->lock);
   KeptBracket& kept = *kept_;

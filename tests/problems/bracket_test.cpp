@@ -494,9 +494,16 @@ TEST_CASE("bracket: blocked, with a reason") {
   Problem problem = in_box(box(-2, -2, 2, 2), "1 + x^2", {-1, 0}, {1, 0.5});
   problem.manifold = std::make_shared<EuclideanManifold>(EuclideanManifoldOptions{2, {}});
   CHECK_THAT(reason(problem), Catch::Contains("finite bounds"));
+}
+
+TEST_CASE("bracket: sampled where nothing is known of the cost's derivatives at an end") {
   Problem singular = in_box(box(-2, -2, 2, 2), "1", {-1, 0}, {1, 0.5});
   singular.cost = make_metric_field_cost({.field = metric::Formula{{"1 + abs(x + 1)^0.5", "0.1 * x", "1"}, {}}}, 2);
-  CHECK_THAT(reason(singular), Catch::Contains("beside the source"));
+  const Result result = find_path(singular, StraightInitializer(), Newton(), with_bracket(1e-2));
+  const GlobalBound& bound = result.certificate.global.value();
+  CHECK(bound.category == BoundCategory::sampled);
+  CHECK(bound.outcome == "sampled");
+  CHECK(bound.lower_bound <= result.certificate.estimate.value);
 }
 
 }  // namespace leastcost::test
