@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// Least-cost paths on real rasters against the best path over the 16-neighbour grid under the same cost: the length on
-// the bicubic terrain, and a smooth cost map with the heights as costs. Random connected pairs, both directions.
-//   raster_table FOLDER [PAIRS] [SEED]     FOLDER: that of jacksboro_dem.csv, volcano.csv and elev.csv
+// Least-cost paths on real rasters against the best path over the 16-neighbour grid under the same cost: the length and
+// Tobler's walking time on the bicubic terrain, and a smooth cost map with the heights as costs. Random connected
+// pairs, both directions. With seconds for a bracket: how far the least cost may be below at most.
+//   raster_table FOLDER [PAIRS] [SEED] [SECONDS]     FOLDER: that of jacksboro_dem.csv, volcano.csv and elev.csv
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -21,10 +22,12 @@
 #include <leastcost/framework/find_path.hpp>
 #include <leastcost/problems/costs/cost_map.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
+#include <leastcost/problems/costs/walking.hpp>
 #include <leastcost/problems/initializers/waypoints.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
 #include <leastcost/problems/manifolds/terrain.hpp>
+#include <leastcost/problems/post_processors/bracket.hpp>
 #include <leastcost/solvers/newton.hpp>
 #include "problems/readers/file_content.hpp"
 #include "problems/readers/raster_reader.hpp"
@@ -119,13 +122,18 @@ class GridPaths {
 struct Row {
   int pairs = 0, below = 0, certified = 0, failed = 0;
   double gain = 0, least_gain = kInfinity;
-  std::vector<double> seconds = {};
+  std::vector<double> seconds = {}, gaps = {};
 };
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values.empty() ? std::numeric_limits<double>::quiet_NaN() : values[values.size() / 2];
+}
 
 double now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// From the grid path, in its direction.
-void solve(const Setting& s, const Points& grid, double grid_cost, Row& row) {
+void solve(const Setting& s, const Points& grid, double grid_cost, double bracket_seconds, Row& row) {
   Problem problem;
   problem.manifold = s.manifold;
   problem.cost = s.cost;
@@ -134,6 +142,9 @@ void solve(const Setting& s, const Points& grid, double grid_cost, Row& row) {
   problem.target.u = grid.col(grid.cols() - 1);
   FindOptions options;
   options.points = std::clamp(static_cast<int>(2 * grid.cols()), 40, 800);
+  if (bracket_seconds > 0)
+    options.post_processors = {
+        std::make_shared<BracketPostProcessor>(GlobalBudget{.tolerance = 1e-3, .max_seconds = bracket_seconds})};
   const double start = now();
   ++row.pairs;
   try {
@@ -148,6 +159,10 @@ void solve(const Setting& s, const Points& grid, double grid_cost, Row& row) {
     row.certified += result.status == Status::certified ? 1 : 0;
     row.gain += gain;
     row.least_gain = std::min(row.least_gain, gain);
+    if (result.certificate.global && result.certificate.global->lower_bound > 0)
+      row.gaps.push_back(result.certificate.global->gap);
+    if (std::getenv("LEASTCOST_RASTER_REASONS") != nullptr && !(gain > 0))
+      std::printf("    %.9g is above the grid's %.9g\n", cost, grid_cost);
     if (std::getenv("LEASTCOST_RASTER_REASONS") != nullptr)
       for (const CertificateFailure& f : result.certificate.failures) std::printf("    %s\n", f.message.c_str());
   } catch (const Error& error) {
@@ -156,7 +171,7 @@ void solve(const Setting& s, const Points& grid, double grid_cost, Row& row) {
   }
 }
 
-void run(const char* name, const char* what, const Setting& s, int pairs, unsigned seed) {
+void run(const char* name, const char* what, const Setting& s, int pairs, unsigned seed, double bracket_seconds) {
   std::mt19937_64 random(seed);
   std::uniform_int_distribution<int> any(0, s.raster.rows * s.raster.columns - 1);
   GridPaths grid(s);
@@ -167,13 +182,16 @@ void run(const char* name, const char* what, const Setting& s, int pairs, unsign
     const Points there = grid.find(a, b, cost);
     if (there.cols() < 8) continue;
     const Points home = grid.find(b, a, back);
-    solve(s, there, cost, row);
-    solve(s, home, back, row);
+    solve(s, there, cost, bracket_seconds, row);
+    solve(s, home, back, bracket_seconds, row);
   }
-  std::sort(row.seconds.begin(), row.seconds.end());
-  std::printf("%-12s %-10s %5d %7d %10d %7d %9.2f %% %9.3f %% %10.3f s\n", name, what, row.pairs, row.below,
+  std::printf("%-12s %-10s %5d %7d %10d %7d %9.2f %% %9.3f %% %10.3f s", name, what, row.pairs, row.below,
               row.certified, row.failed, 100 * row.gain / std::max(1, row.pairs - row.failed), 100 * row.least_gain,
-              row.seconds.empty() ? 0 : row.seconds[row.seconds.size() / 2]);
+              median(row.seconds));
+  if (bracket_seconds > 0)
+    std::printf("   gap %.2e median, %.2e largest, of %zu", median(row.gaps),
+                row.gaps.empty() ? 1 : *std::max_element(row.gaps.begin(), row.gaps.end()), row.gaps.size());
+  std::printf("\n");
   std::fflush(stdout);
 }
 
@@ -189,12 +207,13 @@ RasterOptions in_degrees(double cell, double longitude, double latitude) {
 
 int main(int argc, char** argv) {
   if (argc < 2) {
-    std::fprintf(stderr, "raster_table FOLDER [PAIRS] [SEED]\n");
+    std::fprintf(stderr, "raster_table FOLDER [PAIRS] [SEED] [SECONDS]\n");
     return 2;
   }
   const fs::path folder = argv[1];
   const int pairs = argc > 2 ? std::atoi(argv[2]) : 100;
   const auto seed = static_cast<unsigned>(argc > 3 ? std::atoi(argv[3]) : 1);
+  const double seconds = argc > 4 ? std::atof(argv[4]) : 0;
   RasterOptions volcano, luxembourg = in_degrees(1.0 / 120, 5.741666666666666, 50.19166666666666 - 90.0 / 120);
   volcano.cell = Eigen::VectorXd::Constant(1, 10);
   luxembourg.nodata = -32768;
@@ -208,12 +227,13 @@ int main(int argc, char** argv) {
     const RasterGrid raster = placed(read_csv_raster(read_content(file), file.string()), task.options);
     const Eigen::Vector2d lower = raster.place(0, 0), upper = raster.place(raster.rows - 1, raster.columns - 1);
     const std::string name = file.stem().string();
-    run(name.c_str(), "length", {raster, std::make_shared<const TerrainManifold>(raster), make_euclidean_cost(3)},
-        pairs, seed);
+    const auto terrain = std::make_shared<const TerrainManifold>(raster);
+    run(name.c_str(), "length", {raster, terrain, make_euclidean_cost(3)}, pairs, seed, seconds);
+    run(name.c_str(), "walking", {raster, terrain, make_walking_cost({}, 3)}, pairs, seed, seconds);
     const EuclideanManifoldOptions box{2, {Eigen::VectorXd(lower), Eigen::VectorXd(upper)}};
     run(name.c_str(), "cost_map",
         {raster, std::make_shared<const EuclideanManifold>(box),
          make_cost_map(raster, CostMapInterpolation::smooth, 2)},
-        pairs, seed);
+        pairs, seed, seconds);
   }
 }

@@ -111,6 +111,14 @@ bool holds_infinity(const Raster& raster) {
   return std::any_of(raster.values.begin(), raster.values.end(), [](double value) { return std::isinf(value); });
 }
 
+/// What the level lines of a bracket are; empty where there are none.
+std::string about_potential(const RunFiles& files) {
+  if (!files.scene.potential) return "";
+  return " Thin lines: levels of the potential that no path climbs for less, where a cheaper path could still go on "
+         "the "
+         "last grid; what lies outside had been ruled out.";
+}
+
 /// The robot in its workspace, where there is one.
 std::string strip_part(const RunFiles& files) {
   const std::string svg = strip_svg(files.scene.strip);
@@ -126,6 +134,7 @@ std::string map_part(const RunFiles& files) {
   if (!files.scene.relief) return "";
   std::string caption = "On the map: the ground under a sun in the north-west, 45 degrees up.";
   if (holds_infinity(*files.scene.relief)) caption += " Hatched: no ground.";
+  caption += about_potential(files);
   return "<figure>\n" + plane_svg(files) + "<figcaption>" + caption + "</figcaption>\n</figure>\n";
 }
 
@@ -142,11 +151,7 @@ Picture space_of_path(const RunFiles& files) {
           "Shading: cost per unit of length, mean over the directions that are possible, on a logarithmic scale; the "
           "stronger, the dearer.";
     if (files.scene.cost && holds_infinity(*files.scene.cost)) bands += " Hatched: not reachable.";
-    if (files.scene.potential)
-      bands +=
-          " Thin lines: levels of the potential that no path climbs for less, where a cheaper path could still go on "
-          "the "
-          "last grid; what lies outside had been ruled out.";
+    bands += about_potential(files);
     return {"<figure>\n" + plane_svg(files) + legend_of(files, false) + caption_of(files, bands) + "</figure>\n", ""};
   }
   return {
