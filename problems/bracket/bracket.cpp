@@ -22,7 +22,7 @@ using Eigen::Vector2d;
 
 constexpr int kRefinement = 4;  ///< a cell of the next grid is so much smaller
 constexpr int kBisectorRings = 2;
-constexpr int kBisectorDeflations = 6;
+constexpr int kBisectorDeflations = 6, kSampledDeflations = 12;
 constexpr int kCorrections = 1, kCorrectionsAtWalls = 3;  ///< along which fronts creep: there one is too much
 
 class Search {
@@ -119,12 +119,15 @@ class Search {
     if (front.seeds.empty()) return;
     std::vector<double> u = march(level_, front, options_.depth ? kCorrectionsAtWalls : kCorrections, marching_),
                         ratios;
+    const int most = medium_.sampled != nullptr ? kSampledDeflations : kBisectorDeflations,
+              patience = medium_.sampled != nullptr ? 3 : 1;
+    int idle = 0;     // rounds that brought little
     double best = 0;  // on this grid
     for (int round = 0;; ++round) {
       const double ratio = check(level_, u, s, t, ratios), lower = take(u, ratio, s, t);
-      const bool stalls = round > 1 && out_.upper - lower > kWorthWhile * (out_.upper - best);
+      idle = round > 1 && out_.upper - lower > kWorthWhile * (out_.upper - best) ? idle + 1 : 0;
       best = std::max(best, lower);
-      if (!(ratio > 1) || round == kBisectorDeflations || stalls || out_.gap() <= options_.tolerance) return;
+      if (!(ratio > 1) || round == most || idle == patience || out_.gap() <= options_.tolerance) return;
       deflate(level_, ratios, front);
       u = march(level_, front, 0, marching_);
     }

@@ -17,7 +17,7 @@ namespace {
 int margin_of(const CellGrid& grid) { return std::max(24, std::max(grid.nx, grid.ny) / 40); }
 
 constexpr int kCorrections = 3;
-constexpr int kDeflations = 4;
+constexpr int kDeflations = 4, kSampledDeflations = 8;  ///< kinks of a cost ask for more of them
 constexpr double kLeastFactor = 0.6, kMostFactor = 1.15;  ///< of a correction
 constexpr double kKink = 0.2;  ///< of n: a slope that falls by more within two cells is a shock's
 constexpr double kOvershoot = 1.1;
@@ -310,7 +310,7 @@ void deflate(const Level& level, const std::vector<double>& ratios, Front& front
   for (std::size_t node = 0; node < excess.size(); ++node) {
     if (!(excess[node] > 0)) continue;
     front.density[node] /= 1 + excess[node];
-    if (!front.sign.empty()) front.values[node] /= 1 + excess[node];
+    if (!front.sign.empty() || !level.norms.empty()) front.values[node] /= 1 + excess[node];
   }
 }
 
@@ -324,13 +324,14 @@ DistanceField distance_field(const Medium& medium, const Level& level, const End
 DistanceBound distance_bound(const Level& level, DistanceField field, double cap, FastMarching& marching) {
   DistanceBound bound{field.region, {}, cap, kInfinity, 0};
   std::vector<double> ratios;
+  const int most = level.norms.empty() ? kDeflations : kSampledDeflations;
   for (int round = 0;; ++round) {
     const double ratio = check(level, field.u, field.region, EndRegion(), ratios, field.region.reversed, cap);
     if (round == 0 || ratio < bound.ratio) {
       bound.ratio = ratio;
       bound.u = field.u;
     }
-    if (round == kDeflations || !(ratio > 1)) break;
+    if (round == most || !(ratio > 1)) break;
     deflate(level, ratios, field.front);
     field.u = march(level, field.front, 0, marching);
   }

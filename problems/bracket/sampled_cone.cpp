@@ -22,7 +22,7 @@ double SampledCone::middle_cost(const Vector2d& d) const {
 std::optional<SampledCone> sampled_cone(const CoordinateCost& cost, const Eigen::AlignedBox2d& box, const Vector2d& end,
                                         double reach, bool reversed) {
   constexpr int kRadii = 6, kDirections = 48;
-  constexpr double kBeyond = 2, kShort = 1e-4, kHopeless = 2;
+  constexpr double kBeyond = 2, kShort = 1e-4, kHopeless = 20;
   SampledCone cone{&cost, box, end, reversed, 1, std::numeric_limits<double>::infinity()};
   double steepest = 1;
   const double step = kShort * reach;
