@@ -167,10 +167,12 @@ std::vector<double> march(const Level& level, Front& front, int corrections, Fas
   std::vector<double> u;
   for (int pass = 0;; ++pass) {
     u = front.values;
-    if (level.duals.empty())
-      marching.run(grid, front.density, front.seeds, u);
-    else
+    if (!level.duals.empty())
       march_dual(level, front, u, marching.look());
+    else if (front.order.empty())
+      marching.run(grid, front.density, front.seeds, u, front.order);
+    else
+      marching.follow(grid, front.density, front.order, u);
     if (!front.sign.empty())
       for (std::size_t node = 0; node < u.size(); ++node) u[node] *= front.sign[node];
     if (pass == corrections) return u;

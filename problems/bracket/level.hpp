@@ -68,12 +68,14 @@ void fill_density(const Medium& medium, Level& level, const StopLook& look);
 void fill_level(const Medium& medium, Level& level, const StopLook& look);
 
 /// What a potential is marched from: values at seeds, and the density, which corrections change. `sign`: per node;
-/// empty: all 1.
+/// empty: all 1. `order`: of the nodes in the first march, which the others follow; empty under a dual norm, where no
+/// order is right.
 struct Front {
   std::vector<int> seeds;
   std::vector<double> values;  ///< at the seeds, infinite elsewhere
   std::vector<double> density;
   std::vector<signed char> sign;
+  std::vector<int> order;
   bool reversed = false;  ///< of costs to the seeds, not from them
 };
 
