@@ -20,7 +20,6 @@ namespace {
 using namespace bracket;
 using Eigen::Vector2d;
 
-constexpr int kRefinement = 4;  ///< a cell of the next grid is so much smaller
 constexpr int kBisectorRings = 2;
 constexpr int kBisectorDeflations = 6;
 constexpr int kCorrections = 1, kCorrectionsAtWalls = 3;  ///< along which fronts creep: there one is too much
@@ -147,8 +146,6 @@ class Search {
 
   /// The next grid; false where there is none.
   bool refine(const DistanceField& from_s, const DistanceField& from_t) {
-    const bool is_last = std::max(level_.grid.nx, level_.grid.ny) * kRefinement > options_.max_cells;
-    if (is_last && is_part_) return false;
     if (!from_s.region.valid || !from_t.region.valid || from_s.region.touches(from_t.region) ||
         !std::isfinite(out_.upper))
       return refine_whole();
@@ -158,10 +155,23 @@ class Search {
                         below_t = distance_bound(level_, from_t, cap, marching_);
     take_at(below_s, target_);
     take_at(below_t, source_);
-    if (is_last || out_.gap() <= options_.tolerance) return false;
-    level_ = tube_level(medium_, level_, below_s, below_t, out_.upper, kRefinement, look_);
+    if (out_.gap() <= options_.tolerance) return false;
+    const int parts = parts_of_cells(below_s, below_t);
+    if (parts == 0) return false;
+    level_ = tube_level(medium_, level_, below_s, below_t, out_.upper, parts, look_);
     is_part_ = true;
     return !level_.cells.empty() && static_cast<double>(level_.cells.size()) <= options_.max_searched;
+  }
+
+  /// How much smaller the cells of the next grid are; 0: there is none. Where many are reached a grid between narrows
+  /// what is searched, and among obstacles the gap falls with the size of a cell, elsewhere with its square.
+  int parts_of_cells(const DistanceBound& below_s, const DistanceBound& below_t) const {
+    constexpr double kMany = 1e6, kNearly = 2;
+    constexpr int kMost = 4;
+    const auto reached = static_cast<double>(reached_cells(level_, below_s, below_t, out_.upper));
+    const bool half = reached * kMost * kMost > kMany || (options_.depth && out_.gap() <= kNearly * options_.tolerance);
+    const int parts = half ? 2 : kMost;
+    return std::max(level_.grid.nx, level_.grid.ny) * parts > options_.max_cells ? 0 : parts;
   }
 
   /// Where the first grid is too coarse for the ends: a finer one over the whole box.

@@ -67,12 +67,15 @@ double largest_of(const std::vector<double>& u) {
 
 }  // namespace
 
-double Medium::marched(const CellGrid& grid, int i, int j) const {
-  constexpr double kScale = 6;  // cells; the fourth power is flat where searched cells reach into an obstacle
+double Medium::marched(const CellGrid& grid, int i, int j, double depth_here) const {
+  // Where this is flat paths dip, by a part of its square; where it is steep u is too steep outside, as its inverse
+  // square is. Both are least for a length in the middle between a cell and what obstacles are bent by.
+  constexpr double kPart = 0.125, kLeast = 4;  // of the grid; cells
+  const double cells = std::max(kLeast, std::sqrt(kPart * std::max(grid.nx, grid.ny)));
   const Eigen::Vector2d x = grid.in_box(grid.node(i, j));
   const double n = dual == nullptr ? density->density(x) : std::isfinite(dual->dual(x).xx) ? 1 : kInfinity;
-  const double deep = depth ? std::max(0.0, depth(x)) / (kScale * grid.h) : 0;
-  return n * (1 + deep * deep * deep * deep);
+  const double deep = depth_here / (cells * grid.h);
+  return n * (1 + deep * deep);
 }
 
 EndRegion Medium::end_region(const CellGrid& grid, const Eigen::Vector2d& place, int k, bool reversed) const {
@@ -84,6 +87,7 @@ void fill_density(const Medium& medium, Level& level, const StopLook& look) {
   const CellGrid& grid = level.grid;
   level.density.assign(static_cast<std::size_t>(grid.nodes()), kInfinity);
   if (medium.dual != nullptr) level.duals.resize(level.density.size());
+  std::vector<unsigned char> is_deep(medium.depth ? level.density.size() : 0, 0);
   level.cells.clear();
   const int around = margin_of(grid);
   for (int j = 1; j <= grid.ny; ++j)
@@ -99,10 +103,21 @@ void fill_density(const Medium& medium, Level& level, const StopLook& look) {
           const auto node = static_cast<std::size_t>(grid.id(a, b));
           double& n = level.density[node];
           if (n < kInfinity) continue;
-          n = medium.marched(grid, a, b);
+          const double deep = medium.depth_of(grid, a, b);
+          if (deep > 0) is_deep[node] = 1;
+          n = medium.marched(grid, a, b, deep);
           if (medium.dual != nullptr) level.duals[node] = medium.dual->dual(grid.in_box(grid.node(a, b)));
         }
     }
+  level.blocked.clear();
+  if (!medium.depth) return;
+  for (const int node : level.cells) {
+    const int i = grid.column(node), j = grid.row(node);
+    bool beside = false;
+    for (int b = -1; b <= 1; ++b)
+      for (int a = -1; a <= 1; ++a) beside = beside || is_deep[static_cast<std::size_t>(grid.id(i + a, j + b))];
+    level.blocked.push_back(beside ? BlockedParts(medium.depth, grid, i, j) : BlockedParts());
+  }
 }
 
 void fill_level(const Medium& medium, Level& level, const StopLook& look) {
@@ -194,14 +209,17 @@ double check(const Level& level, const std::vector<double>& u, const EndRegion& 
   const double largest = largest_of(u);
   ratios.assign(u.size(), 0);
   double worst = 1;
+  const BlockedParts nowhere;
   for (std::size_t k = 0; k < level.cells.size(); ++k) {
     const int node = level.cells[k], i = grid.column(node), j = grid.row(node);
     if ((s.valid && s.holds(i, j)) || (t.valid && t.holds(i, j))) continue;
     const auto at = static_cast<std::size_t>(node);
     if (cap < kInfinity && is_above(value_net(u, grid.stride(), at), cap)) continue;
-    const double ratio = level.duals.empty() ? proved_ratio(u, grid.stride(), at, grid.h, largest, level.floors[k])
-                                             : proved_dual_ratio(u, grid.stride(), at, grid.h, largest,
-                                                                 reversed ? -1 : 1, level.dual_cells[k]);
+    const BlockedParts& blocked = level.blocked.empty() ? nowhere : level.blocked[k];
+    const double ratio = level.duals.empty()
+                             ? proved_ratio(u, grid.stride(), at, grid.h, largest, level.floors[k], {}, blocked)
+                             : proved_dual_ratio(u, grid.stride(), at, grid.h, largest, reversed ? -1 : 1,
+                                                 level.dual_cells[k], {}, blocked);
     ratios[at] = ratio;
     worst = std::max(worst, ratio);
   }
