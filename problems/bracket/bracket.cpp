@@ -12,6 +12,7 @@
 #include "problems/bracket/bisector.hpp"
 #include "problems/bracket/descent.hpp"
 #include "problems/bracket/level.hpp"
+#include "problems/bracket/smoothed_way.hpp"
 #include "problems/bracket/tube.hpp"
 
 namespace leastcost {
@@ -79,11 +80,20 @@ class Search {
         out_.way_taken = true;
         return;
       }
-      if (!(cost < way_cost_)) continue;
-      way_cost_ = cost;
-      out_.way = way;
-      if (!options_.depth) out_.upper = cost;
+      keep_cheaper(way, cost);
+      if (options_.depth) continue;  // there it may be cut short
+      for (const int rounds : {16, 64, 256}) {
+        const Eigen::Matrix2Xd smoothed = smoothed_way(way, rounds);
+        keep_cheaper(smoothed, medium_.polyline_above(smoothed));
+      }
     }
+  }
+
+  void keep_cheaper(const Eigen::Matrix2Xd& way, double cost) {
+    if (!(cost < way_cost_)) return;
+    way_cost_ = cost;
+    out_.way = way;
+    if (!options_.depth) out_.upper = cost;
   }
 
   /// To a bound that is better than what is known, with the potential that proves it.
