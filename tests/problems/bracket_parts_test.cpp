@@ -8,6 +8,7 @@
 
 #include <leastcost/eigen_alignment.hpp>
 #include "problems/bracket/blocked_parts.hpp"
+#include "problems/bracket/dual_check.hpp"
 #include "problems/bracket/spline_check.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/random.hpp"
@@ -36,11 +37,20 @@ struct CutCell {
   }
 };
 
-/// How often a ratio is said to be proved that the gradient exceeds at a place outside the disc.
-template <class Blocked>
-int false_claims_beside_discs(Random& random, const Blocked& blocked_of) {
+/// Where n is 1, as a density and as a dual norm.
+double proved_by_density(const std::vector<double>& u, const BlockedParts& blocked) {
   Net one;
   for (auto& row : one) row.fill(1);
+  return proved_ratio(u, 3, 4, 1, 4, one, {}, blocked);
+}
+double proved_by_norm(const std::vector<double>& u, const BlockedParts& blocked) {
+  const Quadratic one{.v = 1, .size = 1};
+  return proved_dual_ratio(u, 3, 4, 1, 4, 1, {.xx = one, .xy = {}, .yy = one, .wx = {}, .wy = {}}, {}, blocked);
+}
+
+/// How often a ratio is said to be proved that the gradient exceeds at a place outside the disc.
+template <class Prove, class Blocked>
+int false_claims_beside_discs(Random& random, const Prove& prove, const Blocked& blocked_of) {
   int wrong = 0;
   for (int k = 0; k < 300; ++k) {
     const CutCell cell(random);
@@ -48,7 +58,7 @@ int false_claims_beside_discs(Random& random, const Blocked& blocked_of) {
     for (int n = 0; n < 9; ++n)
       u[static_cast<std::size_t>(n)] =
           0.9 * (n % 3) + (n / 3 == 2 ? random.uniform(0, 0.4) : 0) + 0.05 * random.normal();
-    const double proved = proved_ratio(u, 3, 4, 1, 4, one, {}, blocked_of(cell));
+    const double proved = prove(u, blocked_of(cell));
     double longest = 0;
     for (int q = 0; q <= 64; ++q)
       for (int p = 0; p <= 64; ++p) {
@@ -92,8 +102,12 @@ TEST_CASE("bracket: blocked parts of a cell lie within obstacles, and few that d
 /// Nothing need be proved where no path is; the same parts, mirrored, would claim what does not hold.
 TEST_CASE("bracket: the check of a cell beside an obstacle") {
   Random random;
-  CHECK(false_claims_beside_discs(random, [](const CutCell& cell) { return cell.blocked(); }) == 0);
-  CHECK(false_claims_beside_discs(random, [](const CutCell& cell) { return cell.mirrored(); }) > 10);
+  const auto blocked = [](const CutCell& cell) { return cell.blocked(); };
+  const auto mirrored = [](const CutCell& cell) { return cell.mirrored(); };
+  CHECK(false_claims_beside_discs(random, proved_by_density, blocked) == 0);
+  CHECK(false_claims_beside_discs(random, proved_by_density, mirrored) > 10);
+  CHECK(false_claims_beside_discs(random, proved_by_norm, blocked) == 0);
+  CHECK(false_claims_beside_discs(random, proved_by_norm, mirrored) > 10);
 }
 
 }  // namespace leastcost::test
