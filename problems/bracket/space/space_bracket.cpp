@@ -98,6 +98,7 @@ class SpaceSearch {
   }
 
   void follow_field(const SpaceDistance& from_s) {
+    bool kept = false;
     for (const Eigen::Matrix3Xd& way : ways_down(*level_, from_s, target_)) {
       const double cost = polyline_cost_above(medium_.density, way);
       if (options_.takes_way && cost < out_.upper && options_.takes_way(way)) {
@@ -105,20 +106,22 @@ class SpaceSearch {
         out_.way_taken = true;
         return;
       }
-      keep_cheaper(way, cost);
-      if (options_.depth) continue;  // there it may be cut short
-      for (const int rounds : {16, 64, 256}) {
-        const Eigen::Matrix3Xd smoothed = smoothed_way(way, rounds);
-        keep_cheaper(smoothed, polyline_cost_above(medium_.density, smoothed));
-      }
+      kept = keep_cheaper(way, cost) || kept;
+    }
+    if (!kept || options_.depth) return;  // among obstacles it may be cut short
+    const Eigen::Matrix3Xd wound = out_.way;
+    for (const int rounds : {16, 64, 256}) {
+      const Eigen::Matrix3Xd smoothed = smoothed_way(wound, rounds);
+      if (!keep_cheaper(smoothed, polyline_cost_above(medium_.density, smoothed))) return;
     }
   }
 
-  void keep_cheaper(const Eigen::Matrix3Xd& way, double cost) {
-    if (!(cost < way_cost_)) return;
+  bool keep_cheaper(const Eigen::Matrix3Xd& way, double cost) {
+    if (!(cost < way_cost_)) return false;
     way_cost_ = cost;
     out_.way = way;
     if (!options_.depth) out_.upper = cost;
+    return true;
   }
 
   /// To a bound that is better than what is known, with the potential that proves it.
