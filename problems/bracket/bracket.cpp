@@ -12,6 +12,7 @@
 #include "problems/bracket/bisector.hpp"
 #include "problems/bracket/descent.hpp"
 #include "problems/bracket/level.hpp"
+#include "problems/bracket/smoothed_way.hpp"
 #include "problems/bracket/tube.hpp"
 
 namespace leastcost {
@@ -20,7 +21,6 @@ namespace {
 using namespace bracket;
 using Eigen::Vector2d;
 
-constexpr int kRefinement = 4;  ///< a cell of the next grid is so much smaller
 constexpr int kBisectorRings = 2;
 constexpr int kBisectorDeflations = 6, kSampledDeflations = 12;
 constexpr int kCorrections = 1, kCorrectionsAtWalls = 3;  ///< along which fronts creep: there one is too much
@@ -73,6 +73,7 @@ class Search {
   }
 
   void follow_field(const DistanceField& from_s) {
+    bool kept = false;
     for (const Eigen::Matrix2Xd& way : ways_down(level_, from_s, target_)) {
       const double cost = medium_.polyline_above(way);
       if (options_.takes_way && cost < out_.upper && options_.takes_way(way)) {
@@ -80,11 +81,22 @@ class Search {
         out_.way_taken = true;
         return;
       }
-      if (!(cost < way_cost_)) continue;
-      way_cost_ = cost;
-      out_.way = way;
-      if (!options_.depth) out_.upper = cost;
+      kept = keep_cheaper(way, cost) || kept;
     }
+    if (!kept || options_.depth) return;  // among obstacles it may be cut short
+    const Eigen::Matrix2Xd wound = out_.way;
+    for (const int rounds : {16, 64, 256}) {
+      const Eigen::Matrix2Xd smoothed = smoothed_way(wound, rounds);
+      if (!keep_cheaper(smoothed, medium_.polyline_above(smoothed))) return;
+    }
+  }
+
+  bool keep_cheaper(const Eigen::Matrix2Xd& way, double cost) {
+    if (!(cost < way_cost_)) return false;
+    way_cost_ = cost;
+    out_.way = way;
+    if (!options_.depth) out_.upper = cost;
+    return true;
   }
 
   /// To a bound that is better than what is known, with the potential that proves it.
@@ -150,8 +162,6 @@ class Search {
 
   /// The next grid; false where there is none.
   bool refine(const DistanceField& from_s, const DistanceField& from_t) {
-    const bool is_last = std::max(level_.grid.nx, level_.grid.ny) * kRefinement > options_.max_cells;
-    if (is_last && is_part_) return false;
     if (!from_s.region.valid || !from_t.region.valid || from_s.region.touches(from_t.region) ||
         !std::isfinite(out_.upper))
       return refine_whole();
@@ -161,10 +171,23 @@ class Search {
                         below_t = distance_bound(level_, from_t, cap, marching_);
     take_at(below_s, target_);
     take_at(below_t, source_);
-    if (is_last || out_.gap() <= options_.tolerance) return false;
-    level_ = tube_level(medium_, level_, below_s, below_t, out_.upper, kRefinement, look_);
+    if (out_.gap() <= options_.tolerance) return false;
+    const int parts = parts_of_cells(below_s, below_t);
+    if (parts == 0) return false;
+    level_ = tube_level(medium_, level_, below_s, below_t, out_.upper, parts, look_);
     is_part_ = true;
     return !level_.cells.empty() && static_cast<double>(level_.cells.size()) <= options_.max_searched;
+  }
+
+  /// How much smaller the cells of the next grid are; 0: there is none. Where many are reached a grid between narrows
+  /// what is searched, and among obstacles the gap falls with the size of a cell, elsewhere with its square.
+  int parts_of_cells(const DistanceBound& below_s, const DistanceBound& below_t) const {
+    constexpr double kMany = 1e6, kNearly = 2;
+    constexpr int kMost = 4;
+    const auto reached = static_cast<double>(reached_cells(level_, below_s, below_t, out_.upper));
+    const bool half = reached * kMost * kMost > kMany || (options_.depth && out_.gap() <= kNearly * options_.tolerance);
+    const int parts = half ? 2 : kMost;
+    return std::max(level_.grid.nx, level_.grid.ny) * parts > options_.max_cells ? 0 : parts;
   }
 
   /// Where the first grid is too coarse for the ends: a finer one over the whole box.

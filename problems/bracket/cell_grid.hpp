@@ -48,10 +48,15 @@ struct CellGrid {
   int row_at(double py) const { return std::clamp(static_cast<int>(std::floor((py - y0) / h)) + 1, 1, ny); }
   Eigen::Vector2d in_box(const Eigen::Vector2d& p) const { return p.cwiseMax(box.min()).cwiseMin(box.max()); }
 
+  /// What places of the grid are off by rounding, generously.
+  double slack() const { return 1e-15 * (std::abs(x0) + std::abs(y0) + h * (nx + ny)); }
+  /// Of a cell, rounded up, and what the places of its corners are off: a ball around its node holds the cell.
+  double half_diagonal() const { return 0.70711 * h + 16 * slack(); }
+
   /// The part in the box of the square of (2 reach + 1)^2 cells around cell (i, j), rounded outward; empty where it
   /// lies outside.
   Eigen::AlignedBox2d cell(int i, int j, double reach = 0) const {
-    const double slack = 1e-15 * (std::abs(x0) + std::abs(y0) + h * (nx + ny)), half = (0.5 + reach) * h + slack;
+    const double half = (0.5 + reach) * h + slack();
     const Eigen::Vector2d c = node(i, j), r(half, half);
     return Eigen::AlignedBox2d(c - r, c + r).intersection(box);
   }

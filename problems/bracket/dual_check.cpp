@@ -58,6 +58,7 @@ struct DualComparison {
   const DualCell& cell;
   double side, sign, slack;
   const CheckRules& rules;
+  const BlockedParts& blocked;
 
   Above above(double gx, double gy, const Part& at) const {
     constexpr double kLeast = 0.05;  // what is far below 1 need not be sharp
@@ -103,21 +104,25 @@ struct DualComparison {
     return ratio < kInfinity ? ratio : kInfinity;
   }
 
-  double proved(const Net& x, const Net& y, const Part& at, int halvings) const {
+  double proved(const Net& x, const Net& y, const Part& at, const CellPart& part) const {
     constexpr double kHopeless = 1.1;  // halves do not help where it is the gradient itself that is too long
     constexpr double kWorthWhile = 0.2;
+    if (blocked.any() && blocked.holds(part)) return 0;
     double least = 0;
     const double as_it_is = whole(x, y, at, least);
     const bool little = as_it_is - least < kWorthWhile * (as_it_is - 1);
-    if (as_it_is <= 1 || halvings == 0 || little || !(as_it_is < kHopeless)) return as_it_is;
+    if (as_it_is <= 1) return as_it_is;
+    if (blocked.any() ? part.level == BlockedParts::kLevels
+                      : part.level == rules.halvings || little || !(as_it_is < kHopeless))
+      return as_it_is;
     double worst = 0;
     const double half = 0.5 * at.half;
     for (const bool upper : {false, true}) {
       const Net low_x = half_of_rows(x, upper), low_y = half_of_rows(y, upper);
       for (const bool right : {false, true}) {
-        const Part part{at.x + (right ? half : -half), at.y + (upper ? half : -half), half};
-        worst =
-            std::max(worst, proved(half_of_columns(low_x, right), half_of_columns(low_y, right), part, halvings - 1));
+        const Part quarter{at.x + (right ? half : -half), at.y + (upper ? half : -half), half};
+        worst = std::max(worst, proved(half_of_columns(low_x, right), half_of_columns(low_y, right), quarter,
+                                       part.half(right, upper)));
       }
     }
     return std::min(worst, as_it_is);
@@ -139,14 +144,14 @@ DualCell dual_cell(const CostDual& dual, const CellGrid& grid, int i, int j) {
 }
 
 double proved_dual_ratio(const std::vector<double>& u, int stride, std::size_t node, double h, double largest,
-                         double sign, const DualCell& cell, const CheckRules& rules) {
+                         double sign, const DualCell& cell, const CheckRules& rules, const BlockedParts& blocked) {
   Net x, y;
   gradient_nets(u, stride, node, x, y);
   // Each control vector is the end of at most sixteen sums and averages of numbers up to 2 |u|; H is Lipschitz.
   const auto most = [](const Quadratic& q) { return q.size + q.slack; };
   const double lipschitz = std::sqrt(most(cell.xx) + most(cell.yy)) + most(cell.wx) + most(cell.wy);
   const double slack = rules.rounding * 1.5 * 64 * kEps * largest / h * lipschitz;
-  return DualComparison{cell, h, sign, slack, rules}.proved(x, y, {0, 0, h / 2}, rules.halvings) *
+  return DualComparison{cell, h, sign, slack, rules, blocked}.proved(x, y, {0, 0, h / 2}, {}) *
          (1 + 64 * rules.rounding * kEps);
 }
 

@@ -26,6 +26,7 @@ DualCell dual_cell(const CostDual& dual, const CellGrid& grid, int i, int j);
 
 /// The least ratio for which H(x, sign grad u) <= ratio is proved on the cell of `node`, as proved_ratio.
 double proved_dual_ratio(const std::vector<double>& u, int stride, std::size_t node, double h, double largest,
-                         double sign, const DualCell& cell, const CheckRules& rules = {});
+                         double sign, const DualCell& cell, const CheckRules& rules = {},
+                         const BlockedParts& blocked = {});
 
 }  // namespace leastcost::bracket

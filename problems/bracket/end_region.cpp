@@ -16,16 +16,15 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kSafety = 1 + 1e-12;
-constexpr int kLeastRings = 2;
+constexpr int kLeastRings = 1, kLeastDualRings = 2;
 constexpr int kPieces = 16;  ///< per side of a cell on the rim
 
 double radius_of(const Interval& x) { return std::max(x.hi - x.middle(), x.middle() - x.lo); }
 
-/// The largest K with which -d'H d <= K |d|^2 for the second derivatives H in a part of the box, from small parts of
-/// it; infinite where nothing is known.
-double curvature_bound(const CostDensity& density, const Eigen::AlignedBox2d& box) {
+/// Calls f with small parts of a part of the box, as long as it says true; whether it always did.
+template <class F>
+bool for_parts_of(const Eigen::AlignedBox2d& box, const F& f) {
   constexpr int kParts = 8;
-  double worst = 0;
   for (int q = 0; q < kParts; ++q)
     for (int p = 0; p < kParts; ++p) {
       const auto at = [&](int i, int j) {
@@ -35,13 +34,22 @@ double curvature_bound(const CostDensity& density, const Eigen::AlignedBox2d& bo
       Eigen::AlignedBox2d part(at(p, q), at(p + 1, q + 1));
       if (p + 1 == kParts) part.max()[0] = box.max()[0];
       if (q + 1 == kParts) part.max()[1] = box.max()[1];
-      const DensityEnclosure n = density.enclose_density(part);
-      if (!n.is_finite() || n.slack != 0) return kInfinity;
-      const double a = n.xx.lo, b = n.yy.lo, c = n.xy.magnitude();
-      worst =
-          std::max(worst, (std::hypot((a - b) / 2, c) - (a + b) / 2) * kSafety + 1e-14 * (std::abs(a) + std::abs(b)));
+      if (!f(part)) return false;
     }
-  return worst;
+  return true;
+}
+
+/// The largest K with which -d'H d <= K |d|^2 for the second derivatives H in a part of the box, from small parts of
+/// it; infinite where nothing is known.
+double curvature_bound(const CostDensity& density, const Eigen::AlignedBox2d& box) {
+  double worst = 0;
+  const bool known = for_parts_of(box, [&](const Eigen::AlignedBox2d& part) {
+    const DensityEnclosure n = density.enclose_density(part);
+    const double a = n.xx.lo, b = n.yy.lo, c = n.xy.magnitude();
+    worst = std::max(worst, (std::hypot((a - b) / 2, c) - (a + b) / 2) * kSafety + 1e-14 * (std::abs(a) + std::abs(b)));
+    return n.is_finite() && n.slack == 0;
+  });
+  return known ? worst : kInfinity;
 }
 
 /// Fills the cone for an S2 that is `wider` times as wide as S; false where its conditions fail.
@@ -64,6 +72,31 @@ bool make_cone(const CostDensity& density, const CellGrid& grid, double wider, E
   const ConeBound cone = {region.n0, g, region.c};
   const double largest = inner_reach * (region.n0 + g * inner_reach / 2);
   return cone_rises(cone, reach) && cone_at_least(cone, to_rim) > largest * kSafety;
+}
+
+/// The least a density has in a part of the box, from its enclosure there.
+double least_within(const DensityEnclosure& n, const Eigen::AlignedBox2d& part) {
+  const Vector2d r = part.sizes() / 2 + 4 * kEps * (part.min().cwiseAbs() + part.max().cwiseAbs());
+  const Interval x(-r[0], r[0]), y(-r[1], r[1]), half(0.5);
+  return (n.value + n.dx * x + n.dy * y + half * (n.xx * square(x) + n.yy * square(y)) + n.xy * x * y).lo;
+}
+
+/// A cone that rises by the least density in S2, where the other one fails because n is bent too much: it loses of the
+/// second order in the width of S, which does on coarse grids.
+bool make_straight_cone(const CostDensity& density, const CellGrid& grid, EndRegion& region) {
+  constexpr double kWider = 1.6;
+  const double inner = (region.k + 0.5) * grid.h, outer = kWider * inner + grid.h;
+  const Vector2d off = (region.place - grid.node(region.ci, region.cj)).cwiseAbs();
+  const double to_rim = (outer - off.maxCoeff()) / kSafety,
+               inner_reach = (Vector2d(inner, inner) + off).norm() * kSafety;
+  region.gx = region.gy = region.c = 0;
+  region.n0 = kInfinity;
+  const bool known = for_parts_of(grid.cell(region.ci, region.cj, outer / grid.h - 0.5), [&](const auto& part) {
+    const DensityEnclosure n = density.enclose_density(part);
+    region.n0 = std::min(region.n0, least_within(n, part));
+    return n.is_finite() && n.slack == 0;
+  });
+  return known && region.n0 > 0 && to_rim > inner_reach * kSafety;
 }
 
 /// A side of a cell on the rim: its end points in units of the cell, and the cells beyond it.
@@ -190,12 +223,12 @@ EndRegion region_with_cone(const CellGrid& grid, const Vector2d& place, int k, b
   region.ci = grid.column_at(place[0]);
   region.cj = grid.row_at(place[1]);
   const Vector2d off = (place - grid.node(region.ci, region.cj)).cwiseAbs();
-  for (region.k = std::max(k, kLeastRings); region.k >= kLeastRings; --region.k) {
+  for (region.k = std::max(k, kLeastDualRings); region.k >= kLeastDualRings; --region.k) {
     const double half = (region.k + 0.5) * grid.h;
     region.valid = make((Vector2d(half, half) + off).norm(), region);
     if (region.valid) return region;
   }
-  region.k = kLeastRings;
+  region.k = kLeastDualRings;
   return region;
 }
 
@@ -226,6 +259,7 @@ EndRegion end_region(const CostDensity& density, const CellGrid& grid, const Vec
       if (region.valid) return region;
     }
   region.k = kLeastRings;
+  region.valid = make_straight_cone(density, grid, region);
   return region;
 }
 

@@ -17,8 +17,8 @@ namespace leastcost::bracket {
 ///     cost(e, x) >= v(x) = n0 r + r (g.d) / 2 - c r^3 for x in S, with d = x - e, r = |d|.
 ///
 /// |grad v| <= n within a larger square S2, as n >= n0 + g.d - K r^2 / 2 there and c >= K / 6 + |g|^2 / (24 A) +
-/// 3 c^2 r^2 / (2 A) with A = n0 - |g| r > 0; and whoever leaves S2 has paid more than v anywhere in S. Where the cost
-/// depends on the direction v is that of a DualCone or a SampledCone.
+/// 3 c^2 r^2 / (2 A) with A = n0 - |g| r > 0, or g = 0, c = 0 and n >= n0 there; and whoever leaves S2 has paid more
+/// than v anywhere in S. Where the cost depends on the direction v is that of a DualCone or a SampledCone.
 struct EndRegion {
   Eigen::Vector2d place = Eigen::Vector2d::Zero();
   int ci = 0, cj = 0, k = 0;

@@ -10,20 +10,26 @@
 
 namespace leastcost::bracket {
 
-/// First-order upwind fast marching for |grad u| = n on the nodes of a grid (Sethian, PNAS 93, 1996). Keeps its memory
-/// between runs.
+/// First-order upwind fast marching for |grad u| = n on the nodes of a grid (Sethian, PNAS 93, 1996). A march that
+/// differs little from one before may follow its order, without a front that is sorted. Keeps its memory between runs.
 class FastMarching {
  public:
   explicit FastMarching(const StopLook& look) : look_(look) {}
   /// `u`: values at the seeds, infinite elsewhere; filled where `density` is finite and a seed is connected. Seeds are
-  /// frozen: they keep their values. Throws Stopped.
+  /// frozen: they keep their values. `order`: of the other nodes as the front reaches them. Throws Stopped.
   void run(const CellGrid& grid, const std::vector<double>& density, const std::vector<int>& seeds,
-           std::vector<double>& u);
+           std::vector<double>& u, std::vector<int>& order);
+  /// The same outcome for another density, by the order of an earlier run from the same seeds: where a node turns out
+  /// to be reached before a neighbour that is earlier in the order, that one is done again, and what depends on it.
+  void follow(const CellGrid& grid, const std::vector<double>& density, const std::vector<int>& order,
+              std::vector<double>& u);
   const StopLook& look() const { return look_; }
 
  private:
   const StopLook& look_;
   FrontHeap front_;
+  std::vector<unsigned char> reached_;
+  std::vector<int> again_;
 };
 
 }  // namespace leastcost::bracket

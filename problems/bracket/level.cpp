@@ -17,7 +17,7 @@ namespace {
 int margin_of(const CellGrid& grid) { return std::max(24, std::max(grid.nx, grid.ny) / 40); }
 
 constexpr int kCorrections = 3;
-constexpr int kDeflations = 4, kSampledDeflations = 8;  ///< kinks of a cost ask for more of them
+constexpr int kDeflations = 4, kSampledDeflations = 8;    ///< kinks of a cost ask for more of them
 constexpr double kLeastFactor = 0.6, kMostFactor = 1.15;  ///< of a correction
 constexpr double kKink = 0.2;  ///< of n: a slope that falls by more within two cells is a shock's
 constexpr double kOvershoot = 1.1;
@@ -64,11 +64,14 @@ double straight_cost(const Medium& medium, const EndRegion& region, const Eigen:
   return medium.dual != nullptr ? straight_cost(by_dual, region, d, grid) : straight_cost(by_values, region, d, grid);
 }
 
-/// So many cells deep in what no path enters. The fourth power is flat where searched cells reach in.
-double density_at_depth(double cells) {
-  constexpr double kScale = 6;
-  const double deep = cells / kScale;
-  return 1 + deep * deep * deep * deep;
+/// By which the density grows so deep in what no path enters. Where it is flat paths dip, by a part of its square;
+/// where it is steep u is too steep outside, as its inverse square is. Both are least for a length in the middle
+/// between a cell and what obstacles are bent by.
+double density_at_depth(const CellGrid& grid, double depth) {
+  constexpr double kPart = 0.125, kLeast = 4;  // of the grid; cells
+  const double cells = std::max(kLeast, std::sqrt(kPart * std::max(grid.nx, grid.ny)));
+  const double deep = depth / (cells * grid.h);
+  return 1 + deep * deep;
 }
 
 bool is_above(const Net& net, double cap) {
@@ -88,10 +91,10 @@ double largest_of(const std::vector<double>& u) {
 
 }  // namespace
 
-double Medium::marched(const CellGrid& grid, int i, int j) const {
+double Medium::marched(const CellGrid& grid, int i, int j, double depth_here) const {
   const Eigen::Vector2d x = grid.in_box(grid.node(i, j));
   const double n = density != nullptr ? density->density(x) : is_known_at(x) ? 1 : kInfinity;
-  return depth ? n * density_at_depth(std::max(0.0, depth(x)) / grid.h) : n;
+  return n * density_at_depth(grid, depth_here);
 }
 
 bool Medium::is_known_at(const Eigen::Vector2d& x) const {
@@ -127,7 +130,7 @@ void fill_unknown(Level& level, std::vector<int> unknown) {
     }
     for (const auto& [node, from] : filled) {
       level.norms.take_over(static_cast<std::size_t>(node), static_cast<std::size_t>(from));
-      level.density[static_cast<std::size_t>(node)] = density_at_depth(layer);
+      level.density[static_cast<std::size_t>(node)] = density_at_depth(grid, layer * grid.h);
     }
     unknown = std::move(rest);
   }
@@ -138,6 +141,7 @@ void fill_density(const Medium& medium, Level& level, const StopLook& look) {
   level.density.assign(static_cast<std::size_t>(grid.nodes()), kInfinity);
   if (medium.dual != nullptr) level.duals.resize(level.density.size());
   if (medium.sampled != nullptr) level.norms.reset(level.density.size(), medium.directions);
+  std::vector<unsigned char> is_deep(medium.depth ? level.density.size() : 0, 0);
   level.cells.clear();
   const int around = margin_of(grid);
   std::vector<unsigned char> seen(level.density.size(), 0);
@@ -154,7 +158,9 @@ void fill_density(const Medium& medium, Level& level, const StopLook& look) {
         for (int a = std::max(0, i - margin); a <= std::min(grid.nx + 1, i + margin); ++a) {
           const auto node = static_cast<std::size_t>(grid.id(a, b));
           if (std::exchange(seen[node], 1) != 0) continue;
-          const double n = level.density[node] = medium.marched(grid, a, b);
+          const double deep = medium.depth_of(grid, a, b);
+          if (deep > 0) is_deep[node] = 1;
+          const double n = level.density[node] = medium.marched(grid, a, b, deep);
           if (medium.dual != nullptr) level.duals[node] = medium.dual->dual(grid.in_box(grid.node(a, b)));
           if (medium.sampled == nullptr) continue;
           if (n < kInfinity)
@@ -164,6 +170,15 @@ void fill_density(const Medium& medium, Level& level, const StopLook& look) {
         }
     }
   if (medium.sampled != nullptr) fill_unknown(level, std::move(unknown));
+  level.blocked.clear();
+  if (!medium.depth) return;
+  for (const int node : level.cells) {
+    const int i = grid.column(node), j = grid.row(node);
+    bool beside = false;
+    for (int b = -1; b <= 1; ++b)
+      for (int a = -1; a <= 1; ++a) beside = beside || is_deep[static_cast<std::size_t>(grid.id(i + a, j + b))];
+    level.blocked.push_back(beside ? BlockedParts(medium.depth, grid, i, j) : BlockedParts());
+  }
 }
 
 void fill_level(const Medium& medium, Level& level, const StopLook& look) {
@@ -230,10 +245,12 @@ std::vector<double> march(const Level& level, Front& front, int corrections, Fas
   std::vector<double> u;
   for (int pass = 0;; ++pass) {
     u = front.values;
-    if (level.is_isotropic())
-      marching.run(grid, front.density, front.seeds, u);
-    else
+    if (!level.is_isotropic())
       march_dual(level, front, u, marching.look());
+    else if (front.order.empty())
+      marching.run(grid, front.density, front.seeds, u, front.order);
+    else
+      marching.follow(grid, front.density, front.order, u);
     if (!front.sign.empty())
       for (std::size_t node = 0; node < u.size(); ++node) u[node] *= front.sign[node];
     if (pass == corrections) return u;
@@ -255,16 +272,19 @@ double check(const Level& level, const std::vector<double>& u, const EndRegion& 
   const double largest = largest_of(u);
   ratios.assign(u.size(), 0);
   double worst = 1;
+  const BlockedParts nowhere;
   for (std::size_t k = 0; k < level.cells.size(); ++k) {
     const int node = level.cells[k], i = grid.column(node), j = grid.row(node);
     if ((s.valid && s.holds(i, j)) || (t.valid && t.holds(i, j))) continue;
     const auto at = static_cast<std::size_t>(node);
     if (cap < kInfinity && is_above(value_net(u, grid.stride(), at), cap)) continue;
+    const BlockedParts& blocked = level.blocked.empty() ? nowhere : level.blocked[k];
     const double sign = reversed ? -1 : 1;
-    const double ratio = !level.norms.empty() ? level.sampled_cells.ratio(grid, u, at, k, sign)
-                         : level.duals.empty()
-                             ? proved_ratio(u, grid.stride(), at, grid.h, largest, level.floors[k])
-                             : proved_dual_ratio(u, grid.stride(), at, grid.h, largest, sign, level.dual_cells[k]);
+    const double ratio =
+        !level.norms.empty() ? level.sampled_cells.ratio(grid, u, at, k, sign, blocked)
+        : level.duals.empty()
+            ? proved_ratio(u, grid.stride(), at, grid.h, largest, level.floors[k], {}, blocked)
+            : proved_dual_ratio(u, grid.stride(), at, grid.h, largest, sign, level.dual_cells[k], {}, blocked);
     ratios[at] = ratio;
     worst = std::max(worst, ratio);
   }

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
 
+#include "problems/bracket/blocked_parts.hpp"
 #include "problems/bracket/dual_check.hpp"
 #include "problems/bracket/end_region.hpp"
 #include "problems/bracket/fast_marching.hpp"
@@ -33,12 +35,15 @@ class Medium {
 
   /// Whether a cell lies within the obstacles, so that nothing need be proved in it.
   bool is_blocked(const CellGrid& grid, int i, int j) const {
-    constexpr double kHalfDiagonal = 0.70711 * (1 + 1e-9);
-    return depth && depth(grid.node(i, j)) > kHalfDiagonal * grid.h;
+    return depth && depth(grid.node(i, j)) > grid.half_diagonal();
   }
-  /// The density that fronts are marched with, times the dual norm: within obstacles it grows, from where no cell is
-  /// searched any more, so that potentials go on smoothly a little way.
-  double marched(const CellGrid& grid, int i, int j) const;
+  /// How deep a node lies in an obstacle, 0 outside.
+  double depth_of(const CellGrid& grid, int i, int j) const {
+    return depth ? std::max(0.0, depth(grid.in_box(grid.node(i, j)))) : 0;
+  }
+  /// The density that fronts are marched with, times the dual norm: it grows with the depth in an obstacle, so that
+  /// potentials go on smoothly a little way.
+  double marched(const CellGrid& grid, int i, int j, double depth_here) const;
   bool is_known_at(const Eigen::Vector2d& x) const;  ///< its dual norm, or its values
   /// As of its density or dual norm; of a cost by its values, those.
   double polyline_above(const Eigen::Ref<const Eigen::Matrix2Xd>& x) const {
@@ -60,6 +65,7 @@ struct Level {
   std::vector<Net> floors;              ///< per cell: what is below n
   std::vector<DualCell> dual_cells;     ///< per cell: what is known of the dual norm
   SampledCells sampled_cells;           ///< where the inequality is looked at, where it is not proved
+  std::vector<BlockedParts> blocked;    ///< per cell; empty where there are no obstacles
 
   /// The dual norm of a gradient at a node; its length where there is a density.
   double size(std::size_t node, double px, double py, bool reversed) const {
@@ -88,12 +94,14 @@ void fill_density(const Medium& medium, Level& level, const StopLook& look);
 void fill_level(const Medium& medium, Level& level, const StopLook& look);
 
 /// What a potential is marched from: values at seeds, and the density, which corrections change. `sign`: per node;
-/// empty: all 1.
+/// empty: all 1. `order`: of the nodes in the first march, which the others follow; empty under a dual norm, where no
+/// order is right.
 struct Front {
   std::vector<int> seeds;
   std::vector<double> values;  ///< at the seeds, infinite elsewhere
   std::vector<double> density;
   std::vector<signed char> sign;
+  std::vector<int> order;
   bool reversed = false;  ///< of costs to the seeds, not from them
 };
 

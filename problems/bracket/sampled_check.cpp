@@ -45,10 +45,12 @@ SampledCells::SampledCells(const CoordinateCost& cost, const CellGrid& grid, con
 }
 
 double SampledCells::ratio(const CellGrid& grid, const std::vector<double>& u, std::size_t node, std::size_t k,
-                           double sign) const {
+                           double sign, const BlockedParts& blocked) const {
   CoordinateCost::Element element(*cost_);
   double worst = 0;
   for (std::size_t i = 0; i < kQuarters.size(); ++i) {
+    const bool right = kQuarters[i][0] > 0, upper = kQuarters[i][1] > 0;
+    if (blocked.holds(CellPart{}.half(right, upper))) continue;
     element.move_to(places_.middleCols<3>(3 * static_cast<Index>(kPlaces * k + i)));
     if (!element.is_inside()) continue;  // no path is there
     const Eigen::Vector2d p = sign * slope_at(u, grid.stride(), node, kQuarters[i][0], kQuarters[i][1], grid.h);

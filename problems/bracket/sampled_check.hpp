@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <leastcost/problems/bracket/coordinate_cost.hpp>
-#include "problems/bracket/cell_grid.hpp"
+#include "problems/bracket/blocked_parts.hpp"
 
 namespace leastcost::bracket {
 
@@ -18,8 +18,10 @@ class SampledCells {
   /// `cells`: numbers of nodes of the grid.
   SampledCells(const CoordinateCost& cost, const CellGrid& grid, const std::vector<int>& cells);
 
-  /// The largest at the places of the cell that is the k-th of them; `sign` -1: of the moves back.
-  double ratio(const CellGrid& grid, const std::vector<double>& u, std::size_t node, std::size_t k, double sign) const;
+  /// The largest at the places of the cell that is the k-th of them, but for those in blocked quarters; `sign` -1: of
+  /// the moves back.
+  double ratio(const CellGrid& grid, const std::vector<double>& u, std::size_t node, std::size_t k, double sign,
+               const BlockedParts& blocked) const;
 
  private:
   static constexpr int kPlaces = 4;

@@ -20,6 +20,7 @@ struct Nets {
 struct Comparison {
   double side, slack;
   const CheckRules& rules;
+  const BlockedParts& blocked;
 
   double whole(const Nets& nets) const {
     double worst = 0, least = kInfinity;
@@ -35,17 +36,20 @@ struct Comparison {
     return least > 0 && ratio < kInfinity ? ratio : kInfinity;
   }
 
-  double proved(const Nets& nets, int halvings) const {
+  double proved(const Nets& nets, const CellPart& part) const {
     constexpr double kHopeless = 1.1;  // halves do not help where it is the gradient itself that is too long
+    if (blocked.any() && blocked.holds(part)) return 0;
     const double as_it_is = whole(nets);
-    if (as_it_is <= 1 || halvings == 0 || !(as_it_is < kHopeless)) return as_it_is;
+    if (as_it_is <= 1) return as_it_is;
+    if (blocked.any() ? part.level == BlockedParts::kLevels : part.level == rules.halvings || !(as_it_is < kHopeless))
+      return as_it_is;
     double worst = 0;
     for (const bool upper : {false, true}) {
       const Nets rows = {half_of_rows(nets.x, upper), half_of_rows(nets.y, upper), half_of_rows(nets.floor, upper)};
       for (const bool right : {false, true})
         worst = std::max(worst, proved({half_of_columns(rows.x, right), half_of_columns(rows.y, right),
                                         half_of_columns(rows.floor, right)},
-                                       halvings - 1));
+                                       part.half(right, upper)));
     }
     return std::min(worst, as_it_is);
   }
@@ -97,13 +101,13 @@ Net value_net(const std::vector<double>& u, int stride, std::size_t node) {
 }
 
 double proved_ratio(const std::vector<double>& u, int stride, std::size_t node, double h, double largest,
-                    const Net& floor, const CheckRules& rules) {
+                    const Net& floor, const CheckRules& rules, const BlockedParts& blocked) {
   Nets nets;
   gradient_nets(u, stride, node, nets.x, nets.y);
   nets.floor = floor;
   // Each control vector is the end of at most sixteen sums and averages of numbers up to 2 |u|.
   const double slack = rules.rounding * 64 * kEps * largest;
-  return Comparison{h, slack, rules}.proved(nets, rules.halvings) * (1 + 64 * rules.rounding * kEps);
+  return Comparison{h, slack, rules, blocked}.proved(nets, {}) * (1 + 64 * rules.rounding * kEps);
 }
 
 }  // namespace leastcost::bracket

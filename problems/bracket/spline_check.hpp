@@ -7,6 +7,7 @@
 
 #include <leastcost/framework/interval.hpp>
 #include <leastcost/problems/bracket/cost_density.hpp>
+#include "problems/bracket/blocked_parts.hpp"
 #include "problems/bracket/cell_grid.hpp"
 
 namespace leastcost::bracket {
@@ -30,9 +31,10 @@ struct CheckRules {
   int halvings = 2;      ///< of a cell whose control vectors are too long as they are
 };
 
-/// The least ratio that is proved for the spline u on the cell of `node`; infinite where nothing is. `largest`: of |u|.
+/// The least ratio that is proved for the spline u on the cell of `node`, where a path may be in it; infinite where
+/// nothing is. `largest`: of |u|.
 double proved_ratio(const std::vector<double>& u, int stride, std::size_t node, double h, double largest,
-                    const Net& floor, const CheckRules& rules = {});
+                    const Net& floor, const CheckRules& rules = {}, const BlockedParts& blocked = {});
 
 /// The spline at the place (a, b) of a cell, from -1/2 to 1/2 in units of its side. S: double or Interval.
 template <class S>

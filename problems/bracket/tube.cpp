@@ -51,7 +51,21 @@ Net sum_net(const CellGrid& grid, const DistanceBound& a, const DistanceBound& b
   return sum;
 }
 
+/// The same, but where nothing is known, in the region of an end.
+Net sum_net_or_nothing(const Level& level, const DistanceBound& from_s, const DistanceBound& from_t, int node) {
+  const int i = level.grid.column(node), j = level.grid.row(node);
+  if (!from_s.region.holds(i, j) && !from_t.region.holds(i, j)) return sum_net(level.grid, from_s, from_t, node);
+  Net nothing;
+  for (auto& row : nothing) row.fill(-kInfinity);
+  return nothing;
+}
+
 }  // namespace
+
+long reached_cells(const Level& level, const DistanceBound& from_s, const DistanceBound& from_t, double upper) {
+  return std::ranges::count_if(
+      level.cells, [&](int node) { return !(least_of(sum_net_or_nothing(level, from_s, from_t, node)) > upper); });
+}
 
 Level tube_level(const Medium& medium, const Level& coarse, const DistanceBound& from_s, const DistanceBound& from_t,
                  double upper, int parts, const StopLook& look) {
@@ -61,12 +75,11 @@ Level tube_level(const Medium& medium, const Level& coarse, const DistanceBound&
   level.searched.assign(static_cast<std::size_t>(level.grid.nodes()), 0);
   for (const int node : coarse.cells) {
     const int i = old.column(node), j = old.row(node);
-    const bool end = from_s.region.holds(i, j) || from_t.region.holds(i, j);
-    const Net sum = end ? Net{} : sum_net(old, from_s, from_t, node);
-    if (!end && least_of(sum) > upper) continue;
+    const Net sum = sum_net_or_nothing(coarse, from_s, from_t, node);
+    if (least_of(sum) > upper) continue;
     for (int py = 0; py < parts; ++py)
       for (int px = 0; px < parts; ++px) {
-        if (!end && least_of(on_part(sum, px, py, parts)) > upper) continue;
+        if (least_of(on_part(sum, px, py, parts)) > upper) continue;
         const int a = (i - 1) * parts + 1 + px, b = (j - 1) * parts + 1 + py;
         if (level.grid.cell(a, b).isEmpty() || medium.is_blocked(level.grid, a, b)) continue;
         level.searched[static_cast<std::size_t>(level.grid.id(a, b))] = 1;

@@ -203,11 +203,12 @@ TEST_CASE("bracket in space: the cells of a cheaper path are searched") {
     const SpaceMedium medium{*density, open};
     const SpaceLevel level = whole_space_level(medium, planted.box, random.integer(16, 24), look);
     SpaceMarching marching(look);
-    const auto bound = [&](const Vector3d& end) {
+    const auto bound = [&](const Vector3d& end, const Vector3d& other) {
       return distance_bound(level, distance_field(medium, level, end_ball(*density, level.grid, end, 2), marching),
-                            marching);
+                            other, marching);
     };
-    const SpaceDistanceBound from_s = bound(planted.source), from_t = bound(planted.target);
+    const SpaceDistanceBound from_s = bound(planted.source, planted.target),
+                             from_t = bound(planted.target, planted.source);
     if (!from_s.ball.valid || !from_t.ball.valid) continue;
     const SpaceGrid fine = level.grid.refined(4);
     const auto left_out = [&](double upper) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <leastcost/framework/errors.hpp>
+#include "problems/bracket/smoothed_way.hpp"
 #include "problems/bracket/space/space_bisector.hpp"
 #include "problems/bracket/space/space_descent.hpp"
 #include "problems/bracket/space/space_level.hpp"
@@ -97,6 +98,7 @@ class SpaceSearch {
   }
 
   void follow_field(const SpaceDistance& from_s) {
+    bool kept = false;
     for (const Eigen::Matrix3Xd& way : ways_down(*level_, from_s, target_)) {
       const double cost = polyline_cost_above(medium_.density, way);
       if (options_.takes_way && cost < out_.upper && options_.takes_way(way)) {
@@ -104,11 +106,22 @@ class SpaceSearch {
         out_.way_taken = true;
         return;
       }
-      if (!(cost < way_cost_)) continue;
-      way_cost_ = cost;
-      out_.way = way;
-      if (!options_.depth) out_.upper = cost;
+      kept = keep_cheaper(way, cost) || kept;
     }
+    if (!kept || options_.depth) return;  // among obstacles it may be cut short
+    const Eigen::Matrix3Xd wound = out_.way;
+    for (const int rounds : {16, 64, 256}) {
+      const Eigen::Matrix3Xd smoothed = smoothed_way(wound, rounds);
+      if (!keep_cheaper(smoothed, polyline_cost_above(medium_.density, smoothed))) return;
+    }
+  }
+
+  bool keep_cheaper(const Eigen::Matrix3Xd& way, double cost) {
+    if (!(cost < way_cost_)) return false;
+    way_cost_ = cost;
+    out_.way = way;
+    if (!options_.depth) out_.upper = cost;
+    return true;
   }
 
   /// To a bound that is better than what is known, with the potential that proves it.
@@ -171,12 +184,12 @@ class SpaceSearch {
   bool refine(const SpaceDistance& from_s, const SpaceDistance& from_t) {
     if (!from_s.ball.valid || !from_t.ball.valid || from_s.ball.touches(from_t.ball) || !std::isfinite(out_.upper))
       return refine_whole();
-    const SpaceDistanceBound below_s = distance_bound(*level_, from_s, marching_),
-                             below_t = distance_bound(*level_, from_t, marching_);
+    const SpaceDistanceBound below_s = distance_bound(*level_, from_s, target_, marching_),
+                             below_t = distance_bound(*level_, from_t, source_, marching_);
     take_at(below_s, target_, true);
     take_at(below_t, source_, false);
     if (out_.gap() <= options_.tolerance) return false;
-    constexpr double kFew = 4e5;  // cells: where there are more, a grid between narrows what is searched
+    constexpr double kFew = 1.2e5;  // cells: where there are more, a grid between narrows what is searched
     for (const int parts : {4, 2}) {
       if (level_->grid.longest() * parts > options_.max_cells) continue;
       const std::vector<Place> cells = reached_cells(medium_, *level_, below_s, below_t, out_.upper, parts, look_);

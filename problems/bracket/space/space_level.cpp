@@ -34,10 +34,22 @@ Eigen::Vector3d central_difference(const NodeSet& nodes, const std::vector<doubl
   return {at(1) - at(0), at(3) - at(2), at(5) - at(4)};
 }
 
+/// As in the plane: whether fronts meet about a node.
+bool is_at_shock_in_space(const SpaceLevel& level, const std::vector<double>& u, int node) {
+  constexpr double kKinkInSpace = 0.2;  // of n: a slope that falls by more within two cells is a shock's
+  const std::array<int, 6>& b = level.nodes.beside(node);
+  const auto size = [&](int k) { return std::abs(u[static_cast<std::size_t>(k)]); };
+  const double least = -kKinkInSpace * level.grid.h * level.density[static_cast<std::size_t>(node)];
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (size(b[2 * axis]) + size(b[2 * axis + 1]) - 2 * size(node) < least) return true;
+  return false;
+}
+
 void correct(const SpaceLevel& level, const std::vector<double>& u, SpaceFront& front) {
   constexpr double kLeast = 0.6, kMost = 1.05;  // beyond is a shock, where fronts meet
   for (const int node : front.order) {
     const auto at = static_cast<std::size_t>(node);
+    if (is_at_shock_in_space(level, u, node)) continue;
     const double factor = 2 * level.grid.h * level.density[at] / central_difference(level.nodes, u, node).norm();
     if (factor > kLeast && factor < kMost) front.density[at] *= factor;
   }
@@ -162,6 +174,20 @@ void deflate(const SpaceLevel& level, const std::vector<double>& ratios, SpaceFr
   }
 }
 
+namespace {
+
+/// The same of the seeds of an end, which are values of a straight move and no march changes: all by one factor.
+void deflate_seeds(const std::vector<double>& ratios, SpaceFront& front) {
+  double worst = 1;
+  for (const int seed : front.seeds) {
+    const double ratio = ratios[static_cast<std::size_t>(seed)];
+    if (std::isfinite(ratio)) worst = std::max(worst, ratio);
+  }
+  for (const int seed : front.seeds) front.values[static_cast<std::size_t>(seed)] /= worst;
+}
+
+}  // namespace
+
 SpaceDistance distance_field(const SpaceMedium& medium, const SpaceLevel& level, const EndBall& ball,
                              SpaceMarching& marching) {
   SpaceDistance field{ball, {}, front_around(medium, level, ball)};
@@ -169,21 +195,27 @@ SpaceDistance distance_field(const SpaceMedium& medium, const SpaceLevel& level,
   return field;
 }
 
-SpaceDistanceBound distance_bound(const SpaceLevel& level, SpaceDistance field, SpaceMarching& marching) {
-  SpaceDistanceBound bound{field.ball, {}};
+SpaceDistanceBound distance_bound(const SpaceLevel& level, SpaceDistance field, const Eigen::Vector3d& other,
+                                  SpaceMarching& marching) {
+  SpaceDistanceBound best{field.ball, {}};
+  const auto there = static_cast<std::size_t>(level.nodes.find(level.grid.place_at(other)));
+  double highest = -kInfinity;
   std::vector<double> ratios;
   for (int round = 0;; ++round) {
     const double ratio = check(level, field.u, field.ball, EndBall(), ratios, marching.look());
-    if (round == 0 || ratio < bound.ratio) {
-      bound.ratio = ratio;
-      bound.u = field.u;
+    const double offset = rim_minimum(level.grid, level.nodes, field.ball, level.searched, field.u, -1, ratio);
+    const double bound = ratio < kInfinity ? field.u[there] / ratio + offset : -kInfinity;
+    if (round == 0 || bound > highest) {
+      highest = bound;
+      best.ratio = ratio;
+      best.offset = offset;
+      best.u = field.u;
     }
-    if (round == kFieldDeflations || !(ratio > 1)) break;
+    if (round == kFieldDeflations || !(ratio > 1)) return best;
     deflate(level, ratios, field.front);
+    if (round > 0) deflate_seeds(ratios, field.front);
     field.u = march(level, field.front, 0, marching);
   }
-  bound.offset = rim_minimum(level.grid, level.nodes, bound.ball, level.searched, bound.u, -1, bound.ratio);
-  return bound;
 }
 
 }  // namespace leastcost::bracket

@@ -85,6 +85,8 @@ struct SpaceDistanceBound {
   std::vector<double> u;
   double ratio = kInfinity, offset = 0;
 };
-SpaceDistanceBound distance_bound(const SpaceLevel& level, SpaceDistance field, SpaceMarching& marching);
+/// The one of some that is highest at the other end, nearly.
+SpaceDistanceBound distance_bound(const SpaceLevel& level, SpaceDistance field, const Eigen::Vector3d& other,
+                                  SpaceMarching& marching);
 
 }  // namespace leastcost::bracket

@@ -47,14 +47,27 @@ void SpaceMarching::run(const NodeSet& nodes, double h, const std::vector<double
 }
 
 void SpaceMarching::follow(const NodeSet& nodes, double h, const std::vector<double>& density,
-                           const std::vector<int>& order, std::vector<double>& u) const {
+                           const std::vector<int>& order, std::vector<double>& u) {
+  constexpr double kNoBetter = 1e-12;
+  reached_.assign(u.size(), 0);
+  again_.clear();
   const auto at = [&](int node) { return u[static_cast<std::size_t>(node)]; };
+  const auto lower = [&](int node) {
+    const auto here = static_cast<std::size_t>(node);
+    const std::array<int, 6>& b = nodes.beside(node);
+    const double value = upwind_in_space(std::min(at(b[0]), at(b[1])), std::min(at(b[2]), at(b[3])),
+                                         std::min(at(b[4]), at(b[5])), density[here] * h);
+    if (!(value < u[here] - kNoBetter * value)) return;
+    u[here] = value;
+    for (const int other : b)
+      if (at(other) > value && reached_[static_cast<std::size_t>(other)]) again_.push_back(other);
+  };
   for (const int node : order) {
     look_.now_and_then();
-    const std::array<int, 6>& b = nodes.beside(node);
-    u[static_cast<std::size_t>(node)] =
-        upwind_in_space(std::min(at(b[0]), at(b[1])), std::min(at(b[2]), at(b[3])), std::min(at(b[4]), at(b[5])),
-                        density[static_cast<std::size_t>(node)] * h);
+    lower(node);
+    reached_[static_cast<std::size_t>(node)] = 1;
+    for (std::size_t k = 0; k < again_.size(); ++k) lower(again_[k]);
+    again_.clear();
   }
 }
 
