@@ -470,8 +470,11 @@ void RobotWalls::add_along(OnMove& move, const std::vector<Pair>& pairs, double 
     const auto distance_at = [&](double t) { return move.distance(t, pair); };
     const int places = static_cast<int>(
         std::clamp(std::ceil(speed / (kPlacesApart * pair.required)), double{kFewestPlaces}, double{kMostPlaces}));
-    const double gap = (least_value(distance_at, places) - pair.required) / pair.steepest;
-    if (gap < reach) found.push_back({pair.number, gap, {}, pair.required / pair.steepest});
+    const ValueAt least = least_value(distance_at, places);
+    const double gap = (least.value - pair.required) / pair.steepest;
+    if (!(gap < reach)) continue;
+    found.push_back({pair.number, gap, slope(move.pose(least.at), pair), pair.required / pair.steepest, least.at});
+    found.back().slope /= pair.steepest;
   }
 }
 

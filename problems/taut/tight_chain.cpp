@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/taut/tight_chain.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "problems/taut/pulled_chain.hpp"
+
+namespace leastcost {
+
+Points tight_chain(const ConstraintManifold& domain, const Walls& walls, const Eigen::MatrixXd& metric,
+                   const Points& start, double excess, const Monitor& monitor) {
+  constexpr int kMostRefinements = 8;
+  PulledChain chain(domain, walls, metric, start, monitor);
+  Points proven = start;
+  const bool verbose = std::getenv("VERBOSE_CHAIN") != nullptr;
+  for (int k = 0; k <= kMostRefinements; ++k) {
+    if (k > 0 && !chain.refine(excess)) break;
+    const double before = chain.length();
+    chain.pull_tight(excess * 10);
+    const bool ok = chain.clears();
+    if (verbose) std::printf("   round %d: %d vertices, %.6f -> %.6f %d\n", k, (int)chain.polyline().cols(), before, chain.length(), ok);
+    if (!ok) break;
+    proven = chain.polyline();
+    if (k > 1 && before - chain.length() < excess * before) break;
+  }
+  return proven;
+}
+
+}  // namespace leastcost
