@@ -82,14 +82,14 @@ class Polishing {
     heeds_clearance_ = !by_answer || !touches(x_, clearance_of(x_));
     Points tight = short_of(x_);
     if (by_answer) tight = pulled_tight(space_, tight, *options_.find.points, monitor_);
-    if (!options_.search) tight = pulled_tight(space_, tight, kPulled, monitor_);
+    if (!options_.search && std::getenv("CHAIN_ALONE") == nullptr) tight = pulled_tight(space_, tight, kPulled, monitor_);
     if (!options_.search && std::getenv("NO_CHAIN") == nullptr) {
       const auto cost = options_.cost ? options_.cost : states_.length();
       const auto* constant = find_ability<HasConstantMetric>(*cost);
       const auto t0 = clock();
       if (constant) {
         const Points before = tight;
-        tight = tight_chain(*domain_, dynamic_cast<const FreeSpace&>(*problem_.manifold).walls(), constant->metric(), tight, 1e-5, monitor_);
+        tight = tight_chain(*domain_, dynamic_cast<const FreeSpace&>(*problem_.manifold).walls(), constant->metric(), tight, 3e-5, [this](const Points& x) { return fault_of(x, clearance_of(x)).empty(); }, monitor_);
         std::string fault = fault_of(tight, clearance_of(tight));
         if (!fault.empty()) { std::printf("   FAULT %s\n", fault.c_str()); tight = before; }
       }

@@ -27,8 +27,6 @@ class PulledChain {
 
   const Points& polyline() const { return x_; }
   double length() const { return length_of(x_); }
-  /// Whether every move is clear, as the walls prove it.
-  bool clears() const;
   void take(Points polyline);
 
   /// One program and its corrections. False: it is not shorter by more than rounding; it stays.
@@ -40,13 +38,20 @@ class PulledChain {
   bool refine(double least);
 
  private:
-  using Looks = std::vector<std::vector<Wall>>;
+  /// What is beside a move from a to b, as far as was looked.
+  struct Look {
+    Eigen::VectorXd a, b;
+    double reach = 0;
+    std::vector<Wall> walls = {};
+  };
+  using Looks = std::vector<Look>;
 
   double length_of(const Points& x) const;
   double length_of(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
-  Looks look(const Points& x) const;
-  std::optional<Points> between(const Points& about, const Looks& looks) const;
-  Points moved(const Points& step, double share) const;
+  void look(const Points& x, Index move, Look& look) const;
+  std::vector<Index> look_at(const Points& x, Looks& looks) const;
+  std::optional<Points> between(const Looks& looks, bool corrects) const;
+  Points moved(const Points& step) const;
   double turn(const Points& x, Index vertex) const;
 
   const ConstraintManifold& domain_;
@@ -57,7 +62,7 @@ class PulledChain {
   Points bases_;    ///< tangent, of all vertices
   Looks looks_;     ///< at x_
   double unit_;     ///< the length in coordinates that it began with
-  double reach_;    ///< how far walls are looked for and vertices go
+  Eigen::VectorXd radii_;  ///< how far vertices go in one pull, and walls are looked for
 };
 
 }  // namespace leastcost

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 
 #include <leastcost/framework/manifold.hpp>
 #include <leastcost/framework/monitor.hpp>
@@ -12,6 +13,7 @@
 namespace leastcost {
 
 Points tight_chain(const ConstraintManifold& domain, const Walls& walls, const Eigen::MatrixXd& metric,
-                   const Points& start, double excess, const Monitor& monitor);
+                   const Points& start, double excess, const std::function<bool(const Points&)>& is_clear,
+                   const Monitor& monitor);
 
 }  // namespace leastcost
