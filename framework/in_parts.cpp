@@ -90,8 +90,7 @@ void retract(const ConstraintManifold& manifold, const CoordinatePath& from, con
     }
     move(part, step.middleCols(begin, count), moved);
     to.u.middleCols(first + begin, count) = moved.u.middleCols(1, count);
-    if (!to.sites.empty())
-      std::copy_n(moved.sites.begin() + 1, count, to.sites.begin() + first + begin);
+    if (!to.sites.empty()) std::copy_n(moved.sites.begin() + 1, count, to.sites.begin() + first + begin);
   });
 }
 

@@ -27,12 +27,18 @@ class PlanSpace {
   /// By the planner's motion validator, and clear of the walls where there are any to look at.
   bool moves(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
   void look_at(std::shared_ptr<const Walls> walls) { walls_ = std::move(walls); }
+  const Walls* walls() const { return walls_.get(); }
+  const ConstraintManifold& domain() const { return *domain_; }
+  const SegmentCost& move_costs() const { return *cost_; }
   /// As the checker of the planner says.
   double clearance(const Eigen::VectorXd& x) const;
   /// Whether parts of a move are the same motion: of straight lines, not of the chords of a turn.
   bool is_flat() const { return domain_->shape() == Shape::flat; }
   /// Whether the planner's own move between states is straight in the columns.
   bool straight(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
+  /// How far the planner is from a move of the columns that goes on as evenly, at most: it takes a turn by equal
+  /// angles, we take the chord by equal parts.
+  double unevenness(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
 
   /// t of the way from a to b, on the domain where there is a nearest point of it.
   Eigen::VectorXd between(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double t) const;

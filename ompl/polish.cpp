@@ -20,10 +20,6 @@
 #include "framework/point_text.hpp"
 #include "ompl/plan_space.hpp"
 #include "ompl/tighten.hpp"
-#include "problems/taut/tight_chain.hpp"
-#include <leastcost/framework/has_constant_metric.hpp>
-#include <ctime>
-#include <cstdlib>
 
 namespace leastcost {
 namespace {
@@ -81,20 +77,10 @@ class Polishing {
     // Then what the planner has not seen on its own path it need not see on ours.
     heeds_clearance_ = !by_answer || !touches(x_, clearance_of(x_));
     Points tight = short_of(x_);
-    if (by_answer) tight = pulled_tight(space_, tight, *options_.find.points, monitor_);
-    if (!options_.search && std::getenv("CHAIN_ALONE") == nullptr) tight = pulled_tight(space_, tight, kPulled, monitor_);
-    if (!options_.search && std::getenv("NO_CHAIN") == nullptr) {
-      const auto cost = options_.cost ? options_.cost : states_.length();
-      const auto* constant = find_ability<HasConstantMetric>(*cost);
-      const auto t0 = clock();
-      if (constant) {
-        const Points before = tight;
-        tight = tight_chain(*domain_, dynamic_cast<const FreeSpace&>(*problem_.manifold).walls(), constant->metric(), tight, 3e-5, [this](const Points& x) { return fault_of(x, clearance_of(x)).empty(); }, monitor_);
-        std::string fault = fault_of(tight, clearance_of(tight));
-        if (!fault.empty()) { std::printf("   FAULT %s\n", fault.c_str()); tight = before; }
-      }
-      std::printf("   chain took %.0f ms\n", 1e3 * (clock() - t0) / CLOCKS_PER_SEC);
-    }
+    if (by_answer)
+      tight = pulled_tight(space_, tight, options_.search ? *options_.find.points : kPulled, monitor_);
+    else if (!options_.search)
+      tight = pulled_among_walls(space_, tight, monitor_);
     if (options_.search)
       search(tight, by_answer);
     else

@@ -84,7 +84,15 @@ class RobotWalls::OnMove final : public DistancesOnMove {
     return found;
   }
 
-  double distance(double t, const Pair& pair) { return walls_->between(pose(t), pair).distance; }
+  /// Where others are not asked for at this t, no more than the pair is placed.
+  double distance(double t, const Pair& pair) {
+    if (t == placed_) return walls_->between(pose_, pair).distance;
+    if (t != placed_alone_) alone_.place_links(*walls_->robot_, place(t));
+    placed_alone_ = t;
+    alone_.place_part(*walls_->robot_, static_cast<std::size_t>(pair.part));
+    if (pair.self) alone_.place_part(*walls_->robot_, static_cast<std::size_t>(pair.other));
+    return walls_->between(alone_, pair).distance;
+  }
 
   MotionBound bound(const Pair& pair) const {
     const Body& body = walls_->bodies_[static_cast<std::size_t>(pair.part)];
@@ -106,6 +114,7 @@ class RobotWalls::OnMove final : public DistancesOnMove {
 
   void at(double t, const std::vector<int>& which, std::vector<double>& distances) override {
     distances.clear();
+    if (which.size() > 1) pose(t);
     for (const int k : which) distances.push_back(distance(t, (*pairs_)[static_cast<std::size_t>(k)]));
   }
 
@@ -143,8 +152,8 @@ class RobotWalls::OnMove final : public DistancesOnMove {
   std::vector<double> speeds_;  ///< of the parts
   const std::vector<Pair>* pairs_ = nullptr;
   std::vector<MotionBound> bounds_;  ///< of the pairs
-  double placed_ = std::numeric_limits<double>::quiet_NaN();
-  RobotPose pose_;
+  double placed_ = std::numeric_limits<double>::quiet_NaN(), placed_alone_ = placed_;
+  RobotPose pose_, alone_;
 };
 
 RobotWalls::RobotWalls(std::shared_ptr<const Robot> robot, Obstacles obstacles, double clearance)

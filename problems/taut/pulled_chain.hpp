@@ -10,31 +10,32 @@
 #include <leastcost/framework/monitor.hpp>
 #include <leastcost/framework/path.hpp>
 #include <leastcost/problems/obstacles/walls.hpp>
+#include "problems/taut/chain_program.hpp"
 
 namespace leastcost {
 
 /// A polyline of straight moves in a domain of any dimension, flat or smooth, which is pulled tight among walls of any
-/// shape: those beside each move are held as half-spaces, linear at the place of the move where they are nearest, and
-/// the least stretched chain of springs between them is the next polyline, corrected where the walls bend away from
-/// their half-spaces (sequential convex programming; TrajOpt, Schulman et al. 2014). It is taken only where it is
-/// shorter and, as far as Walls::along() sees, clear.
+/// shape. The walls beside a move are taken as half-spaces for its two ends, linear at the place of the move where they
+/// are nearest; the least stretched chain of springs between them, within a radius of each vertex, is the next polyline
+/// (sequential convex programming with trust regions: TrajOpt, Schulman et al. 2014), corrected where walls bend away
+/// from their half-spaces. Vertices whose moves are not clear then, as far as Walls::along() sees, go less far. So no
+/// polyline is longer than the one before it.
 class PulledChain {
  public:
-  /// `metric`: of the length, d x d, positive definite. `start`: d x m, m >= 2, on the domain, of some length. Domain,
-  /// walls and monitor outlive it.
-  PulledChain(const ConstraintManifold& domain, const Walls& walls, Eigen::MatrixXd metric, Points start,
+  /// `metric`: of the length, d x d, positive definite. `start`: d x m, m >= 2, on the domain, of some length. `kept`:
+  /// of the length, from walls. Domain, walls and monitor outlive it. Throws InputError for shapes that do not fit.
+  PulledChain(const ConstraintManifold& domain, const Walls& walls, Eigen::MatrixXd metric, Points start, double kept,
               const Monitor& monitor);
 
   const Points& polyline() const { return x_; }
   double length() const { return length_of(x_); }
-  void take(Points polyline);
 
-  /// One program and its corrections. False: it is not shorter by more than rounding; it stays.
+  /// One program and its corrections. False: the polyline stays, and its vertices will go less far. Throws Interrupted.
   bool pull();
-  /// Until a pull gains less than that part of the length, twice.
+  /// Until two pulls in a row gain less than that part of the length. Throws Interrupted.
   void pull_tight(double least);
-  /// Leaves out vertices at which it does not bend and puts two beside each at which a smoother bend could save more
-  /// than that part of the length. False: there is none.
+  /// Leaves out vertices at which it does not bend and puts new ones on both sides of those at which a smoother bend
+  /// could save more than that part of the length. False: there is none.
   bool refine(double least);
 
  private:
@@ -46,23 +47,39 @@ class PulledChain {
   };
   using Looks = std::vector<Look>;
 
-  double length_of(const Points& x) const;
   double length_of(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
-  void look(const Points& x, Index move, Look& look) const;
-  std::vector<Index> look_at(const Points& x, Looks& looks) const;
-  std::optional<Points> between(const Looks& looks, bool corrects) const;
+  double length_of(const Points& x) const;
+  Eigen::VectorXd on_domain(const Eigen::VectorXd& x) const;
+  double sag(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
+  void take(Points polyline);
   Points moved(const Points& step) const;
-  double turn(const Points& x, Index vertex) const;
+
+  void look(const Points& x, Index move, Look& look) const;
+  void look_around();
+  std::vector<Index> not_clear(const Points& x, const std::vector<Index>& moves, Looks& looks) const;
+  auto basis(Index vertex) const { return bases_.middleCols(width_ * vertex, width_); }
+  void add_springs(ChainSystem& springs, Eigen::VectorXd& force) const;
+  void add_walls(const Looks& looks, bool corrects, ChainHalfSpaces& rows) const;
+  void add_bounds(ChainHalfSpaces& rows) const;
+  std::optional<Points> step_between(const Looks& looks, bool corrects) const;
+  Points held_back(Points step, std::vector<Index> bad, Looks& looks, std::vector<char>& held) const;
+
+  double saved_by_bending(const Eigen::VectorXd& before, const Eigen::VectorXd& x, const Eigen::VectorXd& after) const;
+  bool stays_clear(const std::vector<Eigen::VectorXd>& way) const;
 
   const ConstraintManifold& domain_;
   const Walls& walls_;
   const Monitor& monitor_;
   const Eigen::MatrixXd metric_;
+  const Index width_;  ///< of tangent bases
+  const bool flat_;
   Points x_;
-  Points bases_;    ///< tangent, of all vertices
-  Looks looks_;     ///< at x_
-  double unit_;     ///< the length in coordinates that it began with
+  Points bases_;           ///< tangent, of all vertices
+  Looks looks_;            ///< at x_; empty: none yet
   Eigen::VectorXd radii_;  ///< how far vertices go in one pull, and walls are looked for
+  double unit_;            ///< the length in coordinates that it began with
+  double kept_;            ///< of that
+  double sag_ = 0;         ///< how far the middle of a move was off a domain that bends, at most, to begin with
 };
 
 }  // namespace leastcost
