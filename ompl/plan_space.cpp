@@ -58,17 +58,6 @@ bool PlanSpace::straight(const Eigen::VectorXd& a, const Eigen::VectorXd& b) con
   return space_->distance(middle_, to_) <= kStraight * length;
 }
 
-double PlanSpace::unevenness(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
-  constexpr double kMostUneven = 0.21132486540518713;  // (1 - 1 / sqrt 3) / 2: of atan(u tan c) - u c for small c
-  columns_.write(a, *from_);
-  columns_.write(b, *to_);
-  space_->getStateSpace()->interpolate(from_, to_, kMostUneven, middle_);
-  const Eigen::VectorXd ours = between(a, b, kMostUneven);
-  Eigen::VectorXd theirs = columns_.column(*middle_);
-  columns_.unwrap(ours, theirs);
-  return (theirs - ours).norm();
-}
-
 Eigen::VectorXd PlanSpace::between(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double t) const {
   Eigen::VectorXd x = (1 - t) * a + t * b;
   if (is_flat()) return x;

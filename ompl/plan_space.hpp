@@ -36,9 +36,6 @@ class PlanSpace {
   bool is_flat() const { return domain_->shape() == Shape::flat; }
   /// Whether the planner's own move between states is straight in the columns.
   bool straight(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
-  /// How far the planner is from a move of the columns that goes on as evenly, at most: it takes a turn by equal
-  /// angles, we take the chord by equal parts.
-  double unevenness(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
 
   /// t of the way from a to b, on the domain where there is a nearest point of it.
   Eigen::VectorXd between(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double t) const;

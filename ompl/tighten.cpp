@@ -11,7 +11,6 @@
 #include <vector>
 
 #include <leastcost/framework/has_constant_metric.hpp>
-#include "problems/taut/polyline_length.hpp"
 #include "problems/taut/tight_chain.hpp"
 
 namespace leastcost {
@@ -163,25 +162,6 @@ class Tightening {
   Points x_;
 };
 
-/// Moves in halves until the planner's own are no farther from them than that.
-Points evened(const PlanSpace& space, const Points& x, double unevenness) {
-  constexpr int kMostHalves = 6;
-  std::vector<Eigen::VectorXd> all{x.col(0)};
-  const auto add = [&](auto& self, const Eigen::VectorXd& a, const Eigen::VectorXd& b, int halves) -> void {
-    if (halves < kMostHalves && space.unevenness(a, b) > unevenness) {
-      const Eigen::VectorXd middle = space.between(a, b, 0.5);
-      self(self, a, middle, halves + 1);
-      self(self, middle, b, halves + 1);
-      return;
-    }
-    all.push_back(b);
-  };
-  for (Index i = 0; i + 1 < x.cols(); ++i) add(add, x.col(i), x.col(i + 1), 0);
-  Points out(x.rows(), static_cast<Index>(all.size()));
-  for (Index i = 0; i < out.cols(); ++i) out.col(i) = all[static_cast<std::size_t>(i)];
-  return out;
-}
-
 }  // namespace
 
 Points with_shortcuts(const PlanSpace& space, const Points& x, int points, const Monitor& monitor) {
@@ -196,18 +176,11 @@ Points pulled_tight(const PlanSpace& space, const Points& x, int points, const M
 }
 
 Points pulled_among_walls(const PlanSpace& space, const Points& x, const Monitor& monitor) {
-  constexpr double kKeptFlat = 1e-7, kKept = 1e-5, kShare = 0.3;  // of the length; of what is kept, for turns
   const auto* constant = find_ability<HasConstantMetric>(space.move_costs());
-  if (constant == nullptr) return pulled_tight(space, x, kManyPoints, monitor);
-  const double length = polyline_length(x);
-  Points start = divided(space, x, kFewPoints);
-  if (!space.is_flat()) {
-    Points even = evened(space, start, kShare * kKept * length);
-    if (all_move(space, even)) start = std::move(even);
-  }
+  if (constant == nullptr || !space.is_flat()) return pulled_tight(space, x, kManyPoints, monitor);
   return tight_chain(
-      space.domain(), *space.walls(), constant->metric(), start, [&](const Points& p) { return all_move(space, p); },
-      {.kept = space.is_flat() ? kKeptFlat : kKept}, monitor);
+      space.domain(), *space.walls(), constant->metric(), divided(space, x, kFewPoints),
+      [&](const Points& p) { return all_move(space, p); }, {}, monitor);
 }
 
 }  // namespace leastcost

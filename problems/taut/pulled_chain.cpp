@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "problems/taut/pulled_chain.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -50,17 +49,14 @@ PulledChain::PulledChain(const ConstraintManifold& domain, const Walls& walls, M
       walls_(walls),
       monitor_(monitor),
       metric_(std::move(metric)),
-      width_(domain.dimensions().tangent),
-      flat_(domain.shape() == Shape::flat),
       unit_(polyline_length(start)),
       kept_(kept) {
   const Index d = start.rows();
   if (walls.dimension() != d || domain.dimensions().coordinate != d || metric_.rows() != d || metric_.cols() != d)
     throw InputError("a chain, its domain, walls and metric are of one dimension");
-  if (find_ability<HasChart>(domain) != nullptr || domain.shape() == Shape::polyhedral)
-    throw InputError("a chain is pulled in a flat or smooth domain without a chart");
+  if (domain.shape() != Shape::flat || find_ability<HasChart>(domain) != nullptr)
+    throw InputError("a chain is pulled in a flat domain without a chart");
   if (start.cols() < 2 || !(unit_ > 0)) throw InputError("a chain that is pulled has two vertices and some length");
-  for (Index i = 0; i + 1 < start.cols(); ++i) sag_ = std::max(sag_, sag(start.col(i), start.col(i + 1)));
   take(std::move(start));
 }
 
@@ -85,25 +81,6 @@ double PulledChain::length_of(const Points& x) const {
   return sum;
 }
 
-VectorXd PulledChain::on_domain(const VectorXd& x) const {
-  if (flat_) return x;
-  CoordinatePath alone{x, {}, true};
-  domain_.project(alone);
-  return alone.u;
-}
-
-/// How far the middle of a move is off the domain.
-double PulledChain::sag(const VectorXd& a, const VectorXd& b) const {
-  const VectorXd middle = (a + b) / 2;
-  return (on_domain(middle) - middle).norm();
-}
-
-Points PulledChain::moved(const Points& step) const {
-  CoordinatePath to;
-  domain_.retract({x_, {}, false}, step.middleCols(1, x_.cols() - 2), to);
-  return to.u;
-}
-
 /// Looks anew where the ends have gone so far that a wall may be in the way, or turn, that was not or did not.
 void PulledChain::look(const Points& x, Index move, Look& look) const {
   const double wanted = std::max(radii_[move], radii_[move + 1]);
@@ -123,7 +100,6 @@ void PulledChain::look(const Points& x, Index move, Look& look) const {
 void PulledChain::look_around() {
   looks_.resize(static_cast<std::size_t>(x_.cols() - 1));
   for (const Index i : all_moves(x_)) look(x_, i, looks_[static_cast<std::size_t>(i)]);
-  domain_.tangent_bases({x_, {}, false}, bases_);
 }
 
 /// Those of some moves of x that are not clear, unless they were no clearer before.
@@ -146,15 +122,15 @@ void PulledChain::add_springs(ChainSystem& springs, VectorXd& force) const {
   VectorXd rest(m + 1);
   for (Index i = 0; i <= m; ++i)
     rest[i] = std::max(kShortestSpring, length_of(VectorXd(x_.col(i)), VectorXd(x_.col(i + 1))) / length);
-  springs.resize(static_cast<int>(width_), m, false);
+  const Index d = x_.rows();
+  springs.resize(static_cast<int>(d), m, false);
   springs.set_zero();
-  force.resize(width_ * m);
+  force.resize(d * m);
   for (Index i = 0; i < m; ++i) {
-    const MatrixXd heavy = basis(i + 1).transpose() * metric;
-    springs.diagonal(i) = (1 / rest[i] + 1 / rest[i + 1]) * heavy * basis(i + 1);
-    if (i + 1 < m) springs.coupling(i) = -1 / rest[i + 1] * heavy * basis(i + 2);
+    springs.diagonal(i) = (1 / rest[i] + 1 / rest[i + 1]) * metric;
+    if (i + 1 < m) springs.coupling(i) = -1 / rest[i + 1] * metric;
     const VectorXd pull = (x_.col(i + 2) - x_.col(i + 1)) / rest[i + 1] - (x_.col(i + 1) - x_.col(i)) / rest[i];
-    force.segment(width_ * i, width_) = heavy * pull / unit_;
+    force.segment(d * i, d) = metric * pull / unit_;
   }
 }
 
@@ -169,56 +145,56 @@ void PulledChain::add_walls(const Looks& looks, bool corrects, ChainHalfSpaces& 
       const double kept = corrects ? kept_ - kAgain * std::min(0.0, gap) : std::min(kept_, std::max(0.0, gap));
       const double offset = kept - gap - wall.slope.dot(off) / unit_;
       if (i == 0)
-        rows.add(0, t * basis(1).transpose() * wall.slope, offset);
+        rows.add(0, t * wall.slope, offset);
       else if (i == m)
-        rows.add(m - 1, (1 - t) * basis(m).transpose() * wall.slope, offset);
+        rows.add(m - 1, (1 - t) * wall.slope, offset);
       else
-        rows.add(i - 1, (1 - t) * basis(i).transpose() * wall.slope, t * basis(i + 1).transpose() * wall.slope, offset);
+        rows.add(i - 1, (1 - t) * wall.slope, t * wall.slope, offset);
     }
   }
 }
 
 /// Of the radii, and of a box that the domain is.
 void PulledChain::add_bounds(ChainHalfSpaces& rows) const {
-  const auto* box = flat_ ? find_ability<HasBox>(domain_) : nullptr;
+  const auto* box = find_ability<HasBox>(domain_);
   for (Index i = 0; i + 2 < x_.cols(); ++i) {
-    for (Index j = 0; j < width_; ++j) {
+    for (Index j = 0; j < x_.rows(); ++j) {
       double below = radii_[i + 1], above = below;
       if (box != nullptr) {
         below = std::min(below, x_(j, i + 1) - box->box_lower()[j]);
         above = std::min(above, box->box_upper()[j] - x_(j, i + 1));
       }
-      rows.add(i, VectorXd::Unit(width_, j), -below / unit_);
-      rows.add(i, -VectorXd::Unit(width_, j), -above / unit_);
+      rows.add(i, VectorXd::Unit(x_.rows(), j), -below / unit_);
+      rows.add(i, -VectorXd::Unit(x_.rows(), j), -above / unit_);
     }
   }
 }
 
 std::optional<Points> PulledChain::step_between(const Looks& looks, bool corrects) const {
-  const Index m = x_.cols() - 2;
+  const Index m = x_.cols() - 2, d = x_.rows();
   ChainSystem springs;
   VectorXd force;
   add_springs(springs, force);
-  ChainHalfSpaces rows(static_cast<int>(width_));
+  ChainHalfSpaces rows(static_cast<int>(d));
   add_walls(looks, corrects, rows);
   add_bounds(rows);
-  const auto z = least_of_chain(springs, force, rows, VectorXd::Zero(width_ * m));
+  const auto z = least_of_chain(springs, force, rows, VectorXd::Zero(d * m));
   if (!z) return std::nullopt;
-  Points step = Points::Zero(x_.rows(), x_.cols());
-  for (Index i = 0; i < m; ++i) step.col(i + 1) = unit_ * basis(i + 1) * z->segment(width_ * i, width_);
+  Points step = Points::Zero(d, x_.cols());
+  step.middleCols(1, m) = unit_ * z->reshaped(d, m);
   return step;
 }
 
 /// Vertices of moves that are not clear go half the way only, and at last none of it, until all moves are.
 Points PulledChain::held_back(Points step, std::vector<Index> bad, Looks& looks, std::vector<char>& held) const {
-  Points next = moved(step);
+  Points next = x_ + step;
   for (int k = 1; !bad.empty(); ++k) {
     VectorXd shares = VectorXd::Ones(x_.cols());
     for (const Index i : bad) shares[i] = shares[i + 1] = k < kStepHalvings ? 0.5 : 0;
     for (Index i = 0; i < x_.cols(); ++i)
       if (shares[i] < 1) held[static_cast<std::size_t>(i)] = 1;
     step *= shares.asDiagonal();
-    next = moved(step);
+    next = x_ + step;
     std::vector<Index> changed;
     for (const Index i : all_moves(x_))
       if (shares[i] < 1 || shares[i + 1] < 1) changed.push_back(i);
@@ -234,14 +210,14 @@ bool PulledChain::pull() {
   std::vector<char> held(static_cast<std::size_t>(x_.cols()), 0);
   Points next = x_;
   if (std::optional<Points> step = step_between(looks_, false)) {
-    std::vector<Index> bad = not_clear(moved(*step), all_moves(x_), looks);
+    std::vector<Index> bad = not_clear(x_ + *step, all_moves(x_), looks);
     for (int k = 0; k < kCorrections && !bad.empty(); ++k) {
       std::optional<Points> corrected = step_between(looks, true);
       if (!corrected) break;
       step = std::move(corrected);
-      bad = not_clear(moved(*step), bad, looks);
+      bad = not_clear(x_ + *step, bad, looks);
     }
-    bad = not_clear(moved(*step), all_moves(x_), looks);
+    bad = not_clear(x_ + *step, all_moves(x_), looks);
     next = held_back(*step, bad, looks, held);
   }
   if (!(length_of(next) < (1 - kGained) * length())) {
@@ -255,7 +231,6 @@ bool PulledChain::pull() {
   }
   x_ = std::move(next);
   looks_ = std::move(looks);
-  domain_.tangent_bases({x_, {}, false}, bases_);
   return true;
 }
 
@@ -270,59 +245,41 @@ void PulledChain::pull_tight(double least) {
   }
 }
 
-/// What an arc in the place of a bend could save: its angle, as seen along the domain, squared, times its shorter side
-/// over 8.
+/// What an arc in the place of a bend could save: its angle squared, times its shorter side, over 8.
 double PulledChain::saved_by_bending(const VectorXd& before, const VectorXd& x, const VectorXd& after) const {
   const double in = length_of(before, x), out = length_of(x, after);
   if (!(in > 0) || !(out > 0)) return 0;
-  Points tangent;
-  domain_.tangent_bases({x, {}, true}, tangent);
-  const MatrixXd heavy = tangent.transpose() * metric_;
-  const VectorXd pull = heavy * ((after - x) / out - (x - before) / in);
-  return pull.dot(MatrixXd(heavy * tangent).llt().solve(pull)) * std::min(in, out) / 8;
-}
-
-/// Moves through some vertices, and no move that sags more than those that were given.
-bool PulledChain::stays_clear(const std::vector<VectorXd>& way) const {
-  constexpr double kSame = 1 + 1e-9;
-  std::vector<Wall> found;
-  for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-    if (!flat_ && sag(way[i], way[i + 1]) > kSame * sag_) return false;
-    walls_.along(way[i], way[i + 1], kept_ / 2 * unit_, found);
-    if (!found.empty()) return false;
-  }
-  return true;
+  const VectorXd bend = (after - x) / out - (x - before) / in;
+  return bend.dot(metric_ * bend) * std::min(in, out) / 8;
 }
 
 bool PulledChain::refine(double least) {
   constexpr double kNone = 1e-3;  // of what is worth a vertex: bends that can be done without
   constexpr double kBeside = 1.0 / 3;
   const double worth = least * length();
+  std::vector<Wall> found;
   std::vector<VectorXd> kept = {x_.col(0)};
   std::vector<char> bends = {0};
   for (Index i = 1; i + 1 < x_.cols(); ++i) {
     const double saved = saved_by_bending(kept.back(), x_.col(i), x_.col(i + 1));
-    if (saved < kNone * worth && stays_clear({kept.back(), x_.col(i + 1)})) continue;
+    if (saved < kNone * worth) {
+      walls_.along(kept.back(), x_.col(i + 1), kept_ / 2 * unit_, found);
+      if (found.empty()) continue;
+    }
     kept.emplace_back(x_.col(i));
     bends.push_back(saved > worth ? 1 : 0);
   }
   kept.emplace_back(x_.col(x_.cols() - 1));
   bends.push_back(0);
   std::vector<VectorXd> all = {kept.front()};
-  bool refined = false;
   for (std::size_t i = 1; i < kept.size(); ++i) {
     const VectorXd &a = kept[i - 1], &b = kept[i];
     const bool first = bends[i - 1] != 0, last = bends[i] != 0;
-    std::vector<VectorXd> way = {a};
-    if (first) way.push_back(on_domain(a + (last ? kBeside : 0.5) * (b - a)));
-    if (last && first) way.push_back(on_domain(b - kBeside * (b - a)));
-    if (last && !first) way.push_back(on_domain((a + b) / 2));
-    way.push_back(b);
-    // Parts of a move are the same motion in a flat domain alone.
-    if (way.size() > 2 && !flat_ && !stays_clear(way)) way = {a, b};
-    refined = refined || way.size() > 2;
-    all.insert(all.end(), way.begin() + 1, way.end());
+    if (first) all.emplace_back(a + (last ? kBeside : 0.5) * (b - a));
+    if (last) all.emplace_back(b - (first ? kBeside : 0.5) * (b - a));
+    all.push_back(b);
   }
+  const bool refined = all.size() > kept.size();
   Points x(x_.rows(), static_cast<Index>(all.size()));
   for (Index i = 0; i < x.cols(); ++i) x.col(i) = all[static_cast<std::size_t>(i)];
   take(std::move(x));

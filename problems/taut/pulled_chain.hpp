@@ -14,15 +14,15 @@
 
 namespace leastcost {
 
-/// A polyline of straight moves in a domain of any dimension, flat or smooth, which is pulled tight among walls of any
-/// shape. The walls beside a move are taken as half-spaces for its two ends, linear at the place of the move where they
-/// are nearest; the least stretched chain of springs between them, within a radius of each vertex, is the next polyline
+/// A polyline of straight moves in a flat domain of any dimension, which is pulled tight among walls of any shape. The
+/// walls beside a move are taken as half-spaces for its two ends, linear at the place of the move where they are
+/// nearest; the least stretched chain of springs between them, within a radius of each vertex, is the next polyline
 /// (sequential convex programming with trust regions: TrajOpt, Schulman et al. 2014), corrected where walls bend away
 /// from their half-spaces. Vertices whose moves are not clear then, as far as Walls::along() sees, go less far. So no
 /// polyline is longer than the one before it.
 class PulledChain {
  public:
-  /// `metric`: of the length, d x d, positive definite. `start`: d x m, m >= 2, on the domain, of some length. `kept`:
+  /// `metric`: of the length, d x d, positive definite. `start`: d x m, m >= 2, of some length. `kept`:
   /// of the length, from walls. Domain, walls and monitor outlive it. Throws InputError for shapes that do not fit.
   PulledChain(const ConstraintManifold& domain, const Walls& walls, Eigen::MatrixXd metric, Points start, double kept,
               const Monitor& monitor);
@@ -49,15 +49,10 @@ class PulledChain {
 
   double length_of(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
   double length_of(const Points& x) const;
-  Eigen::VectorXd on_domain(const Eigen::VectorXd& x) const;
-  double sag(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
   void take(Points polyline);
-  Points moved(const Points& step) const;
-
   void look(const Points& x, Index move, Look& look) const;
   void look_around();
   std::vector<Index> not_clear(const Points& x, const std::vector<Index>& moves, Looks& looks) const;
-  auto basis(Index vertex) const { return bases_.middleCols(width_ * vertex, width_); }
   void add_springs(ChainSystem& springs, Eigen::VectorXd& force) const;
   void add_walls(const Looks& looks, bool corrects, ChainHalfSpaces& rows) const;
   void add_bounds(ChainHalfSpaces& rows) const;
@@ -65,21 +60,16 @@ class PulledChain {
   Points held_back(Points step, std::vector<Index> bad, Looks& looks, std::vector<char>& held) const;
 
   double saved_by_bending(const Eigen::VectorXd& before, const Eigen::VectorXd& x, const Eigen::VectorXd& after) const;
-  bool stays_clear(const std::vector<Eigen::VectorXd>& way) const;
 
   const ConstraintManifold& domain_;
   const Walls& walls_;
   const Monitor& monitor_;
   const Eigen::MatrixXd metric_;
-  const Index width_;  ///< of tangent bases
-  const bool flat_;
   Points x_;
-  Points bases_;           ///< tangent, of all vertices
   Looks looks_;            ///< at x_; empty: none yet
   Eigen::VectorXd radii_;  ///< how far vertices go in one pull, and walls are looked for
   double unit_;            ///< the length in coordinates that it began with
   double kept_;            ///< of that
-  double sag_ = 0;         ///< how far the middle of a move was off a domain that bends, at most, to begin with
 };
 
 }  // namespace leastcost
