@@ -122,10 +122,11 @@ TEST_CASE("tight chains: under a metric an ellipse is a circle") {
 
 TEST_CASE("tight chains: a disc on a turning body goes round a disc as a point goes round a larger one") {
   // A disc that does not care how it turns: the radii add up, and the turn is taken evenly at no cost of its own.
-  const auto robot = make_rigid_body({.shape = (MatrixXd(1, 3) << 0, 0, 0.5).finished()});
+  const auto robot = make_rigid_body({.shape = (MatrixXd(1, 5) << 0, 0, 0, 0, 0.5).finished()});
   const auto walls = std::make_shared<const RobotWalls>(
       robot, RobotWalls::Obstacles{make_ball({.center = Eigen::Vector2d(0, 0), .radius = 0.5})}, 0);
-  const Points x = tight(flat(3), *walls, Eigen::Vector3d(1, 1, 0.01).asDiagonal(), over(3, {0, 1.9, 0.7}));
+  const Points x =
+      tight(flat(3), *walls, Eigen::Vector3d(1, 1, 0.01).asDiagonal(), over(3, Eigen::Vector3d(0, 1.9, 0.7)));
   CHECK(clearance_of(*walls, x) >= 0);
   const double shortest = 2 * std::sqrt(3.0) + std::acos(-1.0) - 2 * std::acos(0.5);
   CHECK(polyline_length(x.topRows(2)) == Approx(shortest).epsilon(1e-3));
