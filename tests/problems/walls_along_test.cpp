@@ -83,7 +83,9 @@ TEST_CASE("walls along a move: slopes are derivatives of the gaps by the ends") 
   none_but_kinks(ObstacleWalls(3, things, 0.05), 1, 1);
   none_but_kinks(*std::make_shared<const RobotWalls>(make_dh_arm({}), things, 0.01), 1.5, 2);
   const auto distance = [](const VectorXd& x) { return x.norm() - 1; };
-  none_but_kinks(*make_checker_walls(2, DistanceChecker{.distance = distance, .curvature = 1, .curvature_from = -0.1, .size = 2}), 3, 3);
+  none_but_kinks(
+      *make_checker_walls(2, DistanceChecker{.distance = distance, .curvature = 1, .curvature_from = -0.1, .size = 2}),
+      3, 3);
 }
 
 TEST_CASE("free space: a move between two parts of a chain is not drawn through a core either") {
