@@ -36,6 +36,18 @@ bool cholesky(Eigen::MatrixBase<Derived>& m) {
   return true;
 }
 
+/// m := l^-1 m for a lower triangle, column by column: Eigen's product kernels are made for larger matrices.
+template <class Lower, class Matrix>
+void forward(const Lower& l, Matrix& m) {
+  const Index k = l.rows();
+  for (Index c = 0; c < m.cols(); ++c)
+    for (Index i = 0; i < k; ++i) {
+      double sum = m(i, c);
+      for (Index p = 0; p < i; ++p) sum -= l(i, p) * m(p, c);
+      m(i, c) = sum / l(i, i);
+    }
+}
+
 }  // namespace
 
 void ChainSystem::resize(int block, Index count, bool ring) {
@@ -76,7 +88,7 @@ bool ChainSystem::factor_blocks(const Deadline& deadline) {
     if (i + 1 < n_) {
       Eigen::Map<Block<K>> w(w_.data() + k * k * i, k, k);
       w = coupling(i);
-      l.template triangularView<Eigen::Lower>().solveInPlace(w);
+      forward(l, w);
     }
     if (!ring_) continue;
     border.setZero();
@@ -87,7 +99,7 @@ bool ChainSystem::factor_blocks(const Deadline& deadline) {
       const Eigen::Map<const Block<K>> before(border_.data() + k * k * (i - 1), k, k);
       border.noalias() -= w.transpose() * before;
     }
-    l.template triangularView<Eigen::Lower>().solveInPlace(border);
+    forward(l, border);
     Eigen::Map<Block<K>>(border_.data() + k * k * i, k, k) = border;
     schur.noalias() -= border.transpose() * border;
   }
@@ -103,6 +115,8 @@ bool ChainSystem::factor(const Deadline& deadline) {
     case 1: return factor_blocks<1>(deadline);
     case 2: return factor_blocks<2>(deadline);
     case 3: return factor_blocks<3>(deadline);
+    case 6: return factor_blocks<6>(deadline);
+    case 7: return factor_blocks<7>(deadline);
     default: return factor_blocks<Eigen::Dynamic>(deadline);
   }
 }
@@ -149,6 +163,8 @@ void ChainSystem::solve_lower(Eigen::VectorXd& x) const {
     case 1: return solve_lower_blocks<1>(x);
     case 2: return solve_lower_blocks<2>(x);
     case 3: return solve_lower_blocks<3>(x);
+    case 6: return solve_lower_blocks<6>(x);
+    case 7: return solve_lower_blocks<7>(x);
     default: return solve_lower_blocks<Eigen::Dynamic>(x);
   }
 }
@@ -158,6 +174,8 @@ void ChainSystem::solve_upper(Eigen::VectorXd& x) const {
     case 1: return solve_upper_blocks<1>(x);
     case 2: return solve_upper_blocks<2>(x);
     case 3: return solve_upper_blocks<3>(x);
+    case 6: return solve_upper_blocks<6>(x);
+    case 7: return solve_upper_blocks<7>(x);
     default: return solve_upper_blocks<Eigen::Dynamic>(x);
   }
 }
@@ -167,14 +185,31 @@ void ChainSystem::solve(Eigen::VectorXd& x) const {
   solve_upper(x);
 }
 
-void ChainSystem::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
+template <int K>
+void ChainSystem::multiply_blocks(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
+  using Vector = Eigen::Matrix<double, K, 1>;
+  const int k = k_;
+  const auto at = [k](const Points& m, Index i) { return Eigen::Map<const Block<K>>(m.data() + k * k * i, k, k); };
   y.setZero(size());
   for (Index i = 0; i < n_; ++i) {
-    y.segment(k_ * i, k_).noalias() += diagonal(i) * x.segment(k_ * i, k_);
+    const Eigen::Map<const Vector> here(x.data() + k * i, k);
+    Eigen::Map<Vector> out(y.data() + k * i, k);
+    out.noalias() += at(a_, i) * here;
     const Index j = i + 1 < n_ ? i + 1 : 0;
     if (j == 0 && !ring_) continue;
-    y.segment(k_ * i, k_).noalias() += coupling(i) * x.segment(k_ * j, k_);
-    y.segment(k_ * j, k_).noalias() += coupling(i).transpose() * x.segment(k_ * i, k_);
+    out.noalias() += at(b_, i) * Eigen::Map<const Vector>(x.data() + k * j, k);
+    Eigen::Map<Vector>(y.data() + k * j, k).noalias() += at(b_, i).transpose() * here;
+  }
+}
+
+void ChainSystem::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
+  switch (k_) {
+    case 1: return multiply_blocks<1>(x, y);
+    case 2: return multiply_blocks<2>(x, y);
+    case 3: return multiply_blocks<3>(x, y);
+    case 6: return multiply_blocks<6>(x, y);
+    case 7: return multiply_blocks<7>(x, y);
+    default: return multiply_blocks<Eigen::Dynamic>(x, y);
   }
 }
 

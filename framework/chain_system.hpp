@@ -73,6 +73,8 @@ class ChainSystem {
   void solve_lower_blocks(Eigen::VectorXd& x) const;
   template <int K>
   void solve_upper_blocks(Eigen::VectorXd& x) const;
+  template <int K>
+  void multiply_blocks(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
 
   int k_ = 0;
   Index n_ = 0;

@@ -77,12 +77,20 @@ void retract(const ConstraintManifold& manifold, const CoordinatePath& from, con
   };
   if (whole(from, deadline) || manifold.shape() == Shape::flat) return move(from, step, to);
   prepare_like(from, to);
+  to.u = from.u;
   CoordinatePath moved;
-  const Index first = from.free_begin();
+  const Index first = from.free_begin(), columns = from.u.cols();
   in_parts(step.cols(), kColumnPart, deadline, [&](Index begin, Index count) {
-    move(part_of(from, first + begin, count), step.middleCols(begin, count), moved);
-    to.u.middleCols(first + begin, count) = moved.u;
-    if (!to.sites.empty()) std::copy(moved.sites.begin(), moved.sites.end(), to.sites.begin() + first + begin);
+    // With its neighbours, fixed, as they are by now: what keeps moves from being drawn through something sees them.
+    CoordinatePath part{Points(from.u.rows(), count + 2), {}, false};
+    for (Index k = 0; k < count + 2; ++k) {
+      const Index column = (first + begin + k - 1 + columns) % columns;
+      part.u.col(k) = to.u.col(column);
+      if (!to.sites.empty()) part.sites.push_back(to.site(column));
+    }
+    move(part, step.middleCols(begin, count), moved);
+    to.u.middleCols(first + begin, count) = moved.u.middleCols(1, count);
+    if (!to.sites.empty()) std::copy_n(moved.sites.begin() + 1, count, to.sites.begin() + first + begin);
   });
 }
 

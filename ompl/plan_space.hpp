@@ -27,6 +27,9 @@ class PlanSpace {
   /// By the planner's motion validator, and clear of the walls where there are any to look at.
   bool moves(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
   void look_at(std::shared_ptr<const Walls> walls) { walls_ = std::move(walls); }
+  const Walls* walls() const { return walls_.get(); }
+  const ConstraintManifold& domain() const { return *domain_; }
+  const SegmentCost& move_costs() const { return *cost_; }
   /// As the checker of the planner says.
   double clearance(const Eigen::VectorXd& x) const;
   /// Whether parts of a move are the same motion: of straight lines, not of the chords of a turn.

@@ -30,6 +30,7 @@ constexpr int kPieces = 1000;                             ///< in which costs of
 constexpr int kPlaces = 60;                               ///< on the given path, between which shortcuts are looked for
 constexpr int kPulled = 40;                               ///< points of a path that is not searched from
 constexpr int kMostRounds = 6;                            ///< of shortcuts
+constexpr int kMostSights = 3;                            ///< of shortcuts from a tight path
 constexpr double kWorthARound = 1e-3;                     ///< of the cost
 constexpr double kRounding = 1e-12;                       ///< relative: by so much no path is cheaper
 constexpr double kDeepest = 1 - 1 / std::numbers::sqrt2;  ///< of the chord between quaternions at a right angle
@@ -77,8 +78,10 @@ class Polishing {
     // Then what the planner has not seen on its own path it need not see on ours.
     heeds_clearance_ = !by_answer || !touches(x_, clearance_of(x_));
     Points tight = short_of(x_);
-    if (by_answer) tight = pulled_tight(space_, tight, *options_.find.points, monitor_);
-    if (!options_.search) tight = pulled_tight(space_, tight, kPulled, monitor_);
+    if (by_answer)
+      tight = pulled_tight(space_, tight, options_.search ? *options_.find.points : kPulled, monitor_);
+    else if (!options_.search)
+      tight = pulled_and_short_of(tight);
     if (options_.search)
       search(tight, by_answer);
     else
@@ -98,6 +101,17 @@ class Polishing {
       const bool enough = !(space_.cost(next) < (1 - kWorthARound) * space_.cost(best));
       best = std::move(next);
       if (enough) break;
+    }
+    return best;
+  }
+
+  /// A path that is tight sees shortcuts that it did not see before.
+  Points pulled_and_short_of(const Points& x) const {
+    Points best = pulled_among_walls(space_, x, monitor_);
+    for (int k = 0; k < kMostSights && !monitor_.interrupted(); ++k) {
+      const Points shorter = with_shortcuts(space_, best, kPlaces, monitor_);
+      if (!(space_.cost(shorter) < (1 - kWorthARound) * space_.cost(best))) break;
+      best = pulled_among_walls(space_, shorter, monitor_);
     }
     return best;
   }

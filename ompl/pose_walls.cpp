@@ -25,8 +25,7 @@ class PoseWalls final : public Walls {
   double size() const override { return poses_->size(); }
   void near(const Vector& x, double reach, std::vector<Wall>& found) const override {
     poses_->near(pose(x), reach, found);
-    for (Wall& wall : found)
-      for (const Index row : quaternions_) scalar_last(wall.slope.segment<kOfQuaternion>(row));
+    turn_slopes(found);
   }
   MoveClearance clearance(const Vector& a, const Vector& b) const override {
     MoveClearance least = poses_->clearance(pose(a), pose(b));
@@ -37,6 +36,7 @@ class PoseWalls final : public Walls {
   bool clears(const Vector& a, const Vector& b) const override { return poses_->clears(pose(a), pose(b)); }
   void along(const Vector& a, const Vector& b, double reach, std::vector<Wall>& found) const override {
     poses_->along(pose(a), pose(b), reach, found);
+    turn_slopes(found);
   }
   double room(const Vector& a, const Vector& b, double reach) const override {
     return poses_->room(pose(a), pose(b), reach);
@@ -45,6 +45,11 @@ class PoseWalls final : public Walls {
   void draw(const DrawnPaths& paths, Drawing& out) const override { poses_->draw(paths, out); }
 
  private:
+  void turn_slopes(std::vector<Wall>& found) const {
+    for (Wall& wall : found)
+      for (const Index row : quaternions_)
+        if (wall.slope.size() == dimension()) scalar_last(wall.slope.segment<kOfQuaternion>(row));
+  }
   static void scalar_last(Eigen::Ref<Eigen::VectorXd> q) { std::rotate(q.data(), q.data() + 1, q.data() + 4); }
 
   Vector pose(const Vector& x) const {

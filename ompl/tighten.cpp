@@ -10,11 +10,15 @@
 #include <utility>
 #include <vector>
 
+#include <leastcost/framework/has_constant_metric.hpp>
+#include "problems/taut/tight_chain.hpp"
+
 namespace leastcost {
 namespace {
 
 constexpr double kEnough = 1e-4;  ///< relative gain of a round that is worth another
 constexpr int kMostPulls = 8;
+constexpr int kFewPoints = 20, kManyPoints = 40;               ///< of a path to be pulled by programs, and by stretches
 constexpr std::array<double, 4> kParts = {1, 0.5, 0.2, 0.05};  ///< of the way to a straight stretch
 
 bool all_move(const PlanSpace& space, const Points& x) {
@@ -169,6 +173,14 @@ Points pulled_tight(const PlanSpace& space, const Points& x, int points, const M
   for (int k = 0; k < kMostPulls && tightening.round(monitor); ++k) {
   }
   return tightening.path();
+}
+
+Points pulled_among_walls(const PlanSpace& space, const Points& x, const Monitor& monitor) {
+  const auto* constant = find_ability<HasConstantMetric>(space.move_costs());
+  if (constant == nullptr || !space.is_flat()) return pulled_tight(space, x, kManyPoints, monitor);
+  return tight_chain(
+      space.domain(), *space.walls(), constant->metric(), divided(space, x, kFewPoints),
+      [&](const Points& p) { return all_move(space, p); }, {}, monitor);
 }
 
 }  // namespace leastcost

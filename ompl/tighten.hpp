@@ -18,4 +18,8 @@ Points with_shortcuts(const PlanSpace& space, const Points& x, int points, const
 /// where it is stopped.
 Points pulled_tight(const PlanSpace& space, const Points& x, int points, const Monitor& monitor);
 
+/// Pulls a polyline tight among the walls that the space looks at: under a length of a constant metric where states are
+/// no quaternions by programs (tight_chain()), else as pulled_tight() does. Every move of what it returns is valid.
+Points pulled_among_walls(const PlanSpace& space, const Points& x, const Monitor& monitor);
+
 }  // namespace leastcost

@@ -63,8 +63,11 @@ class DistanceWalls final : public Walls {
 
   void along(const Vector& a, const Vector& b, double reach, std::vector<Wall>& found) const override {
     found.clear();
-    const double gap = along_line(a, b).upper - tolerance_;
-    if (gap < reach) found.push_back({0, gap, {}, required()});
+    const LeastValue least = along_line(a, b);
+    const double gap = least.upper - tolerance_, length = (b - a).norm();
+    if (!(gap < reach)) return;
+    const double at = length > 0 ? least.at / length : 0;
+    found.push_back({0, gap, slope(a + at * (b - a)), required(), at});
   }
 
   double room(const Vector& a, const Vector& b, double reach) const override {

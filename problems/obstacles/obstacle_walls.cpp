@@ -74,7 +74,9 @@ void ObstacleWalls::along(const Vector& a, const Vector& b, double reach, std::v
   for (const int i : numbers) {
     double t = 0;
     const double gap = obstacle(i).distance_of_segment(a, b, t) - required(i);
-    if (gap < reach) found.push_back({i, gap, {}, required(i)});
+    if (!(gap < reach)) continue;
+    found.push_back({i, gap, Vector(a.size()), required(i), t});
+    obstacle(i).distance(a + t * (b - a), found.back().slope);
   }
 }
 

@@ -11,8 +11,14 @@ OriginWalls::OriginWalls(Eigen::Index dimension, std::shared_ptr<const Walls> wa
 
 void OriginWalls::near(const Vector& x, double reach, std::vector<Wall>& found) const {
   walls_->near(origin(x), reach, found);
+  extend_slopes(found);
+}
+
+/// Coordinates beyond those of the origin change no gap.
+void OriginWalls::extend_slopes(std::vector<Wall>& found) const {
   for (Wall& wall : found) {
     const Eigen::Index own = wall.slope.size();
+    if (own == 0) continue;
     wall.slope.conservativeResize(dimension_);
     wall.slope.tail(dimension_ - own).setZero();
   }
@@ -24,6 +30,7 @@ MoveClearance OriginWalls::clearance(const Vector& a, const Vector& b) const {
 
 void OriginWalls::along(const Vector& a, const Vector& b, double reach, std::vector<Wall>& found) const {
   walls_->along(origin(a), origin(b), reach, found);
+  extend_slopes(found);
 }
 
 double OriginWalls::room(const Vector& a, const Vector& b, double reach) const {

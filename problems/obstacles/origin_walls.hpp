@@ -28,6 +28,7 @@ class OriginWalls final : public Walls {
   void draw(const DrawnPaths& paths, Drawing& out) const override;
 
  private:
+  void extend_slopes(std::vector<Wall>& found) const;
   Vector origin(const Vector& x) const { return x.head(walls_->dimension()); }
 
   Eigen::Index dimension_;

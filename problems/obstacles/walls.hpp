@@ -22,6 +22,7 @@ struct Wall {
   Eigen::VectorXd slope = {};  ///< derivative of the gap by the place, ambient coordinates; one of them at a kink
   /// Of the distance from the core, which is gap + required; infinity where no core is known.
   double required = std::numeric_limits<double>::infinity();
+  double at = 0;  ///< on a move from a to b: the share of it after which the gap is least
 };
 
 /// In the plane: a disc of places that are taken. All of what is in the way is the hull of such discs, piece by piece
@@ -59,8 +60,8 @@ class Walls {
   virtual MoveClearance clearance(const Vector& a, const Vector& b) const = 0;
   /// Whether that move is clear, contact included, as far as it can be told; may be quicker than the clearance.
   virtual bool clears(const Vector& a, const Vector& b) const { return clearance(a, b).upper >= 0; }
-  /// The walls with a gap below `reach` somewhere on that move, the gap of each the least there, without slopes. All
-  /// that are known: the nearest will do.
+  /// The walls with a gap below `reach` somewhere on that move, the gap of each the least there, its slope that of the
+  /// place. All that are known: the nearest will do; and a slope of no size where none is.
   virtual void along(const Vector& a, const Vector& b, double reach, std::vector<Wall>& found) const;
   /// How far that move may be displaced, at least, before it meets the core of an obstacle, which it could be drawn
   /// through to the other side; no more than `reach` is asked for. `reach` itself: not known, hence not watched.
@@ -86,7 +87,7 @@ class Walls {
 inline void Walls::along(const Vector& a, const Vector& b, double reach, std::vector<Wall>& found) const {
   found.clear();
   const MoveClearance least = clearance(a, b);
-  if (least.obstacle >= 0 && least.upper < reach) found.push_back({least.obstacle, least.upper});
+  if (least.obstacle >= 0 && least.upper < reach) found.push_back({.obstacle = least.obstacle, .gap = least.upper});
 }
 
 inline double Walls::room(const Vector&, const Vector&, double reach) const { return reach; }

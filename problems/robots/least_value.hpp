@@ -7,10 +7,15 @@
 
 namespace leastcost {
 
+/// A value of a function on [0, 1], and where it attains it.
+struct ValueAt {
+  double value = 0, at = 0;
+};
+
 /// A value that f attains on [0, 1], the least as far as `places` of them and the valley of the lowest show: golden
 /// sections and parabolas through three places, to about half the digits in t, hence all of them in f (Brent 1973).
 template <class Function>
-double least_value(const Function& f, int places) {
+ValueAt least_value(const Function& f, int places) {
   constexpr int kMostSteps = 40;
   constexpr double kGolden = 0.38196601125010515, kNear = 2e-9;  // (3 - sqrt 5) / 2; of the interval
   double x = 0, fx = f(0.0);
@@ -45,7 +50,7 @@ double least_value(const Function& f, int places) {
       }
     }
   }
-  return fx;
+  return {fx, x};
 }
 
 }  // namespace leastcost

@@ -84,7 +84,15 @@ class RobotWalls::OnMove final : public DistancesOnMove {
     return found;
   }
 
-  double distance(double t, const Pair& pair) { return walls_->between(pose(t), pair).distance; }
+  /// Where others are not asked for at this t, no more than the pair is placed.
+  double distance(double t, const Pair& pair) {
+    if (t == placed_) return walls_->between(pose_, pair).distance;
+    if (t != placed_alone_) alone_.place_links(*walls_->robot_, place(t));
+    placed_alone_ = t;
+    alone_.place_part(*walls_->robot_, static_cast<std::size_t>(pair.part));
+    if (pair.self) alone_.place_part(*walls_->robot_, static_cast<std::size_t>(pair.other));
+    return walls_->between(alone_, pair).distance;
+  }
 
   MotionBound bound(const Pair& pair) const {
     const Body& body = walls_->bodies_[static_cast<std::size_t>(pair.part)];
@@ -106,6 +114,7 @@ class RobotWalls::OnMove final : public DistancesOnMove {
 
   void at(double t, const std::vector<int>& which, std::vector<double>& distances) override {
     distances.clear();
+    if (which.size() > 1) pose(t);
     for (const int k : which) distances.push_back(distance(t, (*pairs_)[static_cast<std::size_t>(k)]));
   }
 
@@ -143,8 +152,8 @@ class RobotWalls::OnMove final : public DistancesOnMove {
   std::vector<double> speeds_;  ///< of the parts
   const std::vector<Pair>* pairs_ = nullptr;
   std::vector<MotionBound> bounds_;  ///< of the pairs
-  double placed_ = std::numeric_limits<double>::quiet_NaN();
-  RobotPose pose_;
+  double placed_ = std::numeric_limits<double>::quiet_NaN(), placed_alone_ = placed_;
+  RobotPose pose_, alone_;
 };
 
 RobotWalls::RobotWalls(std::shared_ptr<const Robot> robot, Obstacles obstacles, double clearance)
@@ -470,8 +479,11 @@ void RobotWalls::add_along(OnMove& move, const std::vector<Pair>& pairs, double 
     const auto distance_at = [&](double t) { return move.distance(t, pair); };
     const int places = static_cast<int>(
         std::clamp(std::ceil(speed / (kPlacesApart * pair.required)), double{kFewestPlaces}, double{kMostPlaces}));
-    const double gap = (least_value(distance_at, places) - pair.required) / pair.steepest;
-    if (gap < reach) found.push_back({pair.number, gap, {}, pair.required / pair.steepest});
+    const ValueAt least = least_value(distance_at, places);
+    const double gap = (least.value - pair.required) / pair.steepest;
+    if (!(gap < reach)) continue;
+    found.push_back({pair.number, gap, slope(move.pose(least.at), pair), pair.required / pair.steepest, least.at});
+    found.back().slope /= pair.steepest;
   }
 }
 
