@@ -42,12 +42,12 @@ struct BoundGrid {
 
 /// What a proof over all paths of the domain between two ends says, whatever class they are of.
 struct GlobalBound {
-  bool proved = false;       ///< no path costs less than the delivered one by more than the gap
+  bool proved = false;  ///< no path costs less than the delivered one by more than the gap
   /// "proved", "improved" (proved, of a path cheaper than before), "sampled" (the gap is small enough, but nothing is
   /// proved), "bounded", "blocked".
   std::string outcome = {};
-  double lower_bound = 0;    ///< no path costs less
-  double gap = 0;            ///< (cost of the delivered path - lower_bound) / cost
+  double lower_bound = 0;                      ///< no path costs less
+  double gap = 0;                              ///< (cost of the delivered path - lower_bound) / cost
   std::string scope = "global_on_polyhedron";  ///< of a certificate, when it is proved
   std::int64_t steps = 0;                      ///< of the search
   std::string counts = "windows";              ///< what the steps are

@@ -117,7 +117,8 @@ bool proves_shortest(const RunConfig& config) {
 
 bool brackets(const RunConfig& config) {
   if (!config.certificate.enabled || proves_shortest(config)) return false;
-  return std::holds_alternative<GlobalBudget>(config.certificate.global) && is(config.manifold, {"euclidean", "terrain"});
+  return std::holds_alternative<GlobalBudget>(config.certificate.global) &&
+         is(config.manifold, {"euclidean", "terrain"});
 }
 
 namespace {
