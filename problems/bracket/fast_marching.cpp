@@ -79,7 +79,7 @@ void FastMarching::follow(const CellGrid& grid, const std::vector<double>& densi
     look_.now_and_then();
     lower(node);
     reached_[padded(node)] = 1;
-    for (std::size_t k = 0; k < again_.size(); ++k) lower(again_[k]);
+    for (std::size_t next = 0; next < again_.size();) lower(again_[next++]);  // grows meanwhile
     again_.clear();
   }
 }

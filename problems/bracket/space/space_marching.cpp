@@ -66,7 +66,7 @@ void SpaceMarching::follow(const NodeSet& nodes, double h, const std::vector<dou
     look_.now_and_then();
     lower(node);
     reached_[static_cast<std::size_t>(node)] = 1;
-    for (std::size_t k = 0; k < again_.size(); ++k) lower(again_[k]);
+    for (std::size_t next = 0; next < again_.size();) lower(again_[next++]);  // grows meanwhile
     again_.clear();
   }
 }
