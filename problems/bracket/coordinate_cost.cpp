@@ -44,7 +44,30 @@ double CoordinateCost::Element::operator()(const Eigen::Vector2d& v) const {
   return f > 0 ? f : kInfinity;  // NaN as well
 }
 
-double polyline_cost(const CoordinateCost& cost, const Eigen::Ref<const Eigen::Matrix2Xd>& u) {
+namespace {
+
+/// With places between the vertices, so that no piece is longer than a part of the whole.
+Eigen::Matrix2Xd in_pieces(const Eigen::Ref<const Eigen::Matrix2Xd>& u) {
+  constexpr double kPieces = 512;
+  const Index moves = u.cols() - 1;
+  const Eigen::VectorXd lengths = (u.rightCols(moves) - u.leftCols(moves)).colwise().norm();
+  const double most = lengths.sum() / kPieces;
+  if (!(most > 0)) return u;
+  Eigen::Matrix<Index, Eigen::Dynamic, 1> pieces = (lengths / most).array().ceil().max(1).cast<Index>();
+  Eigen::Matrix2Xd out(2, pieces.sum() + 1);
+  Index column = 0;
+  for (Index i = 0; i < moves; ++i)
+    for (Index k = 0; k < pieces[i]; ++k)
+      out.col(column++) =
+          u.col(i) + static_cast<double>(k) / static_cast<double>(pieces[i]) * (u.col(i + 1) - u.col(i));
+  out.col(column) = u.col(moves);
+  return out;
+}
+
+}  // namespace
+
+double polyline_cost(const CoordinateCost& cost, const Eigen::Ref<const Eigen::Matrix2Xd>& polyline) {
+  const Eigen::Matrix2Xd u = in_pieces(polyline);
   const Index moves = u.cols() - 1;
   const Eigen::Matrix2Xd middles = 0.5 * (u.leftCols(moves) + u.rightCols(moves));
   const Points corners = cost.places(u), between = cost.places(middles);

@@ -45,7 +45,7 @@ class CoordinateCost {
   std::shared_ptr<const SegmentCost> cost_;
 };
 
-/// Cost of a polyline in the coordinates, each move by Simpson's rule.
-double polyline_cost(const CoordinateCost& cost, const Eigen::Ref<const Eigen::Matrix2Xd>& u);
+/// Cost of a polyline in the coordinates, 2 x m, m >= 2: by Simpson's rule in pieces of at most 1/512 of its length.
+double polyline_cost(const CoordinateCost& cost, const Eigen::Ref<const Eigen::Matrix2Xd>& polyline);
 
 }  // namespace leastcost
