@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <string>
 #include <vector>
@@ -29,11 +28,6 @@ using Eigen::Vector2d;
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 constexpr double kOfPlanted = 1e-9;  // what the integration of the planted flow may miss
 
-int planted_problems(int otherwise) {
-  const char* text = std::getenv("LEASTCOST_BRACKET_PROBLEMS");  // NOLINT(concurrency-mt-unsafe)
-  return text == nullptr ? trials(otherwise) : std::atoi(text);
-}
-
 std::shared_ptr<const SegmentCost> wind(const std::string& speed, const std::string& wx, const std::string& wy) {
   return make_zermelo_cost({.speed = speed, .flow = flow::Formula{{wx, wy}}}, 2);
 }
@@ -41,18 +35,6 @@ std::shared_ptr<const SegmentCost> metric_of(const std::string& xx, const std::s
   return make_metric_field_cost({.field = metric::Formula{{xx, xy, yy}, {}}}, 2);
 }
 AlignedBox2d plane(double x0, double y0, double x1, double y1) { return {Vector2d(x0, y0), Vector2d(x1, y1)}; }
-
-/// Largest H(x, grad u) at random places where the inequality is said to be proved, over the ratio that is proved.
-double worst_dual(const BracketPotential& potential, const CostDual& dual, const AlignedBox2d& box, Random& random) {
-  double worst = 0;
-  for (int k = 0; k < 300; ++k) {
-    const Vector2d x(random.uniform(box.min()[0], box.max()[0]), random.uniform(box.min()[1], box.max()[1]));
-    if (!potential.is_checked(x)) continue;
-    const Vector2d p = potential.gradient(x);
-    worst = std::max(worst, dual.dual(x)(p[0], p[1]) / potential.ratio);
-  }
-  return worst;
-}
 
 /// Brackets of planted problems, of which every fifth is refined; returns their gaps below the truth, sorted.
 template <class Make>

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include <leastcost/problems/bracket/bracket.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/costs/zermelo.hpp>
 #include "tests/problems/planted_media.hpp"
@@ -137,5 +139,18 @@ struct PlantedDirections {
     target = flow.back();
   }
 };
+
+/// Largest H(x, grad u) at random places where the inequality is said to be proved, over the ratio that is proved.
+inline double worst_dual(const BracketPotential& potential, const CostDual& dual, const Eigen::AlignedBox2d& box,
+                         Random& random) {
+  double worst = 0;
+  for (int k = 0; k < 300; ++k) {
+    const Eigen::Vector2d x(random.uniform(box.min()[0], box.max()[0]), random.uniform(box.min()[1], box.max()[1]));
+    if (!potential.is_checked(x)) continue;
+    const Eigen::Vector2d p = potential.gradient(x);
+    worst = std::max(worst, dual.dual(x)(p[0], p[1]) / potential.ratio);
+  }
+  return worst;
+}
 
 }  // namespace leastcost::test

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -11,8 +12,15 @@
 
 #include <leastcost/problems/costs/metric_field.hpp>
 #include "tests/support/random.hpp"
+#include "tests/support/trials.hpp"
 
 namespace leastcost::test {
+
+/// As many as the environment says, else so many.
+inline int planted_problems(int otherwise) {
+  const char* text = std::getenv("LEASTCOST_BRACKET_PROBLEMS");  // NOLINT(concurrency-mt-unsafe)
+  return text == nullptr ? trials(otherwise) : std::atoi(text);
+}
 
 /// A medium with a known least cost: u without critical points, n = |grad u|, and a target on the flow of grad u from
 /// the source. Every path costs at least u(target) - u(source), and the flow costs that: |grad u| <= n everywhere, with
