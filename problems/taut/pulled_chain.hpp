@@ -10,7 +10,7 @@
 #include <leastcost/framework/monitor.hpp>
 #include <leastcost/framework/path.hpp>
 #include <leastcost/problems/obstacles/walls.hpp>
-#include "problems/taut/chain_program.hpp"
+#include "framework/chain_program.hpp"
 
 namespace leastcost {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/taut/chain_program.hpp"
+#include "framework/chain_program.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -79,7 +79,7 @@ class Rows {
 
 template <int K>
 std::optional<VectorXd> least(const ChainSystem& h, const VectorXd& force, const ChainHalfSpaces& half_spaces,
-                              const VectorXd& begin) {
+                              const VectorXd& begin, const Deadline& deadline) {
   const Rows<K> rows(half_spaces);
   const Index count = half_spaces.count();
   VectorXd offsets(count), at, back, change, weights;
@@ -97,7 +97,7 @@ std::optional<VectorXd> least(const ChainSystem& h, const VectorXd& force, const
     system = h;
     weights = multiplier.cwiseQuotient(slack);
     rows.add_squares(weights, system);
-    if (!system.factor()) break;
+    if (!system.factor(deadline)) break;
     h.multiply(z, back);
     VectorXd way = force - back;
     weights = (wanted - multiplier.array() * off.array()) / slack.array();
@@ -145,18 +145,18 @@ void ChainHalfSpaces::add(Index block, const VectorXd& own, const VectorXd& next
 }
 
 std::optional<VectorXd> least_of_chain(const ChainSystem& h, const VectorXd& force, const ChainHalfSpaces& half_spaces,
-                                       const VectorXd& z) {
+                                       const VectorXd& z, const Deadline& deadline) {
   if (half_spaces.block() != h.block() || force.size() != h.size() || z.size() != h.size())
     throw InputError("a program of a chain has a matrix, a force, half-spaces and a start of one shape");
   for (Index r = 0; r < half_spaces.count(); ++r)
     if (half_spaces.first_block(r) < 0 || half_spaces.first_block(r) + (half_spaces.couples(r) ? 1 : 0) >= h.count())
       throw InputError("a half-space of a chain is of blocks that it does not have");
   switch (h.block()) {
-    case 2: return least<2>(h, force, half_spaces, z);
-    case 3: return least<3>(h, force, half_spaces, z);
-    case 6: return least<6>(h, force, half_spaces, z);
-    case 7: return least<7>(h, force, half_spaces, z);
-    default: return least<Eigen::Dynamic>(h, force, half_spaces, z);
+    case 2: return least<2>(h, force, half_spaces, z, deadline);
+    case 3: return least<3>(h, force, half_spaces, z, deadline);
+    case 6: return least<6>(h, force, half_spaces, z, deadline);
+    case 7: return least<7>(h, force, half_spaces, z, deadline);
+    default: return least<Eigen::Dynamic>(h, force, half_spaces, z, deadline);
   }
 }
 

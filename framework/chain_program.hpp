@@ -38,8 +38,10 @@ class ChainHalfSpaces {
 /// Minimises z' H z / 2 - force . z within half-spaces, H positive definite and block-tridiagonal, by an interior point
 /// method (Nocedal and Wright 2006, Sec. 16.6) whose linear systems have the shape of H: linear in the number of
 /// blocks. `z`: where it begins, within the half-spaces but for rounding; numbers of about one. Returns a z that is
-/// within all of them but for rounding; nothing where that fails. Throws InputError for parts of different shapes.
+/// within all of them but for rounding; nothing where that fails. Throws InputError for parts of different shapes, and
+/// Interrupted after the deadline.
 std::optional<Eigen::VectorXd> least_of_chain(const ChainSystem& h, const Eigen::VectorXd& force,
-                                              const ChainHalfSpaces& half_spaces, const Eigen::VectorXd& z);
+                                              const ChainHalfSpaces& half_spaces, const Eigen::VectorXd& z,
+                                              const Deadline& deadline = {});
 
 }  // namespace leastcost
