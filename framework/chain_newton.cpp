@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <leastcost/framework/chain_model.hpp>
+#include "framework/bounded_step.hpp"
 #include "framework/bundle.hpp"
 
 namespace leastcost {
@@ -20,7 +21,8 @@ class NewtonSolve {
       : energy_(energy),
         path_(path),
         kinked_(energy.problem().manifold->shape() == Shape::polyhedral),
-        loop_(energy, path, limits, monitor) {}
+        loop_(energy, path, limits, monitor),
+        bounded_(energy) {}
 
   SolveReport run() {
     if (!model_.evaluate(energy_, path_))
@@ -53,11 +55,17 @@ class NewtonSolve {
   double extent() const { return (path_.u.rowwise().maxCoeff() - path_.u.rowwise().minCoeff()).norm(); }
 
   bool search() {
-    const double slope = -model_.decrement, slack = rounding_slack(model_.value, path_.segment_count());
+    const bool bounded = bounded_.solve(path_, model_);
+    const Points& moves = bounded ? bounded_.moves() : model_.moves;
+    const double slope = bounded ? bounded_.slope() : -model_.decrement;
+    const double slack = rounding_slack(model_.value, path_.segment_count());
     double t = 1;
     for (int i = 0; i < kNewtonHalvings; ++i, t /= 2) {
-      trial_step_ = t * model_.moves;
-      energy_.retract(path_, trial_step_, trial_);
+      trial_step_ = t * moves;
+      if (bounded && t == 1)
+        bounded_.retract(path_, trial_);
+      else
+        energy_.retract(path_, trial_step_, trial_);
       const double value = energy_.value(trial_);
       if (!(value <= model_.value + kArmijo * t * slope + slack)) continue;
       if (!next_.evaluate(energy_, trial_)) continue;
@@ -119,6 +127,7 @@ class NewtonSolve {
   CoordinatePath& path_;
   bool kinked_;
   SolveLoop loop_;
+  BoundedStep bounded_;
   ChainModel model_, next_;
   CoordinatePath trial_;
   Points trial_step_;

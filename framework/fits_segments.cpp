@@ -4,8 +4,10 @@
 
 #include <utility>
 
+#include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/path_energy.hpp>
 #include "framework/in_parts.hpp"
+#include "framework/spacing.hpp"
 
 namespace leastcost {
 namespace {
@@ -21,6 +23,25 @@ void project_free(const ConstraintManifold& manifold, CoordinatePath& path, cons
   path.u.middleCols(first, count) = moved.u.middleCols(first, count);
 }
 
+/// Points that were pushed out of walls are spaced equally again where that has stretched a segment: a solver with an
+/// exponential kernel needs an iteration for each factor e that a segment's energy stands out by.
+void space_pushed(const Problem& problem, CoordinatePath& path, const Deadline& deadline) {
+  constexpr double kStretched = 1.5;  // of the mean
+  PathEnergy energy(problem, 1, deadline);
+  const auto stretch = [&](const CoordinatePath& p) {
+    const Eigen::VectorXd costs = energy.costs(p);
+    return costs.maxCoeff() / costs.mean();
+  };
+  const double before = stretch(path);
+  if (!(before > kStretched)) return;
+  try {
+    CoordinatePath spaced =
+        sample_equally(problem, path, static_cast<int>(path.free_count()), kStretched - 1, 8, deadline);
+    if (stretch(spaced) < before) path = std::move(spaced);
+  } catch (const InitializationError&) {  // there is no other place for its points
+  }
+}
+
 }  // namespace
 
 SolveReport solve_fitted(Problem& problem, const Solver& solver, double reference_cost, CoordinatePath& path,
@@ -31,6 +52,7 @@ SolveReport solve_fitted(Problem& problem, const Solver& solver, double referenc
   if (fits) {     // to the path as it is, too: a move through an obstacle could not be drawn out of it
     problem.manifold = domain->unfitted(path);
     project_free(*problem.manifold, path, monitor.deadline);
+    space_pushed(problem, path, monitor.deadline);
     auto fitted = find_ability<FitsSegments>(*problem.manifold)->fitted(path);
     if (fitted != nullptr)
       problem.manifold = std::move(fitted);

@@ -34,6 +34,29 @@ void fill_in_parts(const CoordinatePath& path, const Deadline& deadline, Points&
   });
 }
 
+/// The free points of a path moved by move(part, steps, first of them, moved).
+template <class Move>
+void move_in_parts(const CoordinatePath& from, const Points& step, const Deadline& deadline, const Move& move,
+                   CoordinatePath& to) {
+  if (whole(from, deadline)) return move(from, step, 0, to);
+  prepare_like(from, to);
+  to.u = from.u;
+  CoordinatePath moved;
+  const Index first = from.free_begin(), columns = from.u.cols();
+  in_parts(step.cols(), kColumnPart, deadline, [&](Index begin, Index count) {
+    // With its neighbours, fixed, as they are by now: what keeps moves from being drawn through something sees them.
+    CoordinatePath part{Points(from.u.rows(), count + 2), {}, false};
+    for (Index k = 0; k < count + 2; ++k) {
+      const Index column = (first + begin + k - 1 + columns) % columns;
+      part.u.col(k) = to.u.col(column);
+      if (!to.sites.empty()) part.sites.push_back(to.site(column));
+    }
+    move(part, step.middleCols(begin, count), begin, moved);
+    to.u.middleCols(first + begin, count) = moved.u.middleCols(1, count);
+    if (!to.sites.empty()) std::copy_n(moved.sites.begin() + 1, count, to.sites.begin() + first + begin);
+  });
+}
+
 }  // namespace
 
 Projection project(const ConstraintManifold& manifold, CoordinatePath& path, const Deadline& deadline) {
@@ -72,26 +95,21 @@ double residual(const ConstraintManifold& manifold, const CoordinatePath& path, 
 void retract(const ConstraintManifold& manifold, const CoordinatePath& from, const Points& step, CoordinatePath& to,
              const Deadline& deadline, bool beyond) {
   const auto* unbounded = beyond ? find_ability<GoesBeyondBounds>(manifold) : nullptr;
-  const auto move = [&](const CoordinatePath& a, const Points& s, CoordinatePath& b) {
+  const auto move = [&](const CoordinatePath& a, const Points& s, Index, CoordinatePath& b) {
     unbounded != nullptr ? unbounded->retract_beyond(a, s, b) : manifold.retract(a, s, b);
   };
-  if (whole(from, deadline) || manifold.shape() == Shape::flat) return move(from, step, to);
-  prepare_like(from, to);
-  to.u = from.u;
-  CoordinatePath moved;
-  const Index first = from.free_begin(), columns = from.u.cols();
-  in_parts(step.cols(), kColumnPart, deadline, [&](Index begin, Index count) {
-    // With its neighbours, fixed, as they are by now: what keeps moves from being drawn through something sees them.
-    CoordinatePath part{Points(from.u.rows(), count + 2), {}, false};
-    for (Index k = 0; k < count + 2; ++k) {
-      const Index column = (first + begin + k - 1 + columns) % columns;
-      part.u.col(k) = to.u.col(column);
-      if (!to.sites.empty()) part.sites.push_back(to.site(column));
-    }
-    move(part, step.middleCols(begin, count), moved);
-    to.u.middleCols(first + begin, count) = moved.u.middleCols(1, count);
-    if (!to.sites.empty()) std::copy_n(moved.sites.begin() + 1, count, to.sites.begin() + first + begin);
-  });
+  if (manifold.shape() == Shape::flat) return move(from, step, 0, to);
+  move_in_parts(from, step, deadline, move, to);
+}
+
+void retract_onto(const SeesBounds& domain, const CoordinatePath& from, const Points& step,
+                  const BoundsOfPoints& bounds, CoordinatePath& to, const Deadline& deadline) {
+  BoundsOfPoints of_part;
+  const auto move = [&](const CoordinatePath& a, const Points& s, Index begin, CoordinatePath& b) {
+    of_part.assign(bounds.begin() + begin, bounds.begin() + begin + s.cols());
+    domain.retract_onto(a, s, of_part, b);
+  };
+  move_in_parts(from, step, deadline, move, to);
 }
 
 void embed(const HasChart& chart, const CoordinatePath& path, Points& x, const Deadline& deadline) {

@@ -6,6 +6,7 @@
 
 #include <leastcost/framework/deadline.hpp>
 #include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/sees_bounds.hpp>
 
 namespace leastcost {
 
@@ -26,6 +27,8 @@ double residual(const ConstraintManifold& manifold, const CoordinatePath& path, 
 /// `beyond`: without the bounds, see GoesBeyondBounds; the domain must have that ability.
 void retract(const ConstraintManifold& manifold, const CoordinatePath& from, const Points& step, CoordinatePath& to,
              const Deadline& deadline, bool beyond = false);
+void retract_onto(const SeesBounds& domain, const CoordinatePath& from, const Points& step,
+                  const BoundsOfPoints& bounds, CoordinatePath& to, const Deadline& deadline);
 void embed(const HasChart& chart, const CoordinatePath& path, Points& x, const Deadline& deadline);
 void jacobians(const HasChart& chart, const CoordinatePath& path, Points& j, const Deadline& deadline);
 void curvatures(const HasChart& chart, const CoordinatePath& path, const Points& weights, Points& h,

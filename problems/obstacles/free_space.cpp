@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/has_box.hpp>
 #include "problems/obstacles/crossing_word.hpp"
 #include "problems/obstacles/sweep.hpp"
 #include "problems/obstacles/walls_in.hpp"
@@ -27,11 +29,15 @@ constexpr int kOneByOne = 6;       ///< pushes out of the worst wall before all 
 constexpr int kMostHalvings = 30;
 constexpr int kMostRetreats = 6;        ///< of the ends of a segment that would be drawn through an obstacle
 constexpr double kLeastAdvance = 0.02;  ///< of a step: how finely walls are looked for along it
-constexpr double kOverCores = 1.05;     ///< of half a move: what keeps it from passing over a core
-constexpr double kSameLength = 0.02;    ///< relative: by so much moves may be longer without another fit
-constexpr int kLoosened = 6;            ///< fits after which margins only grow, so that they come to an end
 constexpr double kBending = 1e-5;       ///< of the distance from a core: the step of a difference of slopes
 constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
+
+double longest_move(const Points& x, const CoordinatePath& path) {
+  double longest = 0;
+  for (Index i = 0; i < path.segment_count(); ++i)
+    longest = std::max(longest, (x.col((i + 1) % x.cols()) - x.col(i)).norm());
+  return longest;
+}
 
 }  // namespace
 
@@ -86,10 +92,18 @@ struct FreeSpace::Point {
     return found == walls.end() ? nullptr : &*found;
   }
 
+  /// What a look around the place has found.
+  void see(std::vector<Wall> found, double reach) {
+    walls = std::move(found);
+    looked = reach;
+  }
+
   std::vector<Wall> walls;
+  double looked = -1;  ///< how far around the place
 
  private:
   void place() {
+    looked = -1;
     u_ = path_.u;
     x_ = chart_ == nullptr ? u_ : Vector(positions(*domain_, path_));
   }
@@ -118,24 +132,18 @@ FreeSpace::FreeSpace(std::shared_ptr<const ConstraintManifold> domain, std::shar
 FreeSpace::FreeSpace(const std::shared_ptr<const ConstraintManifold>& domain, Obstacles obstacles, double clearance)
     : FreeSpace(domain, walls_in(*domain, std::move(obstacles), clearance)) {}
 
-double FreeSpace::margin(const Wall& wall) const {
-  const auto found = margins_.find(wall.obstacle);
-  return std::max(found == margins_.end() ? 0 : found->second.width, from_cores_ - wall.required);
-}
-
-double FreeSpace::widest_margin() const {
-  double widest = from_cores_;
-  for (const auto& [obstacle, margin] : margins_) widest = std::max(widest, margin.width);
-  return widest;
-}
-
 /// By how much a point on a wall may be off it.
 double FreeSpace::slack(const Vector& x) const { return kOn * std::max(walls_->size(), x.cwiseAbs().maxCoeff()); }
 
-void FreeSpace::look(Point& point, double reach) const { anything_near(point.x(), reach, point.walls); }
+void FreeSpace::look(Point& point, double reach) const {
+  if (point.looked >= reach) return;
+  std::vector<Wall> found = std::move(point.walls);
+  anything_near(point.x(), reach, found);
+  point.see(std::move(found), reach);
+}
 
 bool FreeSpace::anything_near(const Vector& x, double reach, std::vector<Wall>& found) const {
-  walls_->near(x, reach + widest_margin() + 2 * slack(x), found);
+  walls_->near(x, reach + margins_.widest() + 2 * slack(x), found);
   return !found.empty();
 }
 
@@ -160,7 +168,7 @@ bool FreeSpace::settle(Point& point, const std::vector<int>& held, bool bounded,
     for (Index i = 0; i < slopes.cols(); ++i) {
       const Wall& wall = *all[static_cast<std::size_t>(i)];
       slopes.col(i) = point.slope(wall);
-      off[i] = margin(wall) - wall.gap;
+      off[i] = -room(wall);
     }
     point.step(slopes.transpose().completeOrthogonalDecomposition().solve(off));
   };
@@ -171,7 +179,7 @@ bool FreeSpace::settle(Point& point, const std::vector<int>& held, bool bounded,
     double by = 0;
     counting.clear();
     for (const Wall& wall : point.walls) {
-      const double off = wall.gap - margin(wall);
+      const double off = room(wall);
       const bool counts = holds(wall.obstacle) || (bounded && off < 0);
       if (counts) counting.push_back(&wall);
       if (!counts || std::abs(off) <= std::abs(by)) continue;
@@ -194,8 +202,29 @@ bool FreeSpace::settle(Point& point, const std::vector<int>& held, bool bounded,
   return before <= slack(point.x());
 }
 
-/// Ends a way where it first meets a wall that does not hold it.
-void FreeSpace::clear_way(const Point& start, const std::vector<int>& held, Point& end) const {
+/// Takes a point that rested on walls before the last fit along with them, where that is not far; false where it stays.
+bool FreeSpace::carry(Point& point) const {
+  constexpr double kFarther = 4;  // than the walls have gone: into a corner, or past a kink
+  if (!margins_.carry()) return false;
+  const double reach = margins_.widest_before();
+  look(point, reach);
+  std::vector<int> held;
+  double gone = 0;
+  for (const Wall& wall : point.walls) {
+    const double before = margins_.before(wall);
+    if (std::abs(wall.gap - before) > slack(point.x())) continue;
+    held.push_back(wall.obstacle);
+    gone = std::max(gone, std::abs(margins_.of(wall) - before));
+  }
+  if (held.empty()) return false;
+  Point carried = point;
+  if (!settle(carried, held, true, reach) || (carried.x() - point.x()).norm() > kFarther * gone) return false;
+  point = std::move(carried);
+  return true;
+}
+
+/// Ends a way where it first meets a wall that does not hold it; false where it meets one.
+bool FreeSpace::clear_way(const Point& start, const std::vector<int>& held, Point& end) const {
   const Vector& from = start.u();
   const Vector to = end.u(), way = to - from;
   const double length = (end.x() - start.x()).norm();
@@ -206,7 +235,7 @@ void FreeSpace::clear_way(const Point& start, const std::vector<int>& held, Poin
     for (const Wall& wall : at.walls) {
       if (std::find(held.begin(), held.end(), wall.obstacle) != held.end()) continue;
       const Vector slope = at.slope(wall);
-      const double gap = wall.gap - margin(wall);
+      const double gap = room(wall);
       const double speed = slope.norm() * way.norm();
       if (gap <= slack(at.x()) && slope.dot(way) >= 0) continue;  // on its way out
       if (gap <= slack(at.x())) free = 0;
@@ -214,11 +243,12 @@ void FreeSpace::clear_way(const Point& start, const std::vector<int>& held, Poin
     }
     if (free <= 0) {
       end = at;
-      return;
+      return false;
     }
     t = std::min(1.0, t + std::max(free, kLeastAdvance));
     if (t < 1) at.go_towards(from, to, t);
   }
+  return true;
 }
 
 /// A long step along a wall must not come out at its back.
@@ -237,9 +267,10 @@ void FreeSpace::keep_side(const Point& start, const std::vector<int>& held, Poin
 }
 
 /// A step that runs along a wall, or into it, stays on it. One that meets another wall ends there, on the side that it
-/// came from, however far it would have gone: a point never changes sides of an obstacle.
+/// came from, however far it would have gone: a point never changes sides of an obstacle. Where it meets none it comes
+/// to rest on those of `onto`.
 void FreeSpace::move_along_walls(const CoordinatePath& from, const Points& step, bool bounded,
-                                 CoordinatePath& to) const {
+                                 const BoundsOfPoints* onto, CoordinatePath& to) const {
   std::vector<int> held;
   std::vector<Wall> found;
   Vector place;
@@ -251,17 +282,23 @@ void FreeSpace::move_along_walls(const CoordinatePath& from, const Points& step,
     }
     Point start(*this, from, column), end(*this, to, column);
     const double length = (end.x() - start.x()).norm();
+    if (flat_) start.see(std::move(found), length);
     look(start, length);
     if (start.walls.empty()) continue;
     const Vector way = step.col(k);
     held.clear();
     for (const Wall& wall : start.walls) {
-      if (std::abs(wall.gap - margin(wall)) > slack(start.x())) continue;
+      if (std::abs(room(wall)) > slack(start.x())) continue;
       const Vector slope = start.slope(wall);
       const double off = way.dot(slope), along = kAlong * way.norm() * slope.norm();
       if (bounded ? off <= along : std::abs(off) <= along) held.push_back(wall.obstacle);
     }
-    if (bounded) clear_way(start, held, end);
+    const std::size_t held_by_walls = held.size();
+    if (onto != nullptr)
+      for (const int wall : (*onto)[static_cast<std::size_t>(k)])
+        if (start.find(wall) != nullptr && std::find(held.begin(), held.end(), wall) == held.end())
+          held.push_back(wall);
+    if (bounded && !clear_way(start, held, end)) held.resize(held_by_walls);
     keep_side(start, held, end);
     to.u.col(column) = settle(end, held, bounded, length) ? end.u() : start.u();
   }
@@ -298,7 +335,7 @@ Projection FreeSpace::project(CoordinatePath& path) const {
   Projection result = domain_->project(path);
   for (Index i = 0; i < path.u.cols(); ++i) {
     Point point(*this, path, i);
-    if (settle(point, {}, true, 0)) {
+    if (carry(point) || settle(point, {}, true, 0)) {
       path.u.col(i) = point.u();
       result.moved = std::max(result.moved, (point.u() - before.u.col(i)).norm());
     } else if (std::find(result.failed.begin(), result.failed.end(), i) == result.failed.end()) {
@@ -313,7 +350,14 @@ void FreeSpace::tangent_bases(const CoordinatePath& path, Points& bases) const {
 
 void FreeSpace::retract(const CoordinatePath& from, const Points& step, CoordinatePath& to) const {
   domain_->retract(from, step, to);
-  move_along_walls(from, step, true, to);
+  move_along_walls(from, step, true, nullptr, to);
+  keep_class(from, to);
+}
+
+void FreeSpace::retract_onto(const CoordinatePath& from, const Points& step, const BoundsOfPoints& bounds,
+                             CoordinatePath& to) const {
+  domain_->retract(from, step, to);
+  move_along_walls(from, step, true, &bounds, to);
   keep_class(from, to);
 }
 
@@ -327,7 +371,7 @@ void FreeSpace::retract_beyond(const CoordinatePath& from, const Points& step, C
   } else {
     domain_->retract(from, step, to);
   }
-  move_along_walls(from, step, false, to);
+  move_along_walls(from, step, false, nullptr, to);
 }
 
 double FreeSpace::residual(const CoordinatePath& path) const {
@@ -348,11 +392,28 @@ int FreeSpace::active_bounds(const CoordinatePath& path, Index column, Eigen::Re
   look(point, 0);
   for (const Wall& wall : point.walls) {
     if (count == normals.cols()) break;
-    if (std::abs(wall.gap - margin(wall)) > slack(point.x())) continue;
+    if (std::abs(room(wall)) > slack(point.x())) continue;
     const Vector slope = point.slope(wall);
     if (slope.norm() > 0) normals.col(count++) = -slope.normalized();
   }
   return count;
+}
+
+void FreeSpace::bounds_within(const CoordinatePath& path, Index column, double reach,
+                              std::vector<NearBound>& found) const {
+  found.clear();
+  if (const auto* box = find_ability<HasBox>(*domain_)) {
+    const auto add = [&](Index i, double sign, double gap) {
+      if (gap <= reach) found.push_back({NearBound::kNone, sign * Vector::Unit(path.u.rows(), i), gap});
+    };
+    for (Index i = 0; i < path.u.rows(); ++i) {
+      add(i, 1, path.u(i, column) - box->box_lower()[i]);
+      add(i, -1, box->box_upper()[i] - path.u(i, column));
+    }
+  }
+  Point point(*this, path, column);
+  look(point, reach);
+  for (const Wall& wall : point.walls) found.push_back({wall.obstacle, point.slope(wall), room(wall)});
 }
 
 /// Of what holds the point: walls that it lies on and that keep it from going down, taking the worst one that does not
@@ -363,7 +424,7 @@ bool FreeSpace::bend(const CoordinatePath& path, Index column, const Vector& gra
   const double on = slack(x);
   std::vector<Wall> found;
   if (!anything_near(x, 0, found)) return false;
-  std::erase_if(found, [&](const Wall& wall) { return std::abs(wall.gap - margin(wall)) > on; });
+  std::erase_if(found, [&](const Wall& wall) { return std::abs(room(wall)) > on; });
   Vector multipliers;
   while (!found.empty()) {
     Points slopes(x.size(), static_cast<Index>(found.size()));
@@ -382,14 +443,12 @@ bool FreeSpace::bend(const CoordinatePath& path, Index column, const Vector& gra
   std::vector<Wall> beside;
   Vector there = x;
   for (Index i = 0; i < x.size(); ++i) {
-    for (const double by : {step, -step}) {
-      there[i] = x[i] + by;
-      anything_near(there, step, beside);
-      for (std::size_t k = 0; k < found.size(); ++k)
-        for (const Wall& wall : beside)
-          if (wall.obstacle == found[k].obstacle)
-            bend.col(i) -= multipliers[static_cast<Index>(k)] / (2 * by) * wall.slope;
-    }
+    there[i] = x[i] + step;
+    anything_near(there, step, beside);
+    for (std::size_t k = 0; k < found.size(); ++k)
+      for (const Wall& wall : beside)
+        if (wall.obstacle == found[k].obstacle)
+          bend.col(i) -= multipliers[static_cast<Index>(k)] / step * (wall.slope - found[k].slope);
     there[i] = x[i];
   }
   bend = ((bend + bend.transpose()) / 2).eval();
@@ -408,30 +467,9 @@ std::string FreeSpace::obstacle_name(int obstacle) const { return walls_->obstac
 std::shared_ptr<const ConstraintManifold> FreeSpace::unfitted(const CoordinatePath& path) const {
   std::shared_ptr<const Walls> walls = walls_->remembering();
   if (walls == nullptr) walls = walls_;
-  return unfitted_with(std::move(walls), path);
-}
-
-std::shared_ptr<FreeSpace> FreeSpace::unfitted_with(std::shared_ptr<const Walls> walls,
-                                                    const CoordinatePath& path) const {
   auto unfitted = std::make_shared<FreeSpace>(domain_, std::move(walls));
-  const Points x = positions(*domain_, path);
-  double longest = 0;
-  for (Index i = 0; i < path.segment_count(); ++i)
-    longest = std::max(longest, (x.col((i + 1) % x.cols()) - x.col(i)).norm());
-  unfitted->from_cores_ = kOverCores * longest / 2;
+  unfitted->margins_ = WallMargins(longest_move(positions(*domain_, path), path));
   return unfitted;
-}
-
-/// The margin with which the gap of the moves, which is `gap` at a margin of `now`, will be `to`. A margin moves the
-/// gap by as much; where points slide along a wall as they leave it, by more; and where an end of the path touches a
-/// wall, so that the first move is tangent to it at last, like the square of what is missing, a root that counts twice.
-double FreeSpace::fit(const Margin& known, double now, double gap, double to) {
-  constexpr double kGentle = 0.7, kLeast = 1e-4, kMost = 5;
-  double slope = 1;
-  if (known.has_before && now != known.before)
-    slope = std::clamp((gap - known.gap_before) / (now - known.before), kLeast, kMost);
-  if (slope < kGentle && gap < 0) slope /= 2;
-  return now + std::min((to - gap) / slope, std::max(now, 2 * (to - gap)));
 }
 
 std::shared_ptr<const ConstraintManifold> FreeSpace::fitted(const CoordinatePath& path) const {
@@ -439,36 +477,18 @@ std::shared_ptr<const ConstraintManifold> FreeSpace::fitted(const CoordinatePath
   std::map<int, Wall> least;
   std::vector<Wall> found;
   for (Index i = 0; i < path.segment_count(); ++i) {
-    walls_->along(x.col(i), x.col((i + 1) % x.cols()), widest_margin(), found);
+    walls_->along(x.col(i), x.col((i + 1) % x.cols()), margins_.widest(), found);
     for (const Wall& wall : found) {
       const auto [entry, first] = least.try_emplace(wall.obstacle, wall);
       if (!first) entry->second.gap = std::min(entry->second.gap, wall.gap);
     }
   }
-  const std::shared_ptr<FreeSpace> fitted = unfitted_with(walls_, path);
-  fitted->fits_ = fits_ + 1;
-  const double size = std::max(walls_->size(), x.cwiseAbs().maxCoeff()), rounding = kRounding * size;
+  const double size = std::max(walls_->size(), x.cwiseAbs().maxCoeff());
   const double agree = std::max(kFitted * (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm(), kOn * size);
-  bool changed = std::abs(fitted->from_cores_ - from_cores_) > kSameLength * from_cores_;
-  if (!changed) fitted->from_cores_ = from_cores_;
-  for (const auto& [obstacle, known] : margins_) {  // what is not beside the path any more needs none
-    if (least.count(obstacle) > 0) continue;
-    if (fits_ < kLoosened)
-      changed = true;
-    else
-      fitted->margins_[obstacle] = known;
-  }
-  for (const auto& [obstacle, wall] : least) {
-    const auto known = margins_.find(obstacle);
-    const Margin last = known == margins_.end() ? Margin{} : known->second;
-    const double now = std::max(last.width, from_cores_ - wall.required);
-    Margin next{last.width, now, wall.gap, fits_ > 0};  // before the first fit it was not solved
-    if (wall.gap < -rounding || (wall.gap > agree && last.width > 0 && fits_ < kLoosened))
-      next.width = std::max(0.0, fit(last, now, wall.gap, agree / 2));
-    if (next.width > 0) fitted->margins_[obstacle] = next;
-    changed = changed || next.width != last.width;
-  }
-  if (!changed) return nullptr;
+  std::optional<WallMargins> margins = margins_.fitted(least, longest_move(x, path), agree, kRounding * size);
+  if (!margins) return nullptr;
+  auto fitted = std::make_shared<FreeSpace>(domain_, walls_);
+  fitted->margins_ = std::move(*margins);
   return fitted;
 }
 
@@ -480,14 +500,14 @@ std::vector<MarginCost> FreeSpace::margin_costs(const CoordinatePath& path, cons
     look(point, 0);
     holding.clear();
     for (const Wall& wall : point.walls)
-      if (std::abs(wall.gap - margin(wall)) <= slack(point.x())) holding.push_back(&wall);
+      if (std::abs(room(wall)) <= slack(point.x())) holding.push_back(&wall);
     if (holding.empty()) continue;
     Points slopes(gradient.rows(), static_cast<Index>(holding.size()));
     for (Index i = 0; i < slopes.cols(); ++i) slopes.col(i) = point.slope(*holding[static_cast<std::size_t>(i)]);
     const Vector multipliers = slopes.completeOrthogonalDecomposition().solve(Vector(gradient.col(k)));
     for (Index i = 0; i < slopes.cols(); ++i) {
       const Wall& wall = *holding[static_cast<std::size_t>(i)];
-      costs[wall.obstacle] += std::max(0.0, multipliers[i]) * margin(wall);
+      costs[wall.obstacle] += std::max(0.0, multipliers[i]) * margins_.of(wall);
     }
   }
   std::vector<MarginCost> listed;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,10 +13,12 @@
 #include <leastcost/framework/goes_beyond_bounds.hpp>
 #include <leastcost/framework/has_curvature.hpp>
 #include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/sees_bounds.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/drawing/draws_poses.hpp>
 #include <leastcost/problems/obstacles/has_walls.hpp>
 #include <leastcost/problems/obstacles/obstacle_walls.hpp>
+#include <leastcost/problems/obstacles/wall_margins.hpp>
 #include <leastcost/problems/obstacles/walls.hpp>
 
 namespace leastcost {
@@ -29,11 +30,13 @@ namespace leastcost {
 /// the least with which no move touches it, found by solving, looking and solving again (FitsSegments). Along a smooth
 /// wall of radius r the margin of moves of length L is about L^2 / (8 r): a cost of second order. It is never so small
 /// that a move could pass over the core of an obstacle, and a chain that is clear of the cores stays so from one
-/// iterate to the next, as far as the walls can tell (Walls::room): it is not drawn through to another side.
+/// iterate to the next, as far as the walls can tell (Walls::room): it is not drawn through to another side. Points at
+/// rest on a wall come with it when its margin is fitted anew.
 /// docs/numerics.md Sec. 4.1.
 class FreeSpace final : public ConstraintManifold,
                         public GoesBeyondBounds,
                         public HasCurvature,
+                        public SeesBounds,
                         public ChecksMoves,
                         public FitsSegments,
                         public HasWalls,
@@ -56,6 +59,11 @@ class FreeSpace final : public ConstraintManifold,
   /// Off the domain or into a wall, whatever it is fitted to.
   double residual(const CoordinatePath& path) const override;
   int active_bounds(const CoordinatePath& path, Index column, Eigen::Ref<Points> normals) const override;
+
+  void bounds_within(const CoordinatePath& path, Index column, double reach,
+                     std::vector<NearBound>& found) const override;
+  void retract_onto(const CoordinatePath& from, const Points& step, const BoundsOfPoints& bounds,
+                    CoordinatePath& to) const override;
 
   /// Walls bend; a flat domain does not.
   bool bend(const CoordinatePath& path, Index column, const Eigen::VectorXd& gradient, Points& bend) const override;
@@ -80,33 +88,25 @@ class FreeSpace final : public ConstraintManifold,
   struct Point;
   bool knows_curvature() const override { return flat_; }
   bool has_poses() const override;
-  /// And what the last fit knew, for a secant.
-  struct Margin {
-    double width = 0, before = 0, gap_before = 0;
-    bool has_before = false;
-  };
-  static double fit(const Margin& known, double now, double gap, double to);
-
-  std::shared_ptr<FreeSpace> unfitted_with(std::shared_ptr<const Walls> walls, const CoordinatePath& path) const;
-  double margin(const Wall& wall) const;
-  double widest_margin() const;
+  /// By how much a wall is beyond its margin.
+  double room(const Wall& wall) const { return wall.gap - margins_.of(wall); }
   double slack(const Eigen::VectorXd& x) const;
   void look(Point& point, double reach) const;
   bool anything_near(const Eigen::VectorXd& x, double reach, std::vector<Wall>& found) const;
   void push(Point& point, const Wall& wall, double by) const;
   bool settle(Point& point, const std::vector<int>& held, bool bounded, double reach) const;
-  void clear_way(const Point& start, const std::vector<int>& held, Point& end) const;
+  bool carry(Point& point) const;
+  bool clear_way(const Point& start, const std::vector<int>& held, Point& end) const;
   void keep_side(const Point& start, const std::vector<int>& held, Point& end) const;
-  void move_along_walls(const CoordinatePath& from, const Points& step, bool bounded, CoordinatePath& to) const;
+  void move_along_walls(const CoordinatePath& from, const Points& step, bool bounded, const BoundsOfPoints* onto,
+                        CoordinatePath& to) const;
   void keep_class(const CoordinatePath& from, CoordinatePath& to) const;
 
   std::shared_ptr<const ConstraintManifold> domain_;
   std::shared_ptr<const Walls> walls_;
   const HasChart* chart_;
-  bool flat_;                      ///< and without a chart: places are coordinates, steps are added
-  std::map<int, Margin> margins_;  ///< of obstacles that have one
-  double from_cores_ = 0;          ///< what points keep from any core
-  int fits_ = 0;
+  bool flat_;  ///< and without a chart: places are coordinates, steps are added
+  WallMargins margins_;
 };
 
 }  // namespace leastcost

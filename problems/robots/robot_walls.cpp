@@ -124,7 +124,7 @@ class RobotWalls::OnMove final : public DistancesOnMove {
     const Pair& pair = (*pairs_)[static_cast<std::size_t>(which)];
     if (!(distance > 0) || !walls_->convex(pair)) return -kUnbounded;
     const RobotPose& here = pose(t);
-    const Plane plane = walls_->plane(here, pair);
+    const Plane plane = walls_->plane(pair, walls_->between(here, pair));
     const auto part = static_cast<std::size_t>(pair.part);
     const int link = walls_->robot_->link(part);
     const double off = bounds_[static_cast<std::size_t>(which)].jerk * half * half * half / 6;
@@ -298,8 +298,7 @@ bool RobotWalls::convex(const Pair& pair) const {
 
 /// The point of the part's core that is nearest, the nearest point of the other core, and the way from there; no way
 /// where two axes meet.
-RobotWalls::Plane RobotWalls::plane(const RobotPose& pose, const Pair& pair) const {
-  const Between nearest = between(pose, pair);
+RobotWalls::Plane RobotWalls::plane(const Pair& pair, const Between& nearest) const {
   Plane plane;
   plane.point = nearest.point;
   if (pair.self) {
@@ -318,8 +317,8 @@ RobotWalls::Plane RobotWalls::plane(const RobotPose& pose, const Pair& pair) con
 }
 
 /// Of the distance by the configuration, one of them where several places are as near.
-RobotWalls::Vector RobotWalls::slope(const RobotPose& pose, const Pair& pair) const {
-  const Plane plane = this->plane(pose, pair);
+RobotWalls::Vector RobotWalls::slope(const RobotPose& pose, const Pair& pair, const Between& nearest) const {
+  const Plane plane = this->plane(pair, nearest);
   const auto pull = [&](int part, const Vector3d& point) -> Vector {
     thread_local Eigen::Matrix3Xd derivative;
     const int link = robot_->link(static_cast<std::size_t>(part));
@@ -356,9 +355,10 @@ void RobotWalls::near_among(const std::vector<Pair>& pairs, const Vector& x, dou
 void RobotWalls::add_near(const RobotPose& pose, const std::vector<Pair>& pairs, double reach,
                           std::vector<Wall>& found) const {
   for (const Pair& pair : pairs) {
-    const double gap = (between(pose, pair).distance - pair.required) / pair.steepest;
+    const Between nearest = between(pose, pair);
+    const double gap = (nearest.distance - pair.required) / pair.steepest;
     if (!(gap < reach)) continue;
-    found.push_back({pair.number, gap, slope(pose, pair), pair.required / pair.steepest});
+    found.push_back({pair.number, gap, slope(pose, pair, nearest), pair.required / pair.steepest});
     found.back().slope /= pair.steepest;
   }
 }
@@ -482,7 +482,9 @@ void RobotWalls::add_along(OnMove& move, const std::vector<Pair>& pairs, double 
     const ValueAt least = least_value(distance_at, places);
     const double gap = (least.value - pair.required) / pair.steepest;
     if (!(gap < reach)) continue;
-    found.push_back({pair.number, gap, slope(move.pose(least.at), pair), pair.required / pair.steepest, least.at});
+    const RobotPose& there = move.pose(least.at);
+    const Vector slope = this->slope(there, pair, between(there, pair));
+    found.push_back({pair.number, gap, slope, pair.required / pair.steepest, least.at});
     found.back().slope /= pair.steepest;
   }
 }

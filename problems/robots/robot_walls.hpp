@@ -92,8 +92,8 @@ class RobotWalls final : public Walls, public std::enable_shared_from_this<Robot
   void pairs_within(const RobotPose& pose, const Margin& margin, std::vector<Pair>& found) const;
   CoreBox box(const RobotPose& pose, std::size_t part) const;
   Between between(const RobotPose& pose, const Pair& pair) const;
-  Plane plane(const RobotPose& pose, const Pair& pair) const;
-  Vector slope(const RobotPose& pose, const Pair& pair) const;
+  Plane plane(const Pair& pair, const Between& nearest) const;
+  Vector slope(const RobotPose& pose, const Pair& pair, const Between& nearest) const;
   int seen_from(const Pair& pair) const;
   bool convex(const Pair& pair) const;
   double rounding(const Vector& a, const Vector& b) const;

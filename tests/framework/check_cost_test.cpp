@@ -108,7 +108,7 @@ struct Current {
   }
 };
 
-struct HalfPlane {
+struct UpperHalf {
   static constexpr int dim = 2;
   CostTraits traits() const { return {}; }
   template <class S>
@@ -147,7 +147,7 @@ bool names(const std::string& faults, const std::string& one) {
 
 TEST_CASE("check_cost: a right cost has no faults, and a seed gives the same numbers again", "[framework]") {
   CHECK(named<Defect::none>() == "");
-  CHECK(named(*make_segment_cost(HalfPlane{}), {.outside = {Eigen::Vector2d(0, -3)}}) == "");
+  CHECK(named(*make_segment_cost(UpperHalf{}), {.outside = {Eigen::Vector2d(0, -3)}}) == "");
   const auto cost = make_segment_cost(Medium<Defect::dual>{});
   std::mt19937_64 one(3), two(3);
   CHECK(text(check_cost(*cost, unit_square, one)) == text(check_cost(*cost, unit_square, two)));
@@ -198,7 +198,7 @@ TEST_CASE("a Finsler cost: Newton solves, georce refuses in words", "[framework]
 }
 
 TEST_CASE("the line element outside the domain of a cost is infinite", "[framework]") {
-  const auto cost = make_segment_cost(HalfPlane{});
+  const auto cost = make_segment_cost(UpperHalf{});
   CHECK(cost->line_element(Eigen::Vector2d(0, 2), Eigen::Vector2d(3, 0)) == Approx(1.5).epsilon(1e-14));
   CHECK(std::isinf(cost->line_element(Eigen::Vector2d(0, -1), Eigen::Vector2d(1, 0))));
 }

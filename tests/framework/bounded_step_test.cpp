@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "framework/bounded_step.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "tests/support/catch.hpp"
+#include "tests/support/compose.hpp"
+#include "tests/support/random.hpp"
+
+namespace leastcost::test {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+/// The plane, where each column has a half-plane of its own: normal . (x - x before) >= -gap.
+class HalfPlanes final : public ConstraintManifold, public SeesBounds {
+ public:
+  struct Bound {
+    Vector2d normal;
+    double gap;
+  };
+  explicit HalfPlanes(std::vector<Bound> bounds) : bounds_(std::move(bounds)) {}
+  Dimensions dimensions() const override { return {2, 2, 2}; }
+  Shape shape() const override { return Shape::flat; }
+  Projection project(CoordinatePath&) const override { return {}; }
+  void tangent_bases(const CoordinatePath& path, Points& bases) const override {
+    bases = Points::Identity(2, 2).replicate(1, path.u.cols());
+  }
+  void retract(const CoordinatePath& from, const Points& step, CoordinatePath& to) const override {
+    to = from;
+    to.u.middleCols(from.free_begin(), from.free_count()) += step;
+  }
+  double residual(const CoordinatePath&) const override { return 0; }
+  void bounds_within(const CoordinatePath&, Index column, double reach, std::vector<NearBound>& found) const override {
+    found.clear();
+    const Bound& bound = bounds_[static_cast<std::size_t>(column)];
+    if (bound.gap <= reach) found.push_back({static_cast<int>(column), bound.normal, bound.gap});
+  }
+  void retract_onto(const CoordinatePath& from, const Points& step, const BoundsOfPoints& bounds,
+                    CoordinatePath& to) const override {
+    retract(from, step, to);
+    onto = bounds;
+  }
+
+  mutable BoundsOfPoints onto;
+
+ private:
+  std::vector<Bound> bounds_;
+};
+
+constexpr Index kColumns = 9, kFree = kColumns - 2;
+
+CoordinatePath crooked(Random& random) {
+  CoordinatePath path{Points(2, kColumns), {}, false};
+  for (Index i = 0; i < kColumns; ++i)
+    path.u.col(i) << static_cast<double>(i), i == 0 || i + 1 == kColumns ? 0 : random.uniform(0.2, 1);
+  return path;
+}
+
+Problem among(std::shared_ptr<const ConstraintManifold> manifold) {
+  return {std::move(manifold), make_euclidean_cost(2), make_kernel<Square>(), {}, {}, false};
+}
+
+/// The least of the model within one half-plane for each point, by projected gradients: slow and simple.
+Points by_projected_gradients(const ChainModel& model, const std::vector<HalfPlanes::Bound>& bounds) {
+  double steepest = 0;
+  for (Index i = 0; i < kFree; ++i) steepest = std::max(steepest, model.system.diagonal(i).norm());
+  VectorXd z = VectorXd::Zero(2 * kFree), product;
+  for (int k = 0; k < 20000; ++k) {
+    model.system.multiply(z, product);
+    z -= (product + model.gradient.reshaped()) / (2 * steepest);
+    for (Index i = 0; i < kFree; ++i) {
+      const HalfPlanes::Bound& bound = bounds[static_cast<std::size_t>(i + 1)];
+      const double off = bound.normal.dot(z.segment(2 * i, 2)) + bound.gap;
+      if (off < 0) z.segment(2 * i, 2) -= off * bound.normal;
+    }
+  }
+  return z.reshaped(2, kFree);
+}
+
+}  // namespace
+
+TEST_CASE("bounded steps: the least of the model within the bounds of all points, onto those that hold it") {
+  Random random(5);
+  int resting = 0;
+  for (int k = 0; k < 20; ++k) {
+    CAPTURE(k);
+    std::vector<HalfPlanes::Bound> bounds;
+    for (Index i = 0; i < kColumns; ++i)
+      bounds.push_back({Vector2d(random.uniform(-1, 1), 1).normalized(), random.uniform(0, 0.3)});
+    const auto domain = std::make_shared<HalfPlanes>(bounds);
+    const Problem problem = among(domain);
+    const CoordinatePath path = crooked(random);
+    PathEnergy energy(problem, 1);
+    ChainModel model;
+    REQUIRE(model.evaluate(energy, path));
+    model.solve(energy, path, HessianKind::exact);
+    REQUIRE(model.frames.identity);
+    BoundedStep step(energy);
+    REQUIRE(step.solve(path, model));
+    const Points expected = by_projected_gradients(model, bounds);
+    CHECK((step.moves() - expected).norm() <= 1e-6 * expected.norm());
+    CHECK(step.slope() == Approx(model.gradient.cwiseProduct(expected).sum()).epsilon(1e-6));
+    CoordinatePath to;
+    step.retract(path, to);
+    CHECK((to.u.middleCols(1, kFree) - path.u.middleCols(1, kFree) - step.moves()).norm() <= 1e-12);
+    CHECK(energy.value(to) < model.value);
+    for (Index i = 0; i < kFree; ++i) {
+      const HalfPlanes::Bound& bound = bounds[static_cast<std::size_t>(i + 1)];
+      const double left = bound.gap + bound.normal.dot(step.moves().col(i));
+      CHECK(left >= -1e-10);
+      const std::vector<int>& onto = domain->onto[static_cast<std::size_t>(i)];
+      CHECK(onto == (left < 1e-8 ? std::vector<int>{static_cast<int>(i + 1)} : std::vector<int>{}));
+      resting += static_cast<int>(onto.size());
+    }
+  }
+  CHECK(resting > 20);
+}
+
+TEST_CASE("bounded steps: none where the model's step passes no bound, for rings, and where no bounds are seen") {
+  Random random(6);
+  const CoordinatePath path = crooked(random);
+  const auto solved = [&](const Problem& problem, bool ring) {
+    CoordinatePath chain = path;
+    chain.ring = ring;
+    PathEnergy energy(problem, 1);
+    ChainModel model;
+    REQUIRE(model.evaluate(energy, chain));
+    model.solve(energy, chain, HessianKind::exact);
+    return BoundedStep(energy).solve(chain, model);
+  };
+  const auto all_at = [](double gap) {
+    return std::make_shared<HalfPlanes>(std::vector<HalfPlanes::Bound>(kColumns, {Vector2d(0, 1), gap}));
+  };
+  CHECK(solved(among(all_at(0.01)), false));
+  CHECK_FALSE(solved(among(all_at(2)), false));
+  CHECK_FALSE(solved(among(all_at(0.01)), true));
+  CHECK_FALSE(solved(among(std::make_shared<EuclideanManifold>(EuclideanManifoldOptions{.dimension = 2})), false));
+}
+
+}  // namespace leastcost::test
