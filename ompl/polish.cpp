@@ -77,7 +77,7 @@ class Polishing {
     const bool by_answer = !options_.walls && !options_.distance;
     // Then what the planner has not seen on its own path it need not see on ours.
     heeds_clearance_ = !by_answer || !touches(x_, clearance_of(x_));
-    Points tight = short_of(x_);
+    Points tight = short_of(x_);  // a search goes on from there, and takes less time than a round of shortcuts
     if (by_answer)
       tight = pulled_tight(space_, tight, options_.search ? *options_.find.points : kPulled, monitor_);
     else if (!options_.search)
@@ -96,7 +96,7 @@ class Polishing {
   /// Places on a path with shortcuts see farther than those on the path before.
   Points short_of(const Points& x) const {
     Points best = with_shortcuts(space_, x, kPlaces, monitor_);
-    for (int k = 1; k < kMostRounds; ++k) {
+    for (int k = 1; k < (options_.search ? 1 : kMostRounds); ++k) {
       Points next = with_shortcuts(space_, best, kPlaces, monitor_);
       const bool enough = !(space_.cost(next) < (1 - kWorthARound) * space_.cost(best));
       best = std::move(next);
