@@ -18,7 +18,10 @@ class BoundedStep {
  public:
   explicit BoundedStep(PathEnergy& energy);
 
-  /// Where the domain sees bounds (SeesBounds) and the model's own step would pass over one: solves for the step that
+  /// Whether the domain sees bounds (SeesBounds).
+  bool possible() const { return bounds_ != nullptr; }
+
+  /// Where the domain sees bounds and the model's own step would pass over one: solves for the step that
   /// does not. False elsewhere, for a ring, and where that fails; then there is no such step.
   bool solve(const CoordinatePath& path, const ChainModel& model);
 

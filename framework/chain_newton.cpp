@@ -14,6 +14,9 @@ namespace leastcost {
 namespace {
 
 constexpr int kNewtonHalvings = 40;
+constexpr int kHalvingsAmongBounds = 20;  ///< which steps heed beforehand
+constexpr double kCrawl = 0.01;           ///< of the predicted gain: less, among bounds, leads nowhere
+constexpr int kMostCrawls = 5;            ///< in a row
 
 class NewtonSolve {
  public:
@@ -37,6 +40,8 @@ class NewtonSolve {
       if (kinked_ && !(before - model_.value > kKinkedGain * predicted))
         return descend_by_bundles(energy_, path_, loop_);
       if (!moved) return stuck_report();
+      crawled_ = bounded_.possible() && !undecided() && before - model_.value < kCrawl * predicted ? crawled_ + 1 : 0;
+      if (crawled_ == kMostCrawls) return stuck_report();
     }
   }
 
@@ -59,8 +64,9 @@ class NewtonSolve {
     const Points& moves = bounded ? bounded_.moves() : model_.moves;
     const double slope = bounded ? bounded_.slope() : -model_.decrement;
     const double slack = rounding_slack(model_.value, path_.segment_count());
+    const int most = bounded_.possible() ? kHalvingsAmongBounds : kNewtonHalvings;
     double t = 1;
-    for (int i = 0; i < kNewtonHalvings; ++i, t /= 2) {
+    for (int i = 0; i < most; ++i, t /= 2) {
       trial_step_ = t * moves;
       if (bounded && t == 1)
         bounded_.retract(path_, trial_);
@@ -133,6 +139,7 @@ class NewtonSolve {
   Points trial_step_;
   double largest_move_ = 0;
   bool unit_ = true;
+  int crawled_ = 0;
 };
 
 }  // namespace

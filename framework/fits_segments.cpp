@@ -62,7 +62,10 @@ SolveReport solve_fitted(Problem& problem, const Solver& solver, double referenc
   SolveReport report;
   int unsolved = 0;
   for (int k = 0;; ++k) {
-    if (fits && agreed.size() == 0) project_free(*problem.manifold, path, monitor.deadline);
+    if (fits && agreed.size() == 0) {
+      project_free(*problem.manifold, path, monitor.deadline);
+      space_pushed(problem, path, monitor.deadline);
+    }
     PathEnergy energy(problem, reference_cost, monitor.deadline);
     SolveReport next = solver.solve(energy, path, monitor);
     report = k == 0 ? std::move(next) : joined(report, std::move(next));

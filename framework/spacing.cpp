@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/fits_segments.hpp>
 #include <leastcost/framework/path_energy.hpp>
 #include "framework/in_parts.hpp"
 
@@ -151,7 +152,10 @@ CoordinatePath refine(const Problem& problem, const CoordinatePath& path, const 
       fine.u.col(2 * i + 1) = middle;
     }
     for (std::size_t i = 0; i < fine.sites.size(); ++i) fine.sites[i] = path.sites[i / 2];
-    project(*problem.manifold, fine, deadline);
+    const auto* fits =
+        find_ability<FitsSegments>(*problem.manifold);  // to the moves of this path, not of the finer one
+    const std::shared_ptr<const ConstraintManifold> domain = fits != nullptr ? fits->unfitted(fine) : problem.manifold;
+    project(*domain, fine, deadline);
     for (Index i = 0; i < columns; ++i) fine.u.col(2 * i) = path.u.col(i);
   };
   fill(true);

@@ -20,12 +20,13 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr double kOn = 1e-11;      ///< of the size of the scene: a point so near to a wall lies on it
-constexpr double kFitted = 1e-9;   ///< of the path's extent: by so much a move may keep away for nothing
-constexpr double kAlong = 1e-9;    ///< of a step: what of it may lead off a wall that it runs along
-constexpr double kSameSide = 0.5;  ///< cosine between the ways out before and after a step along a wall
-constexpr int kMostPushes = 100;   ///< between walls that push a point to and fro
-constexpr int kOneByOne = 6;       ///< pushes out of the worst wall before all of them are taken together
+constexpr double kOn = 1e-11;        ///< of the size of the scene: a point so near to a wall lies on it
+constexpr double kFitted = 1e-9;     ///< of the path's extent: by so much a move may keep away for nothing
+constexpr double kAlong = 1e-9;      ///< of a step: what of it may lead off a wall that it runs along
+constexpr double kSameSide = 0.5;    ///< cosine between the ways out before and after a step along a wall
+constexpr int kMostPushes = 100;     ///< between walls that push a point to and fro
+constexpr int kMostIdlePushes = 20;  ///< in a row, none of which leaves half as much
+constexpr int kOneByOne = 6;         ///< pushes out of the worst wall before all of them are taken together
 constexpr int kMostHalvings = 30;
 constexpr int kMostRetreats = 6;        ///< of the ends of a segment that would be drawn through an obstacle
 constexpr double kLeastAdvance = 0.02;  ///< of a step: how finely walls are looked for along it
@@ -172,8 +173,9 @@ bool FreeSpace::settle(Point& point, const std::vector<int>& held, bool bounded,
     }
     point.step(slopes.transpose().completeOrthogonalDecomposition().solve(off));
   };
-  double before = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < kMostPushes; ++k) {
+  double before = std::numeric_limits<double>::infinity(), best = before;
+  int idle = 0;
+  for (int k = 0; k < kMostPushes && idle < kMostIdlePushes; ++k) {
     look(point, reach);
     const Wall* worst = nullptr;
     double by = 0;
@@ -190,6 +192,8 @@ bool FreeSpace::settle(Point& point, const std::vector<int>& held, bool bounded,
     // Two walls that both hold the point settle at first order only: rounding is not waited for.
     if (std::abs(by) <= slack(point.x()) && std::abs(by) >= before / 2) return true;
     before = std::abs(by);
+    idle = before < best / 2 ? 0 : idle + 1;
+    best = std::min(best, before);
     if (k < kOneByOne || counting.size() == 1)
       push(point, *worst, -by);
     else

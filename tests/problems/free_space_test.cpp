@@ -12,6 +12,7 @@
 #include <leastcost/framework/path_energy.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
+#include "framework/spacing.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 
@@ -157,6 +158,29 @@ TEST_CASE("free space: points that are pushed out of walls are spaced again") {
   CHECK(report.iterations <= 20);
   const Eigen::VectorXd costs = PathEnergy(problem, 1).costs(path);
   CHECK(costs.maxCoeff() <= 1.01 * costs.minCoeff());
+}
+
+TEST_CASE("free space: a finer chain is placed for its own moves, not for those of the chain that was solved") {
+  // Past a disc smaller than a move: points keep half a move from it.
+  Problem problem = across(plane({disc(0, 0.1, 0.02)}));
+  CoordinatePath path{Points::Zero(2, 12), {}, false};
+  path.u.row(0).setLinSpaced(-2, 2);
+  REQUIRE(is_solved(solve_fitted(problem, Newton(), 4.0 / 11, path, {}).termination));
+  const CoordinatePath fine = refine(problem, path);
+  for (Index i = 1; i < fine.u.cols(); i += 2) {
+    const Vector2d middle = (fine.u.col(i - 1) + fine.u.col(i + 1)) / 2;
+    CHECK((fine.u.col(i) - middle).norm() < 0.01);
+  }
+}
+
+TEST_CASE("free space: a chain with too few points for a gate ends soon") {
+  Problem problem =
+      across(plane({disc(0, 0.08, 0.05), disc(0, -0.08, 0.05), disc(0.5, 0.3, 0.2), disc(0.5, -0.3, 0.2)}));
+  CoordinatePath path{Points::Zero(2, 7), {}, false};
+  path.u.row(0).setLinSpaced(-2, 2);
+  const SolveReport report = solve_fitted(problem, Newton(), 4.0 / 6, path, {});
+  CAPTURE(report.iterations, report.counters.energies, name(report.termination));
+  CHECK(report.counters.energies < 200);
 }
 
 }  // namespace leastcost::test
