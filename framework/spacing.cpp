@@ -152,8 +152,8 @@ CoordinatePath refine(const Problem& problem, const CoordinatePath& path, const 
       fine.u.col(2 * i + 1) = middle;
     }
     for (std::size_t i = 0; i < fine.sites.size(); ++i) fine.sites[i] = path.sites[i / 2];
-    const auto* fits =
-        find_ability<FitsSegments>(*problem.manifold);  // to the moves of this path, not of the finer one
+    // What the domain is fitted to are the moves of this path, not those of the finer one.
+    const auto* fits = find_ability<FitsSegments>(*problem.manifold);
     const std::shared_ptr<const ConstraintManifold> domain = fits != nullptr ? fits->unfitted(fine) : problem.manifold;
     project(*domain, fine, deadline);
     for (Index i = 0; i < columns; ++i) fine.u.col(2 * i) = path.u.col(i);
