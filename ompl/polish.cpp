@@ -87,6 +87,8 @@ class Polishing {
     else
       out_.why = "no search was asked for";
     if (out_.result.path.u.cols() > 1 && take(out_.result.path.u, PolishOutcome::polished)) return std::move(out_);
+    if (options_.search && !by_answer)
+      tight = pulled_and_short_of(tight);  // what would else be done instead of a search
     take(tight, PolishOutcome::tightened);
     if (!out_.clearance) out_.clearance = clearance_of(x_);
     return std::move(out_);

@@ -39,7 +39,7 @@ struct PolishOptions {
 
 enum class PolishOutcome {
   polished,   ///< what find_path() came to
-  tightened,  ///< that is not valid, or costs more: the given path with shortcuts
+  tightened,  ///< that is not valid, or costs more: the given path with shortcuts, pulled tight
   given       ///< nothing valid costs less
 };
 std::string_view name(PolishOutcome outcome);
