@@ -11,9 +11,9 @@
 namespace leastcost {
 namespace {
 
-constexpr Index kPointsAtOnce = 16;  ///< between two looks at the clock
-constexpr double kPassed = 0.01;     ///< of a point's move: so far beyond a bound it is worth a program
-constexpr double kEndsOn = 1e-7;     ///< of the largest move: nearer to a bound than that a step ends on it
+constexpr Index kLooksAtOnce = 16;  ///< between two looks at the clock
+constexpr double kPassed = 0.01;    ///< of a point's move: so far beyond a bound it is worth a program
+constexpr double kEndsOn = 1e-7;    ///< of the largest move: nearer to a bound than that a step ends on it
 
 }  // namespace
 
@@ -27,7 +27,7 @@ bool BoundedStep::passes_bounds(const CoordinatePath& path, const Points& moves)
   near_.resize(static_cast<std::size_t>(n));
   bool passes = false;
   for (Index i = 0; i < n; ++i) {
-    if (i % kPointsAtOnce == 0) look_at_clock(energy_.deadline());
+    if (i % kLooksAtOnce == 0) look_at_clock(energy_.deadline());
     const double reach = std::max({far[std::max<Index>(0, i - 1)], far[i], far[std::min(n - 1, i + 1)]});
     std::vector<NearBound>& near = near_[static_cast<std::size_t>(i)];
     bounds_->bounds_within(path, path.free_begin() + i, reach, near);

@@ -286,7 +286,7 @@ void FreeSpace::move_along_walls(const CoordinatePath& from, const Points& step,
     }
     Point start(*this, from, column), end(*this, to, column);
     const double length = (end.x() - start.x()).norm();
-    if (flat_) start.see(std::move(found), length);
+    if (flat_) start.see(found, length);
     look(start, length);
     if (start.walls.empty()) continue;
     const Vector way = step.col(k);
