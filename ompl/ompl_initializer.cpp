@@ -132,6 +132,9 @@ SampleBox box_of_samples(const Problem& problem, double reach) {
     box.upper[i] = std::max({box.upper[i], a[i], b[i]});
     if (!(box.upper[i] > box.lower[i])) box.upper[i] = std::nextafter(box.lower[i], kInfinity);
   }
+  if (!(box.upper - box.lower).allFinite())
+    throw InitializationError("ompl: the ends are " + short_number((b - a).norm()) +
+                              " apart: a box around them is too large for numbers; bound the domain");
   return box;
 }
 

@@ -165,6 +165,9 @@ TEST_CASE("ompl: seeds give paths, the same ones in threads") {
 }
 
 TEST_CASE("ompl: what cannot be planned is refused in words") {
+  // Found by random problems: the box of samples is infinite.
+  const Problem far = between(space(2), make_euclidean_cost(2), Eigen::Vector2d(0, 0), Eigen::Vector2d(1e300, 1));
+  CHECK_THAT(refusal(OmplInitializer(), far), Catch::Contains("bound the domain"));
   const auto plane = make_euclidean_cost(2), in_space = make_euclidean_cost(3);
   const OmplInitializer ompl({.max_seconds = 0.2});
   Problem shut = behind_a_wall();
