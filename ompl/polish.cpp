@@ -77,7 +77,7 @@ class Polishing {
     const bool by_answer = !options_.walls && !options_.distance;
     // Then what the planner has not seen on its own path it need not see on ours.
     heeds_clearance_ = !by_answer || !touches(x_, clearance_of(x_));
-    Points tight = short_of(x_);  // a search goes on from there, and takes less time than a round of shortcuts
+    Points tight = short_of(x_);
     if (by_answer)
       tight = pulled_tight(space_, tight, options_.search ? *options_.find.points : kPulled, monitor_);
     else if (!options_.search)
@@ -87,8 +87,7 @@ class Polishing {
     else
       out_.why = "no search was asked for";
     if (out_.result.path.u.cols() > 1 && take(out_.result.path.u, PolishOutcome::polished)) return std::move(out_);
-    if (options_.search && !by_answer)
-      tight = pulled_and_short_of(tight);  // what would else be done instead of a search
+    if (options_.search && !by_answer) tight = pulled_and_short_of(tight);  // as where no search is asked for
     take(tight, PolishOutcome::tightened);
     if (!out_.clearance) out_.clearance = clearance_of(x_);
     return std::move(out_);
@@ -97,8 +96,9 @@ class Polishing {
  private:
   /// Places on a path with shortcuts see farther than those on the path before.
   Points short_of(const Points& x) const {
+    const int rounds = options_.search ? 1 : kMostRounds;  // a search goes on from there, and takes less time than one
     Points best = with_shortcuts(space_, x, kPlaces, monitor_);
-    for (int k = 1; k < (options_.search ? 1 : kMostRounds); ++k) {
+    for (int k = 1; k < rounds; ++k) {
       Points next = with_shortcuts(space_, best, kPlaces, monitor_);
       const bool enough = !(space_.cost(next) < (1 - kWorthARound) * space_.cost(best));
       best = std::move(next);
