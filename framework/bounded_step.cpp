@@ -78,12 +78,24 @@ bool BoundedStep::solve(const CoordinatePath& path, const ChainModel& model) {
   if (!z) return false;
   energy_.from_tangent(frames_, length * *z, moves_);
   slope_ = length * gradient.dot(*z);
-  ends_on_.assign(static_cast<std::size_t>(n), {});
-  for (Index i = 0; i < n; ++i)
-    for (const NearBound& bound : near_[static_cast<std::size_t>(i)])
-      if (bound.number != NearBound::kNone && bound.gap + bound.slope.dot(moves_.col(i)) <= kEndsOn * length)
-        ends_on_[static_cast<std::size_t>(i)].push_back(bound.number);
+  end_on_bounds(length);
   return slope_ < 0;
+}
+
+/// A program ends a hair before its bounds. Where the retraction itself stops points at a bound, a hair too far ends on
+/// it.
+void BoundedStep::end_on_bounds(double length) {
+  ends_on_.assign(near_.size(), {});
+  for (std::size_t i = 0; i < near_.size(); ++i) {
+    auto move = moves_.col(static_cast<Index>(i));
+    for (const NearBound& bound : near_[i]) {
+      if (!(bound.gap + bound.slope.dot(move) <= kEndsOn * length)) continue;
+      if (bound.number == NearBound::kNone)
+        move -= 2 * kEndsOn * length * bound.slope;
+      else
+        ends_on_[i].push_back(bound.number);
+    }
+  }
 }
 
 void BoundedStep::retract(const CoordinatePath& from, CoordinatePath& to) const {

@@ -33,6 +33,7 @@ class BoundedStep {
  private:
   bool passes_bounds(const CoordinatePath& path, const Points& moves);
   bool find_hessian(const CoordinatePath& path, const ChainModel& model);
+  void end_on_bounds(double length);
 
   PathEnergy& energy_;
   const SeesBounds* bounds_;

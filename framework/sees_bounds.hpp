@@ -12,7 +12,7 @@ namespace leastcost {
 /// A bound beside a point: to first order a step from there stays within it where slope . step >= -gap.
 struct NearBound {
   static constexpr int kNone = -1;
-  int number = kNone;          ///< what retract_onto() calls it; kNone: it takes no part there
+  int number = kNone;          ///< what retract_onto() calls it; kNone: the retraction stops points there by itself
   Eigen::VectorXd slope = {};  ///< in coordinates
   double gap = 0;
 };

@@ -147,6 +147,25 @@ TEST_CASE("free space: points a hair before walls do not hold up the others") {
   CHECK(at_rest(*domain, path) >= 1);
 }
 
+TEST_CASE("free space: points come to rest on the sides of its box") {
+  // A slide above a floor that the free curve would dip below, with a disc that is far from it.
+  for (const double floor : {-0.82, -0.9, -1.0}) {
+    CAPTURE(floor);
+    BoxOptions box;
+    box.lower = Vector2d(0, floor);
+    box.upper = Vector2d(3, 0);
+    Problem problem = across(plane({disc(2.5, -0.02, 0.02)}, box));
+    problem.cost = make_travel_time_cost({}, 2, Vector2d(0, 0));
+    CoordinatePath path{Points(2, 42), {}, false};
+    path.u.row(0).setLinSpaced(0, 3);
+    path.u.row(1).setLinSpaced(0, -0.6);
+    PathEnergy energy(problem, 3.0 / 41);
+    const SolveReport report = Newton().solve(energy, path, {});
+    CHECK(report.termination == Termination::converged);
+    CHECK((path.u.row(1).array() == floor).count() > 0);
+  }
+}
+
 TEST_CASE("free space: points that are pushed out of walls are spaced again") {
   // A straight path through the middle of a disc: the points on it are pushed to one side or the other of its rim.
   Problem problem = across(plane({disc(0, -0.05, 1)}));
