@@ -154,6 +154,7 @@ ExactDistances ExactSearch::distances(const SurfacePoint& source, Workspace& wor
   for (std::int32_t v = 0; v < edges.mesh().vertex_count(); ++v) {
     all.at_least.push_back(all.complete ? run.reached(v).at_least : 0);
     all.at_most.push_back(run.reached(v).at_most);
+    all.distance.push_back(std::clamp(run.reached(v).about, all.at_least.back(), all.at_most.back()));
   }
   return all;
 }

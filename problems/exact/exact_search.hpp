@@ -48,9 +48,10 @@ struct ExactResult {
   bool is_proved() const { return outcome == ExactOutcome::proved || outcome == ExactOutcome::improved; }
 };
 
-/// Distances from one point to all vertices, each in [at_least, at_most]; infinite where there is no path.
+/// Distances from one point to all vertices, each in [at_least, at_most]; infinite where there is no path. Within these
+/// bounds, which allow for the worst that rounding may do in every face, `distance` is right but for a few roundings.
 struct ExactDistances {
-  std::vector<double> at_least, at_most;
+  std::vector<double> distance, at_least, at_most;
   std::int64_t windows = 0;
   bool complete = true;  ///< false: stopped, or paths run where nothing can be unfolded; then at_least is 0
 };

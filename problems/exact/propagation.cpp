@@ -56,6 +56,7 @@ void Propagation<Real>::run(const EndPoint& source, const EndPoint* target, cons
   pool_.clear();
   free_.clear();
   edges_.clear();
+  slivers_.clear();
   source_ = &source;
   target_ = target;
   bound_ = &bound;
@@ -101,7 +102,7 @@ template <class Real>
 void Propagation<Real>::start(const EndPoint& source) {
   if (source.vertex >= 0) {
     VertexReach& reach = touch(source.vertex);
-    reach.at_least = reach.at_most = guide(source.vertex).at_most = 0;
+    reach.at_least = reach.at_most = reach.about = guide(source.vertex).at_most = 0;
     reach.all_around = reach.fired = true;
     if (target_ != nullptr && target_->vertex == source.vertex) reach_target(0, 0, -1, -1);
     if (target_ != nullptr && target_->vertex < 0) {
@@ -141,8 +142,8 @@ void Propagation<Real>::start_in_face(const EndPoint& source, std::int32_t face)
       direction = corner.forward ? corner.begin + angle : corner.end - angle;
       slack = 2 * source.error / straight + 16 * kEpsilon + mesh_->turn_error(v);
     }
-    reach(v, straight * (1 - 8 * kEpsilon) - source.error, straight * (1 + 8 * kEpsilon) + source.error, -1, -1,
-          direction, slack);
+    reach(v, {straight * (1 - 8 * kEpsilon) - source.error, straight * (1 + 8 * kEpsilon) + source.error, straight}, -1,
+          -1, direction, slack);
     if (source.edge >= 0 && same_ends(*mesh_, h, source.edge)) continue;
     if (!(s.length > 0) || !(s.y > 0)) {
       block(rest(v) - straight);

@@ -89,14 +89,21 @@ class Propagation {
   void start_in_face(const EndPoint& source, std::int32_t face);
   void add(std::int32_t from_side, bool from_tail, Window<Real>& w);
   bool sabotaged(Window<Real>& w) const;
+  bool is_sliver(const Window<Real>& w, const Real& length) const;
+  bool stands_for(const Window<Real>& kept, const Window<Real>& w) const;
+  bool merged(std::int32_t h, const Real& length, Window<Real>& w);
   void turn_at_ends(std::int32_t h, Window<Real>& w) const;
   void block(double key);
   void propagate(std::int32_t id);
   void leave(const Exit& exit, const Real& b0, const Real& b1, bool to_far, const Window<Real>& w, std::int32_t id);
   void see_corner(const Window<Real>& w, std::int32_t id, double distance, double beside);
   void see_target(const Window<Real>& w, std::int32_t id);
-  void reach(std::int32_t v, double at_least, double at_most, std::int32_t window, std::int32_t vertex,
-             double direction, double slack);
+  /// What paths to v came to: bounds of the length, and the length but for a few roundings.
+  struct Found {
+    double at_least, at_most, about;
+  };
+  void reach(std::int32_t v, const Found& found, std::int32_t window, std::int32_t vertex, double direction,
+             double slack);
   void reach_target(double at_least, double at_most, std::int32_t window, std::int32_t vertex);
   void fire(std::int32_t v);
   void fire_corner(std::int32_t v, const Corner& corner, double from, double to);
@@ -116,6 +123,7 @@ class Propagation {
   };
   std::vector<Slot> slots_;
   std::vector<EdgeState> edges_;  // of those that windows of this query came to
+  std::vector<Sliver<Real>> slivers_;
   std::vector<Window<Real>> pool_;
   std::vector<std::int32_t> free_;
   WindowQueue queue_;

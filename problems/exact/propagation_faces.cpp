@@ -42,6 +42,7 @@ void Propagation<Real>::add(std::int32_t from_side, bool from_tail, Window<Real>
   w.rise += 4 * kRoundingOf<Real> * value(length);
   turn_at_ends(h, w);
   if (sabotaged_ && sabotaged(w)) return;
+  if (is_sliver(w, length) && merged(h, length, w)) return;
   const double key = (w.sigma + rest_through(h, w)) * (1 - 2 * kEpsilon) - w.error;
   if (key >= limit_) return;
   if (behind < 0) {
@@ -255,7 +256,8 @@ void Propagation<Real>::see_corner(const Window<Real>& w, std::int32_t id, doubl
     direction = place.forward ? place.begin + angle : place.end - angle;
     slack = 2 * w.error / distance + w.spread + 2 * kSideError * kEpsilon + mesh_->turn_error(v);
   }
-  reach(v, least, most, id, -1, direction, slack);
+  const double to_root = w.root < 0 ? 0 : reach_[at(w.root)].about;
+  reach(v, {least, most, to_root + distance}, id, -1, direction, slack);
 }
 
 /// The target inside the face that is entered, or on one of its edges.

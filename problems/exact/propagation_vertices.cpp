@@ -29,10 +29,12 @@ void Propagation<Real>::reach_target(double at_least, double at_most, std::int32
 }
 
 template <class Real>
-void Propagation<Real>::reach(std::int32_t v, double at_least, double at_most, std::int32_t window, std::int32_t vertex,
+void Propagation<Real>::reach(std::int32_t v, const Found& found, std::int32_t window, std::int32_t vertex,
                               double direction, double slack) {
+  const double at_least = found.at_least, at_most = found.at_most;
   VertexReach& reach = touch(v);
   if (at_least > reach.at_most) return;
+  reach.about = std::min(reach.about, found.about);
   const bool better = at_most < reach.at_least, shorter = at_most < reach.at_most;
   if (shorter) {
     reach.from_window = window;
@@ -163,16 +165,16 @@ void Propagation<Real>::fire_edge(std::int32_t v, std::int32_t halfedge) {
   // The corner of the other end in the same face, and on which of its sides the edge is.
   const Corner& corner = mesh_->corner(out ? TriangleMesh::next(halfedge) : halfedge);
   const double direction = out != corner.forward ? corner.begin : corner.end;
-  reach(to, from.at_least + length * (1 - 8 * kEpsilon), from.at_most + length * (1 + 8 * kEpsilon), -1, v, direction,
-        mesh_->turn_error(to));
+  reach(to,
+        {from.at_least + length * (1 - 8 * kEpsilon), from.at_most + length * (1 + 8 * kEpsilon), from.about + length},
+        -1, v, direction, mesh_->turn_error(to));
 }
 
 template void Propagation<double>::reach_target(double, double, std::int32_t, std::int32_t);
-template void Propagation<double>::reach(std::int32_t, double, double, std::int32_t, std::int32_t, double, double);
+template void Propagation<double>::reach(std::int32_t, const Found&, std::int32_t, std::int32_t, double, double);
 template void Propagation<double>::fire(std::int32_t);
 template void Propagation<DoubleDouble>::reach_target(double, double, std::int32_t, std::int32_t);
-template void Propagation<DoubleDouble>::reach(std::int32_t, double, double, std::int32_t, std::int32_t, double,
-                                               double);
+template void Propagation<DoubleDouble>::reach(std::int32_t, const Found&, std::int32_t, std::int32_t, double, double);
 template void Propagation<DoubleDouble>::fire(std::int32_t);
 
 }  // namespace leastcost

@@ -31,6 +31,7 @@ struct VertexReach {
   bool pending = false, fired = false, all_around = false;    ///< as a root: in the queue; has sent windows; everywhere
   double at_least = std::numeric_limits<double>::infinity();  ///< no path found to it is shorter
   double at_most = std::numeric_limits<double>::infinity();   ///< there is a path at most this long
+  double about = std::numeric_limits<double>::infinity();     ///< the length itself, but for a few roundings
   double direction = 0;                             ///< from which the shortest one comes, radians in the vertex's fan
   double slack = 0;                                 ///< of that direction
   std::int32_t from_window = -1, from_vertex = -1;  ///< where the path came from; neither: straight from the source
@@ -51,6 +52,15 @@ struct EdgeState {
   /// The best window that sees the third corner over the edge: of two such windows the worse one need not go on on the
   /// far side of the better one's ray (Chen and Han 1990).
   double apex_at_most = std::numeric_limits<double>::infinity(), apex_crossing = 0, apex_margin = 0;
+  std::int32_t slivers = -1;  ///< first of the slivers that entered over the edge, or -1
+};
+
+/// A window no wider than rounding, beside an end of an edge, with what makes it stand for others that differ from it
+/// by less than that.
+template <class Real>
+struct Sliver {
+  Window<Real> window;
+  std::int32_t next = -1;  ///< of the same edge, or -1
 };
 
 /// Faults on purpose, for tests that must find them.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace leastcost {
 namespace {
@@ -29,10 +30,18 @@ double WindowQueue::floor() const {
   return origin_ + offset - kSlotRounding * (std::abs(origin_) + offset);
 }
 
+void WindowQueue::take_spare(std::vector<Entry>& slot) {
+  slot.swap(spare_.back());
+  spare_.pop_back();
+}
+
 /// The slot after one that is empty, or what was beyond the last one in wider slots.
 bool WindowQueue::advance() {
   if (open_ > 0) {
-    while (slots_[current_].empty()) ++current_;
+    while (slots_[current_].empty()) {
+      if (slots_[current_].capacity() > 0) spare_.push_back(std::move(slots_[current_]));
+      slots_[current_++] = {};
+    }
     return true;
   }
   if (later_.empty()) return false;

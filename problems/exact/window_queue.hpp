@@ -29,6 +29,7 @@ class WindowQueue {
     std::size_t i = slot > 0 ? static_cast<std::size_t>(slot) : 0;
     if (i < current_) i = current_;
     if (i > highest_) highest_ = i;
+    if (slots_[i].capacity() == 0 && !spare_.empty()) take_spare(slots_[i]);
     slots_[i].push_back({key, id});
     ++open_;
   }
@@ -50,9 +51,11 @@ class WindowQueue {
  private:
   static constexpr std::size_t kSlots = 4096;
   bool advance();
+  void take_spare(std::vector<Entry>& slot);
 
   std::vector<std::vector<Entry>> slots_{kSlots};
-  std::vector<Entry> later_, moved_;  // beyond the last slot
+  std::vector<std::vector<Entry>> spare_;  // memory of slots that are done with, for those to come
+  std::vector<Entry> later_, moved_;       // beyond the last slot
   double origin_ = 0, width_ = 1, per_width_ = 1;
   std::size_t current_ = 0, highest_ = 0, open_ = 0;
 };
