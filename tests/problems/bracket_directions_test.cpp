@@ -69,14 +69,14 @@ std::vector<double> planted_gaps(const Make& make, int count, Random& random) {
 TEST_CASE("bracket of metrics: never above a planted least cost") {
   Random random;
   const auto make = [](Random& r) { return PlantedDirections::metric(r, r.uniform(1, 2)); };
-  const std::vector<double> gaps = planted_gaps(make, planted_problems(100), random);
+  const std::vector<double> gaps = planted_gaps(make, planted_problems(16), random);
   CHECK(gaps[gaps.size() / 2] < 0.2);
 }
 
 TEST_CASE("bracket of winds: never above a planted least cost") {
   Random random;
   const auto make = [](Random& r) { return PlantedDirections::windy(r, r.uniform(0.2, 1)); };
-  const std::vector<double> gaps = planted_gaps(make, planted_problems(100), random);
+  const std::vector<double> gaps = planted_gaps(make, planted_problems(16), random);
   CHECK(gaps[gaps.size() / 2] < 0.2);
 }
 

@@ -98,7 +98,7 @@ class BesideFlow {
 /// third is among obstacles that touch the flow, nearly.
 TEST_CASE("bracket in space: never above a planted least cost") {
   Random random;
-  const int count = space_problems(12);
+  const int count = space_problems(6);
   std::vector<double> gaps, gaps_among;
   for (int k = 0; k < count; ++k) {
     CAPTURE(k);
@@ -150,7 +150,7 @@ TEST_CASE("bracket in space: media with known least costs") {
     AlignedBox3d box;
     double cost, gap;
   };
-  const std::vector<Case> cases = {
+  std::vector<Case> cases = {
       {"1",
        {-1, 0.3, 0.1},
        {1.2, -0.4, -0.3},
@@ -176,6 +176,7 @@ TEST_CASE("bracket in space: media with known least costs") {
        3.05937323665641694,
        6e-3},
   };
+  if (space_problems(2) < 100) cases.resize(2);  // the others take some seconds each
   for (const Case& c : cases) {
     CAPTURE(c.density);
     const std::shared_ptr<const SpaceDensity> density = isotropic_density(c.density);

@@ -59,7 +59,7 @@ double worst_sample(const BracketPotential& potential, const CostDensity& densit
 /// A bound above a true least cost is the worst defect. LEASTCOST_BRACKET_PROBLEMS sets another number of them.
 TEST_CASE("bracket: never above a planted least cost") {
   Random random;
-  const int count = planted_problems(100);
+  const int count = planted_problems(40);
   std::vector<double> gaps;
   int bounded = 0;
   for (int k = 0; k < count; ++k) {
@@ -366,7 +366,7 @@ TEST_CASE("bracket: find_path says that no path in the box is cheaper") {
 /// than the gap. LEASTCOST_BRACKET_PROBLEMS sets another number of them.
 TEST_CASE("bracket: from either side of a hill the cheaper way is delivered") {
   Random random;
-  for (int k = 0, count = planted_problems(100) / 20 + 1; k < count; ++k) {
+  for (int k = 0, count = planted_problems(40) / 20 + 1; k < count; ++k) {
     const double off = random.uniform(-0.4, 0.4), height = random.uniform(1.5, 4), width = random.uniform(0.5, 1.2);
     const std::string hill = "(1 + " + std::to_string(height) + " * exp(-(x^2 + (y - (" + std::to_string(off) +
                              "))^2) / " + std::to_string(width) + "))^2";
@@ -393,7 +393,7 @@ TEST_CASE("bracket: from either side of a hill the cheaper way is delivered") {
 TEST_CASE("bracket: from either side of a disc the shorter way is delivered") {
   Random random;
   int told_apart = 0;
-  const int count = planted_problems(100) / 20 + 1;
+  const int count = planted_problems(40) / 20 + 1;
   for (int k = 0; k < count; ++k) {
     const Vector2d centre(random.uniform(-0.4, 0.4), random.uniform(-0.3, 0.3)), source(-1.5, 0), target(1.5, 0);
     const double radius = random.uniform(0.4, 0.8);
