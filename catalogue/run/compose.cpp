@@ -279,6 +279,7 @@ void Composer::place_obstacles() {
                                   robot != nullptr ? "robot" : "obstacles", domain);
   };
   if (!made || !attempt(place)) return;
+  if (robot != nullptr && !robot->whose.empty()) out_.notes.push_back("clearances are those of " + robot->whose);
   context_.manifold = out_.problem.manifold;
   for (const auto& [end, key] :
        {std::pair{&out_.problem.source, "ends.source"}, std::pair{&out_.problem.target, "ends.target"}})

@@ -37,7 +37,8 @@ void keep_apart(Robot& robot, const std::vector<int>& links, const std::vector<i
 }
 
 /// Table and limits: Franka Emika, "Robot and interface specifications: Denavit-Hartenberg parameters" and "Limits for
-/// Panda" (frankaemika.github.io/docs/control_parameters.html); the flange belongs to the last row. Capsules: ours.
+/// Panda" (frankaemika.github.io/docs/control_parameters.html); the flange belongs to the last row. Capsules: fitted to
+/// the meshes of franka_description (`tests/problems/arm_shapes_test.cpp`).
 ArmModel panda() {
   ArmModel arm;
   DhTable& table = arm.table;
@@ -54,26 +55,27 @@ ArmModel panda() {
   table.upper.resize(7);
   table.lower << -2.8973, -1.7628, -2.8973, -3.0718, -2.8973, -0.0175, -2.8973;
   table.upper << 2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.7525, 2.8973;
-  const double hand = 0.07 / std::numbers::sqrt2, fingers = 0.05 / std::numbers::sqrt2;  // turned by 45 degrees
+  // Each holds every corner of a mesh, so all of it: links 0 to 6; link 7, the hand and the fingers, open to 40 mm.
   arm.shape.capsules = {
-      {0, Vector3d(-0.09, 0, 0.06), Vector3d(0, 0, 0.06), 0.09},
-      {1, Vector3d(0, 0, -0.19), Vector3d(0, -0.03, 0), 0.08},
-      {2, Vector3d(0, 0, 0.03), Vector3d(0, -0.13, 0), 0.08},
-      {3, Vector3d(0, 0, -0.1), Vector3d(0.07, 0.03, 0), 0.08},
-      {4, Vector3d(0, 0, 0.03), Vector3d(-0.075, 0.07, 0), 0.08},
-      {5, Vector3d(0, 0.01, -0.26), Vector3d(0, 0.05, -0.03), 0.08},
-      {6, Vector3d(0, 0, 0), Vector3d(0.088, 0, 0), 0.07},
-      {7, Vector3d(0, 0, -0.06), Vector3d(0, 0, 0), 0.06},
-      {7, Vector3d(-hand, -hand, 0.035), Vector3d(hand, hand, 0.035), 0.055},
-      {7, Vector3d(-fingers, -fingers, 0.09), Vector3d(fingers, fingers, 0.09), 0.03},
+      {0, Vector3d(-0.0565, -0.0001, 0.0137), Vector3d(-0.0007, 0, 0.0518), 0.1046},
+      {1, Vector3d(0, -0.0536, 0.0019), Vector3d(0.0002, -0.0012, -0.141), 0.0762},
+      {2, Vector3d(0, 0.0001, 0.0532), Vector3d(-0.0013, -0.1477, 0.0053), 0.0766},
+      {3, Vector3d(0.0008, 0.0002, -0.0805), Vector3d(0.0829, 0.0426, 0.0004), 0.0694},
+      {4, Vector3d(0, -0.0001, 0.0424), Vector3d(-0.0813, 0.0836, 0.0005), 0.0696},
+      {5, Vector3d(0.0001, 0.0104, -0.2438), Vector3d(0, 0.0639, 0.003), 0.0675},
+      {6, Vector3d(0.0873, 0.009, -0.0002), Vector3d(0.0235, 0.0054, 0.0057), 0.0753},
+      {7, Vector3d(0.033, 0.033, -0.0264), Vector3d(-0.0051, -0.0051, -0.0337), 0.0495},
+      {7, Vector3d(0.0437, 0.0438, 0.03), Vector3d(-0.054, -0.0539, 0.0213), 0.0493},
+      {7, Vector3d(0.0406, 0.0406, 0.084), Vector3d(-0.0407, -0.0406, 0.084), 0.0291},
   };
+  arm.shape.whose = "capsules that cover the collision meshes of franka_description, fingers open to 40 mm each";
   keep_apart(arm.shape, {0, 1, 2}, {5, 6, 7});
   keep_apart(arm.shape, {3}, {7});
   return arm;
 }
 
 /// Table: Universal Robots, "DH parameters for calculations of kinematics and dynamics"; limits: its data sheet, +-360
-/// degrees. Capsules: ours.
+/// degrees. Capsules: fitted to the meshes of ur_description (`tests/problems/arm_shapes_test.cpp`).
 ArmModel ur5() {
   ArmModel arm;
   DhTable& table = arm.table;
@@ -86,16 +88,17 @@ ArmModel ur5() {
       0, 0, 0.0823, 0;
   table.lower = Eigen::VectorXd::Constant(6, -kTurn);
   table.upper = Eigen::VectorXd::Constant(6, kTurn);
-  const double upper_arm = 0.136, forearm = 0.0165;  // beside the plane of the joints
+  // Each holds every corner of the mesh of its link.
   arm.shape.capsules = {
-      {0, Vector3d(0, 0, 0.02), Vector3d(0, 0, 0.04), 0.08},
-      {1, Vector3d(0, 0, 0), Vector3d(0, 0, 0.07), 0.08},
-      {2, Vector3d(0.425, 0, upper_arm), Vector3d(0, 0, upper_arm), 0.07},
-      {3, Vector3d(0.39225, 0, forearm), Vector3d(0, 0, forearm), 0.06},
-      {4, Vector3d(0, -0.04, 0), Vector3d(0, 0, 0), 0.05},
-      {5, Vector3d(0, 0.04, 0), Vector3d(0, 0, 0), 0.05},
-      {6, Vector3d(0, 0, -0.03), Vector3d(0, 0, -0.01), 0.05},
+      {0, Vector3d(-0.0002, 0.0361, 0.0056), Vector3d(0, -0.0001, 0.0055), 0.0742},
+      {1, Vector3d(0.0001, -0.0001, 0.0133), Vector3d(0.0007, -0.0091, 0.0008), 0.0818},
+      {2, Vector3d(0.4252, 0.0003, 0.131), Vector3d(0, 0.0003, 0.1308), 0.0842},
+      {3, Vector3d(0.393, -0.0002, 0.0444), Vector3d(0.0041, 0.0015, 0.0156), 0.0642},
+      {4, Vector3d(-0.0003, -0.0039, -0.0094), Vector3d(0.0004, -0.0023, 0.0073), 0.0567},
+      {5, Vector3d(0, 0.0016, 0.0064), Vector3d(-0.0003, 0.0039, -0.0083), 0.057},
+      {6, Vector3d(0, 0.0001, -0.0212), Vector3d(0.0001, -0.0032, -0.0209), 0.0401},
   };
+  arm.shape.whose = "capsules that cover the collision meshes of ur_description, without a tool";
   keep_apart(arm.shape, {0, 1}, {3, 4, 5, 6});
   keep_apart(arm.shape, {2}, {4, 5, 6});
   keep_apart(arm.shape, {3}, {6});
@@ -112,6 +115,7 @@ ArmModel model_of(const arm_model::Table& given) {
   arm.table.rows = given.rows;
   arm.table.lower = given.lower.value_or(Eigen::VectorXd::Constant(given.rows.rows(), -kNone));
   arm.table.upper = given.upper.value_or(Eigen::VectorXd::Constant(given.rows.rows(), kNone));
+  arm.shape.whose = "the capsules of the configuration";
   const auto whole = [](double x) { return std::isfinite(x) && std::abs(x) < 1e6 && x == std::floor(x); };
   if (given.shape.rows() == 0 || given.shape.cols() != 8)
     throw OptionError("shape", "must be rows of 8 numbers: the link, both ends of a segment and a radius");

@@ -14,20 +14,24 @@
 
 namespace leastcost {
 
-/// Arms by name. Lengths in m. Their tables are those that their makers publish; their capsules are our own, drawn
-/// generously around the links from the main dimensions of the arms: they are no measured shapes, and an application
-/// that goes near needs its own (a table with capsules).
+/// Arms by name. Lengths in m. Their tables are those that their makers publish. Their capsules cover the collision
+/// meshes of the makers' robot descriptions: every corner of a mesh lies in one capsule of its link, so that the whole
+/// mesh does, capsules being convex. They are up to 1.9 times as large as the meshes' convex hulls (the UR5's
+/// base 5.7).
 namespace arm_model {
 
 /// Joint 7 carries the flange and a gripper of the usual size.
 struct Panda {
   static constexpr std::string_view kType = "panda";
-  static constexpr std::string_view kHelp = "Franka Emika Panda with its gripper, 7 joints.";
+  static constexpr std::string_view kHelp =
+      "Franka Emika Panda with its gripper, 7 joints. Its capsules cover the collision meshes of franka_description, "
+      "fingers open to 40 mm each.";
 };
 
 struct Ur5 {
   static constexpr std::string_view kType = "ur5";
-  static constexpr std::string_view kHelp = "Universal Robots UR5 without a tool, 6 joints.";
+  static constexpr std::string_view kHelp =
+      "Universal Robots UR5 without a tool, 6 joints. Its capsules cover the collision meshes of ur_description.";
 };
 
 /// A user's own.

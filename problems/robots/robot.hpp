@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -33,6 +34,7 @@ struct Robot {
   std::vector<Capsule> capsules = {};
   std::vector<std::pair<int, int>> self = {};  ///< numbers of capsules on different links
   std::vector<Plate> plates = {};
+  std::string whose = {};  ///< what the parts stand for, for people: a clearance is one of theirs
 
   /// Parts are numbered: the capsules, then the plates.
   std::size_t parts() const { return capsules.size() + plates.size(); }
