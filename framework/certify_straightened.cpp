@@ -17,6 +17,8 @@ namespace {
 constexpr double kStraight = 1e-9;        ///< radians below pi that a side angle may fall
 constexpr double kNearlyStraight = 0.02;  ///< the same of a curve whose bar has what its turns cost
 
+constexpr double kFarBelow = 0.01;  ///< of the cost: a bound this far below says that more is known than a bar
+
 double length_of(const Points& x) {
   return (x.rightCols(x.cols() - 1) - x.leftCols(x.cols() - 1)).colwise().norm().sum();
 }
@@ -52,6 +54,9 @@ void certify_straightened(const Problem& problem, const PostProcessed& path, con
   else if (!(*c.straightness >= -(measured ? kNearlyStraight : kStraight)))
     c.failures.push_back({"straightness", "an angle beside the path is " + short_number(-*c.straightness) +
                                               " below pi: it can be shortened there"});
+  if (c.global && c.global->outcome == "blocked" && c.global->gap > kFarBelow)
+    c.failures.push_back({"global", "a path of " + short_number(c.global->lower_bound) + " may exist, this one costs " +
+                                        short_number(path.curve.cost) + ": " + c.global->reason});
   if (!(c.spacing <= options.spacing)) fail_spacing(c, options.spacing);
   c.estimate.method = "straightened";
   c.estimate.error = std::numeric_limits<double>::epsilon() * path.curve.cost *

@@ -35,7 +35,8 @@ Override pairs_option(const std::string& file) {
 struct Values {
   std::string config, output, pairs, seed, kind, type, name, mesh, shard, timeout, repetitions, format = "text";
   std::vector<std::string> configs, set;
-  int parallel = 1, vertex = 0;
+  int parallel = 1;
+  DistancesArguments distances;
   bool force = false, dry_run = false, quiet = false, verbose = false, weld = false, resume = false;
 
   bool json_lines() const { return format == "jsonl"; }
@@ -234,16 +235,32 @@ void add_helpers(CLI::App& app, Values& v, const Streams& streams, Command& chos
   add_format(doctor, v);
   doctor.callback([&] { chosen = [&] { return doctor_command(v.mesh, v.weld, v.json(), streams); }; });
 
-  CLI::App& distances = *app.add_subcommand("distances", "Exact distances over a mesh, from one vertex to all others");
+  CLI::App& distances = *app.add_subcommand(
+      "distances", "Exact distances over a mesh, from one vertex or the nearest of several to all others");
   distances.add_option("mesh", v.mesh, "OBJ, OFF, PLY or STL file")->required()->type_name("MESH");
-  distances.add_option("--from", v.vertex, "Vertex of the file, from 0")
+  DistancesArguments& d = v.distances;
+  distances.add_option("--from", d.from, "Vertex of the file, from 0, or a text file of such numbers; may be repeated")
       ->required()
-      ->type_name("VERTEX")
-      ->check(CLI::NonNegativeNumber);
+      ->type_name("VERTEX");
   distances.add_flag("--weld", v.weld, "After merging vertices with equal positions");
+  distances.add_option("--max-distance", d.max_distance, "Go no farther than this, length units")
+      ->check(CLI::PositiveNumber);
+  distances.add_option("--max-seconds", d.max_seconds, "Stop after this time; default: never")
+      ->check(CLI::PositiveNumber);
+  distances.add_option("--max-memory", d.max_memory, "Stop before windows take more, GB; default: 1.8")
+      ->check(CLI::PositiveNumber);
+  distances.add_option("--max-windows", d.max_windows, "Stop after this many windows; default: never")
+      ->check(CLI::PositiveNumber);
+  distances.add_flag("-q,--quiet", v.quiet, "No progress");
   add_output(distances, v, "Write to this file: .csv, .vtp or .ply; default: CSV on standard output", "FILE");
   distances.callback([&] {
-    chosen = [&] { return distances_command({v.mesh, v.vertex, v.output, v.weld}, streams); };
+    chosen = [&] {
+      v.distances.mesh = v.mesh;
+      v.distances.output = v.output;
+      v.distances.weld = v.weld;
+      v.distances.quiet = v.quiet;
+      return distances_command(v.distances, streams);
+    };
   });
 }
 

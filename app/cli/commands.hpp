@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,9 +41,13 @@ struct MergeArguments {
 
 struct DistancesArguments {
   std::string mesh;
-  int vertex = 0;      ///< of the file
-  std::string output;  ///< empty: CSV on stdout
-  bool weld = false;
+  std::vector<std::string> from;  ///< each a vertex of the file, or a text file of such numbers
+  std::string output;             ///< empty: CSV on stdout
+  bool weld = false, quiet = false;
+  std::optional<double> max_distance = {};  ///< length units
+  std::optional<double> max_seconds = {};
+  std::optional<double> max_memory = {};  ///< GB, of windows
+  std::optional<std::int64_t> max_windows = {};
 };
 
 /// What run_command() does where the configuration has many pairs of ends.
@@ -61,7 +67,7 @@ Exit describe_command(const std::string& kind, const std::string& type, const St
 /// `name`: empty for the list of templates; `file`: empty for stdout.
 Exit init_command(const std::string& name, const std::string& file, bool force, const Streams& streams);
 Exit doctor_command(const std::string& file, bool weld, bool json, const Streams& streams);
-/// Exact distances from one vertex of a mesh to all others.
+/// Exact distances from the nearest of some vertices of a mesh to all others.
 Exit distances_command(const DistancesArguments& arguments, const Streams& streams);
 
 /// Prints what the exception in flight says and returns its exit code. Call it in a catch block only.

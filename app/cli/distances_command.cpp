@@ -2,46 +2,150 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <charconv>
+#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <ostream>
+#include <span>
+#include <string>
+#include <vector>
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/exact/exact_search.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
 #include "app/cli/commands.hpp"
 #include "app/cli/interrupt.hpp"
+#include "app/cli/progress.hpp"
 #include "app/distances/distance_files.hpp"
 
 namespace leastcost::app {
+namespace {
+
+/// The vertices that --from names, each once by number or many in a file of numbers.
+std::vector<int> numbers_of(const std::vector<std::string>& from) {
+  std::vector<int> numbers;
+  const auto take = [&](const std::string& word, const std::string& where) {
+    int number = -1;
+    const char* end = word.data() + word.size();
+    const auto [rest, error] = std::from_chars(word.data(), end, number);
+    if (error != std::errc() || rest != end || number < 0)
+      throw InputError(fmt::format("{}: expected the number of a vertex, from 0, found '{}'", where, word));
+    numbers.push_back(number);
+  };
+  for (const std::string& one : from) {
+    if (!one.empty() && one.find_first_not_of("0123456789") == std::string::npos) {
+      take(one, "--from");
+      continue;
+    }
+    std::ifstream in(one);
+    if (!in)
+      throw InputError(
+          fmt::format("--from {}: neither the number of a vertex, from 0, nor a file that can be read", one));
+    const std::size_t before = numbers.size();
+    for (std::string word; in >> word;) take(word, one);
+    if (numbers.size() == before) throw InputError(fmt::format("--from {}: the file names no vertex", one));
+  }
+  return numbers;
+}
+
+std::vector<SurfacePoint> sources_of(const TriangleMesh& mesh, const DistancesArguments& arguments) {
+  std::vector<SurfacePoint> sources;
+  for (const int number : numbers_of(arguments.from)) {
+    const std::int32_t v = mesh.vertex_of_file(number);
+    if (v < 0)
+      throw InputError(fmt::format("{}: no face uses vertex {}, so that no path leaves it", arguments.mesh, number));
+    sources.push_back(vertex_point(mesh, v));
+  }
+  return sources;
+}
+
+struct Count {
+  std::int64_t reached = 0, not_reached = 0;
+  double farthest = 0;
+};
+
+Count count(const ExactDistances& found) {
+  Count all;
+  for (std::size_t v = 0; v < found.at_most.size(); ++v) {
+    if (state_at(found, static_cast<std::int32_t>(v)) == DistanceState::not_reached) ++all.not_reached;
+    if (!std::isfinite(found.at_most[v])) continue;
+    ++all.reached;
+    all.farthest = std::max(all.farthest, found.at_most[v]);
+  }
+  return all;
+}
+
+/// Why the search ended before all was known, with the option that lets it go on; empty where it did not.
+std::string end_of_search(const ExactDistances& found, const DistancesArguments& arguments, double max_memory) {
+  if (interrupted()) return "interrupted";
+  if (found.out_of_memory)
+    return fmt::format("stopped: windows may take {:.4g} GB of memory (--max-memory {:.4g} lets them take more)",
+                       max_memory, 2 * max_memory);
+  if (found.out_of_windows)
+    return fmt::format("stopped after {0} windows (--max-windows {1} lets it go on)", *arguments.max_windows,
+                       2 * *arguments.max_windows);
+  if (!found.complete && !found.blocked)
+    return fmt::format("stopped after {0:.4g} s (--max-seconds {1:.4g} lets it go on)", *arguments.max_seconds,
+                       2 * *arguments.max_seconds);
+  return "";
+}
+
+ExactDistances search(const TriangleMesh& mesh, std::span<const SurfacePoint> sources,
+                      const DistancesArguments& arguments, double max_memory, const Streams& streams) {
+  constexpr double kBytesPerGb = 1e9;
+  ProgressPrinter progress(streams, arguments.quiet);
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : mesh.positions()) box.extend(p);
+  const double whole = arguments.max_distance.value_or(box.diagonal().norm());
+  const auto begin = std::chrono::steady_clock::now();
+  ExactOptions options;
+  options.max_memory = max_memory * kBytesPerGb;
+  if (arguments.max_windows) options.max_windows = *arguments.max_windows;
+  if (arguments.max_distance) options.max_distance = *arguments.max_distance;
+  options.stop = [&] {
+    const std::chrono::duration<double> since = std::chrono::steady_clock::now() - begin;
+    return interrupted() || (arguments.max_seconds && since.count() > *arguments.max_seconds);
+  };
+  options.watch = [&](double seen_to, std::int64_t windows) {
+    progress.show_part("distances", seen_to / whole, fmt::format("up to {:.4g}, {} windows", seen_to, windows));
+  };
+  const ExactSearch exact(mesh);
+  ExactSearch::Workspace workspace(exact);
+  return exact.distances(sources, workspace, options);
+}
+
+}  // namespace
 
 Exit distances_command(const DistancesArguments& arguments, const Streams& streams) {
+  constexpr double kMaxMemory = 1.8;  // GB: with the rest of 50,000 triangles below 2
   const DistanceFormat format =
       arguments.output.empty() ? DistanceFormat::csv : distance_format(arguments.output);  // before any work
   MeshOptions options;
   options.weld = arguments.weld;
   const TriangleMesh mesh(read_mesh(arguments.mesh), options);
-  const std::int32_t source = mesh.vertex_of_file(arguments.vertex);
-  if (source < 0)
-    throw InputError(
-        fmt::format("{}: no face uses vertex {}, so that no path leaves it", arguments.mesh, arguments.vertex));
+  const std::vector<SurfacePoint> sources = sources_of(mesh, arguments);
   catch_interrupts();
-  const ExactSearch search(mesh);
-  ExactSearch::Workspace workspace(search);
-  const ExactDistances found = search.distances(vertex_point(mesh, source), workspace, {.stop = interrupted});
-  if (interrupted()) {
-    streams.err << "interrupted; nothing was written\n";
-    return Exit::interrupted;
-  }
-  if (!found.complete)
-    streams.err
-        << "note: shorter paths could cross an edge with three or more faces or a face without height, where "
-           "nothing can be unfolded: the errors are those of a bound of 0 (leastcost doctor names the places)\n";
+  const double max_memory = arguments.max_memory.value_or(kMaxMemory);
+  const ExactDistances found = search(mesh, sources, arguments, max_memory, streams);
+  const Count all = count(found);
+  const std::string end = end_of_search(found, arguments, max_memory);
+  if (!end.empty())
+    streams.err << fmt::format("{}: distances below {:.6g} are exact, {} of {} vertices were not reached\n", end,
+                               found.seen_to, all.not_reached, mesh.vertex_count());
+  if (found.blocked)
+    streams.err << fmt::format(
+        "note: shorter paths could cross a face without height, where nothing can be unfolded: distances from {:.6g} "
+        "on "
+        "are bounds (leastcost doctor names the places)\n",
+        found.seen_to);
+  const Exit exit = interrupted() ? Exit::interrupted : end.empty() ? Exit::certified : Exit::uncertified;
   const std::string text = distance_text(mesh, found, format);
   if (arguments.output.empty()) {
     streams.out << text;
-    return Exit::certified;
+    return exit;
   }
   std::ofstream out(arguments.output, std::ios::binary);
   out << text << std::flush;
@@ -49,16 +153,12 @@ Exit distances_command(const DistancesArguments& arguments, const Streams& strea
     streams.err << fmt::format("error: {} cannot be written\n", arguments.output);
     return Exit::output;
   }
-  double farthest = 0;
-  std::int64_t reached = 0;
-  for (const double d : found.at_most) {
-    if (!std::isfinite(d)) continue;
-    ++reached;
-    farthest = std::max(farthest, d);
-  }
-  streams.out << fmt::format("{}: {} of {} vertices reached, the farthest at {:.10g}\n", arguments.output, reached,
-                             mesh.vertex_count(), farthest);
-  return Exit::certified;
+  streams.out << fmt::format("{}: {} of {} vertices reached, the farthest at {:.10g}\n", arguments.output, all.reached,
+                             mesh.vertex_count(), all.farthest);
+  if (arguments.max_distance && end.empty() && all.not_reached > 0)
+    streams.out << fmt::format("{} vertices are farther than --max-distance {:.10g} or cannot be reached\n",
+                               all.not_reached, *arguments.max_distance);
+  return exit;
 }
 
 }  // namespace leastcost::app

@@ -64,6 +64,14 @@ std::string bracket_line(const GlobalBound& global) {
                      word_of(global.category), fmt::join(global.grid->cells, " x "), global.seconds);
 }
 
+constexpr double kFarBelow = 0.01;  // of the cost: a bound that deserves a line
+
+/// What a search over all paths left open, where that is much.
+std::string bound_line(const GlobalBound& global) {
+  return fmt::format("no path costs less than {:.6g}; a cheaper one than this was not ruled out: {}",
+                     global.lower_bound, global.reason.empty() ? "the budget of the search is spent" : global.reason);
+}
+
 std::string solver_line(const WrittenRun& run) {
   const SolveReport& report = run.result.solve;
   std::string line =
@@ -140,6 +148,8 @@ std::string summary_text(const WrittenRun& run, bool verbose) {
   out += row("cost", cost_line(run));
   if (const auto& global = result.certificate.global; global && global->counts == "cells")
     out += row("bracket", bracket_line(*global));
+  else if (global && global->outcome == "bounded" && global->gap > kFarBelow)
+    out += row("bound", bound_line(*global));
   if (result.certificate.measured && std::isfinite(result.curve.cost))
     out += row("spacing", fmt::format("{:.3g} (largest / smallest segment cost - 1)", result.certificate.spacing));
   out += row("points", fmt::format("{}{}", result.path.free_count(), shape_of(run)));

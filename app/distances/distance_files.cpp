@@ -18,35 +18,59 @@ struct AtVertex {
   double distance, error;
 };
 
-AtVertex at_vertex(const ExactDistances& distances, std::int32_t v, double none) {
-  const double most = distances.at_most[static_cast<std::size_t>(v)];
-  if (!std::isfinite(most)) return {none, 0};
-  return {most, most - distances.at_least[static_cast<std::size_t>(v)]};
+constexpr double kNoPath = -1, kNotReached = -2;  // in formats whose readers do not take inf
+
+AtVertex at_vertex(const ExactDistances& distances, std::int32_t v) {
+  const std::size_t i = static_cast<std::size_t>(v);
+  const double most = distances.at_most[i];
+  switch (state_at(distances, v)) {
+    case DistanceState::exact: return {distances.distance[i], most - distances.at_least[i]};
+    case DistanceState::bound: return {most, most - distances.at_least[i]};
+    case DistanceState::not_reached: return {most, most};
+    case DistanceState::no_path: return {most, 0};
+  }
+  return {};
 }
 
-constexpr double kNoPath = -1;  // in formats whose readers do not take inf
+/// The same without inf.
+AtVertex finite_at_vertex(const ExactDistances& distances, std::int32_t v) {
+  const DistanceState state = state_at(distances, v);
+  if (state == DistanceState::no_path) return {kNoPath, 0};
+  if (state == DistanceState::not_reached) return {kNotReached, 0};
+  return at_vertex(distances, v);
+}
+
+std::string_view word(DistanceState state) {
+  switch (state) {
+    case DistanceState::exact: return "exact";
+    case DistanceState::bound: return "bound";
+    case DistanceState::not_reached: return "not_reached";
+    case DistanceState::no_path: return "no_path";
+  }
+  return "";
+}
 
 std::string distance_csv(const TriangleMesh& mesh, const ExactDistances& distances) {
-  std::string out = "vertex,x,y,z,distance,error\n";
+  std::string out = "vertex,x,y,z,distance,error,state\n";
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
     if (mesh.file_vertex(v) < 0) continue;  // made by subdivision
     const Eigen::Vector3d& p = mesh.position(v);
-    const AtVertex at = at_vertex(distances, v, distances.at_most[static_cast<std::size_t>(v)]);
-    fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{}\n", mesh.file_vertex(v), p.x(), p.y(), p.z(),
-                   at.distance, at.error);
+    const AtVertex at = at_vertex(distances, v);
+    fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{}\n", mesh.file_vertex(v), p.x(), p.y(), p.z(),
+                   at.distance, at.error, word(state_at(distances, v)));
   }
   return out;
 }
 
 std::string distance_ply(const TriangleMesh& mesh, const ExactDistances& distances) {
   std::string out = fmt::format(
-      "ply\nformat ascii 1.0\ncomment exact distances on the mesh; -1: no path\nelement vertex {}\n"
+      "ply\nformat ascii 1.0\ncomment exact distances on the mesh; -1: no path; -2: not reached\nelement vertex {}\n"
       "property double x\nproperty double y\nproperty double z\nproperty double distance\nproperty double error\n"
       "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
       mesh.vertex_count(), mesh.face_count());
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
     const Eigen::Vector3d& p = mesh.position(v);
-    const AtVertex at = at_vertex(distances, v, kNoPath);
+    const AtVertex at = finite_at_vertex(distances, v);
     fmt::format_to(std::back_inserter(out), "{} {} {} {} {}\n", p.x(), p.y(), p.z(), at.distance, at.error);
   }
   for (const auto& face : mesh.faces())
@@ -66,7 +90,7 @@ std::string distance_vtp(const TriangleMesh& mesh, const ExactDistances& distanc
   const std::int32_t points = mesh.vertex_count(), faces = mesh.face_count();
   const auto of_vertices = [&](const char* name, double AtVertex::*value) {
     return vtp_array(name, 1, "Float64",
-                     rows(points, [&](std::int32_t v) { return at_vertex(distances, v, kNoPath).*value; }));
+                     rows(points, [&](std::int32_t v) { return finite_at_vertex(distances, v).*value; }));
   };
   std::string piece = "      <PointData Scalars=\"distance\">\n" + of_vertices("distance", &AtVertex::distance) +
                       of_vertices("error", &AtVertex::error) + "      </PointData>\n      <Points>\n";
@@ -84,6 +108,13 @@ std::string distance_vtp(const TriangleMesh& mesh, const ExactDistances& distanc
 }
 
 }  // namespace
+
+DistanceState state_at(const ExactDistances& distances, std::int32_t v) {
+  const double least = distances.at_least[static_cast<std::size_t>(v)];
+  if (!std::isfinite(distances.at_most[static_cast<std::size_t>(v)]))
+    return std::isfinite(least) ? DistanceState::not_reached : DistanceState::no_path;
+  return least < distances.seen_to ? DistanceState::exact : DistanceState::bound;
+}
 
 DistanceFormat distance_format(std::string_view file) {
   const std::string_view ending = file.substr(std::min(file.size(), file.rfind('.')));

@@ -15,6 +15,7 @@ namespace {
 
 /// Of the tolerance, the part that ends the search; the rest is for rounding.
 constexpr double kSearchShare = 0.5;
+constexpr double kSameDistance = 1e-12;  // relative: rounding leaves nobody out who is as far as the limit
 
 double rounded_up(const SurfacePath& path) {
   return path_length(path) * (1 + static_cast<double>(path.points.size() + 8) * kRoundingOf<double>);
@@ -34,6 +35,15 @@ SurfacePath straightened(const TriangleMesh& mesh, const SurfacePath& path) {
   } catch (const InputError&) {
   }
   return path;
+}
+
+QueryLimits limits_of(const ExactOptions& options) {
+  QueryLimits limits;
+  limits.max_windows = options.max_windows;
+  limits.max_memory = options.max_memory;
+  limits.stop = options.stop;
+  limits.watch = options.watch;
+  return limits;
 }
 
 }  // namespace
@@ -118,16 +128,18 @@ ExactResult ExactSearch::shortest(const SurfacePoint& source, const SurfacePoint
     }
     if (run.stopped()) {
       result.outcome = ExactOutcome::bounded;
+      result.out_of_memory = run.out_of_memory();
       return true;
     }
     result.outcome = ExactOutcome::blocked;
-    result.reason = run.at_fork()   ? "a shorter path could cross an edge with three or more faces"
-                    : run.blocked() ? "a shorter path could cross a face without height"
-                                    : "what rounding leaves open is more than the tolerance";
-    return run.at_fork();
+    result.reason = run.blocked() ? "a shorter path could cross a face without height"
+                                  : "what rounding leaves open is more than the tolerance";
+    return false;
   };
 
-  QueryLimits limits{result.length, kSearchShare * options.tolerance, options.max_windows, options.stop};
+  QueryLimits limits = limits_of(options);
+  limits.upper = result.length;
+  limits.slack = kSearchShare * options.tolerance;
   parts.quick.run(from, &to, bound, limits);
   if (take(parts.quick)) return result;
   if (!parts.fine) parts.fine = std::make_unique<Propagation<DoubleDouble>>(edges);
@@ -141,20 +153,34 @@ ExactResult ExactSearch::shortest(const SurfacePoint& source, const SurfacePoint
 
 ExactDistances ExactSearch::distances(const SurfacePoint& source, Workspace& workspace,
                                       const ExactOptions& options) const {
+  return distances(std::span<const SurfacePoint>(&source, 1), workspace, options);
+}
+
+ExactDistances ExactSearch::distances(std::span<const SurfacePoint> sources, Workspace& workspace,
+                                      const ExactOptions& options) const {
+  if (sources.empty()) throw InputError("distances start somewhere: give one source at least");
   const HalfEdges& edges = tables_->edges;
-  const EndPoint from = end_point(edges, source);
+  std::vector<EndPoint> from;
+  from.reserve(sources.size());
+  for (const SurfacePoint& source : sources) from.push_back(end_point(edges, source));
   Propagation<double>& run = workspace.parts_->quick;
-  QueryLimits limits;
-  limits.max_windows = options.max_windows;
-  limits.stop = options.stop;
+  QueryLimits limits = limits_of(options);
+  limits.upper = options.max_distance * (1 + kSameDistance);
   run.run(from, nullptr, LowerBound(edges, nullptr, nullptr), limits);
   ExactDistances all;
   all.windows = run.windows();
-  all.complete = !run.stopped() && !run.blocked();
+  all.seen_to = run.seen_to();
+  all.blocked = run.blocked();
+  all.complete = !run.stopped() && !all.blocked;
+  all.out_of_memory = run.out_of_memory();
+  all.out_of_windows = run.stopped() && !all.out_of_memory && run.windows() > options.max_windows;
   for (std::int32_t v = 0; v < edges.mesh().vertex_count(); ++v) {
-    all.at_least.push_back(all.complete ? run.reached(v).at_least : 0);
-    all.at_most.push_back(run.reached(v).at_most);
-    all.distance.push_back(std::clamp(run.reached(v).about, all.at_least.back(), all.at_most.back()));
+    const VertexReach& reach = run.reached(v);
+    const bool asked_for = reach.at_least <= limits.upper;  // what lies beyond was met by chance
+    all.at_least.push_back(std::min(reach.at_least, all.seen_to));
+    all.at_most.push_back(asked_for ? reach.at_most : std::numeric_limits<double>::infinity());
+    all.distance.push_back(asked_for ? std::clamp(reach.about, all.at_least.back(), all.at_most.back())
+                                     : std::numeric_limits<double>::infinity());
   }
   return all;
 }
@@ -164,9 +190,7 @@ std::vector<SurfacePath> ExactSearch::paths(const SurfacePoint& source, std::spa
   const HalfEdges& edges = tables_->edges;
   const EndPoint from = end_point(edges, source);
   Propagation<double>& run = workspace.parts_->quick;
-  QueryLimits limits;
-  limits.max_windows = options.max_windows;
-  limits.stop = options.stop;
+  QueryLimits limits = limits_of(options);
   limits.keep_windows = true;
   run.run(from, nullptr, LowerBound(edges, nullptr, nullptr), limits);
   std::vector<SurfacePath> paths;

@@ -28,7 +28,13 @@ std::string_view word(ExactOutcome outcome);
 struct ExactOptions {
   double tolerance = 1e-9;  ///< gap that counts as proved, relative
   std::int64_t max_windows = std::numeric_limits<std::int64_t>::max();
-  std::function<bool()> stop = {};     ///< true: stop with what is known; empty: never
+  /// Bytes that windows may take: with the tables of 50,000 triangles less than 2 GB.
+  double max_memory = 1.8e9;
+  std::function<bool()> stop = {};  ///< true: stop with what is known; empty: never
+  /// Told now and then what no path that is still open is shorter than, and the number of windows.
+  std::function<void(double, std::int64_t)> watch = {};
+  /// Of distances: no farther than this, length units.
+  double max_distance = std::numeric_limits<double>::infinity();
   const SurfacePath* start = nullptr;  ///< a path between the ends that is known already
   bool landmarks = true;               ///< use those of the search, if it has any
 };
@@ -43,17 +49,24 @@ struct ExactResult {
   std::int64_t windows = 0;
   bool twice_the_digits = false;  ///< double was not enough
   std::string bound;              ///< "euclid" or "euclid + 16 landmarks"
+  bool out_of_memory = false;     ///< outcome bounded: it was max_memory
   std::string reason;             ///< of outcome blocked, in words
 
   bool is_proved() const { return outcome == ExactOutcome::proved || outcome == ExactOutcome::improved; }
 };
 
-/// Distances from one point to all vertices, each in [at_least, at_most]; infinite where there is no path. Within these
-/// bounds, which allow for the worst that rounding may do in every face, `distance` is right but for a few roundings.
+/// Distances from the nearest of some points to all vertices, each in [at_least, at_most]. Both are infinite where
+/// there is no path; at_most alone where none was found. Within these bounds, which allow for the worst that rounding
+/// may do in every face, `distance` is right but for a few roundings.
 struct ExactDistances {
   std::vector<double> distance, at_least, at_most;
   std::int64_t windows = 0;
-  bool complete = true;  ///< false: stopped, or paths run where nothing can be unfolded; then at_least is 0
+  /// Every path that is shorter was seen: what is nearer is as exact as rounding lets it be. Infinite: all is known.
+  double seen_to = std::numeric_limits<double>::infinity();
+  bool complete = true;         ///< false: stopped, or paths run where nothing can be unfolded
+  bool blocked = false;         ///< that paths run over a face without height
+  bool out_of_memory = false;   ///< stopped by max_memory
+  bool out_of_windows = false;  ///< stopped by max_windows
 };
 
 /// The shortest paths on one mesh, the polyhedron as it is, with a proof: windows in the order of what they can still
@@ -82,6 +95,9 @@ class ExactSearch {
   ExactResult shortest(const SurfacePoint& source, const SurfacePoint& target, Workspace& workspace,
                        const ExactOptions& options = {}) const;
   ExactDistances distances(const SurfacePoint& source, Workspace& workspace, const ExactOptions& options = {}) const;
+  /// From the nearest of several points. Throws InputError where there is none.
+  ExactDistances distances(std::span<const SurfacePoint> sources, Workspace& workspace,
+                           const ExactOptions& options = {}) const;
 
   /// Shortest paths from one point to many vertices by one propagation, each straightened; empty where there is none.
   /// All windows are kept for it, about 100 bytes each; after a stop, or a spent budget, paths need not be the

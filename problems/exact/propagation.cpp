@@ -27,6 +27,7 @@ bool same_ends(const HalfEdges& mesh, std::int32_t h, std::int32_t g) {
 template <class Real>
 Propagation<Real>::Propagation(const HalfEdges& mesh)
     : mesh_(&mesh),
+      forks_(mesh),
       reach_(at(mesh.mesh().vertex_count())),
       guides_(at(mesh.mesh().vertex_count())),
       slots_(3 * static_cast<std::size_t>(mesh.mesh().face_count())) {}
@@ -49,37 +50,49 @@ double Propagation<Real>::lower_bound() const {
   return std::max(0.0, least);
 }
 
+/// Asked before every step. The pool and the queue may grow to twice of what they hold, and while they do, the old and
+/// the new one are there.
 template <class Real>
-void Propagation<Real>::run(const EndPoint& source, const EndPoint* target, const LowerBound& bound,
+bool Propagation<Real>::is_spent(const QueryLimits& limits, std::int64_t step) {
+  constexpr double kBytes = 2 * (sizeof(Window<Real>) + sizeof(WindowQueue::Entry));
+  out_of_memory_ = kBytes * static_cast<double>(pool_.size()) > limits.max_memory;
+  if (out_of_memory_ || windows_ > limits.max_windows) return true;
+  if (step % kLook != 0) return false;
+  if (limits.watch) limits.watch(queue_.floor(), windows_);
+  return limits.stop && limits.stop();
+}
+
+template <class Real>
+void Propagation<Real>::run(std::span<const EndPoint> sources, const EndPoint* target, const LowerBound& bound,
                             const QueryLimits& limits) {
   ++query_;
   pool_.clear();
   free_.clear();
   edges_.clear();
   slivers_.clear();
-  source_ = &source;
+  source_ = &sources.front();
   target_ = target;
   bound_ = &bound;
   best_ = limits.upper;
   slack_ = limits.slack;
   limit_ = best_ * (1 - slack_);
-  target_at_least_ = target_at_most_ = blocked_ = fork_ = kInfinity;
+  target_at_least_ = target_at_most_ = blocked_ = kInfinity;
   target_window_ = target_vertex_ = -1;
   open_ = 0;
-  stopped_ = false;
+  stopped_ = out_of_memory_ = false;
   keeps_ = target != nullptr || limits.keep_windows;
   sabotage_ = limits.sabotage;
   sabotaged_ = sabotage_.drop_every > 0 || sabotage_.crack > 0;
   windows_ = 0;
 
-  const double straight = bound.from_end(source), edge = mesh_->mean_edge();
+  const double straight = bound.from_end(*source_), edge = mesh_->mean_edge();
   const double slot = bound.aims() ? std::max(edge / kSlotsPerEdge, straight / kFirstSlots) : edge / kSlotsPerEdgeToAll;
   queue_.begin(straight, slot > 0 ? slot : 1);
-  start(source);
+  for (const EndPoint& source : sources) start(source);
   std::int64_t steps = 0;
   while (queue_.settle()) {
     if (queue_.floor() >= limit_) break;
-    if (windows_ > limits.max_windows || (++steps % kLook == 0 && limits.stop && limits.stop())) {
+    if (is_spent(limits, ++steps)) {
       open_ = queue_.floor();
       stopped_ = true;
       break;
@@ -104,6 +117,7 @@ void Propagation<Real>::start(const EndPoint& source) {
     VertexReach& reach = touch(source.vertex);
     reach.at_least = reach.at_most = reach.about = guide(source.vertex).at_most = 0;
     reach.all_around = reach.fired = true;
+    reach.pending = false;  // another source may have reached it
     if (target_ != nullptr && target_->vertex == source.vertex) reach_target(0, 0, -1, -1);
     if (target_ != nullptr && target_->vertex < 0) {
       for (const std::int32_t f : target_->faces)
@@ -162,12 +176,14 @@ void Propagation<Real>::start_in_face(const EndPoint& source, std::int32_t face)
 }
 
 template Propagation<double>::Propagation(const HalfEdges&);
-template void Propagation<double>::run(const EndPoint&, const EndPoint*, const LowerBound&, const QueryLimits&);
+template void Propagation<double>::run(std::span<const EndPoint>, const EndPoint*, const LowerBound&,
+                                       const QueryLimits&);
 template double Propagation<double>::lower_bound() const;
 template void Propagation<double>::block(double);
 template VertexReach& Propagation<double>::touch(std::int32_t);
 template Propagation<DoubleDouble>::Propagation(const HalfEdges&);
-template void Propagation<DoubleDouble>::run(const EndPoint&, const EndPoint*, const LowerBound&, const QueryLimits&);
+template void Propagation<DoubleDouble>::run(std::span<const EndPoint>, const EndPoint*, const LowerBound&,
+                                             const QueryLimits&);
 template double Propagation<DoubleDouble>::lower_bound() const;
 template void Propagation<DoubleDouble>::block(double);
 template VertexReach& Propagation<DoubleDouble>::touch(std::int32_t);

@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <type_traits>
 #include <vector>
 
 #include "problems/exact/end_point.hpp"
+#include "problems/exact/forks.hpp"
 #include "problems/exact/half_edges.hpp"
 #include "problems/exact/lower_bound.hpp"
 #include "problems/exact/window.hpp"
@@ -24,18 +26,27 @@ class Propagation {
   explicit Propagation(const HalfEdges& mesh);
 
   /// Runs until nothing open can beat the best path by more than the slack. Without a target: until all is reached.
-  void run(const EndPoint& source, const EndPoint* target, const LowerBound& bound, const QueryLimits& limits);
+  void run(const EndPoint& source, const EndPoint* target, const LowerBound& bound, const QueryLimits& limits) {
+    run({&source, 1}, target, bound, limits);
+  }
+  /// The same from the nearest of several sources, at least one. With more than one no path can be traced.
+  void run(std::span<const EndPoint> sources, const EndPoint* target, const LowerBound& bound,
+           const QueryLimits& limits);
 
   /// No path to the target is shorter, whatever stopped the run; infinite where there is none.
   double lower_bound() const;
   /// There is a path to the target that is at most this long: the found one; infinite where none was found.
   double found() const { return target_at_most_; }
-  /// Paths that could be shorter than the best run over an edge with three or more faces or a face without height.
+  /// Paths that could be shorter than the best run over a face without height.
   bool blocked() const { return blocked_ < limit_; }
-  /// Of these, over an edge with three or more faces: more digits would not help.
-  bool at_fork() const { return fork_ < limit_; }
-  /// The budget of windows was spent, or somebody asked to stop.
+  /// The budget was spent, or somebody asked to stop.
   bool stopped() const { return stopped_; }
+  /// That it was the memory.
+  bool out_of_memory() const { return out_of_memory_; }
+  /// Without a target: every path that is shorter than this was seen.
+  double seen_to() const {
+    return std::min({limit_, blocked_, stopped_ ? open_ : std::numeric_limits<double>::infinity()});
+  }
   std::int64_t windows() const { return windows_; }
   const VertexReach& reached(std::int32_t v) const {
     static const VertexReach kUnreached;
@@ -88,6 +99,8 @@ class Propagation {
   void start(const EndPoint& source);
   void start_in_face(const EndPoint& source, std::int32_t face);
   void add(std::int32_t from_side, bool from_tail, Window<Real>& w);
+  void enter(std::int32_t h, std::int32_t from_side, bool from_tail, Window<Real>& w);
+  bool is_spent(const QueryLimits& limits, std::int64_t step);
   bool sabotaged(Window<Real>& w) const;
   bool is_sliver(const Window<Real>& w, const Real& length) const;
   bool stands_for(const Window<Real>& kept, const Window<Real>& w) const;
@@ -110,10 +123,12 @@ class Propagation {
   void fire_edge(std::int32_t v, std::int32_t halfedge);
   void trace_back(std::int32_t window, Point2 towards, SurfacePath& reversed) const;
   std::int32_t root_of(std::int32_t window) const;
+  std::int32_t side_left(const Window<Real>& w) const;
   std::int32_t face_between(std::int32_t v, std::int32_t other, const EndPoint& end) const;
   void trace_to_source(std::int32_t vertex, SurfacePath& reversed) const;
 
   const HalfEdges* mesh_;
+  Forks forks_;
   std::vector<VertexReach> reach_;
   std::vector<VertexGuide> guides_;
   /// Where the state of a half-edge's edge is, and the query that this is of.
@@ -132,9 +147,9 @@ class Propagation {
   const EndPoint *source_ = nullptr, *target_ = nullptr;
   const LowerBound* bound_ = nullptr;
   double best_ = 0, slack_ = 0, limit_ = 0;  // best length known; what ends the search
-  double target_at_least_ = 0, target_at_most_ = 0, blocked_ = 0, fork_ = 0, open_ = 0;
+  double target_at_least_ = 0, target_at_most_ = 0, blocked_ = 0, open_ = 0;
   std::int32_t target_window_ = -1, target_vertex_ = -1;
-  bool stopped_ = false, keeps_ = true, sabotaged_ = false;
+  bool stopped_ = false, out_of_memory_ = false, keeps_ = true, sabotaged_ = false;
   Sabotage sabotage_;
   std::int64_t windows_ = 0;
 };

@@ -21,12 +21,20 @@ Real clamped(const Real& x, const Real& low, const Real& high) {
 }  // namespace
 
 /// The window of paths that leave a face through its side `from_side`, in coordinates that run from the side's tail or
-/// from its head: counted as one of the face behind it.
+/// from its head: counted as one of the face behind it, or of each where more than one is.
 template <class Real>
 void Propagation<Real>::add(std::int32_t from_side, bool from_tail, Window<Real>& w) {
   const std::int32_t behind = mesh_->across(from_side);
+  if (behind >= 0) return enter(behind, from_side, from_tail, w);
   if (behind == TriangleMesh::kBorder) return;
-  const std::int32_t h = behind >= 0 ? behind : from_side;
+  for (const std::int32_t h : forks_.sides(from_side)) {
+    Window<Real> into = w;
+    if (h != from_side) enter(h, from_side, from_tail, into);
+  }
+}
+
+template <class Real>
+void Propagation<Real>::enter(std::int32_t h, std::int32_t from_side, bool from_tail, Window<Real>& w) {
   const std::int32_t origin = from_tail ? mesh_->tail(from_side) : mesh_->head(from_side);
   const Real length = std::is_same_v<Real, double> ? Real(mesh_->side(h).length) : side(h).length;
   if (mesh_->tail(h) != origin) {
@@ -45,11 +53,6 @@ void Propagation<Real>::add(std::int32_t from_side, bool from_tail, Window<Real>
   if (is_sliver(w, length) && merged(h, length, w)) return;
   const double key = (w.sigma + rest_through(h, w)) * (1 - 2 * kEpsilon) - w.error;
   if (key >= limit_) return;
-  if (behind < 0) {
-    fork_ = std::min(fork_, key);
-    block(key);
-    return;
-  }
   w.halfedge = h;
   ++windows_;
   std::int32_t id = static_cast<std::int32_t>(pool_.size());

@@ -10,11 +10,27 @@
 namespace leastcost {
 using exact::kInfinity, exact::value;
 
+/// The side of the face that a window's paths come from, at the edge that it is on.
+template <class Real>
+std::int32_t Propagation<Real>::side_left(const Window<Real>& w) const {
+  const std::int32_t across = mesh_->across(w.halfedge);
+  if (across >= 0) return across;
+  const std::int32_t root = w.root >= 0 ? w.root : source_->vertex;
+  for (const std::int32_t g : forks_.sides(w.halfedge)) {
+    if (g == w.halfedge) continue;
+    if (w.parent >= 0 ? pool_[at(w.parent)].halfedge / 3 == g / 3
+        : root >= 0   ? mesh_->tail(TriangleMesh::previous(g)) == root
+                      : std::find(source_->faces.begin(), source_->faces.end(), g / 3) != source_->faces.end())
+      return g;
+  }
+  return w.halfedge;
+}
+
 template <class Real>
 void Propagation<Real>::trace_back(std::int32_t window, Point2 towards, SurfacePath& reversed) const {
   while (window >= 0) {
     const Window<Real>& w = pool_[at(window)];
-    const std::int32_t h = w.halfedge, g = mesh_->across(h);
+    const std::int32_t h = w.halfedge, g = side_left(w);
     const double length = mesh_->side(h).length, x = value(w.x), height = value(w.height);
     const double depth = height + towards.y;
     const double at_edge =

@@ -74,8 +74,12 @@ struct QueryLimits {
   double upper = std::numeric_limits<double>::infinity();  ///< length of a known path, rounded up
   double slack = 0;                                        ///< paths within this fraction of the best are not sought
   std::int64_t max_windows = std::numeric_limits<std::int64_t>::max();
+  /// Bytes that its windows may take, the most that growing takes for a moment counted.
+  double max_memory = std::numeric_limits<double>::infinity();
   std::function<bool()> stop = {};  ///< true: stop; empty: never
-  bool keep_windows = false;        ///< without a target: for paths, too, not for distances alone
+  /// Told now and then what no open path is shorter than, and how many windows there were; empty: nobody.
+  std::function<void(double, std::int64_t)> watch = {};
+  bool keep_windows = false;  ///< without a target: for paths, too, not for distances alone
   Sabotage sabotage = {};
 };
 

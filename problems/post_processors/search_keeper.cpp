@@ -72,4 +72,9 @@ std::shared_ptr<KeptSearch> SearchKeeper::search_for(const Problem& problem, con
   return last_;
 }
 
+bool SearchKeeper::holds(const Problem& problem, const MetricRoot& metric) {
+  const std::lock_guard<std::mutex> guard(lock_);
+  return last_ && last_->is_of(problem, metric);
+}
+
 }  // namespace leastcost

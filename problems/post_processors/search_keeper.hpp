@@ -49,6 +49,9 @@ class SearchKeeper {
   std::shared_ptr<KeptSearch> search_for(const Problem& problem, const TriangleMesh& mesh, const MetricRoot& metric,
                                          const GlobalBudget& budget, const std::function<bool()>& stop);
 
+  /// Whether it is there already.
+  bool holds(const Problem& problem, const MetricRoot& metric);
+
  private:
   std::mutex lock_;
   std::shared_ptr<KeptSearch> last_;

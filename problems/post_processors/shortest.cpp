@@ -3,6 +3,7 @@
 #include <leastcost/problems/post_processors/shortest.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 #include <optional>
 #include <string>
@@ -25,6 +26,8 @@ constexpr std::int32_t kSmallMesh = 20000;           // vertices up to which a p
 constexpr std::int64_t kLargeMeshWindows = 2000000;  // above: a second or so, 200 MB
 constexpr std::int64_t kMostWindows = 10000000;      // a GB
 constexpr double kShorter = 1e-9;                    // relative length that makes another class
+// What is built before the first window does not look at the clock. Seconds per face, of two cores that are busy.
+constexpr double kTables = 1e-6, kMetricMesh = 1e-6, kEdgeGraph = 1e-6;
 
 GlobalBudget budget_of(const GlobalProof& proof, const TriangleMesh& mesh) {
   GlobalBudget budget;
@@ -34,6 +37,21 @@ GlobalBudget budget_of(const GlobalProof& proof, const TriangleMesh& mesh) {
                                               ? kLargeMeshWindows
                                               : kMostWindows);
   return budget;
+}
+
+/// Whether something that takes so long would end after the deadline.
+bool is_too_long(double seconds, const Deadline& end) {
+  return end && std::chrono::duration<double>(*end - Monitor::Clock::now()).count() < seconds;
+}
+
+/// Why a proof came to no end, and what would take it on.
+std::string reason_of(const ExactResult& found, const GlobalBudget& budget) {
+  if (found.outcome != ExactOutcome::bounded) return found.reason;
+  if (found.out_of_memory) return "the windows would take more than 1.8 GB of memory";
+  if (found.windows > *budget.max_windows)
+    return "its budget of " + std::to_string(*budget.max_windows) +
+           " windows is spent (certificate: {global: {max_windows: ..}} raises it)";
+  return "its time is spent (max_seconds raises it)";
 }
 
 /// The path becomes the curve that is delivered, with the chain's points on it.
@@ -79,6 +97,11 @@ PostProcessed ShortestPostProcessor::apply(const Problem& problem, const FirstPa
   const GlobalBudget budget = budget_of(proof_, mesh);
   ExactOptions options;
   options.stop = stop_of_search(budget, monitor);
+  const double faces = mesh.face_count(), tables = faces * (kTables + (*metric ? kMetricMesh : 0));
+  if (!keeper_->holds(problem, *metric) && is_too_long(tables, end_of_search(budget, monitor))) {
+    current.notes.emplace_back("shortest: no time was left for the tables of a proof; a larger max_seconds gives it");
+    return current;
+  }
   const std::shared_ptr<KeptSearch> kept = keeper_->search_for(problem, mesh, *metric, budget, options.stop);
   const MetricMesh* turned = kept->turned();
   SurfacePath start = as_surface_path(current.curve);
@@ -92,7 +115,8 @@ PostProcessed ShortestPostProcessor::apply(const Problem& problem, const FirstPa
   kept->give_back(std::move(workspace));
   // Paths are known on the mesh of the search, whose positions are turned by the metric.
   const StopPredicate spent = [&monitor] { return monitor.interrupted(); };
-  if (!found.is_proved()) try_other_starts(turned ? turned->mesh() : mesh, points.front(), points.back(), spent, found);
+  if (!found.is_proved() && !is_too_long(faces * kEdgeGraph, monitor.deadline))
+    try_other_starts(turned ? turned->mesh() : mesh, points.front(), points.back(), spent, found);
 
   const double before = current.curve.cost;
   if (found.length < before * (1 - budget.tolerance)) {
@@ -107,7 +131,7 @@ PostProcessed ShortestPostProcessor::apply(const Problem& problem, const FirstPa
   global.gap = found.gap;
   global.steps = found.windows;
   global.bound = found.bound;
-  global.reason = found.reason;
+  if (!global.proved) global.reason = reason_of(found, budget);
   return current;
 }
 

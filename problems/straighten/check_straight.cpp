@@ -59,7 +59,8 @@ class StraightnessChecker {
   std::int32_t edge_at_point(std::size_t i) const;
   Eigen::Vector3d into_face(std::int32_t halfedge) const;
   Frame first_frame(std::int32_t face) const;
-  Frame carried_over(const Frame& frame, std::int32_t halfedge) const;
+  std::int32_t side_at(std::int32_t face, std::int32_t halfedge) const;
+  Frame carried_over(const Frame& frame, std::int32_t halfedge, std::int32_t beyond) const;
   bool develop(std::size_t begin, std::size_t end, Stretch& stretch) const;
   Eigen::Vector2d chord(const Stretch& stretch, bool from_end) const;
   double allowance(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const;
@@ -97,6 +98,15 @@ std::int32_t StraightnessChecker::vertex_at_point(std::size_t i) const {
   return found;
 }
 
+/// The side of a face at the edge of a halfedge, of two faces or more; -1: it is not at that edge.
+std::int32_t StraightnessChecker::side_at(std::int32_t face, std::int32_t halfedge) const {
+  const std::int32_t across = mesh_.across(halfedge);
+  if (across >= 0) return across / 3 == face ? across : -1;
+  for (std::int32_t g = 3 * face; across == TriangleMesh::kNonManifold && g < 3 * face + 3; ++g)
+    if (std::minmax(mesh_.tail(g), mesh_.head(g)) == std::minmax(mesh_.tail(halfedge), mesh_.head(halfedge))) return g;
+  return -1;
+}
+
 /// The halfedge by which the path leaves a face at point i, or -1 (it stays on the face), or -2 (it jumps).
 std::int32_t StraightnessChecker::edge_at_point(std::size_t i) const {
   const std::int32_t f = path_.faces[i - 1], g = path_.faces[i];
@@ -104,7 +114,7 @@ std::int32_t StraightnessChecker::edge_at_point(std::size_t i) const {
   std::int32_t best = -2;
   double nearest = kInfinity;
   for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
-    if (mesh_.across(h) < 0 || mesh_.across(h) / 3 != g) continue;
+    if (side_at(g, h) < 0) continue;
     const Eigen::Vector3d a = mesh_.position(mesh_.tail(h));
     const Eigen::Vector3d e = (mesh_.position(mesh_.head(h)) - a).normalized();
     const double distance = e.cross(path_.points[i] - a).norm();
@@ -132,12 +142,12 @@ Frame StraightnessChecker::first_frame(std::int32_t face) const {
   return {(vertex(mesh_.head(longest)) - vertex(mesh_.tail(longest))).normalized(), into_face(longest)};
 }
 
-/// The frame of the face behind a halfedge, such that both faces lie side by side in the plane.
-Frame StraightnessChecker::carried_over(const Frame& frame, std::int32_t halfedge) const {
+/// The frame of the face whose side `beyond` is, such that it lies beside that of the halfedge in the plane.
+Frame StraightnessChecker::carried_over(const Frame& frame, std::int32_t halfedge, std::int32_t beyond) const {
   const Eigen::Vector3d e = (vertex(mesh_.head(halfedge)) - vertex(mesh_.tail(halfedge))).normalized();
-  const Eigen::Vector3d out = into_face(mesh_.across(halfedge));
-  const Eigen::Vector2d along = frame(e), beyond = -frame(into_face(halfedge));
-  return {along.x() * e + beyond.x() * out, along.y() * e + beyond.y() * out};
+  const Eigen::Vector3d out = into_face(beyond);
+  const Eigen::Vector2d along = frame(e), away = -frame(into_face(halfedge));
+  return {along.x() * e + away.x() * out, along.y() * e + away.y() * out};
 }
 
 /// Segments [begin, end) of the path. False: it is no connected path on the mesh.
@@ -150,7 +160,7 @@ bool StraightnessChecker::develop(std::size_t begin, std::size_t end, Stretch& s
     if (i > begin) {
       const std::int32_t h = edge_at_point(i);
       if (h == -2) return false;
-      if (h >= 0) stretch.last = carried_over(stretch.last, h);
+      if (h >= 0) stretch.last = carried_over(stretch.last, h, side_at(path_.faces[i], h));
     }
     stretch.steps.push_back(stretch.last(root_ * (path_.points[i + 1] - path_.points[i])));
   }

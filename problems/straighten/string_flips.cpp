@@ -94,12 +94,13 @@ bool StringFlipper::flip(const TautString& string, std::size_t piece, const Cand
   return true;
 }
 
-bool StringFlipper::try_flip(TautString& string, std::size_t piece, const Candidate& candidate) {
+bool StringFlipper::try_flip(TautString& string, std::size_t piece, const Candidate& candidate,
+                             const std::function<bool()>& stop) {
   if (!flip(string, piece, candidate)) return false;
   const double before = string.length();
   if (trial_.length() > before * (1 + kHopeless)) return false;
   try {
-    mover_->straighten(trial_, {});
+    mover_->straighten(trial_, stop);
   } catch (const InputError&) {
     return false;  // the other side holds an edge with three or more faces: leave the string where it is
   }
@@ -115,7 +116,7 @@ bool StringFlipper::improve(TautString& string, const std::function<bool()>& sto
     bool improved = false;
     for (const Candidate& candidate : candidates_) {
       if (stop && stop()) return false;
-      improved = try_flip(string, piece, candidate);
+      improved = try_flip(string, piece, candidate, stop);
       if (improved) break;
     }
     piece = improved ? 0 : piece + 1;

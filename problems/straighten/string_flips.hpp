@@ -32,7 +32,7 @@ class StringFlipper {
   void find_candidates(const TautString& string, std::size_t piece);
   void add_candidate(std::int32_t v, std::size_t first, std::size_t last, const Eigen::Vector2d& at);
   bool flip(const TautString& string, std::size_t piece, const Candidate& candidate);
-  bool try_flip(TautString& string, std::size_t piece, const Candidate& candidate);
+  bool try_flip(TautString& string, std::size_t piece, const Candidate& candidate, const std::function<bool()>& stop);
 
   StringPuller* puller_;
   StringMover* mover_;

@@ -114,19 +114,21 @@ void StringMover::reroute(TautString& string, std::size_t first, std::size_t las
     out.nodes.push_back(string.nodes[last]);
     return;
   }
-  const double before = gather(string, first, last);
-  const std::size_t nodes = out.nodes.size(), pieces = out.pieces.size();
-  const StripEnd from = string.nodes[first].end, to = string.nodes[last].end;
-  puller_->pull(from, strip_, to, out);
-  double after = 0;
-  for (std::size_t i = pieces; i < out.pieces.size(); ++i) after += out.pieces[i].length;
-  if (worth_it(before, after)) {
-    out.nodes[nodes - 1].changed = true;
-    moves_ += static_cast<std::int64_t>(last - first) - 1;
-    return;
+  if (!is_stopped()) {
+    const double before = gather(string, first, last);
+    const std::size_t nodes = out.nodes.size(), pieces = out.pieces.size();
+    const StripEnd from = string.nodes[first].end, to = string.nodes[last].end;
+    puller_->pull(from, strip_, to, out);
+    double after = 0;
+    for (std::size_t i = pieces; i < out.pieces.size(); ++i) after += out.pieces[i].length;
+    if (worth_it(before, after)) {
+      out.nodes[nodes - 1].changed = true;
+      moves_ += static_cast<std::int64_t>(last - first) - 1;
+      return;
+    }
+    out.nodes.resize(nodes);
+    out.pieces.resize(pieces);
   }
-  out.nodes.resize(nodes);
-  out.pieces.resize(pieces);
   for (std::size_t i = first; i < last; ++i) {
     out.pieces.push_back(std::move(string.pieces[i]));
     out.nodes.push_back(string.nodes[i + 1]);
@@ -182,7 +184,7 @@ bool StringMover::try_shot(const TautString& string, std::size_t first, std::siz
 
 /// One shot for the whole stretch, else for its halves, and so on.
 void StringMover::find_shots(const TautString& string, std::size_t first, std::size_t last) {
-  if (last < first + 2) return;
+  if (last < first + 2 || is_stopped()) return;
   if (try_shot(string, first, last)) return;
   const std::size_t middle = first + (last - first) / 2;
   find_shots(string, first, middle);
@@ -217,8 +219,9 @@ bool StringMover::sweep(TautString& string) {
 bool StringMover::straighten(TautString& string, const std::function<bool()>& stop) {
   undecided_ = 0;
   failed_.clear();
+  stop_ = stop;
   while (sweep(string))
-    if (stop && stop()) return false;
+    if (is_stopped()) return false;
   return true;
 }
 

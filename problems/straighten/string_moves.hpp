@@ -50,6 +50,7 @@ class StringMover {
   };
 
   bool sweep(TautString& string);
+  bool is_stopped() const { return stop_ && stop_(); }
   bool find_moves(TautString& string);
   double gather(const TautString& string, std::size_t first, std::size_t last);
   void reroute(TautString& string, std::size_t first, std::size_t last, TautString& out);
@@ -70,6 +71,7 @@ class StringMover {
   std::set<std::pair<std::int32_t, std::int32_t>> failed_;  // ends of shots that were not shorter
   TautString next_;
   Strip strip_, straight_;
+  std::function<bool()> stop_;  // of the straightening in hand
   std::int64_t moves_ = 0;
   int undecided_ = 0;  // moves whose gain was below rounding
 };

@@ -256,9 +256,9 @@ TEST_CASE("command line: distances") {
                                       "f 1 2 3\nf 2 4 3\nf 5 6 7\n");
   const Called table = call({"distances", mesh, "--from", "0"});
   CHECK(table.exit == 0);
-  CHECK_THAT(table.out, Contains("vertex,x,y,z,distance,error\n0,0,0,0,0,0\n"));
+  CHECK_THAT(table.out, Contains("vertex,x,y,z,distance,error,state\n0,0,0,0,0,0,exact\n"));
   CHECK_THAT(table.out, Contains("\n3,1,1,0,1.41421356"));
-  CHECK_THAT(table.out, Contains("\n5,9,1,0,inf,0\n"));
+  CHECK_THAT(table.out, Contains("\n5,9,1,0,inf,0,no_path\n"));
   for (const std::string ending : {"csv", "vtp", "ply"}) {
     const std::string file = (dir / ("d." + ending)).string();
     const Called written = call({"distances", mesh, "--from", "0", "-o", file});
@@ -271,6 +271,37 @@ TEST_CASE("command line: distances") {
   CHECK_THAT(call({"distances", mesh, "--from", "0", "-o", "d.txt"}).err, Contains(".csv, .vtp or .ply"));
   CHECK_THAT(call({"distances", mesh, "--from", "7"}).err, Contains("7"));
   CHECK(call({"distances", mesh, "--from", "7"}).exit == 4);
+}
+
+TEST_CASE("command line: distances from several vertices, and no farther than asked for") {
+  const ScratchDir dir;
+  const std::string mesh = write_text(dir / "strip.obj",
+                                      "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nv 3 1 0\n"
+                                      "f 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\n");
+  const Called both = call({"distances", mesh, "--from", "0", "--from", "7"});
+  CHECK(both.exit == 0);
+  CHECK_THAT(both.out, Contains("\n3,3,0,0,1,") && Contains("\n4,0,1,0,1,") && Contains("\n2,2,0,0,1.41421356"));
+  const std::string list = write_text(dir / "sources.txt", "0\n7\n");
+  CHECK(call({"distances", mesh, "--from", list}).out == both.out);
+  CHECK_THAT(call({"distances", mesh, "--from", write_text(dir / "bad.txt", "0 x")}).err, Contains("found 'x'"));
+  CHECK_THAT(call({"distances", mesh, "--from", "none.txt"}).err, Contains("neither"));
+  const Called near = call({"distances", mesh, "--from", "0", "--max-distance", "2"});
+  CHECK(near.exit == 0);
+  CHECK_THAT(near.out, Contains("\n2,2,0,0,2,") && Contains("\n3,3,0,0,inf,inf,not_reached\n"));
+}
+
+TEST_CASE("command line: a cap of distances speaks, and the option that it names lets the search go on") {
+  const ScratchDir dir;
+  const std::string mesh = write_text(dir / "square.obj",
+                                      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0.5\n"
+                                      "f 1 2 3\nf 2 4 3\nf 2 5 4\n");
+  const Called full = call({"distances", mesh, "--from", "0"});
+  const Called capped = call({"distances", mesh, "--from", "0", "--max-memory", "1e-9"});
+  CHECK(capped.exit == 5);
+  CHECK_THAT(capped.err, Contains("--max-memory 2e-09") && Contains("1 of 5 vertices were not reached"));
+  CHECK_THAT(capped.out, Contains("not_reached"));
+  CHECK(call({"distances", mesh, "--from", "0", "--max-memory", "0.001"}).out == full.out);
+  CHECK(call({"distances", mesh, "--from", "0", "--max-windows", "1000"}).out == full.out);
 }
 
 }  // namespace leastcost::test

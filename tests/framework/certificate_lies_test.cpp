@@ -11,6 +11,7 @@
 #include <leastcost/problems/post_processors/straighten.hpp>
 #include <leastcost/problems/post_processors/trace.hpp>
 #include <leastcost/problems/straighten/straighten.hpp>
+#include "framework/certify_straightened.hpp"
 #include "problems/mesh/mesh_curve.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
@@ -58,6 +59,32 @@ Certificate certify_on_sphere(const CoordinatePath& path) {
 }
 
 }  // namespace
+
+TEST_CASE("a path of which a proof knows that a far shorter one may exist is not certified", "[framework]") {
+  const auto line = chain(2, 3, false, [](double t) { return Eigen::VectorXd::Constant(2, 3 * t); });
+  const Problem problem = between_ends(space(2), make_euclidean_cost(2), line);
+  PostProcessed path;
+  path.curve.x = line.u;
+  path.curve.cost = 3 * std::sqrt(2.0);
+  path.curve.straightness = 0;
+  GlobalBound& global = path.curve.global.emplace();
+  global.reason = "a shorter path could cross a face without height";
+  global.lower_bound = 2;
+  global.gap = 1 - 2 / path.curve.cost;
+  for (const std::string outcome : {"blocked", "bounded"}) {
+    global.outcome = outcome;
+    Certificate c;
+    certify_straightened(problem, path, {}, c);
+    CHECK(c.failures.size() == (outcome == "blocked" ? 1 : 0));
+    if (!c.failures.empty())
+      CHECK_THAT(c.failures[0].message, Catch::Contains("a path of 2 may exist") && Catch::Contains(global.reason));
+  }
+  global.outcome = "blocked";
+  global.gap = 1e-6;  // what is left open is little
+  Certificate c;
+  certify_straightened(problem, path, {}, c);
+  CHECK(c.failures.empty());
+}
 
 TEST_CASE("right chains pass: by formula", "[framework]") {
   const int n = GENERATE(8, 13, 32);

@@ -95,23 +95,32 @@ ExactReference::Point2 ExactReference::beyond(const Row& row, std::size_t point)
   return {row.a[0] + along * e[0] - height * e[1], row.a[1] + along * e[1] + height * e[0]};
 }
 
+/// The sides of all other faces at the edge of h: two and more of them where sheets meet.
+std::vector<std::int32_t> ExactReference::behind(std::int32_t h) const {
+  std::vector<std::int32_t> sides;
+  const auto ends = std::minmax({mesh_->tail(h), mesh_->head(h)});
+  for (std::int32_t g = 0; g < 3 * mesh_->face_count(); ++g)
+    if (g != h && ends == std::minmax({mesh_->tail(g), mesh_->head(g)})) sides.push_back(g);
+  return sides;
+}
+
 void ExactReference::start(std::size_t from, std::int32_t face, std::vector<Row>& open) const {
-  for (std::int32_t h = 3 * face; h < 3 * face + 3; ++h) {
-    const std::int32_t other = mesh_->across(h);
-    if (other < 0) continue;
-    if (in_face(from, face) && in_face(from, other / 3)) continue;  // from the edge itself
-    Row row{other, static_cast<std::size_t>(mesh_->tail(h)), static_cast<std::size_t>(mesh_->head(h)), {}, {}, {}, {}};
-    if (from == row.first || from == row.second) continue;
-    const Point3 edge = minus3(place_[row.second], place_[row.first]), to = minus3(place_[from], place_[row.first]);
-    const Long length = sqrt(dot3(edge, edge)), along = dot3(edge, to) / length;
-    const Long off = dot3(to, to) - along * along;
-    if (!(off > 0)) continue;
-    row.a = {-along, -Long(sqrt(off))};
-    row.b = {length - along, row.a[1]};
-    row.low = row.a;
-    row.high = row.b;
-    open.push_back(row);
-  }
+  for (std::int32_t h = 3 * face; h < 3 * face + 3; ++h)
+    for (const std::int32_t other : behind(h)) {
+      if (in_face(from, face) && in_face(from, other / 3)) continue;  // from the edge itself
+      Row row{other, static_cast<std::size_t>(mesh_->tail(h)), static_cast<std::size_t>(mesh_->head(h)), {}, {}, {},
+              {}};
+      if (from == row.first || from == row.second) continue;
+      const Point3 edge = minus3(place_[row.second], place_[row.first]), to = minus3(place_[from], place_[row.first]);
+      const Long length = sqrt(dot3(edge, edge)), along = dot3(edge, to) / length;
+      const Long off = dot3(to, to) - along * along;
+      if (!(off > 0)) continue;
+      row.a = {-along, -Long(sqrt(off))};
+      row.b = {length - along, row.a[1]};
+      row.low = row.a;
+      row.high = row.b;
+      open.push_back(row);
+    }
 }
 
 void ExactReference::shoot(std::size_t from, const Long& longest) {
@@ -143,10 +152,9 @@ void ExactReference::enter(std::size_t from, const Row& row, const Long& longest
     if (sees(p)) keep(from, extra, sqrt(dot_of(p, p)));
   }
   for (const std::int32_t out : {TriangleMesh::next(h), TriangleMesh::previous(h)}) {
-    if (mesh_->across(out) < 0) continue;
     const bool keeps_first = static_cast<std::size_t>(mesh_->tail(out)) == row.first ||
                              static_cast<std::size_t>(mesh_->head(out)) == row.first;
-    Row next{mesh_->across(out), keeps_first ? row.first : row.second, corner, keeps_first ? row.a : row.b, c, {}, {}};
+    Row next{-1, keeps_first ? row.first : row.second, corner, keeps_first ? row.a : row.b, c, {}, {}};
     Point2 low = next.a, high = next.b;
     if (cross_of(low, high) < 0) std::swap(low, high);
     next.low = cross_of(row.low, low) > 0 ? low : row.low;
@@ -156,7 +164,11 @@ void ExactReference::enter(std::size_t from, const Row& row, const Long& longest
     Long s = -dot_of(next.a, d) / dot_of(d, d);
     s = s < 0 ? Long(0) : s > 1 ? Long(1) : s;
     const Point2 near = {next.a[0] + s * d[0], next.a[1] + s * d[1]};
-    if (dot_of(near, near) <= longest * longest) open.push_back(next);
+    if (dot_of(near, near) > longest * longest) continue;
+    for (const std::int32_t entered : behind(out)) {
+      next.across = entered;
+      open.push_back(next);
+    }
   }
 }
 

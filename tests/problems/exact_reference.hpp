@@ -42,6 +42,7 @@ class ExactReference {
   void start(std::size_t from, std::int32_t face, std::vector<Row>& open) const;
   void keep(std::size_t from, std::size_t to, const Long& length);
   bool in_face(std::size_t point, std::int32_t face) const;
+  std::vector<std::int32_t> behind(std::int32_t h) const;
   Point2 beyond(const Row& row, std::size_t point) const;
 
   const TriangleMesh* mesh_;

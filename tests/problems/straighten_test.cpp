@@ -277,6 +277,7 @@ TEST_CASE("stopping early gives a valid path that says so") {
   options.stop = [] { return true; };
   const Straightened s = straighten(mesh, start, options);
   CHECK(!s.finished);
+  CHECK(s.moves == 0);  // not even those of the first sweep
   CHECK(lies_on(mesh, s.path));
   CHECK(s.final_length <= s.initial_length * (1 + 1e-14));
 }
