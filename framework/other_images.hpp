@@ -12,6 +12,13 @@
 
 namespace leastcost {
 
+/// `x` by its name nearest to `reference`, where coordinates are names only (HasImages::nearest_name); else `x`.
+Eigen::VectorXd nearest_name(const Problem& problem, const Eigen::VectorXd& x, const Eigen::VectorXd& reference);
+
+/// Renames the target of an open path accordingly; not to the source's own coordinates, and not in a loop with a fixed
+/// point.
+void name_target_near(const Eigen::VectorXd& reference, Problem& problem);
+
 /// Images of a target that are looked at: the nearest to the source in coordinates. Three turns either way about each
 /// of two seams and over two poles make more; those are farther.
 inline constexpr std::size_t kMostTriedImages = 12;
