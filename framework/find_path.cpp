@@ -98,6 +98,7 @@ class Search {
 
   Result from(const Initializer& initializer) {
     return whole([&] {
+      if (initializer.name() == "straight") go_over_pole();
       result_.first = first_path(initializer);
       check_path(problem_, result_.first.path, problem_.ring ? 1 : 2, "the first path");
       rename_target();
@@ -155,6 +156,21 @@ class Search {
       if (find_ability<ChecksMoves>(*problem_.manifold) == nullptr) throw;
       throw InitializationError(std::string("no_passage: ") + error.what());
     }
+  }
+
+  /// From one side of a pole to the other the straight line in coordinates goes round the pole, and a chain that
+  /// follows it jumps.
+  void go_over_pole() {
+    constexpr double kAtMost = 1.5;  // of the line to the target itself: no promise beyond
+    const auto* chart = find_ability<HasChart>(*problem_.manifold);
+    if (options_.target_as_given || problem_.ring || problem_.based || chart == nullptr || chart->poles().size() != 2)
+      return;
+    Monitor quiet = monitor_;
+    quiet.observe = nullptr;
+    const std::vector<TriedImage> tried = other_images(problem_, quiet.deadline);
+    if (tried.empty() || !(tried.front().cost < kAtMost * straight_start_cost(problem_, quiet.deadline))) return;
+    if (const std::optional<CheaperImage> best = find_cheaper_image(problem_, quiet))
+      given_.target.u = problem_.target.u = best->image.u;
   }
 
   /// Waypoints round the axis lead to another name of the target than the one nearest to the source.

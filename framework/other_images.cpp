@@ -124,12 +124,15 @@ void name_target_near(const Eigen::VectorXd& reference, Problem& problem) {
   if (name != problem.source.u) problem.target.u = name;
 }
 
+double straight_start_cost(const Problem& problem, const Deadline& deadline) {
+  const std::optional<CoordinatePath> line = straight_line(problem, deadline);
+  return line ? PathEnergy(problem, 1, deadline).cost(*line) : kUnsolved;
+}
+
 std::vector<TriedImage> other_images(const Problem& problem, const Deadline& deadline) {
   std::vector<TriedImage> all;
   for (PointImage& image : images_of(problem)) {
-    const Problem there = ending_at(problem, image.u);
-    const std::optional<CoordinatePath> line = straight_line(there, deadline);
-    const double cost = line ? PathEnergy(there, 1, deadline).cost(*line) : std::numeric_limits<double>::infinity();
+    const double cost = straight_start_cost(ending_at(problem, image.u), deadline);
     all.push_back({std::move(image), cost});
   }
   std::stable_sort(all.begin(), all.end(), [](const TriedImage& a, const TriedImage& b) { return a.cost < b.cost; });

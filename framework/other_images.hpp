@@ -29,6 +29,9 @@ struct TriedImage {
   double cost = 0;  ///< of 32 chords along the straight line in coordinates, projected; infinite where it has none
 };
 
+/// Cost of the straight start to the target as it is given; infinite where it has none.
+double straight_start_cost(const Problem& problem, const Deadline& deadline);
+
 /// The images of the target (HasImages), cheapest straight start first; the nearest in coordinates need not be the
 /// cheapest. Empty for rings and loops with a fixed point, and where the domain knows of none. Throws Interrupted.
 std::vector<TriedImage> other_images(const Problem& problem, const Deadline& deadline);
