@@ -22,6 +22,7 @@
 #include "framework/in_parts.hpp"
 #include "framework/judge_spacing.hpp"
 #include "framework/margin_bar.hpp"
+#include "framework/place_rounding.hpp"
 #include "framework/point_text.hpp"
 #include "framework/shared_failures.hpp"
 #include "framework/spacing.hpp"
@@ -32,7 +33,6 @@ namespace {
 constexpr double kWidestBar = 0.1;         ///< relative error bar above which a path on a smooth domain says nothing
 constexpr double kBetween = 1.25;          ///< room for the chords of the path between the points
 constexpr double kSoftestRounding = 1e-6;  ///< of the softest eigenvalue: curvature from second differences
-constexpr double kJump = 1.3;              ///< straight move in a chart against the chord: pi / 2 for one around a pole
 
 class Certifier {
  public:
@@ -164,7 +164,7 @@ class Certifier {
     measure_fine_index(refinement);
     judge_index();
     const std::optional<double> between = cost_between_points();
-    judge_spacing(problem_, energy_, path_.chain, options_, hugs_bound_, c_);
+    judge_spacing(problem_, energy_, path_.chain, options_beyond_rounding(), hugs_bound_, c_);
     measure_doubling();
     EstimatedCost estimated = estimate_cost(problem_, energy_, path_.chain, refinement, c_.index, hugs_bound_);
     c_.estimate = std::move(estimated.estimate);
@@ -254,7 +254,17 @@ class Certifier {
       c_.stationarity = model.cost_error;
       hugs_bound_ = held_by_bound(model.frames);
     }
-    check_stationarity(c_, options_.stationarity);
+    check_stationarity(c_, options_beyond_rounding().stationarity);
+  }
+
+  /// Nothing is asked of points that lie closer together than their places can tell.
+  CertificateOptions options_beyond_rounding() const {
+    constexpr double kRoom = 16;
+    const double rounding = place_rounding(problem_, path_.chain);
+    CertificateOptions options = options_;
+    options.spacing = std::max(options.spacing, kRoom * rounding);
+    options.stationarity = std::max(options.stationarity, kRoom * rounding * rounding);
+    return options;
   }
 
   /// Whether a bound holds a point. The first point of a ring is pinned besides.
@@ -294,7 +304,7 @@ class Certifier {
   void measure_chart_jumps() {
     if (find_ability<HasChart>(*problem_.manifold) == nullptr) return;
     const ChartJump jump = worst_chart_jump(problem_, path_.chain, energy_.costs(path_.chain), monitor_.deadline);
-    if (jump.ratio > kJump)
+    if (jump.ratio > kChartJump)
       fail("longest_segment", "between points " + std::to_string(jump.segment) + " and " +
                                   std::to_string(jump.segment + 1) + " the straight way in the chart costs " +
                                   short_number(jump.ratio) +

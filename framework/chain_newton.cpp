@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <leastcost/framework/chain_model.hpp>
 #include "framework/bounded_step.hpp"
 #include "framework/bundle.hpp"
+#include "framework/place_rounding.hpp"
 
 namespace leastcost {
 namespace {
@@ -17,6 +19,7 @@ constexpr int kNewtonHalvings = 40;
 constexpr int kHalvingsAmongBounds = 20;  ///< which steps heed beforehand
 constexpr double kCrawl = 0.01;           ///< of the predicted gain: less, among bounds, leads nowhere
 constexpr int kMostCrawls = 5;            ///< in a row
+constexpr int kMostIdle = 8;              ///< steps in a row that do not halve the least error on the cost
 
 class NewtonSolve {
  public:
@@ -34,6 +37,7 @@ class NewtonSolve {
     for (;;) {
       loop_.record(model_.value, model_.cost_error, largest_move_);
       if (stationary()) return stationary_report();
+      if (jitters()) return loop_.finish(Termination::round_off, "no decrease above rounding", model_.value);
       if (const std::optional<Termination> end = loop_.must_end(path_)) return loop_.finish(*end, "", model_.value);
       const double before = model_.value, predicted = model_.decrement / 2;
       const bool moved = undecided() ? take_unit_step() : search() || search_again();
@@ -55,6 +59,18 @@ class NewtonSolve {
     const bool right_model = model_.exact || !energy_.has_exact_hessian();
     return right_model && unit_ && model_.cost_error <= loop_.limits().tolerance &&
            largest_move_ <= kStepTolerance * extent();
+  }
+
+  /// The rounding of positions that a chart computes keeps the error from falling further.
+  bool jitters() {
+    constexpr double kRoom = 16;
+    if (kinked_ || bounded_.possible()) return false;
+    idle_ = model_.cost_error < least_error_ / 2 ? 0 : idle_ + 1;
+    least_error_ = std::min(least_error_, model_.cost_error);
+    if (idle_ < kMostIdle) return false;
+    idle_ = 0;
+    const double rounding = place_rounding(energy_.problem(), path_);
+    return model_.cost_error <= kRoom * rounding * rounding;
   }
 
   double extent() const { return (path_.u.rowwise().maxCoeff() - path_.u.rowwise().minCoeff()).norm(); }
@@ -140,6 +156,8 @@ class NewtonSolve {
   double largest_move_ = 0;
   bool unit_ = true;
   int crawled_ = 0;
+  int idle_ = 0;
+  double least_error_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include <leastcost/framework/fits_segments.hpp>
 #include "framework/curve_value.hpp"
+#include "framework/place_rounding.hpp"
 
 namespace leastcost {
 namespace {
@@ -67,6 +68,12 @@ double rounding_of_costs(const Problem& problem, PathEnergy& energy, const Coord
   return kOperations * std::numeric_limits<double>::epsilon() * sum;
 }
 
+/// Relative: along a path what is rounded of a place goes from one segment to the next, and the ends remain.
+double rounding_of_ends(const Problem& problem, const CoordinatePath& chain) {
+  constexpr double kOperations = 4;
+  return kOperations * place_rounding(problem, chain) / static_cast<double>(chain.segment_count());
+}
+
 EstimatedCost estimate_from_levels(const Problem& problem, PathEnergy& energy, const CoordinatePath& chain,
                                    const Refinement& refinement, const PathIndex& index, bool hugs_bound) {
   EstimatedCost out;
@@ -91,8 +98,9 @@ EstimatedCost estimate_from_levels(const Problem& problem, PathEnergy& energy, c
   }
   const double c1 = refinement.levels[0].cost, c2 = refinement.levels[1].cost, c4 = refinement.levels[2].cost;
   const double d12 = c1 - c2, d24 = c2 - c4, largest = std::max(std::abs(d12), std::abs(d24));
-  if (largest <= kExact * c4) {
-    quote(e, "exact", c4, 0);
+  const double rounding = rounding_of_ends(problem, chain);
+  if (largest <= std::max(kExact, rounding) * c4) {
+    quote(e, "exact", c4, rounding * c4);
     return out;
   }
   if (d12 / d24 > 0) e.order = std::log2(d12 / d24);

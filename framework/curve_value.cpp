@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "framework/around_pole.hpp"
 #include "framework/gauss.hpp"
 
 namespace leastcost {
@@ -70,6 +71,27 @@ double cost_beside_pole(const Problem& problem, LineElement& element, const Seam
   return least;
 }
 
+/// Cost of the cubic through four points from node `first` to the next, beside a pole of the chart: the cubic is
+/// that of coordinates which are smooth there. Nothing away from poles, and where that cubic leaves the domain.
+std::optional<double> cost_around_pole(const Problem& problem, LineElement& element, const Points& four, double first) {
+  const auto* chart = find_ability<HasChart>(*problem.manifold);
+  const std::optional<AroundPole> around = chart != nullptr ? AroundPole::of(*chart, four) : std::nullopt;
+  if (!around) return std::nullopt;
+  const Points p = around->flat(four);
+  Eigen::Vector4d w, dw;
+  CoordinatePath point{Points(2, 1), {}, true};
+  double sum = 0;
+  for (std::size_t g = 0; g < kGaussNodes.size(); ++g) {
+    cubic(first + kGaussNodes[g], w, dw);
+    Eigen::Vector2d u, velocity;
+    around->chart_of(p * w, p * dw, u, velocity);
+    point.u = u;
+    if (problem.manifold->residual(point) > 0) return std::nullopt;
+    sum += kGaussWeights[g] * element(point, velocity);
+  }
+  return sum;
+}
+
 }  // namespace
 
 std::optional<double> smooth_curve_cost(const Problem& problem, const CoordinatePath& path, const Deadline& deadline) {
@@ -107,6 +129,10 @@ std::optional<double> smooth_curve_cost(const Problem& problem, const Coordinate
     look_at_clock(deadline);
     const Index begin = path.ring ? i - 1 : std::clamp<Index>(i - 1, 0, columns - 4);
     for (Index j = 0; j < 4; ++j) four.col(j) = path.column(begin + j);
+    if (const std::optional<double> around = cost_around_pole(problem, element, four, static_cast<double>(i - begin))) {
+      sum += *around;
+      continue;
+    }
     for (std::size_t g = 0; g < kGaussNodes.size(); ++g) {
       const double t = static_cast<double>(i - begin) + kGaussNodes[g];
       cubic(t, w, dw);

@@ -20,6 +20,7 @@ std::optional<double> smooth_curve_cost(const Problem& problem, const Coordinate
 /// costs to what the chain pays for the chord. It tends to 1 with the step. Far above 1 the chord cuts through space
 /// beside the surface, around a hole of the chart say, and the chain is no path of the chart's class. A move over a
 /// pole may be straight towards the image of a point instead, one beside a pole bent towards it.
+inline constexpr double kChartJump = 1.3;  ///< from here on a chain jumps: pi / 2 is one around a pole
 struct ChartJump {
   double ratio = 1;
   Index segment = -1;

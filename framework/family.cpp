@@ -38,6 +38,7 @@ Family find_family(const std::vector<FamilyStart>& starts, const Solver& solver,
   std::vector<FamilyMember> pathless;
   FindOptions each = options;  // proofs are dear: decide_family() asks for that of the least path
   if (options.certificate.proof == ProofRule::always && starts.size() > 1) each.certificate.proof = ProofRule::needed;
+  each.target_as_given = true;  // starts go to images of their own
   each.certificate.refine = 0;  // so are finer chains: it goes on with what matters alone
   for (const FamilyStart& start : starts)
     if (!start.initializer) throw InputError("family, " + start.origin + ": the initializer is null");

@@ -81,8 +81,13 @@ Status status_of(const Result& result, bool collapsed, const Monitor& monitor) {
 /// One search: the stages of find_path(), each of which may be cut short by the clock.
 class Search {
  public:
-  Search(const Problem& problem, const Solver& solver, const FindOptions& options, const Monitor& monitor)
-      : solver_(solver), options_(options), monitor_(monitor), last_words_(last_words(monitor.deadline, start_)) {
+  /// `problem`: where it is renamed, its target receives the name that the first path leads to.
+  Search(Problem& problem, const Solver& solver, const FindOptions& options, const Monitor& monitor)
+      : solver_(solver),
+        options_(options),
+        monitor_(monitor),
+        last_words_(last_words(monitor.deadline, start_)),
+        given_(problem) {
     check(problem);
     check(options);
     if (const auto* told = find_ability<HasNotes>(*problem.cost)) result_.notes = told->notes();
@@ -93,8 +98,10 @@ class Search {
 
   Result from(const Initializer& initializer) {
     return whole([&] {
+      if (initializer.name() == "straight") go_over_pole();
       result_.first = first_path(initializer);
       check_path(problem_, result_.first.path, problem_.ring ? 1 : 2, "the first path");
+      rename_target();
       cut_based_ring();
       domain_ = problem_.manifold;
       pin_ends(problem_, result_.first.path);
@@ -149,6 +156,28 @@ class Search {
       if (find_ability<ChecksMoves>(*problem_.manifold) == nullptr) throw;
       throw InitializationError(std::string("no_passage: ") + error.what());
     }
+  }
+
+  /// From one side of a pole to the other the straight line in coordinates goes round the pole, and a chain that
+  /// follows it jumps.
+  void go_over_pole() {
+    constexpr double kAtMost = 1.5;  // of the line to the target itself: no promise beyond
+    const auto* chart = find_ability<HasChart>(*problem_.manifold);
+    if (options_.target_as_given || problem_.ring || problem_.based || chart == nullptr || chart->poles().size() != 2)
+      return;
+    Monitor quiet = monitor_;
+    quiet.observe = nullptr;
+    const std::vector<TriedImage> tried = other_images(problem_, quiet.deadline);
+    if (tried.empty() || !(tried.front().cost < kAtMost * straight_start_cost(problem_, quiet.deadline))) return;
+    if (const std::optional<CheaperImage> best = find_cheaper_image(problem_, quiet))
+      given_.target.u = problem_.target.u = best->image.u;
+  }
+
+  /// Waypoints round the axis lead to another name of the target than the one nearest to the source.
+  void rename_target() {
+    const Points& u = result_.first.path.u;
+    if (options_.target_as_given || problem_.ring || u.cols() < 2) return;
+    given_.target.u = problem_.target.u = nearest_name(problem_, problem_.target.u, u.col(u.cols() - 2));
   }
 
   /// A ring with a fixed point is an open path from that point to itself.
@@ -421,6 +450,7 @@ class Search {
   const FindOptions& options_;
   const Monitor& monitor_;
   const Deadline last_words_;
+  Problem& given_;
   Problem problem_;                                   ///< its domain may be fitted to the chain that was solved last
   std::shared_ptr<const ConstraintManifold> domain_;  ///< as it was given, where there is a first path
   Result result_;
@@ -442,14 +472,18 @@ std::string_view name(Status status) {
 
 Result find_path(const Problem& problem, const Initializer& initializer, const Solver& solver,
                  const FindOptions& options, const Monitor& monitor) {
-  Result found = Search(problem, solver, options, monitor).from(initializer);
-  return refine_until_certified(problem, std::move(found), solver, options, monitor);
+  Problem named = problem;
+  if (!options.target_as_given) name_target_near(problem.source.u, named);
+  Result found = Search(named, solver, options, monitor).from(initializer);
+  return refine_until_certified(named, std::move(found), solver, options, monitor);
 }
 
 Result improve_path(const Problem& problem, const CoordinatePath& chain, const Solver& solver,
                     const FindOptions& options, const Monitor& monitor) {
-  Result found = Search(problem, solver, options, monitor).from(chain);
-  return refine_until_certified(problem, std::move(found), solver, options, monitor);
+  Problem named = problem;
+  if (!options.target_as_given && chain.u.cols() > 0) name_target_near(chain.u.rightCols(1), named);
+  Result found = Search(named, solver, options, monitor).from(chain);
+  return refine_until_certified(named, std::move(found), solver, options, monitor);
 }
 
 void prepare(const Problem& problem) {

@@ -27,7 +27,10 @@ struct FindOptions {
   std::optional<int> points = 64;
   /// s0 > 0, units of the cost; nothing: the mean segment cost of the first path.
   std::optional<double> reference_cost = {};
-  bool cascade = false;        ///< solve coarse first, then double: see framework/cascade.hpp
+  bool cascade = false;  ///< solve coarse first, then double: see framework/cascade.hpp
+  /// Keeps the coordinates of the target where they are a name only (the longitude of a sphere), and with them a turn
+  /// round the axis. Else the target is called by the name nearest to the source, or to the last waypoint.
+  bool target_as_given = false;
   bool escape_saddle = false;  ///< leave saddles to the lower side: see framework/escape_saddle.hpp
   CertificateOptions certificate = {};
   std::vector<std::shared_ptr<const PostProcessor>> post_processors = {};  ///< in the order of their application

@@ -10,6 +10,7 @@
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/path_energy.hpp>
 #include "framework/chain_newton.hpp"
+#include "framework/curve_value.hpp"
 #include "framework/in_parts.hpp"
 #include "framework/point_text.hpp"
 #include "framework/spacing.hpp"
@@ -57,9 +58,17 @@ std::vector<PointImage> images_of(const Problem& problem) {
   return domain->images(problem.target.u, problem.source.u, kMostTriedImages);
 }
 
-/// Cost of a path that `segments` make of the straight start; infinite where they make none.
+constexpr double kUnsolved = std::numeric_limits<double>::infinity();
+
+/// Whether a chain has slipped to another sheet of its chart: it is then no path to the image that it was to go to.
+bool jumps(PathEnergy& energy, const CoordinatePath& path, const Monitor& monitor) {
+  return worst_chart_jump(energy.problem(), path, energy.costs(path), monitor.deadline).ratio > kChartJump;
+}
+
+/// Cost of a path that `segments` make of the straight start; infinite where they make none. One that jumps has another
+/// chance with four times the segments: beside a pole few of them may seem to.
 double solved_cost(const Problem& problem, const Monitor& monitor, Index segments = kPieces) {
-  constexpr double kUnsolved = std::numeric_limits<double>::infinity();
+  constexpr Index kMore = 4;
   try {
     const std::optional<CoordinatePath> line = straight_line(problem, monitor.deadline);
     if (!line) return kUnsolved;
@@ -68,7 +77,9 @@ double solved_cost(const Problem& problem, const Monitor& monitor, Index segment
     if (!(s0 > 0) || !std::isfinite(s0)) return kUnsolved;
     PathEnergy energy(problem, s0, monitor.deadline);
     const Termination end = ChainNewton().solve(energy, path, monitor).termination;
-    return is_solved(end) ? energy.cost(path) : kUnsolved;
+    if (!is_solved(end)) return kUnsolved;
+    if (!jumps(energy, path, monitor)) return energy.cost(path);
+    return segments < kMore * kPieces ? solved_cost(problem, monitor, kMore * kPieces) : kUnsolved;
   } catch (const InitializationError&) {
     return kUnsolved;
   }
@@ -101,12 +112,27 @@ std::string named(const PointImage& image) { return point_text(image.u) + ", " +
 
 }  // namespace
 
+Eigen::VectorXd nearest_name(const Problem& problem, const Eigen::VectorXd& x, const Eigen::VectorXd& reference) {
+  const auto* domain = find_ability<HasImages>(*problem.manifold);
+  return domain == nullptr || x.size() != reference.size() ? x : domain->nearest_name(x, reference);
+}
+
+void name_target_near(const Eigen::VectorXd& reference, Problem& problem) {
+  if (problem.ring || problem.based || problem.manifold == nullptr) return;
+  if (problem.target.u.size() != problem.manifold->dimensions().coordinate) return;  // check() says so
+  const Eigen::VectorXd name = nearest_name(problem, problem.target.u, reference);
+  if (name != problem.source.u) problem.target.u = name;
+}
+
+double straight_start_cost(const Problem& problem, const Deadline& deadline) {
+  const std::optional<CoordinatePath> line = straight_line(problem, deadline);
+  return line ? PathEnergy(problem, 1, deadline).cost(*line) : kUnsolved;
+}
+
 std::vector<TriedImage> other_images(const Problem& problem, const Deadline& deadline) {
   std::vector<TriedImage> all;
   for (PointImage& image : images_of(problem)) {
-    const Problem there = ending_at(problem, image.u);
-    const std::optional<CoordinatePath> line = straight_line(there, deadline);
-    const double cost = line ? PathEnergy(there, 1, deadline).cost(*line) : std::numeric_limits<double>::infinity();
+    const double cost = straight_start_cost(ending_at(problem, image.u), deadline);
     all.push_back({std::move(image), cost});
   }
   std::stable_sort(all.begin(), all.end(), [](const TriedImage& a, const TriedImage& b) { return a.cost < b.cost; });
@@ -140,16 +166,18 @@ std::string cheaper_image(const Problem& problem, double cost, const Monitor& mo
            "; this path is a loop from that point to itself, and staying there costs nothing";
   const std::vector<TriedImage> tried = other_images(problem, monitor.deadline);
   if (tried.empty()) return "";
-  const auto said = [&](const PointImage& image, const std::string& way, double less) {
-    return "the target is also " + named(image) + ": " + way + short_number(less) + ", this path " +
-           short_number(cost) + " (images tried: " + std::to_string(tried.size()) + ")";
+  const auto said = [&](const PointImage& image, const std::string& start, const std::string& costs, double less) {
+    const std::string there =
+        image.way.empty() ? "the target is also " + named(image) + ": " + start + " to it" : start + " " + image.way;
+    return there + costs + short_number(less) + ", this path " + short_number(cost) +
+           " (images tried: " + std::to_string(tried.size()) + ")";
   };
   if (const std::optional<CheaperImage> best = best_of(problem, tried, cost, kCoarseSaving, monitor))
-    return said(best->image, "a path to it costs about ", best->cost);
+    return said(best->image, "a path", " costs about ", best->cost);
   // A straight line through obstacles promises nothing.
   const bool obstacles = find_ability<ChecksMoves>(*problem.manifold) != nullptr;
   if (!obstacles && tried[0].cost < (1 - kCheaper) * cost)
-    return said(tried[0].image, "even the straight line to it costs ", tried[0].cost);
+    return said(tried[0].image, "even the straight line", " costs ", tried[0].cost);
   return "";
 }
 

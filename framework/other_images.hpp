@@ -12,6 +12,13 @@
 
 namespace leastcost {
 
+/// `x` by its name nearest to `reference`, where coordinates are names only (HasImages::nearest_name); else `x`.
+Eigen::VectorXd nearest_name(const Problem& problem, const Eigen::VectorXd& x, const Eigen::VectorXd& reference);
+
+/// Renames the target of an open path accordingly; not to the source's own coordinates, and not in a loop with a fixed
+/// point.
+void name_target_near(const Eigen::VectorXd& reference, Problem& problem);
+
 /// Images of a target that are looked at: the nearest to the source in coordinates. Three turns either way about each
 /// of two seams and over two poles make more; those are farther.
 inline constexpr std::size_t kMostTriedImages = 12;
@@ -21,6 +28,9 @@ struct TriedImage {
   PointImage image;
   double cost = 0;  ///< of 32 chords along the straight line in coordinates, projected; infinite where it has none
 };
+
+/// Cost of the straight start to the target as it is given; infinite where it has none.
+double straight_start_cost(const Problem& problem, const Deadline& deadline);
 
 /// The images of the target (HasImages), cheapest straight start first; the nearest in coordinates need not be the
 /// cheapest. Empty for rings and loops with a fixed point, and where the domain knows of none. Throws Interrupted.

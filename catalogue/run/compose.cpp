@@ -85,6 +85,7 @@ std::shared_ptr<const ConstraintManifold> among(std::shared_ptr<const Walls> wal
 
 void fill_options(const RunConfig& config, RunParts& out) {
   out.options.points = config.points;
+  out.options.target_as_given = true;  // take_cheapest_image() has named it
   out.options.reference_cost = config.reference_cost;
   out.options.cascade = config.cascade;
   out.options.escape_saddle = config.escape_saddle;

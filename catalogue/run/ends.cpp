@@ -100,6 +100,21 @@ void note_latitudes(RunParts& out) {
   }
 }
 
+/// Where coordinates are names only the target is called by the one nearest to the source, or to the last waypoint.
+void name_target(RunParts& out) {
+  Problem& problem = out.problem;
+  Eigen::VectorXd last = problem.source.u;
+  if (out.initializer->name() == "waypoints" && find_ability<HasChart>(*problem.manifold) != nullptr) {
+    try {
+      const Points stops = out.initializer->first_path(problem, {}).path.u;
+      last = stops.col(stops.cols() - 2);
+    } catch (const InitializationError&) {  // the search says so
+    }
+  }
+  name_target_near(last, problem);
+  out.target.end.u = problem.target.u;
+}
+
 PlacedEnd at_point(const ConstraintManifold& manifold, const EndOptions& options, const std::string& path) {
   const int wanted = manifold.dimensions().coordinate;
   const Eigen::VectorXd point = options.point.value_or(Eigen::VectorXd());
@@ -151,15 +166,16 @@ void place_target(const EndOptions& options, const std::string& path, RunParts& 
   if (!domain->states_way(out.problem.target.u, out.problem.source.u))
     throw OptionError(path,
                       "names the same point as the source, by other coordinates; a closed path is a ring (path.ring: "
-                      "true), and a target a whole period away from the source states a winding");
+                      "true), which waypoints lead round the domain");
 }
 
 void take_cheapest_image(const RunConfig& config, const std::shared_ptr<const ConstraintManifold>& open_domain,
                          RunParts& out) {
   Problem& problem = out.problem;
   const auto* domain = find_ability<HasImages>(*problem.manifold);
-  if (domain == nullptr || problem.ring || config.family.windings > 0) return;
-  if (config.target_image == TargetImageChoice::given) return;
+  if (domain == nullptr || problem.ring || config.target_image == TargetImageChoice::given) return;
+  name_target(out);
+  if (config.family.windings > 0) return;
   const bool chart = find_ability<HasChart>(*problem.manifold) != nullptr;  // where other starts have their own way
   if (chart && out.initializer->name() != "straight") return;
   if (out.initializer->name() == "waypoints") return;  // they lead to the coordinates that are given
@@ -169,11 +185,17 @@ void take_cheapest_image(const RunConfig& config, const std::shared_ptr<const Co
   const std::optional<CheaperImage> best = find_cheaper_image(open);
   if (!best) return;
   problem.target.u = out.target.end.u = best->image.u;
+  const std::string instead = std::isfinite(best->given) ? fmt::format(", not {:.6g}", best->given) : "";
+  if (!best->image.way.empty()) {
+    out.notes.push_back(
+        fmt::format("the path goes {}: that costs about {:.6g}{}", best->image.way, best->cost, instead));
+    return;
+  }
   out.notes.push_back(
       fmt::format("the target was replaced by ({:.6g}), {}, another name of the same point: a path to "
-                  "it costs about {:.6g}, not {:.6g}{} (images tried: {}; path: "
+                  "it costs about {:.6g}{}{} (images tried: {}; path: "
                   "{{target_image: given}} keeps the given one)",
-                  fmt::join(best->image.u, ", "), best->image.where, best->cost, best->given,
+                  fmt::join(best->image.u, ", "), best->image.where, best->cost, instead,
                   open_domain == problem.manifold ? "" : " without obstacles", best->tried));
 }
 

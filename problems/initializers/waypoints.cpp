@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/has_images.hpp>
 #include <leastcost/problems/chart/seams.hpp>
 #include <leastcost/problems/mesh/edge_graph.hpp>
 #include <leastcost/problems/mesh/has_mesh.hpp>
@@ -26,6 +27,13 @@ void append(CoordinatePath& path, const CoordinatePath& more) {
   path.sites.insert(path.sites.end(), more.sites.begin(), more.sites.end());
 }
 
+/// Where coordinates are names only (longitudes of a sphere), each stop by the name nearest to the stop before it.
+void name_in_turn(const ConstraintManifold& domain, Index end, Points& stops) {
+  const auto* names = find_ability<HasImages>(domain);
+  if (names == nullptr) return;
+  for (Index i = 1; i < end; ++i) stops.col(i) = names->nearest_name(stops.col(i), stops.col(i - 1));
+}
+
 /// Stops of the tour: source, waypoints, target; in a ring the waypoints and the first one again.
 CoordinatePath stops(const Problem& problem, const Points& waypoints) {
   CoordinatePath path{waypoints, {}, true};
@@ -38,6 +46,9 @@ CoordinatePath stops(const Problem& problem, const Points& waypoints) {
     all.u << path.u, path.u.col(0);
   else
     all.u << problem.source.u, path.u, problem.target.u;
+  // Of a ring the first point again is named when it closes across a seam. The target of an open path keeps the name
+  // that the problem has for it.
+  name_in_turn(*problem.manifold, all.u.cols() - 1, all.u);
   if (path.sites.empty()) return all;
   all.sites = path.sites;
   if (problem.ring) {

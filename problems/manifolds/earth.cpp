@@ -39,4 +39,13 @@ EarthManifold::EarthManifold(const EarthOptions& options)
     : ParametricManifold(make_chart_map(chart::Geodetic{options.semi_major_axis, flattening_of(options)}), Box(2),
                          {{1, 360, {}}}, {over_pole(90), over_pole(-90)}) {}
 
+std::vector<PointImage> EarthManifold::images(const Eigen::VectorXd& x, const Eigen::VectorXd& reference,
+                                              std::size_t most) const {
+  std::vector<PointImage> all = ParametricManifold::images(x, reference, most);
+  for (PointImage& image : all)
+    image.way = std::abs(image.u[0]) <= 90 ? "the other way round"
+                                           : (image.u[0] > 0 ? "over the north pole" : "over the south pole");
+  return all;
+}
+
 }  // namespace leastcost

@@ -27,6 +27,9 @@ class EarthManifold final : public ParametricManifold, public IsGeographic {
   /// Throws OptionError.
   explicit EarthManifold(const EarthOptions& options = {});
   std::vector<std::string> coordinate_names() const override { return {"latitude", "longitude"}; }
+  /// As those of the chart, each with the way there in words.
+  std::vector<PointImage> images(const Eigen::VectorXd& x, const Eigen::VectorXd& reference,
+                                 std::size_t most) const override;
   Eigen::Vector2d longitude_latitude(const Eigen::VectorXd& u) const override { return {u[1], u[0]}; }
 };
 

@@ -78,10 +78,17 @@ std::vector<PointImage> ParametricManifold::images(const Eigen::VectorXd& x, con
 
 bool ParametricManifold::states_way(const Eigen::VectorXd& target, const Eigen::VectorXd& source) const {
   constexpr double kRounding = 1e-9;
+  if (is_sphere_like()) return false;
   const auto turned = [&](const Seam& seam) {
     return std::abs(target[seam.coordinate] - source[seam.coordinate]) >= (1 - kRounding) * seam.period;
   };
   return std::any_of(seams_.begin(), seams_.end(), turned);
+}
+
+Eigen::VectorXd ParametricManifold::nearest_name(const Eigen::VectorXd& x, const Eigen::VectorXd& reference) const {
+  if (!is_sphere_like()) return x;
+  const Eigen::VectorXi turns = nearest_image(seams_, x, reference);
+  return turns.isZero() ? x : seam_map(seams_, 2, turns).apply(x);
 }
 
 int ParametricManifold::active_bounds(const CoordinatePath& path, Index column, Eigen::Ref<Points> normals) const {

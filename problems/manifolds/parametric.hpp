@@ -169,10 +169,14 @@ class ParametricManifold : public ConstraintManifold,
   std::vector<PointImage> images(const Eigen::VectorXd& x, const Eigen::VectorXd& reference,
                                  std::size_t most) const override;
   bool states_way(const Eigen::VectorXd& target, const Eigen::VectorXd& source) const override;
+  Eigen::VectorXd nearest_name(const Eigen::VectorXd& x, const Eigen::VectorXd& reference) const override;
   std::vector<std::string> coordinate_names() const override { return {"u", "v"}; }
   void draw(const DrawnPaths& paths, Drawing& out) const override;
 
  private:
+  /// Every loop on a closed surface with two poles slips off over one of them: there are no windings.
+  bool is_sphere_like() const { return poles_.size() == 2; }
+
   std::shared_ptr<const ChartMap> map_;
   Box box_;
   std::vector<Seam> seams_;

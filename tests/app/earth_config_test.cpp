@@ -117,6 +117,31 @@ TEST_CASE("degrees: a latitude beyond a pole is an error on the Earth, and met w
   CHECK(parse_run(on_sphere("[-0.1, 0.5]", "[1, 1.5]"), "a.yaml").parts.notes.empty());
 }
 
+TEST_CASE("the Earth: longitudes of both conventions, across the date line, round the axis by waypoints") {
+  const auto end_of = [](const std::string& config) { return solve(parse_run(config, "a.yaml")); };
+  for (const char* target : {"[37.6, -122.4]", "[37.6, 237.6]", "[37.6, 597.6]"}) {
+    const RunOutcome run = end_of(on_earth("[35.7, 139.7]", target));
+    CAPTURE(target);
+    CHECK(run.result.status == Status::certified);
+    CHECK(run.result.certificate.estimate.value == Approx(8300363.7509).epsilon(1e-8));
+    CHECK(run.parts.notes.empty());
+  }
+  const RunOutcome round = end_of(on_earth("[10, 0]", "[10, 20]") +
+                                  "initializer: {type: waypoints, points: [[0, 120], [0, -120]]}\n"
+                                  "certificate: {enabled: false}\n");
+  CHECK(round.parts.problem.target.u[1] == 380);
+  CHECK_THAT(errors_of(on_earth("[10, 0]", "[10, 360]")), Contains("names the same point as the source"));
+}
+
+TEST_CASE("the Earth: a way over a pole is said in words, not by a latitude of 100") {
+  const Run run = parse_run(on_earth("[80, 0]", "[80, 180]"), "a.yaml");
+  REQUIRE(run.parts.notes.size() == 1);
+  CHECK_THAT(run.parts.notes[0], Contains("the path goes over the north pole"));
+  const RunOutcome solved = solve(run);
+  CHECK(solved.result.status == Status::certified);
+  CHECK(solved.result.certificate.estimate.value == Approx(2233651.714752).epsilon(1e-9));
+}
+
 TEST_CASE("the Earth: an ellipsoid that is none is refused by name") {
   const std::string ends = "cost: euclidean\nends:\n  source: {point: [0, 0]}\n  target: {point: [1, 1]}\n";
   CHECK_THAT(errors_of("manifold: {type: earth, inverse_flattening: 0.5}\n" + ends), Contains("inverse_flattening"));

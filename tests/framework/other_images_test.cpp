@@ -3,9 +3,11 @@
 #include <leastcost/framework/other_images.hpp>
 
 #include <climits>
+#include <cmath>
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/chart/target_images.hpp>
+#include <leastcost/problems/initializers/straight.hpp>
 #include <leastcost/problems/manifolds/constraint.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
 #include "tests/support/catch.hpp"
@@ -71,9 +73,30 @@ TEST_CASE("a path to a dearer image says which one is cheaper", "[framework]") {
 }
 
 TEST_CASE("a chain that slides over a pole to the shorter way is not certified", "[framework]") {
-  const Result result = find(on_surface(parametric::Sphere{}, {0, 0.2}, {5.9, 0.2}), 31);
+  FindOptions options;
+  options.points = 31;
+  options.target_as_given = true;
+  const Result result =
+      find_path(on_surface(parametric::Sphere{}, {0, 0.2}, {5.9, 0.2}), StraightInitializer(), Newton(), options);
   CHECK(result.curve.cost < 1);
   CHECK(failed(result.certificate, "longest_segment"));
+}
+
+TEST_CASE("on a sphere a longitude is a name: the nearest one is taken, and waypoints lead round the axis",
+          "[framework]") {
+  const double turn = 2 * kPi, angle = turn - 5.9;
+  const double length = std::acos(std::pow(std::sin(0.2), 2) + std::pow(std::cos(0.2), 2) * std::cos(angle));
+  for (const double target : {5.9, 5.9 - turn, 5.9 + 3 * turn}) {
+    const Result result = find(on_surface(parametric::Sphere{}, {0, 0.2}, {target, 0.2}), 31);
+    CAPTURE(target);
+    CHECK(result.status == Status::certified);
+    CHECK(result.certificate.estimate.value == Approx(length).epsilon(1e-9));
+  }
+  const Problem ellipsoid = on_surface(parametric::Ellipsoid{Eigen::Vector3d(1, 1, 0.8)}, {0, 0}, {-0.3, 0});
+  const WaypointsInitializer round((Points(2, 2) << 2, 4 - turn, 0, 0).finished());
+  const Result loop = find(ellipsoid, 31, round);
+  CHECK(loop.path.u(0, loop.path.u.cols() - 1) == Approx(turn - 0.3));
+  CHECK_FALSE(find_ability<HasImages>(*ellipsoid.manifold)->states_way(Vector2d(20, 0), Vector2d(0, 0)));
 }
 
 TEST_CASE("a path to the cheapest image says nothing", "[framework]") {
