@@ -10,7 +10,9 @@
 #include <vector>
 
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/has_graph.hpp>
 #include <leastcost/framework/path_energy.hpp>
+#include <leastcost/problems/initializers/grid.hpp>
 #include <leastcost/problems/initializers/straight.hpp>
 #include "problems/initializers/arrival_field.hpp"
 #include "problems/initializers/grid_search.hpp"
@@ -82,6 +84,17 @@ double cost_in_pieces(const Problem& problem, const CoordinatePath& path) {
   return PathEnergy(problem, 1).cost(fine);
 }
 
+FirstPath straight_line(const Problem& problem, const Monitor& monitor) {
+  return StraightInitializer().first_path(problem, monitor);
+}
+
+/// What else finds a way; throws `error` where there is nothing.
+FirstPath among_obstacles(const Problem& problem, const Monitor& monitor, const InitializationError& error) {
+  if (const auto* graph = find_ability<HasGraph>(*problem.manifold)) return graph->least_cost_edges(problem, monitor);
+  if (find_ability<HasChart>(*problem.manifold) != nullptr) throw error;
+  return GridInitializer().first_path(problem, monitor);
+}
+
 }  // namespace
 
 void EikonalOptions::fields(FieldVisitor& visit) {
@@ -95,8 +108,10 @@ void EikonalOptions::fields(FieldVisitor& visit) {
       {.help = "Lower corner of the box of coordinates that is searched; default: that of the domain, and where "
                "it has none the ends with as much around them as they are apart."});
   visit.field("upper", upper, {.help = "Upper corner of that box."});
-  visit.field("or_straight", or_straight,
-              {.help = "Takes the straight line where it costs no more than the way found, or where none is found."});
+  visit.field(
+      "fallback", fallback,
+      {.help = "Where no way is found, the straight line, or among obstacles a grid in the plane or edges of the "
+               "domain; without obstacles the line too where it costs no more. On where eikonal is the default."});
 }
 
 EikonalInitializer::EikonalInitializer(const EikonalOptions& options) : options_(options) {
@@ -105,18 +120,19 @@ EikonalInitializer::EikonalInitializer(const EikonalOptions& options) : options_
 }
 
 FirstPath EikonalInitializer::first_path(const Problem& problem, const Monitor& monitor) const {
-  if (!options_.or_straight || MoveCheck(problem).among_obstacles()) return down_the_field(problem, monitor);
-  const auto straight = [&] { return StraightInitializer().first_path(problem, monitor); };
+  if (!options_.fallback) return down_the_field(problem, monitor);
+  const bool obstacles = MoveCheck(problem).among_obstacles();
   FirstPath first;
   try {
     first = down_the_field(problem, monitor);
   } catch (const InitializationError& error) {
-    FirstPath line = straight();
-    line.notes.push_back(std::string(error.what()) + "; the straight line is taken");
-    return line;
+    FirstPath other = obstacles ? among_obstacles(problem, monitor, error) : straight_line(problem, monitor);
+    other.notes.insert(other.notes.begin(), error.what());
+    return other;
   }
+  if (obstacles) return first;
   try {
-    FirstPath line = straight();
+    FirstPath line = straight_line(problem, monitor);
     if (cost_in_pieces(problem, line.path) <= cost_in_pieces(problem, first.path)) return line;
   } catch (const InitializationError&) {  // there is a path
   }

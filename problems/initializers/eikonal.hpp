@@ -16,8 +16,9 @@ struct EikonalOptions {
   std::optional<int> cells = {};
   std::optional<Eigen::VectorXd> lower = {};  ///< of the box that is searched; else that of the domain
   std::optional<Eigen::VectorXd> upper = {};
-  /// Takes the straight line where that costs no more, or where nothing arrives: what a default needs.
-  bool or_straight = false;
+  /// Where nothing arrives, the straight line, or among obstacles what else finds a way (a grid in the plane, edges);
+  /// the line too where there are no obstacles and it costs no more. A default needs it.
+  bool fallback = false;
   void fields(FieldVisitor& visit);
 };
 
