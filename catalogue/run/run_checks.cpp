@@ -168,9 +168,10 @@ void fall_back(PluginChoice& eikonal) {
 
 void complete(RunConfig& config) {
   const bool mesh = config.manifold.provides<HasMesh>(), default_first = !config.initializer;
-  const Outline outline{config.manifold.plugin,    config.cost ? config.cost.plugin->type : "",
-                        coordinates(config),       config.ring,
-                        !config.obstacles.empty(), static_cast<bool>(config.robot)};
+  const Outline outline{
+      config.manifold.plugin,    config.cost ? std::string_view(config.cost.plugin->type) : std::string_view(),
+      coordinates(config),       config.ring,
+      !config.obstacles.empty(), static_cast<bool>(config.robot)};
   const auto fill = [&](const char* part, PluginChoice& choice) {
     const std::string type = default_type(part, outline);
     if (!choice && !type.empty()) choice = default_plugin(part, type.c_str(), part);

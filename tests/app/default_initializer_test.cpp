@@ -67,6 +67,7 @@ TEST_CASE("default initializer: every cell of the table makes a first path") {
   for (const Cell& cell : cells()) {
     std::string text = "manifold: " + cell.domain + "\ncost: " + cell.cost + "\n" + ends_of(cell);
     if (!cell.obstacles.empty()) text += "obstacles: " + cell.obstacles + "\n";
+    if (cell.obstacles == kField) text += "clearance: 10\n";
     CAPTURE(text);
     const Run run = parse_run(text, "a.yaml", project_dir() / "configs");
     CHECK(run.parts.initializer->name() == cell.initializer);
