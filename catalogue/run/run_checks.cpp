@@ -9,6 +9,7 @@
 #include <variant>
 
 #include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/initializers/eikonal.hpp>
 #include "catalogue/options/options_writer.hpp"
 #include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/kinds.hpp"
@@ -23,14 +24,47 @@ PluginChoice default_plugin(const char* kind_name, const char* type, const std::
   return choose(*find_plugin(kind(kind_name), type), path);
 }
 
-/// The type of a part that is left out, "" where there is no default. `manifold`: null where it is not known.
-std::string default_type(std::string_view part, const PluginEntry* manifold, bool ring, bool obstacles) {
-  const auto has = [&](std::string_view ability) {
-    return manifold != nullptr && std::count(manifold->provides.begin(), manifold->provides.end(), ability) > 0;
-  };
+/// What the defaults depend on.
+struct Outline {
+  const PluginEntry* manifold = nullptr;  ///< null where it is not known
+  std::string_view cost;                  ///< its type
+  Eigen::Index coordinates = 0;           ///< of points; 0: not known
+  bool ring = false, obstacles = false, robot = false;
+};
+
+bool is_one_of(std::string_view type, std::initializer_list<std::string_view> types) {
+  return std::count(types.begin(), types.end(), type) > 0;
+}
+
+/// Costs that depend on the place, so that there may be locally least paths on several sides.
+bool has_several_ways(std::string_view cost) {
+  return is_one_of(cost, {"cost_map", "refractive_index", "metric_field", "walking", "zermelo", "formula", "sum",
+                          "scaled", "clearance"});
+}
+
+/// "" for a ring, which has none. A field over two coordinates sees the ways on all sides, and works in charts, where
+/// random trees do not.
+std::string default_initializer(const Outline& run) {
+  if (run.ring) return "";
+  const std::string_view domain = run.manifold != nullptr ? std::string_view(run.manifold->type) : "";
+  const bool plane = domain == "euclidean" && run.coordinates == 2;
+  const bool free_or_chart = !run.obstacles || is_one_of(domain, {"terrain", "parametric", "earth"});
+  if (!run.robot && (plane || domain == "terrain") && has_several_ways(run.cost)) return "eikonal";
+  if (!run.robot && run.obstacles && free_or_chart) return "eikonal";
+  if (!run.robot && run.obstacles && plane) return "grid";
+  if (run.robot || run.obstacles) return "rrt";
+  const bool graph = run.manifold != nullptr &&
+                     std::count(run.manifold->provides.begin(), run.manifold->provides.end(), HasGraph::kAbility) > 0;
+  return graph ? "dijkstra" : "straight";
+}
+
+/// The type of a part that is left out, "" where there is no default.
+std::string default_type(std::string_view part, const Outline& run) {
   if (part == "kernel") return "expm1_square";
-  if (part == "initializer") return ring ? "" : obstacles ? "rrt" : has(HasGraph::kAbility) ? "dijkstra" : "straight";
-  return has(HasMesh::kAbility) ? "lbfgs" : "newton";  // the solver
+  if (part == "initializer") return default_initializer(run);
+  const bool mesh = run.manifold != nullptr &&
+                    std::count(run.manifold->provides.begin(), run.manifold->provides.end(), HasMesh::kAbility) > 0;
+  return mesh ? "lbfgs" : "newton";  // the solver
 }
 
 bool is(const PluginChoice& choice, std::initializer_list<std::string_view> types) {
@@ -128,17 +162,23 @@ void go_over_diagonals(PluginChoice& dijkstra) {
   static_cast<OptionsOf<DijkstraOptions>&>(*dijkstra.options).value.diagonals = true;
 }
 
+void fall_back(PluginChoice& eikonal) {
+  static_cast<OptionsOf<EikonalOptions>&>(*eikonal.options).value.fallback = true;
+}
+
 void complete(RunConfig& config) {
   const bool mesh = config.manifold.provides<HasMesh>(), default_first = !config.initializer;
+  const Outline outline{
+      config.manifold.plugin,    config.cost ? std::string_view(config.cost.plugin->type) : std::string_view(),
+      coordinates(config),       config.ring,
+      !config.obstacles.empty(), static_cast<bool>(config.robot)};
   const auto fill = [&](const char* part, PluginChoice& choice) {
-    std::string type =
-        default_type(part, config.manifold.plugin, config.ring, !config.obstacles.empty() || config.robot);
-    // In the plane a grid is quick, and its class more often that of the shortest path.
-    if (type == "rrt" && is(config.manifold, {"euclidean"}) && coordinates(config) == 2 && !config.robot) type = "grid";
+    const std::string type = default_type(part, outline);
     if (!choice && !type.empty()) choice = default_plugin(part, type.c_str(), part);
   };
   fill("kernel", config.kernel);
   fill("initializer", config.initializer);
+  if (default_first && is(config.initializer, {"eikonal"})) fall_back(config.initializer);
   const bool taut = !config.post_process && plans_taut(config);
   const bool layers = !config.post_process && refracts(config);
   const bool proof = !config.post_process && proves_shortest(config);
@@ -397,10 +437,17 @@ void complete_types(ConfigNode& tree) {
   const std::string type = text_at("manifold");
   const PluginEntry* manifold = find_plugin(kind("manifold"), type.empty() ? text_at("manifold.type") : type);
   if (manifold == nullptr) return;  // an error of its own
+  const std::string cost = text_at("cost"), cost_type = cost.empty() ? text_at("cost.type") : cost;
+  const ConfigNode* point = node_at(tree, "ends.source.point");
+  const Outline outline{manifold,
+                        cost_type,
+                        point != nullptr ? static_cast<Eigen::Index>(point->items.size()) : 0,
+                        text_at("path.ring") == "true",
+                        tree.find("obstacles") != nullptr,
+                        tree.find("robot") != nullptr};
   for (const char* part : {"kernel", "initializer", "solver"}) {
     ConfigEntry* entry = tree.find(part);
-    const std::string standard = default_type(part, manifold, text_at("path.ring") == "true",
-                                              tree.find("obstacles") != nullptr || tree.find("robot") != nullptr);
+    const std::string standard = default_type(part, outline);
     if (entry == nullptr || !entry->value.is_block() || standard.empty()) continue;
     const auto& options = entry->value.entries;
     const bool replaced =

@@ -15,21 +15,41 @@ namespace {
 
 constexpr double kNoBetter = 1e-5;  ///< a gain of this part of a cost is not passed on
 
-/// The nodes around a node, counter-clockwise: neighbours in the list are those of an edge.
-constexpr std::array<std::array<std::int32_t, 2>, 8> kRing = {
-    {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+struct LeastOnEdge {
+  double cost, t;
+};
 
-InitializationError lost() {
-  return InitializationError(
-      "eikonal: the target is reached, but the way back is lost between the nodes: more cells may show it");
+/// The least over t in [0, 1] of (1 - t) a + t b + c(t), where c(t)^2 is the parabola through the squares of three
+/// costs, at t = 0, 1/2 and 1: exact where c comes from a metric.
+LeastOnEdge least_on_edge(double a, double b, const std::array<double, 3>& c) {
+  LeastOnEdge best = a + c[0] <= b + c[2] ? LeastOnEdge{a + c[0], 0} : LeastOnEdge{b + c[2], 1};
+  const double first = c[0] * c[0], middle = c[1] * c[1], last = c[2] * c[2], slope = b - a;
+  const double p2 = 2 * (first + last) - 4 * middle, p1 = 4 * middle - 3 * first - last;
+  const double d = 4 * p2 * first - p1 * p1;
+  if (!(p2 > slope * slope) || !(d > 0)) {
+    const double half = (a + b) / 2 + c[1];
+    return half < best.cost ? LeastOnEdge{half, 0.5} : best;
+  }
+  const double s = -slope * std::sqrt(d / (p2 - slope * slope)), t = (s - p1) / (2 * p2);
+  if (!(t > 0) || !(t < 1)) return best;
+  const double inner = a + t * slope + std::sqrt((s * s + d) / (4 * p2));
+  return inner < best.cost ? LeastOnEdge{inner, t} : best;
 }
 
 }  // namespace
 
-ArrivalField::ArrivalField(const Problem& problem, const MoveCheck& moves, const LatticeBox& box, int cells,
+ArrivalField::ArrivalField(const Problem& problem, const MoveCheck& moves, const LatticeBox& box, int cells, bool exact,
                            const std::function<bool()>& stop)
     : problem_(problem), moves_(moves) {
   lay(box, cells);
+  if (!how.exact) {
+    Eigen::Matrix2Xd u(2, static_cast<Eigen::Index>(arrivals_.size()));
+    for (std::int32_t node = 0; node < static_cast<std::int32_t>(arrivals_.size()); ++node)
+      u.col(node) = coordinates({node, node, 0});
+    node_moves_.emplace(problem, u, step_);
+    keep_off(how.margin);
+    mark_doubtful();
+  }
   spread(stop);
   arrive_at_target();
 }
@@ -56,12 +76,46 @@ void ArrivalField::lay(const LatticeBox& box, int cells) {
   ends_.resize(x_.rows(), 2);
 }
 
+template <class Visit>
+void ArrivalField::beside_blocked(int reach, const Visit& visit) const {
+  if (!node_moves_->any_blocked()) return;
+  for (std::int32_t node = 0; node < static_cast<std::int32_t>(arrivals_.size()); ++node) {
+    if (!node_moves_->blocked(node)) continue;
+    const std::array<std::int32_t, 3> at = lattice_.place(node);
+    for (std::int32_t j = std::max(at[1] - reach, 0); j <= std::min(at[1] + reach, lattice_.count[1] - 1); ++j)
+      for (std::int32_t i = std::max(at[0] - reach, 0); i <= std::min(at[0] + reach, lattice_.count[0] - 1); ++i)
+        visit(i, j);
+  }
+}
+
+void ArrivalField::keep_off(int margin) {
+  if (margin == 0) return;
+  const Window near_source = around(problem_.source.u, margin + kEndReach),
+               near_target = around(problem_.target.u, margin + kEndReach);
+  const auto in = [](const Window& w, std::int32_t i, std::int32_t j) {
+    return i >= w.low[0] && i <= w.high[0] && j >= w.low[1] && j <= w.high[1];
+  };
+  std::vector<std::int32_t> left_out;
+  beside_blocked(margin, [&](std::int32_t i, std::int32_t j) {
+    if (!in(near_source, i, j) && !in(near_target, i, j)) left_out.push_back(lattice_.number({i, j, 0}));
+  });
+  for (const std::int32_t node : left_out) node_moves_->block(node);
+}
+
+void ArrivalField::mark_doubtful() {
+  doubtful_.assign(arrivals_.size(), 0);
+  beside_blocked(1, [&](std::int32_t i, std::int32_t j) {
+    doubtful_[static_cast<std::size_t>(lattice_.number({i, j, 0}))] = 1;
+  });
+}
+
 /// As Dijkstra, but that a node is worked off again when it becomes cheaper. When all is done there are leaps to what
 /// is not reached yet: where a current carries all moves into a narrow cone no neighbour may lie in it.
 void ArrivalField::spread(const std::function<bool()>& stop) {
   Queue queue;
   leave_source(queue);
   work_off(queue, false, stop);
+  if (isotropic()) return;
   for (std::int32_t node = 0; node < static_cast<std::int32_t>(arrivals_.size()); ++node)
     if (known(node)) queue.push({arrivals_[static_cast<std::size_t>(node)].cost, node});
   work_off(queue, true, stop);
@@ -81,20 +135,33 @@ void ArrivalField::leave_source(Queue& queue) {
 
 void ArrivalField::work_off(Queue& queue, bool leaping, const std::function<bool()>& stop) {
   constexpr int kNodesPerLook = 256;
+  double least_at_target = kNever;
   for (int steps = 1; !queue.empty(); ++steps) {
     if (steps % kNodesPerLook == 0 && stop()) throw Interrupted("eikonal: interrupted while costs spread");
     const auto [c, node] = queue.top();
     queue.pop();
     if (c > arrivals_[static_cast<std::size_t>(node)].cost) continue;
+    if (c > least_at_target) return;
+    if (isotropic()) least_at_target = std::min(least_at_target, c + last_move(node));
     const std::array<std::int32_t, 3> at = lattice_.place(node);
-    for (const auto& [di, dj] : kRing) {
-      const std::int32_t i = at[0] + di, j = at[1] + dj;
+    for (std::size_t k = 0; k < kRing.size(); ++k) {
+      const std::int32_t i = at[0] + kRing[k][0], j = at[1] + kRing[k][1];
       if (i < 0 || j < 0 || i >= lattice_.count[0] || j >= lattice_.count[1]) continue;
       const std::int32_t neighbour = lattice_.number({i, j, 0});
-      if (improve(neighbour, node)) queue.push({arrivals_[static_cast<std::size_t>(neighbour)].cost, neighbour});
+      if (isotropic() && arrivals_[static_cast<std::size_t>(neighbour)].cost <= c) continue;
+      // Seen from there this node lies on the other side.
+      if (improve(neighbour, node, (k + kRing.size() / 2) % kRing.size()))
+        queue.push({arrivals_[static_cast<std::size_t>(neighbour)].cost, neighbour});
     }
     if (leaping) leap(node, queue);
   }
+}
+
+double ArrivalField::last_move(std::int32_t node) const {
+  const std::array<std::int32_t, 3> at = lattice_.place(node);
+  const Window near = around(problem_.target.u, kEndReach);
+  if (at[0] < near.low[0] || at[1] < near.low[1] || at[0] > near.high[0] || at[1] > near.high[1]) return kNever;
+  return moves_.clear(x_.col(node), target_, kNever) ? move(x_.col(node), target_) : kNever;
 }
 
 /// To nodes further away in other directions than those of neighbours.
@@ -114,24 +181,53 @@ void ArrivalField::leap(std::int32_t node, Queue& queue) {
 }
 
 /// Over the two edges around a node that end in one of its neighbours.
-bool ArrivalField::improve(std::int32_t node, std::int32_t by) {
-  if (!x_.col(node).allFinite()) return false;
-  const std::array<std::int32_t, 3> at = lattice_.place(node), from = lattice_.place(by);
-  const auto here = std::find_if(kRing.begin(), kRing.end(),
-                                 [&](const auto& s) { return s[0] == from[0] - at[0] && s[1] == from[1] - at[1]; });
-  const auto k = static_cast<std::size_t>(here - kRing.begin());
+bool ArrivalField::improve(std::int32_t node, std::int32_t by, std::size_t k) {
+  if (node_moves_ ? node_moves_->blocked(node) : !x_.col(node).allFinite()) return false;
+  const std::array<std::int32_t, 3> at = lattice_.place(node);
   Arrival& arrival = arrivals_[static_cast<std::size_t>(node)];
   Arrival best = arrival;
   best.cost *= 1 - kNoBetter;
   const double before = best.cost;
-  for (const std::size_t other : {(k + 1) % kRing.size(), (k + kRing.size() - 1) % kRing.size()}) {
-    const std::int32_t i = at[0] + kRing[other][0], j = at[1] + kRing[other][1];
+  for (const int turn : {1, -1}) {
+    const auto& [di, dj] = kRing[(k + kRing.size() + static_cast<std::size_t>(turn)) % kRing.size()];
+    const std::int32_t i = at[0] + di, j = at[1] + dj;
     const bool inside = i >= 0 && j >= 0 && i < lattice_.count[0] && j < lattice_.count[1];
-    try_edge({by, inside ? lattice_.number({i, j, 0}) : by}, x_.col(node), best);
+    const std::int32_t other = inside ? lattice_.number({i, j, 0}) : by;
+    if (!node_moves_ || !try_triangle(node, by, other, k, turn, best)) try_edge({by, other}, x_.col(node), best);
   }
   if (!(best.cost < before)) return false;
   arrival = best;
   return true;
+}
+
+bool ArrivalField::try_triangle(std::int32_t node, std::int32_t by, std::int32_t other, std::size_t k, int turn,
+                                Arrival& best) const {
+  const NodeMoves& moves = *node_moves_;
+  const std::size_t all = NodeMoves::kDirections, direction = 2 * k;
+  const auto turned = [&](int by_steps) { return (direction + all + static_cast<std::size_t>(by_steps)) % all; };
+  const auto mean = [&](std::int32_t from, std::size_t d) { return 0.5 * (moves.cost(node, d) + moves.cost(from, d)); };
+  const double from_by = mean(by, direction), u = cost({by, by, 0});
+  if (!std::isfinite(from_by)) return false;
+  const auto take = [&](double c, const Place& from) {
+    if (c < best.cost && passes(from, node)) best = {c, from};
+  };
+  if (other != by && known(other) && !moves.blocked(other)) {
+    const double middle = 0.5 * (mean(by, turned(turn)) + mean(other, turned(turn)));
+    const double from_other = mean(other, turned(2 * turn));
+    if (!std::isfinite(middle) || !std::isfinite(from_other)) return false;
+    const LeastOnEdge least = least_on_edge(u, cost({other, other, 0}), {from_by, middle, from_other});
+    if (least.t > 0 && least.t < 1 && least.cost < best.cost && clear({by, other}))
+      take(least.cost, {by, other, least.t});
+  }
+  take(u + from_by, {by, by, 0});
+  return true;
+}
+
+bool ArrivalField::passes(const Place& from, std::int32_t node) const {
+  if (!moves_.among_obstacles() && doubtful_[static_cast<std::size_t>(node)] == 0) return true;
+  const Eigen::VectorXd a = position(from);
+  if (!moves_.clear(a, x_.col(node), kNever)) return false;
+  return doubtful_[static_cast<std::size_t>(node)] == 0 || move(a, x_.col(node)) < kNever;
 }
 
 void ArrivalField::arrive_at_target() {
@@ -145,17 +241,18 @@ void ArrivalField::arrive_at_target() {
   for (const Edge& edge : edges_in(near_target)) try_edge(edge, target_, at_target_);
 }
 
-ArrivalField::Arrival ArrivalField::over_edge(const Edge& edge, const Eigen::VectorXd& x) const {
+ArrivalField::Arrival ArrivalField::over_edge(const Edge& edge, const Eigen::VectorXd& x, double below) const {
   constexpr int kSamples = 8, kSections = 8;
   Arrival best;
   const auto look = [&](double t) {
     const Place place{edge.a, edge.b, t};
+    if (!(cost(place) < below)) return;
     const double c = cost(place) + move(position(place), x);
     if (c < best.cost) best = {c, place};
   };
   for (int k = 0; k <= kSamples; ++k) look(static_cast<double>(k) / kSamples);
   // The best sample halved between its neighbours: near a least value an error of the place counts by its square.
-  for (double width = 0.5 / kSamples; width > 0.5 / kSamples / (1 << kSections / 2); width /= 2) {
+  for (double width = 0.5 / kSamples; best.cost < kNever && width > 0.5 / kSamples / (1 << kSections / 2); width /= 2) {
     const double t = best.from.t;
     if (t - width >= 0) look(t - width);
     if (t + width <= 1) look(t + width);
@@ -163,16 +260,16 @@ ArrivalField::Arrival ArrivalField::over_edge(const Edge& edge, const Eigen::Vec
   return best;
 }
 
-void ArrivalField::try_edge(const Edge& edge, const Eigen::VectorXd& x, Arrival& best) const {
+void ArrivalField::try_edge(const Edge& edge, const Eigen::VectorXd& x, Arrival& best, double below) const {
   const auto take = [&](const Arrival& arrival) {
     if (arrival.cost < best.cost && moves_.clear(position(arrival.from), x, kNever)) best = arrival;
   };
   const bool both = edge.a != edge.b && known(edge.b);
   if (!known(edge.a) || std::min(cost({edge.a, edge.a, 0}), both ? cost({edge.b, edge.b, 0}) : kNever) >= best.cost)
     return;
-  if (both && clear(edge)) take(over_edge(edge, x));
+  if (both && clear(edge)) take(over_edge(edge, x, below));
   const Place node{edge.a, edge.a, 0};
-  take({cost(node) + move(position(node), x), node});
+  if (cost(node) < below) take({cost(node) + move(position(node), x), node});
 }
 
 bool ArrivalField::clear(const Edge& edge) const {
@@ -215,69 +312,8 @@ ArrivalField::Window ArrivalField::around(const Eigen::Vector2d& u, int reach) c
   return window;
 }
 
-/// The nodes of the cells that have an edge in common.
-ArrivalField::Window ArrivalField::cells_beside(const Place& edge) const {
-  const std::array<std::int32_t, 3> a = lattice_.place(edge.a), b = lattice_.place(edge.b);
-  Window window{};
-  for (std::size_t d = 0; d < 2; ++d) {
-    const std::int32_t beside = a[d] == b[d] ? 1 : 0;
-    window.low[d] = std::max(std::min(a[d], b[d]) - beside, 0);
-    window.high[d] = std::min(std::max(a[d], b[d]) + beside, lattice_.count[d] - 1);
-  }
-  return window;
-}
-
-std::vector<ArrivalField::Edge> ArrivalField::edges_in(const Window& window) const {
-  std::vector<Edge> edges;
-  for (std::int32_t j = window.low[1]; j <= window.high[1]; ++j)
-    for (std::int32_t i = window.low[0]; i <= window.high[0]; ++i) {
-      const std::int32_t node = lattice_.number({i, j, 0});
-      edges.push_back({node, i < window.high[0] ? lattice_.number({i + 1, j, 0}) : node});
-      edges.push_back({node, j < window.high[1] ? lattice_.number({i, j + 1, 0}) : node});
-      // Either end of an edge may be the only one that is known.
-      if (i > window.low[0]) edges.push_back({node, lattice_.number({i - 1, j, 0})});
-      if (j > window.low[1]) edges.push_back({node, lattice_.number({i, j - 1, 0})});
-    }
-  return edges;
-}
-
 std::optional<double> ArrivalField::arrival_cost() const {
   return at_target_.cost < kNever ? std::optional(at_target_.cost) : std::nullopt;
-}
-
-/// What comes before a place on the way. A node knows; within an edge it is the best place on another edge of the two
-/// cells beside it, or a node of the edge itself.
-ArrivalField::Place ArrivalField::before(const Place& place) const {
-  if (place.a == place.b || place.t <= 0) return arrivals_[static_cast<std::size_t>(place.a)].from;
-  if (place.t >= 1) return arrivals_[static_cast<std::size_t>(place.b)].from;
-  const Eigen::VectorXd x = position(place);
-  Arrival best;
-  const Window beside = cells_beside(place), start = around(problem_.source.u, 1);
-  const bool near = beside.low[0] >= start.low[0] - 1 && beside.high[0] <= start.high[0] + 1 &&
-                    beside.low[1] >= start.low[1] - 1 && beside.high[1] <= start.high[1] + 1;
-  if (near && moves_.clear(source_, x, kNever)) best.cost = move(source_, x);
-  for (const Edge& edge : edges_in(beside)) {
-    const bool same = std::min(edge.a, edge.b) == std::min(place.a, place.b) &&
-                      std::max(edge.a, edge.b) == std::max(place.a, place.b);
-    if (!same) try_edge(edge, x, best);
-  }
-  for (const std::int32_t node : {place.a, place.b}) {  // along the edge, which is clear
-    const double c = cost({node, node, 0}) + move(x_.col(node), x);
-    if (c < best.cost) best = {c, {node, node, 0}};
-  }
-  if (best.cost < kNever) return best.from;
-  throw lost();
-}
-
-std::vector<Eigen::Vector2d> ArrivalField::way() const {
-  std::vector<Eigen::Vector2d> way = {problem_.target.u};
-  for (Place place = at_target_.from; place.a >= 0; place = before(place)) {
-    way.push_back(coordinates(place));
-    if (way.size() > 2 * arrivals_.size()) throw lost();
-  }
-  way.emplace_back(problem_.source.u);
-  std::reverse(way.begin(), way.end());
-  return way;
 }
 
 }  // namespace leastcost

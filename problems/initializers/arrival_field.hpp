@@ -16,6 +16,7 @@
 #include "problems/graph/lattice_route.hpp"
 #include "problems/initializers/grid_search.hpp"
 #include "problems/initializers/lattice_box.hpp"
+#include "problems/initializers/node_moves.hpp"
 
 namespace leastcost {
 
@@ -26,13 +27,21 @@ namespace leastcost {
 ///
 ///     u(x) = min over the edges (a, b) around x and t in [0, 1] of (1 - t) u(a) + t u(b) + c((1 - t) a + t b, x).
 ///
-/// Only c, the problem's own segment cost, is asked: it may depend on place and direction, and be asymmetric. Nodes are
-/// worked off in the order of their costs, and again when they become cheaper, for with a cost that depends on
-/// direction no single order is right. Moves and edges that obstacles do not let pass are left out.
+/// c may depend on place and direction, and be asymmetric. Nodes are worked off in the order of their costs, and again
+/// when they become cheaper, for with a cost that depends on direction no single order is right. Moves and edges that
+/// obstacles do not let pass are left out. Between nodes c is by the line elements at both ends of a move, asked once
+/// per node (NodeMoves); the problem's own segment cost is asked where some directions are impossible, beside places
+/// without a cost, at the ends and on the way back, or, when `exact`, everywhere.
 class ArrivalField {
  public:
+  /// How it is found. `margin`: so many nodes around those without a cost are left out too, but at the ends.
+  struct Way {
+    bool exact = false;
+    int margin = 0;
+  };
+
   /// A lattice of so many cells along the longest side of the box. Throws Interrupted.
-  ArrivalField(const Problem& problem, const MoveCheck& moves, const LatticeBox& box, int cells,
+  ArrivalField(const Problem& problem, const MoveCheck& moves, const LatticeBox& box, int cells, const Way& how,
                const std::function<bool()>& stop);
 
   /// Nothing where the target is not reached.
@@ -41,6 +50,8 @@ class ArrivalField {
   /// cannot be followed back.
   std::vector<Eigen::Vector2d> way() const;
   const Lattice& lattice() const { return lattice_; }
+  /// Some nodes have no cost.
+  bool has_gaps() const { return node_moves_ && node_moves_->any_blocked(); }
 
  private:
   /// A point of an edge between two nodes, (1 - t) a + t b; a node where a = b.
@@ -69,11 +80,26 @@ class ArrivalField {
   void leave_source(Queue& queue);
   void work_off(Queue& queue, bool leaping, const std::function<bool()>& stop);
   void leap(std::int32_t node, Queue& queue);
-  bool improve(std::int32_t node, std::int32_t by);
+  /// By its neighbour `by`, number k of its ring.
+  bool improve(std::int32_t node, std::int32_t by, std::size_t k);
+  /// Visits the nodes in the box of so many around each that is blocked.
+  template <class Visit>
+  void beside_blocked(int reach, const Visit& visit) const;
+  void keep_off(int margin);
+  void mark_doubtful();
+  /// From a node near the target on to it; infinite elsewhere.
+  double last_move(std::int32_t node) const;
+  bool isotropic() const { return node_moves_ && node_moves_->isotropic(); }
   void arrive_at_target();
   /// The cheapest move to x over one edge that obstacles let pass, where it is cheaper than `best`.
-  void try_edge(const Edge& edge, const Eigen::VectorXd& x, Arrival& best) const;
-  Arrival over_edge(const Edge& edge, const Eigen::VectorXd& x) const;
+  /// `below`: what arriving at the place before x must cost less than, so that no way back goes in circles.
+  void try_edge(const Edge& edge, const Eigen::VectorXd& x, Arrival& best, double below = kNever) const;
+  Arrival over_edge(const Edge& edge, const Eigen::VectorXd& x, double below) const;
+  /// The same by the line elements at the nodes: into `node` from its neighbour `by`, number k of its ring, or over the
+  /// edge from there to `other`, number k + turn. False where they do not know.
+  bool try_triangle(std::int32_t node, std::int32_t by, std::int32_t other, std::size_t k, int turn,
+                    Arrival& best) const;
+  bool passes(const Place& from, std::int32_t node) const;
   bool clear(const Edge& edge) const;
   double move(const Eigen::Ref<const Eigen::VectorXd>& a, const Eigen::Ref<const Eigen::VectorXd>& b) const;
 
@@ -97,6 +123,8 @@ class ArrivalField {
   Eigen::Vector2d lower_, upper_, step_;    ///< the box in coordinates, and from node to node
   Points x_;                                ///< ambient positions of the nodes; not finite off the domain
   Eigen::VectorXd source_, target_;         ///< ambient
+  std::optional<NodeMoves> node_moves_;     ///< none: exact
+  std::vector<unsigned char> doubtful_;     ///< per node: beside one that is blocked
   std::vector<Arrival> arrivals_;           ///< per node
   mutable std::vector<signed char> clear_;  ///< per edge: 1 clear, 0 not, -1 not asked yet
   mutable Points ends_;                     ///< of the move whose cost is asked

@@ -2,19 +2,28 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/initializers/eikonal.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/has_graph.hpp>
+#include <leastcost/framework/path_energy.hpp>
+#include <leastcost/problems/initializers/grid.hpp>
+#include <leastcost/problems/initializers/straight.hpp>
+#include "framework/spacing.hpp"
 #include "problems/initializers/arrival_field.hpp"
 #include "problems/initializers/grid_search.hpp"
 #include "problems/initializers/lattice_box.hpp"
+#include "problems/raster/has_cell_index.hpp"
 
 namespace leastcost {
 namespace {
 
-constexpr int kFewestCells = 4, kMostCells = 2000;
+constexpr int kFewestCells = 4, kMostCells = 2000, kCells = 100, kMostMargin = 16;
 
 std::string lattice_in_words(const Lattice& lattice) {
   std::ostringstream out;
@@ -22,24 +31,133 @@ std::string lattice_in_words(const Lattice& lattice) {
   return out.str();
 }
 
+/// Where the domain has no box a raster of costs has one: nothing is known beyond it.
+void close_by_raster(LatticeBox& box, const Problem& problem) {
+  const auto* raster = find_ability<HasCellIndex>(*problem.cost);
+  if (raster == nullptr) return;
+  const Eigen::Vector2d lower = raster->patches().lower(), upper = raster->patches().upper();
+  for (std::size_t d = 0; d < 2; ++d) {
+    const auto k = static_cast<Eigen::Index>(d);
+    if (box.open_lower[d]) box.lower[k] = lower[k];
+    if (box.open_upper[d]) box.upper[k] = upper[k];
+  }
+}
+
+/// Along the longest side: nodes on the values of a raster, and between them, as long as there are not too many.
+int cells_for(const LatticeBox& box, const Problem& problem, bool obstacles) {
+  constexpr double kMostParts = 16, kNodes = 80000, kMostNodes = 640000, kNodesAmongObstacles = 40000;
+  const auto* raster = find_ability<HasCellIndex>(*problem.cost);
+  if (raster == nullptr) return kCells;
+  const Eigen::Vector2d size = box.upper - box.lower;
+  const double longest = size.maxCoeff(), along = longest / raster->patches().cell().minCoeff();
+  const double ratio = size.minCoeff() / longest;  // nodes: ratio cells^2
+  const double parts = std::clamp(std::floor(std::sqrt(kNodes / ratio) / along), 1.0, kMostParts);
+  const double most = std::sqrt((obstacles ? kNodesAmongObstacles : kMostNodes) / ratio);
+  return static_cast<int>(
+      std::clamp(std::round(std::min(parts * along, most)), double{kFewestCells}, double{kMostCells}));
+}
+
+/// The way down a field. Throws InitializationError where there is none, or where it costs infinitely much.
+CoordinatePath way_of(const ArrivalField& field, const Problem& problem) {
+  if (!field.arrival_cost())
+    throw InitializationError("eikonal: " + lattice_in_words(field.lattice()) +
+                              ": no way arrives at the target. More cells may find a narrower one, a wider box "
+                              "(lower, upper) one around");
+  const std::vector<Eigen::Vector2d> way = field.way();
+  CoordinatePath path{Points(2, static_cast<Index>(way.size())), {}, false};
+  for (std::size_t k = 0; k < way.size(); ++k) path.u.col(static_cast<Index>(k)) = way[k];
+  if (!std::isfinite(PathEnergy(problem, 1).cost(path)))
+    throw InitializationError(
+        "eikonal: " + lattice_in_words(field.lattice()) +
+        ": the way found passes places without a cost between the nodes. More cells may see them");
+  return path;
+}
+
+/// Whether points on the path, as many as a run has by default, keep clear of places without a cost.
+bool can_be_sampled(const Problem& problem, const CoordinatePath& path) {
+  constexpr int kPoints = 64;
+  try {
+    sample_equally(problem, path, kPoints);
+    return true;
+  } catch (const InitializationError&) {
+    return false;
+  }
+}
+
+struct Found {
+  CoordinatePath path;
+  std::string lattice;
+  bool has_gaps = false;
+};
+
+/// Cost of a path in many pieces: that of a long move may be far from that of the curve.
+double cost_in_pieces(const Problem& problem, const CoordinatePath& path) {
+  constexpr Index kPieces = 256;
+  const Index moves = path.u.cols() - 1, each = std::max<Index>(1, kPieces / moves);
+  CoordinatePath fine{Points(path.u.rows(), moves * each + 1), {}, false};
+  for (Index i = 0; i < moves; ++i)
+    for (Index k = 0; k < each; ++k)
+      fine.u.col(i * each + k) = path.u.col(i) + double(k) / double(each) * (path.u.col(i + 1) - path.u.col(i));
+  fine.u.rightCols<1>() = path.u.rightCols<1>();
+  return PathEnergy(problem, 1).cost(fine);
+}
+
+FirstPath straight_line(const Problem& problem, const Monitor& monitor) {
+  return StraightInitializer().first_path(problem, monitor);
+}
+
+/// What else finds a way; throws `error` where there is nothing.
+FirstPath among_obstacles(const Problem& problem, const Monitor& monitor, const InitializationError& error) {
+  if (const auto* graph = find_ability<HasGraph>(*problem.manifold)) return graph->least_cost_edges(problem, monitor);
+  if (find_ability<HasChart>(*problem.manifold) != nullptr) throw error;
+  return GridInitializer().first_path(problem, monitor);
+}
+
 }  // namespace
 
 void EikonalOptions::fields(FieldVisitor& visit) {
   visit.field("cells", cells,
-              {.help = "Cells along the longest side of the box.", .minimum = kFewestCells, .maximum = kMostCells});
+              {.help = "Cells along the longest side of the box; default: those of a raster of costs, or a multiple, "
+                       "but no more than a field in a fraction of a second has; 100 without one.",
+               .minimum = kFewestCells,
+               .maximum = kMostCells});
   visit.field(
       "lower", lower,
       {.help = "Lower corner of the box of coordinates that is searched; default: that of the domain, and where "
                "it has none the ends with as much around them as they are apart."});
   visit.field("upper", upper, {.help = "Upper corner of that box."});
+  visit.field(
+      "fallback", fallback,
+      {.help = "Where no way is found, the straight line, or among obstacles a grid in the plane or edges of the "
+               "domain; without obstacles the line too where it costs no more. On where eikonal is the default."});
 }
 
 EikonalInitializer::EikonalInitializer(const EikonalOptions& options) : options_(options) {
-  if (options.cells < kFewestCells || options.cells > kMostCells)
+  if (options.cells && (*options.cells < kFewestCells || *options.cells > kMostCells))
     throw OptionError("cells", "must be from " + std::to_string(kFewestCells) + " to " + std::to_string(kMostCells));
 }
 
 FirstPath EikonalInitializer::first_path(const Problem& problem, const Monitor& monitor) const {
+  if (!options_.fallback) return down_the_field(problem, monitor);
+  const bool obstacles = MoveCheck(problem).among_obstacles();
+  FirstPath first;
+  try {
+    first = down_the_field(problem, monitor);
+  } catch (const InitializationError& error) {
+    FirstPath other = obstacles ? among_obstacles(problem, monitor, error) : straight_line(problem, monitor);
+    other.notes.insert(other.notes.begin(), error.what());
+    return other;
+  }
+  if (obstacles) return first;
+  try {
+    FirstPath line = straight_line(problem, monitor);
+    if (cost_in_pieces(problem, line.path) <= cost_in_pieces(problem, first.path)) return line;
+  } catch (const InitializationError&) {  // there is a path
+  }
+  return first;
+}
+
+FirstPath EikonalInitializer::down_the_field(const Problem& problem, const Monitor& monitor) const {
   if (problem.ring) throw InitializationError("eikonal: a ring has no ends to join: give waypoints");
   const ConstraintManifold& domain = *problem.manifold;
   if (domain.dimensions().coordinate != 2 || domain.shape() == Shape::polyhedral)
@@ -47,21 +165,34 @@ FirstPath EikonalInitializer::first_path(const Problem& problem, const Monitor& 
         "eikonal works where two coordinates name a point: the plane, charts, terrain; on a mesh or a cloud use "
         "dijkstra, elsewhere rrt");
   const MoveCheck moves(problem);
-  const LatticeBox box = LatticeBox::of(problem, options_.lower, options_.upper);
+  LatticeBox box = LatticeBox::of(problem, options_.lower, options_.upper);
+  close_by_raster(box, problem);
   for (const PathEnd* end : {&problem.source, &problem.target})
     if ((end->u.array() < box.lower.array()).any() || (end->u.array() > box.upper.array()).any())
       throw InitializationError("eikonal: an end lies outside the box that is searched: widen lower and upper");
-  const ArrivalField field(problem, moves, box, options_.cells, [&monitor] { return monitor.interrupted(); });
-  const std::string lattice = "eikonal: " + lattice_in_words(field.lattice());
-  if (!field.arrival_cost())
-    throw InitializationError(lattice +
-                              ": no way arrives at the target. More cells may find a narrower one, a wider box "
-                              "(lower, upper) one around");
-  const std::vector<Eigen::Vector2d> way = field.way();
+  const int cells = options_.cells.value_or(cells_for(box, problem, moves.among_obstacles()));
+  const auto search = [&](int count, const ArrivalField::Way& how) {
+    const ArrivalField field(problem, moves, box, count, how, [&monitor] { return monitor.interrupted(); });
+    return Found{way_of(field, problem), "eikonal: " + lattice_in_words(field.lattice()), field.has_gaps()};
+  };
+  // The field of line elements may miss what lies between its nodes: then each move is asked for, on fewer cells.
+  Found found;
+  try {
+    found = search(cells, {});
+  } catch (const InitializationError&) {
+    found = search(std::min(cells, options_.cells.value_or(kCells)), {.exact = true});
+  }
+  // Points sampled on the way cut its corners: further off places without a cost they may.
+  for (int margin = 1; found.has_gaps && margin <= kMostMargin && !can_be_sampled(problem, found.path); margin *= 2) {
+    try {
+      Found wider = search(cells, {.margin = margin});
+      if (can_be_sampled(problem, wider.path)) found = std::move(wider);
+    } catch (const InitializationError&) {  // too narrow
+    }
+  }
   FirstPath first;
-  first.notes.push_back(lattice);
-  first.path.u.resize(2, static_cast<Index>(way.size()));
-  for (std::size_t k = 0; k < way.size(); ++k) first.path.u.col(static_cast<Index>(k)) = way[k];
+  first.notes.push_back(found.lattice);
+  first.path = std::move(found.path);
   pin_ends(problem, first.path);
   return first;
 }

@@ -11,9 +11,14 @@
 namespace leastcost {
 
 struct EikonalOptions {
-  int cells = 100;                            ///< along the longest side of the box
+  /// Along the longest side of the box. None: as many as a raster of costs has, or a whole multiple, and at most so
+  /// many that the field takes a fraction of a second; 100 without one.
+  std::optional<int> cells = {};
   std::optional<Eigen::VectorXd> lower = {};  ///< of the box that is searched; else that of the domain
   std::optional<Eigen::VectorXd> upper = {};
+  /// Where nothing arrives, the straight line, or among obstacles what else finds a way (a grid in the plane, edges);
+  /// the line too where there are no obstacles and it costs no more. A default needs it.
+  bool fallback = false;
   void fields(FieldVisitor& visit);
 };
 
@@ -30,6 +35,8 @@ class EikonalInitializer final : public Initializer {
   FirstPath first_path(const Problem& problem, const Monitor& monitor) const override;
 
  private:
+  FirstPath down_the_field(const Problem& problem, const Monitor& monitor) const;
+
   EikonalOptions options_;
 };
 

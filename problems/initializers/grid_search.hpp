@@ -22,6 +22,7 @@ class MoveCheck {
   /// Clear of obstacles. Long moves are checked in pieces of `piece`, so that each meets few of them.
   bool clear(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double piece) const;
   bool euclidean() const { return euclidean_; }
+  bool among_obstacles() const { return obstacles_ != nullptr; }
   bool below_curves() const;
 
  private:
