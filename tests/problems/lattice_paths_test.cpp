@@ -116,7 +116,7 @@ TEST_CASE("exact: many lattices, fine ones", "[.slow]") {
   const Shape shape = GENERATE(Shape::flat, Shape::steps, Shape::box);
   CAPTURE(static_cast<int>(shape));
   Random random(977);
-  const Counts counts = compare_lattices(random, shape, 60, 6);
+  const Counts counts = compare_lattices(random, shape, 15, 5);
   CHECK(counts.unproved == 0);
   CHECK(counts.wrong == 0);
 }
