@@ -28,6 +28,7 @@ class EarthManifold final : public ParametricManifold, public IsGeographic {
   explicit EarthManifold(const EarthOptions& options = {});
   std::vector<std::string> coordinate_names() const override { return {"latitude", "longitude"}; }
   Eigen::Vector2d longitude_latitude(const Eigen::VectorXd& u) const override { return {u[1], u[0]}; }
+  Eigen::VectorXd coordinates_of(const Eigen::Vector2d& lonlat) const override { return lonlat.reverse(); }
 };
 
 }  // namespace leastcost
