@@ -35,6 +35,7 @@ function(leastcost_back_end_source file)
   get_property(entries GLOBAL PROPERTY LEASTCOST_BACK_END_ENTRIES)
   get_property(planners GLOBAL PROPERTY LEASTCOST_PLANNER_ENTRIES)
   get_property(raster_reader GLOBAL PROPERTY LEASTCOST_RASTER_READER)
+  get_property(crs_reader GLOBAL PROPERTY LEASTCOST_CRS_READER)
   file(CONFIGURE OUTPUT ${file} @ONLY CONTENT "// Made by cmake/leastcost_back_end.cmake from solvers/*/CMakeLists.txt, ompl and gdal.
 #include \"catalogue/back_ends/back_ends.hpp\"
 
@@ -50,5 +51,7 @@ std::vector<leastcost::InitializerPlugin> leastcost::planners() {
 }
 
 leastcost::RasterReader leastcost::raster_reader_of_libraries() { return @raster_reader@; }
+
+leastcost::CrsReader leastcost::crs_reader_of_libraries() { return @crs_reader@; }
 ")
 endfunction()

@@ -5,6 +5,7 @@
 #include <cpl_conv.h>
 #include <cpl_error.h>
 #include <gdal.h>
+#include <ogr_srs_api.h>
 
 #include <array>
 #include <cmath>
@@ -39,6 +40,59 @@ class Quiet {
   throw InputError(file.string() + ": " + what + (why.empty() ? "" : " (GDAL: " + why + ")"));
 }
 
+struct Release {
+  void operator()(void* system) const { OSRDestroySpatialReference(static_cast<OGRSpatialReferenceH>(system)); }
+};
+using System = std::unique_ptr<void, Release>;
+
+/// Between two systems, x or longitude first. One thread at a time: transformations of OGR share their state.
+class PlaceTransform {
+ public:
+  PlaceTransform(OGRSpatialReferenceH from, OGRSpatialReferenceH to) : it_(OCTNewCoordinateTransformation(from, to)) {}
+  ~PlaceTransform() {
+    if (it_ != nullptr) OCTDestroyCoordinateTransformation(it_);
+  }
+  PlaceTransform(const PlaceTransform&) = delete;
+  PlaceTransform& operator=(const PlaceTransform&) = delete;
+  bool known() const { return it_ != nullptr; }
+
+  Eigen::Vector2d operator()(const Eigen::Vector2d& place) const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const Quiet quiet;
+    double x = place[0], y = place[1];
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    if (OCTTransform(it_, 1, &x, &y, nullptr) == 0) return {kNone, kNone};
+    return {x, y};
+  }
+
+ private:
+  OGRCoordinateTransformationH it_;
+  mutable std::mutex mutex_;
+};
+
+RasterCrs::Transform transform(OGRSpatialReferenceH from, OGRSpatialReferenceH to) {
+  auto made = std::make_shared<const PlaceTransform>(from, to);
+  if (!made->known()) return {};
+  return [made = std::move(made)](const Eigen::Vector2d& place) { return (*made)(place); };
+}
+
+/// Null for a system that is neither geographic nor projected: one without a place on the Earth.
+std::shared_ptr<const RasterCrs> crs_of(OGRSpatialReferenceH given) {
+  if (given == nullptr) return nullptr;
+  const System system(OSRClone(given)), wgs84(OSRNewSpatialReference(nullptr));
+  const bool geographic = OSRIsGeographic(system.get()) != 0;
+  if (!geographic && OSRIsProjected(system.get()) == 0) return nullptr;
+  if (OSRSetWellKnownGeogCS(wgs84.get(), "WGS84") != OGRERR_NONE) return nullptr;
+  for (const System* one : {&system, &wgs84}) OSRSetAxisMappingStrategy(one->get(), OAMS_TRADITIONAL_GIS_ORDER);
+  auto crs = std::make_shared<RasterCrs>();
+  const char* name = OSRGetName(system.get());
+  crs->name = name == nullptr ? "" : name;
+  crs->geographic = geographic;
+  crs->to_wgs84 = transform(system.get(), wgs84.get());
+  crs->from_wgs84 = transform(wgs84.get(), system.get());
+  return crs;
+}
+
 /// The corner and the cell of a raster whose first row is the upper one, or the lower one.
 struct Placement {
   bool given = false, upwards = false;
@@ -48,7 +102,9 @@ struct Placement {
 Placement placement_of(GDALDatasetH dataset, const std::filesystem::path& file) {
   std::array<double, 6> t{};  // x = t0 + t1 column + t2 row, y = t3 + t4 column + t5 row
   if (GDALGetGeoTransform(dataset, t.data()) != CE_None) return {};
-  if (t[2] != 0 || t[4] != 0) fail(file, "the raster is rotated; gdalwarp makes one with sides along the axes");
+  if (t[2] != 0 || t[4] != 0)
+    fail(file, "the raster is rotated; `gdalwarp -r bilinear -dstnodata nan " + file.filename().string() +
+                   " upright.tif` makes one with sides along the axes");
   if (!(t[1] > 0) || t[5] == 0) fail(file, "the georeference has no cells: their width is " + std::to_string(t[1]));
   return {true, t[5] > 0, t[0], t[3], t[1], std::abs(t[5])};
 }
@@ -80,6 +136,7 @@ RasterFile read_gdal_raster(const std::filesystem::path& file) {
   raster.rows = GDALGetRasterYSize(dataset.get());
   raster.columns = GDALGetRasterXSize(dataset.get());
   raster.source = file.string();
+  raster.crs = crs_of(GDALGetSpatialRef(dataset.get()));
   if (raster.rows < 1 || raster.columns < 1 || std::int64_t{raster.rows} * raster.columns > RasterGrid::kMostCells)
     fail(file, "a raster of " + std::to_string(raster.rows) + " x " + std::to_string(raster.columns) +
                    " cells; at least one and at most " + std::to_string(RasterGrid::kMostCells) + " are read");
@@ -96,6 +153,14 @@ RasterFile read_gdal_raster(const std::filesystem::path& file) {
   if (scale != 1 || offset != 0)
     for (double& value : raster.values) value = scale * value + offset;
   return out;
+}
+
+std::shared_ptr<const RasterCrs> read_gdal_crs(const std::string& text) {
+  const Quiet quiet;
+  const System system(OSRNewSpatialReference(nullptr));
+  if (OSRSetFromUserInput(system.get(), text.c_str()) != OGRERR_NONE) return nullptr;
+  OSRMorphFromESRI(system.get());
+  return crs_of(system.get());
 }
 
 std::string gdal_version() { return GDALVersionInfo("RELEASE_NAME"); }

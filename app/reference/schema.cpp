@@ -73,7 +73,10 @@ Json variant_schema(const std::vector<FieldInfo>& types, bool lone_options = fal
 /// Exactly one way to say where an end is.
 Json end_schema(const FieldInfo& field) {
   Json out = object_schema(field.children);
-  out["oneOf"] = {{{"required", {"vertex"}}}, {{"required", {"face", "barycentric"}}}, {{"required", {"point"}}}};
+  out["oneOf"] = {{{"required", {"vertex"}}},
+                  {{"required", {"face", "barycentric"}}},
+                  {{"required", {"point"}}},
+                  {{"required", {"lonlat"}}}};
   return out;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,10 @@ std::vector<InitializerPlugin> planners();
 using RasterReader = RasterFile (*)(const std::filesystem::path& file);
 /// GDAL (gdal/CMakeLists.txt); null in builds without it.
 RasterReader raster_reader_of_libraries();
+
+/// The CRS of a text: WKT, as .prj files have it; null where it is none that is known.
+using CrsReader = std::shared_ptr<const RasterCrs> (*)(const std::string& text);
+CrsReader crs_reader_of_libraries();
 
 /// What this build has. `library`: with its version.
 template <class P>

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "catalogue/inputs/raster_file.hpp"
 
+#include <memory>
+#include <utility>
+
 #include <leastcost/framework/errors.hpp>
 #include "catalogue/back_ends/back_ends.hpp"
 #include "problems/readers/file_content.hpp"
@@ -9,6 +12,17 @@
 
 namespace leastcost {
 namespace {
+
+/// Of the .prj file beside a raster whose format has none; null where there is no such file, or nobody can read it.
+std::shared_ptr<const RasterCrs> crs_beside(std::filesystem::path file) {
+  file.replace_extension(".prj");
+  if (!std::filesystem::is_regular_file(file)) return nullptr;
+  const std::string text = read_content(file);
+  if (const CrsReader read = crs_reader_of_libraries()) return read(text);
+  for (const char* word : {"GEOGCS", "GEOGCRS", "GEODCRS"})
+    if (text.rfind(word, 0) == 0) return std::make_shared<const RasterCrs>(RasterCrs{.name = "", .geographic = true});
+  return nullptr;
+}
 
 RasterFile read_file(const std::filesystem::path& file) {
   const std::string kind = lower_case(file.extension().string());
@@ -25,7 +39,9 @@ RasterFile read_file(const std::filesystem::path& file) {
 
 RasterGrid read_raster(const RasterOptions& options, const std::filesystem::path& folder) {
   check(options);
-  return placed(read_file(folder / options.file), options);
+  RasterFile file = read_file(folder / options.file);
+  if (!file.raster.crs) file.raster.crs = crs_beside(folder / options.file);
+  return placed(std::move(file), options);
 }
 
 }  // namespace leastcost

@@ -104,17 +104,28 @@ std::vector<GeographicLine> geographic_lines(const std::vector<Eigen::Vector2d>&
   return cutter.take();
 }
 
-std::string geojson_text(const RunOutcome& outcome) {
-  const Problem& problem = outcome.parts.problem;
-  const Result& result = outcome.result;
+namespace {
+
+/// Places of the delivered path on the universal cover of the Earth; empty where it is not on it, or there is none.
+std::vector<LonLat> cover_of(const Problem& problem, const Result& result) {
   const auto* domain = find_ability<IsGeographic>(*problem.manifold);
-  if (domain == nullptr || result.path.u.cols() < 2) return "";
+  if (domain == nullptr) domain = find_ability<IsGeographic>(*problem.cost);
+  if (domain == nullptr || result.path.u.cols() < 2) return {};
   Points u(result.path.u.rows(), result.path.segment_count() + 1);
   for (Index i = 0; i < u.cols(); ++i) u.col(i) = result.path.column(i);
   if (const auto* images = find_ability<HasImages>(*problem.manifold)) u = continued(*images, u);
   std::vector<LonLat> cover;
   for (const auto column : u.colwise()) cover.push_back(domain->longitude_latitude(column));
-  const PathTable points = delivered_points(problem, result);
+  return cover;
+}
+
+}  // namespace
+
+std::string geojson_text(const RunOutcome& outcome) {
+  const Problem& problem = outcome.parts.problem;
+  const Result& result = outcome.result;
+  const std::vector<LonLat> cover = cover_of(problem, result);
+  if (cover.empty()) return "";
   const std::string& unit = problem.cost->traits().unit;
   Json features = Json::array();
   features.push_back(feature({{"what", "path"},
@@ -123,6 +134,16 @@ std::string geojson_text(const RunOutcome& outcome) {
                               {"unit", unit},
                               {"status", name(result.status)}},
                              geometry(geographic_lines(cover))));
+  return to_text({{"type", "FeatureCollection"}, {"features", std::move(features)}});
+}
+
+std::string geojson_points_text(const RunOutcome& outcome) {
+  const Problem& problem = outcome.parts.problem;
+  const Result& result = outcome.result;
+  const std::vector<LonLat> cover = cover_of(problem, result);
+  if (cover.empty()) return "";
+  const PathTable points = delivered_points(problem, result);
+  Json features = Json::array();
   for (Index i = 0; i < result.path.u.cols(); ++i) {
     const LonLat& at = cover[static_cast<std::size_t>(i)];
     const double sheet = std::floor((at[1] + 90) / 180), turns = std::floor((at[0] + 180 * sheet + 180) / 360);

@@ -17,8 +17,11 @@ using GeographicLine = std::vector<Eigen::Vector2d>;
 /// 7946 Sec. 3.1.9) and at the poles.
 std::vector<GeographicLine> geographic_lines(const std::vector<Eigen::Vector2d>& cover);
 
-/// path.geojson, RFC 7946: the delivered path as a line through its points, and the points. Empty where the domain is
-/// not on the Earth (IsGeographic), or there is no path.
+/// path.geojson, RFC 7946: the delivered path as a line through its points. Empty where neither the domain nor the cost
+/// is on the Earth (IsGeographic), or there is no path.
 std::string geojson_text(const RunOutcome& outcome);
+
+/// path_points.geojson: its points, apart, so that each file is a layer of one type of geometry.
+std::string geojson_points_text(const RunOutcome& outcome);
 
 }  // namespace leastcost

@@ -57,7 +57,10 @@ void write_paths(const RunOutcome& outcome, OutputFolder& folder) {
   }
   if (config.writes("obj")) folder.write("path.obj", obj_text(curve));
   const std::string geojson = config.writes("geojson") ? geojson_text(outcome) : "";
-  if (!geojson.empty()) folder.write("path.geojson", geojson);
+  if (!geojson.empty()) {
+    folder.write("path.geojson", geojson);
+    folder.write("path_points.geojson", geojson_points_text(outcome));
+  }
   const std::string residuals = config.writes("residuals") ? residuals_csv(outcome.parts.problem, curve) : "";
   if (!residuals.empty()) folder.write("residuals.csv", residuals);
 }

@@ -14,13 +14,14 @@
 
 namespace leastcost {
 
-/// Where an end of the path is: exactly one of vertex, face + barycentric, point.
+/// Where an end of the path is: exactly one of vertex, face + barycentric, point, lonlat.
 struct EndOptions {
   std::optional<int> vertex = {};                   ///< of the file
   std::optional<int> face = {};                     ///< of the file
   std::optional<Eigen::VectorXd> barycentric = {};  ///< three numbers
   std::optional<Eigen::VectorXd> point = {};
-  std::optional<double> tolerance = {};  ///< of a point, length units; else the default of the manifold
+  std::optional<Eigen::VectorXd> lonlat = {};  ///< on the Earth: longitude, latitude, degrees
+  std::optional<double> tolerance = {};        ///< of a point, length units; else the default of the manifold
   void fields(FieldVisitor& visit);
 };
 

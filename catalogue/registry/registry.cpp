@@ -223,7 +223,9 @@ const auto& manifolds() {
       plugin<ManifoldPlugin, RasterOptions>(
           "terrain", "The surface (x, y, z(x, y)) over a raster of heights; points are places (x, y) on the map.",
           [](const RasterOptions& o, const BuildContext& c) {
-            return std::make_shared<const TerrainManifold>(read_raster(o, c.folder));
+            RasterGrid heights = read_raster(o, c.folder);
+            check_heights(heights, o);
+            return std::make_shared<const TerrainManifold>(std::move(heights));
           })
           .waiting()
           .checked_by<RasterOptions>([](const RasterOptions& o, const BuildContext&) { check(o); }),

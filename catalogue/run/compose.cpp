@@ -13,18 +13,22 @@
 #include <utility>
 #include <variant>
 
+#include <leastcost/framework/clearance.hpp>
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/has_box.hpp>
+#include <leastcost/problems/chart/is_geographic.hpp>
 #include <leastcost/problems/chart/target_images.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/initializers/mirrored.hpp>
 #include <leastcost/problems/manifolds/made_from_data.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
+#include <leastcost/problems/obstacles/raster_obstacles.hpp>
 #include <leastcost/problems/post_processors/bracket.hpp>
 #include <leastcost/problems/post_processors/fastest_refraction.hpp>
 #include <leastcost/problems/post_processors/shortest.hpp>
 #include <leastcost/problems/post_processors/shortest_plan.hpp>
+#include <leastcost/problems/raster/has_voids.hpp>
 #include <leastcost/problems/robots/robot_walls.hpp>
 #include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/kinds.hpp"
@@ -35,6 +39,7 @@
 #include "catalogue/run/run_checks.hpp"
 #include "problems/formula/coordinate_names.hpp"
 #include "problems/obstacles/walls_in.hpp"
+#include "problems/raster/raster_patches.hpp"
 
 namespace leastcost {
 namespace {
@@ -142,6 +147,12 @@ void check_needs(const PluginChoice& choice, const PluginChoice& giver, const Co
   });
 }
 
+/// Whether ends are in longitude and latitude on a cost map in the plane.
+bool wants_place_of_cost(const RunConfig& config, int dimension) {
+  const bool lonlat = (config.source && config.source->lonlat) || (config.target && config.target->lonlat);
+  return lonlat && dimension == 2 && config.cost.plugin->type == "cost_map";
+}
+
 using ManifoldPtr = std::shared_ptr<const ConstraintManifold>;
 
 }  // namespace
@@ -227,37 +238,98 @@ void Composer::take_domain() {
   out_.problem.based = config_.ring && config_.source.has_value();
   if (config_.has_pairs()) context_.source = Eigen::VectorXd::Zero(dimension);  // every pair has its own
   if (config_.has_pairs() || (config_.ring && !out_.problem.based)) return;
+  if (wants_place_of_cost(config_, dimension) && !out_.problem.cost)  // the raster says where on the Earth ends are
+    attempt([&] { out_.problem.cost = make<std::shared_ptr<const SegmentCost>>(config_.cost, context_); });
+  const auto end = [&](const std::optional<EndOptions>& given, const char* path) {
+    return in_coordinates(given.value_or(EndOptions{}), manifold, out_.problem.cost.get(), path);
+  };
   const bool placed = attempt([&] {
-    out_.source = place_end(manifold, config_.source.value_or(EndOptions{}), "ends.source");
+    out_.source = place_end(manifold, end(config_.source, "ends.source"), "ends.source");
     out_.problem.source = out_.source.end;
     context_.source = source_position(out_.problem);
   });
   if (!placed) context_.source = Eigen::VectorXd::Zero(dimension);  // the other parts are checked all the same
   if (!config_.ring && placed)
     attempt([&] {
-      place_target(config_.target.value_or(EndOptions{}), "ends.target", out_);
+      place_target(end(config_.target, "ends.target"), "ends.target", out_);
       context_.target = positions(manifold, {out_.problem.target.u, {}, true});
     });
 }
 
-/// After the ends have found their places: an end that is given within an obstacle is an error, not to be moved.
-void Composer::place_obstacles() {
-  if (config_.obstacles.empty() && config_.clearance > 0)
-    attempt([] { throw OptionError("clearance", "is from obstacles, and there are none: give 'obstacles'"); });
-  if (config_.obstacles.empty() && !config_.robot) {
-    obstacles_placed_ = true;
+/// Places without data become obstacles by themselves, unless a raster of obstacles says which are, or a proof over the
+/// cells of the raster goes round them anyway.
+bool Composer::takes_voids() const {
+  if (config_.robot || brackets(config_)) return false;
+  return std::none_of(config_.obstacles.begin(), config_.obstacles.end(),
+                      [](const PluginChoice& choice) { return choice.plugin->type == "raster"; });
+}
+
+/// Of the domain and of a cost in the plane, which is made for them.
+std::vector<std::shared_ptr<const Obstacle>> Composer::voids() {
+  FreeSpace::Obstacles all;
+  if (!takes_voids()) return all;
+  const auto add = [&](const HasVoids* made) {
+    if (made == nullptr) return;
+    const RasterPatches& patches = made->known_patches();
+    const FreeSpace::Obstacles boxes = void_obstacles(patches);
+    if (boxes.empty()) return;
+    void_cell_ = has_voids_ ? std::min(void_cell_, patches.cell().minCoeff()) : patches.cell().minCoeff();
+    has_voids_ = true;
+    all.insert(all.end(), boxes.begin(), boxes.end());
+  };
+  add(find_ability<HasVoids>(*out_.problem.manifold));
+  if (context_.dimension == 2 && config_.cost.plugin->type == "cost_map") {
+    make_or_check(config_.cost, out_.problem.cost);
+    if (out_.problem.cost) add(find_ability<HasVoids>(*out_.problem.cost));
+  }
+  return all;
+}
+
+double Composer::clearance_of_voids() const {
+  constexpr double kOfCell = 0.1;
+  return !has_voids_ || config_.clearance > 0 ? config_.clearance : kOfCell * void_cell_;
+}
+
+/// A straight first path through places without data is none: the field of least arrival costs leads round them.
+void Composer::go_round_voids() {
+  if (!has_voids_ || !out_.initializer || out_.initializer->name() != "straight") return;
+  const Eigen::VectorXd &from = out_.problem.source.u, &to = out_.problem.target.u;
+  if (from.size() != 2 || to.size() != 2) return;
+  constexpr int kPlaces = 1000;
+  for (int i = 1; i < kPlaces; ++i) {
+    const PathEnd place{from + (to - from) * i / kPlaces};
+    if (why_in_clearance(out_.problem, place).empty()) continue;
+    attempt([&] {
+      const PluginEntry* eikonal = find_plugin(kind("initializer"), "eikonal");
+      out_.initializer = make<std::shared_ptr<const Initializer>>(choose(*eikonal, "initializer"), context_);
+      out_.notes.push_back("a straight first path crosses places without data: the first path is that of eikonal");
+    });
     return;
   }
-  if (std::any_of(config_.obstacles.begin(), config_.obstacles.end(),
-                  [&](const PluginChoice& choice) { return waits<FreeSpace::Obstacles>(choice); })) {
+}
+
+/// After the ends have found their places: an end that is given within an obstacle is an error, not to be moved.
+void Composer::place_obstacles() {
+  const bool voids_wait =
+      takes_voids() && !files_ && config_.cost.plugin->type == "cost_map" && context_.dimension == 2;
+  FreeSpace::Obstacles all = voids_wait ? FreeSpace::Obstacles{} : voids();
+  const std::size_t void_count = all.size();
+  if (config_.obstacles.empty() && !voids_wait && !has_voids_ && config_.clearance > 0)
+    attempt([] { throw OptionError("clearance", "is from obstacles, and there are none: give 'obstacles'"); });
+  if (config_.obstacles.empty() && !config_.robot && !voids_wait && !has_voids_) {
+    obstacles_placed_ = true;
+    context_.manifold = out_.problem.manifold;  // a cost map may have been waited for
+    return;
+  }
+  if (voids_wait || std::any_of(config_.obstacles.begin(), config_.obstacles.end(),
+                                [&](const PluginChoice& choice) { return waits<FreeSpace::Obstacles>(choice); })) {
     for (const PluginChoice& choice : config_.obstacles)
       attempt([&] { check_options<FreeSpace::Obstacles>(choice, context_); });
     context_.manifold.reset();  // what asks for the domain asks for the one among obstacles
     return;
   }
   obstacles_placed_ = true;
-  FreeSpace::Obstacles all;
-  std::vector<std::size_t> entry_of;  // the entry that an obstacle comes from
+  std::vector<std::size_t> entry_of(void_count, 0);  // the entry that an obstacle comes from
   std::shared_ptr<const Robot> robot;
   bool made = !config_.robot || attempt([&] {
     robot = make<std::shared_ptr<const Robot>>(config_.robot, context_);
@@ -276,11 +348,16 @@ void Composer::place_obstacles() {
   }
   const auto place = [&] {
     const auto& domain = out_.problem.manifold;
-    out_.problem.manifold = among(walls_of(std::move(all), entry_of, config_.clearance, robot, *domain),
+    out_.problem.manifold = among(walls_of(std::move(all), entry_of, clearance_of_voids(), robot, *domain),
                                   robot != nullptr ? "robot" : "obstacles", domain);
   };
   if (!made || !attempt(place)) return;
   if (robot != nullptr && !robot->whose.empty()) out_.notes.push_back("clearances are those of " + robot->whose);
+  if (has_voids_ && !(config_.clearance > 0))
+    out_.notes.push_back(
+        fmt::format("places without data are obstacles; the path keeps {:.6g} away from them, a tenth "
+                    "of a cell ('clearance' sets another distance)",
+                    clearance_of_voids()));
   context_.manifold = out_.problem.manifold;
   for (const auto& [end, key] :
        {std::pair{&out_.problem.source, "ends.source"}, std::pair{&out_.problem.target, "ends.target"}})
@@ -323,6 +400,10 @@ void Composer::make_from_files(const BuildProgress& progress) {
   }
   if (!obstacles_placed_) place_obstacles();
   make_parts();
+  go_round_voids();
+  if (out_.problem.cost && find_ability<IsGeographic>(*out_.problem.manifold) == nullptr)
+    if (const auto* earth = find_ability<IsGeographic>(*out_.problem.cost); earth && !earth->place_note().empty())
+      out_.notes.push_back(earth->place_note());
   if (out_.problem.cost && out_.initializer && out_.problem.target.u.size() > 0)
     attempt([&] { take_cheapest_image(config_, open_domain_, out_); });
 }

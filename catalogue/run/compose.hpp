@@ -7,6 +7,7 @@
 #include <memory>
 
 #include <leastcost/catalogue/run/run_parts.hpp>
+#include <leastcost/problems/obstacles/obstacle.hpp>
 #include "catalogue/plugins/plugin.hpp"
 #include "catalogue/run/run_config.hpp"
 
@@ -49,6 +50,10 @@ class Composer {
   void check_memory(const Dimensions& dimensions);
   void take_domain();
   void place_obstacles();
+  bool takes_voids() const;
+  std::vector<std::shared_ptr<const Obstacle>> voids();
+  double clearance_of_voids() const;
+  void go_round_voids();
   void make_parts();
 
   const RunConfig& config_;
@@ -59,6 +64,8 @@ class Composer {
   std::vector<std::shared_ptr<const Initializer>> others_;  // of the family
   bool files_ = false;                                      // may be read
   bool obstacles_placed_ = false;
+  bool has_voids_ = false;  // places without data, which became obstacles
+  double void_cell_ = 0;    // the smaller side of a cell there
   double read_seconds_ = 0;
 };
 

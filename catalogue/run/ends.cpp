@@ -141,6 +141,30 @@ PlacedEnd at_point(const ConstraintManifold& manifold, const EndOptions& options
 
 }  // namespace
 
+EndOptions in_coordinates(EndOptions options, const ConstraintManifold& manifold, const SegmentCost* cost,
+                          const std::string& path) {
+  if (!options.lonlat) return options;
+  const auto* earth = find_ability<IsGeographic>(manifold);
+  if (earth == nullptr && cost != nullptr) earth = find_ability<IsGeographic>(*cost);
+  const std::string key = path + ".lonlat";
+  if (earth == nullptr)
+    throw OptionError(key,
+                      "nothing here says where on the Earth places are: the raster has no CRS that this build can read "
+                      "(GeoTIFF and .prj need GDAL); give degrees: true for one in degrees, or {point: [x, y]}");
+  const Eigen::Vector2d lonlat = options.lonlat->head<2>();
+  if (!lonlat.allFinite() || std::abs(lonlat[1]) > 90)
+    throw OptionError(key, fmt::format("the latitude {:.9g} is beyond 90 degrees; longitude comes first here: "
+                                       "[longitude, latitude]",
+                                       lonlat[1]));
+  options.point = earth->coordinates_of(lonlat);
+  options.lonlat.reset();
+  if (!options.point->allFinite())
+    throw OptionError(key, fmt::format("the CRS of the raster has no place at longitude {:.9g} and latitude {:.9g}; "
+                                       "longitude comes first here",
+                                       lonlat[0], lonlat[1]));
+  return options;
+}
+
 PlacedEnd place_end(const ConstraintManifold& manifold, const EndOptions& options, const std::string& path) {
   if (options.vertex) {
     if (const auto* domain = find_ability<HasVertices>(manifold))

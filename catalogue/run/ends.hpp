@@ -10,6 +10,11 @@
 
 namespace leastcost {
 
+/// The end with a point in the place of its longitude and latitude, which the domain or the cost (may be null) knows.
+/// Throws OptionError where neither does.
+EndOptions in_coordinates(EndOptions options, const ConstraintManifold& manifold, const SegmentCost* cost,
+                          const std::string& path);
+
 /// Puts an end of the configuration onto the manifold. `path` ("ends.source") is for messages. Throws OptionError where
 /// the domain has no such vertex or face, or the point is farther away than its tolerance.
 PlacedEnd place_end(const ConstraintManifold& manifold, const EndOptions& options, const std::string& path);

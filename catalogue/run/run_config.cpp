@@ -24,6 +24,10 @@ void EndOptions::fields(FieldVisitor& visit) {
   visit.field("barycentric", barycentric,
               {.help = "Where on the face: three weights of its corners, with sum 1.", .minimum = 0});
   visit.field("point", point, {.help = "Coordinates; moved to the nearest point of the manifold.", .unit = "length"});
+  visit.field("lonlat", lonlat,
+              {.help = "On the Earth, and on rasters with a CRS or in degrees: [longitude, latitude] on WGS84, in this "
+                       "order.",
+               .unit = "degrees"});
   visit.field("tolerance", tolerance,
               {.help = "How far `point` may be moved; default: 1 % of the diameter of a mesh, a cloud or the box of a "
                        "grid, elsewhere rounding.",
@@ -117,7 +121,8 @@ void RunConfig::fields(RunVisitor& visit) {
     v.field("folder", output_folder, {.help = "Output folder, relative to the current one; default: results/<name>."});
     v.field("files", output_files,
             {.help = "Which files a run of one path writes beside manifest.json; default: all. Of result, path, curve, "
-                     "vtp, obj, geojson (on the earth), residuals, waypoints, history, first_path, scene, config, "
+                     "vtp, obj, geojson (on the earth, with its points apart), residuals, waypoints, history, "
+                     "first_path, scene, config, "
                      "report; a report needs result, path, history, scene and config."});
     v.field("pair_points", pair_points, {.help = "With ends.pairs: the lines of paths.jsonl have the points too."});
     v.block("waypoints",

@@ -10,6 +10,8 @@
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/segment_cost_function.hpp>
 #include <leastcost/problems/bracket/cost_density.hpp>
+#include <leastcost/problems/chart/is_geographic.hpp>
+#include <leastcost/problems/raster/has_voids.hpp>
 #include "problems/costs/raster_density.hpp"
 #include "problems/raster/has_cell_index.hpp"
 
@@ -78,11 +80,21 @@ struct CostMap {
 };
 
 template <int D>
-class CostMapCost final : public SegmentCostOf<CostMap<D>>, public HasCellIndex, public CostDensity {
+class CostMapCost final : public SegmentCostOf<CostMap<D>>,
+                          public HasCellIndex,
+                          public CostDensity,
+                          public HasVoids,
+                          public IsGeographic {
  public:
-  explicit CostMapCost(std::shared_ptr<const RasterFunction> n)
-      : SegmentCostOf<CostMap<D>>(CostMap<D>{n}), n_(std::move(n)) {}
+  CostMapCost(std::shared_ptr<const RasterFunction> n, RasterGrid place)
+      : SegmentCostOf<CostMap<D>>(CostMap<D>{n}), n_(std::move(n)), place_(std::move(place)) {}
+  Eigen::Vector2d longitude_latitude(const Eigen::VectorXd& u) const override {
+    return place_.longitude_latitude(u.head<2>());
+  }
+  std::string place_note() const override { return place_.place_note(); }
+  Eigen::VectorXd coordinates_of(const Eigen::Vector2d& lonlat) const override { return place_.place_of(lonlat); }
   const RasterPatches& patches() const override { return n_->patches(); }
+  const RasterPatches& known_patches() const override { return n_->patches(); }
   PatchBounds bounds(const RasterPatch& patch) const override { return n_->bounds(patch); }
   PlaneJet index(double x, double y) const override { return n_->at(x, y); }
   std::optional<std::array<double, 4>> corners(const RasterPatch& patch) const override { return n_->corners(patch); }
@@ -90,7 +102,10 @@ class CostMapCost final : public SegmentCostOf<CostMap<D>>, public HasCellIndex,
   DensityEnclosure enclose_density(const Eigen::AlignedBox2d& cell) const override { return enclose_over(*n_, cell); }
 
  private:
+  bool is_geographic() const override { return D == 2 && place_.on_earth(); }
+
   std::shared_ptr<const RasterFunction> n_;
+  RasterGrid place_;  // without its values
 };
 
 void check_positive(const RasterGrid& values) {
@@ -129,8 +144,8 @@ std::shared_ptr<const SegmentCost> make_cost_map(const RasterGrid& values, CostM
     n = std::make_shared<const BilinearFunction>(values);
   else
     n = std::make_shared<const SplineFunction>(SplineFunction::near(values));
-  if (dim == 2) return std::make_shared<const CostMapCost<2>>(std::move(n));
-  return std::make_shared<const CostMapCost<3>>(std::move(n));
+  if (dim == 2) return std::make_shared<const CostMapCost<2>>(std::move(n), values.without_values());
+  return std::make_shared<const CostMapCost<3>>(std::move(n), values.without_values());
 }
 
 }  // namespace leastcost

@@ -31,6 +31,7 @@ class EarthManifold final : public ParametricManifold, public IsGeographic {
   std::vector<PointImage> images(const Eigen::VectorXd& x, const Eigen::VectorXd& reference,
                                  std::size_t most) const override;
   Eigen::Vector2d longitude_latitude(const Eigen::VectorXd& u) const override { return {u[1], u[0]}; }
+  Eigen::VectorXd coordinates_of(const Eigen::Vector2d& lonlat) const override { return lonlat.reverse(); }
 };
 
 }  // namespace leastcost

@@ -86,22 +86,22 @@ int TerrainManifold::active_bounds(const CoordinatePath& path, Index column, Eig
 }
 
 Eigen::Vector2d TerrainManifold::longitude_latitude(const Eigen::VectorXd& u) const {
-  const RasterDegrees degrees = raster_.degrees.value_or(RasterDegrees{});
-  return degrees.corner + u.head<2>().cwiseQuotient(degrees.per_degree);
+  return raster_.longitude_latitude(u.head<2>());
 }
 
 std::string TerrainManifold::why_not_projected(const Eigen::VectorXd& x) const {
   return heights_->patches().why_unknown(x[0], x[1]);
 }
 
+const RasterPatches& TerrainManifold::known_patches() const { return heights_->patches(); }
+
 double TerrainManifold::diameter() const { return (box_.upper() - box_.lower()).norm(); }
 
 double TerrainManifold::end_tolerance() const { return 0.5 * raster_.cell.minCoeff(); }
 
 std::vector<std::string> TerrainManifold::notes() const {
-  if (!raster_.degrees) return {};
-  return {"places are metres east and north of longitude " + std::to_string(raster_.degrees->corner[0]) +
-          " and latitude " + std::to_string(raster_.degrees->corner[1]) + ", on a plane that is true in the middle"};
+  const std::string note = raster_.place_note();
+  return note.empty() ? std::vector<std::string>{} : std::vector<std::string>{note};
 }
 
 std::vector<DataCount> TerrainManifold::counts() const {

@@ -14,6 +14,7 @@
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/manifolds/box.hpp>
 #include <leastcost/problems/manifolds/made_from_data.hpp>
+#include <leastcost/problems/raster/has_voids.hpp>
 #include <leastcost/problems/raster/raster.hpp>
 
 namespace leastcost {
@@ -33,6 +34,7 @@ class TerrainManifold final : public ConstraintManifold,
                               public IsGeographic,
                               public ExplainsProjection,
                               public MadeFromData,
+                              public HasVoids,
                               public DrawsItself {
  public:
   /// Throws InputError for a raster of fewer than four rows or columns, or without 16 heights side by side.
@@ -54,6 +56,7 @@ class TerrainManifold final : public ConstraintManifold,
   const Eigen::VectorXd& box_upper() const override { return box_.upper(); }
   int origin_size() const override { return 2; }
   Eigen::Vector2d longitude_latitude(const Eigen::VectorXd& u) const override;
+  Eigen::VectorXd coordinates_of(const Eigen::Vector2d& lonlat) const override { return raster_.place_of(lonlat); }
   std::string why_not_projected(const Eigen::VectorXd& x) const override;
   /// Over the places of the heights, by moves to the eight neighbours.
   FirstPath least_cost_edges(const Problem& problem, const Monitor& monitor) const override;
@@ -64,10 +67,12 @@ class TerrainManifold final : public ConstraintManifold,
   std::vector<DataCount> counts() const override;
   void draw(const DrawnPaths& paths, Drawing& out) const override;
 
+  const RasterPatches& known_patches() const override;
+
   const RasterGrid& raster() const { return raster_; }
 
  private:
-  bool is_geographic() const override { return raster_.degrees.has_value(); }
+  bool is_geographic() const override { return raster_.on_earth(); }
   Eigen::Vector3d on_surface(const Eigen::Vector2d& place) const;
   Eigen::Vector3d node(int row, int column) const;
   bool is_step(int row, int column, int rows, int columns) const;

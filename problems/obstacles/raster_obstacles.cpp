@@ -38,12 +38,16 @@ void RasterObstacleOptions::fields(FieldVisitor& visit) {
   visit.field("below", below, {.help = "Cells with a smaller value are obstacles, too."});
 }
 
-std::vector<std::shared_ptr<const Obstacle>> make_raster_obstacles(const RasterGrid& raster,
-                                                                   const RasterObstacleOptions& options) {
+std::vector<std::shared_ptr<const Obstacle>> void_obstacles(const RasterPatches& patches) {
   Obstacles all;
-  const RasterPatches patches(raster, 1, 2);
   add_boxes(grid_of(patches.rows(), patches.columns(), [&](int r, int c) { return !patches.known(r, c); }),
             patches.lower(), patches.cell(), all);
+  return all;
+}
+
+std::vector<std::shared_ptr<const Obstacle>> make_raster_obstacles(const RasterGrid& raster,
+                                                                   const RasterObstacleOptions& options) {
+  Obstacles all = void_obstacles(RasterPatches(raster, 1, 2));
   const auto forbidden = [&](int row, int column) {
     const double value = raster.value(row, column);
     return (options.above && value > *options.above) || (options.below && value < *options.below);

@@ -5,6 +5,8 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +21,16 @@ struct RasterDegrees {
   Eigen::Vector2d per_degree = Eigen::Vector2d::Zero();  ///< metres along x and along y
 };
 
+/// The coordinate reference system of a raster file.
+struct RasterCrs {
+  using Transform = std::function<Eigen::Vector2d(const Eigen::Vector2d&)>;
+  std::string name;
+  bool geographic = false;  ///< its places are longitude and latitude, degrees
+  /// From its places (x, y) to longitude and latitude on WGS84, and back; not finite where that fails. Empty where the
+  /// build cannot transform: degrees are then taken as they are.
+  Transform to_wgs84 = {}, from_wgs84 = {};
+};
+
 /// Values on a regular grid in the plane. A value belongs to the middle of its cell; rows count upwards, along y, while
 /// files begin with the northernmost one.
 struct RasterGrid {
@@ -29,6 +41,7 @@ struct RasterGrid {
   Eigen::Vector2d corner = Eigen::Vector2d::Zero();  ///< lower left corner of cell (0, 0)
   std::vector<double> values;                        ///< rows x columns, row by row; NaN: no data
   std::optional<RasterDegrees> degrees;              ///< where the file was in degrees
+  std::shared_ptr<const RasterCrs> crs;              ///< null: not known
   std::string source;                                ///< where it came from, for messages
 
   std::size_t index(int row, int column) const {
@@ -39,6 +52,16 @@ struct RasterGrid {
   Eigen::Vector2d place(int row, int column) const {
     return corner + cell.cwiseProduct(Eigen::Vector2d(column + 0.5, row + 0.5));
   }
+  /// Whether places on the raster are places on the Earth.
+  bool on_earth() const { return degrees || (crs && crs->to_wgs84 && crs->from_wgs84); }
+  /// Longitude and latitude of a place, degrees, on WGS84 where the file says on which ellipsoid it is.
+  Eigen::Vector2d longitude_latitude(const Eigen::Vector2d& place) const;
+  /// The place of a longitude and a latitude, under whatever name of the longitude; may lie beyond the raster.
+  Eigen::Vector2d place_of(const Eigen::Vector2d& longitude_latitude) const;
+  /// What a user should know about where places are; may be empty.
+  std::string place_note() const;
+  /// All but the values.
+  RasterGrid without_values() const;
   /// "row 3, column 7 of dem.asc", rows from the top of the file, both from 0.
   std::string name_of(int row, int column) const;
 };

@@ -3,6 +3,8 @@
 #include <leastcost/problems/raster/raster_options.hpp>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -40,7 +42,75 @@ bool is_nodata(double value, double nodata) {
   return std::abs(nodata) < kLarge ? value == nodata : std::abs(value - nodata) <= kDigits * std::abs(nodata);
 }
 
+/// With the digits that name it.
+std::string digits(double value) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+[[noreturn]] void refuse_fill(const RasterGrid& raster, double value, const RasterOptions& options,
+                              const std::string& why) {
+  const auto at =
+      static_cast<int>(std::find(raster.values.begin(), raster.values.end(), value) - raster.values.begin());
+  const std::string raw = digits(value / options.value_scale);
+  throw OptionError("nodata", raster.name_of(at / raster.columns, at % raster.columns) + " has the value " + raw +
+                                  ", " + why + "; if it means no data, write nodata: " + raw);
+}
+
+/// The least and the greatest value, and those next to them.
+struct Extremes {
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double least = kInfinity, greatest = -kInfinity, second_least = kInfinity, second_greatest = -kInfinity;
+};
+
+Extremes extremes_of(const std::vector<double>& values) {
+  Extremes e;
+  for (const double value : values) {
+    if (std::isnan(value)) continue;
+    if (value < e.least) {
+      e.second_least = e.least;
+      e.least = value;
+    } else if (value > e.least && value < e.second_least) {
+      e.second_least = value;
+    }
+    if (value > e.greatest) {
+      e.second_greatest = e.greatest;
+      e.greatest = value;
+    } else if (value < e.greatest && value > e.second_greatest) {
+      e.second_greatest = value;
+    }
+  }
+  return e;
+}
+
+/// No height and no cost is so large; such values are how programs fill cells without data.
+void check_magnitude(const RasterGrid& raster, const RasterOptions& options) {
+  constexpr double kFill = 1e30;
+  for (const double value : raster.values)
+    if (std::abs(value) >= kFill) refuse_fill(raster, value, options, "which no height and no cost is");
+}
+
 }  // namespace
+
+void check_heights(const RasterGrid& raster, const RasterOptions& options) {
+  const Extremes e = extremes_of(raster.values);
+  const double wide = raster.cell.cwiseProduct(Eigen::Vector2d(raster.columns, raster.rows)).norm();
+  const Eigen::Vector2d upper = raster.place(raster.rows, raster.columns);
+  const bool may_be_degrees = !raster.degrees && !options.cell && raster.corner[0] >= -180 && upper[0] <= 360 &&
+                              raster.corner[1] >= -90 && upper[1] <= 90 && raster.cell.maxCoeff() < 0.1;
+  constexpr double kSteep = 10;  // times as high as wide
+  if (may_be_degrees && e.second_greatest - e.second_least > kSteep * wide)
+    throw OptionError("degrees", raster.source + ": heights differ by " + digits(e.second_greatest - e.second_least) +
+                                     " on a raster that is " + digits(wide) +
+                                     " across; if its cells are in degrees of longitude and latitude, write degrees: "
+                                     "true; if not, give their sides (cell)");
+  if (options.nodata) return;
+  const std::string why = " from the next one, more than the raster is wide (" + digits(wide) + ")";
+  if (std::isfinite(e.second_least) && e.second_least - e.least > wide)
+    refuse_fill(raster, e.least, options, "a height " + digits(e.second_least - e.least) + why);
+  if (std::isfinite(e.second_greatest) && e.greatest - e.second_greatest > wide)
+    refuse_fill(raster, e.greatest, options, "a height " + digits(e.greatest - e.second_greatest) + why);
+}
 
 std::string RasterGrid::name_of(int row, int column) const {
   return "row " + std::to_string(rows - 1 - row) + ", column " + std::to_string(column) + " of " + source;
@@ -61,9 +131,11 @@ void RasterOptions::fields(FieldVisitor& visit) {
                .unit = "length"});
   visit.field("nodata", nodata, {.help = "Value that means no data; default: that of the file."});
   visit.field("value_scale", value_scale, {.help = "What values are multiplied by: 0.3048 takes feet to metres."});
-  visit.field("degrees", degrees,
-              {.help = "cell and origin, of the file or given here, are longitude and latitude in degrees. Places are "
-                       "then metres east and north of the lower left corner, on WGS84, true in the raster's middle."});
+  visit.field(
+      "degrees", degrees,
+      {.help = "cell and origin, of the file or given here, are longitude and latitude in degrees. Places are "
+               "then metres east and north of the lower left corner, on WGS84, true in the raster's middle. Default: "
+               "whether the file says so (its CRS, or the .prj beside it)."});
 }
 
 void check(const RasterOptions& o) {
@@ -89,10 +161,12 @@ RasterGrid placed(RasterFile file, const RasterOptions& options) {
     value *= options.value_scale;
     any = any || std::isfinite(value);
   }
+  check_magnitude(raster, options);
   if (!any) throw InputError(raster.source + ": no cell of the raster has data");
   if (!raster.place(raster.rows, raster.columns).allFinite())
     throw InputError(raster.source + ": the raster reaches beyond the largest numbers");
-  if (options.degrees) from_degrees(raster);
+  if (options.cell && options.origin) raster.crs.reset();  // what the file says of its place is replaced
+  if (options.degrees || (raster.crs && raster.crs->geographic)) from_degrees(raster);
   return raster;
 }
 

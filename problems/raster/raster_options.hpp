@@ -34,4 +34,10 @@ struct RasterFile {
 /// The raster of a file, placed and scaled by the options. Throws OptionError, InputError where there are no data.
 RasterGrid placed(RasterFile file, const RasterOptions& options);
 
+/// Heights that cannot be: a least or greatest value that is farther from the next one than the raster is wide is a
+/// fill value that nobody declared, and heights of hundreds over cells of a fraction are over degrees. Throws
+/// OptionError
+/// ("nodata" or "degrees"), unless `nodata`, or `cell`, is given.
+void check_heights(const RasterGrid& raster, const RasterOptions& options);
+
 }  // namespace leastcost

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include <leastcost/framework/errors.hpp>
-#include "problems/readers/file_content.hpp"
 #include "problems/readers/raster_reader.hpp"
 #include "problems/readers/text_scanner.hpp"
 
@@ -49,9 +48,7 @@ class CsvRows {
   }
 
   double value(std::string_view field) const {
-    const std::string word = field.size() <= 4 ? lower_case(std::string(field)) : "";
-    if (field.empty() || word == "na" || word == "nan" || word == "null")
-      return std::numeric_limits<double>::quiet_NaN();
+    if (field.empty() || is_no_value(field)) return std::numeric_limits<double>::quiet_NaN();
     try {
       return scanner_.parse_number(field, "a number");
     } catch (const InputError&) {  // the scanner does not know the line

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 #include <optional>
@@ -17,6 +19,11 @@ bool begins_number(std::string_view token) {
          std::string_view("+-.0123456789").find(token[0]) != std::string_view::npos;
 }
 
+double value_of(const TextScanner& scanner, std::string_view token) {
+  if (is_no_value(token)) return std::numeric_limits<double>::quiet_NaN();
+  return scanner.parse_number(token, "a value of the grid");
+}
+
 /// The lines of key and value at the top of the file.
 class GridHeader {
  public:
@@ -24,13 +31,14 @@ class GridHeader {
   std::string_view read(TextScanner& scanner) {
     while (scanner.next_line()) {
       const std::string_view token = scanner.token();
-      if (begins_number(token) || lower_case(std::string(token)) == "nan") return token;
+      if (begins_number(token) || is_no_value(token)) return token;
       const std::string key = lower_case(std::string(token));
       if (kKeys.find(" " + key + " ") == std::string_view::npos)
         scanner.fail("expected a key of an ESRI ASCII grid (" + std::string(kKeys.substr(1, kKeys.size() - 2)) +
                      ") or a value, found " + printable(token));
       if (values_.count(key) > 0) scanner.fail("a second " + key);
-      values_[key] = {scanner.number("a number"), scanner.line()};
+      values_[key] = {key == "nodata_value" ? value_of(scanner, scanner.token()) : scanner.number("a number"),
+                      scanner.line()};
       scanner.expect_line_end("the value of the key");
     }
     scanner.fail("the file ends before the values of the grid");
@@ -77,11 +85,6 @@ double corner(const TextScanner& scanner, const GridHeader& header, const std::s
   return at_corner ? *at_corner : *at_center - cell / 2;
 }
 
-double value_of(const TextScanner& scanner, std::string_view token) {
-  if (lower_case(std::string(token)) == "nan") return std::numeric_limits<double>::quiet_NaN();
-  return scanner.parse_number(token, "a value of the grid");
-}
-
 }  // namespace
 
 RasterFile read_esri_grid(std::string_view text, const std::string& file) {
@@ -120,6 +123,16 @@ RasterFile read_esri_grid(std::string_view text, const std::string& file) {
   if (!token.empty() || scanner.next_line())
     scanner.fail("more values than the header says (" + std::to_string(cells) + ")");
   return out;
+}
+
+bool is_no_value(std::string_view token) {
+  if (!token.empty() && (token[0] == '-' || token[0] == '+')) token.remove_prefix(1);
+  if (token.empty()) return false;
+  if (token.find('#') != std::string_view::npos) return token.substr(0, 3) == "1.#";  // as old C libraries write it
+  if (token[0] >= '0' && token[0] <= '9') return false;
+  static constexpr std::array<std::string_view, 7> kWords = {"nan", "inf", "infinity", "na", "n/a", "null", "*"};
+  const std::string word = token.size() <= 8 ? lower_case(std::string(token)) : "";
+  return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
 }
 
 void check_raster_size(std::int64_t rows, std::int64_t columns, const std::string& place) {

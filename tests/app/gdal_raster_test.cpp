@@ -42,6 +42,40 @@ TEST_CASE("GeoTIFF: values, georeference and missing data are those of the same 
   CHECK(!gdal_version().empty());
 }
 
+TEST_CASE(
+    "GeoTIFF: its CRS is read, geographic means degrees, projected places are on the Earth, rotation is refused") {
+  if (!has_program("gdal_translate", "gdal-bin")) return;
+  const ScratchDir dir;
+  const std::string asc = "'" + (project_dir() / "configs/data/hills.asc").string() + "' ";
+  const auto made = [&](const std::string& how, const char* name) {
+    REQUIRE(output_of("gdal_translate " + how + " " + asc + "'" + (dir / name).string() + "'") != "");
+    RasterOptions options;
+    options.file = name;
+    return read_raster(options, dir.path());
+  };
+  const RasterGrid degrees = made("-a_srs EPSG:4326 -a_ullr 8 47.1 8.2 47", "degrees.tif");
+  REQUIRE(degrees.degrees);
+  CHECK(degrees.cell[0] * degrees.columns == Approx(0.2 * 76000).epsilon(0.01));  // a degree of longitude at 47 north
+  CHECK((degrees.longitude_latitude(degrees.place_of({8.1, 47.05})) - Eigen::Vector2d(8.1, 47.05)).norm() < 1e-9);
+  CHECK_THAT(degrees.place_note(), Catch::Contains("WGS 84"));
+
+  // UTM zone 32: on its central meridian the easting is 500000, the latitude 47 at the northing 5205288.7 (0.9996 k).
+  const RasterGrid utm = made("-a_srs EPSG:32632 -a_ullr 499000 5206000 501000 5204000", "utm.tif");
+  CHECK_FALSE(utm.degrees);
+  REQUIRE(utm.on_earth());
+  const Eigen::Vector2d place = utm.place_of({9, 47});
+  CHECK(place[0] == Approx(500000).epsilon(1e-9));
+  CHECK((utm.longitude_latitude(place) - Eigen::Vector2d(9, 47)).norm() < 1e-9);
+
+  REQUIRE(output_of("gdal_translate -of VRT " + asc + "'" + (dir / "turned.vrt").string() + "'") != "");
+  std::ifstream in(dir / "turned.vrt");
+  std::string text(std::istreambuf_iterator<char>(in), {});
+  const std::size_t at = text.find("<GeoTransform>") + 14;
+  text.replace(at, text.find('<', at) - at, "0, 10, 5, 100, 5, -10");
+  std::ofstream(dir / "turned.vrt") << text;
+  CHECK_THROWS_WITH(read_gdal_raster(dir / "turned.vrt"), Catch::Contains("gdalwarp -r bilinear"));
+}
+
 TEST_CASE("GDAL: what it cannot read is an error with the name of the file") {
   const ScratchDir dir;
   std::ofstream(dir / "a.tif") << "no raster";

@@ -148,4 +148,40 @@ TEST_CASE("a raster in degrees becomes metres that are true in its middle") {
   CHECK(raster.cell[0] == Approx(45175.908788 * kDegree).epsilon(1e-9));
 }
 
+TEST_CASE("ESRI grid: nan, inf and NA are no data, also as NODATA_value, as R and C write them") {
+  for (const char* none : {"nan", "NaN", "-nan", "inf", "-Inf", "NA", "*", "1.#QNAN", "-1.#IND"}) {
+    const RasterGrid raster =
+        placed(read_esri_grid(kHead + "NODATA_value " + none + "\n" + none + " 2 3\n4 " + none + " 6\n", "a.asc"), {});
+    INFO(none);
+    CHECK(std::isnan(raster.value(1, 0)));
+    CHECK(std::isnan(raster.value(0, 1)));
+    CHECK(raster.value(1, 1) == 2);
+    CHECK(std::isnan(read_csv_raster("1," + std::string(none) + "\n3,4\n", "a.csv").raster.value(1, 1)));
+  }
+  CHECK_THAT(refusal_of_grid(kHead + "1 2 3\n4 north 6\n"), Catch::Contains("expected a value of the grid"));
+}
+
+TEST_CASE("rasters: fill values that nobody declared are named with the option that declares them") {
+  const auto refusal = [](const std::string& fill, RasterOptions options) {
+    const RasterFile file = read_esri_grid(kHead + "1 2 3\n4 " + fill + " 6\n", "a.asc");
+    try {
+      check_heights(placed(file, options), options);
+      return std::string("accepted");
+    } catch (const OptionError& error) {
+      return error.key() + ": " + error.what();
+    }
+  };
+  for (const char* fill : {"-32768", "-9999", "32767", "-3.4028235e+38", "1e+38"}) {
+    const std::string message = refusal(fill, {});
+    INFO(message);
+    CHECK_THAT(message, Catch::StartsWith("nodata: row 1, column 1 of a.asc"));
+    const std::size_t at = message.rfind("write nodata: ");
+    REQUIRE(at != std::string::npos);
+    RasterOptions mended;
+    mended.nodata = std::stod(message.substr(at + 14));
+    CHECK(refusal(fill, mended) == "accepted");
+  }
+  CHECK(refusal("12", {}) == "accepted");
+}
+
 }  // namespace leastcost::test
