@@ -2,9 +2,85 @@
 // SPDX-License-Identifier: MIT
 #include "problems/cloud/unresolved.hpp"
 
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include <leastcost/framework/errors.hpp>
 #include "framework/point_text.hpp"
 
 namespace leastcost {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kWidest = 16;           ///< spacings: the widest radius that is tried
+constexpr double kBesideSamples = 0.45;  ///< supports to the mean of the samples: 0.42 on a straight border
+constexpr std::size_t kFewAround = 8;
+constexpr std::size_t kMostAround = 20000;
+
+/// The samples of a cloud around a place, for a fit of their own.
+struct Around {
+  PointSamples samples;
+  Vector3d mean = Vector3d::Zero();  ///< relative to the place
+};
+
+Around samples_around(const PointCloud& cloud, const Vector3d& y, double radius) {
+  Around out;
+  std::vector<Neighbour> found;
+  cloud.search().within(y, radius, found);
+  for (const Neighbour& near : found) {
+    const CloudSample& sample = cloud.sample(near.index);
+    out.samples.positions.push_back(sample.position + cloud.centre());
+    out.samples.normals.push_back(sample.normal);
+    out.mean += (sample.position - y) / static_cast<double>(found.size());
+  }
+  return out;
+}
+
+/// What is the matter with the samples around y, which is relative to the cloud's centre.
+std::string what_lies_around(const PointCloud& cloud, const CloudSurface& surface, const Vector3d& y) {
+  const Neighbour nearest = cloud.search().nearest(y);
+  const double distance = std::sqrt(nearest.squared_distance), support = cloud.radius(nearest.index);
+  if (distance > support)
+    return "the nearest sample is " + short_number(distance) + " away, " +
+           short_number(distance / cloud.spacing(nearest.index)) + " local spacings: a hole, or beyond the border";
+  if (const auto sheet = surface.other_sheet(y + cloud.centre()))
+    return "the samples there lie on two sheets, " + short_number(sheet->apart) + " spacings apart";
+  const CloudSample& sample = cloud.sample(nearest.index);
+  const Around around = samples_around(cloud, y, support);
+  const Vector3d along = around.mean - sample.normal.dot(around.mean) * sample.normal;
+  if (around.samples.positions.size() < kFewAround) return "too few samples are near it";
+  if (along.norm() > kBesideSamples * support)
+    return "all samples near it lie on one side: it is beyond the border, or in a hole";
+  return "the samples there fit no one surface: noise, a sharp edge, or sheets that cross";
+}
+
+/// The first wider radius whose surface has a point near x; 0: none up to kWidest has.
+double radius_that_helps(const PointCloud& cloud, const Vector3d& x) {
+  const Vector3d y = x - cloud.centre();
+  const Neighbour nearest = cloud.search().nearest(y);
+  const double spacing = cloud.spacing(nearest.index), distance = std::sqrt(nearest.squared_distance);
+  PointCloudSettings settings = cloud.settings();
+  settings.normals = NormalSource::given;
+  for (double radius = std::ceil(*settings.radius * 1.25); radius <= kWidest; radius = std::ceil(radius * 1.25)) {
+    Around around = samples_around(cloud, y, distance + 3 * radius * spacing);
+    if (around.samples.positions.size() > kMostAround) return 0;
+    if (std::numbers::pi * radius * radius > PointCloud::kMostOfCloud * cloud.size()) return 0;
+    settings.radius = radius;
+    try {
+      const PointCloud wider(std::move(around.samples), settings);
+      Vector3d moved = x;
+      if (CloudSurface(wider).project(moved)) return radius;
+    } catch (const InputError&) {
+      continue;  // too few of them
+    }
+  }
+  return 0;
+}
+
+}  // namespace
 
 std::string why_unresolved_at(const CloudSurface& surface, const Eigen::Vector3d& x) {
   const auto sheet = surface.other_sheet(x);
@@ -12,6 +88,17 @@ std::string why_unresolved_at(const CloudSurface& surface, const Eigen::Vector3d
   return "at " + point_text(x) + " the samples within one support lie on two sheets, " + short_number(sheet->apart) +
          " spacings apart: the surface runs between them, or is drawn from one to the other; more samples, a "
          "smaller radius or normals that point to opposite sides keep them apart";
+}
+
+std::string why_no_surface_at(const PointCloud& cloud, const CloudSurface& surface, const Eigen::Vector3d& x) {
+  const std::string why = what_lies_around(cloud, surface, x - cloud.centre());
+  const std::string now = short_number(*cloud.settings().radius);
+  const double radius = radius_that_helps(cloud, x);
+  if (radius > 0)
+    return why + "; with radius: " + short_number(radius) + " (it is " + now + ") the surface has a point near it";
+  return why + "; no radius from " + now + " to " + short_number(kWidest) +
+         " helps: the way has to go around it, by waypoints or a smaller max_edge (it is " +
+         short_number(cloud.settings().max_edge) + ")";
 }
 
 }  // namespace leastcost

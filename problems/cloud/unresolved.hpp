@@ -13,4 +13,9 @@ namespace leastcost {
 /// CloudSurface::other_sheet in words. Empty where nothing is known against it.
 std::string why_unresolved_at(const CloudSurface& surface, const Eigen::Vector3d& x);
 
+/// Why the surface of a cloud has no point near x (in the coordinates of the file), though it has samples or a place
+/// near it: a hole or a border, two sheets, noise; and which `radius` has one, found by trying wider ones on the
+/// samples around x.
+std::string why_no_surface_at(const PointCloud& cloud, const CloudSurface& surface, const Eigen::Vector3d& x);
+
 }  // namespace leastcost

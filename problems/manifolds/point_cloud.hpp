@@ -33,6 +33,7 @@ class PointCloudManifold final : public EmbeddedManifold,
                                  public HasPointCloud,
                                  public HasCoarserVersion,
                                  public HasUnresolvedPlaces,
+                                 public ExplainsProjection,
                                  public HasGraph,
                                  public HasVertices,
                                  public IsSurface,
@@ -49,6 +50,7 @@ class PointCloudManifold final : public EmbeddedManifold,
   std::shared_ptr<const ConstraintManifold> coarser() const override;
   bool has_made_coarser() const override { return has_coarser_; }
   std::string why_unresolved(const CoordinatePath& path) const override;
+  std::string why_not_projected(const Eigen::VectorXd& x) const override;
   FirstPath least_cost_edges(const Problem& problem, const Monitor& monitor) const override;
   /// The sample with this number.
   PathEnd vertex(int number) const override;

@@ -28,6 +28,11 @@ std::string PointCloudManifold::why_unresolved(const CoordinatePath& path) const
   return "";
 }
 
+std::string PointCloudManifold::why_not_projected(const Eigen::VectorXd& x) const {
+  if (!x.allFinite()) return "it is not finite";
+  return why_no_surface_at(cloud_, surface_, x);
+}
+
 PathEnd PointCloudManifold::vertex(int number) const {
   const std::int32_t here = cloud_.sample_of_file(number);
   if (here < 0)

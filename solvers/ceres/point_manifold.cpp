@@ -11,6 +11,7 @@
 namespace leastcost {
 namespace {
 
+constexpr int kShorter = 12;  ///< halvings of a step that leads where the domain is not
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 }  // namespace
@@ -43,12 +44,18 @@ Points PointManifold::basis(const CoordinatePath& one) const {
 bool PointManifold::Plus(const double* x, const double* delta, double* x_plus_delta) const {
   if (is_late()) return false;
   const CoordinatePath from = at(x);
-  const Points step = basis(from) * Eigen::Map<const Eigen::VectorXd>(delta, TangentSize());
+  Points step = basis(from) * Eigen::Map<const Eigen::VectorXd>(delta, TangentSize());
   if (!step.allFinite()) return false;
   CoordinatePath to;
-  if (!move_freely(manifold_, from, step, to, {})) stopped_ = true;
+  for (int i = 0; i < kShorter; ++i, step *= 0.5) {
+    const bool freely = move_freely(manifold_, from, step, to, {});
+    if (!to.u.allFinite()) continue;
+    if (!freely) stopped_ = true;
+    break;
+  }
+  if (!to.u.allFinite()) to.u = from.u;
   Eigen::Map<Eigen::VectorXd>(x_plus_delta, dims_.coordinate) = to.u.col(0);
-  return to.u.allFinite();
+  return true;
 }
 
 bool PointManifold::PlusJacobian(const double* x, double* jacobian) const {

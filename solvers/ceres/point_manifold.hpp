@@ -11,6 +11,8 @@ namespace leastcost {
 
 /// One point of a path on the domain, for Ceres: its tangent plane and the domain's own retraction, on a path of one
 /// column. A point with blocked directions moves in the others: those of `free`, turned along with the tangent plane.
+/// A step that leads where the domain is not (off the band of a grid, beyond the samples of a cloud) is shortened until
+/// it lands, or left out: Ceres gives a problem up whose Plus() fails, even for the step -gradient that only measures.
 class PointManifold final : public ceres::Manifold {
  public:
   /// free: orthonormal, coordinate x m; without columns: every direction of the tangent plane. stopped: set by a move

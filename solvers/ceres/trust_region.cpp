@@ -160,6 +160,7 @@ class TrustRegion final : public ceres::IterationCallback {
   }
 
   ceres::CallbackReturnType look(const ceres::IterationSummary& summary) {
+    residuals_->stopped() = false;  // of the step -gradient, which Ceres only measures: the next one is another
     if (summary.step_is_successful) keep(summary.cost);
     double cost_error = std::numeric_limits<double>::quiet_NaN();
     // The test has its price, and says no while a step still gains much.
