@@ -8,11 +8,13 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <typeinfo>
 #include <utility>
 #include <vector>
 
 #include <leastcost/framework/checks_moves.hpp>
 #include <leastcost/framework/clearance.hpp>
+#include <leastcost/framework/manifold.hpp>
 #include <leastcost/framework/path_energy.hpp>
 #include "framework/among_obstacles.hpp"
 #include "framework/delivery.hpp"
@@ -66,7 +68,7 @@ Standing standing_of(const Problem& problem, const Result& result, const FindOpt
   Result bare;  // without its certificate, whose bounds are those of the chains that it has solved
   bare.path = result.path;
   bare.curve = result.curve;
-  const bool known = std::isfinite(result.curve.cost);
+  const bool known = std::isfinite(result.curve.cost) && !moves_are_exact(problem);
   return {depth_of(problem, result.path, result.curve.x, options, deadline),
           known ? feasible_cost(problem, bare, deadline) : result.curve.cost};
 }
@@ -117,10 +119,9 @@ std::optional<Offer> best_offer(const Problem& problem, const Result& result, co
 /// where sums of moves are true costs and say that the first path is cheaper by more than the bar.
 bool worth_comparing(const Problem& problem, const Result& result) {
   if (result.status == Status::collapsed || result.path.u.size() == 0) return false;
-  const bool exact = problem.manifold->shape() == Shape::flat && problem.cost->traits().additive;
   const CostEstimate& estimate = result.certificate.estimate;
   if (result.status == Status::certified)
-    return exact && result.initial_cost < (estimate.value - estimate.error) * (1 - kCheaperPart);
+    return moves_are_exact(problem) && result.initial_cost < (estimate.value - estimate.error) * (1 - kCheaperPart);
   const bool obstacles = find_ability<ChecksMoves>(*problem.manifold) != nullptr;
   if (result.status == Status::interrupted) return obstacles || result.curve.cost > result.initial_cost;
   return true;
@@ -164,6 +165,13 @@ void refuse(const Problem& problem, const Offer& offer, const Deadline& deadline
 }
 
 }  // namespace
+
+bool moves_are_exact(const Problem& problem) {
+  if (find_ability<HasChart>(*problem.manifold) != nullptr) return false;
+  const ConstraintManifold* domain = problem.manifold.get();
+  while (domain != nullptr && domain->shape() != Shape::flat) domain = domain->decorated(typeid(void));
+  return domain != nullptr && problem.cost->traits().additive;
+}
 
 bool first_path_is_better(const Problem& problem, const Result& result, const FindOptions& options,
                           const Deadline& deadline) {

@@ -6,6 +6,10 @@
 
 namespace leastcost {
 
+/// Whether what straight moves cost is what the path costs: a flat domain, among obstacles or not, and a cost that adds
+/// up along a move.
+bool moves_are_exact(const Problem& problem);
+
 /// Whether the first path is clearer of the obstacles than what a search came to, or as clear and cheaper. Only costs
 /// and clearances of curves on the domain are compared; what cannot be measured is never better. Throws Interrupted.
 bool first_path_is_better(const Problem& problem, const Result& result, const FindOptions& options,
