@@ -57,6 +57,14 @@ std::vector<PointImage> images_of(const Problem& problem) {
   return domain->images(problem.target.u, problem.source.u, kMostTriedImages);
 }
 
+/// How many significant digits show that two numbers differ, and by how much: two more than the first that does.
+int digits_apart(double a, double b) {
+  constexpr int kLeast = 3, kMost = 15;
+  const double size = std::max(std::abs(a), std::abs(b)), apart = std::abs(a - b);
+  if (!(apart > 0) || !std::isfinite(size)) return kLeast;
+  return std::clamp(static_cast<int>(std::ceil(std::log10(size / apart))) + 2, kLeast, kMost);
+}
+
 /// Cost of a path that `segments` make of the straight start; infinite where they make none.
 double solved_cost(const Problem& problem, const Monitor& monitor, Index segments = kPieces) {
   constexpr double kUnsolved = std::numeric_limits<double>::infinity();
@@ -141,8 +149,9 @@ std::string cheaper_image(const Problem& problem, double cost, const Monitor& mo
   const std::vector<TriedImage> tried = other_images(problem, monitor.deadline);
   if (tried.empty()) return "";
   const auto said = [&](const PointImage& image, const std::string& way, double less) {
-    return "the target is also " + named(image) + ": " + way + short_number(less) + ", this path " +
-           short_number(cost) + " (images tried: " + std::to_string(tried.size()) + ")";
+    const int digits = digits_apart(less, cost);
+    return "the target is also " + named(image) + ": " + way + short_number(less, digits) + ", this path " +
+           short_number(cost, digits) + " (images tried: " + std::to_string(tried.size()) + ")";
   };
   if (const std::optional<CheaperImage> best = best_of(problem, tried, cost, kCoarseSaving, monitor))
     return said(best->image, "a path to it costs about ", best->cost);

@@ -171,7 +171,7 @@ void take_cheapest_image(const RunConfig& config, const std::shared_ptr<const Co
   problem.target.u = out.target.end.u = best->image.u;
   out.notes.push_back(
       fmt::format("the target was replaced by ({:.6g}), {}, another name of the same point: a path to "
-                  "it costs about {:.6g}, not {:.6g}{} (images tried: {}; path: "
+                  "it costs about {:.9g}, not {:.9g}{} (images tried: {}; path: "
                   "{{target_image: given}} keeps the given one)",
                   fmt::join(best->image.u, ", "), best->image.where, best->cost, best->given,
                   open_domain == problem.manifold ? "" : " without obstacles", best->tried));
