@@ -43,9 +43,8 @@ std::string status_line(const WrittenRun& run) {
   return line;
 }
 
-/// What the delivered curve costs, where that is their true cost and lies beyond the bar of the
-/// value, which is that of ever more points. Nothing on a curved domain, where the curve through the points has the
-/// value.
+/// The cost of the delivered path, where that is exact and lies beyond the bar of the value, which is that of ever more
+/// points. Nothing on a curved domain, where a curve through the points has the value.
 std::optional<double> cost_as_delivered(const WrittenRun& run) {
   const CostEstimate& estimate = run.result.certificate.estimate;
   if (!moves_are_exact(run.parts.problem)) return std::nullopt;
