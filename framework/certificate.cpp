@@ -342,7 +342,7 @@ class Certifier {
       case IndexVerdict::minimum: return;
       case IndexVerdict::saddle:
         return fail("saddle", "the path is a saddle of order " + std::to_string(c_.index.saddle_order) +
-                                  ": a neighbouring path costs less");
+                                  ": a neighbouring path costs less; `path: {escape_saddle: true}` goes on to it");
       case IndexVerdict::degenerate:
         // Where ways are free they cost nearly the same, and the path is the least of them nevertheless.
         if (has_free_ways() && c_.index.negatives == 0) return;

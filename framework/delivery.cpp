@@ -10,6 +10,7 @@
 #include <leastcost/framework/errors.hpp>
 #include "framework/find_path_checks.hpp"
 #include "framework/in_parts.hpp"
+#include "framework/never_worse.hpp"
 
 namespace leastcost {
 
@@ -90,6 +91,7 @@ void complete_interrupted(const Problem& problem, const FindOptions& options, Re
     const PostProcessed chain = chain_as_curve(energy, result.path);
     deliver(chain, chain.curve_costs, result);
   }
+  result = never_worse(problem, std::move(result), options, {});
 }
 
 }  // namespace leastcost

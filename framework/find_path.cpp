@@ -25,6 +25,7 @@
 #include "framework/free_passage.hpp"
 #include "framework/geometry_error.hpp"
 #include "framework/in_parts.hpp"
+#include "framework/never_worse.hpp"
 #include "framework/placement.hpp"
 #include "framework/point_text.hpp"
 #include "framework/refine_until_certified.hpp"
@@ -42,12 +43,12 @@ void stage(Stage stage, const Monitor& monitor, double& seconds, Work work) {
   seconds = std::chrono::duration<double>(Monitor::Clock::now() - start).count();
 }
 
-/// What may still be measured of an interrupted path: the first part of what the contract leaves after the deadline.
-Deadline last_words(const Deadline& deadline, Monitor::Clock::time_point start) {
+/// What may still be measured of an interrupted path: the first parts of what the contract leaves after the deadline.
+Deadline last_words(const Deadline& deadline, Monitor::Clock::time_point start, int parts = 1) {
   constexpr auto kLeast = std::chrono::microseconds(300);
   constexpr int kPart = 33;  // of the budget
   if (!deadline) return {};
-  return *deadline + std::max<Monitor::Clock::duration>(kLeast, (*deadline - start) / kPart);
+  return *deadline + parts * std::max<Monitor::Clock::duration>(kLeast, (*deadline - start) / kPart);
 }
 
 int point_count(const FindOptions& options, const FirstPath& first) {
@@ -472,18 +473,27 @@ std::string_view name(Status status) {
 
 Result find_path(const Problem& problem, const Initializer& initializer, const Solver& solver,
                  const FindOptions& options, const Monitor& monitor) {
+  const auto start = Monitor::Clock::now();
   Problem named = problem;
   if (!options.target_as_given) name_target_near(problem.source.u, named);
   Result found = Search(named, solver, options, monitor).from(initializer);
-  return refine_until_certified(named, std::move(found), solver, options, monitor);
+  found = refine_until_certified(named, std::move(found), solver, options, monitor);
+  return never_worse(named, std::move(found), options, last_words(monitor.deadline, start, 2));
 }
 
 Result improve_path(const Problem& problem, const CoordinatePath& chain, const Solver& solver,
                     const FindOptions& options, const Monitor& monitor) {
+  const auto start = Monitor::Clock::now();
   Problem named = problem;
   if (!options.target_as_given && chain.u.cols() > 0) name_target_near(chain.u.rightCols(1), named);
-  Result found = Search(named, solver, options, monitor).from(chain);
-  return refine_until_certified(named, std::move(found), solver, options, monitor);
+  Result found = search_from(named, chain, solver, options, monitor);
+  found = refine_until_certified(named, std::move(found), solver, options, monitor);
+  return never_worse(named, std::move(found), options, last_words(monitor.deadline, start, 2));
+}
+
+Result search_from(const Problem& problem, const CoordinatePath& chain, const Solver& solver,
+                   const FindOptions& options, const Monitor& monitor) {
+  return Search(problem, solver, options, monitor).from(chain);
 }
 
 void prepare(const Problem& problem) {

@@ -2,14 +2,22 @@
 // SPDX-License-Identifier: MIT
 #include "framework/point_text.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace leastcost {
 
 std::string point_text(const Eigen::Ref<const Eigen::VectorXd>& x, int digits) {
   std::ostringstream out;
-  out.precision(digits);
-  for (Eigen::Index i = 0; i < x.size(); ++i) out << (i == 0 ? "(" : ", ") << x[i];
+  constexpr int kAfterPoint = 3;  // at least: coordinates of maps have seven digits before it
+  constexpr int kMost = 15;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const double size = std::abs(x[i]);
+    const int before = std::isfinite(size) && size >= 1 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 0;
+    out.precision(before + kAfterPoint <= kMost ? std::max(digits, before + kAfterPoint) : digits);
+    out << (i == 0 ? "(" : ", ") << x[i];
+  }
   out << ')';
   return out.str();
 }

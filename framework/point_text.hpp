@@ -7,7 +7,7 @@
 
 namespace leastcost {
 
-/// "(1, 2.5, -3)", for messages.
+/// "(1, 2.5, -3)", for messages: so many significant digits, and at least three after the point.
 std::string point_text(const Eigen::Ref<const Eigen::VectorXd>& x, int digits = 6);
 
 /// To so many significant digits, for messages.

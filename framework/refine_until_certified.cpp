@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,6 +14,7 @@
 #include <leastcost/framework/path_energy.hpp>
 #include "framework/among_obstacles.hpp"
 #include "framework/calibration.hpp"
+#include "framework/never_worse.hpp"
 #include "framework/spacing.hpp"
 
 namespace leastcost {
@@ -66,6 +68,17 @@ void go_on(FinerSearch& search, const Problem& problem) {
   } catch (const InputError&) {  // a finer chain could not be made
   } catch (const InitializationError&) {
   } catch (const Interrupted&) {
+  }
+}
+
+/// A finer chain that was not certified either, where it alone is no worse than the first path.
+bool saves(const Problem& problem, const Result& finer, const Result& found, const FindOptions& options,
+           const Deadline& deadline) {
+  try {
+    return finer.status == Status::uncertified && first_path_is_better(problem, found, options, deadline) &&
+           !first_path_is_better(problem, finer, options, deadline);
+  } catch (const std::exception&) {
+    return false;
   }
 }
 
@@ -126,7 +139,7 @@ void FinerSearch::solve_from(const CoordinatePath& start, Index factor, ProofRul
   finer.cascade = false;
   finer.certificate.refine = 0;
   finer.certificate.proof = proof;
-  fine_ = continued(fine_, improve_path(problem_, start, solver_, finer, monitor_));
+  fine_ = continued(fine_, search_from(problem_, start, solver_, finer, monitor_));
   factor_ = factor;
 }
 
@@ -174,6 +187,8 @@ Result refine_until_certified(const Problem& problem, Result found, const Solver
   go_on(search, problem);
   if (search.fine().status == Status::certified) return search.delivered(search.fine());
   found.seconds = search.fine().seconds;
+  if (search.factor() > 1 && saves(problem, search.fine(), found, options, monitor.deadline))
+    return search.delivered(search.fine());
   if (monitor.interrupted())
     found.notes.emplace_back("there was no time to see whether more points would be certified");
   else if (search.factor() > 1)

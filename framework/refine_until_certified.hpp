@@ -6,6 +6,11 @@
 
 namespace leastcost {
 
+/// One search from a chain, as improve_path() but for its last two steps: neither more points, nor the first path where
+/// that is better. A finer search goes on from whatever it comes to.
+Result search_from(const Problem& problem, const CoordinatePath& chain, const Solver& solver,
+                   const FindOptions& options, const Monitor& monitor);
+
 /// A later result of the same search: where it began, and what it took, are those of the whole.
 Result continued(const Result& before, Result later);
 
@@ -46,7 +51,8 @@ class FinerSearch {
 bool more_points_may_help(const Problem& problem, const Result& result);
 
 /// Goes on with twice the points where that may help, until the path is certified, or refused for another reason, or
-/// there are no more doublings, points or time. What is not certified then stays as it came, with a note.
+/// there are no more doublings, points or time. What is not certified then stays as it came, with a note; but where
+/// the first path is better than that and not better than the finer chain, the finer chain is delivered.
 Result refine_until_certified(const Problem& problem, Result found, const Solver& solver, const FindOptions& options,
                               const Monitor& monitor);
 

@@ -4,16 +4,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <string_view>
 
 #include "app/cli/templates.hpp"
 #include "app/reference/describe.hpp"
 #include "app/report/report.hpp"
 #include "app/study/rows/journal.hpp"
 #include "app/study/study_files.hpp"
+#include "catalogue/back_ends/back_ends.hpp"
 #include "catalogue/output/json_numbers.hpp"
 #include "catalogue/registry/registry.hpp"
 #include "catalogue/run/compose.hpp"
@@ -38,6 +41,9 @@ Json diagnostics_json(const Diagnostics& diagnostics) {
   return out;
 }
 
+/// The key of a configuration whose items are post-processors.
+constexpr std::string_view kPostProcess = "post_process";
+
 /// Readers of meshes, for `list formats`. They are told apart by the extension of the file.
 std::string formats_text() {
   return "formats: files of the mesh manifold\n"
@@ -45,6 +51,14 @@ std::string formats_text() {
          "  off  Object File Format\n"
          "  ply  Stanford PLY, ascii and binary\n"
          "  stl  STL, ascii and binary; equal vertices are merged\n";
+}
+
+/// Readers of rasters beside ESRI grids, where the build has them.
+std::string raster_formats_text() {
+  return raster_reader_of_libraries() != nullptr
+             ? "rasters: asc (ESRI grid), csv, and what GDAL reads: GeoTIFF and others\n"
+             : "rasters: asc (ESRI grid), csv; GeoTIFF and others need GDAL, which this build does not have: install "
+               "libgdal-dev and build again\n";
 }
 
 std::vector<std::string> kind_names() {
@@ -150,7 +164,7 @@ Exit list_command(const std::string& kind, bool json, const Streams& streams) {
   if (kind.empty() || kind == "formats") {
     out["formats"] = {"obj", "off", "ply", "stl"};
     if (!text.empty()) text += '\n';
-    text += formats_text();
+    text += formats_text() + raster_formats_text();
   }
   streams.out << (json ? to_text(out) : text);
   return Exit::certified;
@@ -161,10 +175,16 @@ Exit describe_command(const std::string& kind, const std::string& type, const St
     streams.out << (kind == "run" ? describe_run() : describe_study());
     return Exit::certified;
   }
-  const PluginKind* found = find_kind(kind);
+  std::vector<std::string> valid;
+  for (const PluginKind& k : plugin_kinds()) valid.push_back(k.name);
+  if (kind == "run" || kind == "study") {  // a part of it is a kind
+    const auto known = std::find(valid.begin(), valid.end(), type);
+    if (known == valid.end() && type != kPostProcess) return unknown(streams, "part of a " + kind, type, valid);
+    return describe_command(type, "", streams);
+  }
+  const PluginKind* found = find_kind(kind == kPostProcess ? "post_processor" : kind);
   if (found == nullptr) {
-    std::vector<std::string> valid = {"run", "study"};
-    for (const PluginKind& k : plugin_kinds()) valid.push_back(k.name);
+    valid.insert(valid.begin(), {"run", "study"});
     return unknown(streams, "kind", kind, valid);
   }
   if (type.empty()) {

@@ -48,6 +48,12 @@ std::string faults(const MeshReport& r) {
   return out;
 }
 
+/// What makes paths go wrong; borders, parts and vertices that no face uses are no faults.
+bool has_faults(const MeshReport& r) {
+  return r.non_manifold_edges > 0 || r.non_manifold_vertices > 0 || r.flipped_edges > 0 || r.degenerate_faces > 0 ||
+         r.duplicate_faces > 0 || (r.duplicate_positions > 0 && (r.border_edges > 0 || r.components.size() > 1));
+}
+
 /// What a solve would need, in order of importance.
 std::vector<std::string> advice(const MeshReport& r) {
   std::vector<std::string> out;
@@ -129,7 +135,7 @@ Exit doctor_command(const std::string& file, bool weld, bool json, const Streams
   const TriangleMesh mesh(read_mesh(file), {.weld = weld, .subdivide = 0});
   const MeshReport report = inspect(mesh);
   streams.out << (json ? report_json(mesh, report) : report_text(mesh, report));
-  return Exit::certified;
+  return has_faults(report) ? Exit::input : Exit::certified;
 }
 
 }  // namespace leastcost::app

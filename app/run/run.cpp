@@ -95,6 +95,7 @@ std::filesystem::path output_of(const RunRequest& request, const Run& run) {
 }
 
 std::string with_advice(const std::string& refusal, bool replaceable) {
+  if (refusal.find("-o chooses") != std::string::npos) return refusal;  // it says so already
   return refusal + (replaceable ? "; --force replaces it, -o chooses another" : "; -o chooses another");
 }
 

@@ -209,15 +209,15 @@ void take_cheapest_image(const RunConfig& config, const std::shared_ptr<const Co
   const std::optional<CheaperImage> best = find_cheaper_image(open);
   if (!best) return;
   problem.target.u = out.target.end.u = best->image.u;
-  const std::string instead = std::isfinite(best->given) ? fmt::format(", not {:.6g}", best->given) : "";
+  const std::string instead = std::isfinite(best->given) ? fmt::format(", not {:.9g}", best->given) : "";
   if (!best->image.way.empty()) {
     out.notes.push_back(
-        fmt::format("the path goes {}: that costs about {:.6g}{}", best->image.way, best->cost, instead));
+        fmt::format("the path goes {}: that costs about {:.9g}{}", best->image.way, best->cost, instead));
     return;
   }
   out.notes.push_back(
       fmt::format("the target was replaced by ({:.6g}), {}, another name of the same point: a path to "
-                  "it costs about {:.6g}{}{} (images tried: {}; path: "
+                  "it costs about {:.9g}{}{} (images tried: {}; path: "
                   "{{target_image: given}} keeps the given one)",
                   fmt::join(best->image.u, ", "), best->image.where, best->cost, instead,
                   open_domain == problem.manifold ? "" : " without obstacles", best->tried));

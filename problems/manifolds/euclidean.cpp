@@ -3,6 +3,7 @@
 #include <leastcost/problems/manifolds/euclidean.hpp>
 
 #include <string>
+#include <utility>
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/segment_derivatives.hpp>
@@ -16,6 +17,18 @@ int checked(int dimension) {
   return dimension;
 }
 
+/// A side with another number of coordinates says which dimension is meant.
+const BoxOptions& checked(const BoxOptions& box, int dimension) {
+  for (const auto& [key, side] : {std::pair{"lower", &box.lower}, std::pair{"upper", &box.upper}}) {
+    const Index given = *side ? (*side)->size() : dimension;
+    if (given == dimension) continue;
+    std::string message = std::to_string(given) + " numbers, the space has dimension " + std::to_string(dimension);
+    if (given >= 1 && given <= kMaxDimension) message += "; write `dimension: " + std::to_string(given) + "` for it";
+    throw OptionError(key, message);
+  }
+  return box;
+}
+
 }  // namespace
 
 void EuclideanManifoldOptions::fields(FieldVisitor& visit) {
@@ -24,7 +37,7 @@ void EuclideanManifoldOptions::fields(FieldVisitor& visit) {
 }
 
 EuclideanManifold::EuclideanManifold(const EuclideanManifoldOptions& options)
-    : dimension_(checked(options.dimension)), box_(dimension_, options.box) {}
+    : dimension_(checked(options.dimension)), box_(dimension_, checked(options.box, dimension_)) {}
 
 Projection EuclideanManifold::project(CoordinatePath& path) const {
   Projection result;

@@ -108,7 +108,14 @@ MoveClearance ObstacleWalls::clearance(const Vector& a, const Vector& b) const {
   for (const int i : found) {
     double t = 0;
     const double from_core = obstacle(i).distance_of_segment(a, b, t);
-    // Through a core it goes as deep as that is wide, at most: where little is required that is no rounding.
+    // A place knows how deep it lies. Through a core a move goes as deep as that is wide, at most: where little is
+    // required that is no rounding.
+    if (from_core <= 0 && a == b) {
+      Vector away(a.size());
+      const double depth = std::max(-width(i), obstacle(i).distance(a, away)) - required(i);
+      if (depth < least.upper) least = {depth - kOfCoordinates * (size + required(i)), depth, i, a};
+      continue;
+    }
     const double distance = (from_core > 0 ? from_core : -width(i)) - required(i);
     if (distance >= least.upper) continue;
     least = {distance - kOfCoordinates * (size + required(i)), distance, i, a + t * (b - a)};

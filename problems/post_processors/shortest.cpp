@@ -15,6 +15,7 @@
 #include <leastcost/problems/exact/exact_search.hpp>
 #include <leastcost/problems/straighten/geodesic.hpp>
 #include <leastcost/problems/straighten/straighten.hpp>
+#include "framework/point_text.hpp"
 #include "problems/mesh/mesh_curve.hpp"
 #include "problems/post_processors/search_keeper.hpp"
 #include "problems/post_processors/search_time.hpp"
@@ -122,7 +123,7 @@ PostProcessed ShortestPostProcessor::apply(const Problem& problem, const FirstPa
   if (found.length < before * (1 - budget.tolerance)) {
     deliver_path(problem, mesh, turned ? turned->back(std::move(found.path)) : found.path, *metric, current);
     current.notes.push_back("shortest: the straightened path was longer than the least one found by " +
-                            std::to_string(100 * (before / current.curve.cost - 1)) + " %, which is delivered");
+                            short_number(100 * (before / current.curve.cost - 1)) + " %, which is delivered");
   }
   GlobalBound& global = current.curve.global.emplace();
   global.proved = found.is_proved();

@@ -11,6 +11,7 @@
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/has_box.hpp>
+#include "framework/point_text.hpp"
 #include "problems/post_processors/plan_curve.hpp"
 #include "problems/post_processors/search_time.hpp"
 #include "problems/taut/tangent_path.hpp"
@@ -68,7 +69,7 @@ PostProcessed ShortestPlanPostProcessor::apply(const Problem& problem, const Fir
     if (path && path->least < before && deliver_plan(problem, walls, unit, *path, monitor, current)) {
       global.proved = path->least - found.lower_bound <= budget.tolerance * path->least + 2 * found.rounding;
       current.notes.push_back("shortest_plan: the path pulled tight was longer than the one found by " +
-                              std::to_string(100 * (before / path->least - 1)) + " %, which is delivered");
+                              short_number(100 * (before / path->least - 1)) + " %, which is delivered");
     }
     global.outcome = global.proved ? "improved" : "blocked";
     if (!global.proved) global.reason = "a path that would be shorter cannot be told from one that touches an obstacle";

@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "framework/never_worse.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <optional>
+#include <string>
+#include <typeinfo>
+#include <utility>
+#include <vector>
+
+#include <leastcost/framework/checks_moves.hpp>
+#include <leastcost/framework/clearance.hpp>
+#include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/path_energy.hpp>
+#include "framework/among_obstacles.hpp"
+#include "framework/delivery.hpp"
+#include "framework/feasible_cost.hpp"
+#include "framework/point_text.hpp"
+#include "framework/spacing.hpp"
+
+namespace leastcost {
+namespace {
+
+constexpr double kCheaperPart = 1e-8;  ///< relative: what costs measured in two ways may differ by
+
+/// What decides between two paths: first how deep in obstacles (0: clear), then the cost of a curve on the domain.
+struct Standing {
+  double depth = 0;
+  double cost = std::numeric_limits<double>::infinity();
+
+  bool better_than(const Standing& other) const {
+    if (depth != other.depth) return depth < other.depth;
+    return cost < other.cost * (1 - kCheaperPart);
+  }
+};
+
+struct Offer {
+  PostProcessed curve;
+  Standing standing;
+};
+
+/// A based ring is open in its result, and ends where it begins.
+Problem as_solved(const Problem& problem, const CoordinatePath& path) {
+  Problem out = problem;
+  if (!problem.ring || path.ring) return out;
+  out.ring = false;
+  out.target = {path.u.rightCols(1), problem.source.site};
+  return out;
+}
+
+double depth_of(const Problem& problem, const CoordinatePath& chain, const Points& curve, const FindOptions& options,
+                const Deadline& deadline) {
+  const double allowed = options.certificate.clearance;
+  double depth = depth_in_obstacles(problem, chain, allowed, deadline);
+  if (curve.cols() == chain.segment_count() + 1) return depth;  // the curve is the chain
+  const auto clearance = measure_clearance(*problem.manifold, curve, chain.ring, deadline);
+  if (!clearance) return depth;
+  const double extent = (curve.rowwise().maxCoeff() - curve.rowwise().minCoeff()).norm();
+  return clearance->lower < -allowed * extent ? std::max(depth, -clearance->lower) : depth;
+}
+
+Standing standing_of(const Problem& problem, const Result& result, const FindOptions& options,
+                     const Deadline& deadline) {
+  Result bare;  // without its certificate, whose bounds are those of the chains that it has solved
+  bare.path = result.path;
+  bare.curve = result.curve;
+  const bool known = std::isfinite(result.curve.cost) && !moves_are_exact(problem);
+  return {depth_of(problem, result.path, result.curve.x, options, deadline),
+          known ? feasible_cost(problem, bare, deadline) : result.curve.cost};
+}
+
+/// The points of a first path as its method found them, each once.
+CoordinatePath own_points(const CoordinatePath& path) {
+  CoordinatePath out{Points(path.u.rows(), path.u.cols()), {}, path.ring, path.closing};
+  Index kept = 0;
+  for (Index i = 0; i < path.u.cols(); ++i) {
+    if (kept > 0 && path.u.col(i) == out.u.col(kept - 1)) continue;
+    out.u.col(kept++) = path.u.col(i);
+    if (!path.sites.empty()) out.sites.push_back(path.site(i));
+  }
+  out.u.conservativeResize(Eigen::NoChange, kept);
+  return out;
+}
+
+/// The ways to deliver a first path, the points that were asked for first. On a mesh only edges are known to lie on it.
+std::vector<CoordinatePath> ways_to_deliver(const Problem& problem, const Result& result) {
+  const bool mesh = problem.manifold->shape() == Shape::polyhedral;
+  std::vector<CoordinatePath> ways;
+  if (!mesh && result.initial.u.size() > 0) ways.push_back(result.initial);
+  const bool own =
+      mesh ? result.first.graph_vertices.has_value() : find_ability<ChecksMoves>(*problem.manifold) != nullptr;
+  if (!own || result.first.path.u.size() == 0) return ways;
+  CoordinatePath points = own_points(result.first.path);
+  if (points.free_count() >= 1) ways.push_back(std::move(points));
+  return ways;
+}
+
+std::optional<Offer> best_offer(const Problem& problem, const Result& result, const FindOptions& options,
+                                const Deadline& deadline) {
+  std::optional<Offer> best;
+  PathEnergy energy(problem, 1, deadline);
+  for (const CoordinatePath& chain : ways_to_deliver(problem, result)) {
+    Result trial;
+    const PostProcessed curve = chain_as_curve(energy, chain);
+    trial.path = chain;
+    trial.curve = curve.curve;
+    Offer offer{curve, standing_of(problem, trial, options, deadline)};
+    if (!std::isfinite(offer.standing.cost)) continue;
+    if (!best || offer.standing.depth < best->standing.depth) best = std::move(offer);
+  }
+  return best;
+}
+
+/// Whether there is anything to compare, decided by what is known already. A certified path is looked at again only
+/// where sums of moves are true costs and say that the first path is cheaper by more than the bar.
+bool worth_comparing(const Problem& problem, const Result& result) {
+  if (result.status == Status::collapsed || result.path.u.size() == 0) return false;
+  const CostEstimate& estimate = result.certificate.estimate;
+  if (result.status == Status::certified)
+    return moves_are_exact(problem) && result.initial_cost < (estimate.value - estimate.error) * (1 - kCheaperPart);
+  const bool obstacles = find_ability<ChecksMoves>(*problem.manifold) != nullptr;
+  if (result.status == Status::interrupted) return obstacles || result.curve.cost > result.initial_cost;
+  return true;
+}
+
+/// The first path where it is better than what the search came to.
+std::optional<Offer> better_offer(const Problem& given, const Result& result, const FindOptions& options,
+                                  const Deadline& deadline, Standing& searched) {
+  if (!worth_comparing(given, result)) return std::nullopt;
+  const Problem problem = as_solved(given, result.path);
+  std::optional<Offer> offer = best_offer(problem, result, options, deadline);
+  if (!offer) return std::nullopt;
+  searched = standing_of(problem, result, options, deadline);
+  if (!offer->standing.better_than(searched)) return std::nullopt;
+  return offer;
+}
+
+std::string why(const Offer& offer, const Standing& searched) {
+  std::string text = "delivered is the first path, of cost " + short_number(offer.curve.curve.cost, 9);
+  if (offer.standing.depth < searched.depth) {
+    text += offer.standing.depth > 0 ? ", which goes less deep into obstacles" : ", which is clear of the obstacles";
+    return text + ": the path that was searched from it goes " + short_number(searched.depth) + " too far into one";
+  }
+  return text + ": the path that was searched from it " +
+         (std::isfinite(searched.cost) ? "costs " + short_number(searched.cost, 9)
+                                       : std::string("is no curve on the domain"));
+}
+
+/// The certificate says what is measured of the delivered path, and why the other one was refused.
+void refuse(const Problem& problem, const Offer& offer, const Deadline& deadline, Result& result) {
+  Certificate refused;
+  refused.failures = std::move(result.certificate.failures);
+  for (CertificateFailure& failure : refused.failures)
+    failure.message = "of the path that was searched and is not delivered: " + failure.message;
+  if (result.status == Status::certified)
+    refused.failures.push_back({"dearer_than_first", "the locally least path costs more than the first path"});
+  refused.clearance = measure_clearance(*problem.manifold, offer.curve.curve.x, offer.curve.chain.ring, deadline);
+  refused.spacing = spread(offer.curve.curve_costs);
+  result.certificate = std::move(refused);
+  if (result.status == Status::certified) result.status = Status::uncertified;
+}
+
+}  // namespace
+
+bool moves_are_exact(const Problem& problem) {
+  if (find_ability<HasChart>(*problem.manifold) != nullptr) return false;
+  const ConstraintManifold* domain = problem.manifold.get();
+  while (domain != nullptr && domain->shape() != Shape::flat) domain = domain->decorated(typeid(void));
+  return domain != nullptr && problem.cost->traits().additive;
+}
+
+bool first_path_is_better(const Problem& problem, const Result& result, const FindOptions& options,
+                          const Deadline& deadline) {
+  Standing searched;
+  return better_offer(problem, result, options, deadline, searched).has_value();
+}
+
+Result never_worse(const Problem& problem, Result result, const FindOptions& options, const Deadline& deadline) {
+  try {
+    Standing searched;
+    std::optional<Offer> offer = better_offer(problem, result, options, deadline, searched);
+    if (!offer) return result;
+    refuse(problem, *offer, deadline, result);
+    result.notes.push_back(why(*offer, searched));
+    Eigen::VectorXd costs = offer->curve.curve_costs;
+    deliver(offer->curve, std::move(costs), result);
+    result.post_processed = true;
+  } catch (const std::exception&) {  // the clock, or a part that throws: what there is stays
+  }
+  return result;
+}
+
+}  // namespace leastcost

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+// What a search delivers is never dearer and never less clear than its first path, and has its own cost.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <leastcost/framework/clearance.hpp>
+#include <leastcost/framework/family.hpp>
+#include <leastcost/problems/obstacles/ball.hpp>
+#include <leastcost/problems/obstacles/free_space.hpp>
+#include "tests/support/catch.hpp"
+#include "tests/support/compose.hpp"
+
+namespace leastcost::test {
+namespace {
+
+using Eigen::Vector2d;
+
+/// A solver that fails, and leaves the points where they cost more: moved by `shift` times a bump along the path.
+class Spoiling final : public Solver {
+ public:
+  explicit Spoiling(double shift) : shift_(shift) {}
+  std::string_view name() const override { return "spoiling"; }
+
+ private:
+  SolveReport do_solve(PathEnergy&, CoordinatePath& path, const Monitor&) const override {
+    const Index last = path.u.cols() - 1;
+    for (Index i = 1; i < last; ++i) {
+      const double t = static_cast<double>(i) / static_cast<double>(last);
+      path.u(path.u.rows() - 1, i) += 4 * shift_ * t * (1 - t);
+    }
+    SolveReport report;
+    report.termination = Termination::non_finite;
+    report.history.resize(1);
+    return report;
+  }
+  double shift_;
+};
+
+Problem around_disc() {
+  auto domain = std::make_shared<const FreeSpace>(
+      space(2), std::vector<std::shared_ptr<const Obstacle>>{make_ball({Vector2d(0, 0), 1})}, 0);
+  return {std::move(domain), make_euclidean_cost(2), make_kernel<Expm1Square>(), {Vector2d(-2, 0)}, {Vector2d(2, 0)}};
+}
+
+/// A detour above the disc, of length 2 sqrt(4 + 6.25).
+WaypointsInitializer above(double y = 2.5) { return WaypointsInitializer(Vector2d(0, y)); }
+
+bool says_first(const Result& result) {
+  return std::any_of(result.notes.begin(), result.notes.end(), [](const std::string& note) {
+    return note.find("delivered is the first path") != std::string::npos;
+  });
+}
+
+}  // namespace
+
+TEST_CASE("never worse: a failed search delivers its first path where that is cheaper", "[framework]") {
+  const Problem problem = between(space(2), make_euclidean_cost(2), Vector2d(0, 0), Vector2d(1, 0));
+  const Result result = find(problem, 20, StraightInitializer(), Spoiling(0.7));
+  REQUIRE(result.status == Status::uncertified);
+  CHECK(says_first(result));
+  CHECK(result.curve.cost == Approx(1).margin(1e-12));
+  CHECK(result.costs.sum() == Approx(1).margin(1e-12));
+  CHECK(result.path.u.row(1).cwiseAbs().maxCoeff() == 0);
+  CHECK_FALSE(result.certificate.failures.empty());
+}
+
+TEST_CASE("never worse: a cheaper path within an obstacle gives way to a dearer clear one", "[framework]") {
+  const Problem problem = around_disc();
+  const int points = GENERATE(5, 20);
+  const Result result = find(problem, points, above(), Spoiling(-2.5));
+  CAPTURE(points, result.curve.cost);
+  REQUIRE(result.status == Status::uncertified);
+  CHECK(says_first(result));
+  const auto clearance = measure_clearance(*problem.manifold, result.path.u, false, {});
+  REQUIRE(clearance);
+  CHECK(clearance->lower >= 0);
+  CHECK(result.curve.cost <= 2 * std::sqrt(10.25) * (1 + 1e-9));
+  CHECK(result.costs.sum() == Approx(result.curve.cost));
+}
+
+TEST_CASE("never worse: a family ranks and delivers what its members deliver", "[framework]") {
+  const Problem problem = around_disc();
+  std::vector<FamilyStart> starts = {{"high", problem, std::make_shared<WaypointsInitializer>(above(3))},
+                                     {"low", problem, std::make_shared<WaypointsInitializer>(above(-2.5))}};
+  FindOptions options{.points = 20};
+  options.certificate.refine = 0;
+  const Family family = find_family(starts, Spoiling(-2.5), options);
+  REQUIRE_FALSE(family.members.empty());
+  const FamilyMember& first = family.members.front();
+  CHECK(first.rank_cost == Approx(first.result.curve.cost));
+  CHECK(measure_clearance(*problem.manifold, first.result.path.u, false, {})->lower >= 0);
+}
+
+TEST_CASE("never worse: what a search improves stays, certified or not", "[framework]") {
+  const Problem problem = around_disc();
+  const Result result = find(problem, 20, above(), Newton());
+  CHECK_FALSE(says_first(result));
+  CHECK(result.curve.cost < 2 * std::sqrt(10.25));
+}
+
+}  // namespace leastcost::test
