@@ -10,6 +10,7 @@
 #include <leastcost/framework/has_interfaces.hpp>
 #include "catalogue/output/json_numbers.hpp"
 #include "catalogue/run/run_origin.hpp"
+#include "problems/raster/raster_cells.hpp"
 
 namespace leastcost {
 namespace {
@@ -43,6 +44,8 @@ Json cost(const RunOutcome& run) {
   out["order"] = number(estimate.order);
   out["chain"] = number(result.costs.sum());
   out["curve"] = number(result.curve.cost);
+  if (const auto* map = find_ability<HasRasterCells>(*run.parts.problem.cost))
+    out["cells"] = number(map->cost_over_cells(result.curve.x));
   out["reference"] = number(result.reference_cost);
   return out;
 }

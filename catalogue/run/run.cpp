@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/catalogue/run/run.hpp>
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -15,6 +17,7 @@
 #include "catalogue/run/run_origin.hpp"
 #include "catalogue/run/search.hpp"
 #include "framework/point_text.hpp"
+#include "problems/raster/raster_cells.hpp"
 
 namespace leastcost {
 namespace {
@@ -119,6 +122,20 @@ void find(RunOutcome& outcome, const Monitor& monitor) {
   outcome.family = std::move(family.members);
   outcome.result = outcome.family.front().result;
   parts.problem = outcome.family.front().problem;  // its target may be another image of the same point
+}
+
+constexpr double kReadOtherwise = 0.02;  // of the cost: the cells and the map between them say different things
+
+/// Says so where the cells of a raster, each constant, make the path cost something else.
+void compare_with_cells(RunOutcome& outcome) {
+  const auto* map = find_ability<HasRasterCells>(*outcome.parts.problem.cost);
+  if (map == nullptr || outcome.result.curve.x.cols() < 2) return;
+  const double cost = outcome.result.curve.cost, cells = map->cost_over_cells(outcome.result.curve.x);
+  if (!std::isfinite(cost) || std::abs(cells - cost) <= kReadOtherwise * cost) return;
+  outcome.parts.notes.push_back(
+      fmt::format("this path costs {:.4g} where every cell of the raster is constant, and {:.4g} as the map is "
+                  "interpolated ('interpolation: bilinear' goes through the values, 'smooth' evens them out)",
+                  cells, cost));
 }
 
 /// An end that the caller has replaced is where he put it.
@@ -238,6 +255,7 @@ RunOutcome solve(Run run, const Monitor& monitor) {
   outcome.result.seconds.prepare += prepared;
   outcome.seconds.search = seconds_since(start);
   place_waypoints(outcome);
+  compare_with_cells(outcome);
   outcome.finished = std::chrono::system_clock::now();
   return outcome;
 }

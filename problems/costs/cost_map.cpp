@@ -14,6 +14,7 @@
 #include <leastcost/problems/raster/has_voids.hpp>
 #include "problems/costs/raster_density.hpp"
 #include "problems/raster/has_cell_index.hpp"
+#include "problems/raster/raster_cells.hpp"
 
 namespace leastcost {
 namespace {
@@ -83,16 +84,20 @@ template <int D>
 class CostMapCost final : public SegmentCostOf<CostMap<D>>,
                           public HasCellIndex,
                           public CostDensity,
+                          public HasRasterCells,
                           public HasVoids,
                           public IsGeographic {
  public:
-  CostMapCost(std::shared_ptr<const RasterFunction> n, RasterGrid place)
-      : SegmentCostOf<CostMap<D>>(CostMap<D>{n}), n_(std::move(n)), place_(std::move(place)) {}
-  Eigen::Vector2d longitude_latitude(const Eigen::VectorXd& u) const override {
-    return place_.longitude_latitude(u.head<2>());
+  CostMapCost(std::shared_ptr<const RasterFunction> n, RasterGrid values)
+      : SegmentCostOf<CostMap<D>>(CostMap<D>{n}), n_(std::move(n)), values_(std::move(values)) {}
+  double cost_over_cells(const Eigen::Ref<const Eigen::MatrixXd>& curve) const override {
+    return leastcost::cost_over_cells(values_, curve);
   }
-  std::string place_note() const override { return place_.place_note(); }
-  Eigen::VectorXd coordinates_of(const Eigen::Vector2d& lonlat) const override { return place_.place_of(lonlat); }
+  Eigen::Vector2d longitude_latitude(const Eigen::VectorXd& u) const override {
+    return values_.longitude_latitude(u.head<2>());
+  }
+  std::string place_note() const override { return values_.place_note(); }
+  Eigen::VectorXd coordinates_of(const Eigen::Vector2d& lonlat) const override { return values_.place_of(lonlat); }
   const RasterPatches& patches() const override { return n_->patches(); }
   const RasterPatches& known_patches() const override { return n_->patches(); }
   PatchBounds bounds(const RasterPatch& patch) const override { return n_->bounds(patch); }
@@ -105,7 +110,7 @@ class CostMapCost final : public SegmentCostOf<CostMap<D>>,
   bool is_geographic() const override { return D == 2 && place_.on_earth(); }
 
   std::shared_ptr<const RasterFunction> n_;
-  RasterGrid place_;  // without its values
+  RasterGrid values_;  // without its values
 };
 
 void check_positive(const RasterGrid& values) {
@@ -144,8 +149,8 @@ std::shared_ptr<const SegmentCost> make_cost_map(const RasterGrid& values, CostM
     n = std::make_shared<const BilinearFunction>(values);
   else
     n = std::make_shared<const SplineFunction>(SplineFunction::near(values));
-  if (dim == 2) return std::make_shared<const CostMapCost<2>>(std::move(n), values.without_values());
-  return std::make_shared<const CostMapCost<3>>(std::move(n), values.without_values());
+  if (dim == 2) return std::make_shared<const CostMapCost<2>>(std::move(n), values);
+  return std::make_shared<const CostMapCost<3>>(std::move(n), values);
 }
 
 }  // namespace leastcost
