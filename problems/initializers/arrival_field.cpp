@@ -38,8 +38,8 @@ LeastOnEdge least_on_edge(double a, double b, const std::array<double, 3>& c) {
 
 }  // namespace
 
-ArrivalField::ArrivalField(const Problem& problem, const MoveCheck& moves, const LatticeBox& box, int cells, bool exact,
-                           const std::function<bool()>& stop)
+ArrivalField::ArrivalField(const Problem& problem, const MoveCheck& moves, const LatticeBox& box, int cells,
+                           const Way& how, const std::function<bool()>& stop)
     : problem_(problem), moves_(moves) {
   lay(box, cells);
   if (!how.exact) {
