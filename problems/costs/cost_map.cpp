@@ -107,7 +107,7 @@ class CostMapCost final : public SegmentCostOf<CostMap<D>>,
   DensityEnclosure enclose_density(const Eigen::AlignedBox2d& cell) const override { return enclose_over(*n_, cell); }
 
  private:
-  bool is_geographic() const override { return D == 2 && place_.on_earth(); }
+  bool is_geographic() const override { return D == 2 && values_.on_earth(); }
 
   std::shared_ptr<const RasterFunction> n_;
   RasterGrid values_;  // without its values
