@@ -87,7 +87,7 @@ std::string end_of_search(const ExactDistances& found, const DistancesArguments&
   if (found.out_of_windows)
     return fmt::format("stopped after {0} windows (--max-windows {1} lets it go on)", *arguments.max_windows,
                        2 * *arguments.max_windows);
-  if (!found.complete && !found.blocked)
+  if (found.stopped)
     return fmt::format("stopped after {0:.4g} s (--max-seconds {1:.4g} lets it go on)", *arguments.max_seconds,
                        2 * *arguments.max_seconds);
   return "";

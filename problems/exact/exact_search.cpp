@@ -171,9 +171,10 @@ ExactDistances ExactSearch::distances(std::span<const SurfacePoint> sources, Wor
   all.windows = run.windows();
   all.seen_to = run.seen_to();
   all.blocked = run.blocked();
-  all.complete = !run.stopped() && !all.blocked;
+  all.stopped = run.stopped();
+  all.complete = !all.stopped && !all.blocked;
   all.out_of_memory = run.out_of_memory();
-  all.out_of_windows = run.stopped() && !all.out_of_memory && run.windows() > options.max_windows;
+  all.out_of_windows = all.stopped && !all.out_of_memory && run.windows() > options.max_windows;
   for (std::int32_t v = 0; v < edges.mesh().vertex_count(); ++v) {
     const VertexReach& reach = run.reached(v);
     const bool asked_for = reach.at_least <= limits.upper;  // what lies beyond was met by chance

@@ -63,6 +63,7 @@ struct ExactDistances {
   std::int64_t windows = 0;
   /// Every path that is shorter was seen: what is nearer is as exact as rounding lets it be. Infinite: all is known.
   double seen_to = std::numeric_limits<double>::infinity();
+  bool stopped = false;         ///< by a budget or a request
   bool complete = true;         ///< false: stopped, or paths run where nothing can be unfolded
   bool blocked = false;         ///< that paths run over a face without height
   bool out_of_memory = false;   ///< stopped by max_memory

@@ -48,7 +48,9 @@ bool is_too_long(double seconds, const Deadline& end) {
 /// Why a proof came to no end, and what would take it on.
 std::string reason_of(const ExactResult& found, const GlobalBudget& budget) {
   if (found.outcome != ExactOutcome::bounded) return found.reason;
-  if (found.out_of_memory) return "the windows would take more than 1.8 GB of memory";
+  if (found.out_of_memory)
+    return "the windows would take more than 1.8 GB of memory (certificate: {global: {max_windows: ..}} above " +
+           std::to_string(kMostWindows) + " lets them take more)";
   if (found.windows > *budget.max_windows)
     return "its budget of " + std::to_string(*budget.max_windows) +
            " windows is spent (certificate: {global: {max_windows: ..}} raises it)";
@@ -110,6 +112,7 @@ PostProcessed ShortestPostProcessor::apply(const Problem& problem, const FirstPa
   const std::vector<SurfacePoint> points = surface_points(mesh, current.chain);
   options.tolerance = budget.tolerance;
   options.max_windows = *budget.max_windows;
+  if (options.max_windows > kMostWindows) options.max_memory = std::numeric_limits<double>::infinity();
   options.start = &start;
   ExactSearch::Workspace workspace = kept->borrow();
   ExactResult found = kept->search().shortest(points.front(), points.back(), workspace, options);
