@@ -165,7 +165,9 @@ EstimatedCost estimate_from_levels(const Problem& problem, PathEnergy& energy, c
 EstimatedCost estimate_cost(const Problem& problem, PathEnergy& energy, const CoordinatePath& chain,
                             const Refinement& refinement, const PathIndex& index, bool hugs_bound) {
   EstimatedCost out = estimate_from_levels(problem, energy, chain, refinement, index, hugs_bound);
-  out.estimate.error = std::max(out.estimate.error, rounding_of_costs(problem, energy, chain));
+  const double rounding = std::max(rounding_of_costs(problem, energy, chain),
+                                   rounding_of_ends(problem, chain) * std::abs(out.estimate.value));
+  out.estimate.error = std::max(out.estimate.error, rounding);
   return out;
 }
 

@@ -116,6 +116,20 @@ bool saves_finer_too(const Problem& problem, const CheaperImage& best, const Mon
   return given - there > std::max(doubt, kCheaper * given);
 }
 
+/// Between opposite meridians the straight line round a pole may be solved to the way over it, with a kink in the chart
+/// there: the line over the pole is that way at once.
+std::optional<CheaperImage> straight_over_pole(const Problem& problem, const std::vector<TriedImage>& tried,
+                                               double given, const Monitor& monitor) {
+  constexpr double kMuchCheaper = 0.9, kNearlyThere = 1.001;
+  const auto* chart = find_ability<HasChart>(*problem.manifold);
+  if (chart == nullptr || chart->poles().size() != 2) return std::nullopt;
+  const TriedImage& over = tried.front();
+  if (!(over.cost < kMuchCheaper * straight_start_cost(problem, monitor.deadline))) return std::nullopt;
+  const double solved = solved_cost(ending_at(problem, over.image.u), monitor);
+  if (!(solved <= (1 + kCheaper) * given && over.cost <= kNearlyThere * solved)) return std::nullopt;
+  return CheaperImage{over.image, solved, given, tried.size()};
+}
+
 std::string named(const PointImage& image) { return point_text(image.u) + ", " + image.where; }
 
 }  // namespace
@@ -164,7 +178,7 @@ std::optional<CheaperImage> find_cheaper_image(const Problem& problem, const Mon
   const double given = solved_cost(problem, monitor);
   std::optional<CheaperImage> best = best_of(problem, tried, given, kCheaper, monitor);
   if (best && best->cost > (1 - kCoarseSaving) * given && !saves_finer_too(problem, *best, monitor)) best.reset();
-  return best;
+  return best ? best : straight_over_pole(problem, tried, given, monitor);
 }
 
 std::string cheaper_image(const Problem& problem, double cost, const Monitor& monitor) {

@@ -210,7 +210,10 @@ void take_cheapest_image(const RunConfig& config, const std::shared_ptr<const Co
   if (!best) return;
   problem.target.u = out.target.end.u = best->image.u;
   const std::string instead = std::isfinite(best->given) ? fmt::format(", not {:.9g}", best->given) : "";
+  constexpr double kWorthSaying = 1e-6;
+  if (best->cost >= (1 - kWorthSaying) * best->given) return;
   if (!best->image.way.empty()) {
+    if (!std::isfinite(best->given)) return;  // as of ends at a pole, whose longitude says nothing
     out.notes.push_back(
         fmt::format("the path goes {}: that costs about {:.9g}{}", best->image.way, best->cost, instead));
     return;
