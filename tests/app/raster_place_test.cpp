@@ -53,11 +53,12 @@ bool has_raster_note(const RunOutcome& run, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("cells without data are obstacles of terrains, without a word about them") {
+TEST_CASE("cells without data are obstacles of terrains and cost maps, without a word about them") {
   const ScratchDir dir;
   for (const char* nodata : {"nan", "-9999"}) {
     write_bay(dir / "bay.asc", nodata);
-    for (const char* parts : {"manifold: {type: terrain, file: bay.asc}\ncost: euclidean\n"}) {
+    for (const char* parts : {"manifold: {type: terrain, file: bay.asc}\ncost: euclidean\n",
+                              "manifold: {type: euclidean, dimension: 2}\ncost: {type: cost_map, file: bay.asc}\n"}) {
       const RunOutcome run = solved_bay(std::string(parts) + kBayEnds, dir.path());
       INFO(parts);
       CHECK(run.result.status == Status::certified);
