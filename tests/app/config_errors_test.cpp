@@ -127,7 +127,8 @@ TEST_CASE("config errors: what constructors refuse stands at its option") {
   const std::string ends = "\nends: {source: {point: [0, 0]}, target: {point: [1, 1]}}\n";
   const std::string box =
       errors_of("manifold: {type: euclidean, dimension: 2, lower: [0, 0, 0]}\ncost: euclidean" + ends);
-  CHECK_THAT(box, Contains("a.yaml:1:50: error: 'lower' in manifold: 3 numbers, the space has dimension 2; write `dimension: 3` for it\n"));
+  CHECK_THAT(box, Contains("a.yaml:1:50: error: 'lower' in manifold: 3 numbers, the space has dimension 2; write "
+                           "`dimension: 3` for it\n"));
   const std::string indefinite =
       errors_of("manifold: euclidean\ncost: {type: metric_tensor, matrix: [[1, 0], [0, -1]]}" + ends);
   CHECK_THAT(indefinite, Contains("a.yaml:2:37: error: 'matrix' in cost: "));

@@ -101,10 +101,10 @@ TEST_CASE("longitude and latitude where nothing is known of the Earth are refuse
              Contains("'lonlat' in ends.source") && Contains("degrees: true") && Contains("GDAL"));
   CHECK(solved_bay("manifold: earth\ncost: euclidean\npath: {points: 10}\n" + ends, dir.path()).result.status ==
         Status::certified);
-  CHECK_THAT(
-      refusal_of_run("manifold: earth\ncost: euclidean\nends: {source: {lonlat: [47, 147]}, target: {lonlat: [8, 47]}}\n",
-              dir.path()),
-      Contains("longitude comes first"));
+  CHECK_THAT(refusal_of_run(
+                 "manifold: earth\ncost: euclidean\nends: {source: {lonlat: [47, 147]}, target: {lonlat: [8, 47]}}\n",
+                 dir.path()),
+             Contains("longitude comes first"));
 }
 
 }  // namespace leastcost::test
