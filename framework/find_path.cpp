@@ -486,14 +486,15 @@ Result improve_path(const Problem& problem, const CoordinatePath& chain, const S
   const auto start = Monitor::Clock::now();
   Problem named = problem;
   if (!options.target_as_given && chain.u.cols() > 0) name_target_near(chain.u.rightCols(1), named);
-  Result found = search_from(named, chain, solver, options, monitor);
+  Result found = Search(named, solver, options, monitor).from(chain);
   found = refine_until_certified(named, std::move(found), solver, options, monitor);
   return never_worse(named, std::move(found), options, last_words(monitor.deadline, start, 2));
 }
 
 Result search_from(const Problem& problem, const CoordinatePath& chain, const Solver& solver,
                    const FindOptions& options, const Monitor& monitor) {
-  return Search(problem, solver, options, monitor).from(chain);
+  Problem named = problem;
+  return Search(named, solver, options, monitor).from(chain);
 }
 
 void prepare(const Problem& problem) {
