@@ -27,14 +27,16 @@ namespace {
 
 constexpr double kCheaperPart = 1e-8;  ///< relative: what costs measured in two ways may differ by
 
-/// What decides between two paths: first how deep in obstacles (0: clear), then the cost of a curve on the domain.
+/// What decides between two paths: first how deep in obstacles (0: clear), then the cost. Of a curve on the domain and of
+/// the moves between its points: where points are too few to see all of the cost, one of them alone says little.
 struct Standing {
   double depth = 0;
   double cost = std::numeric_limits<double>::infinity();
+  double moves = std::numeric_limits<double>::infinity();
 
   bool better_than(const Standing& other) const {
     if (depth != other.depth) return depth < other.depth;
-    return cost < other.cost * (1 - kCheaperPart);
+    return cost < other.cost * (1 - kCheaperPart) && moves < other.moves * (1 - kCheaperPart);
   }
 };
 
@@ -69,8 +71,10 @@ Standing standing_of(const Problem& problem, const Result& result, const FindOpt
   bare.path = result.path;
   bare.curve = result.curve;
   const bool known = std::isfinite(result.curve.cost) && !moves_are_exact(problem);
-  return {depth_of(problem, result.path, result.curve.x, options, deadline),
-          known ? feasible_cost(problem, bare, deadline) : result.curve.cost};
+  const double cost = known ? feasible_cost(problem, bare, deadline) : result.curve.cost;
+  const bool mesh = problem.manifold->shape() == Shape::polyhedral;
+  return {depth_of(problem, result.path, result.curve.x, options, deadline), cost,
+          mesh ? cost : PathEnergy(problem, 1, deadline).cost(result.path)};
 }
 
 /// The points of a first path as its method found them, each once.

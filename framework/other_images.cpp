@@ -142,6 +142,7 @@ Eigen::VectorXd nearest_name(const Problem& problem, const Eigen::VectorXd& x, c
 void name_target_near(const Eigen::VectorXd& reference, Problem& problem) {
   if (problem.ring || problem.based || problem.manifold == nullptr) return;
   if (problem.target.u.size() != problem.manifold->dimensions().coordinate) return;  // check() says so
+  if (problem.source.u.size() != problem.target.u.size()) return;
   const Eigen::VectorXd name = nearest_name(problem, problem.target.u, reference);
   if (name != problem.source.u) problem.target.u = name;
 }
