@@ -164,6 +164,12 @@ void refuse(const Problem& problem, const Offer& offer, const Deadline& deadline
     refused.failures.push_back({"dearer_than_first", "the locally least path costs more than the first path"});
   refused.clearance = measure_clearance(*problem.manifold, offer.curve.curve.x, offer.curve.chain.ring, deadline);
   refused.spacing = spread(offer.curve.curve_costs);
+  if (std::optional<GlobalBound>& bound = result.certificate.global) {  // of all paths, so of this one too
+    bound->gap = std::max(0.0, 1 - bound->lower_bound / offer.curve.curve.cost);
+    if (bound->proved) bound->outcome = "bounded";
+    bound->proved = false;
+    refused.global = std::move(bound);
+  }
   result.certificate = std::move(refused);
   if (result.status == Status::certified) result.status = Status::uncertified;
 }
