@@ -84,9 +84,19 @@ Json kind_json(const PluginKind& kind) {
   return out;
 }
 
+/// What a default is chosen for that may take a while, and how to do without it; else nothing.
+std::string word_on_default(const LoadedConfig& loaded) {
+  const PluginChoice& first = loaded.config.initializer;
+  if (!first || first.plugin->type != "eikonal" || loaded.tree.find("initializer") != nullptr) return "";
+  return "  first path: from a field over the two coordinates, which sees the ways on all sides (initializer: "
+         "eikonal);\n"
+         "  'initializer: straight' begins with the straight line\n";
+}
+
 /// The errors of a configuration or a study. An unreadable file is one more error, so that the other files get their
-/// turn.
-Diagnostics errors_in(const std::string& file, const std::vector<Override>& overrides, bool& readable) {
+/// turn. `word`: what to say beside it.
+Diagnostics errors_in(const std::string& file, const std::vector<Override>& overrides, bool& readable,
+                      std::string& word) {
   try {
     const ConfigText source = config_source(file);
     if (is_study(source.text)) {
@@ -96,6 +106,7 @@ Diagnostics errors_in(const std::string& file, const std::vector<Override>& over
     }
     LoadedConfig loaded = parse_config(source.text, source.name, source.folder, overrides);
     if (loaded.errors.empty()) check_parts(loaded);
+    word = word_on_default(loaded);
     return loaded.errors;
   } catch (const InputError& e) {
     readable = false;
@@ -112,12 +123,13 @@ Exit validate_command(const std::vector<std::string>& files, const std::vector<O
   Json report = Json::array();
   bool all_valid = true, all_readable = true;
   for (const std::string& file : files) {
-    const Diagnostics errors = errors_in(file, overrides, all_readable);
+    std::string word;
+    const Diagnostics errors = errors_in(file, overrides, all_readable, word);
     const bool valid = errors.empty();
     all_valid = all_valid && valid;
     report.push_back({{"file", file}, {"valid", valid}, {"errors", diagnostics_json(errors)}});
     if (!valid) streams.err << errors.render(streams.color) << errors.count() << '\n';
-    if (valid && !json) streams.out << file << ": valid\n";
+    if (valid && !json) streams.out << file << ": valid\n" << word;
   }
   if (json) streams.out << to_text({{"valid", all_valid}, {"files", report}});
   if (!all_readable) return Exit::input;

@@ -36,22 +36,18 @@ LeastOnEdge least_on_edge(double a, double b, const std::array<double, 3>& c) {
   return inner < best.cost ? LeastOnEdge{inner, t} : best;
 }
 
-InitializationError lost() {
-  return InitializationError(
-      "eikonal: the target is reached, but the way back is lost between the nodes: more cells may show it");
-}
-
 }  // namespace
 
-ArrivalField::ArrivalField(const Problem& problem, const MoveCheck& moves, const LatticeBox& box, int cells, bool exact,
-                           const std::function<bool()>& stop)
+ArrivalField::ArrivalField(const Problem& problem, const MoveCheck& moves, const LatticeBox& box, int cells,
+                           const Way& how, const std::function<bool()>& stop)
     : problem_(problem), moves_(moves) {
   lay(box, cells);
-  if (!exact) {
+  if (!how.exact) {
     Eigen::Matrix2Xd u(2, static_cast<Eigen::Index>(arrivals_.size()));
     for (std::int32_t node = 0; node < static_cast<std::int32_t>(arrivals_.size()); ++node)
       u.col(node) = coordinates({node, node, 0});
     node_moves_.emplace(problem, u, step_);
+    keep_off(how.margin);
     mark_doubtful();
   }
   spread(stop);
@@ -80,18 +76,37 @@ void ArrivalField::lay(const LatticeBox& box, int cells) {
   ends_.resize(x_.rows(), 2);
 }
 
-void ArrivalField::mark_doubtful() {
-  doubtful_.assign(arrivals_.size(), 0);
+template <class Visit>
+void ArrivalField::beside_blocked(int reach, const Visit& visit) const {
   if (!node_moves_->any_blocked()) return;
   for (std::int32_t node = 0; node < static_cast<std::int32_t>(arrivals_.size()); ++node) {
     if (!node_moves_->blocked(node)) continue;
     const std::array<std::int32_t, 3> at = lattice_.place(node);
-    for (const auto& [di, dj] : kRing) {
-      const std::int32_t i = at[0] + di, j = at[1] + dj;
-      if (i >= 0 && j >= 0 && i < lattice_.count[0] && j < lattice_.count[1])
-        doubtful_[static_cast<std::size_t>(lattice_.number({i, j, 0}))] = 1;
-    }
+    for (std::int32_t j = std::max(at[1] - reach, 0); j <= std::min(at[1] + reach, lattice_.count[1] - 1); ++j)
+      for (std::int32_t i = std::max(at[0] - reach, 0); i <= std::min(at[0] + reach, lattice_.count[0] - 1); ++i)
+        visit(i, j);
   }
+}
+
+void ArrivalField::keep_off(int margin) {
+  if (margin == 0) return;
+  const Window near_source = around(problem_.source.u, margin + kEndReach),
+               near_target = around(problem_.target.u, margin + kEndReach);
+  const auto in = [](const Window& w, std::int32_t i, std::int32_t j) {
+    return i >= w.low[0] && i <= w.high[0] && j >= w.low[1] && j <= w.high[1];
+  };
+  std::vector<std::int32_t> left_out;
+  beside_blocked(margin, [&](std::int32_t i, std::int32_t j) {
+    if (!in(near_source, i, j) && !in(near_target, i, j)) left_out.push_back(lattice_.number({i, j, 0}));
+  });
+  for (const std::int32_t node : left_out) node_moves_->block(node);
+}
+
+void ArrivalField::mark_doubtful() {
+  doubtful_.assign(arrivals_.size(), 0);
+  beside_blocked(1, [&](std::int32_t i, std::int32_t j) {
+    doubtful_[static_cast<std::size_t>(lattice_.number({i, j, 0}))] = 1;
+  });
 }
 
 /// As Dijkstra, but that a node is worked off again when it becomes cheaper. When all is done there are leaps to what
@@ -297,72 +312,8 @@ ArrivalField::Window ArrivalField::around(const Eigen::Vector2d& u, int reach) c
   return window;
 }
 
-/// The nodes of the cells that have an edge in common.
-ArrivalField::Window ArrivalField::cells_beside(const Place& edge) const {
-  const std::array<std::int32_t, 3> a = lattice_.place(edge.a), b = lattice_.place(edge.b);
-  Window window{};
-  for (std::size_t d = 0; d < 2; ++d) {
-    const std::int32_t beside = a[d] == b[d] ? 1 : 0;
-    window.low[d] = std::max(std::min(a[d], b[d]) - beside, 0);
-    window.high[d] = std::min(std::max(a[d], b[d]) + beside, lattice_.count[d] - 1);
-  }
-  return window;
-}
-
-std::vector<ArrivalField::Edge> ArrivalField::edges_in(const Window& window) const {
-  std::vector<Edge> edges;
-  for (std::int32_t j = window.low[1]; j <= window.high[1]; ++j)
-    for (std::int32_t i = window.low[0]; i <= window.high[0]; ++i) {
-      const std::int32_t node = lattice_.number({i, j, 0});
-      edges.push_back({node, i < window.high[0] ? lattice_.number({i + 1, j, 0}) : node});
-      edges.push_back({node, j < window.high[1] ? lattice_.number({i, j + 1, 0}) : node});
-      // Either end of an edge may be the only one that is known.
-      if (i > window.low[0]) edges.push_back({node, lattice_.number({i - 1, j, 0})});
-      if (j > window.low[1]) edges.push_back({node, lattice_.number({i, j - 1, 0})});
-    }
-  return edges;
-}
-
 std::optional<double> ArrivalField::arrival_cost() const {
   return at_target_.cost < kNever ? std::optional(at_target_.cost) : std::nullopt;
-}
-
-/// What comes before a place on the way. A node knows; within an edge it is the best place on another edge of the two
-/// cells beside it, or a node of the edge itself.
-ArrivalField::Place ArrivalField::before(const Place& place) const {
-  if (place.a == place.b || place.t <= 0) return arrivals_[static_cast<std::size_t>(place.a)].from;
-  if (place.t >= 1) return arrivals_[static_cast<std::size_t>(place.b)].from;
-  const Eigen::VectorXd x = position(place);
-  Arrival best;
-  const Window beside = cells_beside(place), start = around(problem_.source.u, 1);
-  const bool near = beside.low[0] >= start.low[0] - 1 && beside.high[0] <= start.high[0] + 1 &&
-                    beside.low[1] >= start.low[1] - 1 && beside.high[1] <= start.high[1] + 1;
-  if (near && moves_.clear(source_, x, kNever)) best.cost = move(source_, x);
-  // Places that cost less come first. Where a current leaves few directions there may be none between the nodes.
-  for (const double below : {cost(place), kNever}) {
-    for (const Edge& edge : edges_in(beside)) {
-      const bool same = std::min(edge.a, edge.b) == std::min(place.a, place.b) &&
-                        std::max(edge.a, edge.b) == std::max(place.a, place.b);
-      if (!same) try_edge(edge, x, best, below);
-    }
-    for (const std::int32_t node : {place.a, place.b}) {  // along the edge, which is clear
-      const double c = cost({node, node, 0}) + move(x_.col(node), x);
-      if (c < best.cost && cost({node, node, 0}) < below) best = {c, {node, node, 0}};
-    }
-    if (best.cost < kNever) return best.from;
-  }
-  throw lost();
-}
-
-std::vector<Eigen::Vector2d> ArrivalField::way() const {
-  std::vector<Eigen::Vector2d> way = {problem_.target.u};
-  for (Place place = at_target_.from; place.a >= 0; place = before(place)) {
-    way.push_back(coordinates(place));
-    if (way.size() > 2 * arrivals_.size()) throw lost();
-  }
-  way.emplace_back(problem_.source.u);
-  std::reverse(way.begin(), way.end());
-  return way;
 }
 
 }  // namespace leastcost

@@ -34,8 +34,14 @@ namespace leastcost {
 /// without a cost, at the ends and on the way back, or, when `exact`, everywhere.
 class ArrivalField {
  public:
+  /// How it is found. `margin`: so many nodes around those without a cost are left out too, but at the ends.
+  struct Way {
+    bool exact = false;
+    int margin = 0;
+  };
+
   /// A lattice of so many cells along the longest side of the box. Throws Interrupted.
-  ArrivalField(const Problem& problem, const MoveCheck& moves, const LatticeBox& box, int cells, bool exact,
+  ArrivalField(const Problem& problem, const MoveCheck& moves, const LatticeBox& box, int cells, const Way& how,
                const std::function<bool()>& stop);
 
   /// Nothing where the target is not reached.
@@ -44,6 +50,8 @@ class ArrivalField {
   /// cannot be followed back.
   std::vector<Eigen::Vector2d> way() const;
   const Lattice& lattice() const { return lattice_; }
+  /// Some nodes have no cost.
+  bool has_gaps() const { return node_moves_ && node_moves_->any_blocked(); }
 
  private:
   /// A point of an edge between two nodes, (1 - t) a + t b; a node where a = b.
@@ -74,6 +82,10 @@ class ArrivalField {
   void leap(std::int32_t node, Queue& queue);
   /// By its neighbour `by`, number k of its ring.
   bool improve(std::int32_t node, std::int32_t by, std::size_t k);
+  /// Visits the nodes in the box of so many around each that is blocked.
+  template <class Visit>
+  void beside_blocked(int reach, const Visit& visit) const;
+  void keep_off(int margin);
   void mark_doubtful();
   /// From a node near the target on to it; infinite elsewhere.
   double last_move(std::int32_t node) const;

@@ -14,6 +14,7 @@
 #include <leastcost/framework/path_energy.hpp>
 #include <leastcost/problems/initializers/grid.hpp>
 #include <leastcost/problems/initializers/straight.hpp>
+#include "framework/spacing.hpp"
 #include "problems/initializers/arrival_field.hpp"
 #include "problems/initializers/grid_search.hpp"
 #include "problems/initializers/lattice_box.hpp"
@@ -22,7 +23,7 @@
 namespace leastcost {
 namespace {
 
-constexpr int kFewestCells = 4, kMostCells = 2000, kCells = 100;
+constexpr int kFewestCells = 4, kMostCells = 2000, kCells = 100, kMostMargin = 16;
 
 std::string lattice_in_words(const Lattice& lattice) {
   std::ostringstream out;
@@ -44,7 +45,7 @@ void close_by_raster(LatticeBox& box, const Problem& problem) {
 
 /// Along the longest side: nodes on the values of a raster, and between them, as long as there are not too many.
 int cells_for(const LatticeBox& box, const Problem& problem, bool obstacles) {
-  constexpr double kMostParts = 16, kNodes = 160000, kMostNodes = 640000, kNodesAmongObstacles = 40000;
+  constexpr double kMostParts = 16, kNodes = 80000, kMostNodes = 640000, kNodesAmongObstacles = 40000;
   const auto* raster = find_ability<HasCellIndex>(*problem.cost);
   if (raster == nullptr) return kCells;
   const Eigen::Vector2d size = box.upper - box.lower;
@@ -57,20 +58,37 @@ int cells_for(const LatticeBox& box, const Problem& problem, bool obstacles) {
 }
 
 /// The way down a field. Throws InitializationError where there is none, or where it costs infinitely much.
-std::vector<Eigen::Vector2d> way_of(const ArrivalField& field, const Problem& problem) {
+CoordinatePath way_of(const ArrivalField& field, const Problem& problem) {
   if (!field.arrival_cost())
     throw InitializationError("eikonal: " + lattice_in_words(field.lattice()) +
                               ": no way arrives at the target. More cells may find a narrower one, a wider box "
                               "(lower, upper) one around");
-  std::vector<Eigen::Vector2d> way = field.way();
+  const std::vector<Eigen::Vector2d> way = field.way();
   CoordinatePath path{Points(2, static_cast<Index>(way.size())), {}, false};
   for (std::size_t k = 0; k < way.size(); ++k) path.u.col(static_cast<Index>(k)) = way[k];
   if (!std::isfinite(PathEnergy(problem, 1).cost(path)))
     throw InitializationError(
         "eikonal: " + lattice_in_words(field.lattice()) +
         ": the way found passes places without a cost between the nodes. More cells may see them");
-  return way;
+  return path;
 }
+
+/// Whether points on the path, as many as a run has by default, keep clear of places without a cost.
+bool can_be_sampled(const Problem& problem, const CoordinatePath& path) {
+  constexpr int kPoints = 64;
+  try {
+    sample_equally(problem, path, kPoints);
+    return true;
+  } catch (const InitializationError&) {
+    return false;
+  }
+}
+
+struct Found {
+  CoordinatePath path;
+  std::string lattice;
+  bool has_gaps = false;
+};
 
 /// Cost of a path in many pieces: that of a long move may be far from that of the curve.
 double cost_in_pieces(const Problem& problem, const CoordinatePath& path) {
@@ -153,22 +171,28 @@ FirstPath EikonalInitializer::down_the_field(const Problem& problem, const Monit
     if ((end->u.array() < box.lower.array()).any() || (end->u.array() > box.upper.array()).any())
       throw InitializationError("eikonal: an end lies outside the box that is searched: widen lower and upper");
   const int cells = options_.cells.value_or(cells_for(box, problem, moves.among_obstacles()));
-  const auto search = [&](int count, bool exact) {
-    const ArrivalField field(problem, moves, box, count, exact, [&monitor] { return monitor.interrupted(); });
-    return std::pair(way_of(field, problem), "eikonal: " + lattice_in_words(field.lattice()));
+  const auto search = [&](int count, const ArrivalField::Way& how) {
+    const ArrivalField field(problem, moves, box, count, how, [&monitor] { return monitor.interrupted(); });
+    return Found{way_of(field, problem), "eikonal: " + lattice_in_words(field.lattice()), field.has_gaps()};
   };
   // The field of line elements may miss what lies between its nodes: then each move is asked for, on fewer cells.
-  const auto [way, lattice] = [&] {
+  Found found;
+  try {
+    found = search(cells, {});
+  } catch (const InitializationError&) {
+    found = search(std::min(cells, options_.cells.value_or(kCells)), {.exact = true});
+  }
+  // Points sampled on the way cut its corners: further off places without a cost they may.
+  for (int margin = 1; found.has_gaps && margin <= kMostMargin && !can_be_sampled(problem, found.path); margin *= 2) {
     try {
-      return search(cells, false);
-    } catch (const InitializationError&) {
-      return search(std::min(cells, options_.cells.value_or(kCells)), true);
+      Found wider = search(cells, {.margin = margin});
+      if (can_be_sampled(problem, wider.path)) found = std::move(wider);
+    } catch (const InitializationError&) {  // too narrow
     }
-  }();
+  }
   FirstPath first;
-  first.notes.push_back(lattice);
-  first.path.u.resize(2, static_cast<Index>(way.size()));
-  for (std::size_t k = 0; k < way.size(); ++k) first.path.u.col(static_cast<Index>(k)) = way[k];
+  first.notes.push_back(found.lattice);
+  first.path = std::move(found.path);
   pin_ends(problem, first.path);
   return first;
 }

@@ -35,6 +35,7 @@ class NodeMoves {
   bool isotropic() const { return tables_.empty(); }
   /// No move leads there.
   bool blocked(std::int32_t node) const { return blocked_[static_cast<std::size_t>(node)] != 0; }
+  void block(std::int32_t node) { blocked_[static_cast<std::size_t>(node)] = 1; }
   /// Some node is blocked.
   bool any_blocked() const { return any_blocked_; }
 

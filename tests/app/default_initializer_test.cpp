@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+// The first path that a run takes when none is asked for: one that can work, for every domain, cost and obstacle, as
+// the table in docs/domains.md says.
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <leastcost/catalogue/catalogue.hpp>
+#include "tests/app/called.hpp"
+#include "tests/app/config_text.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/data.hpp"
+
+namespace leastcost::test {
+namespace {
+
+struct Cell {
+  std::string domain, cost, obstacles, initializer;
+};
+
+const std::string kBox = "{type: euclidean, lower: [-3, -3], upper: [3, 3]}", kPlaneDomain = "{type: euclidean}",
+                  kSpace = "{type: euclidean, dimension: 3}", kTorus = "{type: parametric, surface: {type: torus}}",
+                  kSphere = "{type: implicit, surface: sphere}", kTerrain = "{type: terrain, file: data/hills.asc}";
+const std::string kIndex = "{type: refractive_index, index: {type: formula, n: \"1 + 2 * exp(-x^2 - y^2)\"}}",
+                  kMetric = "{type: metric_field, field: {type: formula, entries: [\"1 + x^2\", \"0\", \"1\"]}}",
+                  kWind = "{type: zermelo, speed: 1, flow: {type: formula, velocity: [\"-y / 9\", \"0\"]}}",
+                  kFormula = "{type: formula, lagrangian: \"(1 + x^2 / 9) * sqrt(vx^2 + vy^2)\"}",
+                  kWalking = "{type: walking, law: {type: tobler, unit: min}}";
+const std::string kDisc = "[{type: ball, center: [0, 0.3], radius: 0.5}]",
+                  kBall = "[{type: ball, center: [0, 0, 1], radius: 0.3}]",
+                  kBallOnTorus = "[{type: ball, center: [3, 0, 0], radius: 0.2}]",
+                  kField = "[{type: polygon, corners: [[600, 300], [700, 300], [700, 800], [600, 800]]}]";
+
+std::vector<Cell> cells() {
+  std::vector<Cell> all = {{kPlaneDomain, "euclidean", "", "straight"},
+                           {kSpace, "euclidean", "", "straight"},
+                           {kBox, "euclidean", "", "straight"},
+                           {kBox, "euclidean", kDisc, "grid"},
+                           {kSpace, "euclidean", kBall, "rrt"},
+                           {kTorus, "euclidean", "", "straight"},
+                           {kTorus, "euclidean", kBallOnTorus, "eikonal"},
+                           {kSphere, "euclidean", "", "straight"},
+                           {kSphere, "euclidean", kBall, "rrt"},
+                           {kTerrain, "euclidean", "", "dijkstra"},
+                           {kTerrain, "euclidean", kField, "eikonal"},
+                           {kTerrain, kWalking, "", "eikonal"},
+                           {kTerrain, kWalking, kField, "eikonal"}};
+  for (const std::string& cost : {kIndex, kMetric, kWind, kFormula})
+    for (const std::string& obstacles : {std::string(), kDisc}) all.push_back({kBox, cost, obstacles, "eikonal"});
+  return all;
+}
+
+std::string ends_of(const Cell& cell) {
+  const auto between = [](const char* a, const char* b) {
+    return std::string("ends: {source: {point: ") + a + "}, target: {point: " + b + "}}\n";
+  };
+  if (cell.domain == kTerrain) return between("[300, 500]", "[1000, 600]");
+  if (cell.domain == kTorus) return between("[-0.6, 0.1]", "[0.6, -0.1]");
+  if (cell.domain == kSphere) return between("[1, 0, 0]", "[0, 1, 0]");
+  return cell.domain == kSpace ? between("[-1, 0, 0]", "[1, 0.5, 0]") : between("[-2, 0.1]", "[2, -0.1]");
+}
+
+}  // namespace
+
+TEST_CASE("default initializer: every cell of the table makes a first path") {
+  for (const Cell& cell : cells()) {
+    std::string text = "manifold: " + cell.domain + "\ncost: " + cell.cost + "\n" + ends_of(cell);
+    if (!cell.obstacles.empty()) text += "obstacles: " + cell.obstacles + "\n";
+    if (cell.obstacles == kField) text += "clearance: 10\n";
+    CAPTURE(text);
+    const Run run = parse_run(text, "a.yaml", project_dir() / "configs");
+    CHECK(run.parts.initializer->name() == cell.initializer);
+    CHECK(run.parts.initializer->first_path(run.parts.problem, {}).path.u.cols() >= 2);
+  }
+}
+
+TEST_CASE("default initializer: of equal ways around a dear square, not through it; validate says where from") {
+  const ScratchDir dir;
+  std::ofstream(dir / "hill.csv") << "1,1,1,1,1,1,1\n1,1,1,1,1,1,1\n1,1,9,9,9,1,1\n1,1,9,9,9,1,1\n1,1,9,9,9,1,1\n"
+                                     "1,1,1,1,1,1,1\n1,1,1,1,1,1,1\n";
+  const std::string text =
+      "manifold: {type: euclidean, lower: [0.5, 0.5], upper: [6.5, 6.5]}\ncost: {type: cost_map, file: hill.csv}\n"
+      "ends: {source: {point: [3.5, 6]}, target: {point: [3.5, 1]}}\n";
+  const RunOutcome outcome = solve(parse_run(text, "a.yaml", dir.path()));
+  CHECK(outcome.result.curve.cost == Approx(9.70019125).epsilon(1e-6));
+  const std::string file = (dir / "a.yaml").string();
+  std::ofstream(file) << text;
+  CHECK_THAT(call({"validate", file}).out, Catch::Contains("initializer: eikonal"));
+  std::ofstream(file, std::ios::app) << "initializer: straight\n";
+  CHECK(call({"validate", file}).out == file + ": valid\n");
+}
+
+}  // namespace leastcost::test
