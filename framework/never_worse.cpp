@@ -27,8 +27,8 @@ namespace {
 
 constexpr double kCheaperPart = 1e-8;  ///< relative: what costs measured in two ways may differ by
 
-/// What decides between two paths: first how deep in obstacles (0: clear), then the cost. Of a curve on the domain and of
-/// the moves between its points: where points are too few to see all of the cost, one of them alone says little.
+/// What decides between two paths: first how deep in obstacles (0: clear), then the cost. Of a curve on the domain and
+/// of the moves between its points: where points are too few to see all of the cost, one of them alone says little.
 struct Standing {
   double depth = 0;
   double cost = std::numeric_limits<double>::infinity();

@@ -52,6 +52,8 @@ class ArrivalField {
   const Lattice& lattice() const { return lattice_; }
   /// Some nodes have no cost.
   bool has_gaps() const { return node_moves_ && node_moves_->any_blocked(); }
+  /// Some nodes can be left in some directions only.
+  bool is_carried() const { return node_moves_ && node_moves_->any_carried(); }
 
  private:
   /// A point of an edge between two nodes, (1 - t) a + t b; a node where a = b.

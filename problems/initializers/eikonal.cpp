@@ -87,7 +87,7 @@ bool can_be_sampled(const Problem& problem, const CoordinatePath& path) {
 struct Found {
   CoordinatePath path;
   std::string lattice;
-  bool has_gaps = false;
+  bool has_gaps = false, is_carried = false;
 };
 
 /// Cost of a path in many pieces: that of a long move may be far from that of the curve.
@@ -173,15 +173,18 @@ FirstPath EikonalInitializer::down_the_field(const Problem& problem, const Monit
   const int cells = options_.cells.value_or(cells_for(box, problem, moves.among_obstacles()));
   const auto search = [&](int count, const ArrivalField::Way& how) {
     const ArrivalField field(problem, moves, box, count, how, [&monitor] { return monitor.interrupted(); });
-    return Found{way_of(field, problem), "eikonal: " + lattice_in_words(field.lattice()), field.has_gaps()};
+    return Found{way_of(field, problem), "eikonal: " + lattice_in_words(field.lattice()), field.has_gaps(),
+                 field.is_carried()};
   };
-  // The field of line elements may miss what lies between its nodes: then each move is asked for, on fewer cells.
-  Found found;
+  // The field of line elements may miss what lies between its nodes, and where a current leaves few directions its
+  // fixed ones are too few: then each move is asked for, on fewer cells.
+  std::optional<Found> quick;
   try {
-    found = search(cells, {});
+    quick = search(cells, {});
   } catch (const InitializationError&) {
-    found = search(std::min(cells, options_.cells.value_or(kCells)), {.exact = true});
   }
+  Found found = quick && !quick->is_carried ? std::move(*quick)
+                                            : search(std::min(cells, options_.cells.value_or(kCells)), {.exact = true});
   // Points sampled on the way cut its corners: further off places without a cost they may.
   for (int margin = 1; found.has_gaps && margin <= kMostMargin && !can_be_sampled(problem, found.path); margin *= 2) {
     try {

@@ -80,7 +80,9 @@ void NodeMoves::ask_elements(const Problem& problem, const Eigen::Matrix2Xd& u) 
     Table& table = tables_[node];
     if (!by_metric(element, moves_, table))
       for (std::size_t k = 0; k < kDirections; ++k) table[k] = static_cast<float>(element(moves_[k]));
-    blocked_[node] = std::any_of(table.begin(), table.end(), [](float c) { return std::isfinite(c); }) ? 0 : 1;
+    const auto possible = std::count_if(table.begin(), table.end(), [](float c) { return std::isfinite(c); });
+    blocked_[node] = possible > 0 ? 0 : 1;
+    any_carried_ = any_carried_ || (possible > 0 && possible < static_cast<std::ptrdiff_t>(kDirections));
   }
 }
 

@@ -38,6 +38,8 @@ class NodeMoves {
   void block(std::int32_t node) { blocked_[static_cast<std::size_t>(node)] = 1; }
   /// Some node is blocked.
   bool any_blocked() const { return any_blocked_; }
+  /// Some node is left in some directions only, as where a current outruns the vehicle.
+  bool any_carried() const { return any_carried_; }
 
  private:
   using Table = std::array<float, kDirections>;
@@ -50,7 +52,7 @@ class NodeMoves {
   std::vector<double> scales_;  ///< cost of a unit of length, where it is the same in all directions
   std::vector<Table> tables_;   ///< of other costs
   std::vector<unsigned char> blocked_;
-  bool any_blocked_ = false;
+  bool any_blocked_ = false, any_carried_ = false;
 };
 
 }  // namespace leastcost
