@@ -57,12 +57,12 @@ Problem as_solved(const Problem& problem, const CoordinatePath& path) {
 double depth_of(const Problem& problem, const CoordinatePath& chain, const Points& curve, const FindOptions& options,
                 const Deadline& deadline) {
   const double allowed = options.certificate.clearance;
-  double depth = depth_in_obstacles(problem, chain, allowed, deadline);
-  if (curve.cols() == chain.segment_count() + 1) return depth;  // the curve is the chain
+  // Moves between the points are delivered where the curve is made of them.
+  if (curve.cols() == chain.segment_count() + 1) return depth_in_obstacles(problem, chain, allowed, deadline);
   const auto clearance = measure_clearance(*problem.manifold, curve, chain.ring, deadline);
-  if (!clearance) return depth;
+  if (!clearance) return 0;
   const double extent = (curve.rowwise().maxCoeff() - curve.rowwise().minCoeff()).norm();
-  return clearance->lower < -allowed * extent ? std::max(depth, -clearance->lower) : depth;
+  return clearance->lower < -allowed * extent ? -clearance->lower : 0;
 }
 
 Standing standing_of(const Problem& problem, const Result& result, const FindOptions& options,
