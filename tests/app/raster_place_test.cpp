@@ -70,7 +70,7 @@ TEST_CASE("cells without data are obstacles of terrains and cost maps, without a
   }
 }
 
-TEST_CASE("a .prj in degrees beside a grid makes it one in degrees; ends in longitude and latitude") {
+TEST_CASE("a .prj in degrees beside a grid makes it one in degrees, with ends in longitude and latitude") {
   const ScratchDir dir;
   write_bay(dir / "bay.asc", "nan", "45", "0.0001");
   std::ofstream(dir / "bay.prj") << R"(GEOGCS["GCS_WGS_1984",DATUM["D_WGS_1984",SPHEROID["WGS_1984",6378137.0,)"
