@@ -185,7 +185,7 @@ TEST_CASE("oracles: ellipsoids in radians, longitudes by any name, by GeodSolve"
   for (const double f : {0.0, 0.05, -0.05}) check_flattening(f, 8811, 3);
 }
 
-TEST_CASE("oracles: ellipsoids in radians, hundreds of pairs, by GeodSolve", "[oracle][slow]") {
+TEST_CASE("oracles: ellipsoids in radians, hundreds of pairs, by GeodSolve", "[oracle][.slow]") {
   if (!has_program("GeodSolve", "geographiclib-tools")) return;
   for (const double f : {0.0, 0.01, 0.1, -0.05}) check_flattening(f, 8812, 100);
 }
@@ -209,7 +209,7 @@ TEST_CASE("oracles: the Earth, random pairs in both conventions, by GeodSolve", 
   if (has_program("GeodSolve", "geographiclib-tools")) check_sweep(8801, 12);
 }
 
-TEST_CASE("oracles: the Earth, a thousand random pairs in both conventions, by GeodSolve", "[oracle][slow]") {
+TEST_CASE("oracles: the Earth, a thousand random pairs in both conventions, by GeodSolve", "[oracle][.slow]") {
   if (has_program("GeodSolve", "geographiclib-tools")) check_sweep(8802, 1000);
 }
 
