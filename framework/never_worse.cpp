@@ -105,11 +105,17 @@ std::vector<CoordinatePath> ways_to_deliver(const Problem& problem, const Result
 
 std::optional<Offer> best_offer(const Problem& problem, const Result& result, const FindOptions& options,
                                 const Deadline& deadline) {
+  const bool mesh = problem.manifold->shape() == Shape::polyhedral;
+  Monitor stopped;  // on a mesh the moves are traced over the faces, and no more
+  stopped.stop_requested = [] { return true; };
   std::optional<Offer> best;
   PathEnergy energy(problem, 1, deadline);
   for (const CoordinatePath& chain : ways_to_deliver(problem, result)) {
     Result trial;
-    const PostProcessed curve = chain_as_curve(energy, chain);
+    PostProcessed curve = chain_as_curve(energy, chain);
+    if (mesh && (post_process_or_say_why(problem, result.first, options, stopped, curve) ||
+                 curve.curve.segment_sites.empty()))
+      continue;
     trial.path = chain;
     trial.curve = curve.curve;
     Offer offer{curve, standing_of(problem, trial, options, deadline)};

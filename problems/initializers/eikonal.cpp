@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/has_free_places.hpp>
 #include <leastcost/framework/has_graph.hpp>
 #include <leastcost/framework/path_energy.hpp>
 #include <leastcost/problems/initializers/grid.hpp>
@@ -139,6 +140,9 @@ EikonalInitializer::EikonalInitializer(const EikonalOptions& options) : options_
 
 FirstPath EikonalInitializer::first_path(const Problem& problem, const Monitor& monitor) const {
   if (!options_.fallback) return down_the_field(problem, monitor);
+  // Where moves cost nothing in some places every field leads by them: a path that keeps away is another answer.
+  if (const auto* free = find_ability<HasFreePlaces>(*problem.cost); free != nullptr && free->present())
+    return straight_line(problem, monitor);
   const bool obstacles = MoveCheck(problem).among_obstacles();
   FirstPath first;
   try {

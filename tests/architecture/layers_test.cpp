@@ -186,7 +186,7 @@ std::string third_party_fault(const Include& include) {
     return is_back_end_header(file) ? "the installed header of a back end includes no third party but Eigen" : "";
   if (starts_with(target, "ompl/"))
     return starts_with(file, "ompl/") && !is_header(file) ? "" : "only .cpp files of ompl use OMPL";
-  if (starts_with(target, "gdal") || starts_with(target, "cpl_"))
+  if (starts_with(target, "gdal") || starts_with(target, "cpl_") || starts_with(target, "ogr_"))
     return starts_with(file, "gdal/") && !is_header(file) ? "" : "only .cpp files of gdal use GDAL";
   const bool program = starts_with(file, "catalogue/") || starts_with(file, "app/");
   if (file == "problems/graph/compressed_rows.hpp" && starts_with(target, "boost/")) return "";
