@@ -16,7 +16,12 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// 3 x 2 cells of 10 by 5, the lower left corner at (100, 200).
 RasterGrid raster() {
-  return {.rows = 2, .columns = 3, .cell = {10, 5}, .corner = {100, 200}, .values = {1, 2, 4, 8, 16, kNone}};
+  RasterGrid grid;
+  grid.rows = 2, grid.columns = 3;
+  grid.cell = {10, 5};
+  grid.corner = {100, 200};
+  grid.values = {1, 2, 4, 8, 16, kNone};
+  return grid;
 }
 
 double cost(const Eigen::MatrixXd& curve) { return cost_over_cells(raster(), curve); }
