@@ -302,7 +302,7 @@ void Composer::go_round_voids() {
     attempt([&] {
       const PluginEntry* eikonal = find_plugin(kind("initializer"), "eikonal");
       out_.initializer = make<std::shared_ptr<const Initializer>>(choose(*eikonal, "initializer"), context_);
-      out_.notes.push_back("a straight first path crosses places without data: the first path is that of eikonal");
+      out_.notes.emplace_back("a straight first path crosses places without data: the first path is that of eikonal");
     });
     return;
   }
