@@ -113,8 +113,8 @@ std::optional<Offer> best_offer(const Problem& problem, const Result& result, co
   for (const CoordinatePath& chain : ways_to_deliver(problem, result)) {
     Result trial;
     PostProcessed curve = chain_as_curve(energy, chain);
-    if (mesh && (post_process_or_say_why(problem, result.first, options, stopped, curve) ||
-                 curve.curve.segment_sites.empty()))
+    if (mesh &&
+        (post_process_or_say_why(problem, result.first, options, stopped, curve) || curve.curve.segment_sites.empty()))
       continue;
     trial.path = chain;
     trial.curve = curve.curve;

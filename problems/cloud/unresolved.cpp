@@ -32,7 +32,7 @@ Around samples_around(const PointCloud& cloud, const Vector3d& y, double radius)
   cloud.search().within(y, radius, found);
   for (const Neighbour& near : found) {
     const CloudSample& sample = cloud.sample(near.index);
-    out.samples.positions.push_back(sample.position + cloud.centre());
+    out.samples.positions.emplace_back(sample.position + cloud.centre());
     out.samples.normals.push_back(sample.normal);
     out.mean += (sample.position - y) / static_cast<double>(found.size());
   }
