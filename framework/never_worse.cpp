@@ -74,7 +74,7 @@ Standing standing_of(const Problem& problem, const Result& result, const FindOpt
   const double cost = known ? feasible_cost(problem, bare, deadline) : result.curve.cost;
   const bool mesh = problem.manifold->shape() == Shape::polyhedral;
   return {depth_of(problem, result.path, result.curve.x, options, deadline), cost,
-          mesh ? cost : PathEnergy(problem, 1, deadline).cost(result.path)};
+          mesh || !std::isfinite(cost) ? result.curve.cost : PathEnergy(problem, 1, deadline).cost(result.path)};
 }
 
 /// The points of a first path as its method found them, each once.
