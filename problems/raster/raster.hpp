@@ -60,8 +60,6 @@ struct RasterGrid {
   Eigen::Vector2d place_of(const Eigen::Vector2d& longitude_latitude) const;
   /// What a user should know about where places are; may be empty.
   std::string place_note() const;
-  /// All but the values.
-  RasterGrid without_values() const;
   /// "row 3, column 7 of dem.asc", rows from the top of the file, both from 0.
   std::string name_of(int row, int column) const;
 };

@@ -31,16 +31,4 @@ std::string RasterGrid::place_note() const {
          ", on a plane that is true in the middle; ends may be given as {lonlat: [longitude, latitude]}";
 }
 
-RasterGrid RasterGrid::without_values() const {
-  RasterGrid out;
-  out.rows = rows;
-  out.columns = columns;
-  out.cell = cell;
-  out.corner = corner;
-  out.degrees = degrees;
-  out.crs = crs;
-  out.source = source;
-  return out;
-}
-
 }  // namespace leastcost
