@@ -57,8 +57,8 @@ Problem as_solved(const Problem& problem, const CoordinatePath& path) {
 double depth_of(const Problem& problem, const CoordinatePath& chain, const Points& curve, const FindOptions& options,
                 const Deadline& deadline) {
   const double allowed = options.certificate.clearance;
-  // Moves between the points are delivered where the curve is made of them.
-  if (curve.cols() == chain.segment_count() + 1) return depth_in_obstacles(problem, chain, allowed, deadline);
+  // Moves between the points are delivered where the curve is made of them, or where there was no time for one.
+  if (curve.cols() < 2 || curve.cols() == chain.segment_count() + 1) return depth_in_obstacles(problem, chain, allowed, deadline);
   const auto clearance = measure_clearance(*problem.manifold, curve, chain.ring, deadline);
   if (!clearance) return 0;
   const double extent = (curve.rowwise().maxCoeff() - curve.rowwise().minCoeff()).norm();
@@ -70,11 +70,13 @@ Standing standing_of(const Problem& problem, const Result& result, const FindOpt
   Result bare;  // without its certificate, whose bounds are those of the chains that it has solved
   bare.path = result.path;
   bare.curve = result.curve;
+  const double depth = depth_of(problem, result.path, result.curve.x, options, deadline);
+  const double chain = PathEnergy(problem, 1, deadline).cost(result.path);
+  if (result.curve.x.cols() < 2) return {depth, chain, chain};
   const bool known = std::isfinite(result.curve.cost) && !moves_are_exact(problem);
   const double cost = known ? feasible_cost(problem, bare, deadline) : result.curve.cost;
   const bool mesh = problem.manifold->shape() == Shape::polyhedral;
-  return {depth_of(problem, result.path, result.curve.x, options, deadline), cost,
-          mesh || !std::isfinite(cost) ? result.curve.cost : PathEnergy(problem, 1, deadline).cost(result.path)};
+  return {depth, cost, mesh || !std::isfinite(cost) ? result.curve.cost : chain};
 }
 
 /// The points of a first path as its method found them, each once.

@@ -12,6 +12,7 @@
 #include <leastcost/framework/family.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
+#include "framework/never_worse.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 
@@ -57,6 +58,18 @@ bool says_first(const Result& result) {
 }
 
 }  // namespace
+
+TEST_CASE("never worse: a search that was stopped before it had a curve is compared by its points", "[framework]") {
+  const Problem problem = around_disc();
+  Result stopped = find(problem, 20, above(), Spoiling(-2.5));  // through the disc, if it is not replaced
+  stopped.status = Status::interrupted;
+  stopped.path = stopped.initial;
+  stopped.path.u.row(1).setZero();
+  stopped.curve = {};
+  const Result better = never_worse(problem, stopped, {}, {});
+  CHECK(says_first(better));
+  CHECK(better.curve.cost == Approx(2 * std::sqrt(4 + 6.25)).epsilon(1e-3));
+}
 
 TEST_CASE("never worse: a failed search delivers its first path where that is cheaper", "[framework]") {
   const Problem problem = between(space(2), make_euclidean_cost(2), Vector2d(0, 0), Vector2d(1, 0));

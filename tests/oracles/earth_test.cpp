@@ -19,6 +19,7 @@
 #include "tests/support/data.hpp"
 #include "tests/support/pi.hpp"
 #include "tests/support/shell.hpp"
+#include "tests/support/trials.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -222,8 +223,9 @@ TEST_CASE("oracles: the Earth, by GeodTest", "[oracle]") {
   std::string line;
   std::getline(in, line);
   REQUIRE(line.rfind("lat1,lon1,azi1,lat2,lon2,azi2,s12_m", 0) == 0);
-  int pairs = 0, shortest = 0;
+  int lines = 0, pairs = 0, shortest = 0;
   while (std::getline(in, line)) {
+    if (lines++ % (nightly() ? 1 : 4) != 0) continue;
     std::vector<double> v;
     std::string word;
     for (std::istringstream words(line); std::getline(words, word, ',');) v.push_back(std::stod(word));
@@ -242,8 +244,8 @@ TEST_CASE("oracles: the Earth, by GeodTest", "[oracle]") {
     }
   }
   std::printf("  GeodTest-100: certified and the shortest from the straight start, %d of %d\n", shortest, pairs);
-  CHECK(pairs == 100);
-  CHECK(shortest >= 80);
+  CHECK(lines == 100);
+  CHECK(shortest >= 0.8 * pairs);
 }
 
 }  // namespace leastcost::test

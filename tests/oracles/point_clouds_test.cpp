@@ -12,6 +12,7 @@
 #include "tests/support/compose.hpp"
 #include "tests/support/data.hpp"
 #include "tests/support/sample_domains.hpp"
+#include "tests/support/trials.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -111,7 +112,7 @@ TEST_CASE("scans end in a path with its geometry error, or in a clear reason", "
   const auto file = data_file(name);
   if (!file) return;
   const auto domain = read(*file);
-  for (const auto& [i, j] : {std::pair(0, 9), std::pair(3, 4)}) {
+  for (const auto& [i, j] : share<std::pair<int, int>>({{0, 9}, {3, 4}}, 2)) {
     const Vector3d from = sample_of_largest(*domain, i), to = sample_of_largest(*domain, j);
     CAPTURE(name, i, j);
     try {

@@ -20,6 +20,7 @@
 #include "tests/support/compose.hpp"
 #include "tests/support/pi.hpp"
 #include "tests/support/random.hpp"
+#include "tests/support/trials.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -201,7 +202,7 @@ TEST_CASE("poses: an rrt finds the way around a wall, though angles make the spa
   for (int i = -2; i <= 2; ++i) wall.push_back(make_ball({.center = Eigen::Vector2d(0, i), .radius = 0.7}));
   const auto poses = std::make_shared<const FreeSpace>(make_planar_poses(), wall, 0);
   const Problem problem = among_poses(poses, Eigen::Vector3d(-2, 0.2, 3), Eigen::Vector3d(2, 0, 1));
-  for (int seed = 1; seed <= 10; ++seed) {
+  for (int seed = 1; seed <= (nightly() ? 10 : 2); ++seed) {
     CAPTURE(seed);
     const Result result = find(problem, 100, RrtInitializer({}, seed));
     CHECK(result.status == Status::certified);

@@ -18,6 +18,7 @@
 #include "tests/support/pi.hpp"
 #include "tests/support/sample_domains.hpp"
 #include "tests/support/straightened.hpp"
+#include "tests/support/trials.hpp"
 #include "tests/support/words.hpp"
 
 namespace leastcost::test {
@@ -83,7 +84,7 @@ Problem between_ends(const Surface& s, std::shared_ptr<const ConstraintManifold>
 }  // namespace
 
 TEST_CASE("one surface, five representations", "[oracle]") {
-  const Surface& s = GENERATE(std::cref(kSphere), std::cref(kTorus)).get();
+  const Surface& s = *GENERATE(from_range(share<const Surface*>({&kTorus, &kSphere}, 2)));
 
   const ParametricOptions chart{.surface = form<parametric::Surface>(s.name)};
   covers(s, "parametric",
@@ -97,7 +98,7 @@ TEST_CASE("one surface, five representations", "[oracle]") {
     covers(s, std::string("distance grid, cell ") + cell,
            find(between_ends(s, make_signed_distance_manifold(grid, "")), kPoints));
   }
-  for (const int count : {5000, 20000})
+  for (const int count : share<int>({5000, 20000}, 2))
     covers(s, "cloud, " + std::to_string(count) + " points",
            find(between_ends(s, std::make_shared<const PointCloudManifold>(PointCloud(s.cloud(count), {}))), kPoints,
                 DijkstraInitializer()));

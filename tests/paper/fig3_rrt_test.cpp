@@ -10,12 +10,13 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/pi.hpp"
+#include "tests/support/trials.hpp"
 #include "tests/support/words.hpp"
 
 namespace leastcost::test {
 namespace {
 
-constexpr int kSeeds = 12;
+const int kSeeds = nightly() ? 12 : 4;
 
 std::shared_ptr<const LevelSet> surface(const char* name) {
   return make_implicit_manifold({.surface = form<implicit::Surface>(name)});
@@ -80,7 +81,7 @@ TEST_CASE("VFCS Fig. 3d: a random tree on a sphere, solved, is an arc of the gre
     CHECK(std::abs(estimate.value - (is_short ? shorter : 2 * kPi - shorter)) <= estimate.error + 1e-14);
     certified += is_short ? 1 : 0;
   }
-  CHECK(certified >= kSeeds - 2);  // a tree may lead around the far side: a saddle, and said to be one
+  CHECK(certified >= kSeeds - kSeeds / 6);  // a tree may lead around the far side: a saddle, and said to be one
 }
 
 }  // namespace leastcost::test
