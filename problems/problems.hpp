@@ -66,6 +66,7 @@
 #include <leastcost/problems/obstacles/raster_obstacles.hpp>
 #include <leastcost/problems/occupancy/occupancy_options.hpp>
 #include <leastcost/problems/post_processors/bracket.hpp>
+#include <leastcost/problems/post_processors/cell_bound.hpp>
 #include <leastcost/problems/post_processors/fastest_refraction.hpp>
 #include <leastcost/problems/post_processors/on_surface.hpp>
 #include <leastcost/problems/post_processors/refract.hpp>

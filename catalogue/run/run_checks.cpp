@@ -154,6 +154,7 @@ bool proves_shortest(const RunConfig& config) {
   if (!config.certificate.enabled || config.ring || config.family.wanted()) return false;
   if (std::holds_alternative<GlobalOff>(config.certificate.global)) return false;
   if (refracts(config) && is(config.initializer, {"straight"})) return true;
+  if (refracts_in_cells(config)) return true;
   if (!states_no_class(config.initializer)) return false;
   if (refracts(config)) return true;
   if (plans_taut(config) && coordinates(config) == 2) return true;

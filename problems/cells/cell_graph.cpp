@@ -17,13 +17,14 @@ using Eigen::Vector2d;
 constexpr double kUnreached = std::numeric_limits<double>::infinity();
 constexpr int kSource = -1;
 constexpr int kLookEvery = 1 << 14;
+constexpr double kEqualCells = 1e-9;  ///< what the rounding of large coordinates makes of equal cells
 
 /// Distances between the nodes around a cell, of the last size that was asked for.
 class SideDistances {
  public:
   explicit SideDistances(const SideNodes& nodes) : nodes_(nodes), count_(static_cast<std::size_t>(nodes.around())) {}
   const double* from(std::size_t which, const std::vector<int>& around, const Vector2d& size) {
-    if (size != size_) measure(around, size);
+    if (!size.isApprox(size_, kEqualCells)) measure(around, size);
     return &distances_[which * count_];
   }
 
