@@ -51,7 +51,8 @@ class Route {
         distances_(nodes_),
         least_(map.least_unit()),
         reached_(static_cast<std::size_t>(nodes_.count()), kUnreached),
-        before_(static_cast<std::size_t>(nodes_.count()), kSource) {}
+        before_(static_cast<std::size_t>(nodes_.count()), kSource),
+        by_(before_) {}
 
   CellPath find(const std::function<void()>& look) {
     if (const auto leg = map_.leg(source_, target_)) best_ = leg->cost;
@@ -77,25 +78,31 @@ class Route {
       for (int column = columns.first; column <= columns.last; ++column)
         if (map_.unit(row, column) < kUnreached) visit(row, column);
   }
-  void reach(int node, double cost, int from) {
+  int number(int row, int column) const { return row * map_.columns() + column; }
+  void reach(int node, double cost, int from, int cell) {
     if (!(cost < reached_[at(node)])) return;
     reached_[at(node)] = cost;
     before_[at(node)] = from;
+    by_[at(node)] = cell;
     open_.emplace(cost + ahead(node), node);
   }
   void begin(int row, int column) {
     nodes_.around(row, column, around_);
-    for (const int node : around_) reach(node, map_.unit(row, column) * (nodes_.place(node) - source_).norm(), kSource);
+    for (const int node : around_)
+      reach(node, map_.unit(row, column) * (nodes_.place(node) - source_).norm(), kSource, number(row, column));
   }
   void go_on(int node, int row, int column) {
     const double unit = map_.unit(row, column);
     if (!(unit < kUnreached)) return;
+    const bool came_by_it = by_[at(node)] == number(row, column);  // from where all of its places are nearer
+    if (came_by_it && !touches_target(row, column)) return;
     nodes_.around(row, column, around_);
     const auto which = static_cast<std::size_t>(std::find(around_.begin(), around_.end(), node) - around_.begin());
     const Vector2d size(map_.line(0, column + 1) - map_.line(0, column), map_.line(1, row + 1) - map_.line(1, row));
     const double* distance = distances_.from(which, around_, size);
     const double here = reached_[at(node)];
-    for (std::size_t k = 0; k < around_.size(); ++k) reach(around_[k], here + unit * distance[k], node);
+    for (std::size_t k = 0; k < around_.size(); ++k)
+      reach(around_[k], here + unit * distance[k], node, number(row, column));
     if (!touches_target(row, column)) return;
     const double whole = here + unit * (nodes_.place(node) - target_).norm();
     if (whole < best_) best_ = whole, last_ = node;
@@ -120,7 +127,9 @@ class Route {
   SideDistances distances_;
   const double least_;
   std::vector<double> reached_;
-  std::vector<int> before_, around_;
+  std::vector<int> before_;
+  std::vector<int> by_;  ///< the cell of the last move
+  std::vector<int> around_;
   std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> open_;
   double best_ = kUnreached;
   int last_ = kSource;

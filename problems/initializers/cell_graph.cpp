@@ -14,7 +14,7 @@
 namespace leastcost {
 namespace {
 
-constexpr double kMostPlaces = 1.5e8;  ///< about 16 bytes each
+constexpr double kMostPlaces = 1.5e8;  ///< about 20 bytes each
 
 }  // namespace
 

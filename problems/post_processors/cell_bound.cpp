@@ -10,6 +10,7 @@
 #include "framework/point_text.hpp"
 #include "problems/cells/cell_bound.hpp"
 #include "problems/cells/has_cost_cells.hpp"
+#include "problems/cells/side_nodes.hpp"
 #include "problems/post_processors/search_time.hpp"
 
 namespace leastcost {
@@ -39,9 +40,12 @@ PostProcessed CellBoundPostProcessor::apply(const Problem& problem, const FirstP
   options.stop = stop_of_search(budget, monitor);
   const CellBound found = bound_in_cells(map, current.chain.u.leftCols(1), current.chain.u.rightCols(1), options);
   if (!(found.lower > 0)) {
-    current.notes.emplace_back(
-        "cell_bound: nothing is known of paths of other classes, for the raster is large: certificate: {global: "
-        "{tolerance: 0.01}} takes the time for a bound");
+    if (found.stopped) return current;
+    const auto places = static_cast<long>(SideNodes::count_for(map, 3)) + 1;
+    current.notes.push_back(
+        "cell_bound: nothing is known of paths by other cells, for the raster is large: 'certificate: {global: "
+        "{tolerance: 0.01, max_windows: " +
+        std::to_string(places) + "}}' takes the time for a bound");
     return current;
   }
   GlobalBound& global = current.curve.global.emplace();

@@ -140,6 +140,7 @@ TEST_CASE("cost contract: cost_map", "[contract]") {
   const int d = GENERATE(2, 3);
   check_cost_contract(cost_map(CostMapInterpolation::smooth, d));
   check_cost_contract(cost_map(CostMapInterpolation::bilinear, d));
+  if (d == 2) check_cost_contract(cost_map(CostMapInterpolation::cells, d));
 }
 
 TEST_CASE("cost contract: euclidean", "[contract]") { check_cost_contract(euclidean(GENERATE(2, 3, 7))); }
