@@ -50,17 +50,21 @@ class Route {
         nodes_(map, points),
         distances_(nodes_),
         least_(map.least_unit()),
+        target_rows_(map.touched(1, target[1])),
+        target_columns_(map.touched(0, target[0])),
         reached_(static_cast<std::size_t>(nodes_.count()), kUnreached),
         before_(static_cast<std::size_t>(nodes_.count()), kSource),
-        by_(before_) {}
+        by_(before_),
+        done_(before_.size(), false) {}
 
   CellPath find(const std::function<void()>& look) {
     if (const auto leg = map_.leg(source_, target_)) best_ = leg->cost;
     each_cell_of(source_, [&](int row, int column) { begin(row, column); });
     for (int steps = 1; !open_.empty() && open_.top().first < best_; ++steps) {
-      const auto [bound, node] = open_.top();
+      const int node = open_.top().second;
       open_.pop();
-      if (bound > reached_[at(node)] + ahead(node)) continue;
+      if (done_[at(node)]) continue;
+      done_[at(node)] = true;
       if (look && steps % kLookEvery == 0) look();
       nodes_.each_cell(node, [&](int row, int column) { go_on(node, row, column); });
     }
@@ -80,7 +84,7 @@ class Route {
   }
   int number(int row, int column) const { return row * map_.columns() + column; }
   void reach(int node, double cost, int from, int cell) {
-    if (!(cost < reached_[at(node)])) return;
+    if (!(cost < reached_[at(node)]) || done_[at(node)]) return;
     reached_[at(node)] = cost;
     before_[at(node)] = from;
     by_[at(node)] = cell;
@@ -108,8 +112,8 @@ class Route {
     if (whole < best_) best_ = whole, last_ = node;
   }
   bool touches_target(int row, int column) const {
-    const CellRange rows = map_.touched(1, target_[1]), columns = map_.touched(0, target_[0]);
-    return row >= rows.first && row <= rows.last && column >= columns.first && column <= columns.last;
+    return row >= target_rows_.first && row <= target_rows_.last && column >= target_columns_.first &&
+           column <= target_columns_.last;
   }
   CellPath way_back() const {
     if (best_ == kUnreached) return {};
@@ -126,9 +130,11 @@ class Route {
   const SideNodes nodes_;
   SideDistances distances_;
   const double least_;
+  const CellRange target_rows_, target_columns_;
   std::vector<double> reached_;
   std::vector<int> before_;
   std::vector<int> by_;  ///< the cell of the last move
+  std::vector<bool> done_;
   std::vector<int> around_;
   std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> open_;
   double best_ = kUnreached;
