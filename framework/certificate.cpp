@@ -152,7 +152,7 @@ class Certifier {
     if (find_ability<HasInterfaces>(*problem_.cost) != nullptr)
       fail("interfaces",
            "the cost jumps at interfaces, which no chain of points resolves: use a post-processor that "
-           "knows them (refract)");
+           "knows them (refract, refract_cells)");
     measure_regularization();
     measure_stationarity();
     c_.index = path_index(energy_, path_.chain, options_.index_shift);

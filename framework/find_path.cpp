@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -106,8 +107,7 @@ class Search {
       cut_based_ring();
       domain_ = problem_.manifold;
       pin_ends(problem_, result_.first.path);
-      result_.initial = sample_equally(problem_, result_.first.path, point_count(options_, result_.first), 0.05,
-                                       spacing_passes(), monitor_.deadline);
+      result_.initial = sampled(point_count(options_, result_.first));
       sampled_ = true;
     });
   }
@@ -140,6 +140,22 @@ class Search {
     }
     return with_notes(std::move(result_));
   }
+
+  /// Points along the first path. A post-processor that finds the way by itself needs no moves between them.
+  CoordinatePath sampled(int points) const {
+    try {
+      return sample_equally(problem_, result_.first.path, points, 0.05, spacing_passes(), monitor_.deadline);
+    } catch (const InitializationError&) {
+      if (!finds_its_own() || !(cost_of_first_path() < std::numeric_limits<double>::infinity())) throw;
+      return sample_evenly(problem_, result_.first.path, points, monitor_.deadline);
+    }
+  }
+  bool finds_its_own() const {
+    const auto& steps = options_.post_processors;
+    return !solver_.moves_points() &&
+           std::any_of(steps.begin(), steps.end(), [](const auto& step) { return step->finds_its_own(); });
+  }
+  double cost_of_first_path() const { return PathEnergy(problem_, 1, monitor_.deadline).cost(result_.first.path); }
 
   /// Under a length, even steps along the first path are equally spaced on it; that is enough where no solver begins
   /// from the points and a post-processor makes the curve.
@@ -206,6 +222,8 @@ class Search {
 
   void set_reference_cost() {
     result_.initial_cost = PathEnergy(problem_, 1, monitor_.deadline).cost(result_.initial);
+    if (sampled_ && !std::isfinite(result_.initial_cost) && finds_its_own())
+      result_.initial_cost = cost_of_first_path();
     result_.reference_cost =
         options_.reference_cost.value_or(result_.initial_cost / static_cast<double>(result_.initial.segment_count()));
     if (!(result_.reference_cost > 0))

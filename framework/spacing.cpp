@@ -133,6 +133,13 @@ CoordinatePath sample_equally(const Problem& problem, const CoordinatePath& poly
   return path;
 }
 
+CoordinatePath sample_evenly(const Problem& problem, const CoordinatePath& polyline, int points,
+                             const Deadline& deadline) {
+  const ArcLength curve(polyline);
+  const Index segments = polyline.ring ? points : points + 1;
+  return points_at(problem, curve, polyline, Eigen::VectorXd::LinSpaced(segments + 1, 0, curve.length()), deadline);
+}
+
 CoordinatePath refine(const Problem& problem, const CoordinatePath& path, const Deadline& deadline) {
   const Index columns = path.u.cols(), segments = path.segment_count();
   CoordinatePath fine{Points(path.u.rows(), path.ring ? 2 * columns : 2 * columns - 1), {}, path.ring, path.closing};

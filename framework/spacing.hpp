@@ -24,6 +24,10 @@ void refuse_infinite(const Problem& problem, const Points& x, const Eigen::Vecto
 CoordinatePath sample_equally(const Problem& problem, const CoordinatePath& polyline, int points,
                               double tolerance = 0.05, int passes = 8, const Deadline& deadline = {});
 
+/// The same at equal lengths, whatever the moves between the points cost.
+CoordinatePath sample_evenly(const Problem& problem, const CoordinatePath& polyline, int points,
+                             const Deadline& deadline = {});
+
 /// Twice as many segments: a midpoint in each, by 4-point cubic interpolation (quadratic at the ends), projected onto
 /// the manifold. Where that lands outside the domain of the cost, linear midpoints.
 CoordinatePath refine(const Problem& problem, const CoordinatePath& path, const Deadline& deadline = {});

@@ -30,6 +30,7 @@
 #include <leastcost/problems/fields/fast_marching.hpp>
 #include <leastcost/problems/fields/heat.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
+#include <leastcost/problems/initializers/cell_graph.hpp>
 #include <leastcost/problems/initializers/coordinate_circle.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/initializers/eikonal.hpp>
@@ -65,9 +66,11 @@
 #include <leastcost/problems/obstacles/raster_obstacles.hpp>
 #include <leastcost/problems/occupancy/occupancy_options.hpp>
 #include <leastcost/problems/post_processors/bracket.hpp>
+#include <leastcost/problems/post_processors/cell_bound.hpp>
 #include <leastcost/problems/post_processors/fastest_refraction.hpp>
 #include <leastcost/problems/post_processors/on_surface.hpp>
 #include <leastcost/problems/post_processors/refract.hpp>
+#include <leastcost/problems/post_processors/refract_cells.hpp>
 #include <leastcost/problems/post_processors/shortest.hpp>
 #include <leastcost/problems/post_processors/shortest_plan.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>

@@ -22,6 +22,7 @@
 #include <leastcost/problems/costs/weighted_length.hpp>
 #include <leastcost/problems/costs/zermelo.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
+#include <leastcost/problems/initializers/cell_graph.hpp>
 #include <leastcost/problems/initializers/coordinate_circle.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/initializers/eikonal.hpp>
@@ -51,6 +52,7 @@
 #include <leastcost/problems/obstacles/raster_obstacles.hpp>
 #include <leastcost/problems/post_processors/on_surface.hpp>
 #include <leastcost/problems/post_processors/refract.hpp>
+#include <leastcost/problems/post_processors/refract_cells.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>
 #include <leastcost/problems/post_processors/switchbacks.hpp>
 #include <leastcost/problems/post_processors/taut.hpp>
@@ -305,6 +307,9 @@ const auto& initializers() {
           .needing<IsSurface>(),
       made_of<InitializerPlugin, EikonalInitializer, EikonalOptions>(
           "eikonal", "The way back down the field of least arrival costs over two coordinates, whatever the cost."),
+      made_of<InitializerPlugin, CellGraphInitializer, CellGraphOptions>(
+          "cell_graph",
+          "The least-cost path between places on the sides of the cells of a cost map (interpolation: cells)."),
       made_of<InitializerPlugin, GridInitializer, GridOptions>(
           "grid", "A least-cost route over a regular grid in the plane or in space that keeps clear of obstacles."),
       plugin<InitializerPlugin, RrtOptions>(
@@ -363,6 +368,8 @@ const auto& post_processors() {
       made_of<PostProcessorPlugin, RefractPostProcessor>(
           "refract", "The least-cost path through the same layers, with Snell's law at every interface.")
           .needing<HasLayers>(),
+      made_of<PostProcessorPlugin, RefractCellsPostProcessor>(
+          "refract_cells", "The locally least-cost path over the cells of a cost map, with Snell's law at every side."),
       made_of<PostProcessorPlugin, SwitchbackPostProcessor, SwitchbackOptions>(
           "switchbacks", "The zigzag of given width that a path of walking stands for where it is steep.")
           .needing<MixesMoves>(),

@@ -25,6 +25,7 @@
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/problems/obstacles/raster_obstacles.hpp>
 #include <leastcost/problems/post_processors/bracket.hpp>
+#include <leastcost/problems/post_processors/cell_bound.hpp>
 #include <leastcost/problems/post_processors/fastest_refraction.hpp>
 #include <leastcost/problems/post_processors/shortest.hpp>
 #include <leastcost/problems/post_processors/shortest_plan.hpp>
@@ -112,6 +113,8 @@ void add_proof(const RunConfig& config, const std::filesystem::path& folder, Run
     out.options.post_processors.push_back(std::make_shared<const ShortestPostProcessor>(std::move(proof)));
   else if (last == "taut")
     out.options.post_processors.push_back(std::make_shared<const ShortestPlanPostProcessor>(std::move(proof)));
+  else if (last == "refract_cells")
+    out.options.post_processors.push_back(std::make_shared<const CellBoundPostProcessor>(std::move(proof)));
   else if (last == "refract")
     out.options.post_processors.push_back(std::make_shared<const FastestRefractionPostProcessor>(std::move(proof)));
 }

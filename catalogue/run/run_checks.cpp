@@ -8,6 +8,7 @@
 #include <array>
 #include <variant>
 
+#include <leastcost/problems/costs/cost_map.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/initializers/eikonal.hpp>
 #include "catalogue/options/options_writer.hpp"
@@ -30,6 +31,7 @@ struct Outline {
   std::string_view cost;                  ///< its type
   Eigen::Index coordinates = 0;           ///< of points; 0: not known
   bool ring = false, obstacles = false, robot = false;
+  bool cells = false;  ///< the cost is constant in each cell of a raster
 };
 
 bool is_one_of(std::string_view type, std::initializer_list<std::string_view> types) {
@@ -49,6 +51,7 @@ std::string default_initializer(const Outline& run) {
   const std::string_view domain = run.manifold != nullptr ? std::string_view(run.manifold->type) : "";
   const bool plane = domain == "euclidean" && run.coordinates == 2;
   const bool free_or_chart = !run.obstacles || is_one_of(domain, {"terrain", "parametric", "earth"});
+  if (run.cells && plane && !run.robot && !run.obstacles) return "cell_graph";
   if (!run.robot && (plane || domain == "terrain") && has_several_ways(run.cost)) return "eikonal";
   if (!run.robot && run.obstacles && free_or_chart) return "eikonal";
   if (!run.robot && run.obstacles && plane) return "grid";
@@ -125,6 +128,18 @@ bool refracts(const RunConfig& config) {
          config.cost && config.cost.provides<HasLayers>();
 }
 
+bool reads_cells(const RunConfig& config) {
+  return is(config.cost, {"cost_map"}) && config.cost.options &&
+         static_cast<const OptionsOf<CostMapOptions>&>(*config.cost.options).value.interpolation ==
+             CostMapInterpolation::cells;
+}
+
+/// Under a cost map that is constant in each cell, in the plane without obstacles.
+bool refracts_in_cells(const RunConfig& config) {
+  return !config.ring && !config.robot && config.obstacles.empty() && is(config.manifold, {"euclidean"}) &&
+         reads_cells(config);
+}
+
 /// A first path that states no class: waypoints, other routes and the like are given for the sake of their class.
 bool states_no_class(const PluginChoice& initializer) {
   if (!initializer) return true;
@@ -139,6 +154,7 @@ bool proves_shortest(const RunConfig& config) {
   if (!config.certificate.enabled || config.ring || config.family.wanted()) return false;
   if (std::holds_alternative<GlobalOff>(config.certificate.global)) return false;
   if (refracts(config) && is(config.initializer, {"straight"})) return true;
+  if (refracts_in_cells(config)) return true;
   if (!states_no_class(config.initializer)) return false;
   if (refracts(config)) return true;
   if (plans_taut(config) && coordinates(config) == 2) return true;
@@ -171,7 +187,8 @@ void complete(RunConfig& config) {
   const Outline outline{
       config.manifold.plugin,    config.cost ? std::string_view(config.cost.plugin->type) : std::string_view(),
       coordinates(config),       config.ring,
-      !config.obstacles.empty(), static_cast<bool>(config.robot)};
+      !config.obstacles.empty(), static_cast<bool>(config.robot),
+      reads_cells(config)};
   const auto fill = [&](const char* part, PluginChoice& choice) {
     const std::string type = default_type(part, outline);
     if (!choice && !type.empty()) choice = default_plugin(part, type.c_str(), part);
@@ -181,8 +198,9 @@ void complete(RunConfig& config) {
   if (default_first && is(config.initializer, {"eikonal"})) fall_back(config.initializer);
   const bool taut = !config.post_process && plans_taut(config);
   const bool layers = !config.post_process && refracts(config);
+  const bool cells = !config.post_process && refracts_in_cells(config);
   const bool proof = !config.post_process && proves_shortest(config);
-  if ((taut || layers || proof) && !config.solver) {
+  if ((taut || layers || cells || proof) && !config.solver) {
     config.solver = default_plugin("solver", "none", "solver");
     if (default_first && is(config.manifold, {"mesh"})) go_over_diagonals(config.initializer);
   }
@@ -196,6 +214,7 @@ void complete(RunConfig& config) {
     steps.push_back(default_plugin("post_processor", "straighten", "post_process.1"));
   if (taut) steps.push_back(default_plugin("post_processor", "taut", "post_process.0"));
   if (layers) steps.push_back(default_plugin("post_processor", "refract", "post_process.0"));
+  if (cells) steps.push_back(default_plugin("post_processor", "refract_cells", "post_process.0"));
 }
 
 /// Whether it is something that costs have, not manifolds.
@@ -360,6 +379,20 @@ void check_refract(LoadedConfig& loaded) {
                           "rings");
 }
 
+void check_cells(LoadedConfig& loaded) {
+  const RunConfig& config = loaded.config;
+  if (!config.manifold || !config.cost) return;
+  if (reads_cells(config) && !refracts_in_cells(config))
+    loaded.errors.error(place_of(loaded.tree, "cost.interpolation"),
+                        "'cells' joins two ends in the plane or a box of it (euclidean), without obstacles, robots and "
+                        "rings: use interpolation: smooth");
+  for (const PluginChoice& step : config.post_process.value_or(PluginList{}))
+    if (is(step, {"refract_cells"}) && !reads_cells(config))
+      loaded.errors.error(place_of(loaded.tree, step.path),
+                          "'refract_cells' needs a cost map that is constant in each cell: cost: {type: cost_map, "
+                          "file: .., interpolation: cells}");
+}
+
 /// What a bracket of the globally least cost in a box needs, as far as a configuration shows it.
 void check_bracket(LoadedConfig& loaded) {
   const RunConfig& config = loaded.config;
@@ -444,7 +477,8 @@ void complete_types(ConfigNode& tree) {
                         point != nullptr ? static_cast<Eigen::Index>(point->items.size()) : 0,
                         text_at("path.ring") == "true",
                         tree.find("obstacles") != nullptr,
-                        tree.find("robot") != nullptr};
+                        tree.find("robot") != nullptr,
+                        text_at("cost.interpolation") == "cells"};
   for (const char* part : {"kernel", "initializer", "solver"}) {
     ConfigEntry* entry = tree.find(part);
     const std::string standard = default_type(part, outline);
@@ -469,6 +503,7 @@ void check_and_complete(LoadedConfig& loaded) {
   check_files_of_output(loaded);
   check_taut(loaded);
   check_refract(loaded);
+  check_cells(loaded);
   check_bracket(loaded);
   check_needs(loaded, loaded.config.initializer);
   check_needs(loaded, loaded.config.solver);

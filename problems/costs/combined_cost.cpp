@@ -199,9 +199,11 @@ class SumOnData final : public SumCost, public FollowsDomain {
 /// sum and whose kinks would be missing in the bar.
 void check_part(const SegmentCost& cost, const std::string& key) {
   if (find_ability<HasInterfaces>(cost) != nullptr)
-    throw OptionError(key,
-                      "jumps at interfaces, which a sum or a multiple would hide from the path ('layers'): name it "
-                      "as the cost itself, or use smooth layers ('refractive_index')");
+    throw OptionError(
+        key,
+        "jumps at interfaces, which a sum or a multiple would hide from the path ('layers', or a cost map "
+        "as 'cells'): name it as the cost itself, or use smooth layers ('refractive_index'), or "
+        "'interpolation: smooth'");
   if (find_ability<Regularized>(cost) != nullptr)
     throw OptionError(key,
                       "stands for a law with kinks and its hull ('walking'), and the hull of a sum or a multiple "

@@ -12,6 +12,7 @@
 #include <leastcost/problems/bracket/cost_density.hpp>
 #include <leastcost/problems/chart/is_geographic.hpp>
 #include <leastcost/problems/raster/has_voids.hpp>
+#include "problems/costs/cell_cost.hpp"
 #include "problems/costs/raster_density.hpp"
 #include "problems/raster/has_cell_index.hpp"
 #include "problems/raster/raster_cells.hpp"
@@ -125,8 +126,9 @@ void check_positive(const RasterGrid& values) {
 }  // namespace
 
 Words<CostMapInterpolation> words(CostMapInterpolation) {
-  static constexpr std::array<Word<CostMapInterpolation>, 2> kWords = {
-      {{CostMapInterpolation::bilinear, "bilinear"}, {CostMapInterpolation::smooth, "smooth"}}};
+  static constexpr std::array<Word<CostMapInterpolation>, 3> kWords = {{{CostMapInterpolation::bilinear, "bilinear"},
+                                                                        {CostMapInterpolation::smooth, "smooth"},
+                                                                        {CostMapInterpolation::cells, "cells"}}};
   return kWords;
 }
 
@@ -135,7 +137,7 @@ void CostMapOptions::fields(FieldVisitor& visit) {
   visit.choice(
       "interpolation", interpolation,
       {.help = "bilinear: through the values, with kinks where cells meet. smooth: the bicubic spline that has "
-               "them as coefficients, without kinks, and smoother than they are."});
+               "them as coefficients, without kinks, and smoother than they are. cells: constant in each cell."});
 }
 
 std::shared_ptr<const SegmentCost> make_cost_map(const RasterGrid& values, CostMapInterpolation interpolation,
@@ -144,6 +146,7 @@ std::shared_ptr<const SegmentCost> make_cost_map(const RasterGrid& values, CostM
     throw OptionError("type", "'cost_map' lives in the plane and over it, in space; these points have " +
                                   std::to_string(dim) + " coordinates");
   check_positive(values);
+  if (interpolation == CostMapInterpolation::cells) return make_cell_cost(values, dim);
   std::shared_ptr<const RasterFunction> n;
   if (interpolation == CostMapInterpolation::bilinear)
     n = std::make_shared<const BilinearFunction>(values);

@@ -11,7 +11,7 @@
 namespace leastcost {
 
 /// What lies between the values of a cost map.
-enum class CostMapInterpolation { smooth, bilinear };
+enum class CostMapInterpolation { smooth, bilinear, cells };
 Words<CostMapInterpolation> words(CostMapInterpolation);
 
 struct CostMapOptions {
@@ -24,9 +24,10 @@ struct CostMapOptions {
 /// dt, exact to rounding, in the plane or, over a map, in space (|b - a| in space, n of the first two coordinates).
 /// bilinear: n as GIS programs interpolate it; its gradient jumps where patches meet. smooth: the bicubic spline that
 /// has the values as its coefficients, twice differentiable, between the values around and a little smoother than they
-/// are. +infinity beyond the outermost values and beside cells without data; the cost says where. It has the
-/// abilities HasCellIndex and, in the plane, CostDensity. Throws OptionError("file" or "value_scale") for a value that
-/// is not above 0, InputError.
+/// are. cells: n is constant in each cell, along a side the lower of both, in the plane only; the cost has the ability
+/// HasCostCells and jumps at the sides, which the post-processor refract_cells knows. +infinity beyond the outermost
+/// values and beside cells without data; the cost says where. It has the abilities HasCellIndex and, in the plane,
+/// CostDensity, but for cells. Throws OptionError("file" or "value_scale") for a value that is not above 0, InputError.
 std::shared_ptr<const SegmentCost> make_cost_map(const RasterGrid& values, CostMapInterpolation interpolation, int dim);
 
 }  // namespace leastcost

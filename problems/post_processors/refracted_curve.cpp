@@ -24,7 +24,8 @@ Eigen::VectorXd leg_costs(const LayerStack& stack, const Points& x) {
   return costs;
 }
 
-/// `columns` points, equally spaced in cost, and the costs between them.
+}  // namespace
+
 Points spaced_by_cost(const Points& x, const Eigen::VectorXd& legs, Index columns, Eigen::VectorXd& between) {
   const double total = legs.sum();
   Points points(x.rows(), columns);
@@ -44,8 +45,6 @@ Points spaced_by_cost(const Points& x, const Eigen::VectorXd& legs, Index column
   points.col(columns - 1) = x.rightCols(1);
   return points;
 }
-
-}  // namespace
 
 const LayerStack& layers_of(const Problem& problem, const std::string& who) {
   const auto* cost = find_ability<HasLayers>(*problem.cost);

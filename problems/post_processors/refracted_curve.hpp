@@ -18,6 +18,9 @@ const LayerStack& layers_of(const Problem& problem, const std::string& who);
 /// Whether a polyline stays in the box of the domain.
 bool is_in_box(const Problem& problem, const Points& polyline);
 
+/// `columns` points of a polyline, equally spaced in the cost of its legs, and the costs between them.
+Points spaced_by_cost(const Points& x, const Eigen::VectorXd& legs, Index columns, Eigen::VectorXd& between);
+
 /// The ray becomes the curve that is delivered, with the chain's points on it. `least`: no path of its word costs less.
 void deliver_ray(const LayerStack& stack, const RefractedRay& ray, double least, PostProcessed& current);
 

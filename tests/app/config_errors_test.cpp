@@ -227,6 +227,22 @@ TEST_CASE("config errors: layers, and refraction where it cannot be") {
       Contains("'refract' joins two ends in R^d or a box of it (euclidean), without obstacles, robots and rings"));
 }
 
+TEST_CASE("config errors: cells of a cost map where they cannot be") {
+  const std::string plane = "manifold: {type: euclidean, dimension: 2}\n",
+                    ends = "ends: {source: {point: [0, 1]}, target: {point: [2, -1]}}\n",
+                    ball = "obstacles: [{type: ball, center: [9, 9], radius: 1}]\n";
+  const auto map = [](const char* read) {
+    return std::string("cost: {type: cost_map, file: a.csv, interpolation: ") + read + "}\n";
+  };
+  CHECK(errors_of(plane + ends + map("cells")) == "");
+  CHECK(errors_of(plane + ends + map("cells") + "post_process: [refract_cells]\n") == "");
+  CHECK_THAT(errors_of(plane + ends + map("cells") + ball),
+             Contains("'cells' joins two ends in the plane or a box of it (euclidean), without obstacles"));
+  CHECK(errors_of(plane + ends + map("smooth") + ball) == "");  // as it says
+  CHECK_THAT(errors_of(plane + ends + map("smooth") + "post_process: [refract_cells]\n"),
+             Contains("'refract_cells' needs a cost map that is constant in each cell"));
+}
+
 TEST_CASE("config errors: taut where paths cannot be pulled tight") {
   const auto plan = [](const std::string& manifold, const std::string& cost, const std::string& obstacles) {
     const std::string ends = manifold.find("3") == std::string::npos

@@ -75,6 +75,33 @@ TEST_CASE("default initializer: every cell of the table makes a first path") {
   }
 }
 
+TEST_CASE("default initializer: over cells the graph of their sides, however few the points and wherever data lack") {
+  const ScratchDir dir;
+  std::ofstream(dir / "wall.csv") << "1,1,1,1,1\n1,-9,-9,-9,1\n1,-9,1,-9,1\n1,1,1,-9,1\n";
+  const std::string text =
+      "manifold: euclidean\ncost: {type: cost_map, file: wall.csv, interpolation: cells, nodata: -9}\n"
+      "ends: {source: {point: [2.5, 1.5]}, target: {point: [4.5, 0.5]}}\npath: {points: 2}\n";
+  const RunOutcome outcome = solve(parse_run(text, "a.yaml", dir.path()));
+  CHECK(outcome.parts.initializer->name() == "cell_graph");
+  CHECK(outcome.result.status == Status::certified);
+  // By the corners of the wall, which may be met.
+  const double exact = std::hypot(0.5, 0.5) + 1 + 2 + 3 + std::hypot(0.5, 2.5);
+  CHECK(outcome.result.curve.cost == Approx(exact).epsilon(1e-12));
+  CHECK(outcome.result.path.u.cols() == 4);
+  REQUIRE(outcome.result.certificate.global);
+  CHECK(outcome.result.certificate.global->lower_bound > 0.97 * exact);
+  CHECK(outcome.result.certificate.global->lower_bound <= exact);
+  // Where places are too many nothing is known of other ways, and a note names what helps.
+  const RunOutcome few = solve(parse_run(text + "certificate: {global: {max_windows: 5}}\n", "a.yaml", dir.path()));
+  REQUIRE_FALSE(few.result.certificate.global);
+  const std::string note = few.result.notes.back();
+  const auto begin = note.find('\'') + 1;
+  const std::string remedy = note.substr(begin, note.find('\'', begin) - begin) + "\n";
+  const RunOutcome enough = solve(parse_run(text + remedy, "a.yaml", dir.path()));
+  REQUIRE(enough.result.certificate.global);
+  CHECK(enough.result.certificate.global->lower_bound > 0.97 * exact);
+}
+
 TEST_CASE("default initializer: of equal ways around a dear square, not through it, and validate says where from") {
   const ScratchDir dir;
   std::ofstream(dir / "hill.csv") << "1,1,1,1,1,1,1\n1,1,1,1,1,1,1\n1,1,9,9,9,1,1\n1,1,9,9,9,1,1\n1,1,9,9,9,1,1\n"

@@ -103,11 +103,11 @@ const Arrows& layers() {
 /// is for. Rooms that are not listed here may not exist.
 const Arrows& rooms() {
   static const std::set<std::string> subjects = {
-      "problems/bracket",   "problems/chart",  "problems/cloud",        "problems/distance",  "problems/drawing",
-      "problems/exact",     "problems/fields", "problems/formula",      "problems/graph",     "problems/layers",
-      "problems/level_set", "problems/mesh",   "problems/obstacles",    "problems/occupancy", "problems/raster",
-      "problems/readers",   "problems/robots", "problems/section",      "problems/spline",    "problems/straighten",
-      "problems/taut",      "problems/tensor", "problems/bracket/space"};
+      "problems/bracket",    "problems/chart",     "problems/cloud",   "problems/distance",     "problems/drawing",
+      "problems/exact",      "problems/fields",    "problems/formula", "problems/graph",        "problems/layers",
+      "problems/cells",      "problems/level_set", "problems/mesh",    "problems/obstacles",    "problems/occupancy",
+      "problems/raster",     "problems/readers",   "problems/robots",  "problems/section",      "problems/spline",
+      "problems/straighten", "problems/taut",      "problems/tensor",  "problems/bracket/space"};
   static const Arrows table = {
       {"problems/chart", {}},
       {"problems/cloud", {"problems/graph"}},
@@ -119,6 +119,7 @@ const Arrows& rooms() {
       {"problems/drawing", {"problems/chart", "problems/level_set"}},
       {"problems/spline", {}},
       {"problems/raster", {"problems/spline"}},
+      {"problems/cells", {"problems/raster"}},
       {"problems/distance", {"problems/cloud", "problems/level_set", "problems/mesh", "problems/spline"}},
       {"problems/section", {"problems/chart", "problems/cloud", "problems/mesh"}},
       {"problems/straighten", {"problems/mesh"}},

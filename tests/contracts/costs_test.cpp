@@ -126,7 +126,8 @@ CostCase cost_map(CostMapInterpolation interpolation, int d) {
                x << random.uniform(0, 4.5), random.uniform(2.5, 4.5), random.vector(d - 2);
                return x;
              }};
-  for (const Eigen::Vector2d& at : {Eigen::Vector2d(-0.76, 3), Eigen::Vector2d(3, 50), raster.place(15, 15)}) {
+  const double left = interpolation == CostMapInterpolation::cells ? -1.01 : -0.76;  // cells reach up to their sides
+  for (const Eigen::Vector2d& at : {Eigen::Vector2d(left, 3), Eigen::Vector2d(3, 50), raster.place(15, 15)}) {
     Eigen::VectorXd x = Eigen::VectorXd::Zero(d);
     x.head<2>() = at;
     c.outside.push_back(x);
@@ -140,6 +141,7 @@ TEST_CASE("cost contract: cost_map", "[contract]") {
   const int d = GENERATE(2, 3);
   check_cost_contract(cost_map(CostMapInterpolation::smooth, d));
   check_cost_contract(cost_map(CostMapInterpolation::bilinear, d));
+  if (d == 2) check_cost_contract(cost_map(CostMapInterpolation::cells, d));
 }
 
 TEST_CASE("cost contract: euclidean", "[contract]") { check_cost_contract(euclidean(GENERATE(2, 3, 7))); }

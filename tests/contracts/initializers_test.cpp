@@ -3,7 +3,9 @@
 #include <fstream>
 
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/costs/cost_map.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
+#include <leastcost/problems/initializers/cell_graph.hpp>
 #include <leastcost/problems/initializers/coordinate_circle.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/initializers/eikonal.hpp>
@@ -21,6 +23,7 @@
 #include "tests/contracts/initializer_contract.hpp"
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/problems/sample_meshes.hpp"
+#include "tests/problems/sample_rasters.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/data.hpp"
@@ -96,6 +99,16 @@ TEST_CASE("initializer contract: bow", "[contract]") {
 
 TEST_CASE("initializer contract: eikonal", "[contract]") {
   for (const Problem& problem : problems_in_plane()) check_initializer_contract(EikonalInitializer(), problem);
+}
+
+TEST_CASE("initializer contract: cell_graph", "[contract]") {
+  const RasterGrid raster = with_gap(raster_of(8, 9, [](double x, double y) { return 2 + std::sin(3 * x + y); }), 4, 4);
+  const Problem problem =
+      between(space(2), make_cost_map(raster, CostMapInterpolation::cells, 2), raster.place(1, 0), raster.place(7, 8));
+  for (const int points : {0, 3}) check_initializer_contract(CellGraphInitializer({points}), problem);
+  Problem within = problem;
+  within.target.u = raster.place(4, 4);
+  CHECK_THROWS_WITH(CellGraphInitializer().first_path(within, {}), Catch::Contains("lies in a cell without data"));
 }
 
 TEST_CASE("initializer contract: coordinate_circle", "[contract]") {

@@ -6,6 +6,8 @@
 #include <leastcost/framework/clearance.hpp>
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/has_constant_metric.hpp>
+#include <leastcost/problems/costs/cost_map.hpp>
+#include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/costs/layers.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
 #include <leastcost/problems/costs/walking.hpp>
@@ -17,9 +19,11 @@
 #include <leastcost/problems/mesh/edge_graph.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
+#include <leastcost/problems/post_processors/cell_bound.hpp>
 #include <leastcost/problems/post_processors/fastest_refraction.hpp>
 #include <leastcost/problems/post_processors/on_surface.hpp>
 #include <leastcost/problems/post_processors/refract.hpp>
+#include <leastcost/problems/post_processors/refract_cells.hpp>
 #include <leastcost/problems/post_processors/shortest.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>
 #include <leastcost/problems/post_processors/switchbacks.hpp>
@@ -227,6 +231,40 @@ TEST_CASE("post_processor contract: taut", "[contract]") {
   CHECK(spread(made.curve_costs) <= 1e-12);
   CHECK(*made.curve.least_of_class <= made.curve.cost);
   CHECK(made.curve.straightness == 0);
+}
+
+TEST_CASE("post_processor contract: refract_cells", "[contract]") {
+  RasterGrid raster;
+  raster.rows = 4, raster.columns = 5;
+  raster.cell = {0.5, 1};
+  raster.values = {2, 1, 4, 3, 1, 5, 2, 2, 7, 3, 1, 6, 1, 2, 2, 4, 3, 8, 1, 1};
+  const Problem problem = between(space(2), make_cost_map(raster, CostMapInterpolation::cells, 2),
+                                  Eigen::Vector2d(0.2, 0.3), Eigen::Vector2d(2.4, 3.9));
+  const FirstPath first = StraightInitializer().first_path(problem, {});
+  const PostProcessed chain = as_delivered(problem, sample_equally(problem, first.path, kPoints));
+  const PostProcessed made = RefractCellsPostProcessor().apply(problem, first, chain, {});
+  for (const Points& points : {made.curve.x, made.chain.u}) {
+    CHECK(points.col(0) == problem.source.u);
+    CHECK(points.rightCols(1) == problem.target.u);
+  }
+  REQUIRE(made.chain.u.cols() == chain.chain.u.cols());
+  const Eigen::VectorXd costs =
+      segment_costs(*problem.cost, {{made.curve.x.data(), 2, made.curve.x.cols()}, {}, false});
+  CHECK(made.curve.cost == Approx(costs.sum()).epsilon(1e-13));
+  CHECK(made.curve_costs.sum() == Approx(made.curve.cost).epsilon(1e-13));
+  CHECK(spread(made.curve_costs) <= 1e-12);
+  CHECK(made.curve.cost < chain.curve.cost);
+  REQUIRE(made.curve.least_of_class);
+  CHECK(*made.curve.least_of_class <= made.curve.cost);
+  CHECK(*made.curve.least_of_class >= made.curve.cost * (1 - 1e-12));
+  CHECK(made.curve.straightness >= -1e-12);
+  const PostProcessed bounded = CellBoundPostProcessor().apply(problem, first, made, {});
+  REQUIRE(bounded.curve.global);
+  CHECK(bounded.curve.global->lower_bound <= made.curve.cost);
+  CHECK(bounded.curve.x == made.curve.x);
+  const Problem other = between(space(2), make_euclidean_cost(2), problem.source.u, problem.target.u);
+  CHECK_THROWS_WITH(RefractCellsPostProcessor().apply(other, first, chain, {}),
+                    Catch::Contains("refract_cells needs a cost map that is read as cells"));
 }
 
 TEST_CASE("post_processor contract: refract", "[contract]") {

@@ -86,7 +86,7 @@ TEST_CASE("typed options: every value of a choice has one word") {
   check_words(refraction::LayerValues::speed);
   check_words(WalkingTime::seconds);
   check_words(MapLength::kilometres);
-  check_words(CostMapInterpolation::bilinear);
+  check_words(CostMapInterpolation::cells);
 }
 
 TEST_CASE("typed options: a number that is no value of a choice is refused where it matters") {

@@ -241,10 +241,11 @@ struct SearchWords {
   const char* where;
   const char* caution = "";
 };
-constexpr std::array<SearchWords, 3> kSearches = {
+constexpr std::array<SearchWords, 4> kSearches = {
     {{"windows", "on this polyhedron", " Nothing is said about a smooth surface behind the mesh."},
      {"tangents", "among these obstacles"},
-     {"words", "through these layers"}}};
+     {"words", "through these layers"},
+     {"places", "over these cells"}}};
 
 const SearchWords& search_of(const JsonFile& result) {
   const auto found = std::find_if(kSearches.begin(), kSearches.end(), [&](const SearchWords& search) {

@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/cells/cell_refraction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "problems/cells/corner_turn.hpp"
+
+namespace leastcost {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kSame = 1e-13;     ///< of the cost
+constexpr double kAtCorner = 1e-9;  ///< of a side
+constexpr int kMostRounds = 200;
+
+bool is_corner(const CellMap& map, const Vector2d& x) { return map.line_at(0, x[0]) && map.line_at(1, x[1]); }
+
+/// The side that holds a place which is no corner; null within a cell.
+std::optional<Gate> gate_of(const CellMap& map, const Vector2d& x) {
+  for (const int across : {0, 1}) {
+    if (!map.line_at(across, x[across])) continue;
+    const int along = 1 - across;
+    const CellRange cell = map.touched(along, x[along]);
+    return Gate{along, x[across], map.line(along, cell.first), map.line(along, cell.first + 1)};
+  }
+  return std::nullopt;
+}
+
+double leg_cost(const CellMap& map, const Vector2d& a, const Vector2d& b) {
+  const auto leg = map.leg(a, b);
+  return leg ? leg->cost : std::numeric_limits<double>::infinity();
+}
+
+/// Without places that a straight leg within one cell replaces at no higher cost.
+CellPath simplified(const CellMap& map, const CellPath& path) {
+  CellPath out;
+  for (const Vector2d& next : path) {
+    if (!out.empty() && out.back() == next) continue;
+    while (out.size() >= 2) {
+      const Vector2d &before = out[out.size() - 2], &last = out.back();
+      const double by_last = leg_cost(map, before, last) + leg_cost(map, last, next);
+      if (!(leg_cost(map, before, next) <= by_last * (1 + kSame))) break;
+      out.pop_back();
+    }
+    if (out.empty() || out.back() != next) out.push_back(next);
+  }
+  return out;
+}
+
+/// The part of a path between two places that stay, the sides between them as gates.
+struct Part {
+  GateChain chain;
+  std::vector<double> s;
+};
+
+Part part_of(const CellMap& map, const CellPath& path, std::size_t from, std::size_t to) {
+  Part part;
+  part.chain.from = path[from];
+  part.chain.to = path[to];
+  for (std::size_t i = from; i < to; ++i) {
+    const auto leg = map.leg(path[i], path[i + 1]);
+    part.chain.units.push_back(leg ? leg->unit : std::numeric_limits<double>::infinity());
+    if (i + 1 == to) break;
+    part.chain.gates.push_back(*gate_of(map, path[i + 1]));
+    part.s.push_back(path[i + 1][part.chain.gates.back().axis]);
+  }
+  return part;
+}
+
+/// What is as near to an end of its gate as rounding is put there.
+void snap(const GateChain& chain, std::vector<double>& s) {
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    const Gate& gate = chain.gates[i];
+    const double near = kAtCorner * (gate.high - gate.low);
+    if (s[i] - gate.low <= near) s[i] = gate.low;
+    if (gate.high - s[i] <= near) s[i] = gate.high;
+  }
+}
+
+void append(const GateChain& chain, const std::vector<double>& s, CellPath& path) {
+  for (std::size_t i = 0; i < s.size(); ++i) path.push_back(chain.gates[i].at(s[i]));
+}
+
+/// Calls visit(from, to) for the parts of a path between its ends and corners.
+template <class Visit>
+void each_part(const CellMap& map, const CellPath& path, const Visit& visit) {
+  std::size_t from = 0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const bool stays = i + 1 == path.size() || is_corner(map, path[i]) || !gate_of(map, path[i]);
+    if (!stays) continue;
+    visit(from, i);
+    from = i;
+  }
+}
+
+class Refraction {
+ public:
+  Refraction(const CellMap& map, CellPath path, const std::function<void()>& look)
+      : map_(map), look_(look), path_(std::move(path)), cost_(cost_of(map, path_)) {}
+
+  RefractedCellPath run() {
+    take(simplified(map_, path_));
+    bool changed = true;
+    for (int round = 0; round < kMostRounds && changed; ++round) {
+      if (look_) look_();
+      solve_parts();
+      changed = turn_at_corners();
+    }
+    if (changed) solve_parts();
+    return {path_, cost_, cost_ - excess(), !changed};
+  }
+
+ private:
+  /// Where it is no dearer.
+  bool take(const CellPath& path) {
+    const double cost = cost_of(map_, path);
+    if (!(cost <= cost_ * (1 + kSame))) return false;
+    path_ = path;
+    cost_ = cost;
+    return true;
+  }
+
+  void solve_parts() {
+    solve_parts([](const Part& part) { return least_places(part.chain, part.s); });
+    constexpr int kPolishes = 20;  // a place that comes to a corner parts the path anew
+    for (int k = 0; k < kPolishes; ++k) {
+      const CellPath before = path_;
+      solve_parts([](const Part& part) {
+        std::vector<double> s = part.s;
+        polish(part.chain, s);
+        return s;
+      });
+      if (path_.size() == before.size() && corners() == corners_of(before)) return;
+    }
+  }
+  template <class Solve>
+  void solve_parts(const Solve& solve) {
+    CellPath next = {path_.front()};
+    each_part(map_, path_, [&](std::size_t from, std::size_t to) {
+      const Part part = part_of(map_, path_, from, to);
+      std::vector<double> s = solve(part);
+      snap(part.chain, s);
+      append(part.chain, part.chain.cost(s) <= part.chain.cost(part.s) * (1 + kSame) ? s : part.s, next);
+      next.push_back(path_[to]);
+    });
+    take(simplified(map_, next));
+  }
+  std::size_t corners_of(const CellPath& path) const {
+    return static_cast<std::size_t>(
+        std::count_if(path.begin(), path.end(), [&](const Vector2d& x) { return is_corner(map_, x); }));
+  }
+  std::size_t corners() const { return corners_of(path_); }
+
+  /// Goes round corners where that is cheaper; whether it was anywhere.
+  bool turn_at_corners() {
+    CellPath next = {path_.front()};
+    bool changed = false;
+    for (std::size_t i = 1; i + 1 < path_.size(); ++i) {
+      const bool turned = is_corner(map_, path_[i]) && turn_at(next.back(), path_[i], path_[i + 1], next);
+      changed = changed || turned;
+      if (!turned) next.push_back(path_[i]);
+    }
+    next.push_back(path_.back());
+    return changed && take(simplified(map_, next));
+  }
+  bool turn_at(const Vector2d& a, const Vector2d& corner, const Vector2d& b, CellPath& next) const {
+    const double now = leg_cost(map_, a, corner) + leg_cost(map_, corner, b);
+    double least = now;
+    CellPath best;
+    for (const bool anticlockwise : {true, false}) {
+      const auto turn = corner_turn(map_, a, corner, b, anticlockwise);
+      if (!turn || !(steepest_fall(*turn, corner) > 0)) continue;
+      std::vector<double> s;
+      for (const Gate& gate : turn->chain.gates) s.push_back(corner[gate.axis]);
+      s = least_places(turn->chain, s);
+      polish(turn->chain, s);
+      const double cost = turn->chain.cost(s);
+      if (!(cost < least)) continue;
+      least = cost;
+      best.clear();
+      append(turn->chain, s, best);
+    }
+    if (best.empty() || !(least < now - kSame * cost_)) return false;
+    next.insert(next.end(), best.begin(), best.end());
+    return true;
+  }
+
+  double excess() const {
+    const double places = static_cast<double>(path_.size());
+    double sum = 8 * std::numeric_limits<double>::epsilon() * places * cost_;
+    each_part(map_, path_, [&](std::size_t from, std::size_t to) {
+      const Part part = part_of(map_, path_, from, to);
+      sum += excess_above_least(part.chain, part.s);
+    });
+    return sum;
+  }
+
+  const CellMap& map_;
+  const std::function<void()>& look_;
+  CellPath path_;
+  double cost_;
+};
+
+Crossing crossing_at(const CellMap& map, const Vector2d& a, const Vector2d& x, const Vector2d& b) {
+  constexpr double kNoCrossing = 2;
+  Crossing c;
+  c.place = x;
+  c.mismatch = kNoCrossing;
+  const auto before = map.leg(a, x), after = map.leg(x, b);
+  if (!before || !after) return c;
+  const double larger = std::max(before->unit, after->unit);
+  c.from = before->row * map.columns() + before->column;
+  c.to = after->row * map.columns() + after->column;
+  c.index_before = before->unit;
+  c.index_after = after->unit;
+  const double ulps = 16 * std::numeric_limits<double>::epsilon() *
+                      std::max({a.cwiseAbs().maxCoeff(), x.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff()});
+  c.rounding = ulps * (1 / (x - a).norm() + 1 / (b - x).norm());
+  if (leg_cost(map, a, b) < (before->cost + after->cost) * (1 - kSame)) return c;  // within one cell
+  if (is_corner(map, x)) {
+    c.mismatch = 0;
+    for (const bool anticlockwise : {true, false})
+      if (const auto turn = corner_turn(map, a, x, b, anticlockwise))
+        c.mismatch = std::max(c.mismatch, steepest_fall(*turn, x) / larger);
+    return c;
+  }
+  const auto gate = gate_of(map, x);
+  if (!gate) return c;
+  c.interface = *map.line_at(1 - gate->axis, gate->line);
+  const Vector2d u = (x - a).normalized(), v = (b - x).normalized();
+  const int across = 1 - gate->axis;
+  c.angle_before = std::atan2(std::abs(u[gate->axis]), std::abs(u[across]));
+  c.angle_after = std::atan2(std::abs(v[gate->axis]), std::abs(v[across]));
+  c.slowness = before->unit * std::abs(u[gate->axis]);
+  c.mismatch = std::abs(before->unit * u[gate->axis] - after->unit * v[gate->axis]) / larger;
+  return c;
+}
+
+}  // namespace
+
+RefractedCellPath refract_in_cells(const CellMap& map, const CellPath& path, const std::function<void()>& look) {
+  return Refraction(map, path, look).run();
+}
+
+std::vector<Crossing> measure_cell_crossings(const CellMap& map, const Eigen::Ref<const Eigen::Matrix2Xd>& polyline) {
+  std::vector<Crossing> all;
+  for (Eigen::Index i = 1; i + 1 < polyline.cols(); ++i)
+    all.push_back(crossing_at(map, polyline.col(i - 1), polyline.col(i), polyline.col(i + 1)));
+  if (polyline.cols() == 2 && !map.leg(polyline.col(0), polyline.col(1))) {
+    Crossing c;
+    c.place = (polyline.col(0) + polyline.col(1)) / 2;
+    c.mismatch = 2;
+    all.push_back(c);
+  }
+  return all;
+}
+
+}  // namespace leastcost

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/cells/has_cost_cells.hpp"
+
+#include <string>
+
+#include <leastcost/framework/checks_moves.hpp>
+#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/has_box.hpp>
+
+namespace leastcost {
+
+CellMap cells_of(const Problem& problem, const std::string& who) {
+  const auto* cost = find_ability<HasCostCells>(*problem.cost);
+  if (cost == nullptr) throw InputError(who + " needs a cost map that is read as cells (interpolation: cells)");
+  if (problem.ring || problem.based) throw InputError(who + " joins two ends, and this path is a ring");
+  const ConstraintManifold& domain = *problem.manifold;
+  const Dimensions d = domain.dimensions();
+  if (domain.shape() != Shape::flat || d.coordinate != 2 || d.ambient != 2 || d.tangent != 2 ||
+      find_ability<HasChart>(domain) != nullptr || find_ability<ChecksMoves>(domain) != nullptr)
+    throw InputError(who + " needs the plane, or a box of it, without obstacles");
+  CellMap map = cost->cell_map();
+  if (const auto* box = find_ability<HasBox>(domain))
+    map = map.within({Eigen::Vector2d(box->box_lower()), Eigen::Vector2d(box->box_upper())});
+  for (const PathEnd* end : {&problem.source, &problem.target})
+    if (const std::string why = map.why_no_end(end->u); !why.empty())
+      throw InputError(std::string("the ") + (end == &problem.source ? "source " : "target ") + why);
+  return map;
+}
+
+}  // namespace leastcost

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <leastcost/framework/problem.hpp>
+#include "problems/cells/cell_map.hpp"
+
+namespace leastcost {
+
+/// Ability of a cost: a unit of length costs the same all over a cell.
+class HasCostCells {
+ public:
+  virtual ~HasCostCells() = default;
+  virtual const CellMap& cell_map() const = 0;
+};
+
+/// The cells of the cost of a problem within the box of its domain. Throws InputError, which begins with `who`, where
+/// it has none, for rings, where points are not free in the plane or a box of it, and for an end without a cell.
+CellMap cells_of(const Problem& problem, const std::string& who);
+
+}  // namespace leastcost

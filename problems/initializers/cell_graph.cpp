@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/problems/initializers/cell_graph.hpp>
+
+#include <cmath>
+#include <string>
+
+#include <leastcost/framework/errors.hpp>
+#include "framework/in_parts.hpp"
+#include "problems/cells/cell_graph.hpp"
+#include "problems/cells/has_cost_cells.hpp"
+#include "problems/cells/side_nodes.hpp"
+
+namespace leastcost {
+namespace {
+
+constexpr double kMostPlaces = 1.5e8;  ///< about 20 bytes each
+
+}  // namespace
+
+void CellGraphOptions::fields(FieldVisitor& visit) {
+  visit.field("side_points", side_points,
+              {.help = "Places on each side of a cell, beside its corners: more see more ways, and take longer.",
+               .minimum = 0,
+               .maximum = 63});
+}
+
+FirstPath CellGraphInitializer::first_path(const Problem& problem, const Monitor& monitor) const {
+  const CellMap map = cells_of(problem, "cell_graph");
+  if (SideNodes::count_for(map, options_.side_points) > kMostPlaces)
+    throw InputError("cell_graph: " + std::to_string(map.rows()) + " x " + std::to_string(map.columns()) +
+                     " cells are too many for " + std::to_string(options_.side_points) +
+                     " places on each side: give fewer (initializer: {type: cell_graph, side_points: 0}), or a box "
+                     "around the ends (manifold: {type: euclidean, lower: [..], upper: [..]})");
+  const CellPath found = least_cell_path(map, problem.source.u, problem.target.u, options_.side_points, [&monitor] {
+    if (monitor.cancelled()) throw Interrupted("while the cells were searched");
+    look_at_clock(monitor.deadline);
+  });
+  if (found.empty()) throw InitializationError("cells without data part the ends: no path leads from one to the other");
+  FirstPath first;
+  first.path.u.resize(2, static_cast<Index>(found.size()));
+  for (std::size_t i = 0; i < found.size(); ++i) first.path.u.col(static_cast<Index>(i)) = found[i];
+  return first;
+}
+
+}  // namespace leastcost

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <leastcost/framework/initializer.hpp>
+#include <leastcost/framework/options.hpp>
+
+namespace leastcost {
+
+struct CellGraphOptions {
+  int side_points = 3;  ///< on each side of a cell, beside its corners
+  void fields(FieldVisitor& visit);
+};
+
+/// The least-cost path by straight moves within cells of a raster, between their corners and places on their sides, for
+/// a cost that is constant in each cell. With three places it costs no more than any grid path to 8 or 16 neighbours.
+class CellGraphInitializer final : public Initializer {
+ public:
+  explicit CellGraphInitializer(const CellGraphOptions& options = {}) : options_(options) {}
+  std::string_view name() const override { return "cell_graph"; }
+  /// Throws InputError for another cost or domain, InitializationError where cells without data part the ends.
+  FirstPath first_path(const Problem& problem, const Monitor& monitor) const override;
+
+ private:
+  CellGraphOptions options_;
+};
+
+}  // namespace leastcost
