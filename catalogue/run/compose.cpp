@@ -252,6 +252,7 @@ void Composer::take_domain() {
   if (!config_.ring && placed)
     attempt([&] {
       place_target(end(config_.target, "ends.target"), "ends.target", out_);
+      refuse_one_place(out_.problem, "ends.target");
       context_.target = positions(manifold, {out_.problem.target.u, {}, true});
     });
 }
