@@ -36,6 +36,7 @@
 #include "catalogue/run/ends.hpp"
 #include "catalogue/run/memory.hpp"
 #include "catalogue/run/pair_composer.hpp"
+#include "catalogue/run/plane_on_earth.hpp"
 #include "catalogue/run/run_checks.hpp"
 #include "problems/formula/coordinate_names.hpp"
 #include "problems/obstacles/walls_in.hpp"
@@ -341,6 +342,7 @@ void Composer::place_obstacles() {
   for (std::size_t i = 0; i < config_.obstacles.size(); ++i) {
     made = attempt([&] {
              for (auto& one : make<FreeSpace::Obstacles>(config_.obstacles[i], context_)) {
+               if (!robot) refuse_plane_on_earth(*one, *out_.problem.manifold, "obstacles." + std::to_string(i));
                all.push_back(std::move(one));
                entry_of.push_back(i);
              }
