@@ -82,7 +82,7 @@ constexpr double kFarBelow = 0.01;  // of the cost: a bound that deserves a line
 
 /// What a search over all paths left open, where that is much.
 std::string bound_line(const GlobalBound& global) {
-  return fmt::format("no path costs less than {:.6g}; a cheaper one than this was not ruled out: {}",
+  return fmt::format("no path costs less than {:.9g}; a cheaper one than this was not ruled out: {}",
                      global.lower_bound, global.reason.empty() ? "the budget of the search is spent" : global.reason);
 }
 
