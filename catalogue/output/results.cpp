@@ -48,12 +48,18 @@ void write_paths(const RunOutcome& outcome, OutputFolder& folder) {
   const PathTable curve = delivered_curve(outcome.parts.problem, outcome.result);
   if (config.writes("curve")) folder.write("curve.csv", csv_text(curve));
   if (config.writes("vtp")) {
-    const bool curve_differs = curve.x.cols() != points.x.cols() || curve.x != points.x;
-    std::vector<PathTable> lines = {points};
-    if (curve_differs) lines.push_back(curve);
+    const bool chords = curve.x.cols() != points.x.cols() || curve.x != points.x;  // else both are the curve
+    std::vector<PathTable> lines;
+    std::vector<VtpPart> parts;
+    const auto add = [&](VtpPart part, PathTable line) {
+      lines.push_back(std::move(line));
+      parts.push_back(part);
+    };
+    if (chords) add(VtpPart::chords, points);
+    add(VtpPart::curve, curve);
     for (std::size_t k = 1; k < outcome.family.size(); ++k)
-      lines.push_back(delivered_curve(outcome.family[k].problem, outcome.family[k].result));
-    folder.write("path.vtp", vtp_text(lines));
+      add(VtpPart::other_way, delivered_curve(outcome.family[k].problem, outcome.family[k].result));
+    folder.write("path.vtp", vtp_text(lines, parts));
   }
   if (config.writes("obj")) folder.write("path.obj", obj_text(curve));
   const std::string geojson = config.writes("geojson") ? geojson_text(outcome) : "";

@@ -204,6 +204,7 @@ TEST_CASE("run: path.vtp and path.obj are consistent files") {
   CHECK(values("connectivity").size() == rows + curve);
   CHECK(values("offsets") == std::vector<double>{double(rows), double(rows + curve)});
   CHECK(values("line") == std::vector<double>{0, 1});
+  CHECK(values("part") == std::vector<double>{0, 1});  // chords, curve
   for (const char* tag : {"Piece", "PointData", "CellData", "Points", "Lines", "PolyData", "VTKFile"}) {
     CHECK_THAT(vtp, Contains(std::string("<") + tag) && Contains(std::string("</") + tag + ">"));
   }
