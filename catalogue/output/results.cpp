@@ -9,6 +9,8 @@
 #include <span>
 
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/raster/has_voids.hpp>
+#include "catalogue/back_ends/back_ends.hpp"
 #include "catalogue/output/geojson.hpp"
 #include "catalogue/output/manifest.hpp"
 #include "catalogue/output/path_table.hpp"
@@ -41,6 +43,10 @@ ManifestFacts facts_of(const RunOutcome& outcome, const std::vector<std::string>
   return facts;
 }
 
+bool is_on_raster(const Problem& problem) {
+  return find_ability<HasVoids>(*problem.manifold) != nullptr || find_ability<HasVoids>(*problem.cost) != nullptr;
+}
+
 /// Polylines: the delivered points and curve, and the curves of the family.
 void write_paths(const RunOutcome& outcome, OutputFolder& folder) {
   const RunConfig& config = outcome.origin->config;
@@ -66,6 +72,13 @@ void write_paths(const RunOutcome& outcome, OutputFolder& folder) {
   if (!geojson.empty()) {
     folder.write("path.geojson", geojson);
     folder.write("path_points.geojson", geojson_points_text(outcome));
+  }
+  const GeoPackageWriter geopackage = geopackage_writer_of_libraries();
+  if (geopackage != nullptr && config.writes("gpkg") && is_on_raster(outcome.parts.problem)) {
+    const std::string line = geojson_text(outcome);
+    const std::string bytes =
+        line.empty() ? "" : geopackage({{"path", line}, {"points", geojson_points_text(outcome)}});
+    if (!bytes.empty()) folder.write("path.gpkg", bytes);
   }
   const std::string residuals = config.writes("residuals") ? residuals_csv(outcome.parts.problem, curve) : "";
   if (!residuals.empty()) folder.write("residuals.csv", residuals);
