@@ -58,7 +58,8 @@ TEST_CASE("run: a soup whose corners are off by rounding is joined by the weld t
   const auto run = [&](const std::string& weld) {
     const std::string config = "manifold: {type: mesh, file: soup.obj, weld: " + weld +
                                "}\ncost: euclidean\nends: {source: {vertex: 0}, target: {vertex: 3}}\n";
-    return call({"run", write(dir / "a.yaml", config).string(), "-n", "--format", "json"});
+    return call(
+        {"run", write(dir / "a.yaml", config).string(), "-o", (dir / "out").string(), "--force", "--format", "json"});
   };
   const Called loose = run("true");
   CHECK(loose.exit == 6);
