@@ -214,7 +214,8 @@ std::string plane_svg(const RunFiles& files) {
   if (scene.cost) inside += cost_bands(*scene.cost, frame);
   if (scene.relief) inside += hillshade(*scene.relief, frame);
   if (scene.potential) inside += potential_lines(*scene.potential, frame);
-  for (const Points& curve : scene.curves) inside += stroke(curve, frame, "domain");
+  // On the ground all of them are outlines of obstacles.
+  for (const Points& curve : scene.curves) inside += stroke(curve, frame, scene.relief ? "obstacle" : "domain");
   inside += box_sides(scene, frame);
   inside += stroke(scene.lines.first, frame, "first");
   for (const Points& other : scene.lines.others) inside += stroke(other, frame, "other");
