@@ -13,6 +13,7 @@
 #include <leastcost/problems/manifolds/made_from_data.hpp>
 #include "catalogue/output/json_numbers.hpp"
 #include "catalogue/output/output_folder.hpp"
+#include "catalogue/output/unit_of_cost.hpp"
 #include "catalogue/run/compose.hpp"
 #include "catalogue/run/memory.hpp"
 #include "catalogue/run/run_origin.hpp"
@@ -55,7 +56,7 @@ std::optional<double> cost_as_delivered(const WrittenRun& run) {
 
 std::string cost_line(const WrittenRun& run) {
   const Result& result = run.result;
-  const std::string& unit = run.parts.problem.cost->traits().unit;
+  const std::string unit = unit_of_cost(run.parts.problem);
   const CostEstimate& estimate = result.certificate.estimate;
   if (std::isinf(result.curve.cost)) return "infinite: the path leaves the domain of the cost";
   if (result.status == Status::interrupted && !std::isfinite(estimate.error))

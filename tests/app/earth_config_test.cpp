@@ -10,6 +10,7 @@
 #include <leastcost/catalogue/run/run.hpp>
 #include <leastcost/framework/clearance.hpp>
 #include "catalogue/output/geojson.hpp"
+#include "catalogue/output/unit_of_cost.hpp"
 #include "tests/app/config_text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
@@ -177,6 +178,14 @@ TEST_CASE("the Earth: land in degrees is refused with the ball in space that hol
   const Run run = parse_run(around(refused.substr(begin, end + 1 - begin)), "a.yaml");
   const Eigen::Vector2d corner(-17, 178);
   CHECK_FALSE(why_in_clearance(run.parts.problem, PathEnd{corner}).empty());
+}
+
+TEST_CASE("the Earth: lengths are metres, on another planet they are lengths") {
+  const RunOutcome earth = solve(parse_run(on_earth("[10, 20]", "[11, 21]"), "a.yaml"));
+  CHECK(unit_of_cost(earth.parts.problem) == "m");
+  std::string planet = on_earth("[10, 20]", "[11, 21]");
+  planet.replace(0, planet.find('\n'), "manifold: {type: earth, semi_major_axis: 3396190}");
+  CHECK(unit_of_cost(parse_run(planet, "a.yaml").parts.problem) == "length");
 }
 
 TEST_CASE("the Earth: a way over a pole is said in words, not by a latitude of 100") {
