@@ -36,6 +36,7 @@ function(leastcost_back_end_source file)
   get_property(planners GLOBAL PROPERTY LEASTCOST_PLANNER_ENTRIES)
   get_property(raster_reader GLOBAL PROPERTY LEASTCOST_RASTER_READER)
   get_property(crs_reader GLOBAL PROPERTY LEASTCOST_CRS_READER)
+  get_property(geopackage_writer GLOBAL PROPERTY LEASTCOST_GEOPACKAGE_WRITER)
   file(CONFIGURE OUTPUT ${file} @ONLY CONTENT "// Made by cmake/leastcost_back_end.cmake from solvers/*/CMakeLists.txt, ompl and gdal.
 #include \"catalogue/back_ends/back_ends.hpp\"
 
@@ -53,5 +54,7 @@ std::vector<leastcost::InitializerPlugin> leastcost::planners() {
 leastcost::RasterReader leastcost::raster_reader_of_libraries() { return @raster_reader@; }
 
 leastcost::CrsReader leastcost::crs_reader_of_libraries() { return @crs_reader@; }
+
+leastcost::GeoPackageWriter leastcost::geopackage_writer_of_libraries() { return @geopackage_writer@; }
 ")
 endfunction()

@@ -111,9 +111,9 @@ class Certifier {
       worst = std::max(worst, residual(*problem_.manifold, middles, monitor_.deadline));
     }
     c_.residual = worst / extent();
-    if (!(*c_.residual <= options_.residual))
-      fail("residual", "the path leaves the domain by " + short_number(*c_.residual) + " diameters; allowed " +
-                           short_number(options_.residual));
+    if (*c_.residual <= options_.residual) return;
+    const TwoNumbers texts = told_apart(*c_.residual, options_.residual);
+    fail("residual", "the path leaves the domain by " + texts.first + " diameters; allowed " + texts.second);
   }
 
   /// Of the curve that is delivered, segment by segment: no number of points sees a thin obstacle between two of them.
@@ -185,8 +185,9 @@ class Certifier {
   void compare_with_bound() {
     if (!c_.global || c_.global->category == BoundCategory::sampled) return;
     if (c_.estimate.value + c_.estimate.error >= c_.global->lower_bound) return;
-    fail("below_bound", "the cost " + short_number(c_.estimate.value) + " lies below " +
-                            short_number(c_.global->lower_bound) + ", which is proved of all paths: use more points");
+    const TwoNumbers texts = told_apart(c_.estimate.value, c_.global->lower_bound);
+    fail("below_bound",
+         "the cost " + texts.first + " lies below " + texts.second + ", which is proved of all paths: use more points");
   }
 
   void add_margin_bar(const Refinement& refinement) {
@@ -368,10 +369,10 @@ class Certifier {
     c_.doubling = a.energy / b.energy;
     c_.doubling_expected = kernel_value(*problem_.kernel, a.cost / (a.segments * s0)) /
                            (2 * kernel_value(*problem_.kernel, b.cost / (b.segments * s0)));
-    if (!(std::abs(*c_.doubling / *c_.doubling_expected - 1) <= options_.doubling))
-      fail("doubling", "E(2M) / E(4M) is " + short_number(*c_.doubling) + " where an evenly spaced path has " +
-                           short_number(*c_.doubling_expected) +
-                           ": the path jumps over a part of the domain (VFCS Eq. 8)");
+    if (std::abs(*c_.doubling / *c_.doubling_expected - 1) <= options_.doubling) return;
+    const TwoNumbers texts = told_apart(*c_.doubling, *c_.doubling_expected);
+    fail("doubling", "E(2M) / E(4M) is " + texts.first + " where an evenly spaced path has " + texts.second +
+                         ": the path jumps over a part of the domain (VFCS Eq. 8)");
   }
 
   const Problem& problem_;

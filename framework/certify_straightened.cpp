@@ -31,10 +31,10 @@ void measure_refraction(const HasInterfaces& cost, const Points& curve, const Ce
     *c.stationarity = std::max(*c.stationarity, crossing.mismatch);
     const double allowed = options.stationarity + crossing.rounding;
     if (crossing.mismatch <= allowed) continue;
+    const TwoNumbers texts = told_apart(crossing.mismatch, allowed);
     c.failures.push_back({"stationarity", "at " + point_text(crossing.place) + " the slownesses along interface " +
-                                              std::to_string(crossing.interface) + " differ by " +
-                                              short_number(crossing.mismatch) + " of the index; allowed " +
-                                              short_number(allowed) + " (Snell's law)"});
+                                              std::to_string(crossing.interface) + " differ by " + texts.first +
+                                              " of the index; allowed " + texts.second + " (Snell's law)"});
   }
 }
 
@@ -54,9 +54,11 @@ void certify_straightened(const Problem& problem, const PostProcessed& path, con
   else if (!(*c.straightness >= -(measured ? kNearlyStraight : kStraight)))
     c.failures.push_back({"straightness", "an angle beside the path is " + short_number(-*c.straightness) +
                                               " below pi: it can be shortened there"});
-  if (c.global && c.global->outcome == "blocked" && c.global->gap > kFarBelow)
-    c.failures.push_back({"global", "a path of " + short_number(c.global->lower_bound) + " may exist, this one costs " +
-                                        short_number(path.curve.cost) + ": " + c.global->reason});
+  if (c.global && c.global->outcome == "blocked" && c.global->gap > kFarBelow) {
+    const TwoNumbers texts = told_apart(c.global->lower_bound, path.curve.cost);
+    c.failures.push_back({"global", "a path of " + texts.first + " may exist, this one costs " + texts.second + ": " +
+                                        c.global->reason});
+  }
   if (!(c.spacing <= options.spacing)) fail_spacing(c, options.spacing);
   c.estimate.method = "straightened";
   c.estimate.error = std::numeric_limits<double>::epsilon() * path.curve.cost *

@@ -199,12 +199,12 @@ std::vector<std::string> decide_family(std::vector<FamilyMember>& members, const
   const auto sure = std::find_if(members.begin(), members.end(),
                                  [](const FamilyMember& m) { return m.result.status == Status::certified; });
   if (sure == members.end()) return {};
-  return {"family: the least path, of cost " + short_number(members.front().rank_cost) +
-          ", could be neither certified nor ruled out" +
+  const TwoNumbers costs = told_apart(members.front().rank_cost, sure->rank_cost);
+  return {"family: the least path, of cost " + costs.first + ", could be neither certified nor ruled out" +
           (monitor.interrupted()            ? " in the time given"
            : options.certificate.refine > 0 ? ", with more points either"
                                             : "") +
-          "; the least certified one costs " + short_number(sure->rank_cost)};
+          "; the least certified one costs " + costs.second};
 }
 
 }  // namespace leastcost

@@ -381,8 +381,9 @@ class Search {
   void name_free_passage() {
     const std::optional<FreePassage> passage = free_passage(problem_, result_.path);
     if (!passage || !(passage->cost < result_.curve.cost)) return;
-    result_.notes.push_back("cheaper: the way by the places where moves are free costs " +
-                            short_number(passage->cost, 6) + "; this path is the least of its neighbours only");
+    const TwoNumbers texts = told_apart(passage->cost, result_.curve.cost, 6);
+    result_.notes.push_back("cheaper: the way by the places where moves are free costs " + texts.first +
+                            ", this path " + texts.second + ", which is the least of its neighbours only");
   }
 
   void certify_delivered(const PostProcessed& processed, const ToCurve& to_curve) {

@@ -21,7 +21,7 @@ void check(const FindOptions& options) {
   if (options.points && *options.points > kMostAllowed)
     throw InputError("a path has at most 10^8 free points, not " + std::to_string(*options.points));
   if (options.reference_cost && !(*options.reference_cost > 0 && std::isfinite(*options.reference_cost)))
-    throw InputError("the reference cost is positive and finite, not " + std::to_string(*options.reference_cost));
+    throw InputError("the reference cost is positive and finite, not " + short_number(*options.reference_cost, 6));
   for (const auto& step : options.post_processors)
     if (!step) throw InputError("a post-processor is null");
 }

@@ -152,14 +152,14 @@ std::optional<Offer> better_offer(const Problem& given, const Result& result, co
 }
 
 std::string why(const Offer& offer, const Standing& searched) {
-  std::string text = "delivered is the first path, of cost " + short_number(offer.curve.curve.cost, 9);
+  const TwoNumbers costs = told_apart(offer.curve.curve.cost, searched.cost, 9);
+  std::string text = "delivered is the first path, of cost " + costs.first;
   if (offer.standing.depth < searched.depth) {
     text += offer.standing.depth > 0 ? ", which goes less deep into obstacles" : ", which is clear of the obstacles";
     return text + ": the path that was searched from it goes " + short_number(searched.depth) + " too far into one";
   }
   return text + ": the path that was searched from it " +
-         (std::isfinite(searched.cost) ? "costs " + short_number(searched.cost, 9)
-                                       : std::string("is no curve on the domain"));
+         (std::isfinite(searched.cost) ? "costs " + costs.second : std::string("is no curve on the domain"));
 }
 
 /// The certificate says what is measured of the delivered path, and why the other one was refused.

@@ -107,6 +107,9 @@ class FieldVisitor {
   virtual void field(std::string_view key, std::map<std::string, double>& value, const FieldDoc& doc) = 0;
   /// Texts: a list, or a single one. An empty list counts as absent.
   virtual void field(std::string_view key, std::vector<std::string>& value, const FieldDoc& doc) = 0;
+  /// A switch that a number may stand in the place of: {weld: true}, or {weld: 1e-6}, which is on with that number. 0:
+  /// none is given. The range of `doc` is that of the number.
+  virtual void switch_or_number(std::string_view key, bool& on, double& number, const FieldDoc& doc) = 0;
   /// A path to a file, relative to the folder of the configuration.
   virtual void file(std::string_view key, std::string& value, const FieldDoc& doc) = 0;
   /// A nested block with fields of its own.

@@ -58,14 +58,6 @@ std::vector<PointImage> images_of(const Problem& problem) {
   return domain->images(problem.target.u, problem.source.u, kMostTriedImages);
 }
 
-/// How many significant digits show that two numbers differ, and by how much: two more than the first that does.
-int digits_apart(double a, double b) {
-  constexpr int kLeast = 3, kMost = 15;
-  const double size = std::max(std::abs(a), std::abs(b)), apart = std::abs(a - b);
-  if (!(apart > 0) || !std::isfinite(size)) return kLeast;
-  return std::clamp(static_cast<int>(std::ceil(std::log10(size / apart))) + 2, kLeast, kMost);
-}
-
 constexpr double kUnsolved = std::numeric_limits<double>::infinity();
 
 /// Whether a chain has slipped to another sheet of its chart: it is then no path to the image that it was to go to.
@@ -192,8 +184,8 @@ std::string cheaper_image(const Problem& problem, double cost, const Monitor& mo
   const auto said = [&](const PointImage& image, const std::string& start, const std::string& costs, double less) {
     const std::string there =
         image.way.empty() ? "the target is also " + named(image) + ": " + start + " to it" : start + " " + image.way;
-    const int digits = digits_apart(less, cost);
-    return there + costs + short_number(less, digits) + ", this path " + short_number(cost, digits) +
+    const TwoNumbers texts = told_apart(less, cost);
+    return there + costs + texts.first + ", this path " + texts.second +
            " (images tried: " + std::to_string(tried.size()) + ")";
   };
   if (const std::optional<CheaperImage> best = best_of(problem, tried, cost, kCoarseSaving, monitor))

@@ -29,4 +29,13 @@ std::string short_number(double x, int digits) {
   return out.str();
 }
 
+TwoNumbers told_apart(double first, double second, int digits) {
+  constexpr int kMost = 15;
+  const double size = std::max(std::abs(first), std::abs(second)), apart = std::abs(first - second);
+  // Two more than the first digit that differs: they say by how much.
+  if (apart > 0 && std::isfinite(size))
+    digits = std::clamp(static_cast<int>(std::ceil(std::log10(size / apart))) + 2, digits, std::max(digits, kMost));
+  return {short_number(first, digits), short_number(second, digits)};
+}
+
 }  // namespace leastcost

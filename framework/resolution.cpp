@@ -99,8 +99,9 @@ class Examiner {
     const double expected = limit + (c4 - limit) * ratio * ratio;
     const double allowed = kOfBar * estimate_.error + kOfDifference * std::abs(expected - limit) + kOfCost * c4;
     if (std::abs(*cost - expected) <= allowed) return;
-    unresolved("a chain with " + std::to_string(segments) + " segments costs " + short_number(*cost) + " where " +
-               short_number(expected) +
+    const TwoNumbers texts = told_apart(*cost, expected);
+    unresolved("a chain with " + std::to_string(segments) + " segments costs " + texts.first + " where " +
+               texts.second +
                " follows from the others: the cost or the domain has details finer than the segments; use more points");
   }
 

@@ -7,14 +7,16 @@
 namespace leastcost {
 
 void fail_spacing(Certificate& c, double allowed) {
-  c.failures.push_back({"spacing", "max / min cost of a segment exceeds 1 by " + short_number(c.spacing) +
-                                       "; allowed " + short_number(allowed)});
+  const TwoNumbers texts = told_apart(c.spacing, allowed);
+  c.failures.push_back(
+      {"spacing", "max / min cost of a segment exceeds 1 by " + texts.first + "; allowed " + texts.second});
 }
 
 void check_stationarity(Certificate& c, double allowed) {
   if (*c.stationarity <= allowed) return;
-  c.failures.push_back({"stationarity", "the relative cost error is " + short_number(*c.stationarity) + "; allowed " +
-                                            short_number(allowed) + ": the solver has not converged"});
+  const TwoNumbers texts = told_apart(*c.stationarity, allowed);
+  c.failures.push_back({"stationarity", "the relative cost error is " + texts.first + "; allowed " + texts.second +
+                                            ": the solver has not converged"});
 }
 
 }  // namespace leastcost

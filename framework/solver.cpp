@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <sstream>
 #include <string>
 #include <utility>
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/path_energy.hpp>
+#include "framework/point_text.hpp"
 
 namespace leastcost {
 
@@ -80,11 +80,10 @@ void doubt(const PathEnergy& energy, const CoordinatePath& path, SolveReport& re
   const double value = own.value(path), other = own.value_and_gradient(path, gradient);
   if (!std::isfinite(value) || !std::isfinite(other)) return;
   if (std::abs(value - other) <= kSame * std::max(std::abs(value), std::abs(other))) return;
-  std::ostringstream message;
-  message << "the cost contradicts itself: where its values give the energy " << value
-          << ", its gradients are those of " << other << "; check_cost() looks closer";
+  const TwoNumbers texts = told_apart(value, other, 6);
   report.termination = Termination::inconsistent;
-  report.message = message.str();
+  report.message = "the cost contradicts itself: where its values give the energy " + texts.first +
+                   ", its gradients are those of " + texts.second + "; check_cost() looks closer";
 } catch (...) {  // what throws now did not while solving: the report stands
 }
 

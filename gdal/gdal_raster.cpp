@@ -14,6 +14,7 @@
 #include <mutex>
 
 #include <leastcost/framework/errors.hpp>
+#include "framework/point_text.hpp"
 
 namespace leastcost {
 namespace {
@@ -105,7 +106,7 @@ Placement placement_of(GDALDatasetH dataset, const std::filesystem::path& file) 
   if (t[2] != 0 || t[4] != 0)
     fail(file, "the raster is rotated; `gdalwarp -r bilinear -dstnodata nan " + file.filename().string() +
                    " upright.tif` makes one with sides along the axes");
-  if (!(t[1] > 0) || t[5] == 0) fail(file, "the georeference has no cells: their width is " + std::to_string(t[1]));
+  if (!(t[1] > 0) || t[5] == 0) fail(file, "the georeference has no cells: their width is " + short_number(t[1], 6));
   return {true, t[5] > 0, t[0], t[3], t[1], std::abs(t[5])};
 }
 

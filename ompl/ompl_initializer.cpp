@@ -241,7 +241,7 @@ FirstPath OmplInitializer::first_path(const Problem& problem, const Monitor& mon
     definition->setOptimizationObjective(objective_of(space, problem, chosen.improves));
     const ob::PlannerPtr planner = chosen.make(space);
     planner->setProblemDefinition(definition);
-    if (options_.range) planner->params().setParam("range", std::to_string(*options_.range));
+    if (options_.range) planner->params().setParam("range", short_number(*options_.range, 17));
     planner->setup();
 
     const auto end = Monitor::Clock::now() + std::chrono::duration<double>(options_.max_seconds);

@@ -33,11 +33,11 @@ Override pairs_option(const std::string& file) {
 
 /// What the options of all commands write into; a command reads what it has declared.
 struct Values {
-  std::string config, output, pairs, seed, kind, type, name, mesh, shard, timeout, repetitions, format = "text";
+  std::string config, output, pairs, seed, kind, type, name, mesh, shard, timeout, repetitions, weld, format = "text";
   std::vector<std::string> configs, set;
   int parallel = 1;
   DistancesArguments distances;
-  bool force = false, dry_run = false, quiet = false, verbose = false, weld = false, resume = false;
+  bool force = false, dry_run = false, quiet = false, verbose = false, resume = false;
 
   bool json_lines() const { return format == "jsonl"; }
   bool json() const { return format == "json"; }
@@ -231,7 +231,8 @@ void add_helpers(CLI::App& app, Values& v, const Streams& streams, Command& chos
   CLI::App& doctor =
       *app.add_subcommand("doctor", "What is wrong with a mesh, if anything, and what a solve would need");
   doctor.add_option("mesh", v.mesh, "OBJ, OFF, PLY or STL file")->required()->type_name("MESH");
-  doctor.add_flag("--weld", v.weld, "After merging vertices with equal positions");
+  doctor.add_flag("--weld", v.weld,
+                  "After merging vertices with equal positions; --weld=1e-6: no farther apart than this, length units");
   add_format(doctor, v);
   doctor.callback([&] { chosen = [&] { return doctor_command(v.mesh, v.weld, v.json(), streams); }; });
 
@@ -242,7 +243,9 @@ void add_helpers(CLI::App& app, Values& v, const Streams& streams, Command& chos
   distances.add_option("--from", d.from, "Vertex of the file, from 0, or a text file of such numbers; may be repeated")
       ->required()
       ->type_name("VERTEX");
-  distances.add_flag("--weld", v.weld, "After merging vertices with equal positions");
+  distances.add_flag(
+      "--weld", v.weld,
+      "After merging vertices with equal positions; --weld=1e-6: no farther apart than this, length units");
   distances.add_option("--max-distance", d.max_distance, "Go no farther than this, length units")
       ->check(CLI::PositiveNumber);
   distances.add_option("--max-seconds", d.max_seconds, "Stop after this time; default: never")

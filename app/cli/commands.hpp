@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <leastcost/problems/mesh/triangle_mesh.hpp>
 #include "app/cli/streams.hpp"
 #include "app/run/run.hpp"
 #include "app/study/merge.hpp"
@@ -43,12 +44,16 @@ struct DistancesArguments {
   std::string mesh;
   std::vector<std::string> from;  ///< each a vertex of the file, or a text file of such numbers
   std::string output;             ///< empty: CSV on stdout
-  bool weld = false, quiet = false;
+  std::string weld;               ///< empty: no; "true", or a distance in length units
+  bool quiet = false;
   std::optional<double> max_distance = {};  ///< length units
   std::optional<double> max_seconds = {};
   std::optional<double> max_memory = {};  ///< GB, of windows
   std::optional<std::int64_t> max_windows = {};
 };
+
+/// What --weld says: "true", or a distance. Throws InputError for anything else.
+MeshOptions weld_of(const std::string& text);
 
 /// What run_command() does where the configuration has many pairs of ends.
 Exit pairs_command(const Run& run, const RunArguments& arguments, const Streams& streams);
@@ -66,7 +71,8 @@ Exit list_command(const std::string& kind, bool json, const Streams& streams);
 Exit describe_command(const std::string& kind, const std::string& type, const Streams& streams);
 /// `name`: empty for the list of templates; `file`: empty for stdout.
 Exit init_command(const std::string& name, const std::string& file, bool force, const Streams& streams);
-Exit doctor_command(const std::string& file, bool weld, bool json, const Streams& streams);
+/// `weld`: as for distances.
+Exit doctor_command(const std::string& file, const std::string& weld, bool json, const Streams& streams);
 /// Exact distances from the nearest of some vertices of a mesh to all others.
 Exit distances_command(const DistancesArguments& arguments, const Streams& streams);
 

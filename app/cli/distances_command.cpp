@@ -123,9 +123,7 @@ Exit distances_command(const DistancesArguments& arguments, const Streams& strea
   constexpr double kMaxMemory = 1.8;  // GB: with the rest of 50,000 triangles below 2
   const DistanceFormat format =
       arguments.output.empty() ? DistanceFormat::csv : distance_format(arguments.output);  // before any work
-  MeshOptions options;
-  options.weld = arguments.weld;
-  const TriangleMesh mesh(read_mesh(arguments.mesh), options);
+  const TriangleMesh mesh(read_mesh(arguments.mesh), weld_of(arguments.weld));
   const std::vector<SurfacePoint> sources = sources_of(mesh, arguments);
   catch_interrupts();
   const double max_memory = arguments.max_memory.value_or(kMaxMemory);

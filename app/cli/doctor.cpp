@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <charconv>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <ostream>
 
+#include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/mesh/mesh_report.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
 #include "app/cli/commands.hpp"
@@ -44,6 +47,7 @@ std::string faults(const MeshReport& r) {
   append_fault(out, "degenerate faces", r.degenerate_faces, r.named_degenerate_faces);
   append_fault(out, "duplicate faces", r.duplicate_faces, r.named_duplicate_faces);
   append_fault(out, "vertices at the position of an earlier one", r.duplicate_positions, r.named_duplicate_positions);
+  append_fault(out, "border vertices close to an earlier one", r.near_positions, r.named_near_positions);
   append_fault(out, "vertices that no face uses", r.unreferenced_vertices, std::vector<std::int32_t>{});
   return out;
 }
@@ -51,7 +55,14 @@ std::string faults(const MeshReport& r) {
 /// What makes paths go wrong; borders, parts and vertices that no face uses are no faults.
 bool has_faults(const MeshReport& r) {
   return r.non_manifold_edges > 0 || r.non_manifold_vertices > 0 || r.flipped_edges > 0 || r.degenerate_faces > 0 ||
-         r.duplicate_faces > 0 || (r.duplicate_positions > 0 && (r.border_edges > 0 || r.components.size() > 1));
+         r.duplicate_faces > 0 || r.near_positions > 0 ||
+         (r.duplicate_positions > 0 && (r.border_edges > 0 || r.components.size() > 1));
+}
+
+/// A power of ten, length units, that joins all vertices that are close to another.
+double joining_distance(const MeshReport& r) {
+  constexpr double kRoom = 1.01;
+  return std::pow(10.0, std::ceil(std::log10(kRoom * r.near_within)));
 }
 
 /// What a solve would need, in order of importance.
@@ -59,6 +70,11 @@ std::vector<std::string> advice(const MeshReport& r) {
   std::vector<std::string> out;
   if (r.duplicate_positions > 0 && (r.border_edges > 0 || r.components.size() > 1))
     out.emplace_back("try weld: true: vertices at equal positions may be seams that paths cannot cross");
+  if (r.near_positions > 0)
+    out.push_back(fmt::format(
+        "try weld: {:g} (length units): {} border vertices lie up to {:.3g} from another, which may be seams that "
+        "paths cannot cross",
+        joining_distance(r), r.near_positions, r.near_within));
   if (r.components.size() > 1) out.emplace_back("both ends must lie in the same component");
   if (r.non_manifold_edges > 0)
     out.emplace_back("a path that must cross an edge with three or more faces ends in an error");
@@ -123,6 +139,7 @@ std::string report_json(const TriangleMesh& mesh, const MeshReport& r) {
       {"degenerate_faces", {{"count", r.degenerate_faces}, {"first", r.named_degenerate_faces}}},
       {"duplicate_faces", {{"count", r.duplicate_faces}, {"first", r.named_duplicate_faces}}},
       {"duplicate_positions", {{"count", r.duplicate_positions}, {"first", r.named_duplicate_positions}}},
+      {"near_positions", {{"count", r.near_positions}, {"first", r.named_near_positions}}},
       {"unreferenced_vertices", {{"count", r.unreferenced_vertices}}}};
   out["notes"] = mesh.notes();
   out["advice"] = advice(r);
@@ -131,8 +148,20 @@ std::string report_json(const TriangleMesh& mesh, const MeshReport& r) {
 
 }  // namespace
 
-Exit doctor_command(const std::string& file, bool weld, bool json, const Streams& streams) {
-  const TriangleMesh mesh(read_mesh(file), {.weld = weld, .subdivide = 0});
+MeshOptions weld_of(const std::string& text) {
+  MeshOptions options;
+  options.weld = !text.empty() && text != "false";
+  if (!options.weld || text == "true") return options;
+  double& within = options.weld_within;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, within);
+  if (error != std::errc() || rest != end || !(within > 0) || !std::isfinite(within))
+    throw InputError(fmt::format("--weld={}: a distance above 0, in length units, or nothing is expected", text));
+  return options;
+}
+
+Exit doctor_command(const std::string& file, const std::string& weld, bool json, const Streams& streams) {
+  const TriangleMesh mesh(read_mesh(file), weld_of(weld));
   const MeshReport report = inspect(mesh);
   streams.out << (json ? report_json(mesh, report) : report_text(mesh, report));
   return has_faults(report) ? Exit::input : Exit::certified;

@@ -13,6 +13,7 @@
 #include <leastcost/problems/manifolds/made_from_data.hpp>
 #include "catalogue/output/json_numbers.hpp"
 #include "catalogue/output/output_folder.hpp"
+#include "catalogue/output/unit_of_cost.hpp"
 #include "catalogue/run/compose.hpp"
 #include "catalogue/run/memory.hpp"
 #include "catalogue/run/run_origin.hpp"
@@ -55,7 +56,7 @@ std::optional<double> cost_as_delivered(const WrittenRun& run) {
 
 std::string cost_line(const WrittenRun& run) {
   const Result& result = run.result;
-  const std::string& unit = run.parts.problem.cost->traits().unit;
+  const std::string unit = unit_of_cost(run.parts.problem);
   const CostEstimate& estimate = result.certificate.estimate;
   if (std::isinf(result.curve.cost)) return "infinite: the path leaves the domain of the cost";
   if (result.status == Status::interrupted && !std::isfinite(estimate.error))
@@ -82,7 +83,7 @@ constexpr double kFarBelow = 0.01;  // of the cost: a bound that deserves a line
 
 /// What a search over all paths left open, where that is much.
 std::string bound_line(const GlobalBound& global) {
-  return fmt::format("no path costs less than {:.6g}; a cheaper one than this was not ruled out: {}",
+  return fmt::format("no path costs less than {:.9g}; a cheaper one than this was not ruled out: {}",
                      global.lower_bound, global.reason.empty() ? "the budget of the search is spent" : global.reason);
 }
 

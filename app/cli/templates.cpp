@@ -50,7 +50,7 @@ name: mesh
 manifold:
   type: mesh
   file: bunny.obj         # yours: OBJ, OFF, PLY or STL
-  weld: false             # true: merge vertices with equal positions
+  weld: false             # true: merge vertices with equal positions; 1e-6: those no farther apart, length units
 cost: euclidean
 ends:                     # a vertex, a point inside a face, or coordinates (moved to the surface)
   source: {vertex: 0}

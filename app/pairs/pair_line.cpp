@@ -14,6 +14,7 @@
 
 #include "catalogue/output/json_numbers.hpp"
 #include "catalogue/output/path_table.hpp"
+#include "catalogue/run/ends.hpp"
 #include "catalogue/run/search.hpp"
 
 namespace leastcost::app {
@@ -30,6 +31,7 @@ Json numbers(const Eigen::VectorXd& values) {
 /// As it stands in the file; null where it could not be read.
 Json given(const EndOptions& end) {
   if (end.vertex) return *end.vertex;
+  if (end.lonlat) return numbers(*end.lonlat);
   return end.point ? numbers(*end.point) : Json(nullptr);
 }
 
@@ -71,6 +73,18 @@ void add_path(const RunOutcome& run, bool points, Json& out) {
   if (points) out["points"] = points_json(run);
 }
 
+/// Of a place with itself: nothing is to be searched, and nothing costs less.
+void add_one_place(const Problem& problem, bool points, Json& out) {
+  out["outcome"] = std::string(name(Status::certified));
+  out["certified"] = true;
+  out["cost"] = 0.0;
+  out["error_estimate"] = 0.0;
+  out["scope"] = "global";
+  out["proof"] = "proved";
+  out["lower_bound"] = 0.0;
+  if (points) out["points"] = Json::array({numbers(source_position(problem))});
+}
+
 void add_fault(const char* outcome, const std::string& message, long line, Json& out) {
   out["outcome"] = outcome;
   out["certified"] = false;
@@ -92,6 +106,7 @@ void find(const PairComposer& composer, const PairRow& row, bool points, const M
     } catch (const OptionError& e) {
       return refuse("bad_pair", e.key() + ": " + e.what());
     }
+    if (are_one_place(run.parts.problem)) return add_one_place(run.parts.problem, points, out);
     search(run, composer.config().max_seconds, monitor);
     add_path(run, points, out);
   } catch (const StoppedEarly& e) {

@@ -66,7 +66,7 @@ std::string columns_of_points(const std::vector<std::string>& coordinates) {
 }  // namespace
 
 PairReader::PairReader(const std::filesystem::path& file, const std::vector<std::string>& coordinates,
-                       bool has_vertices)
+                       bool has_vertices, bool on_earth)
     : file_(file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
@@ -76,7 +76,7 @@ PairReader::PairReader(const std::filesystem::path& file, const std::vector<std:
   size_ = static_cast<double>(std::filesystem::file_size(file, error));
   in_.open(file, std::ios::binary);
   if (!in_) throw InputError(file.string() + ": cannot be opened");
-  read_header(coordinates, has_vertices);
+  read_header(coordinates, has_vertices, on_earth);
   first_ = next();
   if (!first_) throw InputError(file.string() + ": holds no pairs, only a header");
 }
@@ -127,11 +127,13 @@ bool PairReader::read_row(std::vector<std::string>& cells, std::string& fault) {
   return false;
 }
 
-void PairReader::read_header(const std::vector<std::string>& coordinates, bool has_vertices) {
+void PairReader::read_header(std::vector<std::string> coordinates, bool has_vertices, bool on_earth) {
+  static const std::vector<std::string> kLonlat = {"lon", "lat"};
   std::vector<std::string> names;
   std::string fault;
   const std::string wanted = (has_vertices ? "'source,target' for vertices, or " : "") +
-                             in_quotes(columns_of_points(coordinates)) + " for points";
+                             in_quotes(columns_of_points(coordinates)) + " for points" +
+                             (on_earth ? ", or " + in_quotes(columns_of_points(kLonlat)) : "");
   if (!read_row(names, fault))
     throw InputError(file_.string() + ": is empty; its first line names the columns: " + wanted);
   if (!fault.empty()) throw InputError(place() + fault);
@@ -144,6 +146,8 @@ void PairReader::read_header(const std::vector<std::string>& coordinates, bool h
     return Column{static_cast<std::size_t>(at - names.begin()), name};
   };
   const std::optional<Column> source = find("source"), target = find("target");
+  lonlat_ = on_earth && (find("source_lon") || find("target_lon"));
+  if (lonlat_) coordinates = kLonlat;
   std::string missing;
   bool any = false;
   for (auto* end : {&source_, &target_})
@@ -186,7 +190,7 @@ std::string PairReader::read_end(const std::vector<std::string>& cells, const st
         by_number_ ? vertex_fault(cells[column.index], end.vertex) : coordinate_fault(cells[column.index], point[i++]);
     if (!fault.empty()) return column.name + ": " + fault;
   }
-  if (!by_number_) end.point = point;
+  if (!by_number_) (lonlat_ ? end.lonlat : end.point) = point;
   return "";
 }
 

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include <leastcost/problems/chart/is_geographic.hpp>
 #include <leastcost/problems/manifolds/file_places.hpp>
 #include "app/pairs/ordered_pairs.hpp"
 #include "app/pairs/pair_log.hpp"
@@ -36,8 +37,11 @@ constexpr const char* kConfig = "config.resolved.yaml";
 
 PairReader reader_of(const RunOrigin& origin) {
   const PairComposer& composer = *origin.pairs;
-  const bool vertices = find_ability<HasVertices>(*composer.parts().problem.manifold) != nullptr;
-  return {origin.folder / origin.config.pairs, composer.coordinates(), vertices};
+  const Problem& problem = composer.parts().problem;
+  const bool vertices = find_ability<HasVertices>(*problem.manifold) != nullptr;
+  const bool on_earth = find_ability<IsGeographic>(*problem.manifold) != nullptr ||
+                        find_ability<IsGeographic>(problem.cost.get()) != nullptr;
+  return {origin.folder / origin.config.pairs, composer.coordinates(), vertices, on_earth};
 }
 
 std::string bytes_of(const fs::path& file) {

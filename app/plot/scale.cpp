@@ -28,8 +28,9 @@ std::vector<Tick> linear_ticks(Range range, int wanted) {
   const double step = round_step((range.largest - range.least) / wanted);
   const int exponent = static_cast<int>(std::floor(std::log10(step) + 1e-9));
   const double most = std::max(std::abs(range.least), std::abs(range.largest));
-  const bool scientific = most >= 1e6 || most < 1e-3;
   const int leading = static_cast<int>(std::floor(std::log10(most)));
+  constexpr int kShort = 2, kLong = 8;  // digits: coordinates of maps are read as they are, 4412030
+  const bool scientific = most < 1e-3 || (most >= 1e6 && (leading - exponent <= kShort || leading > kLong));
   std::vector<Tick> out;
   const double first = std::ceil(range.least / step - 1e-9);
   for (double k = first; k * step <= range.largest + 1e-9 * step; ++k) {

@@ -39,6 +39,10 @@ class FieldCollector final : public RunVisitor {
   void field(std::string_view key, std::vector<std::string>& value, const FieldDoc& doc) override {
     plain(key, value, FieldType::texts, doc);
   }
+  void switch_or_number(std::string_view key, bool& on, double& number, const FieldDoc& doc) override {
+    FieldInfo& info = add(key, FieldType::switch_or_number, doc);
+    info.default_value = !on ? "false" : number == 0 ? "true" : number_text(number);
+  }
   void file(std::string_view key, std::string&, const FieldDoc& doc) override { add(key, FieldType::file, doc); }
   void group(std::string_view key, const FieldDoc& doc, const std::function<void(FieldVisitor&)>& body) override {
     block(key, doc, body);
@@ -147,6 +151,7 @@ std::string in_words(FieldType type) {
     case FieldType::file: return "file";
     case FieldType::block: return "block";
     case FieldType::variant: return "a type, or a block with a type, of";
+    case FieldType::switch_or_number: return "true, false or a number";
     case FieldType::points: return "whole number or auto";
     case FieldType::end: return "end of the path";
     case FieldType::plugin: return "a type, or a block with a type";

@@ -22,6 +22,7 @@ enum class FieldType {
   file,
   block,
   variant,
+  switch_or_number,
   points,
   end,
   plugin,

@@ -111,6 +111,7 @@ Json value_schema(const FieldInfo& field) {
     case FieldType::choice: return {{"enum", field.choices}};
     case FieldType::block: return object_schema(field.children);
     case FieldType::variant: return variant_schema(field.children, true);
+    case FieldType::switch_or_number: return {{"anyOf", {{{"type", "boolean"}}, ranged("number", field)}}};
     case FieldType::points: return {{"anyOf", {ranged("integer", field), {{"const", "auto"}}}}};
     case FieldType::end: return end_schema(field);
     case FieldType::plugin: return {{"$ref", definition(*field.kind)}};

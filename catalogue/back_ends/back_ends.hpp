@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <leastcost/problems/raster/raster_options.hpp>
@@ -29,6 +30,10 @@ RasterReader raster_reader_of_libraries();
 /// The CRS of a text: WKT, as .prj files have it; null where it is none that is known.
 using CrsReader = std::shared_ptr<const RasterCrs> (*)(const std::string& text);
 CrsReader crs_reader_of_libraries();
+
+/// The bytes of a GeoPackage from the names and the GeoJSON texts of its layers.
+using GeoPackageWriter = std::string (*)(const std::vector<std::pair<std::string, std::string>>& layers);
+GeoPackageWriter geopackage_writer_of_libraries();
 
 /// What this build has. `library`: with its version.
 template <class P>

@@ -157,6 +157,21 @@ void OptionsReader::field(std::string_view key, std::vector<std::string>& value,
   value = std::move(texts);
 }
 
+void OptionsReader::switch_or_number(std::string_view key, bool& on, double& number, const FieldDoc& doc) {
+  const ConfigEntry* e = entry(key, doc);
+  if (e == nullptr) return;
+  if (const Parsed<bool> parsed = parse_bool(e->value); parsed.value) {
+    on = *parsed.value;
+    number = 0;
+    return;
+  }
+  const Parsed<double> parsed = parse_double(e->value);
+  if (!parsed.value) return fault(key, e->value.place, "must be true, false or a number (" + found(e->value) + ")");
+  on = true;
+  number = *parsed.value;
+  check_range(key, e->value, number, doc);
+}
+
 void OptionsReader::optional_field(std::string_view key, bool& given, const std::function<void()>& field) {
   const std::size_t before = errors_.size();
   field();

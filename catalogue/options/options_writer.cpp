@@ -65,6 +65,10 @@ void OptionsWriter::field(std::string_view key, std::vector<std::string>& value,
   add(key, std::move(list));
 }
 
+void OptionsWriter::switch_or_number(std::string_view key, bool& on, double& number, const FieldDoc&) {
+  add(key, on && number != 0 ? number_node(number) : scalar_node(on ? "true" : "false"));
+}
+
 void OptionsWriter::optional_field(std::string_view, bool& given, const std::function<void()>& field) {
   if (given) field();
 }

@@ -9,6 +9,7 @@
 #include <leastcost/problems/chart/is_geographic.hpp>
 #include "catalogue/output/json_numbers.hpp"
 #include "catalogue/output/path_table.hpp"
+#include "catalogue/output/unit_of_cost.hpp"
 #include "problems/chart/chart_images.hpp"
 
 namespace leastcost {
@@ -126,7 +127,7 @@ std::string geojson_text(const RunOutcome& outcome) {
   const Result& result = outcome.result;
   const std::vector<LonLat> cover = cover_of(problem, result);
   if (cover.empty()) return "";
-  const std::string& unit = problem.cost->traits().unit;
+  const std::string unit = unit_of_cost(problem);
   Json features = Json::array();
   features.push_back(feature({{"what", "path"},
                               {"name", outcome.name},

@@ -45,10 +45,16 @@ std::string first_path_csv(const Problem& problem, const FirstPath& first);
 /// charts.
 std::string residuals_csv(const Problem& problem, const PathTable& curve);
 
-/// VTK XML PolyData (ASCII): the points and, where it differs, the curve on the domain, as one polyline each, told
-/// apart by the cell array `line` (0: points, 1: curve). Above three dimensions the array `coordinates` has all of
-/// them.
-std::string vtp_text(const std::vector<PathTable>& lines);
+/// What a polyline of path.vtp is.
+enum class VtpPart : int {
+  chords = 0,    ///< the straight moves between the points, which leave a curved domain
+  curve = 1,     ///< the path on the domain, whose cost is printed
+  other_way = 2  ///< the curve of another member of the family
+};
+
+/// VTK XML PolyData (ASCII), one polyline for each line, told apart by the cell arrays `part` (of VtpPart) and `line`
+/// (their number). Above three dimensions the array `coordinates` has all of them.
+std::string vtp_text(const std::vector<PathTable>& lines, const std::vector<VtpPart>& parts);
 
 /// Wavefront OBJ with one polyline.
 std::string obj_text(const PathTable& table);

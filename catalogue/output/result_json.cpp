@@ -9,6 +9,7 @@
 #include <leastcost/catalogue/output/write_run.hpp>
 #include <leastcost/framework/has_interfaces.hpp>
 #include "catalogue/output/json_numbers.hpp"
+#include "catalogue/output/unit_of_cost.hpp"
 #include "catalogue/run/run_origin.hpp"
 #include "problems/raster/raster_cells.hpp"
 
@@ -35,7 +36,7 @@ Json cost(const RunOutcome& run) {
   const bool measured = result.certificate.measured;
   Json out;
   out["value"] = number(measured && !std::isnan(estimate.value) ? estimate.value : result.curve.cost);
-  out["unit"] = run.parts.problem.cost->traits().unit;
+  out["unit"] = unit_of_cost(run.parts.problem);
   out["error_estimate"] = measured ? number(estimate.error) : Json(nullptr);
   out["initial"] = number(result.initial_cost);
   out["method"] = measured && !estimate.method.empty() ? Json(estimate.method) : Json(nullptr);

@@ -9,6 +9,8 @@
 #include <span>
 
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/raster/has_voids.hpp>
+#include "catalogue/back_ends/back_ends.hpp"
 #include "catalogue/output/geojson.hpp"
 #include "catalogue/output/manifest.hpp"
 #include "catalogue/output/path_table.hpp"
@@ -41,6 +43,10 @@ ManifestFacts facts_of(const RunOutcome& outcome, const std::vector<std::string>
   return facts;
 }
 
+bool is_on_raster(const Problem& problem) {
+  return find_ability<HasVoids>(*problem.manifold) != nullptr || find_ability<HasVoids>(*problem.cost) != nullptr;
+}
+
 /// Polylines: the delivered points and curve, and the curves of the family.
 void write_paths(const RunOutcome& outcome, OutputFolder& folder) {
   const RunConfig& config = outcome.origin->config;
@@ -48,18 +54,31 @@ void write_paths(const RunOutcome& outcome, OutputFolder& folder) {
   const PathTable curve = delivered_curve(outcome.parts.problem, outcome.result);
   if (config.writes("curve")) folder.write("curve.csv", csv_text(curve));
   if (config.writes("vtp")) {
-    const bool curve_differs = curve.x.cols() != points.x.cols() || curve.x != points.x;
-    std::vector<PathTable> lines = {points};
-    if (curve_differs) lines.push_back(curve);
+    const bool chords = curve.x.cols() != points.x.cols() || curve.x != points.x;  // else both are the curve
+    std::vector<PathTable> lines;
+    std::vector<VtpPart> parts;
+    const auto add = [&](VtpPart part, PathTable line) {
+      lines.push_back(std::move(line));
+      parts.push_back(part);
+    };
+    if (chords) add(VtpPart::chords, points);
+    add(VtpPart::curve, curve);
     for (std::size_t k = 1; k < outcome.family.size(); ++k)
-      lines.push_back(delivered_curve(outcome.family[k].problem, outcome.family[k].result));
-    folder.write("path.vtp", vtp_text(lines));
+      add(VtpPart::other_way, delivered_curve(outcome.family[k].problem, outcome.family[k].result));
+    folder.write("path.vtp", vtp_text(lines, parts));
   }
   if (config.writes("obj")) folder.write("path.obj", obj_text(curve));
   const std::string geojson = config.writes("geojson") ? geojson_text(outcome) : "";
   if (!geojson.empty()) {
     folder.write("path.geojson", geojson);
     folder.write("path_points.geojson", geojson_points_text(outcome));
+  }
+  const GeoPackageWriter geopackage = geopackage_writer_of_libraries();
+  if (geopackage != nullptr && config.writes("gpkg") && is_on_raster(outcome.parts.problem)) {
+    const std::string line = geojson_text(outcome);
+    const std::string bytes =
+        line.empty() ? "" : geopackage({{"path", line}, {"points", geojson_points_text(outcome)}});
+    if (!bytes.empty()) folder.write("path.gpkg", bytes);
   }
   const std::string residuals = config.writes("residuals") ? residuals_csv(outcome.parts.problem, curve) : "";
   if (!residuals.empty()) folder.write("residuals.csv", residuals);

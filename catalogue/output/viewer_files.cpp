@@ -68,15 +68,17 @@ std::string cells(const std::vector<PathTable>& lines) {
 
 }  // namespace
 
-std::string vtp_text(const std::vector<PathTable>& lines) {
+std::string vtp_text(const std::vector<PathTable>& lines, const std::vector<VtpPart>& parts) {
   Index points = 0;
-  std::string numbers;
+  std::string numbers, words;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     points += lines[k].x.cols();
     fmt::format_to(std::back_inserter(numbers), "          {}\n", k);
+    fmt::format_to(std::back_inserter(words), "          {}\n", static_cast<int>(parts[k]));
   }
   std::string text = point_data(lines);
-  text += "      <CellData>\n" + vtp_array("line", 1, "Int32", numbers) + "      </CellData>\n      <Points>\n";
+  text += "      <CellData>\n" + vtp_array("part", 1, "Int32", words) + vtp_array("line", 1, "Int32", numbers) +
+          "      </CellData>\n      <Points>\n";
   text += vtp_array("Points", 3, "Float64",
                     over_points(lines, [](const PathTable& t, Index i) { return row_text(in_space(t, i)); }));
   text += "      </Points>\n" + cells(lines);

@@ -37,6 +37,7 @@
 #include "catalogue/run/ends.hpp"
 #include "catalogue/run/memory.hpp"
 #include "catalogue/run/pair_composer.hpp"
+#include "catalogue/run/plane_on_earth.hpp"
 #include "catalogue/run/run_checks.hpp"
 #include "problems/formula/coordinate_names.hpp"
 #include "problems/obstacles/walls_in.hpp"
@@ -255,6 +256,7 @@ void Composer::take_domain() {
   if (!config_.ring && placed)
     attempt([&] {
       place_target(end(config_.target, "ends.target"), "ends.target", out_);
+      refuse_one_place(out_.problem, "ends.target");
       context_.target = positions(manifold, {out_.problem.target.u, {}, true});
     });
 }
@@ -343,6 +345,7 @@ void Composer::place_obstacles() {
   for (std::size_t i = 0; i < config_.obstacles.size(); ++i) {
     made = attempt([&] {
              for (auto& one : make<FreeSpace::Obstacles>(config_.obstacles[i], context_)) {
+               if (!robot) refuse_plane_on_earth(*one, *out_.problem.manifold, "obstacles." + std::to_string(i));
                all.push_back(std::move(one));
                entry_of.push_back(i);
              }

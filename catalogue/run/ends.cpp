@@ -15,6 +15,8 @@
 #include <leastcost/problems/chart/is_geographic.hpp>
 #include <leastcost/problems/manifolds/file_places.hpp>
 #include <leastcost/problems/manifolds/made_from_data.hpp>
+#include <leastcost/problems/occupancy/names_cells.hpp>
+#include "framework/point_text.hpp"
 
 namespace leastcost {
 namespace {
@@ -131,10 +133,17 @@ PlacedEnd at_point(const ConstraintManifold& manifold, const EndOptions& options
   }
   const double tolerance = options.tolerance ? *options.tolerance : default_tolerance(manifold, point);
   if (placed.moved > tolerance) {
-    throw OptionError(path + ".point",
-                      fmt::format("the nearest point of the manifold is {:.6g} away, the tolerance is {:.6g} "
-                                  "(option 'tolerance' of the end)",
-                                  placed.moved, tolerance));
+    const auto* cells = find_ability<NamesCells>(manifold);
+    const std::string why = cells != nullptr ? cells->why_not_free(point) : "";
+    if (!why.empty()) {
+      const std::string which = path.substr(path.rfind('.') + 1);  // npos + 1 is 0
+      throw OptionError(path + ".point",
+                        fmt::format("the {} {} (the nearest free place is {:.6g} away)", which, why, placed.moved));
+    }
+    const TwoNumbers texts = told_apart(placed.moved, tolerance, 6);
+    throw OptionError(path + ".point", fmt::format("the nearest point of the manifold is {} away, the tolerance is {} "
+                                                   "(option 'tolerance' of the end)",
+                                                   texts.first, texts.second));
   }
   return placed;
 }
@@ -183,14 +192,21 @@ void place_target(const EndOptions& options, const std::string& path, RunParts& 
   out.target = place_end(*out.problem.manifold, options, path);
   out.problem.target = out.target.end;
   note_latitudes(out);
-  if (out.problem.source.u == out.problem.target.u)
-    throw OptionError(path, "is the same point as the source; a closed path is a ring (path.ring: true)");
-  const auto* domain = find_ability<HasImages>(*out.problem.manifold);
-  if (domain == nullptr || !ends_are_one_point(out.problem)) return;
-  if (!domain->states_way(out.problem.target.u, out.problem.source.u))
-    throw OptionError(path,
-                      "names the same point as the source, by other coordinates; a closed path is a ring (path.ring: "
-                      "true), which waypoints lead round the domain");
+}
+
+bool are_one_place(const Problem& problem) {
+  if (problem.source.u == problem.target.u) return true;
+  const auto* domain = find_ability<HasImages>(*problem.manifold);
+  return domain != nullptr && ends_are_one_point(problem) && !domain->states_way(problem.target.u, problem.source.u);
+}
+
+void refuse_one_place(const Problem& problem, const std::string& key) {
+  if (!are_one_place(problem)) return;
+  if (problem.source.u == problem.target.u)
+    throw OptionError(key, "is the same point as the source; a closed path is a ring (path.ring: true)");
+  throw OptionError(key,
+                    "names the same point as the source, by other coordinates; a closed path is a ring (path.ring: "
+                    "true), which waypoints lead round the domain");
 }
 
 void take_cheapest_image(const RunConfig& config, const std::shared_ptr<const ConstraintManifold>& open_domain,

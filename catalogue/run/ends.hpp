@@ -19,9 +19,15 @@ EndOptions in_coordinates(EndOptions options, const ConstraintManifold& manifold
 /// the domain has no such vertex or face, or the point is farther away than its tolerance.
 PlacedEnd place_end(const ConstraintManifold& manifold, const EndOptions& options, const std::string& path);
 
-/// The same for the target of parts whose source is placed, and in the domain without its obstacles. Throws OptionError
-/// also where it is the point of the source, perhaps by other coordinates that state no winding.
+/// The same for the target of parts whose source is placed, and in the domain without its obstacles. It may be the
+/// place of the source.
 void place_target(const EndOptions& options, const std::string& path, RunParts& out);
+
+/// Throws OptionError with this key for a target that is the place of the source.
+void refuse_one_place(const Problem& problem, const std::string& key);
+
+/// Whether both ends are one place, perhaps by coordinates that state no winding: nothing lies between them.
+bool are_one_place(const Problem& problem);
 
 /// Throws OptionError with this key for an end that an obstacle does not let be there.
 void refuse_end_in_clearance(const Problem& problem, const PathEnd& end, const std::string& key);

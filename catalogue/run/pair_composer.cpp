@@ -17,6 +17,8 @@ PairComposer::PairComposer(RunConfig config, BuildContext context,
       parts_(std::move(parts)) {}
 
 RunParts PairComposer::compose(EndOptions source, EndOptions target) const {
+  source = in_coordinates(std::move(source), *open_domain_, parts_.problem.cost.get(), "source");
+  target = in_coordinates(std::move(target), *open_domain_, parts_.problem.cost.get(), "target");
   for (EndOptions* end : {&source, &target})
     if (end->point && !end->tolerance) end->tolerance = config_.pair_tolerance;
   RunParts out = parts_;
@@ -30,6 +32,7 @@ RunParts PairComposer::compose(EndOptions source, EndOptions target) const {
   problem.manifold = parts_.problem.manifold;
   refuse_end_in_clearance(problem, problem.source, "source");
   refuse_end_in_clearance(problem, problem.target, "target");
+  if (are_one_place(problem)) return out;
   if (config_.cost.plugin->follows_source) {
     BuildContext context = context_;
     context.source = source_position(problem);

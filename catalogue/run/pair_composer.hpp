@@ -22,7 +22,8 @@ class PairComposer {
   PairComposer(RunConfig config, BuildContext context, std::shared_ptr<const ConstraintManifold> open_domain,
                RunParts parts);
 
-  /// The parts for one pair, with notes about it alone. Throws OptionError with a key that begins with "source" or
+  /// The parts for one pair, with notes about it alone. Its ends may be one place (are_one_place): there is nothing to
+  /// search. Throws OptionError with a key that begins with "source" or
   /// "target", or with that of the cost, which may refuse a source.
   RunParts compose(EndOptions source, EndOptions target) const;
 

@@ -121,9 +121,9 @@ void RunConfig::fields(RunVisitor& visit) {
     v.field("folder", output_folder, {.help = "Output folder, relative to the current one; default: results/<name>."});
     v.field("files", output_files,
             {.help = "Which files a run of one path writes beside manifest.json; default: all. Of result, path, curve, "
-                     "vtp, obj, geojson (on the earth, with its points apart), residuals, waypoints, history, "
-                     "first_path, scene, config, "
-                     "report; a report needs result, path, history, scene and config."});
+                     "vtp, obj, geojson (on the earth, with its points apart), gpkg (GeoPackage, of rasters on the "
+                     "earth, where GDAL is), residuals, waypoints, history, first_path, scene, config, report; a "
+                     "report needs result, path, history, scene and config."});
     v.field("pair_points", pair_points, {.help = "With ends.pairs: the lines of paths.jsonl have the points too."});
     v.block("waypoints",
             {.help = "Also waypoints.csv: points of the path, equally spaced in cost; a count or a spacing."},

@@ -37,9 +37,10 @@ enum class TargetImageChoice { cheapest, given };
 Words<TargetImageChoice> words(TargetImageChoice);
 
 /// What `output.files` can name: parts of what a run of one path leaves in its folder, beside manifest.json.
-inline constexpr std::array<std::string_view, 13> kRunFiles = {
-    "result",    "path",    "curve",      "vtp",   "obj",    "geojson", "residuals",
-    "waypoints", "history", "first_path", "scene", "config", "report"};
+inline constexpr std::array<std::string_view, 14> kRunFiles = {
+    "result",    "path",      "curve",   "vtp",        "obj",   "geojson", "gpkg",
+    "residuals", "waypoints", "history", "first_path", "scene", "config",  "report"};
+
 /// One run as its configuration describes it. Everything typed, checked and with its default in place; nothing read
 /// from the disk and nothing computed yet.
 struct RunConfig {

@@ -12,6 +12,7 @@
 #include <leastcost/problems/bracket/cost_density.hpp>
 #include <leastcost/problems/chart/is_geographic.hpp>
 #include <leastcost/problems/raster/has_voids.hpp>
+#include "framework/point_text.hpp"
 #include "problems/costs/cell_cost.hpp"
 #include "problems/costs/raster_density.hpp"
 #include "problems/raster/has_cell_index.hpp"
@@ -119,7 +120,7 @@ void check_positive(const RasterGrid& values) {
     for (int column = 0; column < values.columns; ++column)
       if (values.value(row, column) <= 0)
         throw OptionError("file", values.name_of(row, column) + ": the cost of a unit of length is " +
-                                      std::to_string(values.value(row, column)) +
+                                      short_number(values.value(row, column), 9) +
                                       "; it must be greater than 0 (no path leads where there are no data: nodata)");
 }
 

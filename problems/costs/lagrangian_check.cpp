@@ -14,6 +14,7 @@
 #include <leastcost/framework/dual.hpp>
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/interval_jet.hpp>
+#include "framework/point_text.hpp"
 #include "framework/symmetric_eigen.hpp"
 
 namespace leastcost {
@@ -250,7 +251,7 @@ class LagrangianChecker {
     if (!(f > 0)) {
       const double back = value(x, -v);
       if (!(back > 0)) return Finding::outside;
-      refuse("F(x, v) must be positive for every v but 0: at x = " + tuple_text(x) + " it is " + std::to_string(f) +
+      refuse("F(x, v) must be positive for every v but 0: at x = " + tuple_text(x) + " it is " + short_number(f, 6) +
              " for v = " + tuple_text(v));
     }
     const double bend = least_curvature(x, v);

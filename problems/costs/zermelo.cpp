@@ -14,6 +14,7 @@
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/segment_cost_function.hpp>
 #include <leastcost/problems/bracket/cost_dual.hpp>
+#include "framework/point_text.hpp"
 #include "problems/costs/flow_grid.hpp"
 #include "problems/formula/coordinate_names.hpp"
 #include "problems/formula/formula.hpp"
@@ -191,10 +192,30 @@ VehicleSpeed speed_of(const ZermeloOptions& options, int dim) {
   return {formulas_of_option("speed", {options.speed}, coordinate_names(dim), options.parameters)};
 }
 
-void check_count(std::size_t given, const char* what, int dim) {
+void check_count(std::size_t given, const char* what, int dim, const std::string& instead = "") {
   if (given == static_cast<std::size_t>(dim)) return;
   throw OptionError("flow.velocity", "the space has " + std::to_string(dim) + " coordinates, and a velocity as many " +
-                                         what + "; here are " + std::to_string(given));
+                                         what + "; here are " + std::to_string(given) + instead);
+}
+
+/// What two numbers in space are meant to be.
+std::string as_east_north(const Eigen::VectorXd& velocity, int dim) {
+  if (dim != 3 || velocity.size() != 2) return "";
+  return "; on the Earth, east and north: flow: {type: east_north, velocity: [" + short_number(velocity[0], 9) + ", " +
+         short_number(velocity[1], 9) + "]}";
+}
+
+/// East is (-y, x, 0) and north is up x east, up the normal (x, y, k z) of the ellipsoid; neither is defined at a pole.
+flow::Formula in_space(const flow::EastNorth& flow) {
+  constexpr double kFlattening = 1 / 298.257223563;  // WGS84
+  constexpr int kDigits = 17;
+  const std::string east = "(" + short_number(flow.velocity[0], kDigits) + ")";
+  const std::string north = "(" + short_number(flow.velocity[1], kDigits) + ")";
+  const std::string k = short_number(1 / ((1 - kFlattening) * (1 - kFlattening)), kDigits);
+  const std::string rho = "sqrt(x^2 + y^2)", up = "sqrt(x^2 + y^2 + (" + k + "*z)^2)";
+  const std::string sideways = north + "*" + k + "*z/(" + rho + "*" + up + ")";
+  return {{"-" + east + "*y/" + rho + " - " + sideways + "*x", east + "*x/" + rho + " - " + sideways + "*y",
+           north + "*" + rho + "/" + up}};
 }
 
 /// Whether a flow can be bounded over cells of the plane: a grid of values cannot.
@@ -227,6 +248,7 @@ struct FlowMaker {
         FormulaFlow<D>{formulas_of_option("flow.velocity", formula.velocity, coordinate_names(D), options.parameters)},
         false);
   }
+  Made operator()(const flow::EastNorth& flow) const { return (*this)(in_space(flow)); }
   Made operator()(const flow::Grid& grid) const {
     const std::filesystem::path file = folder / grid.file;
     return lifted(flow_grid<D>(read_flow(file, D), file.string()), false);
@@ -242,6 +264,10 @@ void flow::Uniform::fields(FieldVisitor& visit) {
 void flow::Formula::fields(FieldVisitor& visit) {
   visit.field("velocity", velocity,
               {.help = "One formula per coordinate, like [\"-y\", \"0\"].", .unit = "length/time", .required = true});
+}
+
+void flow::EastNorth::fields(FieldVisitor& visit) {
+  visit.field("velocity", velocity, {.help = "[east, north]", .unit = "length/time", .required = true});
 }
 
 void flow::Grid::fields(FieldVisitor& visit) {
@@ -264,8 +290,13 @@ void check_zermelo(const ZermeloOptions& options, int dim) {
     throw OptionError("type", "flows are those of spaces of dimension 2 and 3, not " + std::to_string(dim));
   speed_of(options, dim);
   if (const auto* uniform = std::get_if<flow::Uniform>(&options.flow)) {
-    check_count(static_cast<std::size_t>(uniform->velocity.size()), "numbers", dim);
+    check_count(static_cast<std::size_t>(uniform->velocity.size()), "numbers", dim,
+                as_east_north(uniform->velocity, dim));
     if (!uniform->velocity.allFinite()) throw OptionError("flow.velocity", "must be finite");
+  } else if (const auto* turned = std::get_if<flow::EastNorth>(&options.flow)) {
+    if (dim != 3) throw OptionError("flow.type", "east_north is for the Earth, whose places lie in space");
+    if (turned->velocity.size() != 2 || !turned->velocity.allFinite())
+      throw OptionError("flow.velocity", "must have two finite numbers, east and north");
   } else if (const auto* formula = std::get_if<flow::Formula>(&options.flow)) {
     check_count(formula->velocity.size(), "formulas", dim);
     formulas_of_option("flow.velocity", formula->velocity, coordinate_names(dim), options.parameters);

@@ -40,7 +40,14 @@ struct Grid {
   void fields(FieldVisitor& visit);
 };
 
-using Field = std::variant<Uniform, Formula, Grid>;
+struct EastNorth {
+  static constexpr std::string_view kType = "east_north";
+  static constexpr std::string_view kHelp = "On the Earth: so much to the east and so much to the north everywhere.";
+  Eigen::VectorXd velocity = {};  ///< east, north
+  void fields(FieldVisitor& visit);
+};
+
+using Field = std::variant<Uniform, Formula, Grid, EastNorth>;
 
 }  // namespace flow
 

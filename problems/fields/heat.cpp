@@ -9,6 +9,7 @@
 #include <limits>
 
 #include <leastcost/framework/errors.hpp>
+#include "framework/point_text.hpp"
 #include "problems/fields/intrinsic_mesh.hpp"
 
 namespace leastcost {
@@ -38,7 +39,7 @@ struct HeatDistances::Systems {
 };
 
 HeatDistances::HeatDistances(const TriangleMesh& mesh, const HeatOptions& options) {
-  if (!(options.time > 0)) throw OptionError("time", "is " + std::to_string(options.time) + ", must be above 0");
+  if (!(options.time > 0)) throw OptionError("time", "is " + short_number(options.time) + ", must be above 0");
   auto systems = std::make_unique<Systems>(mesh);
   IntrinsicMesh& intrinsic = systems->intrinsic;
   if (options.delaunay) systems->flips = intrinsic.make_delaunay(options.stop);

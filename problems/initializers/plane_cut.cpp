@@ -7,6 +7,7 @@
 #include <string>
 
 #include <leastcost/framework/errors.hpp>
+#include "framework/point_text.hpp"
 #include "problems/mesh/mesh_curve.hpp"
 #include "problems/section/plane_section.hpp"
 #include "problems/section/smooth_section.hpp"
@@ -52,7 +53,7 @@ std::string failure(const TriangleMesh& mesh, const SectionCurves& curves, const
   }
   if (lowest < 0 && highest > 0) return "the plane passes between the parts of the mesh and cuts none of them";
   const double gap = std::max(lowest, -highest);
-  if (gap > 0) return "the plane misses the mesh by " + std::to_string(gap) + " (length units)";
+  if (gap > 0) return "the plane misses the mesh by " + short_number(gap) + " (length units)";
   return "the plane touches the mesh and does not cut it";
 }
 

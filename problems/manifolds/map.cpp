@@ -49,13 +49,26 @@ Projection MapManifold::project(CoordinatePath& path) const {
   CoordinatePath in_space = lifted(path);
   Projection result = surface_.project(in_space);
   for (Index i = 0; i < path.u.cols(); ++i) {  // the nearest point of a triangle is the point itself to rounding only
-    const Eigen::Vector2d at = ((path.u.col(i) - grid_.origin) / grid_.cell).array().floor();
+    const Eigen::Vector2d at = cell_at(path.u.col(i));
     const bool near = at.cwiseAbs().maxCoeff() < grid_.rows + grid_.columns;  // NaN is not
-    if (!near || !grid_.free(static_cast<int>(at.y()), static_cast<int>(at.x())))
+    if (!near || !grid_.free(static_cast<int>(at[0]), static_cast<int>(at[1])))
       path.u.col(i) = in_space.u.col(i).head(2);
   }
   path.sites = std::move(in_space.sites);
   return result;
+}
+
+Eigen::Vector2d MapManifold::cell_at(const Eigen::Vector2d& x) const {
+  return ((x - grid_.origin) / grid_.cell).array().floor().reverse();
+}
+
+std::string MapManifold::why_not_free(const Eigen::VectorXd& x) const {
+  const Eigen::Vector2d at = cell_at(x);
+  if (!(at.minCoeff() >= 0 && at[0] < grid_.rows && at[1] < grid_.columns)) return "lies outside of " + grid_.source;
+  const std::size_t cell = grid_.index(static_cast<int>(at[0]), static_cast<int>(at[1]));
+  if (!grid_.blocked[cell]) return "";
+  if (grid_.unknown.empty() || !grid_.unknown[cell]) return "lies in blocked cells of " + grid_.source;
+  return "lies in unknown cells of " + grid_.source + "; `unknown: free` of the map lets paths enter them";
 }
 
 void MapManifold::tangent_bases(const CoordinatePath& path, Points& bases) const {

@@ -12,6 +12,7 @@
 #include <leastcost/problems/manifolds/made_from_data.hpp>
 #include <leastcost/problems/manifolds/mesh.hpp>
 #include <leastcost/problems/mesh/has_mesh.hpp>
+#include <leastcost/problems/occupancy/names_cells.hpp>
 #include <leastcost/problems/occupancy/occupancy_grid.hpp>
 
 namespace leastcost {
@@ -24,6 +25,7 @@ class MapManifold final : public ConstraintManifold,
                           public HasBounds,
                           public HasMesh,
                           public HasGraph,
+                          public NamesCells,
                           public MadeFromData,
                           public DrawsItself {
  public:
@@ -45,6 +47,7 @@ class MapManifold final : public ConstraintManifold,
   double diameter() const override { return surface_.diameter(); }
   /// An end in a blocked cell is an error, not to be moved.
   double end_tolerance() const override;
+  std::string why_not_free(const Eigen::VectorXd& x) const override;
   std::vector<std::string> notes() const override { return {}; }
   std::vector<DataCount> counts() const override;
   /// The borders of the free space.
@@ -53,6 +56,8 @@ class MapManifold final : public ConstraintManifold,
  private:
   struct Meshed;
   MapManifold(OccupancyGrid grid, Meshed meshed);
+  /// The row and the column of the cell with a place, on a grid without end.
+  Eigen::Vector2d cell_at(const Eigen::Vector2d& x) const;
   /// The free cells that a place on a triangle lies in.
   std::vector<std::int32_t> cells_of(const PathEnd& end) const;
   Eigen::Vector2d center(std::int32_t cell) const;

@@ -10,6 +10,7 @@
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/mesh/surface_path.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
+#include "problems/mesh/weld_option.hpp"
 
 namespace leastcost {
 namespace {
@@ -45,7 +46,7 @@ Eigen::Vector3d outward(const TriangleMesh& mesh, std::int32_t h) {
 
 void MeshManifoldOptions::fields(FieldVisitor& visit) {
   visit.file("file", file, {.help = "Mesh file: OBJ, OFF, PLY or STL.", .required = true});
-  visit.field("weld", weld, {.help = "Merges vertices with exactly equal positions (STL always is)."});
+  visit_weld(visit, weld, weld_within);
   visit.field("subdivide", subdivide,
               {.help = "Midpoint subdivisions: the same geometry with 4^k as many faces.", .minimum = 0, .maximum = 8});
 }
@@ -134,7 +135,7 @@ void MeshManifold::into_pieces(const CoordinatePath& path, Points& vectors) cons
 std::shared_ptr<const MeshManifold> make_mesh_manifold(const MeshManifoldOptions& options,
                                                        const std::filesystem::path& folder) {
   return std::make_shared<MeshManifold>(
-      TriangleMesh(read_mesh(folder / options.file), {options.weld, options.subdivide}));
+      TriangleMesh(read_mesh(folder / options.file), {options.weld, options.subdivide, options.weld_within}));
 }
 
 }  // namespace leastcost

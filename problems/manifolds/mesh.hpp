@@ -23,6 +23,7 @@ struct MeshManifoldOptions {
   std::string file = {};
   bool weld = false;
   int subdivide = 0;
+  double weld_within = 0;  ///< length units; 0: what `weld` says
   void fields(FieldVisitor& visit);
 };
 

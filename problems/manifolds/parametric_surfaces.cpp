@@ -11,6 +11,7 @@
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
+#include "framework/point_text.hpp"
 #include "problems/formula/formula.hpp"
 #include "problems/manifolds/chart_surfaces.hpp"
 #include "problems/manifolds/length_field.hpp"
@@ -77,9 +78,8 @@ void check_seams(const ChartMap& map, const std::vector<Seam>& seams) {
       if (!x.allFinite() || !y.allFinite() || (x - y).norm() <= kSame * (1 + x.norm())) continue;
       const char* key = seams[s].coordinate == 0 ? "surface.period_u" : "surface.period_v";
       throw OptionError(key, "the formulas do not come back after this period" +
-                                 std::string(seams[s].flipped ? " with v turned over" : "") + ": (u, v) = (" +
-                                 std::to_string(u[0]) + ", " + std::to_string(u[1]) + ") and its image are " +
-                                 std::to_string((x - y).norm()) + " apart");
+                                 std::string(seams[s].flipped ? " with v turned over" : "") + ": (u, v) = " +
+                                 point_text(u) + " and its image are " + short_number((x - y).norm()) + " apart");
     }
   }
 }

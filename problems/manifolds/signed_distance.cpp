@@ -15,6 +15,7 @@
 #include "problems/distance/implicit_distance.hpp"
 #include "problems/distance/mesh_distance.hpp"
 #include "problems/drawing/domain_shapes.hpp"
+#include "problems/mesh/weld_option.hpp"
 #include "problems/readers/sdf_reader.hpp"
 
 namespace leastcost {
@@ -82,7 +83,7 @@ void check(const distance_source::GridFile&) {}
 
 SourcePtr open(const distance_source::Mesh& o, const std::filesystem::path& folder, const BuildProgress& progress) {
   report(progress, 0, "reading");
-  return make_mesh_distance(TriangleMesh(read_mesh(folder / o.file), {o.weld, 0}), has_sides(o.sides));
+  return make_mesh_distance(TriangleMesh(read_mesh(folder / o.file), {o.weld, 0, o.weld_within}), has_sides(o.sides));
 }
 
 SourcePtr open(const distance_source::PointCloud& o, const std::filesystem::path& folder,
@@ -150,7 +151,7 @@ void Sides::fields(FieldVisitor& visit, const char* help) {
 
 void Mesh::fields(FieldVisitor& visit) {
   visit.file("file", file, {.help = "Mesh file: OBJ, OFF, PLY or STL.", .required = true});
-  visit.field("weld", weld, {.help = "Merges vertices with exactly equal positions (STL always is)."});
+  visit_weld(visit, weld, weld_within);
   sides.fields(visit,
                "signed: the mesh must be closed, inside is where its winding number is not 0. unsigned: any mesh.");
 }

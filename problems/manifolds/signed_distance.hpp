@@ -42,6 +42,7 @@ struct Mesh {
   std::string file = {};
   bool weld = false;
   Sides sides = {};
+  double weld_within = 0;  ///< length units; 0: what `weld` says
   void fields(FieldVisitor& visit);
 };
 

@@ -176,7 +176,8 @@ std::string EdgePath::failure() const {
     case EdgePathOutcome::different_components:
       return "the ends lie in different parts of the mesh, of " + std::to_string(source_component_size) + " and " +
              std::to_string(target_component_size) +
-             " vertices (`weld: true` joins vertices at equal positions; `leastcost doctor` names the parts)";
+             " vertices (`weld: true` joins vertices at equal positions, `weld: 1e-6` those that are no farther apart, "
+             "in length units; `leastcost doctor` names the parts and the distance)";
     case EdgePathOutcome::no_finite_route:
       return "the cost is infinite on every route along the edges (" + std::to_string(settled) + " of " +
              std::to_string(source_component_size) + " vertices can be reached)";

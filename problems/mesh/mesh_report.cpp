@@ -54,6 +54,7 @@ class Inspector {
     inspect_faces();
     find_duplicate_faces();
     find_duplicate_positions();
+    find_near_positions();
     conclude();
     return std::move(report_);
   }
@@ -205,6 +206,28 @@ class Inspector {
     for (std::int32_t v = 0; v < mesh_.vertex_count(); ++v) {
       if (same_as[index_of(v)] != v)
         count_and_name(report_.duplicate_positions, report_.named_duplicate_positions, mesh_.file_vertex(v));
+    }
+  }
+
+  /// Seams that rounding has opened: both sides are borders.
+  void find_near_positions() {
+    constexpr double kNear = 1e-5;  // diagonals
+    std::vector<std::int32_t> border;
+    std::vector<Eigen::Vector3d> positions;
+    for (std::int32_t v = 0; v < mesh_.vertex_count(); ++v) {
+      if (!mesh_.on_border(v)) continue;
+      border.push_back(v);
+      positions.push_back(mesh_.position(v));
+    }
+    if (border.empty() || !(mesh_.diameter() > 0)) return;
+    const std::vector<std::int32_t> joins = lowest_within(positions, kNear * mesh_.diameter());
+    for (std::size_t i = 0; i < border.size(); ++i) {
+      const std::int32_t v = border[i], w = border[index_of(joins[i])];
+      const double apart = (mesh_.position(v) - mesh_.position(w)).norm();
+      const std::span<const std::int32_t> around = mesh_.neighbours(v);
+      if (apart == 0 || std::binary_search(around.begin(), around.end(), w)) continue;
+      count_and_name(report_.near_positions, report_.named_near_positions, mesh_.file_vertex(v));
+      report_.near_within = std::max(report_.near_within, apart);
     }
   }
 

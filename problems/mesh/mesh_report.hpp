@@ -48,6 +48,10 @@ struct MeshReport {
   std::vector<std::int32_t> named_duplicate_faces;
   std::int32_t duplicate_positions = 0;  ///< vertices at the position of an earlier one
   std::vector<std::int32_t> named_duplicate_positions;
+  /// Border vertices close to an earlier one, not at its position: within 1e-5 of the diagonal, and no edge joins them.
+  std::int32_t near_positions = 0;
+  std::vector<std::int32_t> named_near_positions;
+  double near_within = 0;                  ///< none of these lies farther away, length units
   std::int32_t unreferenced_vertices = 0;  ///< vertices of the file that no face uses
 
   double area = 0;                    ///< length units squared

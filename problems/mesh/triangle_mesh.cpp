@@ -8,6 +8,7 @@
 #include <limits>
 
 #include <leastcost/framework/errors.hpp>
+#include "framework/point_text.hpp"
 
 namespace leastcost {
 namespace {
@@ -95,8 +96,8 @@ SurfacePoint TriangleMesh::locate(const FilePoint& p) const {
   }
   const Eigen::Vector3d& b = p.barycentric;
   if (!b.allFinite() || b.minCoeff() < -kBarycentricSlack || std::abs(b.sum() - 1) > kBarycentricSlack) {
-    fail(source_, "barycentric coordinates (" + std::to_string(b[0]) + ", " + std::to_string(b[1]) + ", " +
-                      std::to_string(b[2]) + ") on " + name + " must not be negative and must have sum 1");
+    fail(source_, "barycentric coordinates " + point_text(b, 9) + " on " + name +
+                      " must not be negative and must have sum 1; their sum is " + told_apart(b.sum(), 1).first);
   }
   return locate_in_base(first + p.fan, b);
 }

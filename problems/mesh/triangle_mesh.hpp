@@ -25,6 +25,9 @@ struct PolygonSoup {
 struct MeshOptions {
   bool weld = false;  ///< merge vertices with equal positions
   int subdivide = 0;  ///< midpoint subdivision, so many times: same geometry, 4^k as many faces
+  /// Merge vertices that are no farther apart than this too, length units; each into the lowest near it, so that none
+  /// moves farther. 0: as `weld` says.
+  double weld_within = 0;
 };
 
 /// A point of the surface: face and barycentric coordinates (sum 1, corner order of the face).

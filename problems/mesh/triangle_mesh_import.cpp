@@ -11,6 +11,7 @@
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/mesh/triangle_mesh.hpp>
+#include "framework/point_text.hpp"
 #include "problems/mesh/edge_table.hpp"
 #include "problems/mesh/polygon_triangulation.hpp"
 #include "problems/mesh/weld.hpp"
@@ -143,7 +144,11 @@ TriangleMesh::TriangleMesh(const PolygonSoup& soup, const MeshOptions& options) 
   check_positions(soup);
   check_polygons(soup);
   std::vector<std::int32_t> same_as;
-  if (options.weld) {
+  if (!(options.weld_within >= 0) || !std::isfinite(options.weld_within))
+    throw OptionError("weld", "must be true, false or a distance above 0");
+  if (options.weld_within > 0) {
+    same_as = lowest_within(soup.positions, options.weld_within);
+  } else if (options.weld) {
     same_as = lowest_equal(soup.positions);
   } else {
     same_as.resize(soup.positions.size());
@@ -207,13 +212,17 @@ void TriangleMesh::number_vertices(const PolygonSoup& soup, const std::vector<st
     for (std::int32_t& v : corners) v = number[static_cast<std::size_t>(v)];
   }
   std::size_t merged = 0, unused = 0;
+  double farthest = 0;
   vertex_of_file_.resize(number.size());
   for (std::size_t v = 0; v < number.size(); ++v) {
     vertex_of_file_[v] = number[static_cast<std::size_t>(same_as[v])];
     merged += same_as[v] != static_cast<std::int32_t>(v) ? 1 : 0;
+    farthest = std::max(farthest, (soup.positions[v] - soup.positions[static_cast<std::size_t>(same_as[v])]).norm());
     unused += vertex_of_file_[v] < 0 ? 1 : 0;
   }
-  if (merged > 0) notes_.push_back(std::to_string(merged) + " vertices merged into others at the same position");
+  if (merged > 0)
+    notes_.push_back(std::to_string(merged) + " vertices merged into others " +
+                     (farthest > 0 ? "up to " + short_number(farthest) + " away" : "at the same position"));
   if (unused > 0) notes_.push_back(std::to_string(unused) + " vertices of the file are in no face and were left out");
 }
 

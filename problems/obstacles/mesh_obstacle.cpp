@@ -15,6 +15,7 @@
 #include <leastcost/problems/readers/mesh_reader.hpp>
 #include "problems/distance/orient_faces.hpp"
 #include "problems/distance/winding_number.hpp"
+#include "problems/mesh/weld_option.hpp"
 #include "problems/obstacles/segment_tree.hpp"
 
 namespace leastcost {
@@ -126,7 +127,7 @@ Words<MeshInside> words(MeshInside) {
 
 void MeshObstacleOptions::fields(FieldVisitor& visit) {
   visit.file("file", file, {.help = "Mesh file: OBJ, OFF, PLY or STL.", .required = true});
-  visit.field("weld", weld, {.help = "Merges vertices with exactly equal positions (STL always is)."});
+  visit_weld(visit, weld, weld_within);
   visit.choice("inside", inside,
                {.help = "solid: what the mesh encloses is in it; surface: only its faces are, so that a path may be "
                         "within it; auto: solid where it is closed."});
@@ -152,7 +153,8 @@ std::shared_ptr<const Obstacle> make_mesh_obstacle(const MeshObstacleOptions& op
   const Eigen::Matrix3d rotation =
       angle > 0 ? Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix() : Eigen::Matrix3d::Identity().eval();
   for (Vector3d& p : soup.positions) p = rotation * (options.scale * p) + move;
-  return make_mesh_obstacle(TriangleMesh(soup, {options.weld, 0}), options.inside, options.radius);
+  return make_mesh_obstacle(TriangleMesh(soup, {options.weld, 0, options.scale * options.weld_within}), options.inside,
+                            options.radius);
 }
 
 }  // namespace leastcost

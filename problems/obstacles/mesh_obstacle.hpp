@@ -26,6 +26,7 @@ struct MeshObstacleOptions {
   double scale = 1;
   Eigen::VectorXd rotation = {};     ///< axis times angle, radians; empty: none
   Eigen::VectorXd translation = {};  ///< length units; empty: none
+  double weld_within = 0;            ///< length units of the file; 0: what `weld` says
   void fields(FieldVisitor& visit);
 };
 

@@ -39,7 +39,15 @@ double OriginWalls::room(const Vector& a, const Vector& b, double reach) const {
 
 std::string OriginWalls::obstacle_name(int obstacle) const { return walls_->obstacle_name(obstacle); }
 
-void OriginWalls::draw(const DrawnPaths&, Drawing& out) const {
+void OriginWalls::draw(const DrawnPaths& paths, Drawing& out) const {
+  constexpr Eigen::Index kSpace = 3;
+  Drawing plane;
+  if (dimension_ == kSpace && walls_->dimension() == 2) walls_->draw(paths, plane);
+  for (Points& outline : plane.curves) {  // for the map, which looks from above
+    outline.conservativeResize(kSpace, Eigen::NoChange);
+    outline.bottomRows(1).setZero();
+    out.curves.push_back(std::move(outline));
+  }
   out.notes.emplace_back("obstacles act on the place alone, without height or turn, and are not drawn here");
 }
 

@@ -24,7 +24,7 @@ class OriginWalls final : public Walls {
   void along(const Vector& a, const Vector& b, double reach, std::vector<Wall>& found) const override;
   double room(const Vector& a, const Vector& b, double reach) const override;
   std::string obstacle_name(int obstacle) const override;
-  /// A note: there is no picture of poses.
+  /// Outlines in the plane, at height 0; and a note, for they stand in no picture of space.
   void draw(const DrawnPaths& paths, Drawing& out) const override;
 
  private:

@@ -5,6 +5,7 @@
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
 #include <leastcost/problems/occupancy/occupancy_grid.hpp>
+#include "framework/point_text.hpp"
 #include "problems/raster/raster_patches.hpp"
 
 namespace leastcost {
@@ -56,8 +57,8 @@ std::vector<std::shared_ptr<const Obstacle>> make_raster_obstacles(const RasterG
     add_boxes(grid_of(raster.rows, raster.columns, forbidden), raster.corner, raster.cell, all);
   if (all.empty())
     throw InputError(raster.source + ": no cell of the raster is an obstacle: none without data" +
-                     (options.above ? ", none above " + std::to_string(*options.above) : "") +
-                     (options.below ? ", none below " + std::to_string(*options.below) : ""));
+                     (options.above ? ", none above " + short_number(*options.above, 9) : "") +
+                     (options.below ? ", none below " + short_number(*options.below, 9) : ""));
   return all;
 }
 

@@ -18,6 +18,9 @@ OccupancyGrid occupancy_of(const GreyImage& image, const OccupancyOptions& optio
       const bool known = occupancy > options.occupied_thresh || occupancy < options.free_thresh;
       const bool blocked = known ? occupancy > options.occupied_thresh : options.unknown == UnknownCells::blocked;
       grid.blocked[grid.index(image.rows - 1 - row, column)] = blocked;
+      if (known) continue;
+      grid.unknown.resize(grid.blocked.size());
+      grid.unknown[grid.index(image.rows - 1 - row, column)] = true;
     }
   return grid;
 }

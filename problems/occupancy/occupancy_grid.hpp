@@ -21,6 +21,7 @@ struct OccupancyGrid {
   double cell = 1;                                   ///< side of a cell, length units
   Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< lower corner of cell (0, 0)
   std::vector<bool> blocked;                         ///< rows x columns, row by row
+  std::vector<bool> unknown = {};                    ///< those of which the map does not know; empty: none
   std::string source;                                ///< where it came from, for messages
 
   std::size_t index(int row, int column) const {

@@ -97,6 +97,7 @@ PostProcessed ShortestPostProcessor::apply(const Problem& problem, const FirstPa
   if (!metric) throw InputError("shortest needs a cost that is a length in one metric: it unfolds the mesh");
   if (current.chain.ring || problem.based) throw InputError("shortest joins two ends, and this path is a ring");
   if (std::holds_alternative<GlobalOff>(proof_) || !current.curve.straightness || monitor.interrupted()) return current;
+  const auto begin = Monitor::Clock::now();
   const GlobalBudget budget = budget_of(proof_, mesh);
   ExactOptions options;
   options.stop = stop_of_search(budget, monitor);
@@ -136,6 +137,7 @@ PostProcessed ShortestPostProcessor::apply(const Problem& problem, const FirstPa
   global.steps = found.windows;
   global.bound = found.bound;
   if (!global.proved) global.reason = reason_of(found, budget);
+  global.seconds = std::chrono::duration<double>(Monitor::Clock::now() - begin).count();
   return current;
 }
 

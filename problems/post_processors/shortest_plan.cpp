@@ -54,6 +54,7 @@ PostProcessed ShortestPlanPostProcessor::apply(const Problem& problem, const Fir
   const double unit = cost_of_length(problem, "shortest_plan");
   if (std::holds_alternative<GlobalOff>(proof_) || !current.curve.least_of_class || monitor.interrupted())
     return current;
+  const auto begin = Monitor::Clock::now();
   const GlobalBudget budget =
       std::holds_alternative<GlobalBudget>(proof_) ? std::get<GlobalBudget>(proof_) : GlobalBudget{};
   const Vector2d source = current.curve.x.leftCols(1), target = current.curve.x.rightCols(1);
@@ -80,6 +81,7 @@ PostProcessed ShortestPlanPostProcessor::apply(const Problem& problem, const Fir
   global.bound = "euclid";
   global.lower_bound = unit * found.lower_bound;
   global.gap = 1 - global.lower_bound / current.curve.cost;
+  global.seconds = std::chrono::duration<double>(Monitor::Clock::now() - begin).count();
   current.curve.global = std::move(global);
   return current;
 }

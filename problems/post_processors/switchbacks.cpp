@@ -16,6 +16,7 @@
 #include <leastcost/framework/manifold.hpp>
 #include <leastcost/framework/mixes_moves.hpp>
 #include <leastcost/framework/segment_cost.hpp>
+#include "framework/point_text.hpp"
 
 namespace leastcost {
 namespace {
@@ -127,7 +128,7 @@ class Zigzag {
       reach.push_back(reach.back() + legs_[static_cast<std::size_t>(i)]->across.norm());
     const double count = std::max(1.0, std::ceil(reach.back() / width_));
     if (!(count * 4 * kPiecesOfLeg < static_cast<double>(kMostCorners)))
-      throw InputError("switchbacks of width " + std::to_string(width_) + " would have more than " +
+      throw InputError("switchbacks of width " + short_number(width_) + " would have more than " +
                        std::to_string(kMostCorners) + " points; give a greater width");
     const auto at = [&](double r) {
       const auto above = std::upper_bound(reach.begin() + 1, reach.end() - 1, r);

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include <leastcost/framework/errors.hpp>
+#include "framework/point_text.hpp"
 
 namespace leastcost {
 namespace {
@@ -28,8 +29,8 @@ void from_degrees(RasterGrid& raster) {
       raster.corner + 0.5 * raster.cell.cwiseProduct(Eigen::Vector2d(raster.columns, raster.rows));
   constexpr double kSteepest = 89;  // where a plane no longer means anything
   if (!(std::abs(middle[1]) <= kSteepest) || !(std::abs(middle[0]) <= 540))
-    throw OptionError("degrees", raster.source + ": its middle would be at longitude " + std::to_string(middle[0]) +
-                                     " and latitude " + std::to_string(middle[1]));
+    throw OptionError("degrees", raster.source + ": its middle would be at longitude " + short_number(middle[0], 9) +
+                                     " and latitude " + short_number(middle[1], 9));
   const RasterDegrees degrees{raster.corner, metres_per_degree(middle[1])};
   raster.cell = raster.cell.cwiseProduct(degrees.per_degree);
   raster.corner.setZero();

@@ -51,7 +51,8 @@ class BinaryValues {
   double number(PlyType type, const char* what) {
     const double value = read<double>(type, what);
     if (!std::isfinite(value))
-      fail(std::string("expected ") + what + " that is finite, found " + std::to_string(value));
+      fail(std::string("expected ") + what + " that is finite, found " +
+           (std::isnan(value) ? "nan" : "an infinite one"));
     return value;
   }
   std::int64_t integer(PlyType type, const char* what) { return read<std::int64_t>(type, what); }

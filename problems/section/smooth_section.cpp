@@ -53,7 +53,7 @@ class Follower {
       ring.push_back(next.u);
       now = std::move(next);
     }
-    throw InitializationError("the plane's curve does not come back: after length " + std::to_string(length) +
+    throw InitializationError("the plane's curve does not come back: after length " + short_number(length, 6) +
                               " it is at " + point_text(now.x));
   }
 

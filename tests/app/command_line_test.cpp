@@ -260,6 +260,23 @@ TEST_CASE("command line: an end on the side of an obstacle is as much too near a
   CHECK_THAT(refusal("3.25"), Contains("it lies 0.251 too near to the polygon"));
 }
 
+TEST_CASE("command line: an end in unknown cells of a map is refused as one, with the option that lets it be there") {
+  const ScratchDir dir;
+  write_text(dir / "room.pgm", "P2\n3 1\n255\n254 205 0\n");
+  const auto run_to = [&](const std::string& x, const std::string& more) {
+    return call({"run", "-n",
+                 write_text(dir / "a.yaml", "manifold: {type: map, file: room.pgm" + more +
+                                                "}\ncost: euclidean\nends: {source: {point: [0.5, 0.5]}, target: "
+                                                "{point: [" +
+                                                x + ", 0.5]}}\npath: {points: 5}\n")});
+  };
+  CHECK_THAT(run_to("1.5", "").err, Contains("the target lies in unknown cells of") &&
+                                        Contains("`unknown: free` of the map") && Contains("is 0.5 away"));
+  CHECK(run_to("1.5", ", unknown: free").exit == 0);
+  CHECK_THAT(run_to("2.5", "").err, Contains("the target lies in blocked cells of"));
+  CHECK_THAT(run_to("3.5", "").err, Contains("the target lies outside of"));
+}
+
 TEST_CASE("command line: doctor") {
   const ScratchDir dir;
   const std::string mesh =

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // Runs on meshes with faults: what is solved is delivered, whatever becomes of its curve.
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -48,6 +49,35 @@ TEST_CASE("run: a path over an edge with three faces is delivered, uncertified, 
   if (subdivide > 0) CHECK_THAT(message, Contains("the vertex that subdivision made at (0, 0.5, 0)"));
   for (const char* file : {"path.csv", "curve.csv", "report.html"}) CHECK(fs::exists(dir / "out" / file));
   CHECK_THAT(content(dir / "out/report.html"), Contains("three or more faces"));
+}
+
+TEST_CASE("run: a soup whose corners are off by rounding is joined by the weld that messages name") {
+  const ScratchDir dir;
+  // A square of two triangles that share no corners.
+  write(dir / "soup.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1e-7\nv 1e-7 1 0\nv 1 -1e-7 0\nf 1 2 3\nf 4 5 6\n");
+  const auto run = [&](const std::string& weld) {
+    const std::string config = "manifold: {type: mesh, file: soup.obj, weld: " + weld +
+                               "}\ncost: euclidean\nends: {source: {vertex: 0}, target: {vertex: 3}}\n";
+    return call(
+        {"run", write(dir / "a.yaml", config).string(), "-o", (dir / "out").string(), "--force", "--format", "json"});
+  };
+  const Called loose = run("true");
+  CHECK(loose.exit == 6);
+  CHECK_THAT(loose.out + loose.err, Contains("`weld: 1e-6` those that are no farther apart"));
+  const Called joined = run("1e-6");
+  CHECK(joined.exit == 0);
+  CHECK(Json::parse(joined.out)["global"]["seconds"].get<double>() > 0);
+  CHECK(Json::parse(joined.out)["cost"]["value"].get<double>() == Approx(std::sqrt(2.0)).epsilon(1e-6));
+
+  const std::string mesh = (dir / "soup.obj").string();
+  const Called doctor = call({"doctor", mesh});
+  CHECK(doctor.exit == 4);
+  CHECK_THAT(doctor.out, Contains("border vertices close to an earlier one: 2 (4, 5)") &&
+                             Contains("try weld: 1e-06 (length units)"));
+  CHECK_THAT(call({"doctor", mesh, "--weld=1e-6"}).out,
+             Contains("2 vertices merged into others up to 1e-07 away") && Contains("1 component,"));
+  CHECK(call({"distances", mesh, "--from", "0", "--weld=1e-6", "-q"}).exit == 0);
+  CHECK_THAT(call({"doctor", mesh, "--weld=-1"}).err, Contains("a distance above 0"));
 }
 
 TEST_CASE("run: paths on dirty models are delivered") {

@@ -4,10 +4,13 @@
 // The Earth in configurations: degrees, latitude first; path.geojson, longitude first; degrees on a chart in radians.
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include <leastcost/catalogue/output/write_run.hpp>
 #include <leastcost/catalogue/run/run.hpp>
+#include <leastcost/framework/clearance.hpp>
 #include "catalogue/output/geojson.hpp"
+#include "catalogue/output/unit_of_cost.hpp"
 #include "tests/app/config_text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
@@ -134,6 +137,55 @@ TEST_CASE("the Earth: longitudes of both conventions, across the date line, roun
                                   "certificate: {enabled: false}\n");
   CHECK(round.parts.problem.target.u[1] == 380);
   CHECK_THAT(errors_of(on_earth("[10, 0]", "[10, 360]")), Contains("names the same point as the source"));
+}
+
+TEST_CASE("the Earth: a current to the east and north, by the flow that the refusal names") {
+  const std::string ends =
+      "ends: {source: {point: [-17.8, 177.4]}, target: {point: [-13.8, -171.8]}}\npath: {points: 20}\n";
+  const auto current = [&](const std::string& flow) {
+    return "manifold: earth\ncost: {type: zermelo, speed: 5, " + flow + "}\n" + ends;
+  };
+  const std::string refused = errors_of(current("flow: {type: uniform, velocity: [0.5, 0.1]}"));
+  const std::size_t begin = refused.find("flow: {type: east_north"), end = refused.find('}', begin);
+  REQUIRE(end != std::string::npos);
+  const RunOutcome run = solve(parse_run(current(refused.substr(begin, end + 1 - begin)), "a.yaml"));
+  CHECK(run.result.status == Status::certified);
+  // Against formulas of the unit vectors on a sphere, north off by 0.2 degrees at most.
+  CHECK(run.result.certificate.estimate.value == Approx(225101.6).epsilon(1e-4));
+  // With the current alone, due east along the equator, time is length / (5 + 1).
+  const RunOutcome east =
+      solve(parse_run("manifold: earth\ncost: {type: zermelo, speed: 5, flow: {type: east_north, velocity: [1, 0]}}\n"
+                      "ends: {source: {point: [0, 0]}, target: {point: [0, 10]}}\npath: {points: 20}\n",
+                      "a.yaml"));
+  CHECK(east.result.certificate.estimate.value == Approx(6378137 * 10 * std::numbers::pi / 180 / 6).epsilon(1e-8));
+  const RunOutcome north =
+      solve(parse_run("manifold: earth\ncost: {type: zermelo, speed: 5, flow: {type: east_north, velocity: [0, 1]}}\n"
+                      "ends: {source: {point: [40, 10]}, target: {point: [41, 10]}}\npath: {points: 20}\n",
+                      "a.yaml"));
+  const RunOutcome calm = solve(parse_run(on_earth("[40, 10]", "[41, 10]"), "a.yaml"));
+  CHECK(north.result.certificate.estimate.value == Approx(calm.result.certificate.estimate.value / 6).epsilon(1e-8));
+}
+
+TEST_CASE("the Earth: land in degrees is refused with the ball in space that holds it, which is one to go round") {
+  const auto around = [](const std::string& obstacle) {
+    return "manifold: earth\ncost: euclidean\nobstacles: [" + obstacle +
+           "]\nclearance: 1000\nends: {source: {point: [-17.8, 177.4]}, target: {point: [-13.8, -171.8]}}\n";
+  };
+  const std::string refused =
+      errors_of(around("{type: polygon, corners: [[-17, 178], [-17, -179], [-15, -179], [-15, 178]]}"));
+  const std::size_t begin = refused.find("{type: ball"), end = refused.find('}', begin);
+  REQUIRE(end != std::string::npos);
+  const Run run = parse_run(around(refused.substr(begin, end + 1 - begin)), "a.yaml");
+  const Eigen::Vector2d corner(-17, 178);
+  CHECK_FALSE(why_in_clearance(run.parts.problem, PathEnd{corner}).empty());
+}
+
+TEST_CASE("the Earth: lengths are metres, on another planet they are lengths") {
+  const RunOutcome earth = solve(parse_run(on_earth("[10, 20]", "[11, 21]"), "a.yaml"));
+  CHECK(unit_of_cost(earth.parts.problem) == "m");
+  std::string planet = on_earth("[10, 20]", "[11, 21]");
+  planet.replace(0, planet.find('\n'), "manifold: {type: earth, semi_major_axis: 3396190}");
+  CHECK(unit_of_cost(parse_run(planet, "a.yaml").parts.problem) == "length");
 }
 
 TEST_CASE("the Earth: a way over a pole is said in words, not by a latitude of 100") {

@@ -6,6 +6,8 @@
 
 #include <fstream>
 
+#include <leastcost/catalogue/output/write_run.hpp>
+#include <leastcost/catalogue/run/run.hpp>
 #include <leastcost/framework/errors.hpp>
 #include "catalogue/inputs/raster_file.hpp"
 #include "tests/support/catch.hpp"
@@ -74,6 +76,30 @@ TEST_CASE(
   text.replace(at, text.find('<', at) - at, "0, 10, 5, 100, 5, -10");
   std::ofstream(dir / "turned.vrt") << text;
   CHECK_THROWS_WITH(read_gdal_raster(dir / "turned.vrt"), Catch::Contains("gdalwarp -r bilinear"));
+}
+
+TEST_CASE("GeoPackage: the path and its points over a raster with a CRS open in ogrinfo as layers in WGS84") {
+  if (!has_program("gdal_translate", "gdal-bin") || !has_program("ogrinfo", "gdal-bin")) return;
+  const ScratchDir dir;
+  REQUIRE(output_of("gdal_translate -a_srs EPSG:32632 -a_ullr 500000 5201000 501000 5200000 '" +
+                    (project_dir() / "configs/data/hills.asc").string() + "' '" + (dir / "utm.tif").string() + "'") !=
+          "");
+  const auto run_in = [&](const std::string& files) {
+    write_run(solve(parse_run("manifold: {type: terrain, file: utm.tif}\ncost: euclidean\nends: {source: {point: "
+                              "[500100, 5200200]}, target: {point: [500300, 5200400]}}\npath: {points: 9}\n"
+                              "certificate: {enabled: false}\noutput: {files: [" +
+                                  files + "]}\n",
+                              "a.yaml", dir.path())),
+              dir / "out", {.replace = true});
+  };
+  run_in("result, gpkg");
+  const std::string file = "'" + (dir / "out/path.gpkg").string() + "'";
+  const std::string line = output_of("ogrinfo -so " + file + " path 2>&1");
+  CHECK_THAT(line,
+             Catch::Contains("Feature Count: 1") && Catch::Contains("\"EPSG\",4326") && Catch::Contains("cost: Real"));
+  CHECK_THAT(output_of("ogrinfo -so " + file + " points 2>&1"), Catch::Contains("Feature Count: 11"));
+  run_in("result");
+  CHECK_FALSE(std::filesystem::exists(dir / "out/path.gpkg"));
 }
 
 TEST_CASE("GDAL: what it cannot read is an error with the name of the file") {

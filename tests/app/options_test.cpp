@@ -3,6 +3,7 @@
 
 // One field list serves reading, writing, describing: shown on options that have every kind of field.
 #include <array>
+#include <limits>
 #include <optional>
 #include <variant>
 
@@ -12,6 +13,7 @@
 #include "catalogue/yaml/scalars.hpp"
 #include "catalogue/yaml/suggest.hpp"
 #include "catalogue/yaml/yaml_reader.hpp"
+#include "framework/point_text.hpp"
 #include "problems/formula/edit_distance.hpp"
 #include "tests/support/catch.hpp"
 
@@ -58,6 +60,8 @@ struct EveryField {
   std::string file;
   std::optional<Shape> shape;
   double inner = 1e-6;
+  bool joins = false;
+  double within = 0;
 
   void fields(FieldVisitor& visit) {
     visit.field("flag", flag, {.help = "A flag."});
@@ -74,6 +78,7 @@ struct EveryField {
     visit.choice("mode", mode, {.help = "A choice."});
     visit.file("file", file, {.help = "A file."});
     visit.variant("shape", shape, {.help = "A shape."});
+    visit.switch_or_number("joins", joins, within, {.help = "J.", .minimum = 0, .exclusive_minimum = true});
     visit.group("group", {.help = "A group."},
                 [this](FieldVisitor& v) { v.field("inner", inner, {.help = "Inside."}); });
   }
@@ -112,6 +117,7 @@ file: a/b.obj
 shape:
   type: brick
   axes: [1, 2]
+joins: 1.0e-06
 group:
   inner: 0.3333333333333333
 )";
@@ -137,6 +143,7 @@ TEST_CASE("options: every kind of field is read") {
   CHECK(std::get<Brick>(o.shape.value()).axes == Eigen::Vector2d(1, 2));
   CHECK(o.file == "a/b.obj");
   CHECK(o.inner == 0.3333333333333333);
+  CHECK((o.joins && o.within == 1e-6));
 }
 
 TEST_CASE("options: what is written reads back the same, to the last bit") {
@@ -148,7 +155,8 @@ TEST_CASE("options: what is written reads back the same, to the last bit") {
 TEST_CASE("options: defaults are written, what stands for absent is not") {
   EveryField o;
   CHECK(written(o) ==
-        "flag: false\ncount: 3\nsize: 0.1\nzero: 0\nword: \"a word\"\nmode: fast\ngroup:\n  inner: 1.0e-06\n");
+        "flag: false\ncount: 3\nsize: 0.1\nzero: 0\nword: \"a word\"\nmode: fast\njoins: false\ngroup:\n  inner: "
+        "1.0e-06\n");
   EveryField again;
   CHECK(read(written(o), again) == "");
   CHECK_FALSE(again.unset);
@@ -178,7 +186,9 @@ TEST_CASE("options: a wrong value leaves the default and the others alone") {
 TEST_CASE("options: the same list describes them") {
   OptionsOf<EveryField> options;
   const std::vector<app::FieldInfo> fields = app::fields_of(options);
-  REQUIRE(fields.size() == 15);
+  REQUIRE(fields.size() == 16);
+  CHECK(fields[14].type_in_words() == "true, false or a number, greater than 0");
+  CHECK(fields[14].default_value == "false");
   CHECK(fields[1].type_in_words() == "whole number, at least 1 and at most 9");
   CHECK(fields[1].default_value == "3");
   CHECK(fields[2].type_in_words() == "number, greater than 0");
@@ -192,8 +202,21 @@ TEST_CASE("options: the same list describes them") {
   CHECK(fields[13].type_in_words() == "a type, or a block with a type, of ball, brick, point");
   REQUIRE(fields[13].children.size() == 3);
   CHECK((fields[13].children[1].key == "brick" && fields[13].children[1].children[0].key == "axes"));
-  REQUIRE(fields[14].children.size() == 1);
-  CHECK(fields[14].children[0].key == "inner");
+  REQUIRE(fields[15].children.size() == 1);
+  CHECK(fields[15].children[0].key == "inner");
+}
+
+TEST_CASE("options: a switch that a number may stand in the place of") {
+  EveryField o;
+  CHECK(read("joins: true\n", o) == "");
+  CHECK((o.joins && o.within == 0));
+  CHECK_THAT(written(o), Contains("joins: true\n"));
+  CHECK(read("joins: 0.5\n", o) == "");
+  CHECK((o.joins && o.within == 0.5));
+  CHECK(read("joins: false\n", o) == "");
+  CHECK((!o.joins && o.within == 0));
+  CHECK_THAT(read("joins: 0\n", o), Contains("'joins' in it must be greater than 0 (found '0')"));
+  CHECK_THAT(read("joins: on\n", o), Contains("'joins' in it must be true, false or a number (found 'on')"));
 }
 
 TEST_CASE("options: a block whose type says which fields it has") {
@@ -244,6 +267,19 @@ TEST_CASE("numbers: shortest text that reads back") {
     CAPTURE(x, number_text(x), parsed.fault);
     CHECK(parsed.value == x);
   }
+}
+
+TEST_CASE("numbers: two that a message compares are printed so that they differ, and by how much") {
+  const auto texts = [](double a, double b, int digits = 3) {
+    const TwoNumbers both = told_apart(a, b, digits);
+    return both.first + " " + both.second;
+  };
+  CHECK(texts(2, 3.124) == "2 3.12");
+  CHECK(texts(20000000, 20000001.25) == "20000000 20000001.25");
+  CHECK(texts(1e-12, 2e-12) == "1e-12 2e-12");
+  CHECK(texts(1 + 1e-9, 1) == "1.000000001 1");
+  CHECK(texts(5, 5) == "5 5");
+  CHECK(texts(1, std::numeric_limits<double>::infinity(), 9) == "1 inf");
 }
 
 }  // namespace leastcost::test

@@ -102,6 +102,10 @@ TEST_CASE("pairs of vertices: a line each, in order, the wrong ones by their num
   is_path(0, 0, 2, std::sqrt(2.0));
   is_path(1, 1, 3, std::sqrt(2.0));
   is_path(14, 0, 1, 1);
+  CHECK(lines[12]["outcome"] == "certified");  // a vertex with itself
+  CHECK(lines[12]["cost"] == 0);
+  CHECK(lines[12]["error_estimate"] == 0);
+  CHECK(lines[12]["lower_bound"] == 0);
   is_path(16, 0, 1, 1);
   const auto is_wrong = [&](std::size_t i, int line, const char* outcome, const std::string& message) {
     CAPTURE(i);
@@ -122,16 +126,15 @@ TEST_CASE("pairs of vertices: a line each, in order, the wrong ones by their num
   is_wrong(9, 13, "bad_pair", "2 cells, the header has 3");
   is_wrong(10, 14, "bad_pair", "4 cells, the header has 3");
   is_wrong(11, 15, "bad_pair", "a quote is not closed");
-  is_wrong(12, 16, "bad_pair", "is the same point as the source");
   is_wrong(13, 17, "no_path", "");
   is_wrong(15, 19, "bad_pair", "is no number of a vertex");
 
   const Json result = Json::parse(content(dir / "out/result.json"));
   CHECK(result["status"] == "failed");
   CHECK(result["pairs"] == 17);
-  CHECK(result["outcomes"] == Json({{"bad_pair", 12}, {"certified", 4}, {"no_path", 1}}));
-  CHECK(result["proofs"] == Json({{"proved", 4}}));
-  CHECK_THAT(called.out, Contains("17: 12 bad_pair, 4 certified, 1 no_path"));
+  CHECK(result["outcomes"] == Json({{"bad_pair", 11}, {"certified", 5}, {"no_path", 1}}));
+  CHECK(result["proofs"] == Json({{"proved", 5}}));
+  CHECK_THAT(called.out, Contains("17: 11 bad_pair, 5 certified, 1 no_path"));
 }
 
 TEST_CASE("pairs of points: among obstacles as long as the tangents and the arc say") {
@@ -158,6 +161,37 @@ TEST_CASE("pairs of points: among obstacles as long as the tangents and the arc 
   CHECK_THAT(lines[3]["message"].get<std::string>(), Contains("source: end_in_clearance"));
   CHECK_THAT(lines[5]["message"].get<std::string>(), Contains("source_x: 'inf' is not finite"));
   CHECK_THAT(lines[6]["message"].get<std::string>(), Contains("target_x: '1e400' is no number that can be held"));
+}
+
+TEST_CASE("pairs of points: a place with itself costs nothing, where it may be at all") {
+  const ScratchDir dir;
+  const Called called =
+      run_pairs_of(dir, kAroundDisc + "output: {pair_points: true}\n", kInPlane + "-2,0,-2,0\n0,0.5,0,0.5\n");
+  CHECK(called.exit == 7);
+  const std::vector<Json> lines = lines_of(dir / "out");
+  REQUIRE(lines.size() == 2);
+  CHECK(lines[0]["certified"] == true);
+  CHECK(lines[0]["cost"] == 0);
+  CHECK(lines[0]["points"] == Json::array({Json::array({-2, 0})}));
+  CHECK_THAT(lines[1]["message"].get<std::string>(), Contains("source: end_in_clearance"));
+  // Another name of the same place is that place; on a torus it would state a way round.
+  CHECK(run_pairs_of(dir, "manifold: earth\ncost: euclidean\nends: {pairs: pairs.csv}\n",
+                     "source_lon,source_lat,target_lon,target_lat\n5,6,365,6\n", {"--force"})
+            .exit == 0);
+  CHECK(lines_of(dir / "out").front()["cost"] == 0);
+}
+
+TEST_CASE("pairs of places on the Earth: by longitude and latitude, or by the names of the coordinates") {
+  const ScratchDir dir;
+  const std::string config = "manifold: earth\ncost: euclidean\nends: {pairs: pairs.csv}\npath: {points: 20}\n";
+  for (const char* pairs : {"source_lon,source_lat,target_lat,target_lon\n177.4,-17.8,-13.8,-171.8\n",
+                            "source_latitude,source_longitude,target_latitude,target_longitude\n"
+                            "-17.8,177.4,-13.8,-171.8\n"}) {
+    CHECK(run_pairs_of(dir, config, pairs, {"--force"}).exit == 0);
+    CHECK(lines_of(dir / "out").front()["cost"].get<double>() == Approx(1238493.306911).epsilon(1e-7));
+  }
+  CHECK_THAT(run_pairs_of(dir, config, "a,b\n1,2\n", {"--force"}).err,
+             Contains("'source_lon,source_lat,target_lon,target_lat'"));
 }
 
 TEST_CASE("pairs of points: on a level set, and nearby as far as the tolerance of the pairs allows") {

@@ -102,6 +102,8 @@ TEST_CASE("plot: linear ticks are round, and within the range") {
   CHECK(fine[4].label == "0.3");
   const std::vector<Tick> tiny = ticks(ScaleKind::linear, {-1.1e-4, 1.3e-4}, 4);
   CHECK(tiny.front().label == "−1.0·10⁻⁴");
+  CHECK(ticks(ScaleKind::linear, {4412030.25, 4412030.75}, 5).front().label == "4412030.3");  // of a map
+  CHECK(ticks(ScaleKind::linear, {0, 3e6}, 3).back().label == "3·10⁶");
   const auto [least, largest] = GENERATE(table<double, double>({{0, 1}, {-3e5, 7e6}, {1e-9, 3e-9}, {0.9999, 1.0001}}));
   for (const Tick& t : ticks(ScaleKind::linear, {least, largest}, 5)) {
     CHECK(t.at >= least - 1e-9 * (largest - least));

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <fstream>
+#include <regex>
 #include <sstream>
 
 #include <leastcost/framework/errors.hpp>
+#include "app/plot/text.hpp"
 #include "app/report/page/page.hpp"
 #include "app/report/page/viewer_script.hpp"
 #include "app/run/run.hpp"
@@ -165,6 +167,38 @@ initializer: {type: waypoints, points: [[1, 0], [0, 1], [-1, 0], [0, -1]]}
                                           "ring") /
                                    "report.html");
   check_holds(ring, {"collapsed"});
+}
+
+TEST_CASE("report: labels of coordinates far from 0 stand within the picture, obstacles of a terrain on its map") {
+  const ScratchDir dir;
+  const std::string far = content(run_of(dir, R"(manifold: {type: euclidean, dimension: 2}
+cost: euclidean
+ends: {source: {point: [512020.25, 4412030.25]}, target: {point: [512020.5, 4412030.75]}}
+path: {points: 9}
+)",
+                                         "far") /
+                                  "report.html");
+  const std::regex label(R"re(<text x="([0-9.]+)" y="[0-9.]+" text-anchor="end">([^<]*)</text>)re");
+  int seen = 0;
+  for (auto at = std::sregex_iterator(far.begin(), far.end(), label); at != std::sregex_iterator(); ++at) {
+    if (!(*at)[2].str().starts_with("4412030")) continue;
+    constexpr double kFont = 11;
+    ++seen;
+    CHECK(std::stod((*at)[1]) >= kFont * app::text_width((*at)[2].str()));
+  }
+  CHECK(seen > 1);
+
+  const std::string ground = content(
+      run_of(dir, "manifold: {type: terrain, file: '" + (project_dir() / "configs/data/hills.asc").string() + R"('}
+cost: euclidean
+obstacles: [{type: polygon, corners: [[600, 300], [700, 300], [700, 800], [600, 800]]}]
+clearance: 10
+ends: {source: {point: [200, 700]}, target: {point: [1350, 800]}}
+certificate: {enabled: false}
+)",
+             "ground") /
+      "report.html");
+  check_holds(ground, {"On the map", "class=\"obstacle\""});
 }
 
 TEST_CASE("report: texts of the user are texts") {

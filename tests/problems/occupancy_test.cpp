@@ -113,6 +113,7 @@ TEST_CASE("occupancy of an image: thresholds, unknown, upside down") {
   CHECK((!grid.free(1, 0) && grid.free(1, 1)));   // the first row of the image is the upper one
   CHECK((!grid.free(0, 0) && !grid.free(0, 1)));  // 205: occupancy 0.196 is not below the threshold; 100: 0.61
   CHECK(grid.corner(1, 1) == Eigen::Vector2d(-0.5, 2.5));
+  CHECK(grid.unknown == std::vector<bool>{true, true, false, false});
   options.unknown = UnknownCells::free;
   CHECK((occupancy_of(image, options).free(0, 0) && occupancy_of(image, options).free(0, 1)));
   options.negate = true;

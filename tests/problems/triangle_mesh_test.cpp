@@ -3,6 +3,7 @@
 #include <leastcost/problems/mesh/triangle_mesh.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -14,6 +15,7 @@
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
+#include "tests/support/random.hpp"
 
 namespace leastcost {
 namespace {
@@ -272,6 +274,46 @@ TEST_CASE("mesh: welding closes a cube whose faces share no vertices", "[mesh]")
     CHECK(welded.position(welded.vertex_of_file(v)) == soup.positions[static_cast<std::size_t>(v)]);
   CHECK_THROWS_AS(welded.vertex_of_file(25), InputError);
   CHECK_THROWS_AS(welded.vertex_of_file(-1), InputError);
+}
+
+TEST_CASE("mesh: welding within a distance closes a soup that rounding has opened, and moves nothing farther",
+          "[mesh]") {
+  test::Random random(5);
+  const PolygonSoup cube = test::cube();
+  for (const double place : {0.0, 1e6}) {
+    PolygonSoup soup;
+    for (std::size_t p = 0; p < 6; ++p) {
+      const std::int32_t first = static_cast<std::int32_t>(soup.positions.size());
+      for (std::size_t k = 0; k < 4; ++k) {
+        const Eigen::Vector3d corner = cube.positions[static_cast<std::size_t>(cube.corners[4 * p + k])];
+        soup.positions.emplace_back(corner + Eigen::Vector3d::Constant(place) +
+                                    Eigen::Vector3d(random.uniform(-1e-7, 1e-7), random.uniform(-1e-7, 1e-7), 0));
+      }
+      add_polygon(soup, {first, first + 1, first + 2, first + 3});
+    }
+    CHECK(TriangleMesh(soup, {.weld = true}).vertex_count() > 8);
+    const TriangleMesh joined(soup, {.weld_within = 1e-6});
+    CHECK(joined.vertex_count() == 8);
+    CHECK(euler_characteristic(joined) == 2);
+    CHECK(border_sides(joined) == 0);
+    for (std::int32_t v = 0; v < 24; ++v)
+      CHECK((joined.position(joined.vertex_of_file(v)) - soup.positions[static_cast<std::size_t>(v)]).norm() <= 1e-6);
+  }
+  for (const double within : {-1.0, std::numeric_limits<double>::infinity(), std::nan("")})
+    CHECK_THROWS_AS(TriangleMesh(cube, {.weld_within = within}), OptionError);
+}
+
+TEST_CASE("mesh: vertices that stand in a row are not all drawn into one by a weld", "[mesh]") {
+  PolygonSoup soup;
+  for (int k = 0; k < 20; ++k) {  // a strip, its corners 0.6 apart
+    soup.positions.emplace_back(0.6 * k, 0, 0);
+    soup.positions.emplace_back(0.6 * k, 5, 0);
+  }
+  for (std::int32_t k = 0; k + 1 < 20; ++k) add_polygon(soup, {2 * k, 2 * k + 2, 2 * k + 3, 2 * k + 1});
+  const TriangleMesh mesh(soup, {.weld_within = 1});
+  CHECK(mesh.vertex_count() == 20);  // every second pair
+  for (std::int32_t v = 0; v < 40; ++v)
+    CHECK((mesh.position(mesh.vertex_of_file(v)) - soup.positions[static_cast<std::size_t>(v)]).norm() <= 1);
 }
 
 TEST_CASE("mesh: polygons of every shape are cut inside", "[mesh]") {

@@ -73,6 +73,12 @@ void RandomFields::field(std::string_view, double& value, const FieldDoc& doc) {
   if (bold(doc)) value = number(doc);
 }
 
+void RandomFields::switch_or_number(std::string_view, bool& on, double& value, const FieldDoc& doc) {
+  if (!bold(doc)) return;
+  on = chance(0.5);
+  value = on && chance(0.5) ? number(doc) : 0;
+}
+
 void RandomFields::field(std::string_view, std::string& value, const FieldDoc& doc) {
   if (bold(doc)) value = formula();
 }

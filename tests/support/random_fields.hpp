@@ -30,6 +30,7 @@ class RandomFields final : public RunVisitor {
   void field(std::string_view key, Eigen::MatrixXd& value, const FieldDoc& doc) override;
   void field(std::string_view key, std::map<std::string, double>& value, const FieldDoc& doc) override;
   void field(std::string_view key, std::vector<std::string>& value, const FieldDoc& doc) override;
+  void switch_or_number(std::string_view key, bool& on, double& number, const FieldDoc& doc) override;
   void file(std::string_view key, std::string& value, const FieldDoc& doc) override;
   void group(std::string_view key, const FieldDoc& doc, const std::function<void(FieldVisitor&)>& body) override;
 

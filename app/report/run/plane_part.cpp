@@ -17,28 +17,48 @@
 namespace leastcost::app {
 namespace {
 
-constexpr double kMostWidth = 860, kMostHeight = 560, kLeft = 58, kBelow = 64, kTop = 12, kRight = 14;
+constexpr double kMostWidth = 860, kMostHeight = 560, kLeast = 58, kBelow = 64, kTop = 12, kRight = 14;
+constexpr double kFontSize = 12, kBesideLabels = 30;  // pixels
 constexpr int kBands = 8;
 
 /// The part of the plane that is shown, and how it is mapped to the drawing.
 class Frame {
  public:
   Frame(const Eigen::Vector2d& lower, const Eigen::Vector2d& upper) : lower_(lower), upper_(upper) {
-    const Eigen::Vector2d extent = upper - lower;
-    scale_ = std::min((kMostWidth - kLeft - kRight) / extent[0], (kMostHeight - kTop - kBelow) / extent[1]);
+    fit();
+    left_ = std::max(kLeast, kBesideLabels + widest(ticks_of(1)));
+    right_ = std::max(kRight, widest(ticks_of(0)) / 2 + 4);
+    fit();
   }
-  double x(double value) const { return kLeft + scale_ * (value - lower_[0]); }
+  double left() const { return left_; }
+  double right() const { return right_; }
+  double x(double value) const { return left_ + scale_ * (value - lower_[0]); }
   double y(double value) const { return kTop + scale_ * (upper_[1] - value); }
   double width() const { return scale_ * (upper_[0] - lower_[0]); }
   double height() const { return scale_ * (upper_[1] - lower_[1]); }
   Range range(Index i) const { return {lower_[i], upper_[i]}; }
+  std::vector<Tick> ticks_of(Index axis) const {
+    const double size = axis == 0 ? width() / 80 : height() / 60;
+    return ticks(ScaleKind::linear, range(axis), std::max(2, static_cast<int>(size)));
+  }
   bool contains(const Eigen::VectorXd& p) const {
     return (p.array() >= lower_.array()).all() && (p.array() <= upper_.array()).all();
   }
 
  private:
+  void fit() {
+    const Eigen::Vector2d extent = upper_ - lower_;
+    scale_ = std::min((kMostWidth - left_ - right_) / extent[0], (kMostHeight - kTop - kBelow) / extent[1]);
+  }
+  /// Of labels, pixels.
+  static double widest(const std::vector<Tick>& all) {
+    double width = 0;
+    for (const Tick& tick : all) width = std::max(width, kFontSize * text_width(tick.label));
+    return width;
+  }
+
   Eigen::Vector2d lower_, upper_;
-  double scale_ = 1;
+  double scale_ = 1, left_ = kLeast, right_ = kRight;
 };
 
 Frame frame_of(const RunFiles& files) {
@@ -141,20 +161,20 @@ std::string potential_lines(const Raster& raster, const Frame& frame) {
 }
 
 std::string axes(const Frame& frame) {
-  std::string out = fmt::format("<rect class=\"axis\" x=\"{}\" y=\"{}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n", kLeft,
-                                kTop, frame.width(), frame.height());
+  std::string out = fmt::format("<rect class=\"axis\" x=\"{}\" y=\"{}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n",
+                                frame.left(), kTop, frame.width(), frame.height());
   const double bottom = kTop + frame.height();
-  for (const Tick& t : ticks(ScaleKind::linear, frame.range(0), std::max(2, static_cast<int>(frame.width() / 80))))
+  for (const Tick& t : frame.ticks_of(0))
     out += fmt::format(
         "<path class=\"axis\" d=\"M{0:.1f} {1:.1f}v5\"/><text x=\"{0:.1f}\" y=\"{2:.1f}\" "
         "text-anchor=\"middle\">{3}</text>\n",
         frame.x(t.at), bottom, bottom + 18, t.label);
-  for (const Tick& t : ticks(ScaleKind::linear, frame.range(1), std::max(2, static_cast<int>(frame.height() / 60))))
+  for (const Tick& t : frame.ticks_of(1))
     out += fmt::format(
         "<path class=\"axis\" d=\"M{0} {1:.1f}h-5\"/><text x=\"{2}\" y=\"{3:.1f}\" text-anchor=\"end\">{4}</text>\n",
-        kLeft, frame.y(t.at), kLeft - 8, frame.y(t.at) + 3.8, t.label);
-  out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">x</text>\n", kLeft + frame.width() / 2,
-                     bottom + 34);
+        frame.left(), frame.y(t.at), frame.left() - 8, frame.y(t.at) + 3.8, t.label);
+  out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">x</text>\n",
+                     frame.left() + frame.width() / 2, bottom + 34);
   return out + fmt::format("<text x=\"12\" y=\"{:.1f}\">y</text>\n", kTop + frame.height() / 2);
 }
 
@@ -167,7 +187,7 @@ std::string box_sides(const Scene& scene, const Frame& frame) {
       d += fmt::format("M{:.1f} {:.1f}v{:.1f}", frame.x(x), kTop, frame.height());
   for (const double y : {scene.lower[1], scene.upper[1]})
     if (y >= frame.range(1).least && y <= frame.range(1).largest)
-      d += fmt::format("M{} {:.1f}h{:.1f}", kLeft, frame.y(y), frame.width());
+      d += fmt::format("M{} {:.1f}h{:.1f}", frame.left(), frame.y(y), frame.width());
   return d.empty() ? "" : fmt::format("<path class=\"wall\" d=\"{}\"/>\n", d);
 }
 
@@ -194,7 +214,8 @@ std::string plane_svg(const RunFiles& files) {
   if (scene.cost) inside += cost_bands(*scene.cost, frame);
   if (scene.relief) inside += hillshade(*scene.relief, frame);
   if (scene.potential) inside += potential_lines(*scene.potential, frame);
-  for (const Points& curve : scene.curves) inside += stroke(curve, frame, "domain");
+  // On the ground all of them are outlines of obstacles.
+  for (const Points& curve : scene.curves) inside += stroke(curve, frame, scene.relief ? "obstacle" : "domain");
   inside += box_sides(scene, frame);
   inside += stroke(scene.lines.first, frame, "first");
   for (const Points& other : scene.lines.others) inside += stroke(other, frame, "other");
@@ -204,10 +225,10 @@ std::string plane_svg(const RunFiles& files) {
       "id=\"hatch\" width=\"7\" "
       "height=\"7\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\"><path class=\"hatch\" d=\"M0 "
       "0v7\"/></pattern></defs>\n",
-      kLeft, kTop, frame.width(), frame.height());
+      frame.left(), kTop, frame.width(), frame.height());
   out += fmt::format("<g clip-path=\"url(#inside)\">\n{}</g>\n{}{}", inside, axes(frame), path_marks(files, frame));
   return svg_element("The path in the plane", "The path, its points, its ends and the first path, drawn to scale",
-                     kLeft + frame.width() + kRight, kTop + frame.height() + kBelow - 20, out, false);
+                     frame.left() + frame.width() + frame.right(), kTop + frame.height() + kBelow - 20, out, false);
 }
 
 }  // namespace leastcost::app

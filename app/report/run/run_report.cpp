@@ -49,14 +49,18 @@ std::string bar_text(const JsonFile& result) {
   return text + " (" + result.text("cost.method") + ")";
 }
 
+std::string solver_text(const JsonFile& result) {
+  if (result.text("solver.name") == "none") return "the first path as it is";
+  return fmt::format("{} after {} iteration{}", result.text("solver.termination"), result.text("solver.iterations"),
+                     result.text("solver.iterations") == "1" ? "" : "s");
+}
+
 std::vector<KeyFigure> key_figures_of(const JsonFile& result) {
   const double bar = result.flag("certificate.measured") ? result.number("cost.error_estimate") : std::nan("");
   return {{"cost", cost_text(result.number("cost.value"), bar) + " " + result.text("cost.unit"), bar_text(result)},
           {"spacing", number_text(result.number("spacing")), "largest / smallest cost − 1"},
           {"points", result.text("points"), result.flag("ring") ? "of a closed path" : "between the ends"},
-          {"solver", result.text("solver.name"),
-           fmt::format("{} after {} iteration{}", result.text("solver.termination"), result.text("solver.iterations"),
-                       result.text("solver.iterations") == "1" ? "" : "s")},
+          {"solver", result.text("solver.name"), solver_text(result)},
           {"time", duration(total_seconds(result)), duration(result.number("seconds.solve")) + " of it in the solver"}};
 }
 
