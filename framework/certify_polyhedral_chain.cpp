@@ -3,6 +3,7 @@
 #include "framework/certify_polyhedral_chain.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,11 @@ namespace leastcost {
 namespace {
 
 constexpr double kPolyhedronStationarity = 1e-6;  ///< relative cost error of an unstraightened path
-constexpr double kPolyhedronSpacing = 0.05;
-constexpr double kTracedSafety = 4;  ///< of the largest difference between traced levels
+constexpr double kTracedSafety = 4;  ///< of the largest difference between traced levels that do not settle
+/// Levels settle where each difference is at most this part of the one before: kinks make the first order, 1/2.
+constexpr double kSettles = 0.6;
+constexpr double kTail = 3;  ///< of the last difference: what all finer levels may add at that rate, and twice that
+constexpr double kLuckyFall = 4;  ///< a difference that falls faster than at second order does so by chance
 constexpr int kBundleSteps = 20;
 
 /// On a polyhedron no single gradient need be small at a minimiser: what counts is how far a bundle of them can still
@@ -35,6 +39,16 @@ void measure_kinked_stationarity(PathEnergy& energy, const CoordinatePath& chain
   check_stationarity(c, kPolyhedronStationarity);
 }
 
+/// What the cost of the delivered curve may be off that of the path which ever finer levels come to.
+double traced_bar(double delivered, const std::vector<double>& levels, double spread) {
+  if (levels.size() < 3) return kTracedSafety * spread;
+  const double d12 = levels[0] - levels[1], d24 = levels[1] - levels[2];
+  const bool settle = d12 * d24 >= 0 && std::abs(d24) <= kSettles * std::abs(d12);
+  if (!settle) return kTracedSafety * spread;
+  const double last = std::max(std::abs(d24), std::abs(d12) / kLuckyFall);
+  return std::min(kTracedSafety * spread, std::abs(delivered - levels[2]) + kTail * last);
+}
+
 }  // namespace
 
 void certify_polyhedral_chain(const Problem& problem, PathEnergy& energy, const PostProcessed& path,
@@ -48,10 +62,11 @@ void certify_polyhedral_chain(const Problem& problem, PathEnergy& energy, const 
     if (monitor.interrupted()) return;
     values.push_back(to_curve(level).curve.cost);
   }
+  const std::vector<double> traced = values;
   values.push_back(path.curve.cost);
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   c.estimate.method = "traced";
-  c.estimate.error = kTracedSafety * (*most - *least) + *c.stationarity * path.curve.cost;
+  c.estimate.error = traced_bar(path.curve.cost, traced, *most - *least) + *c.stationarity * path.curve.cost;
   if (refinement.levels.size() < 3)
     c.failures.push_back({refinement.collapsed ? "collapsed" : "refinement", refinement.trouble});
   else if (!(c.estimate.error <= kPolyhedronError * path.curve.cost))
