@@ -39,14 +39,16 @@ void measure_kinked_stationarity(PathEnergy& energy, const CoordinatePath& chain
   check_stationarity(c, kPolyhedronStationarity);
 }
 
-/// What the cost of the delivered curve may be off that of the path which ever finer levels come to.
-double traced_bar(double delivered, const std::vector<double>& levels, double spread) {
-  if (levels.size() < 3) return kTracedSafety * spread;
-  const double d12 = levels[0] - levels[1], d24 = levels[1] - levels[2];
-  const bool settle = d12 * d24 >= 0 && std::abs(d24) <= kSettles * std::abs(d12);
-  if (!settle) return kTracedSafety * spread;
-  const double last = std::max(std::abs(d24), std::abs(d12) / kLuckyFall);
-  return std::min(kTracedSafety * spread, std::abs(delivered - levels[2]) + kTail * last);
+/// What the cost of the delivered curve may be off that of the path which ever finer levels come to. `traced`: costs of
+/// the levels' curves; `chain`: that of the moves of the finest one, which comes to the same in the end.
+double traced_bar(double delivered, const std::vector<double>& traced, double chain, double spread) {
+  const double unsettled = kTracedSafety * spread;
+  if (traced.size() < 3) return unsettled;
+  const double d12 = traced[0] - traced[1], d24 = traced[1] - traced[2];
+  if (!(d12 * d24 >= 0 && std::abs(d24) <= kSettles * std::abs(d12))) return unsettled;
+  const double last = std::max({std::abs(d24), std::abs(d12) / kLuckyFall, std::abs(delivered - traced[1])});
+  const double settled = std::max(std::abs(delivered - traced[2]) + kTail * last, std::abs(traced[2] - chain));
+  return std::min(unsettled, settled);
 }
 
 }  // namespace
@@ -63,10 +65,11 @@ void certify_polyhedral_chain(const Problem& problem, PathEnergy& energy, const 
     values.push_back(to_curve(level).curve.cost);
   }
   const std::vector<double> traced = values;
+  const double finest = c.levels.empty() ? path.curve.cost : c.levels.back().cost;
   values.push_back(path.curve.cost);
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   c.estimate.method = "traced";
-  c.estimate.error = traced_bar(path.curve.cost, traced, *most - *least) + *c.stationarity * path.curve.cost;
+  c.estimate.error = traced_bar(path.curve.cost, traced, finest, *most - *least) + *c.stationarity * path.curve.cost;
   if (refinement.levels.size() < 3)
     c.failures.push_back({refinement.collapsed ? "collapsed" : "refinement", refinement.trouble});
   else if (!(c.estimate.error <= kPolyhedronError * path.curve.cost))
@@ -75,8 +78,9 @@ void certify_polyhedral_chain(const Problem& problem, PathEnergy& energy, const 
                                            " and " + std::to_string(refinement.levels[2].segments) +
                                            " segments; use more points"});
   const auto& levels = c.levels;
-  const bool falling =
-      levels.size() == 3 && levels[2].spacing < levels[1].spacing && levels[1].spacing < levels[0].spacing;
+  // Kinks push points along the path wherever they meet them: more points even out, at last or step by step.
+  const bool falling = levels.size() == 3 && levels[2].spacing < levels[1].spacing &&
+                       (levels[1].spacing < levels[0].spacing || levels[2].spacing <= kPolyhedronSpacing);
   if (!(c.spacing <= kPolyhedronSpacing) && !falling) fail_spacing(c, kPolyhedronSpacing);
 }
 

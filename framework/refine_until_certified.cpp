@@ -27,11 +27,11 @@ namespace {
 constexpr Index kMostPoints = 20'000;  ///< of a finer chain: what a certificate takes grows with them
 
 /// A smaller search counts as one of this work (evaluations times points): what is over in a moment may double on.
-constexpr double kSmallSearch = 2e4;
+constexpr double kSmallSearch = 4e4;
 /// Doublings that are given to bring the value closer, and by how much. A feature that is narrower than a segment is
 /// missed or half seen at first; on a mesh the data have a scale of their own.
 constexpr int kPatience = 3, kPatienceOnMesh = 2;
-constexpr double kCloser = 0.5;
+constexpr double kCloser = 0.6;
 constexpr double kKnown = 1e-4;  ///< a cost that is known so well, relative, is not what the certificate lacks
 
 /// Failures that too few points may explain.

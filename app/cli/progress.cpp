@@ -28,17 +28,14 @@ int ProgressPrinter::percent(const Iteration& iteration) {
 
 void ProgressPrinter::show(const Progress& progress) {
   if (quiet_) return;
-  const MorePoints* more = progress.more_points;
-  const int doubling = more != nullptr ? more->doubling : 0;
-  const bool new_doubling = doubling != doubling_ && more != nullptr;
-  doubling_ = doubling;
+  if (progress.more_points != nullptr) return show_more_points(*progress.more_points);
+  doubling_ = 0;
   const bool new_stage = progress.stage != stage_ || progress.iteration == nullptr;
   if (new_stage) {
     stage_ = progress.stage;
     first_error_ = 0;
     last_percent_ = 0;
   }
-  if (more != nullptr) return show_more_points(*more, new_doubling);
   std::string line = fmt::format("{:<12}", name(stage_));
   int done = 0;
   if (const Iteration* i = progress.iteration) {
@@ -54,7 +51,9 @@ void ProgressPrinter::show(const Progress& progress) {
 }
 
 /// The stages of such a search come and go too fast to be told apart.
-void ProgressPrinter::show_more_points(const MorePoints& more, bool new_doubling) {
+void ProgressPrinter::show_more_points(const MorePoints& more) {
+  const bool new_doubling = more.doubling != doubling_;
+  doubling_ = more.doubling;
   const std::string line = fmt::format("certificate: trying {} points ({} of {})", more.points, more.doubling, more.of);
   const int done = 100 * (more.doubling - 1) / std::max(1, more.of);
   if (streams_.err_is_terminal)

@@ -31,7 +31,7 @@ class ProgressPrinter {
  private:
   using Clock = Monitor::Clock;
   int percent(const Iteration& iteration);
-  void show_more_points(const MorePoints& more, bool new_doubling);
+  void show_more_points(const MorePoints& more);
   void show_bar(const std::string& line, int percent);
   void show_line(const std::string& line, int percent, bool new_stage, bool has_share);
 

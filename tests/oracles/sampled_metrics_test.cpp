@@ -87,7 +87,9 @@ TEST_CASE("tensors from a file: a multiple of the identity, a constant tensor", 
   const Result given = find_traced(between(mesh, make_metric_tensor_cost(constant, 3), a, b), 31);
   const Result sampled = find_traced(
       between(mesh, from_file(mesh, on, [&](const Vector3d&) -> Matrix3d { return constant.matrix; }), a, b), 31);
-  CHECK(sampled.curve.cost == Approx(given.curve.cost).epsilon(1e-6));
+  // What is known to be constant is not pulled straight between the points: straightening would do the whole of it.
+  CHECK(sampled.curve.cost == Approx(given.curve.cost).epsilon(1e-5));
+  CHECK(sampled.curve.cost <= given.curve.cost * (1 + 1e-6));
   CHECK(sampled.certificate.scope == given.certificate.scope);
   CHECK(failures(sampled.certificate) == "certified");
 }
