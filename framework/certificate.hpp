@@ -37,6 +37,7 @@ struct CertificateOptions {
   ProofRule proof = ProofRule::always;
   GlobalProof global = {};  ///< on a mesh, among obstacles in the plane, or by a potential in a box of the plane
   int refine = 6;           ///< doublings of the points at most, where more of them may mend what is refused
+  double refine_work = 30;  ///< that they may take at most, in units of the work of the search before them
   double stationarity = 1e-10;
   double residual = 1e-10;
   double spacing = 1e-6;

@@ -25,6 +25,10 @@ void CertificateOptions::fields(FieldVisitor& visit) {
                        "delivered are the points that were asked for. 0: never.",
                .minimum = 0,
                .maximum = 16});
+  visit.field("refine_work", refine_work,
+              {.help = "What these doublings may take at most, in units of the work of the search before them (sweeps "
+                       "over the points times their number); a small search may always take some.",
+               .minimum = 0});
   visit.field("stationarity", stationarity, {.help = "Largest relative cost error.", .minimum = 0});
   visit.field("residual", residual, {.help = "Largest distance off the domain.", .unit = "diameters", .minimum = 0});
   visit.field("spacing", spacing, {.help = "Largest max c / min c - 1 where the cost is additive.", .minimum = 0});

@@ -24,9 +24,16 @@ struct Iteration {
   double seconds = 0;
 };
 
+/// A path that was refused is solved again with more points: how many, and which of the doublings this is.
+struct MorePoints {
+  long points = 0;
+  int doubling = 0, of = 0;
+};
+
 struct Progress {
   Stage stage = Stage::initialize;
-  const Iteration* iteration = nullptr;  ///< set in Stage::solve and while the certificate solves
+  const Iteration* iteration = nullptr;     ///< set in Stage::solve and while the certificate solves
+  const MorePoints* more_points = nullptr;  ///< set in every stage of such a search (certificate.refine)
 };
 
 /// Reaches every stage of find_path(): an observer, a stop request, a time budget. Either function may be empty; both

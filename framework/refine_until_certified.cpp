@@ -5,16 +5,20 @@
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include <leastcost/framework/checks_moves.hpp>
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/manifold.hpp>
 #include <leastcost/framework/path_energy.hpp>
 #include "framework/among_obstacles.hpp"
 #include "framework/calibration.hpp"
 #include "framework/never_worse.hpp"
+#include "framework/point_text.hpp"
+#include "framework/shared_failures.hpp"
 #include "framework/spacing.hpp"
 
 namespace leastcost {
@@ -22,16 +26,27 @@ namespace {
 
 constexpr Index kMostPoints = 20'000;  ///< of a finer chain: what a certificate takes grows with them
 
+/// A smaller search counts as one of this work (evaluations times points): what is over in a moment may double on.
+constexpr double kSmallSearch = 4e4;
+/// Doublings that are given to bring the value closer, and by how much. A feature that is narrower than a segment is
+/// missed or half seen at first; on a mesh the data have a scale of their own.
+constexpr int kPatience = 3, kPatienceOnMesh = 2;
+constexpr double kCloser = 0.6;
+constexpr double kKnown = 1e-4;  ///< a cost that is known so well, relative, is not what the certificate lacks
+
 /// Failures that too few points may explain.
 constexpr std::array<std::string_view, 8> kOfFewPoints = {
     "not_asymptotic", "unresolved", "spacing", "longest_segment", "doubling", "bracket", "error_bar", "refinement"};
 /// What may be true of a chain that sees another cost than there is, but on its own has nothing to do with points.
 constexpr std::array<std::string_view, 2> kBesideThem = {"saddle", "stationarity"};
 
-/// Whether a chain was not solved, or is none that a search should end at.
-bool is_astray(const Certificate& c) {
-  return std::any_of(c.failures.begin(), c.failures.end(), [](const CertificateFailure& failure) {
-    return std::find(kBesideThem.begin(), kBesideThem.end(), failure.name) != kBesideThem.end();
+/// Whether a chain was not solved, or is none that a search should end at. On a mesh also one that jumps over a fold:
+/// with points between, it stays there.
+bool is_astray(const Problem& problem, const Certificate& c) {
+  const bool mesh = problem.manifold->shape() == Shape::polyhedral;
+  return std::any_of(c.failures.begin(), c.failures.end(), [&](const CertificateFailure& failure) {
+    return std::find(kBesideThem.begin(), kBesideThem.end(), failure.name) != kBesideThem.end() ||
+           (mesh && failure.name == "longest_segment");
   });
 }
 
@@ -54,12 +69,51 @@ bool are_clear(const Problem& problem, const CoordinatePath& chain, double allow
   }
 }
 
+double work_of(const Result& search) {
+  const Counters& n = search.solve.counters;
+  double work =
+      static_cast<double>(n.energies + n.gradients + n.hessians) * static_cast<double>(search.path.segment_count());
+  for (const RefinementLevel& level : search.certificate.levels)
+    work += static_cast<double>(level.evaluations) * static_cast<double>(level.segments);
+  return work;
+}
+
+/// How far apart the costs are that the levels and the delivered curve have, as a part of the cost: never a matter of
+/// how the points lie along the path.
+double uncertainty(const Result& result) {
+  const auto& levels = result.certificate.levels;
+  if (levels.size() < 3) return std::numeric_limits<double>::infinity();
+  double low = result.curve.cost, high = low;
+  for (const RefinementLevel& level : levels) {
+    low = std::min(low, level.cost);
+    high = std::max(high, level.cost);
+  }
+  return (high - low) / high;
+}
+
 std::string points_of(const Result& result) { return std::to_string(result.path.free_count()) + " points"; }
 
 /// Beside notes that are there already.
 void add_notes(const std::vector<std::string>& more, std::vector<std::string>& notes) {
   for (const std::string& note : more)
     if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+}
+
+/// On a mesh kinks push points along the path wherever they meet them, however many points there are. What has to be
+/// equally spaced are the points that are delivered, every `factor`-th of the chain.
+void judge_delivered_spacing(const Problem& problem, Index factor, Result& finer) {
+  Certificate& c = finer.certificate;
+  const bool thinned =
+      factor > 1 && finer.costs.size() >= 2 * factor && find_ability<ChecksMoves>(*problem.manifold) == nullptr;
+  if (!thinned || problem.manifold->shape() != Shape::polyhedral || finer.curve.straightness || !c.measured) return;
+  const Index segments = finer.costs.size() / factor;
+  Eigen::VectorXd costs(segments);
+  for (Index i = 0; i < segments; ++i) costs[i] = finer.costs.segment(factor * i, factor).sum();
+  c.spacing = spread(costs);
+  const auto is_spacing = [](const CertificateFailure& failure) { return failure.name == "spacing"; };
+  if (!(c.spacing <= kPolyhedronSpacing)) return;
+  c.failures.erase(std::remove_if(c.failures.begin(), c.failures.end(), is_spacing), c.failures.end());
+  if (finer.status == Status::uncertified && c.certified()) finer.status = Status::certified;
 }
 
 void go_on(FinerSearch& search, const Problem& problem) {
@@ -102,15 +156,23 @@ Result continued(const Result& before, Result later) {
 
 FinerSearch::FinerSearch(const Problem& problem, Result coarse, const Solver& solver, const FindOptions& options,
                          const Monitor& monitor)
-    : problem_(problem), solver_(solver), options_(options), monitor_(monitor), fine_(std::move(coarse)) {}
+    : problem_(problem), solver_(solver), options_(options), monitor_(monitor), fine_(std::move(coarse)) {
+  first_work_ = last_work_ = work_of(fine_);
+  look_at(fine_);
+}
 
 bool FinerSearch::may_double() const {
   return solver_.moves_points() && doublings_ < options_.certificate.refine &&
-         2 * fine_.path.free_count() <= kMostPoints && !monitor_.interrupted();
+         2 * fine_.path.free_count() <= kMostPoints && !monitor_.interrupted() && !comes_no_closer() &&
+         !is_too_much_work();
+}
+
+void FinerSearch::look_at(const Result& result) {
+  trials_.push_back({doublings_, result.path.free_count(), uncertainty(result)});
 }
 
 void FinerSearch::double_points() {
-  if (is_astray(fine_.certificate)) {
+  if (is_astray(problem_, fine_.certificate)) {
     begin_anew();
   } else {
     ++doublings_;
@@ -139,8 +201,53 @@ void FinerSearch::solve_from(const CoordinatePath& start, Index factor, ProofRul
   finer.cascade = false;
   finer.certificate.refine = 0;
   finer.certificate.proof = proof;
-  fine_ = continued(fine_, search_from(problem_, start, solver_, finer, monitor_));
+  const MorePoints more{static_cast<long>(start.free_count()), doublings_, options_.certificate.refine};
+  Monitor telling = monitor_;
+  if (monitor_.observe)
+    telling.observe = [&](const Progress& progress) {
+      Progress told = progress;
+      told.more_points = &more;
+      monitor_.observe(told);
+    };
+  Result next = search_from(problem_, start, solver_, finer, telling);
+  judge_delivered_spacing(problem_, factor, next);
+  last_work_ = work_of(next);
+  work_ += last_work_;
+  fine_ = continued(fine_, std::move(next));
   factor_ = factor;
+  look_at(fine_);
+}
+
+/// The work of a chain grows as its points do.
+bool FinerSearch::is_too_much_work() const {
+  const double growth = is_astray(problem_, fine_.certificate) ? 4 : 2;
+  return work_ + growth * last_work_ > options_.certificate.refine_work * std::max(first_work_, kSmallSearch);
+}
+
+bool FinerSearch::comes_no_closer() const {
+  const int patience = problem_.manifold->shape() == Shape::polyhedral ? kPatienceOnMesh : kPatience;
+  const Trial& last = trials_.back();
+  const auto before = std::find_if(trials_.rbegin(), trials_.rend(),
+                                   [&](const Trial& t) { return t.doublings <= last.doublings - patience; });
+  return before != trials_.rend() && last.uncertain > kKnown && !(last.uncertain < kCloser * before->uncertain);
+}
+
+std::string FinerSearch::why_stopped() const {
+  if (comes_no_closer()) {
+    constexpr std::size_t kShown = 3;
+    std::string text = "more points are no help: the cost is uncertain by";
+    for (std::size_t i = trials_.size() - std::min(trials_.size(), kShown); i < trials_.size(); ++i)
+      text += " " + short_number(100 * trials_[i].uncertain) + " % with " + std::to_string(trials_[i].points) +
+              (i + 1 < trials_.size() ? " points," : " points. ");
+    return text +
+           "The cost or its data have kinks or noise between the points: smooth the data or the field, or give the "
+           "field a smaller weight";
+  }
+  if (doublings_ < options_.certificate.refine && is_too_much_work())
+    return "the search for more points stopped: it would take more than " +
+           short_number(options_.certificate.refine_work) +
+           " times the work of the search before it; a larger certificate.refine_work lets it go on";
+  return "";
 }
 
 Result FinerSearch::delivered(Result finer) const {
@@ -187,14 +294,21 @@ Result refine_until_certified(const Problem& problem, Result found, const Solver
   go_on(search, problem);
   if (search.fine().status == Status::certified) return search.delivered(search.fine());
   found.seconds = search.fine().seconds;
-  if (search.factor() > 1 && saves(problem, search.fine(), found, options, monitor.deadline))
-    return search.delivered(search.fine());
-  if (monitor.interrupted())
+  const std::string why = more_points_may_help(problem, search.fine()) ? search.why_stopped() : "";
+  if (search.factor() > 1 && saves(problem, search.fine(), found, options, monitor.deadline)) {
+    Result finer = search.delivered(search.fine());
+    if (!why.empty()) finer.notes.push_back(why);
+    return finer;
+  }
+  if (monitor.interrupted()) {
     found.notes.emplace_back("there was no time to see whether more points would be certified");
-  else if (search.factor() > 1)
-    found.notes.push_back(
-        "with " + points_of(search.fine()) + " it is not certified either" +
-        (search.fine().certificate.failures.empty() ? "" : ": " + search.fine().certificate.failures.front().name));
+    return found;
+  }
+  const Result& fine = search.fine();
+  if (search.factor() > 1)
+    found.notes.push_back("with " + points_of(fine) + " it is not certified either" +
+                          (fine.certificate.failures.empty() ? "" : ": " + fine.certificate.failures.front().name));
+  if (!why.empty()) found.notes.push_back(why);
   return found;
 }
 

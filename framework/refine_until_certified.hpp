@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include <leastcost/framework/find_path.hpp>
 
 namespace leastcost {
@@ -22,8 +25,11 @@ class FinerSearch {
   FinerSearch(const Problem& problem, Result coarse, const Solver& solver, const FindOptions& options,
               const Monitor& monitor);
 
-  /// Whether the points may be doubled once more: there is time, and they would not be too many.
+  /// Whether the points may be doubled once more: there is time and work left for it, they would not be too many, and
+  /// the last doublings have brought the value closer.
   bool may_double() const;
+  /// Why not, in words, where it is for the value or the work; else empty.
+  std::string why_stopped() const;
   /// Solves and certifies the chain with twice the points, from the one before it; where that one led astray (not
   /// solved, a saddle) from the first path, with four times the points. Throws as improve_path() does, and what there
   /// was before stays.
@@ -35,8 +41,18 @@ class FinerSearch {
   Result delivered(Result finer) const;
 
  private:
+  /// What is known of the cost with so many points.
+  struct Trial {
+    int doublings = 0;
+    Index points = 0;
+    double uncertain = 0;  ///< relative
+  };
+
   void begin_anew();
   void solve_from(const CoordinatePath& start, Index factor, ProofRule proof);
+  bool is_too_much_work() const;
+  bool comes_no_closer() const;
+  void look_at(const Result& result);
 
   const Problem& problem_;
   const Solver& solver_;
@@ -45,14 +61,17 @@ class FinerSearch {
   Result fine_;
   Index factor_ = 1;
   int doublings_ = 0;
+  std::vector<Trial> trials_;
+  double first_work_ = 0, last_work_ = 0, work_ = 0;  ///< evaluations times points: before it, of the last, of all
 };
 
 /// Whether every reason why a path was refused is one that more points may mend.
 bool more_points_may_help(const Problem& problem, const Result& result);
 
 /// Goes on with twice the points where that may help, until the path is certified, or refused for another reason, or
-/// there are no more doublings, points or time. What is not certified then stays as it came, with a note; but where
-/// the first path is better than that and not better than the finer chain, the finer chain is delivered.
+/// comes no closer, or there are no more doublings, points, work or time (docs/numerics.md Sec. 6.2). What is not
+/// certified then stays as it came, with a note; but where the first path is better than that and not better than the
+/// finer chain, the finer chain is delivered.
 Result refine_until_certified(const Problem& problem, Result found, const Solver& solver, const FindOptions& options,
                               const Monitor& monitor);
 

@@ -38,7 +38,9 @@ bool solve_level(Problem problem, CoordinatePath& path, const Monitor& monitor, 
   }
   const SolveReport report = solve_fitted(problem, ChainNewton(), s0, path, monitor);
   const Eigen::VectorXd costs = PathEnergy(problem, s0, monitor.deadline).costs(path);
-  result.levels.push_back({segments, costs.sum(), 0, spread(costs), report.iterations});
+  const Counters& work = report.counters;
+  result.levels.push_back(
+      {segments, costs.sum(), 0, spread(costs), report.iterations, work.energies + work.gradients + work.hessians});
   result.paths.push_back(path);
   result.domains.push_back(problem.manifold);
   if (!is_solved(report.termination)) result.trouble = which + "ended with " + std::string(name(report.termination));

@@ -19,6 +19,7 @@ struct RefinementLevel {
   double energy = 0;  ///< at the reference cost of the middle level
   double spacing = 0;
   int iterations = 0;
+  long evaluations = 0;  ///< energies, gradients and Hessians of its solve
 };
 
 /// The path solved again with M, 2M and 4M segments, M = max(4, ceil(N / 2)): for even N >= 8 these are N/2, N, 2N.

@@ -28,6 +28,8 @@ int ProgressPrinter::percent(const Iteration& iteration) {
 
 void ProgressPrinter::show(const Progress& progress) {
   if (quiet_) return;
+  if (progress.more_points != nullptr) return show_more_points(*progress.more_points);
+  doubling_ = 0;
   const bool new_stage = progress.stage != stage_ || progress.iteration == nullptr;
   if (new_stage) {
     stage_ = progress.stage;
@@ -46,6 +48,18 @@ void ProgressPrinter::show(const Progress& progress) {
     show_bar(line, done);
   else
     show_line(line, done, new_stage, stage_ == Stage::solve);
+}
+
+/// The stages of such a search come and go too fast to be told apart.
+void ProgressPrinter::show_more_points(const MorePoints& more) {
+  const bool new_doubling = more.doubling != doubling_;
+  doubling_ = more.doubling;
+  const std::string line = fmt::format("certificate: trying {} points ({} of {})", more.points, more.doubling, more.of);
+  const int done = 100 * (more.doubling - 1) / std::max(1, more.of);
+  if (streams_.err_is_terminal)
+    show_bar(line, done);
+  else
+    show_line(line, done, new_doubling, false);
 }
 
 void ProgressPrinter::show_building(double part, std::string_view phase) {

@@ -31,6 +31,7 @@ class ProgressPrinter {
  private:
   using Clock = Monitor::Clock;
   int percent(const Iteration& iteration);
+  void show_more_points(const MorePoints& more);
   void show_bar(const std::string& line, int percent);
   void show_line(const std::string& line, int percent, bool new_stage, bool has_share);
 
@@ -40,6 +41,7 @@ class ProgressPrinter {
   Stage stage_ = Stage::initialize;
   double first_error_ = 0;
   int last_percent_ = 0;
+  int doubling_ = 0;   ///< of the points that is shown; 0: none is
   std::string phase_;  ///< of what is being made; empty: none is
   bool bar_shown_ = false, line_shown_ = false;
 };

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/straighten/straighten.hpp>
 #include "problems/mesh/mesh_curve.hpp"
 #include "problems/mesh/trace.hpp"
 
@@ -25,6 +26,51 @@ Eigen::VectorXd costs_between(const Problem& problem, const Curve& curve,
     costs[i] = pieces.segment(begin, end - begin).sum();
   }
   return costs;
+}
+
+SurfacePath part_of(const SurfacePath& path, std::size_t begin, std::size_t end) {
+  const auto at = [](std::size_t i) { return static_cast<std::ptrdiff_t>(i); };
+  return {{path.points.begin() + at(begin), path.points.begin() + at(end) + 1},
+          {path.faces.begin() + at(begin), path.faces.begin() + at(end)}};
+}
+
+double cost_of(const Problem& problem, const SurfacePath& path) {
+  const int rows = problem.manifold->dimensions().ambient;
+  Points x(rows, static_cast<Index>(path.points.size()));
+  for (std::size_t i = 0; i < path.points.size(); ++i) x.col(static_cast<Index>(i)) = path.points[i].head(rows);
+  return total_cost(*problem.cost, {{x.data(), rows, x.cols()}, {}, false});
+}
+
+/// The way between two points of the chain pulled straight, where that is cheaper. Under a metric that varies no
+/// post-processor straightens the whole curve, and a plane cuts a fold of the mesh far from the shortest way across it.
+SurfacePath pulled_straight(const Problem& problem, const TriangleMesh& mesh, SurfacePath way, const Monitor& monitor) {
+  if (way.faces.size() < 2) return way;
+  try {
+    const StraightenOptions options{.stop = [&monitor] { return monitor.interrupted(); }};
+    SurfacePath straight = straighten(mesh, way, options).path;
+    straight.points.front() = way.points.front();
+    straight.points.back() = way.points.back();
+    if (cost_of(problem, straight) < cost_of(problem, way)) return straight;
+  } catch (const InputError&) {  // an edge of three faces: the way stays
+  }
+  return way;
+}
+
+/// The same of every way between two points of the chain.
+void pull_straight(const Problem& problem, const TriangleMesh& mesh, const Monitor& monitor, TracedPath& traced) {
+  TracedPath out;
+  out.report = traced.report;
+  out.path.points.push_back(traced.path.points.front());
+  out.chain_points.push_back(0);
+  for (std::size_t i = 0; i + 1 < traced.chain_points.size(); ++i) {
+    look_at_clock(monitor.deadline);
+    const SurfacePath way = pulled_straight(
+        problem, mesh, part_of(traced.path, traced.chain_points[i], traced.chain_points[i + 1]), monitor);
+    out.path.points.insert(out.path.points.end(), way.points.begin() + 1, way.points.end());
+    out.path.faces.insert(out.path.faces.end(), way.faces.begin(), way.faces.end());
+    out.chain_points.push_back(out.path.points.size() - 1);
+  }
+  traced = std::move(out);
 }
 
 /// A chain that slid onto another component of the mesh cannot be traced: the first path takes its place.
@@ -60,7 +106,8 @@ PostProcessed TracePostProcessor::apply(const Problem& problem, const FirstPath&
         "trace: the solved path slid onto another component of the mesh; the first path is taken");
   }
   if (ring) points.push_back(points.front());
-  const TracedPath traced = trace_chain(mesh, points, monitor.deadline);
+  TracedPath traced = trace_chain(mesh, points, monitor.deadline);
+  if (!constant_metric(problem)) pull_straight(problem, mesh, monitor, traced);
   current.curve = as_curve(problem, traced.path);
   current.curve_costs = costs_between(problem, current.curve, traced.chain_points);
   if (traced.report.cut + traced.report.connected > 0)

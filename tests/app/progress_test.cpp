@@ -62,6 +62,26 @@ TEST_CASE("progress: errors that are no numbers are no progress") {
   printer.show({Stage::certify, nullptr});
 }
 
+TEST_CASE("progress: a search with more points says with how many, as a bar and in lines") {
+  std::ostringstream out, bar, lines;
+  app::ProgressPrinter on_terminal({out, bar, true, false}, false), elsewhere({out, lines, false, false}, false);
+  const Iteration iteration = with_error(3, 1e-5);
+  const MorePoints once{121, 1, 6}, twice{243, 2, 6};
+  elsewhere.show({Stage::initialize, nullptr, &once});
+  CHECK(lines.str().empty());
+  wait(1050);
+  for (const MorePoints* more : {&once, &twice}) {
+    on_terminal.show({Stage::solve, &iteration, more});
+    for (const Stage stage : {Stage::initialize, Stage::certify}) elsewhere.show({stage, nullptr, more});
+    elsewhere.show({Stage::solve, &iteration, more});
+  }
+  CHECK_THAT(bar.str(), Contains("certificate: trying 121 points (1 of 6)"));
+  const std::string text = lines.str();
+  CHECK_THAT(text, Contains("certificate: trying 121 points (1 of 6)\n") &&
+                       Contains("certificate: trying 243 points (2 of 6)\n"));
+  CHECK(std::count(text.begin(), text.end(), '\n') == 2);
+}
+
 TEST_CASE("progress: a domain that is being made, as a bar and in lines") {
   std::ostringstream out, bar, lines;
   app::ProgressPrinter on_terminal({out, bar, true, false}, false), elsewhere({out, lines, false, false}, false);

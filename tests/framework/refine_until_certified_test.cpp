@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <leastcost/problems/costs/metric_field.hpp>
 #include "framework/refine_until_certified.hpp"
@@ -104,6 +105,55 @@ TEST_CASE("refine: stopped on the way it keeps the path that it has, with its ce
   CHECK(stopped.path.u == coarse.path.u);
   CHECK(failures(stopped.certificate) == failures(coarse.certificate));
   CHECK(has_note(stopped, "no time"));
+}
+
+/// A field that varies `frequency` times as fast as the ends are apart, over more and less than itself.
+Problem over_ripples(int frequency) {
+  const std::string f = std::to_string(frequency), n = "(1+0.5*sin(" + f + "*(1.7*x+0.3*y))*sin(" + f + "*1.1*y))^2";
+  MetricFieldOptions options;
+  options.field = metric::Formula{{n, "0", n}};
+  return between(space(2), make_metric_field_cost(options, 2), Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0.31));
+}
+
+TEST_CASE("refine: where more points bring the value no closer it ends, and says what helps", "[framework]") {
+  int doublings = 0;
+  Monitor monitor;
+  monitor.observe = [&](const Progress& p) { doublings = p.more_points != nullptr ? p.more_points->doubling : 0; };
+  const Result result = find_refined(over_ripples(300), 5, 6, monitor);  // far narrower than any of the segments
+  CAPTURE(doublings, failures(result.certificate), result.notes);
+  CHECK(result.status == Status::uncertified);
+  CHECK(doublings > 1);
+  CHECK(doublings < 6);
+  CHECK(has_note(result, "more points are no help: the cost is uncertain by "));
+  CHECK(has_note(result, "smooth the data or the field"));
+  CHECK(find_refined(over_ripples(1), 5, 6).status == Status::certified);
+}
+
+TEST_CASE("refine: the doublings take a part of the first search's work, which an option states", "[framework]") {
+  const Problem problem = across_a_wall();
+  FindOptions options{.points = 25};
+  options.certificate.refine_work = 0.2;
+  const Result stopped = find_path(problem, StraightInitializer(), Newton(), options);
+  CAPTURE(failures(stopped.certificate), stopped.notes);
+  CHECK(stopped.status == Status::uncertified);
+  CHECK(has_note(stopped, "a larger certificate.refine_work lets it go on"));
+  options.certificate.refine_work = 30;
+  CHECK(find_path(problem, StraightInitializer(), Newton(), options).status == Status::certified);
+}
+
+TEST_CASE("refine: who watches hears with how many points it is tried", "[framework]") {
+  std::vector<std::vector<long>> told;
+  bool before = false;
+  Monitor monitor;
+  monitor.observe = [&](const Progress& progress) {
+    if (const MorePoints* more = progress.more_points; more == nullptr)
+      before = told.empty();
+    else if (told.empty() || told.back()[0] != more->points)
+      told.push_back({more->points, more->doubling, more->of});
+  };
+  find_refined(across_a_wall(), 25, 2, monitor);
+  CHECK(before);
+  CHECK(told == std::vector<std::vector<long>>{{51, 1, 2}, {103, 2, 2}});
 }
 
 }  // namespace leastcost::test
