@@ -19,8 +19,8 @@
 namespace leastcost {
 
 /// Complete as it is: {} solves 64 points and certifies them, or goes on with more of them where that is what the
-/// certificate lacks (`certificate.refine`; the cost of a path that stays refused is that of chains with up to 64 times
-/// the points; 0 where there is no time for them).
+/// certificate lacks (`certificate.refine`; a path that stays refused costs up to `certificate.refine_work` times the
+/// first search; 0 where there is no time for them).
 struct FindOptions {
   /// Free points n >= 1; nothing: max(8, interior vertices of the first edge path), VFCS 5.1. Doubled, which a note
   /// says, as long as the moves between them cannot go between the obstacles of the domain.
@@ -74,8 +74,9 @@ struct Result {
 ///
 /// **More points.** A path that was refused for want of points, and for no other reason, is solved again with twice as
 /// many, from the chain that was found (from the first path, with four times as many, where that was not solved or is a
-/// saddle), `options.certificate.refine` times at most. Certified, the points that were asked for are delivered: every
-/// 2^k-th of the finer chain, with its curve and its certificate, and a note (all of them where moves between fewer
+/// saddle), `options.certificate.refine` times at most, within `refine_work`, and as long as the cost comes closer.
+/// Certified, the points that were asked for are delivered: every 2^k-th
+/// of the finer chain, with its curve and its certificate, and a note (all of them where moves between fewer
 /// might touch an obstacle). Else the path stays as it came, uncertified, with a note; so it does where the deadline or
 /// a stop request comes in between. Not under a solver that moves no points.
 ///
