@@ -58,7 +58,8 @@ double depth_of(const Problem& problem, const CoordinatePath& chain, const Point
                 const Deadline& deadline) {
   const double allowed = options.certificate.clearance;
   // Moves between the points are delivered where the curve is made of them, or where there was no time for one.
-  if (curve.cols() < 2 || curve.cols() == chain.segment_count() + 1) return depth_in_obstacles(problem, chain, allowed, deadline);
+  if (curve.cols() < 2 || curve.cols() == chain.segment_count() + 1)
+    return depth_in_obstacles(problem, chain, allowed, deadline);
   const auto clearance = measure_clearance(*problem.manifold, curve, chain.ring, deadline);
   if (!clearance) return 0;
   const double extent = (curve.rowwise().maxCoeff() - curve.rowwise().minCoeff()).norm();

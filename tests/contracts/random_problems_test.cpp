@@ -205,7 +205,8 @@ TEST_CASE("random problems end in a status or in an error of the library") {
   const ScratchDir folder;
   Asker asker(folder.path(), write_files(folder.path()));
   const std::uint64_t first = number_from("LEASTCOST_RANDOM_SEED", 1),
-                      count = number_from("LEASTCOST_RANDOM_PROBLEMS", nightly() ? kProblems : test::trials(kProblems / 4));
+                      count =
+                          number_from("LEASTCOST_RANDOM_PROBLEMS", nightly() ? kProblems : test::trials(kProblems / 4));
   std::map<std::string, int> outcomes;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     CAPTURE(seed);
