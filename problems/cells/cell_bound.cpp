@@ -49,7 +49,7 @@ struct Seen {
 class CellShape {
  public:
   CellShape(const SideNodes& nodes, const std::vector<int>& around, const Vector2d& size) : size_(size) {
-    for (const int node : around) places_.push_back(nodes.place(node) - nodes.place(around.front()));
+    for (const int node : around) places_.emplace_back(nodes.place(node) - nodes.place(around.front()));
     count_ = places_.size();
     for (std::size_t piece = 0; piece < count_; ++piece)
       for (const Vector2d& from : places_) views_.push_back(view(piece, from));
@@ -154,7 +154,8 @@ class Potential {
       for (const int node : around_) offer(node, unit * (nodes_.place(node) - source_).norm());
     });
     for (int steps = 1; !open_.empty(); ++steps) {
-      const auto [value, node] = open_.top();
+      const double value = open_.top().first;
+      const int node = open_.top().second;
       open_.pop();
       if (value > u_[at(node)]) continue;
       if (steps % kLookEvery == 0 && (out_.stopped = options_.stop())) return;
