@@ -169,7 +169,7 @@ TEST_CASE("bounds of a proof in a chart hold the closed form", "[calibration]") 
         std::sqrt(5) + std::asinh(2) / 2);  // the parabola z = x^2, a line of symmetry
 }
 
-TEST_CASE("bounds of a proof on a surface by equation hold the closed form", "[calibration]") {
+TEST_CASE("bounds of a proof on a surface by equation hold the closed form", "[calibration][slow]") {
   const auto check = [](const implicit::Surface& surface, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                         double truth) {
     for (const int points : {32, 64}) {

@@ -104,7 +104,7 @@ TEST_CASE("index by elimination keeps its digits where a metric is ill-condition
   if (condition < 1e12) CHECK(result.certificate.index.verdict == IndexVerdict::minimum);
 }
 
-TEST_CASE("index of a ring on a shallow neck: a minimum, on a cylinder: degenerate", "[framework]") {
+TEST_CASE("index of a ring on a shallow neck: a minimum, on a cylinder: degenerate", "[framework][slow]") {
   const double opening = GENERATE(0.0, 1e-9, 1e-4, 1e-3);
   const ImplicitManifoldOptions options{
       .surface = implicit::Formula{.f = "x^2 + y^2 - k*z^2 - 1", .parameters = {{"k", opening}}}};

@@ -63,7 +63,7 @@ TEST_CASE("coarser versions are made by the first search, apart from its certifi
             .seconds.prepare == 0);
 }
 
-TEST_CASE("coarser versions take no longer than the domain itself", "[framework]") {
+TEST_CASE("coarser versions take no longer than the domain itself", "[framework][slow]") {
   for (const auto make : {grid_from_cloud, cloud_of_sphere}) {
     std::shared_ptr<const ConstraintManifold> domain;
     const double made = processor_seconds([&] { domain = make(); });
@@ -74,7 +74,7 @@ TEST_CASE("coarser versions take no longer than the domain itself", "[framework]
   }
 }
 
-TEST_CASE("a certificate on a cloud or on a grid from one takes some solves, not thousands", "[framework]") {
+TEST_CASE("a certificate on a cloud or on a grid from one takes some solves, not thousands", "[framework][slow]") {
   for (const auto make : {grid_from_cloud, cloud_of_sphere}) {
     const Problem problem = quarter_circle(make());
     prepare(problem);

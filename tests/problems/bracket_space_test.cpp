@@ -143,7 +143,7 @@ TEST_CASE("bracket in space: the polyline of a planted flow costs what it has to
 }
 
 /// Closed forms (docs/oracles.md), and gaps that the construction is built for.
-TEST_CASE("bracket in space: media with known least costs") {
+TEST_CASE("bracket in space: media with known least costs", "[slow]") {
   struct Case {
     const char* density;
     Vector3d source, target;
@@ -260,7 +260,7 @@ FindOptions bracketed(double tolerance) {
 
 }  // namespace
 
-TEST_CASE("bracket in space: find_path says that no path in the box is cheaper") {
+TEST_CASE("bracket in space: find_path says that no path in the box is cheaper", "[slow]") {
   const AlignedBox3d box(Vector3d(-1, -1.2, 0.4), Vector3d(2.6, 2.4, 4));
   const Problem problem = in_space(box, isotropic_cost("1 / z^2"), {0, 0.1, 1}, {1.6, 1.3, 3});
   const Result result = find_path(problem, StraightInitializer(), Newton(), bracketed(5e-3));
@@ -293,7 +293,7 @@ TEST_CASE("bracket in space: from the dearer side of a hill the cheaper way is d
 }
 
 /// Two corners of a bar across the box, on either side of it.
-TEST_CASE("bracket in space: from the dearer side of a bar the shorter way is delivered") {
+TEST_CASE("bracket in space: from the dearer side of a bar the shorter way is delivered", "[slow]") {
   constexpr double kClearance = 0.1;
   const AlignedBox3d box(Vector3d(-1.4, -1.4, -0.6), Vector3d(1.4, 1.4, 0.6));
   Problem problem = in_space(box, make_euclidean_cost(3), {-1, 0, 0}, {1, 0, 0});

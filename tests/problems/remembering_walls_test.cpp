@@ -118,7 +118,7 @@ TEST_CASE("remembering walls: what is near is what the walls themselves say") {
   }
 }
 
-TEST_CASE("remembering walls: along moves they find the same walls, and a room that is one") {
+TEST_CASE("remembering walls: along moves they find the same walls, and a room that is one", "[slow]") {
   for (const auto& walls : {walls_of_arm(3), walls_of_body()}) {
     const RememberingWalls remembering(walls);
     std::vector<Wall> plain, remembered;

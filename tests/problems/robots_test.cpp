@@ -297,7 +297,7 @@ TEST_CASE("robots: distances of segments are the least of those of their points"
   }
 }
 
-TEST_CASE("robot walls: no place of a move is nearer than its clearance") {
+TEST_CASE("robot walls: no place of a move is nearer than its clearance", "[slow]") {
   std::mt19937 engine(20261128);
   int touching = 0, decided = 0, count = 0;
   for (const RobotPtr& robot : all_robots()) {

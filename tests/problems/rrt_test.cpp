@@ -66,7 +66,7 @@ TEST_CASE("rrt: ends whose distance is no number are refused") {
   CHECK_THROWS_AS(RrtInitializer({.seed = 1}).first_path(problem, {}), InitializationError);
 }
 
-TEST_CASE("rrt: more paths are never longer than the first of them") {
+TEST_CASE("rrt: more paths are never longer than the first of them", "[slow]") {
   const Problem problem = behind_two_slots();
   for (int seed = 21; seed <= 23; ++seed) {
     const auto length = [&](int paths) {

@@ -139,7 +139,7 @@ TEST_CASE("sampled bracket: a cubic's least value between its values") {
   CHECK(bracket::cubic_minimum({0, 1, 2, 3}, 1, 2).value == 1);
 }
 
-TEST_CASE("sampled bracket: bounds of planted metrics and winds") {
+TEST_CASE("sampled bracket: bounds of planted metrics and winds", "[slow]") {
   Random random;
   std::vector<double> gaps;
   for (int k = 0, count = planted_problems(4); k < count; ++k) {
@@ -230,7 +230,7 @@ TEST_CASE("sampled bracket: from one side of a hill to the quicker way round it"
   CHECK(north.curve.cost > 1.005 * result.curve.cost);
 }
 
-TEST_CASE("sampled bracket: ground with a hole") {
+TEST_CASE("sampled bracket: ground with a hole", "[slow]") {
   const auto ground = terrain(41, 41, [](double x, double y) {
     const bool hole = std::abs(x - 200) < 45 && std::abs(y - 190) < 45;
     return hole ? std::numeric_limits<double>::quiet_NaN() : 20 * std::sin(x / 90) + 15 * std::cos(y / 70);
