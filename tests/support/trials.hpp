@@ -8,9 +8,7 @@
 
 namespace leastcost::test {
 
-#if defined(__has_feature)
-inline constexpr bool kSanitized = __has_feature(address_sanitizer);
-#elif defined(__SANITIZE_ADDRESS__)
+#ifdef __SANITIZE_ADDRESS__
 inline constexpr bool kSanitized = true;
 #else
 inline constexpr bool kSanitized = false;
