@@ -75,6 +75,10 @@ std::string cost_line(const WrittenRun& run) {
 /// What is proved of all paths in a box, or looks so.
 std::string bracket_line(const GlobalBound& global) {
   if (global.outcome == "blocked") return "nothing proved: " + global.reason;
+  if (global.counts == "places")
+    return fmt::format(
+        "no path over the cells is cheaper by more than {:.2g} % ({}, {} places on their sides, {:.2g} s)",
+        100 * global.gap, word_of(global.category), global.steps, global.seconds);
   return fmt::format("no path in this box is cheaper by more than {:.2g} % ({}, {} cells, {:.2g} s)", 100 * global.gap,
                      word_of(global.category), fmt::join(global.grid->cells, " x "), global.seconds);
 }
@@ -162,7 +166,8 @@ std::string summary_text(const WrittenRun& run, bool verbose) {
   for (const CertificateFailure& f : result.certificate.failures)
     out += row("", fmt::format("{}: {}", f.name, f.message));
   out += row("cost", cost_line(run));
-  if (const auto& global = result.certificate.global; global && global->counts == "cells")
+  if (const auto& global = result.certificate.global;
+      global && (global->counts == "cells" || global->counts == "places"))
     out += row("bracket", bracket_line(*global));
   else if (global && global->outcome == "bounded" && global->gap > kFarBelow)
     out += row("bound", bound_line(*global));

@@ -91,6 +91,9 @@ TEST_CASE("default initializer: over cells the graph of their sides, however few
   REQUIRE(outcome.result.certificate.global);
   CHECK(outcome.result.certificate.global->lower_bound > 0.97 * exact);
   CHECK(outcome.result.certificate.global->lower_bound <= exact);
+  std::ofstream(dir / "a.yaml") << text;
+  CHECK_THAT(call({"run", (dir / "a.yaml").string(), "-o", (dir / "out").string()}).out,
+             Catch::Contains("no path over the cells is cheaper by more than "));
   // Where places are too many nothing is known of other ways, and a note names what helps.
   const RunOutcome few = solve(parse_run(text + "certificate: {global: {max_windows: 5}}\n", "a.yaml", dir.path()));
   REQUIRE_FALSE(few.result.certificate.global);
