@@ -24,10 +24,10 @@ double length_of(const Points& x) {
 }
 
 /// Snell's law: the slowness along an interface is the same on both sides of every crossing.
-void measure_refraction(const HasInterfaces& cost, const Points& curve, const CertificateOptions& options,
-                        Certificate& c) {
+void measure_refraction(const HasInterfaces& cost, const Points& curve, const ConstraintManifold& domain,
+                        const CertificateOptions& options, Certificate& c) {
   c.stationarity = 0;
-  for (const Crossing& crossing : cost.crossings(curve)) {
+  for (const Crossing& crossing : cost.crossings(curve, domain)) {
     *c.stationarity = std::max(*c.stationarity, crossing.mismatch);
     const double allowed = options.stationarity + crossing.rounding;
     if (crossing.mismatch <= allowed) continue;
@@ -50,7 +50,7 @@ void certify_straightened(const Problem& problem, const PostProcessed& path, con
                                         : "local_on_polyhedron";
   c.straightness = path.curve.straightness;
   if (const auto* cost = find_ability<HasInterfaces>(*problem.cost))
-    measure_refraction(*cost, path.curve.x, options, c);
+    measure_refraction(*cost, path.curve.x, *problem.manifold, options, c);
   else if (!(*c.straightness >= -(measured ? kNearlyStraight : kStraight)))
     c.failures.push_back({"straightness", "an angle beside the path is " + short_number(-*c.straightness) +
                                               " below pi: it can be shortened there"});

@@ -11,6 +11,8 @@
 
 namespace leastcost {
 
+class ConstraintManifold;
+
 /// Where a curve meets an interface, at which the cost of a unit of length jumps.
 struct Crossing {
   Eigen::VectorXd place;                     ///< ambient
@@ -31,7 +33,8 @@ class HasInterfaces {
   virtual ~HasInterfaces() = default;
   /// The places where a polyline meets interfaces, measured on the polyline alone (ambient, d x m). A bend elsewhere,
   /// and a leg that is nowhere or passes an interface unseen, are crossings with the mismatch 2, which no angles have.
-  virtual std::vector<Crossing> crossings(const Points& polyline) const = 0;
+  /// Beyond the box of the domain, where it has one, no path leads.
+  virtual std::vector<Crossing> crossings(const Points& polyline, const ConstraintManifold& domain) const = 0;
 };
 
 }  // namespace leastcost

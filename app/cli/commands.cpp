@@ -20,6 +20,7 @@
 #include "catalogue/output/json_numbers.hpp"
 #include "catalogue/registry/registry.hpp"
 #include "catalogue/run/compose.hpp"
+#include "catalogue/run/run_checks.hpp"
 #include "catalogue/yaml/suggest.hpp"
 
 namespace leastcost::app {
@@ -86,6 +87,7 @@ Json kind_json(const PluginKind& kind) {
 
 /// What a default is chosen for that may take a while, and how to do without it; else nothing.
 std::string word_on_default(const LoadedConfig& loaded) {
+  if (const std::string word = word_on_interpolation(loaded); !word.empty()) return "  " + word + "\n";
   const PluginChoice& first = loaded.config.initializer;
   if (!first || first.plugin->type != "eikonal" || loaded.tree.find("initializer") != nullptr) return "";
   return "  first path: from a field over the two coordinates, which sees the ways on all sides (initializer: "

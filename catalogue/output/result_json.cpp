@@ -136,10 +136,10 @@ Json global_json(const std::optional<GlobalBound>& global) {
 }
 
 /// Where the path meets interfaces, with the angles to their normals.
-Json crossings_json(const HasInterfaces& cost, const Points& curve) {
+Json crossings_json(const HasInterfaces& cost, const Points& curve, const ConstraintManifold& domain) {
   constexpr double kDegrees = 180 / std::numbers::pi;
   Json out = Json::array();
-  for (const Crossing& c : cost.crossings(curve))
+  for (const Crossing& c : cost.crossings(curve, domain))
     out.push_back({{"place", list(c.place)},
                    {"interface", c.interface},
                    {"layers", {c.from, c.to}},
@@ -281,7 +281,7 @@ std::string result_json(const RunOutcome& run) {
   if (!run.family.empty()) out["family"] = family(run);
   if (const auto* cost = find_ability<HasInterfaces>(*run.parts.problem.cost);
       cost != nullptr && result.curve.least_of_class)
-    out["crossings"] = crossings_json(*cost, result.curve.x);
+    out["crossings"] = crossings_json(*cost, result.curve.x, *run.parts.problem.manifold);
   if (run.waypoints) out["waypoints"] = waypoints_json(*run.waypoints);
   out["notes"] = notes(run);
   return to_text(out);

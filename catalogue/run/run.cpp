@@ -13,7 +13,9 @@
 
 #include <leastcost/framework/errors.hpp>
 #include "catalogue/run/compose.hpp"
+#include "catalogue/run/look_elsewhere.hpp"
 #include "catalogue/run/pair_composer.hpp"
+#include "catalogue/run/run_checks.hpp"
 #include "catalogue/run/run_origin.hpp"
 #include "catalogue/run/search.hpp"
 #include "framework/point_text.hpp"
@@ -93,6 +95,7 @@ Run composed(LoadedConfig loaded, const BuildProgress& progress, const Start& st
   std::vector<InputFile> inputs = inputs_of(loaded);
   const double hashed = seconds_since(hashing);
   RunParts parts = composer.take();
+  if (std::string word = word_on_interpolation(loaded); !word.empty()) parts.notes.push_back(std::move(word));
   std::shared_ptr<const PairComposer> pairs = composer.pairs(parts);
   Run run =
       run_of(std::move(loaded.config), loaded.folder, std::move(inputs), std::move(parts), std::move(pairs), start);
@@ -252,6 +255,9 @@ RunOutcome solve(Run run, const Monitor& monitor) {
     prepared = seconds_since(begin);
   }
   search(outcome, run.max_seconds, monitor);
+  if (!run.max_seconds && !monitor.deadline && sees_one_way(outcome.origin->config))
+    if (std::string note = look_elsewhere(parts, outcome.result, monitor); !note.empty())
+      parts.notes.push_back(std::move(note));
   outcome.result.seconds.prepare += prepared;
   outcome.seconds.search = seconds_since(start);
   place_waypoints(outcome);

@@ -128,16 +128,32 @@ bool refracts(const RunConfig& config) {
          config.cost && config.cost.provides<HasLayers>();
 }
 
-bool reads_cells(const RunConfig& config) {
-  return is(config.cost, {"cost_map"}) && config.cost.options &&
-         static_cast<const OptionsOf<CostMapOptions>&>(*config.cost.options).value.interpolation ==
-             CostMapInterpolation::cells;
+/// How a raster of costs is read; null: the cost is another one.
+CostMapInterpolation* interpolation_of(const RunConfig& config) {
+  if (!is(config.cost, {"cost_map"}) || !config.cost.options) return nullptr;
+  return &static_cast<OptionsOf<CostMapOptions>&>(*config.cost.options).value.interpolation;
 }
 
-/// Under a cost map that is constant in each cell, in the plane without obstacles.
-bool refracts_in_cells(const RunConfig& config) {
-  return !config.ring && !config.robot && config.obstacles.empty() && is(config.manifold, {"euclidean"}) &&
-         reads_cells(config);
+bool reads_cells(const RunConfig& config) {
+  const auto* interpolation = interpolation_of(config);
+  return interpolation != nullptr && *interpolation == CostMapInterpolation::cells;
+}
+
+/// In the plane without obstacles, where a path can be refracted at the sides of cells.
+bool suits_cells(const RunConfig& config) {
+  return !config.ring && !config.robot && config.obstacles.empty() && is(config.manifold, {"euclidean"});
+}
+
+/// Under a cost map that is constant in each cell.
+bool refracts_in_cells(const RunConfig& config) { return suits_cells(config) && reads_cells(config); }
+
+/// A raster is read as it is where that can be solved, unless a solver is asked for, which needs a smooth cost.
+void choose_interpolation(RunConfig& config) {
+  auto* interpolation = interpolation_of(config);
+  if (interpolation == nullptr || *interpolation != CostMapInterpolation::automatic) return;
+  const bool cells =
+      suits_cells(config) && whole_option(config.manifold, "dimension") == 2 && !config.solver && !config.post_process;
+  *interpolation = cells ? CostMapInterpolation::cells : CostMapInterpolation::smooth;
 }
 
 /// A first path that states no class: waypoints, other routes and the like are given for the sake of their class.
@@ -165,6 +181,12 @@ bool proves_shortest(const RunConfig& config) {
   return mesh && config.cost && config.cost.provides<HasConstantMetric>();
 }
 
+bool sees_one_way(const RunConfig& config) {
+  return !config.ring && !config.robot && config.obstacles.empty() && !config.family.wanted() && !brackets(config) &&
+         !proves_shortest(config) && is(config.initializer, {"straight"}) && config.cost &&
+         has_several_ways(config.cost.plugin->type);
+}
+
 bool brackets(const RunConfig& config) {
   if (!config.certificate.enabled || proves_shortest(config)) return false;
   return std::holds_alternative<GlobalBudget>(config.certificate.global) &&
@@ -183,6 +205,7 @@ void fall_back(PluginChoice& eikonal) {
 }
 
 void complete(RunConfig& config) {
+  choose_interpolation(config);
   const bool mesh = config.manifold.provides<HasMesh>(), default_first = !config.initializer;
   const Outline outline{
       config.manifold.plugin,    config.cost ? std::string_view(config.cost.plugin->type) : std::string_view(),
@@ -472,13 +495,16 @@ void complete_types(ConfigNode& tree) {
   if (manifold == nullptr) return;  // an error of its own
   const std::string cost = text_at("cost"), cost_type = cost.empty() ? text_at("cost.type") : cost;
   const ConfigNode* point = node_at(tree, "ends.source.point");
+  const std::string interpolation = text_at("cost.interpolation");
+  const bool by_default = (interpolation.empty() || interpolation == "auto") && tree.find("solver") == nullptr &&
+                          !tree.find("post_process");
   const Outline outline{manifold,
                         cost_type,
                         point != nullptr ? static_cast<Eigen::Index>(point->items.size()) : 0,
                         text_at("path.ring") == "true",
                         tree.find("obstacles") != nullptr,
                         tree.find("robot") != nullptr,
-                        text_at("cost.interpolation") == "cells"};
+                        cost_type == "cost_map" && (by_default || interpolation == "cells")};
   for (const char* part : {"kernel", "initializer", "solver"}) {
     ConfigEntry* entry = tree.find(part);
     const std::string standard = default_type(part, outline);
@@ -489,6 +515,13 @@ void complete_types(ConfigNode& tree) {
     if (!replaced || entry->value.find("type") != nullptr) continue;
     entry->value.entries.push_back({"type", entry->place, scalar_node(standard)});
   }
+}
+
+std::string word_on_interpolation(const LoadedConfig& loaded) {
+  const ConfigNode* asked = node_at(loaded.tree, "cost.interpolation");
+  if (!reads_cells(loaded.config) || (asked != nullptr && asked->text == "cells")) return "";
+  return "the cost map is read as it is, constant in each cell (interpolation: cells); 'smooth' and 'bilinear' go "
+         "from value to value";
 }
 
 void check_and_complete(LoadedConfig& loaded) {

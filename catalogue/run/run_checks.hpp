@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
 #include "catalogue/run/run_config.hpp"
 
 namespace leastcost {
@@ -21,6 +23,13 @@ bool proves_shortest(const RunConfig& config);
 /// Whether the run puts a bracket around the globally least cost: in a box, where a budget for it is
 /// given.
 bool brackets(const RunConfig& config);
+
+/// Whether the path begins with the straight line and nothing looks at other ways, under a cost that may have several.
+bool sees_one_way(const RunConfig& config);
+
+/// How the raster of a cost map is read where the configuration does not say it and does not get the smooth reading;
+/// else nothing.
+std::string word_on_interpolation(const LoadedConfig& loaded);
 
 /// Fills in the plug-ins that the configuration leaves out and checks what no single option can: that the parts fit
 /// each other.

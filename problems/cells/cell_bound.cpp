@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
 #include <utility>
 
 #include "problems/cells/side_nodes.hpp"
+#include "problems/graph/monotone_queue.hpp"
 
 namespace leastcost {
 namespace {
@@ -143,20 +143,19 @@ class Potential {
   void offer(int node, double value) {
     if (!(value < u_[at(node)] * (1 - kSameValue)) || value > cap_) return;
     u_[at(node)] = value;
-    open_.emplace(value, node);
+    open_.push(value, node);
   }
   void march() {
     constexpr int kLookEvery = 1 << 12;
     u_.assign(at(nodes_.count()), kNone);
+    open_ = {};
     each_cell_of(source_, [&](int row, int column) {
       nodes_.around(row, column, around_);
       const double unit = map_.unit(row, column) * cheaper(row, column);
       for (const int node : around_) offer(node, unit * (nodes_.place(node) - source_).norm());
     });
     for (int steps = 1; !open_.empty(); ++steps) {
-      const double value = open_.top().first;
-      const int node = open_.top().second;
-      open_.pop();
+      const auto [value, node] = open_.pop();
       if (value > u_[at(node)]) continue;
       if (steps % kLookEvery == 0 && (out_.stopped = options_.stop())) return;
       nodes_.each_cell(node, [&](int row, int column) { go_on(node, row, column); });
@@ -251,7 +250,7 @@ class Potential {
   std::vector<double> u_;
   std::vector<int> around_;
   std::vector<CellShape> shapes_;
-  std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> open_;
+  MonotoneQueue<int> open_;
   CellBound out_;
 };
 

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <queue>
 #include <utility>
 
 #include "problems/cells/side_nodes.hpp"
+#include "problems/graph/monotone_queue.hpp"
 
 namespace leastcost {
 namespace {
@@ -60,9 +60,9 @@ class Route {
   CellPath find(const std::function<void()>& look) {
     if (const auto leg = map_.leg(source_, target_)) best_ = leg->cost;
     each_cell_of(source_, [&](int row, int column) { begin(row, column); });
-    for (int steps = 1; !open_.empty() && open_.top().first < best_; ++steps) {
-      const int node = open_.top().second;
-      open_.pop();
+    for (int steps = 1; !open_.empty(); ++steps) {
+      const auto [cost, node] = open_.pop();
+      if (!(cost < best_)) break;
       if (done_[at(node)]) continue;
       done_[at(node)] = true;
       if (look && steps % kLookEvery == 0) look();
@@ -88,7 +88,7 @@ class Route {
     reached_[at(node)] = cost;
     before_[at(node)] = from;
     by_[at(node)] = cell;
-    open_.emplace(cost + ahead(node), node);
+    open_.push(cost + ahead(node), node);
   }
   void begin(int row, int column) {
     nodes_.around(row, column, around_);
@@ -136,7 +136,7 @@ class Route {
   std::vector<int> by_;  ///< the cell of the last move
   std::vector<bool> done_;
   std::vector<int> around_;
-  std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> open_;
+  MonotoneQueue<int> open_;
   double best_ = kUnreached;
   int last_ = kSource;
 };

@@ -10,6 +10,12 @@
 
 namespace leastcost {
 
+CellMap cells_in_box(const HasCostCells& cost, const ConstraintManifold& domain) {
+  const auto* box = find_ability<HasBox>(domain);
+  if (box == nullptr) return cost.cell_map();
+  return cost.cell_map().within({Eigen::Vector2d(box->box_lower()), Eigen::Vector2d(box->box_upper())});
+}
+
 CellMap cells_of(const Problem& problem, const std::string& who) {
   const auto* cost = find_ability<HasCostCells>(*problem.cost);
   if (cost == nullptr) throw InputError(who + " needs a cost map that is read as cells (interpolation: cells)");
@@ -19,9 +25,7 @@ CellMap cells_of(const Problem& problem, const std::string& who) {
   if (domain.shape() != Shape::flat || d.coordinate != 2 || d.ambient != 2 || d.tangent != 2 ||
       find_ability<HasChart>(domain) != nullptr || find_ability<ChecksMoves>(domain) != nullptr)
     throw InputError(who + " needs the plane, or a box of it, without obstacles");
-  CellMap map = cost->cell_map();
-  if (const auto* box = find_ability<HasBox>(domain))
-    map = map.within({Eigen::Vector2d(box->box_lower()), Eigen::Vector2d(box->box_upper())});
+  CellMap map = cells_in_box(*cost, domain);
   for (const PathEnd* end : {&problem.source, &problem.target})
     if (const std::string why = map.why_no_end(end->u); !why.empty())
       throw InputError(std::string("the ") + (end == &problem.source ? "source " : "target ") + why);

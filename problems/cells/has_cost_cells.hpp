@@ -14,6 +14,9 @@ class HasCostCells {
   virtual const CellMap& cell_map() const = 0;
 };
 
+/// Those within the box of a domain, all where it has none.
+CellMap cells_in_box(const HasCostCells& cost, const ConstraintManifold& domain);
+
 /// The cells of the cost of a problem within the box of its domain. Throws InputError, which begins with `who`, where
 /// it has none, for rings, where points are not free in the plane or a box of it, and for an end without a cell.
 CellMap cells_of(const Problem& problem, const std::string& who);

@@ -13,6 +13,7 @@
 #include <leastcost/framework/has_interfaces.hpp>
 #include <leastcost/framework/segment_cost_function.hpp>
 #include <leastcost/problems/chart/is_geographic.hpp>
+#include "problems/cells/beside_sides.hpp"
 #include "problems/cells/cell_refraction.hpp"
 #include "problems/cells/has_cost_cells.hpp"
 #include "problems/raster/raster_cells.hpp"
@@ -86,8 +87,9 @@ class CellCost final : public SegmentCostOf<CellCostFunction>,
   explicit CellCost(const RasterGrid& values)
       : SegmentCostOf<CellCostFunction>(CellCostFunction{std::make_shared<const CellMap>(values)}), values_(values) {}
   const CellMap& cell_map() const override { return *function().map; }
-  std::vector<Crossing> crossings(const Points& polyline) const override {
-    return measure_cell_crossings(cell_map(), polyline);
+  std::vector<Crossing> crossings(const Points& polyline, const ConstraintManifold& domain) const override {
+    const CellMap map = cells_in_box(*this, domain);
+    return measure_cell_crossings(map, onto_sides(map, polyline));
   }
   double cost_over_cells(const Eigen::Ref<const Eigen::MatrixXd>& curve) const override {
     return leastcost::cost_over_cells(values_, curve);

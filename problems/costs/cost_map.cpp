@@ -127,9 +127,10 @@ void check_positive(const RasterGrid& values) {
 }  // namespace
 
 Words<CostMapInterpolation> words(CostMapInterpolation) {
-  static constexpr std::array<Word<CostMapInterpolation>, 3> kWords = {{{CostMapInterpolation::bilinear, "bilinear"},
-                                                                        {CostMapInterpolation::smooth, "smooth"},
-                                                                        {CostMapInterpolation::cells, "cells"}}};
+  static constexpr std::array<Word<CostMapInterpolation>, 4> kWords = {{{CostMapInterpolation::automatic, "auto"},
+                                                                        {CostMapInterpolation::cells, "cells"},
+                                                                        {CostMapInterpolation::bilinear, "bilinear"},
+                                                                        {CostMapInterpolation::smooth, "smooth"}}};
   return kWords;
 }
 
@@ -137,8 +138,10 @@ void CostMapOptions::fields(FieldVisitor& visit) {
   raster.fields(visit);
   visit.choice(
       "interpolation", interpolation,
-      {.help = "bilinear: through the values, with kinks where cells meet. smooth: the bicubic spline that has "
-               "them as coefficients, without kinks, and smoother than they are. cells: constant in each cell."});
+      {.help = "cells: constant in each cell. bilinear: through the values, with kinks where cells meet. smooth: the "
+               "bicubic spline that has them as coefficients, without kinks, and smoother than they are. auto: cells "
+               "for a path between two ends in the plane without obstacles, unless a solver or a post-processor is "
+               "asked for; smooth elsewhere."});
 }
 
 std::shared_ptr<const SegmentCost> make_cost_map(const RasterGrid& values, CostMapInterpolation interpolation,

@@ -10,13 +10,14 @@
 
 namespace leastcost {
 
-/// What lies between the values of a cost map.
-enum class CostMapInterpolation { smooth, bilinear, cells };
+/// What lies between the values of a cost map. automatic: cells for a path between two ends in the plane without
+/// obstacles, unless a configuration asks for a solver or a post-processor; smooth elsewhere.
+enum class CostMapInterpolation { automatic, smooth, bilinear, cells };
 Words<CostMapInterpolation> words(CostMapInterpolation);
 
 struct CostMapOptions {
   RasterOptions raster = {};
-  CostMapInterpolation interpolation = CostMapInterpolation::smooth;
+  CostMapInterpolation interpolation = CostMapInterpolation::automatic;
   void fields(FieldVisitor& visit);
 };
 
@@ -25,9 +26,10 @@ struct CostMapOptions {
 /// bilinear: n as GIS programs interpolate it; its gradient jumps where patches meet. smooth: the bicubic spline that
 /// has the values as its coefficients, twice differentiable, between the values around and a little smoother than they
 /// are. cells: n is constant in each cell, along a side the lower of both, in the plane only; the cost has the ability
-/// HasCostCells and jumps at the sides, which the post-processor refract_cells knows. +infinity beyond the outermost
-/// values and beside cells without data; the cost says where. It has the abilities HasCellIndex and, in the plane,
-/// CostDensity, but for cells. Throws OptionError("file" or "value_scale") for a value that is not above 0, InputError.
+/// HasCostCells and jumps at the sides, which the post-processor refract_cells knows. automatic: smooth, as nothing is
+/// known of the path. +infinity beyond the outermost values and beside cells without data; the cost says where. It has
+/// the abilities HasCellIndex and, in the plane, CostDensity, but for cells. Throws OptionError("file" or
+/// "value_scale") for a value that is not above 0, InputError.
 std::shared_ptr<const SegmentCost> make_cost_map(const RasterGrid& values, CostMapInterpolation interpolation, int dim);
 
 }  // namespace leastcost

@@ -118,7 +118,7 @@ Eigen::VectorXd indices_of(const LayersOptions& options) {
 
 }  // namespace
 
-std::vector<Crossing> LayersCost::crossings(const Points& polyline) const {
+std::vector<Crossing> LayersCost::crossings(const Points& polyline, const ConstraintManifold&) const {
   return measure_crossings(layers(), polyline);
 }
 

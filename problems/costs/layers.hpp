@@ -24,7 +24,7 @@ struct LayersOptions {
 /// `refract` that knows them.
 class LayersCost : public SegmentCost, public HasLayers, public HasInterfaces {
  public:
-  std::vector<Crossing> crossings(const Points& polyline) const override;
+  std::vector<Crossing> crossings(const Points& polyline, const ConstraintManifold& domain) const override;
 };
 
 /// c(a, b) of a straight move: the sum of index times length over the layers that it passes; along an interface the

@@ -116,8 +116,9 @@ void ArrivalField::spread(const std::function<bool()>& stop) {
   leave_source(queue);
   work_off(queue, false, stop);
   if (isotropic()) return;
+  queue = {};
   for (std::int32_t node = 0; node < static_cast<std::int32_t>(arrivals_.size()); ++node)
-    if (known(node)) queue.push({arrivals_[static_cast<std::size_t>(node)].cost, node});
+    if (known(node)) queue.push(arrivals_[static_cast<std::size_t>(node)].cost, node);
   work_off(queue, true, stop);
 }
 
@@ -129,7 +130,7 @@ void ArrivalField::leave_source(Queue& queue) {
       const double c = move(source_, x_.col(node));
       if (!(c < kNever) || !moves_.clear(source_, x_.col(node), kNever)) continue;
       arrivals_[static_cast<std::size_t>(node)].cost = c;
-      queue.push({c, node});
+      queue.push(c, node);
     }
 }
 
@@ -138,8 +139,7 @@ void ArrivalField::work_off(Queue& queue, bool leaping, const std::function<bool
   double least_at_target = kNever;
   for (int steps = 1; !queue.empty(); ++steps) {
     if (steps % kNodesPerLook == 0 && stop()) throw Interrupted("eikonal: interrupted while costs spread");
-    const auto [c, node] = queue.top();
-    queue.pop();
+    const auto [c, node] = queue.pop();
     if (c > arrivals_[static_cast<std::size_t>(node)].cost) continue;
     if (c > least_at_target) return;
     if (isotropic()) least_at_target = std::min(least_at_target, c + last_move(node));
@@ -151,7 +151,7 @@ void ArrivalField::work_off(Queue& queue, bool leaping, const std::function<bool
       if (isotropic() && arrivals_[static_cast<std::size_t>(neighbour)].cost <= c) continue;
       // Seen from there this node lies on the other side.
       if (improve(neighbour, node, (k + kRing.size() / 2) % kRing.size()))
-        queue.push({arrivals_[static_cast<std::size_t>(neighbour)].cost, neighbour});
+        queue.push(arrivals_[static_cast<std::size_t>(neighbour)].cost, neighbour);
     }
     if (leaping) leap(node, queue);
   }
@@ -176,7 +176,7 @@ void ArrivalField::leap(std::int32_t node, Queue& queue) {
       Arrival& arrival = arrivals_[static_cast<std::size_t>(there)];
       if (known(there) || !x_.col(there).allFinite()) continue;
       try_edge({node, node}, x_.col(there), arrival);
-      if (known(there)) queue.push({arrival.cost, there});
+      if (known(there)) queue.push(arrival.cost, there);
     }
 }
 

@@ -8,12 +8,12 @@
 #include <functional>
 #include <limits>
 #include <optional>
-#include <queue>
 #include <utility>
 #include <vector>
 
 #include <leastcost/framework/problem.hpp>
 #include "problems/graph/lattice_route.hpp"
+#include "problems/graph/monotone_queue.hpp"
 #include "problems/initializers/grid_search.hpp"
 #include "problems/initializers/lattice_box.hpp"
 #include "problems/initializers/node_moves.hpp"
@@ -74,8 +74,7 @@ class ArrivalField {
     std::array<std::int32_t, 3> low, high;
   };
 
-  using Open = std::pair<double, std::int32_t>;  ///< a node and what it cost when it was put there
-  using Queue = std::priority_queue<Open, std::vector<Open>, std::greater<>>;
+  using Queue = MonotoneQueue<std::int32_t>;  ///< nodes, and what each cost when it was put there
 
   void lay(const LatticeBox& box, int cells);
   void spread(const std::function<bool()>& stop);

@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include <leastcost/framework/initializer.hpp>
 #include <leastcost/framework/options.hpp>
 
 namespace leastcost {
 
 struct CellGraphOptions {
-  int side_points = 3;  ///< on each side of a cell, beside its corners
+  /// On each side of a cell, beside its corners. None: 3, and 1 where the raster has more than 300,000 cells.
+  std::optional<int> side_points = {};
   void fields(FieldVisitor& visit);
 };
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "framework/in_parts.hpp"
+#include "problems/cells/beside_sides.hpp"
 #include "problems/cells/cell_refraction.hpp"
 #include "problems/cells/has_cost_cells.hpp"
 #include "problems/post_processors/refracted_curve.hpp"
@@ -17,10 +18,11 @@ namespace leastcost {
 namespace {
 
 void deliver_in_cells(const CellMap& map, const RefractedCellPath& found, PostProcessed& current) {
-  const Index places = static_cast<Index>(found.path.size());
+  const CellPath path = beside_sides(map, found.path);
+  const Index places = static_cast<Index>(path.size());
   Points x(2, places);
   Eigen::VectorXd legs(places - 1);
-  for (Index i = 0; i < places; ++i) x.col(i) = found.path[static_cast<std::size_t>(i)];
+  for (Index i = 0; i < places; ++i) x.col(i) = path[static_cast<std::size_t>(i)];
   for (Index i = 0; i + 1 < places; ++i) legs[i] = map.leg(x.col(i), x.col(i + 1)).value().cost;
   current.curve = {};
   current.curve.x = x;
@@ -28,7 +30,7 @@ void deliver_in_cells(const CellMap& map, const RefractedCellPath& found, PostPr
   current.chain.u = spaced_by_cost(x, legs, current.chain.u.cols(), current.curve_costs);
   current.curve.least_of_class = std::min(found.least, current.curve.cost);
   double worst = 0;
-  for (const Crossing& crossing : measure_cell_crossings(map, x))
+  for (const Crossing& crossing : measure_cell_crossings(map, onto_sides(map, x)))
     worst = std::max(worst, crossing.mismatch - crossing.rounding);
   current.curve.straightness = -worst;
 }

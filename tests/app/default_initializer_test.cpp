@@ -110,7 +110,8 @@ TEST_CASE("default initializer: of equal ways around a dear square, not through 
   std::ofstream(dir / "hill.csv") << "1,1,1,1,1,1,1\n1,1,1,1,1,1,1\n1,1,9,9,9,1,1\n1,1,9,9,9,1,1\n1,1,9,9,9,1,1\n"
                                      "1,1,1,1,1,1,1\n1,1,1,1,1,1,1\n";
   const std::string text =
-      "manifold: {type: euclidean, lower: [0.5, 0.5], upper: [6.5, 6.5]}\ncost: {type: cost_map, file: hill.csv}\n"
+      "manifold: {type: euclidean, lower: [0.5, 0.5], upper: [6.5, 6.5]}\ncost: {type: cost_map, file: hill.csv, "
+      "interpolation: smooth}\n"
       "ends: {source: {point: [3.5, 6]}, target: {point: [3.5, 1]}}\n";
   const RunOutcome outcome = solve(parse_run(text, "a.yaml", dir.path()));
   CHECK(outcome.result.certificate.estimate.value == Approx(9.70019125).epsilon(1e-6));
@@ -119,6 +120,76 @@ TEST_CASE("default initializer: of equal ways around a dear square, not through 
   CHECK_THAT(call({"validate", file}).out, Catch::Contains("initializer: eikonal"));
   std::ofstream(file, std::ios::app) << "initializer: straight\n";
   CHECK(call({"validate", file}).out == file + ": valid\n");
+}
+
+TEST_CASE(
+    "default initializer: a raster is read as it is, and said so, unless that cannot be solved or a solver is asked "
+    "for") {
+  const ScratchDir dir;
+  std::ofstream(dir / "wall.csv") << "1,1,1,1,1\n1,9,9,9,9\n1,1,1,1,1\n";
+  const auto text = [](const std::string& more) {
+    return "manifold: euclidean\ncost: {type: cost_map, file: wall.csv" + more +
+           "}\nends: {source: {point: [3.5, 0.5]}, target: {point: [3.5, 2.5]}}\npath: {points: 9}\n";
+  };
+  const auto solved = [&](const std::string& config) { return solve(parse_run(config, "a.yaml", dir.path())); };
+  // Round the end of the wall, by its corners.
+  const double around = 2 * std::hypot(2.5, 0.5) + 1;
+  const RunOutcome outcome = solved(text(""));
+  CHECK(outcome.result.status == Status::certified);
+  CHECK(outcome.result.curve.cost == Approx(around).epsilon(1e-12));
+  REQUIRE_FALSE(outcome.parts.notes.empty());
+  CHECK_THAT(outcome.parts.notes.front(), Catch::Contains("interpolation: cells"));
+  CHECK(solved(text(", interpolation: auto")).result.curve.cost == outcome.result.curve.cost);
+  CHECK(solved(text(", interpolation: cells")).parts.notes.empty());
+
+  const double between = solved(text(", interpolation: smooth")).result.curve.cost;
+  CHECK(between > 1.1 * around);
+  for (const char* more : {"solver: newton\n", "obstacles: [{type: ball, center: [4.5, 0.5], radius: 0.1}]\n"}) {
+    const RunOutcome other = solved(text("") + more);
+    CHECK(other.result.curve.cost == Approx(between).epsilon(1e-6));
+    for (const std::string& note : other.parts.notes) CHECK_THAT(note, !Catch::Contains("interpolation: cells"));
+  }
+
+  const std::string file = (dir / "a.yaml").string();
+  std::ofstream(file) << text("");
+  CHECK_THAT(call({"validate", file}).out, Catch::Contains("interpolation: cells"));
+  CHECK(call({"run", file, "--set", "initializer.side_points=1", "-o", (dir / "out").string()}).exit == 0);
+}
+
+TEST_CASE("default initializer: over cells, what lies beyond the box of the domain is no better way") {
+  const ScratchDir dir;
+  std::ofstream(dir / "band.csv") << "2,2,9,2,2\n2,3,9,3,2\n1,1,1,1,1\n";
+  const RunOutcome outcome = solve(
+      parse_run("manifold: {type: euclidean, lower: [0, 1.2], upper: [5, 3]}\ncost: {type: cost_map, file: band.csv}\n"
+                "ends: {source: {point: [0.5, 1.5]}, target: {point: [4.5, 1.5]}}\n",
+                "a.yaml", dir.path()));
+  CHECK(outcome.result.curve.x.row(1).minCoeff() >= 1.2);
+  CHECK(outcome.result.status == Status::certified);
+}
+
+TEST_CASE("default initializer: where it is the straight line, a cheaper way beside it is named, and taken as told") {
+  const ScratchDir dir;
+  // A dear disc with a narrow hole, through which the straight line goes.
+  const std::string text =
+      "manifold: {type: euclidean, dimension: 3}\n"
+      "cost: {type: refractive_index, index: {type: formula, n: \"1 + 30 * exp(-(z/0.3)^2) * "
+      "(1 - 0.5 * exp(-(x^2 + y^2)/0.04)) * exp(-((x^2 + y^2)/1.5)^4)\"}}\n"
+      "ends: {source: {point: [0, 0, -2]}, target: {point: [0, 0, 2]}}\npath: {points: 32}\n";
+  const RunOutcome through = solve(parse_run(text, "a.yaml", dir.path()));
+  REQUIRE_FALSE(through.parts.notes.empty());
+  const std::string note = through.parts.notes.back();
+  REQUIRE_THAT(note, Catch::Contains("another way costs about"));
+  const auto begin = note.find('\'') + 1;
+  const std::string remedy = note.substr(begin, note.find('\'', begin) - begin) + "\n";
+  const RunOutcome around = solve(parse_run(text + remedy, "a.yaml", dir.path()));
+  CHECK(around.result.curve.cost < 0.9 * through.result.curve.cost);
+  CHECK(around.result.status == Status::certified);
+  // Where there is nothing to gain nothing is said.
+  const RunOutcome even = solve(parse_run(
+      "manifold: {type: euclidean, dimension: 3}\ncost: {type: refractive_index, index: {type: linear_velocity, "
+      "speed: 1, gradient: [0, 0, 0.2]}}\nends: {source: {point: [0, 0, 0]}, target: {point: [1, 0, 2]}}\n",
+      "a.yaml", dir.path()));
+  for (const std::string& word : even.parts.notes) CHECK_THAT(word, !Catch::Contains("another way"));
 }
 
 }  // namespace leastcost::test

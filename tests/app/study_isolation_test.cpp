@@ -106,11 +106,15 @@ TEST_CASE("isolation: at most so many at once, in their order") {
     std::this_thread::sleep_for(std::chrono::milliseconds(60));
     return std::to_string(std::chrono::steady_clock::now().time_since_epoch().count());
   };
-  const auto start = std::chrono::steady_clock::now();
-  ends_of({nap, nap, nap, nap}, 4);
-  const auto together = std::chrono::steady_clock::now() - start;
-  const auto ends = ends_of({nap, nap, nap}, 1);
+  const auto seconds_of = [&](int at_once) {
+    const auto start = std::chrono::steady_clock::now();
+    ends_of({nap, nap, nap, nap}, at_once);
+    return std::chrono::steady_clock::now() - start;
+  };
+  auto together = seconds_of(4);  // the least of a few: the machine may be busy
+  for (int k = 0; k < 4; ++k) together = std::min(together, seconds_of(4));
   CHECK(together < std::chrono::milliseconds(4 * 60));
+  const auto ends = ends_of({nap, nap, nap}, 1);
   CHECK(std::stoll(ends.at(0).text) < std::stoll(ends.at(1).text));
   CHECK(std::stoll(ends.at(1).text) < std::stoll(ends.at(2).text));
 }

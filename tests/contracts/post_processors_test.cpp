@@ -307,7 +307,7 @@ TEST_CASE("post_processor contract: refract", "[contract]") {
   // A polyline that does not obey Snell's law is told from one that does.
   Points off = made.curve.x;
   off.col(1) += 1e-6 * Eigen::VectorXd::Unit(d, 0);
-  CHECK(find_ability<HasInterfaces>(*problem.cost)->crossings(off).front().mismatch > 1e-8);
+  CHECK(find_ability<HasInterfaces>(*problem.cost)->crossings(off, *problem.manifold).front().mismatch > 1e-8);
 }
 
 TEST_CASE("post_processor contract: on_surface", "[contract]") {

@@ -67,8 +67,11 @@ void check_honest(const Result& result) {
 
 }  // namespace
 
+// A busy machine may stop this program at any place, for longer than the budget: what is late once is tried again, and
+// what is late by itself is late each time.
 TEST_CASE("deadline: a thousand random ones are kept", "[framework]") {
-  constexpr double kGenerous = 30;  // this may be a sanitizer on a busy machine; benchmarks/deadline_table measures
+  constexpr double kGenerous = 30;  // this may be a sanitizer; benchmarks/deadline_table measures
+  constexpr int kTries = 5;
   const std::vector<Search> all = searches();
   const Newton newton;
   const Lbfgs lbfgs;
@@ -83,14 +86,18 @@ TEST_CASE("deadline: a thousand random ones are kept", "[framework]") {
     options.escape_saddle = i % 7 == 0;
     const double budget = 1e-5 * std::pow(1000, random.uniform(0, 1));  // 10 us to 10 ms
     CAPTURE(i, search.name, solver.name(), *options.points, budget);
-    Monitor monitor;
-    monitor.deadline = Monitor::Clock::now() +
-                       std::chrono::duration_cast<Monitor::Clock::duration>(std::chrono::duration<double>(budget));
+    const double allowed = kGenerous * std::max(1e-3, budget / 10);
     Result result;
-    const double over = overrun(
-        *monitor.deadline, [&] { result = find_path(search.problem, *search.initializer, solver, options, monitor); });
-    CHECK(over <= kGenerous * std::max(1e-3, budget / 10));
-    check_honest(result);
+    double over = 2 * allowed;
+    for (int k = 0; k < kTries && over > allowed; ++k) {
+      Monitor monitor;
+      monitor.deadline = Monitor::Clock::now() +
+                         std::chrono::duration_cast<Monitor::Clock::duration>(std::chrono::duration<double>(budget));
+      over = overrun(*monitor.deadline,
+                     [&] { result = find_path(search.problem, *search.initializer, solver, options, monitor); });
+      check_honest(result);
+    }
+    CHECK(over <= allowed);
     interrupted += result.status == Status::interrupted ? 1 : 0;
   }
   CHECK(interrupted > 300);

@@ -80,7 +80,7 @@ TEST_CASE("a head wave runs along the interface, at every number of points", "[o
     check_result(result, kHeadWave, points);
     REQUIRE(result.curve.x.cols() == 4);
     CHECK(result.curve.x(0, 1) == Approx(1 / std::numbers::sqrt3).epsilon(1e-12));
-    const auto crossings = find_ability<HasInterfaces>(*problem.cost)->crossings(result.curve.x);
+    const auto crossings = find_ability<HasInterfaces>(*problem.cost)->crossings(result.curve.x, *problem.manifold);
     REQUIRE(crossings.size() == 2);
     CHECK(crossings[0].angle_before == Approx(std::numbers::pi / 6).epsilon(1e-12));
     CHECK(crossings[0].angle_after == Approx(std::numbers::pi / 2).epsilon(1e-12));

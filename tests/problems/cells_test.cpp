@@ -12,12 +12,16 @@
 
 #include <leastcost/framework/ability.hpp>
 #include <leastcost/problems/costs/cost_map.hpp>
+#include <leastcost/problems/initializers/cell_graph.hpp>
+#include <leastcost/problems/post_processors/refract_cells.hpp>
+#include "problems/cells/beside_sides.hpp"
 #include "problems/cells/cell_bound.hpp"
 #include "problems/cells/cell_graph.hpp"
 #include "problems/cells/cell_refraction.hpp"
 #include "problems/cells/corner_turn.hpp"
 #include "problems/raster/raster_cells.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/compose.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -195,6 +199,44 @@ TEST_CASE("cells: a cost map has them, in the plane") {
   CHECK(find_ability<HasRasterCells>(*cost)->cost_over_cells(curve) == exact);
   CHECK_THROWS_WITH(make_cost_map(raster, CostMapInterpolation::cells, 3),
                     Catch::Contains("read as 'smooth' or 'bilinear'"));
+}
+
+namespace {
+
+/// As a program reads it for which a side belongs to the cell on its right, or above: the mean at many places.
+double cost_by_samples(const RasterGrid& raster, const Eigen::MatrixXd& curve) {
+  constexpr int kSamples = 64;
+  double sum = 0;
+  for (Index i = 0; i + 1 < curve.cols(); ++i)
+    for (int k = 0; k < kSamples; ++k) {
+      const Vector2d x = curve.col(i) + (curve.col(i + 1) - curve.col(i)) * (k + 0.5) / kSamples;
+      const int column = static_cast<int>(std::floor((x[0] - raster.corner[0]) / raster.cell[0]));
+      const int row = static_cast<int>(std::floor((x[1] - raster.corner[1]) / raster.cell[1]));
+      sum += (curve.col(i + 1) - curve.col(i)).norm() / kSamples * raster.value(row, column);
+    }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("cells: what is delivered costs the same to programs that take a side to be of one cell") {
+  for (const double far : {0.0, 5e6}) {
+    RasterGrid raster = random_cells(4);
+    raster.corner += Vector2d(far, far);
+    const auto cost = make_cost_map(raster, CostMapInterpolation::cells, 2);
+    const Problem problem =
+        between(space(2), cost, raster.place(0, 0), raster.place(raster.rows - 1, raster.columns - 1));
+    const FirstPath first = CellGraphInitializer().first_path(problem, {});
+    PostProcessed chain;
+    chain.chain = first.path;
+    const PostProcessed found = RefractCellsPostProcessor().apply(problem, first, chain, {});
+    // Far away the first and last places of such a move are on the side again, to rounding.
+    CHECK(cost_by_samples(raster, found.curve.x) == Approx(found.curve.cost).epsilon(far > 0 ? 1e-3 : 1e-9));
+    const Eigen::Matrix2Xd path = onto_sides(CellMap(raster), found.curve.x);
+    REQUIRE(path.cols() < found.curve.x.cols());  // some moves are along sides
+    CHECK(cost_over_cells(raster, path) == Approx(found.curve.cost).epsilon(far > 0 ? 1e-9 : 1e-13));
+    CHECK(*found.curve.straightness >= -1e-10);
+  }
 }
 
 }  // namespace leastcost::test
