@@ -202,14 +202,28 @@ void FinerSearch::solve_from(const CoordinatePath& start, Index factor, ProofRul
   finer.certificate.refine = 0;
   finer.certificate.proof = proof;
   const MorePoints more{static_cast<long>(start.free_count()), doublings_, options_.certificate.refine};
+  double spent = 0;
+  long evaluations = 0;  // of the solve that goes on
   Monitor telling = monitor_;
-  if (monitor_.observe)
-    telling.observe = [&](const Progress& progress) {
-      Progress told = progress;
-      told.more_points = &more;
-      monitor_.observe(told);
-    };
+  telling.observe = [&](const Progress& progress) {
+    if (progress.iteration != nullptr) {
+      const long now = progress.iteration->evaluations;
+      spent += static_cast<double>(now < evaluations ? now : now - evaluations) * static_cast<double>(start.u.cols());
+      evaluations = now;
+    }
+    Progress told = progress;
+    told.more_points = &more;
+    monitor_.report(told);
+  };
+  telling.stop_requested = [&] {
+    given_up_ = given_up_ || work_ + spent > most_work();
+    return given_up_ || monitor_.cancelled();
+  };
   Result next = search_from(problem_, start, solver_, finer, telling);
+  if (given_up_) {
+    fine_.seconds = continued(fine_, std::move(next)).seconds;
+    return;
+  }
   judge_delivered_spacing(problem_, factor, next);
   last_work_ = work_of(next);
   work_ += last_work_;
@@ -221,8 +235,10 @@ void FinerSearch::solve_from(const CoordinatePath& start, Index factor, ProofRul
 /// The work of a chain grows as its points do.
 bool FinerSearch::is_too_much_work() const {
   const double growth = is_astray(problem_, fine_.certificate) ? 4 : 2;
-  return work_ + growth * last_work_ > options_.certificate.refine_work * std::max(first_work_, kSmallSearch);
+  return given_up_ || work_ + growth * last_work_ > most_work();
 }
+
+double FinerSearch::most_work() const { return options_.certificate.refine_work * std::max(first_work_, kSmallSearch); }
 
 bool FinerSearch::comes_no_closer() const {
   const int patience = problem_.manifold->shape() == Shape::polyhedral ? kPatienceOnMesh : kPatience;
@@ -243,7 +259,7 @@ std::string FinerSearch::why_stopped() const {
            "The cost or its data have kinks or noise between the points: smooth the data or the field, or give the "
            "field a smaller weight";
   }
-  if (doublings_ < options_.certificate.refine && is_too_much_work())
+  if (given_up_ || (doublings_ < options_.certificate.refine && is_too_much_work()))
     return "the search for more points stopped: it would take more than " +
            short_number(options_.certificate.refine_work) +
            " times the work of the search before it; a larger certificate.refine_work lets it go on";

@@ -51,6 +51,7 @@ class FinerSearch {
   void begin_anew();
   void solve_from(const CoordinatePath& start, Index factor, ProofRule proof);
   bool is_too_much_work() const;
+  double most_work() const;
   bool comes_no_closer() const;
   void look_at(const Result& result);
 
@@ -63,6 +64,7 @@ class FinerSearch {
   int doublings_ = 0;
   std::vector<Trial> trials_;
   double first_work_ = 0, last_work_ = 0, work_ = 0;  ///< evaluations times points: before it, of the last, of all
+  bool given_up_ = false;  ///< a solve took much more work than was to be expected, and was stopped
 };
 
 /// Whether every reason why a path was refused is one that more points may mend.

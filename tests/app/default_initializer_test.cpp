@@ -169,11 +169,11 @@ TEST_CASE("default initializer: over cells, what lies beyond the box of the doma
 
 TEST_CASE("default initializer: where it is the straight line, a cheaper way beside it is named, and taken as told") {
   const ScratchDir dir;
-  // A dear disc with a narrow hole, through which the straight line goes.
+  // A dear ellipse with a narrow hole, through which the straight line goes.
   const std::string text =
       "manifold: {type: euclidean, dimension: 3}\n"
       "cost: {type: refractive_index, index: {type: formula, n: \"1 + 30 * exp(-(z/0.3)^2) * "
-      "(1 - 0.5 * exp(-(x^2 + y^2)/0.04)) * exp(-((x^2 + y^2)/1.5)^4)\"}}\n"
+      "(1 - 0.5 * exp(-(x^2 + y^2)/0.04)) * exp(-((x^2 + 2 * y^2)/1.5)^2)\"}}\n"
       "ends: {source: {point: [0, 0, -2]}, target: {point: [0, 0, 2]}}\npath: {points: 32}\n";
   const RunOutcome through = solve(parse_run(text, "a.yaml", dir.path()));
   REQUIRE_FALSE(through.parts.notes.empty());

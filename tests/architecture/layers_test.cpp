@@ -119,7 +119,7 @@ const Arrows& rooms() {
       {"problems/drawing", {"problems/chart", "problems/level_set"}},
       {"problems/spline", {}},
       {"problems/raster", {"problems/spline"}},
-      {"problems/cells", {"problems/raster"}},
+      {"problems/cells", {"problems/graph", "problems/raster"}},
       {"problems/distance", {"problems/cloud", "problems/level_set", "problems/mesh", "problems/spline"}},
       {"problems/section", {"problems/chart", "problems/cloud", "problems/mesh"}},
       {"problems/straighten", {"problems/mesh"}},
