@@ -14,8 +14,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kSame = 1e-13;     ///< of the cost
-constexpr double kAtCorner = 1e-9;  ///< of a side
+constexpr double kSame = 1e-13;         ///< of the cost
+constexpr double kAtCorner = 1e-9;      ///< of a side
+constexpr double kBesideCorner = 1e-3;  ///< of a cell: so near to a corner the least path may go through it
+constexpr double kSnell = 1e-11;        ///< mismatch that is none
 constexpr int kMostRounds = 200;
 
 bool is_corner(const CellMap& map, const Vector2d& x) { return map.line_at(0, x[0]) && map.line_at(1, x[1]); }
@@ -112,6 +114,7 @@ class Refraction {
       changed = turn_at_corners();
     }
     if (changed) solve_parts();
+    settle_beside_corners();
     return {path_, cost_, cost_ - excess(), !changed};
   }
 
@@ -127,6 +130,9 @@ class Refraction {
 
   void solve_parts() {
     solve_parts([](const Part& part) { return least_places(part.chain, part.s); });
+    polish_parts();
+  }
+  void polish_parts() {
     constexpr int kPolishes = 20;  // a place that comes to a corner parts the path anew
     for (int k = 0; k < kPolishes; ++k) {
       const CellPath before = path_;
@@ -188,6 +194,59 @@ class Refraction {
     if (best.empty() || !(least < now - kSame * cost_)) return false;
     next.insert(next.end(), best.begin(), best.end());
     return true;
+  }
+
+  /// Where two sides are crossed right beside their corner, and the least path goes through it as the cells around cost
+  /// the same, the barrier keeps both places off it and Newton's steps do not bring them there.
+  void settle_beside_corners() {
+    const std::vector<Crossing> all = crossings();
+    for (const Crossing& crossing : all)
+      if (crossing.mismatch > kSnell + crossing.rounding) try_through(nearest_corner(crossing.place));
+  }
+  std::vector<Crossing> crossings() const {
+    Eigen::Matrix2Xd polyline(2, static_cast<Eigen::Index>(path_.size()));
+    for (std::size_t i = 0; i < path_.size(); ++i) polyline.col(static_cast<Eigen::Index>(i)) = path_[i];
+    return measure_cell_crossings(map_, polyline);
+  }
+  double worst_mismatch() const {
+    double worst = 0;
+    for (const Crossing& crossing : crossings()) worst = std::max(worst, crossing.mismatch - crossing.rounding);
+    return worst;
+  }
+  Vector2d nearest_corner(const Vector2d& x) const {
+    Vector2d corner;
+    for (const int axis : {0, 1}) {
+      const CellRange cell = map_.touched(axis, x[axis]);
+      const double low = map_.line(axis, cell.first), high = map_.line(axis, cell.last + 1);
+      const double middle = map_.line(axis, cell.last);  // where x is on a line
+      corner[axis] = cell.first < cell.last ? middle : x[axis] - low < high - x[axis] ? low : high;
+    }
+    return corner;
+  }
+  bool is_beside(const Vector2d& x, const Vector2d& corner) const {
+    for (const int axis : {0, 1}) {
+      const CellRange cell = map_.touched(axis, corner[axis]);
+      const double size = map_.line(axis, cell.last + 1) - map_.line(axis, cell.last);
+      if (!(std::abs(x[axis] - corner[axis]) <= kBesideCorner * size)) return false;
+    }
+    return true;
+  }
+  /// By a corner in the place of what lies beside it, where that costs no more and obeys Snell's law better.
+  void try_through(const Vector2d& corner) {
+    CellPath next;
+    for (std::size_t i = 0; i < path_.size(); ++i) {
+      const bool stays = i == 0 || i + 1 == path_.size() || !is_beside(path_[i], corner);
+      const Vector2d& place = stays ? path_[i] : corner;
+      if (next.empty() || next.back() != place) next.push_back(place);
+    }
+    const CellPath path = path_;
+    const double cost = cost_, worst = worst_mismatch();
+    path_ = simplified(map_, next);
+    cost_ = cost_of(map_, path_);
+    polish_parts();
+    if (cost_ <= cost * (1 + kSame) && worst_mismatch() < worst) return;
+    path_ = path;
+    cost_ = cost;
   }
 
   double excess() const {

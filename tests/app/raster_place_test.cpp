@@ -58,7 +58,8 @@ TEST_CASE("cells without data are obstacles of terrains and cost maps, without a
   for (const char* nodata : {"nan", "-9999"}) {
     write_bay(dir / "bay.asc", nodata);
     for (const char* parts : {"manifold: {type: terrain, file: bay.asc}\ncost: euclidean\n",
-                              "manifold: {type: euclidean, dimension: 2}\ncost: {type: cost_map, file: bay.asc}\n"}) {
+                              "manifold: {type: euclidean, dimension: 2}\n"
+                              "cost: {type: cost_map, file: bay.asc, interpolation: smooth}\n"}) {
       const RunOutcome run = solved_bay(std::string(parts) + kBayEnds, dir.path());
       INFO(parts);
       CHECK(run.result.status == Status::certified);
@@ -67,6 +68,11 @@ TEST_CASE("cells without data are obstacles of terrains and cost maps, without a
       CHECK(run.result.certificate.estimate.value == Approx(length).epsilon(0.03));
       CHECK(has_raster_note(run, "places without data are obstacles"));
     }
+    // Cells as they are: round their corners (100, 40) and (100, 120).
+    const RunOutcome cells = solved_bay(
+        "manifold: {type: euclidean, dimension: 2}\ncost: {type: cost_map, file: bay.asc}\n" + kBayEnds, dir.path());
+    CHECK(cells.result.status == Status::certified);
+    CHECK(cells.result.curve.cost == Approx(2 * std::hypot(75, 25) + 80).epsilon(1e-12));
   }
 }
 

@@ -239,4 +239,22 @@ TEST_CASE("cells: what is delivered costs the same to programs that take a side 
   }
 }
 
+TEST_CASE("cells: over plateaus the path is straight, through corners too") {
+  // Equal costs, and lines through many corners: to the left of no data, as around a lake.
+  for (const int across : {1, 2, 3, 5, 8})
+    for (const double cell : {1.0, 10.0, 0.3}) {
+      RasterGrid raster = cells_of_size(16, 16, {cell, cell}, 2);
+      for (int row = 4; row < 12; ++row)
+        for (int column = 0; column < 10; ++column) raster.values[raster.index(row, column)] = kNoData;
+      const CellMap map(raster);
+      const Vector2d a = raster.place(14, across), b = raster.place(1, 2);
+      const RefractedCellPath found = least(map, a, b);
+      const Vector2d upper = raster.corner + cell * Vector2d(10, 12), lower = raster.corner + cell * Vector2d(10, 4);
+      CAPTURE(across, cell);
+      CHECK(found.cost == Approx(2 * ((upper - a).norm() + 8 * cell + (b - lower).norm())).epsilon(1e-13));
+      for (const Crossing& crossing : measure_cell_crossings(map, as_columns(found.path)))
+        CHECK(crossing.mismatch <= 1e-10 + crossing.rounding);
+    }
+}
+
 }  // namespace leastcost::test
