@@ -14,6 +14,7 @@
 #include <leastcost/framework/errors.hpp>
 #include "catalogue/run/compose.hpp"
 #include "catalogue/run/pair_composer.hpp"
+#include "catalogue/run/preparation.hpp"
 #include "catalogue/run/run_origin.hpp"
 #include "catalogue/run/search.hpp"
 #include "framework/point_text.hpp"
@@ -246,7 +247,7 @@ RunOutcome solve(Run run, const Monitor& monitor) {
   for (const std::string& part : outcome.replaced)
     parts.notes.push_back(part + ": replaced after the configuration was read");
   double prepared = 0;
-  if ((run.max_seconds || monitor.deadline) && parts.options.certificate.enabled) {
+  if ((run.max_seconds || monitor.deadline) && asks_for_preparation(parts, monitor.deadline.has_value())) {
     const Clock::time_point begin = Clock::now();
     prepare(parts.problem);
     prepared = seconds_since(begin);
