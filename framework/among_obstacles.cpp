@@ -2,19 +2,26 @@
 // SPDX-License-Identifier: MIT
 #include "framework/among_obstacles.hpp"
 
+#include <limits>
+
 #include <leastcost/framework/checks_moves.hpp>
 #include <leastcost/framework/clearance.hpp>
 #include <leastcost/framework/path_energy.hpp>
 
 namespace leastcost {
 
+double contact_tolerance(const Points& x, double allowed) {
+  constexpr double kLastDigits = 64 * std::numeric_limits<double>::epsilon();  // what proofs of clearance allow, too
+  const double extent = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm();
+  return allowed * extent + kLastDigits * x.cwiseAbs().maxCoeff();
+}
+
 double depth_in_obstacles(const Problem& problem, const CoordinatePath& chain, double allowed,
                           const Deadline& deadline) {
   if (find_ability<ChecksMoves>(*problem.manifold) == nullptr) return 0;
   const Points x = positions(*problem.manifold, chain);
   const auto clearance = measure_clearance(*problem.manifold, x, chain.ring, deadline);
-  const double extent = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm();
-  return clearance && clearance->lower < -allowed * extent ? -clearance->lower : 0;
+  return clearance && clearance->lower < -contact_tolerance(x, allowed) ? -clearance->lower : 0;
 }
 
 /// A path on the other side of an obstacle than the one that was begun with is not what was asked for, unless it is

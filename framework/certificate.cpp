@@ -15,6 +15,7 @@
 #include <leastcost/framework/fits_segments.hpp>
 #include <leastcost/framework/has_interfaces.hpp>
 #include <leastcost/framework/path_energy.hpp>
+#include "framework/among_obstacles.hpp"
 #include "framework/certify_polyhedral_chain.hpp"
 #include "framework/certify_straightened.hpp"
 #include "framework/curve_value.hpp"
@@ -110,6 +111,8 @@ class Certifier {
       CoordinatePath middles{(x.leftCols(m) + x.rightCols(m)) / 2, path_.curve.segment_sites, true};
       worst = std::max(worst, residual(*problem_.manifold, middles, monitor_.deadline));
     }
+    if (worst > options_.residual * extent())  // beyond the last digits of coordinates that are large
+      worst = std::max(0.0, worst - contact_tolerance(path_.chain.u, 0));
     c_.residual = worst / extent();
     if (*c_.residual <= options_.residual) return;
     const TwoNumbers texts = told_apart(*c_.residual, options_.residual);
@@ -119,7 +122,7 @@ class Certifier {
   /// Of the curve that is delivered, segment by segment: no number of points sees a thin obstacle between two of them.
   void measure_clearance() {
     c_.clearance = leastcost::measure_clearance(*problem_.manifold, path_.curve.x, path_.chain.ring, monitor_.deadline);
-    if (!c_.clearance || c_.clearance->lower >= -options_.clearance * extent()) return;
+    if (!c_.clearance || c_.clearance->lower >= -contact_tolerance(path_.chain.u, options_.clearance)) return;
     const bool inside = c_.clearance->upper < 0;
     fail("touches", "the path comes " + short_number(std::abs(inside ? c_.clearance->upper : c_.clearance->lower)) +
                         (inside ? "" : " (not decided: perhaps)") + " too near to " + c_.clearance->obstacle +

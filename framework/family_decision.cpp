@@ -95,7 +95,7 @@ class Decision {
     FinerSearch search(problem, members_[i].result, solver_, options_, monitor_);
     for (;;) {
       if (search.fine().certificate.index.verdict == IndexVerdict::saddle && leave(i, search)) return;
-      if (!search.may_double()) return;
+      if (!search.may_double()) return say_why(i, search);
       search.double_points();
       if (search.fine().status == Status::interrupted) return;
       if (search.fine().status == Status::collapsed) {
@@ -104,8 +104,17 @@ class Decision {
         return;
       }
       if (certified(search.fine())) return take(i, search.delivered(search.fine()));
-      if (fails_one_of(search.fine().certificate, {"stationarity"})) return;  // the solver does not get there
+      if (fails_one_of(search.fine().certificate, {"stationarity"}))  // the solver does not get there
+        return say_why(i, search);
     }
+  }
+
+  /// As for one path: more points were tried, and why no more of them.
+  void say_why(std::size_t i, const FinerSearch& search) {
+    if (monitor_.interrupted()) return;
+    std::vector<std::string>& notes = members_[i].result.notes;
+    for (std::string& note : search.notes_of_failure())
+      if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(std::move(note));
   }
 
   /// Down from a saddle; false where no cheaper path was found there.

@@ -15,6 +15,7 @@
 #include <leastcost/framework/fits_segments.hpp>
 #include <leastcost/framework/has_constant_metric.hpp>
 #include <leastcost/framework/has_notes.hpp>
+#include <leastcost/framework/makes_on_demand.hpp>
 #include <leastcost/framework/other_images.hpp>
 #include <leastcost/framework/path_energy.hpp>
 #include "framework/among_obstacles.hpp"
@@ -93,9 +94,7 @@ class Search {
     check(problem);
     check(options);
     if (const auto* told = find_ability<HasNotes>(*problem.cost)) result_.notes = told->notes();
-    problem_ = with_sites(problem, result_.notes);
-    refuse_one_point(problem_);
-    refuse_end_in_clearance(problem_);
+    problem_ = problem;
   }
 
   Result from(const Initializer& initializer) {
@@ -125,10 +124,19 @@ class Search {
   }
 
  private:
+  void place_ends() {
+    problem_ = with_sites(problem_, result_.notes, monitor_.deadline);
+    refuse_one_point(problem_);
+    refuse_end_in_clearance(problem_);
+  }
+
   template <class Begin>
   Result whole(Begin begin) {
     try {
-      stage(Stage::initialize, monitor_, result_.seconds.initialize, begin);
+      stage(Stage::initialize, monitor_, result_.seconds.initialize, [&] {
+        place_ends();
+        begin();
+      });
       result_.path = result_.initial;
       set_reference_cost();
       solve();
@@ -519,6 +527,7 @@ Result search_from(const Problem& problem, const CoordinatePath& chain, const So
 void prepare(const Problem& problem) {
   check(problem);
   std::shared_ptr<const ConstraintManifold> manifold = problem.manifold;
+  if (const auto* parts = find_ability<MakesOnDemand>(*manifold)) parts->make({});
   for (int level = 0; manifold && level < kGeometryLevels; ++level) {
     const auto* domain = find_ability<HasCoarserVersion>(*manifold);
     try {

@@ -5,12 +5,18 @@
 #include <limits>
 
 #include <leastcost/framework/goes_beyond_bounds.hpp>
+#include <leastcost/framework/makes_on_demand.hpp>
 
 namespace leastcost {
 namespace {
 
 /// A point of a cloud takes some 30 us.
 constexpr Index kColumnPart = 16;
+
+/// What moves and projections ask for, where it takes longer than they do, and where there is a clock to look at.
+const MakesOnDemand* made_on_demand(const ConstraintManifold& manifold, const Deadline& deadline) {
+  return deadline && manifold.shape() == Shape::polyhedral ? find_ability<MakesOnDemand>(manifold) : nullptr;
+}
 
 bool whole(const CoordinatePath& path, const Deadline& deadline) { return !deadline || path.u.cols() <= kColumnPart; }
 
@@ -60,6 +66,8 @@ void move_in_parts(const CoordinatePath& from, const Points& step, const Deadlin
 }  // namespace
 
 Projection project(const ConstraintManifold& manifold, CoordinatePath& path, const Deadline& deadline) {
+  if (const auto* parts = made_on_demand(manifold, deadline); parts != nullptr && parts->is_asked_by(path))
+    parts->make(deadline);
   if (whole(path, deadline)) return manifold.project(path);
   Projection result;
   in_parts(path.u.cols(), kColumnPart, deadline, [&](Index begin, Index count) {
@@ -83,6 +91,8 @@ void tangent_bases(const ConstraintManifold& manifold, const CoordinatePath& pat
 }
 
 double residual(const ConstraintManifold& manifold, const CoordinatePath& path, const Deadline& deadline) {
+  if (const auto* parts = made_on_demand(manifold, deadline); parts != nullptr && parts->is_asked_by(path))
+    parts->make(deadline);
   if (whole(path, deadline)) return manifold.residual(path);
   double worst = 0;
   in_parts(path.u.cols(), kColumnPart, deadline, [&](Index begin, Index count) {
@@ -99,6 +109,7 @@ void retract(const ConstraintManifold& manifold, const CoordinatePath& from, con
     unbounded != nullptr ? unbounded->retract_beyond(a, s, b) : manifold.retract(a, s, b);
   };
   if (manifold.shape() == Shape::flat) return move(from, step, 0, to);
+  if (const auto* parts = made_on_demand(manifold, deadline)) parts->make(deadline);
   move_in_parts(from, step, deadline, move, to);
 }
 

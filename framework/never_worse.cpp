@@ -62,8 +62,7 @@ double depth_of(const Problem& problem, const CoordinatePath& chain, const Point
     return depth_in_obstacles(problem, chain, allowed, deadline);
   const auto clearance = measure_clearance(*problem.manifold, curve, chain.ring, deadline);
   if (!clearance) return 0;
-  const double extent = (curve.rowwise().maxCoeff() - curve.rowwise().minCoeff()).norm();
-  return clearance->lower < -allowed * extent ? -clearance->lower : 0;
+  return clearance->lower < -contact_tolerance(curve, allowed) ? -clearance->lower : 0;
 }
 
 Standing standing_of(const Problem& problem, const Result& result, const FindOptions& options,

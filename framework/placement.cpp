@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/makes_on_demand.hpp>
 #include "framework/find_path_checks.hpp"
 #include "framework/in_parts.hpp"
 
@@ -12,10 +13,12 @@ namespace leastcost {
 namespace {
 
 /// An end that was given by its coordinates alone, on a domain that has sites: it is found.
-void place(const ConstraintManifold& manifold, const char* which, PathEnd& end, std::vector<std::string>& notes) {
+void place(const ConstraintManifold& manifold, const char* which, PathEnd& end, std::vector<std::string>& notes,
+           const Deadline& deadline) {
   constexpr double kSame = 1e-9;  // of the size of the coordinates: rounding moves no end
   if (end.site != kNoSite || end.u.size() == 0) return;
   double moved = 0;
+  if (const auto* parts = find_ability<MakesOnDemand>(manifold); deadline && parts != nullptr) parts->make(deadline);
   const PathEnd found = project_end(manifold, end.u, &moved);
   if (found.site == kNoSite) return;
   end.site = found.site;
@@ -26,10 +29,10 @@ void place(const ConstraintManifold& manifold, const char* which, PathEnd& end, 
 
 }  // namespace
 
-Problem with_sites(Problem problem, std::vector<std::string>& notes) {
+Problem with_sites(Problem problem, std::vector<std::string>& notes, const Deadline& deadline) {
   if (problem.ring && !problem.based) return problem;
-  place(*problem.manifold, "the source", problem.source, notes);
-  if (!problem.ring) place(*problem.manifold, "the target", problem.target, notes);
+  place(*problem.manifold, "the source", problem.source, notes, deadline);
+  if (!problem.ring) place(*problem.manifold, "the target", problem.target, notes, deadline);
   return problem;
 }
 

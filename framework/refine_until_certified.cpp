@@ -35,8 +35,9 @@ constexpr double kCloser = 0.6;
 constexpr double kKnown = 1e-4;  ///< a cost that is known so well, relative, is not what the certificate lacks
 
 /// Failures that too few points may explain.
-constexpr std::array<std::string_view, 8> kOfFewPoints = {
-    "not_asymptotic", "unresolved", "spacing", "longest_segment", "doubling", "bracket", "error_bar", "refinement"};
+constexpr std::array<std::string_view, 9> kOfFewPoints = {"not_asymptotic",  "unresolved", "spacing",
+                                                          "longest_segment", "doubling",   "bracket",
+                                                          "error_bar",       "refinement", "dearer_than_first"};
 /// What may be true of a chain that sees another cost than there is, but on its own has nothing to do with points.
 constexpr std::array<std::string_view, 2> kBesideThem = {"saddle", "stationarity"};
 
@@ -67,6 +68,23 @@ bool are_clear(const Problem& problem, const CoordinatePath& chain, double allow
   } catch (const Interrupted&) {
     return false;
   }
+}
+
+/// Among obstacles few points keep a distance that makes the moves between them clear, and may cost more than the first
+/// path though the path that they stand for, which is certified, does not. Such points are not delivered.
+void refuse_dearer(const Problem& problem, const FindOptions& options, const Deadline& deadline, Result& result) {
+  constexpr double kDearer = 1e-5;  // relative: what the fit of those distances leaves open
+  if (result.status != Status::certified || find_ability<ChecksMoves>(*problem.manifold) == nullptr) return;
+  if (result.first.path.u.cols() < 2 || !moves_are_exact(problem)) return;
+  if (!(result.curve.cost > result.initial_cost * (1 + kDearer))) return;
+  const double first = PathEnergy(problem, 1).cost(result.first.path);
+  if (!(result.curve.cost > first * (1 + kDearer))) return;
+  if (!are_clear(problem, result.first.path, options.certificate.clearance, deadline)) return;
+  const TwoNumbers costs = told_apart(result.curve.cost, first, 9);
+  result.certificate.failures.push_back(
+      {"dearer_than_first", "the points cost " + costs.first + ", the first path " + costs.second +
+                                ": few points keep away from obstacles that their moves would touch; use more points"});
+  result.status = Status::uncertified;
 }
 
 double work_of(const Result& search) {
@@ -228,6 +246,7 @@ void FinerSearch::solve_from(const CoordinatePath& start, Index factor, ProofRul
   last_work_ = work_of(next);
   work_ += last_work_;
   fine_ = continued(fine_, std::move(next));
+  refuse_dearer(problem_, options_, monitor_.deadline, fine_);
   factor_ = factor;
   look_at(fine_);
 }
@@ -264,6 +283,17 @@ std::string FinerSearch::why_stopped() const {
            short_number(options_.certificate.refine_work) +
            " times the work of the search before it; a larger certificate.refine_work lets it go on";
   return "";
+}
+
+std::vector<std::string> FinerSearch::notes_of_failure() const {
+  std::vector<std::string> notes;
+  const auto& failures = fine_.certificate.failures;
+  if (factor_ > 1)
+    notes.push_back("with " + points_of(fine_) + " it is not certified either" +
+                    (failures.empty() ? "" : ": " + failures.front().name));
+  std::string why = more_points_may_help(problem_, fine_) ? why_stopped() : "";
+  if (!why.empty()) notes.push_back(std::move(why));
+  return notes;
 }
 
 Result FinerSearch::delivered(Result finer) const {
@@ -305,26 +335,23 @@ bool more_points_may_help(const Problem& problem, const Result& result) {
 
 Result refine_until_certified(const Problem& problem, Result found, const Solver& solver, const FindOptions& options,
                               const Monitor& monitor) {
+  refuse_dearer(problem, options, monitor.deadline, found);
   if (options.certificate.refine == 0 || !solver.moves_points() || !more_points_may_help(problem, found)) return found;
   FinerSearch search(problem, found, solver, options, monitor);
   go_on(search, problem);
   if (search.fine().status == Status::certified) return search.delivered(search.fine());
   found.seconds = search.fine().seconds;
-  const std::string why = more_points_may_help(problem, search.fine()) ? search.why_stopped() : "";
+  const std::vector<std::string> notes = search.notes_of_failure();
   if (search.factor() > 1 && saves(problem, search.fine(), found, options, monitor.deadline)) {
     Result finer = search.delivered(search.fine());
-    if (!why.empty()) finer.notes.push_back(why);
+    add_notes({notes.begin() + 1, notes.end()}, finer.notes);
     return finer;
   }
   if (monitor.interrupted()) {
     found.notes.emplace_back("there was no time to see whether more points would be certified");
     return found;
   }
-  const Result& fine = search.fine();
-  if (search.factor() > 1)
-    found.notes.push_back("with " + points_of(fine) + " it is not certified either" +
-                          (fine.certificate.failures.empty() ? "" : ": " + fine.certificate.failures.front().name));
-  if (!why.empty()) found.notes.push_back(why);
+  add_notes(notes, found.notes);
   return found;
 }
 

@@ -28,8 +28,9 @@ class FinerSearch {
   /// Whether the points may be doubled once more: there is time and work left for it, they would not be too many, and
   /// the last doublings have brought the value closer.
   bool may_double() const;
-  /// Why not, in words, where it is for the value or the work; else empty.
-  std::string why_stopped() const;
+  /// What to say of a search that ends uncertified: with how many points it did, and why it went no further where that
+  /// is for the value or the work.
+  std::vector<std::string> notes_of_failure() const;
   /// Solves and certifies the chain with twice the points, from the one before it; where that one led astray (not
   /// solved, a saddle) from the first path, with four times the points. Throws as improve_path() does, and what there
   /// was before stays.
@@ -48,6 +49,7 @@ class FinerSearch {
     double uncertain = 0;  ///< relative
   };
 
+  std::string why_stopped() const;
   void begin_anew();
   void solve_from(const CoordinatePath& start, Index factor, ProofRule proof);
   bool is_too_much_work() const;

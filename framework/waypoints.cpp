@@ -10,6 +10,7 @@
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/manifold.hpp>
 #include <leastcost/framework/segment_cost.hpp>
+#include "framework/among_obstacles.hpp"
 
 namespace leastcost {
 namespace {
@@ -165,8 +166,7 @@ Waypoints place_waypoints(const Problem& problem, const Result& result, const Wa
   out.x = positions(*problem.manifold, out.path);
   out.gap = gap_of(problem, out);
   out.clearance = measure_clearance(*problem.manifold, out.x, ring, deadline);
-  const double extent = (out.x.rowwise().maxCoeff() - out.x.rowwise().minCoeff()).norm();
-  out.touches = out.clearance && out.clearance->lower < -kNegligible * extent;
+  out.touches = out.clearance && out.clearance->lower < -contact_tolerance(out.x, kNegligible);
   return out;
 }
 

@@ -12,6 +12,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 #include <leastcost/framework/errors.hpp>
 #include "framework/point_text.hpp"
@@ -94,18 +95,25 @@ std::shared_ptr<const RasterCrs> crs_of(OGRSpatialReferenceH given) {
   return crs;
 }
 
-/// The corner and the cell of a raster whose first row is the upper one, or the lower one.
+/// The corner and the cell of a raster whose first row is the upper one, or the lower one; or how it is turned.
 struct Placement {
   bool given = false, upwards = false;
   double x = 0, y = 0, width = 1, height = 1;
+  std::optional<RasterFile::Affine> turned = {};
 };
 
 Placement placement_of(GDALDatasetH dataset, const std::filesystem::path& file) {
   std::array<double, 6> t{};  // x = t0 + t1 column + t2 row, y = t3 + t4 column + t5 row
   if (GDALGetGeoTransform(dataset, t.data()) != CE_None) return {};
-  if (t[2] != 0 || t[4] != 0)
-    fail(file, "the raster is rotated; `gdalwarp -r bilinear -dstnodata nan " + file.filename().string() +
-                   " upright.tif` makes one with sides along the axes");
+  if (t[2] != 0 || t[4] != 0) {
+    if (const double area = t[1] * t[5] - t[2] * t[4]; area == 0 || !std::isfinite(area))
+      fail(file, "the georeference has no cells: their area is " + short_number(area, 6));
+    const int rows = GDALGetRasterYSize(dataset);  // which are stored from the last one of the file on
+    Placement askew;
+    askew.turned.emplace();
+    *askew.turned << t[1], -t[2], t[0] + rows * t[2], t[4], -t[5], t[3] + rows * t[5];
+    return askew;
+  }
   if (!(t[1] > 0) || t[5] == 0) fail(file, "the georeference has no cells: their width is " + short_number(t[1], 6));
   return {true, t[5] > 0, t[0], t[3], t[1], std::abs(t[5])};
 }
@@ -142,6 +150,7 @@ RasterFile read_gdal_raster(const std::filesystem::path& file) {
     fail(file, "a raster of " + std::to_string(raster.rows) + " x " + std::to_string(raster.columns) +
                    " cells; at least one and at most " + std::to_string(RasterGrid::kMostCells) + " are read");
   const Placement placement = placement_of(dataset.get(), file);
+  out.turned = placement.turned;
   raster.cell << placement.width, placement.height;
   if (placement.given)
     raster.corner << placement.x, placement.upwards ? placement.y : placement.y - raster.rows * placement.height;

@@ -12,8 +12,8 @@ namespace leastcost {
 
 /// The first band of a raster file in a format that GDAL knows (GeoTIFF, ERDAS, HGT, ...), with its scale and offset,
 /// its georeference, its CRS with the ways to WGS84 and back, and NaN where its mask says that there are no data.
-/// Throws InputError for a file that GDAL cannot read, for a raster that is rotated, and for one that is larger than
-/// RasterGrid::kMostCells.
+/// A rotated raster comes as it is, with RasterFile::turned. Throws InputError for a file that GDAL cannot read, and
+/// for a raster that is larger than RasterGrid::kMostCells.
 RasterFile read_gdal_raster(const std::filesystem::path& file);
 
 /// The CRS that a text names: WKT of either kind (.prj files), PROJ, "EPSG:2056"; null where GDAL knows none.

@@ -64,9 +64,9 @@ path: {points: auto}      # as many as the first path along edges has
 )";
 
 constexpr std::string_view kRing =
-    R"(# A closed path through given points: the waist of a hyperboloid. A ring needs a domain that it can wrap around; in
-# the plane it would shrink to a point. Replace the manifold by a mesh with a handle or a waist, and the points by ones
-# around it.
+    R"(# A closed path through given points: the waist of a hyperboloid. A ring needs a domain that it can wrap around;
+# in the plane it would shrink to a point. Replace the manifold by a mesh with a handle or a waist, and the points by
+# ones around it.
 name: ring
 manifold:
   type: implicit

@@ -37,11 +37,15 @@ RasterFile read_file(const std::filesystem::path& file) {
 
 }  // namespace
 
-RasterGrid read_raster(const RasterOptions& options, const std::filesystem::path& folder) {
+RasterGrid read_raster(const RasterOptions& options, const std::filesystem::path& folder, Resampling resampling,
+                       const std::function<void(std::string)>& note) {
   check(options);
   RasterFile file = read_file(folder / options.file);
   if (!file.raster.crs) file.raster.crs = crs_beside(folder / options.file);
-  return placed(std::move(file), options);
+  std::string turned;
+  RasterGrid raster = placed_upright(std::move(file), options, resampling, turned);
+  if (note && !turned.empty()) note(std::move(turned));
+  return raster;
 }
 
 }  // namespace leastcost

@@ -46,6 +46,7 @@ struct BuildContext {
   int seed = 0;                                             ///< master seed of the run
   std::shared_ptr<const ConstraintManifold> manifold = {};  ///< null while it is made, or waits for its files
   BuildProgress progress = {};                              ///< told how far a long build is; may throw to stop
+  std::function<void(std::string)> note = {};               ///< told what belongs beside every result
 };
 
 /// What has to be there before an object can be made.

@@ -125,7 +125,8 @@ const auto& costs() {
       plugin<CostPlugin, CostMapOptions>(
           "cost_map", "Length times what a unit of it costs at a place of the plane, from a raster.",
           [](const CostMapOptions& o, O c) {
-            return make_cost_map(read_raster(o.raster, c.folder), o.interpolation, c.dimension);
+            return make_cost_map(read_raster(o.raster, c.folder, Resampling::nearest, c.note), o.interpolation,
+                                 c.dimension);
           })
           .waiting()
           .checked_by<CostMapOptions>([](const CostMapOptions& o, O) { check(o.raster); }),
@@ -225,7 +226,7 @@ const auto& manifolds() {
       plugin<ManifoldPlugin, RasterOptions>(
           "terrain", "The surface (x, y, z(x, y)) over a raster of heights; points are places (x, y) on the map.",
           [](const RasterOptions& o, const BuildContext& c) {
-            RasterGrid heights = read_raster(o, c.folder);
+            RasterGrid heights = read_raster(o, c.folder, Resampling::bilinear, c.note);
             check_heights(heights, o);
             return std::make_shared<const TerrainManifold>(std::move(heights));
           })
@@ -254,7 +255,7 @@ const auto& obstacles() {
       plugin<ObstaclePlugin, RasterObstacleOptions>(
           "raster", "Cells of a raster without data, or above or below a value, as boxes; asks for a clearance.",
           [](const RasterObstacleOptions& o, const BuildContext& c) {
-            return make_raster_obstacles(read_raster(o.raster, c.folder), o);
+            return make_raster_obstacles(read_raster(o.raster, c.folder, Resampling::nearest, c.note), o);
           })
           .waiting()
           .checked_by<RasterObstacleOptions>(

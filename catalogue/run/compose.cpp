@@ -164,6 +164,9 @@ using ManifoldPtr = std::shared_ptr<const ConstraintManifold>;
 Composer::Composer(const RunConfig& config, std::filesystem::path folder, Refused refused)
     : config_(config), refused_(std::move(refused)) {
   context_.folder = std::move(folder);
+  context_.note = [this](std::string note) {
+    if (std::find(told_.begin(), told_.end(), note) == told_.end()) told_.push_back(std::move(note));
+  };
   others_.resize(config.family.initializers.size());
 }
 
@@ -276,7 +279,7 @@ std::vector<std::shared_ptr<const Obstacle>> Composer::voids() {
   const auto add = [&](const HasVoids* made) {
     if (made == nullptr) return;
     const RasterPatches& patches = made->known_patches();
-    const FreeSpace::Obstacles boxes = void_obstacles(patches);
+    const FreeSpace::Obstacles boxes = void_obstacles(patches, false);  // maps show where there are no data
     if (boxes.empty()) return;
     void_cell_ = has_voids_ ? std::min(void_cell_, patches.cell().minCoeff()) : patches.cell().minCoeff();
     has_voids_ = true;
@@ -400,6 +403,7 @@ void Composer::make_from_files(const BuildProgress& progress) {
     const auto start = std::chrono::steady_clock::now();
     BuildContext reading{context_.folder};
     reading.progress = progress;
+    reading.note = context_.note;
     if (!attempt([&] { out_.problem.manifold = make<ManifoldPtr>(config_.manifold, reading); })) return;
     read_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     take_domain();
@@ -418,6 +422,7 @@ RunParts Composer::take() {
   add_family(config_, others_, out_);
   fill_options(config_, out_);
   add_proof(config_, context_.folder, out_);
+  out_.notes.insert(out_.notes.begin(), told_.begin(), told_.end());
   return std::move(out_);
 }
 
@@ -428,7 +433,10 @@ void check_parts(LoadedConfig& loaded) {
 }
 
 std::shared_ptr<const PairComposer> Composer::pairs(const RunParts& parts) const {
-  return config_.has_pairs() ? std::make_shared<const PairComposer>(config_, context_, open_domain_, parts) : nullptr;
+  if (!config_.has_pairs()) return nullptr;
+  BuildContext context = context_;
+  context.note = {};  // the composer will be gone
+  return std::make_shared<const PairComposer>(config_, std::move(context), open_domain_, parts);
 }
 
 std::vector<FamilyStart> family_starts(const RunParts& parts) {

@@ -62,6 +62,7 @@ class Composer {
   RunParts out_;
   std::shared_ptr<const ConstraintManifold> open_domain_;   // without its obstacles
   std::vector<std::shared_ptr<const Initializer>> others_;  // of the family
+  std::vector<std::string> told_;                           // by what was made
   bool files_ = false;                                      // may be read
   bool obstacles_placed_ = false;
   bool has_voids_ = false;  // places without data, which became obstacles

@@ -6,6 +6,7 @@
 
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/run/ends.hpp"
+#include "catalogue/run/preparation.hpp"
 
 namespace leastcost {
 
@@ -40,7 +41,7 @@ RunParts PairComposer::compose(EndOptions source, EndOptions target) const {
     problem.cost = make<std::shared_ptr<const SegmentCost>>(config_.cost, context);
   }
   take_cheapest_image(config_, open_domain_, out);
-  if (out.options.certificate.enabled) std::call_once(prepared_, [&] { prepare(problem); });
+  if (asks_for_preparation(out, false)) std::call_once(prepared_, [&] { prepare(problem); });
   return out;
 }
 

@@ -15,6 +15,7 @@
 #include "catalogue/run/compose.hpp"
 #include "catalogue/run/look_elsewhere.hpp"
 #include "catalogue/run/pair_composer.hpp"
+#include "catalogue/run/preparation.hpp"
 #include "catalogue/run/run_checks.hpp"
 #include "catalogue/run/run_origin.hpp"
 #include "catalogue/run/search.hpp"
@@ -249,7 +250,7 @@ RunOutcome solve(Run run, const Monitor& monitor) {
   for (const std::string& part : outcome.replaced)
     parts.notes.push_back(part + ": replaced after the configuration was read");
   double prepared = 0;
-  if ((run.max_seconds || monitor.deadline) && parts.options.certificate.enabled) {
+  if ((run.max_seconds || monitor.deadline) && asks_for_preparation(parts, monitor.deadline.has_value())) {
     const Clock::time_point begin = Clock::now();
     prepare(parts.problem);
     prepared = seconds_since(begin);

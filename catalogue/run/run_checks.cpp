@@ -409,11 +409,16 @@ void check_cells(LoadedConfig& loaded) {
     loaded.errors.error(place_of(loaded.tree, "cost.interpolation"),
                         "'cells' joins two ends in the plane or a box of it (euclidean), without obstacles, robots and "
                         "rings: use interpolation: smooth");
-  for (const PluginChoice& step : config.post_process.value_or(PluginList{}))
-    if (is(step, {"refract_cells"}) && !reads_cells(config))
-      loaded.errors.error(place_of(loaded.tree, step.path),
-                          "'refract_cells' needs a cost map that is constant in each cell: cost: {type: cost_map, "
-                          "file: .., interpolation: cells}");
+  PluginList asking = config.post_process.value_or(PluginList{});
+  asking.push_back(config.initializer);
+  asking.insert(asking.end(), config.family.initializers.begin(), config.family.initializers.end());
+  for (const PluginChoice& choice : asking)
+    if (is(choice, {"refract_cells", "cell_graph"}) && !reads_cells(config))
+      loaded.errors.error(
+          place_of(loaded.tree, choice.path),
+          fmt::format("'{}' needs a cost map that is constant in each cell: cost: {{type: cost_map, file: .., "
+                      "interpolation: cells}}",
+                      choice.plugin->type));
 }
 
 /// What a bracket of the globally least cost in a box needs, as far as a configuration shows it.

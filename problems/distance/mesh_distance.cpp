@@ -36,9 +36,12 @@ constexpr const char* kUnsigned = "; close it, or ask for the surface at a dista
 FaceOrientation oriented(const TriangleMesh& mesh) {
   const MeshReport report = inspect(mesh);
   if (report.border_edges > 0)
-    throw InputError(mesh.source() + ": the mesh is open, so that it has no inside: " +
-                     std::to_string(report.border_edges) + " border edges in " + std::to_string(report.boundary_loops) +
-                     " loops, one at " + point_text(on_border(mesh)) + kUnsigned);
+    throw InputError(
+        mesh.source() + ": the mesh is open, so that it has no inside: " + std::to_string(report.border_edges) +
+        " border edges in " + std::to_string(report.boundary_loops) + " loops, one at " + point_text(on_border(mesh)) +
+        ". `weld: true` joins vertices at equal positions, `weld: 1e-6` those that are no farther apart, "
+        "in length units; a hole has to be closed, or ask for the surface at a distance from it (sign: "
+        "unsigned, offset)");
   FaceOrientation orientation = orient_faces(mesh);
   if (orientation.one_sided)
     throw InputError(mesh.source() + ": the surface is one-sided, so that it has no inside (seen at face " +

@@ -8,6 +8,7 @@
 #include <string>
 
 #include <leastcost/framework/errors.hpp>
+#include "framework/in_parts.hpp"
 
 namespace leastcost {
 namespace {
@@ -31,7 +32,7 @@ void BowOptions::fields(FieldVisitor& visit) {
   visit.field("angle", angle, {.help = "To which side, about the straight line.", .unit = "degrees"});
 }
 
-FirstPath BowInitializer::first_path(const Problem& problem, const Monitor&) const {
+FirstPath BowInitializer::first_path(const Problem& problem, const Monitor& monitor) const {
   if (problem.ring) throw InitializationError("a ring has no ends to join: give waypoints");
   const Eigen::VectorXd &a = problem.source.u, &b = problem.target.u;
   if (a.size() < 2) throw InitializationError("on a line there is nowhere to bow to");
@@ -42,7 +43,7 @@ FirstPath BowInitializer::first_path(const Problem& problem, const Monitor&) con
     const double t = static_cast<double>(i) / kSegments;
     first.path.u.col(i) = (1 - t) * a + t * b + std::sin(std::numbers::pi * t) * sag;
   }
-  const Projection projection = problem.manifold->project(first.path);
+  const Projection projection = project(*problem.manifold, first.path, monitor.deadline);
   if (!projection.failed.empty())
     throw InitializationError("point " + std::to_string(projection.failed.front()) + " of the arc (of " +
                               std::to_string(kSegments + 1) + ") has no nearest point on the domain");

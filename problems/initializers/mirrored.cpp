@@ -7,6 +7,7 @@
 #include <string>
 
 #include <leastcost/framework/errors.hpp>
+#include "framework/in_parts.hpp"
 
 namespace leastcost {
 namespace {
@@ -63,7 +64,7 @@ FirstPath MirroredInitializer::first_path(const Problem& problem, const Monitor&
   const Points off = u.colwise() - problem.source.u;
   u = (2 * (kept * (kept.transpose() * off)) - off).colwise() + problem.source.u;
   first.path.sites.clear();
-  const Projection projection = problem.manifold->project(first.path);
+  const Projection projection = project(*problem.manifold, first.path, monitor.deadline);
   if (!projection.failed.empty())
     throw InitializationError("point " + std::to_string(projection.failed.front()) +
                               " of the mirror image has no nearest point on the domain" +

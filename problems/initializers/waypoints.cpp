@@ -12,6 +12,7 @@
 #include <leastcost/problems/chart/seams.hpp>
 #include <leastcost/problems/mesh/edge_graph.hpp>
 #include <leastcost/problems/mesh/has_mesh.hpp>
+#include "framework/in_parts.hpp"
 #include "problems/mesh/edge_route.hpp"
 #include "problems/mesh/mesh_curve.hpp"
 
@@ -35,9 +36,9 @@ void name_in_turn(const ConstraintManifold& domain, Index end, Points& stops) {
 }
 
 /// Stops of the tour: source, waypoints, target; in a ring the waypoints and the first one again.
-CoordinatePath stops(const Problem& problem, const Points& waypoints) {
+CoordinatePath stops(const Problem& problem, const Points& waypoints, const Monitor& monitor) {
   CoordinatePath path{waypoints, {}, true};
-  const Projection projection = problem.manifold->project(path);
+  const Projection projection = project(*problem.manifold, path, monitor.deadline);
   if (!projection.failed.empty())
     throw InitializationError("waypoint " + std::to_string(projection.failed.front()) +
                               " (counted from 0) has no nearest point on the domain");
@@ -106,7 +107,7 @@ FirstPath WaypointsInitializer::first_path(const Problem& problem, const Monitor
                                     std::to_string(problem.manifold->dimensions().coordinate));
   if (problem.ring && waypoints_.cols() < 3) throw OptionError("points", "a ring needs at least 3 waypoints");
   FirstPath first;
-  first.path = stops(problem, waypoints_);
+  first.path = stops(problem, waypoints_, monitor);
   if (const auto* domain = find_ability<HasMesh>(*problem.manifold)) {
     first.path = join_on_mesh(problem, domain->mesh(), first.path, monitor);
     first.graph_vertices = static_cast<int>(first.path.u.cols()) - 2;

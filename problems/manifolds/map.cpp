@@ -87,6 +87,8 @@ void MapManifold::retract(const CoordinatePath& from, const Points& step, Coordi
 
 double MapManifold::residual(const CoordinatePath& path) const { return surface_.residual(lifted(path)); }
 
+bool MapManifold::is_asked_by(const CoordinatePath& path) const { return surface_.is_asked_by(lifted(path)); }
+
 int MapManifold::active_bounds(const CoordinatePath& path, Index column, Eigen::Ref<Points> normals) const {
   Points in_space(3, 3);
   const CoordinatePath one = lifted({path.u.col(column), {path.site(column)}, true});

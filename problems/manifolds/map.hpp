@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <leastcost/framework/has_graph.hpp>
+#include <leastcost/framework/makes_on_demand.hpp>
 #include <leastcost/framework/manifold.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/manifolds/made_from_data.hpp>
@@ -24,6 +25,7 @@ namespace leastcost {
 class MapManifold final : public ConstraintManifold,
                           public HasBounds,
                           public HasMesh,
+                          public MakesOnDemand,
                           public HasGraph,
                           public NamesCells,
                           public MadeFromData,
@@ -43,6 +45,8 @@ class MapManifold final : public ConstraintManifold,
   const OccupancyGrid& grid() const { return grid_; }
   const TriangleMesh& mesh() const override { return surface_.mesh(); }
   const ClosestPointTree& tree() const override { return surface_.tree(); }
+  void make(const Deadline& deadline) const override { surface_.make(deadline); }
+  bool is_asked_by(const CoordinatePath& path) const override;
   FirstPath least_cost_edges(const Problem& problem, const Monitor& monitor) const override;
   double diameter() const override { return surface_.diameter(); }
   /// An end in a blocked cell is an error, not to be moved.

@@ -54,8 +54,18 @@ void MeshManifoldOptions::fields(FieldVisitor& visit) {
 MeshManifold::MeshManifold(TriangleMesh mesh) : mesh_(std::move(mesh)) {}
 
 const ClosestPointTree& MeshManifold::tree() const {
-  std::call_once(tree_asked_, [this] { tree_.emplace(mesh_); });
+  make({});
   return *tree_;
+}
+
+void MeshManifold::make(const Deadline& deadline) const {
+  std::call_once(tree_asked_, [&] { tree_.emplace(mesh_, deadline); });
+}
+
+bool MeshManifold::is_asked_by(const CoordinatePath& path) const {
+  for (Index i = 0; i < path.u.cols(); ++i)
+    if (path.u.col(i).allFinite() && !off_own_face(path.u.col(i), path.site(i))) return true;
+  return false;
 }
 
 /// Distance of a point from the face that it names, where that is rounding: no other is nearer by more than that.

@@ -9,6 +9,7 @@
 #include <string>
 
 #include <leastcost/framework/has_graph.hpp>
+#include <leastcost/framework/makes_on_demand.hpp>
 #include <leastcost/framework/manifold.hpp>
 #include <leastcost/framework/options.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
@@ -33,6 +34,7 @@ class MeshManifold final : public ConstraintManifold,
                            public HasBounds,
                            public HasPieces,
                            public HasMesh,
+                           public MakesOnDemand,
                            public HasGraph,
                            public HasVertices,
                            public HasFaces,
@@ -54,6 +56,8 @@ class MeshManifold final : public ConstraintManifold,
   const TriangleMesh& mesh() const override { return mesh_; }
   /// Made when it is first asked for: what only walks on the mesh never does. Threads may ask at once.
   const ClosestPointTree& tree() const override;
+  void make(const Deadline& deadline) const override;
+  bool is_asked_by(const CoordinatePath& path) const override;
   FirstPath least_cost_edges(const Problem& problem, const Monitor& monitor) const override;
   PathEnd vertex(int number) const override;
   PathEnd on_face(int face, const Eigen::Vector3d& barycentric) const override;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <leastcost/framework/deadline.hpp>
 #include <leastcost/problems/mesh/triangle_mesh.hpp>
 
 namespace leastcost {
@@ -21,7 +22,8 @@ struct ClosestPoint {
 /// threads.
 class ClosestPointTree {
  public:
-  explicit ClosestPointTree(const TriangleMesh& mesh);
+  /// Takes some 1.3 us per face; throws Interrupted once the deadline has passed.
+  explicit ClosestPointTree(const TriangleMesh& mesh, const Deadline& deadline = {});
 
   /// Nearest point to p. `hint`, a face thought to be near (or anything that is no face, such as -1), bounds the search
   /// from the start: most queries of a point that moved little then visit a handful of triangles. The answer's position

@@ -18,6 +18,18 @@ using Eigen::Vector3d;
 /// inside test errs by about 1e-16 / this, which is harmless.
 constexpr double kThin = 1e-7;
 
+/// So much work is done between two looks at the clock: some 0.3 ms.
+constexpr std::int32_t kPart = 4096;
+
+/// Calls visit(i) for all i of [first, last).
+template <class Visit>
+void visit_all(std::int32_t first, std::int32_t last, const Deadline& deadline, Visit visit) {
+  for (std::int32_t i = first; i < last; ++i) {
+    if ((i - first) % kPart == kPart - 1) look_at_clock(deadline);
+    visit(i);
+  }
+}
+
 }  // namespace
 
 ClosestPointTree::Triangle ClosestPointTree::make_triangle(const TriangleMesh& mesh, std::int32_t f) {
@@ -82,13 +94,13 @@ struct ClosestPointTree::Builder {
     int depth;
   };
 
-  explicit Builder(const TriangleMesh& mesh) {
+  Builder(const TriangleMesh& mesh, const Deadline& until) : deadline(until) {
     items.reserve(static_cast<std::size_t>(mesh.face_count()));
-    for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    visit_all(0, mesh.face_count(), deadline, [&](std::int32_t f) {
       Box box;
       for (const std::int32_t v : mesh.face(f)) box.add(mesh.position(v), mesh.position(v));
       items.push_back({box.lower, box.upper, f});
-    }
+    });
   }
 
   static int bin_of(const Item& item, int axis, const Box& middles) {
@@ -99,12 +111,12 @@ struct ClosestPointTree::Builder {
   Plane best_plane(const Range& range, int axis, const Box& middles) const {
     std::array<Box, kBins> boxes;
     std::array<std::int32_t, kBins> counts{};
-    for (std::int32_t i = range.first; i < range.last; ++i) {
+    visit_all(range.first, range.last, deadline, [&](std::int32_t i) {
       const Item& item = items[static_cast<std::size_t>(i)];
       const std::size_t bin = static_cast<std::size_t>(bin_of(item, axis, middles));
       boxes[bin].add(item.lower, item.upper);
       ++counts[bin];
-    }
+    });
     std::array<double, kBins> right_cost{};
     Box right;
     std::int32_t right_count = 0;
@@ -129,11 +141,11 @@ struct ClosestPointTree::Builder {
   /// Reorders the items of the range and returns where its right half begins.
   std::int32_t split(const Range& range) {
     Box middles;
-    for (std::int32_t i = range.first; i < range.last; ++i) {
+    visit_all(range.first, range.last, deadline, [&](std::int32_t i) {
       const Item& item = items[static_cast<std::size_t>(i)];
       const Vector3d middle(item.middle(0), item.middle(1), item.middle(2));
       middles.add(middle, middle);
-    }
+    });
     Plane best;
     for (int axis = 0; axis < 3 && range.depth < kMedianDepth; ++axis) {
       if (!(middles.upper[axis] > middles.lower[axis])) continue;
@@ -157,14 +169,16 @@ struct ClosestPointTree::Builder {
 
   void run(std::vector<Node>& nodes) {
     nodes.resize(2);
+    std::int32_t visited = 0;
     std::vector<Range> open = {{0, 0, static_cast<std::int32_t>(items.size()), 0}};
     while (!open.empty()) {
       const Range range = open.back();
       open.pop_back();
+      if (++visited % kPart == 0) look_at_clock(deadline);  // most ranges are small
       Box box;
-      for (std::int32_t i = range.first; i < range.last; ++i) {
+      visit_all(range.first, range.last, deadline, [&](std::int32_t i) {
         box.add(items[static_cast<std::size_t>(i)].lower, items[static_cast<std::size_t>(i)].upper);
-      }
+      });
       Node& node = nodes[static_cast<std::size_t>(range.node)];
       node.lower = box.lower;
       node.upper = box.upper;
@@ -184,14 +198,17 @@ struct ClosestPointTree::Builder {
     }
   }
 
+  Deadline deadline;
   std::vector<Item> items;
 };
 
-ClosestPointTree::ClosestPointTree(const TriangleMesh& mesh) {
-  Builder builder(mesh);
+ClosestPointTree::ClosestPointTree(const TriangleMesh& mesh, const Deadline& deadline) {
+  Builder builder(mesh, deadline);
   builder.run(nodes_);
   triangles_.reserve(builder.items.size());
-  for (const Builder::Item& item : builder.items) triangles_.push_back(make_triangle(mesh, item.face));
+  visit_all(0, static_cast<std::int32_t>(builder.items.size()), deadline, [&](std::int32_t i) {
+    triangles_.push_back(make_triangle(mesh, builder.items[static_cast<std::size_t>(i)].face));
+  });
   leaf_of_face_.resize(triangles_.size());
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     for (std::int32_t i = nodes_[n].first; i < nodes_[n].first + nodes_[n].count; ++i) {

@@ -35,11 +35,13 @@ std::vector<SegmentTree::Triangle> sides_of(const Eigen::Vector3d& lower, const 
 
 class BoxObstacle final : public Obstacle, public MeetsTriangles {
  public:
-  explicit BoxObstacle(const BoxObstacleOptions& options) : lower_(options.lower), upper_(options.upper) {
+  BoxObstacle(const BoxObstacleOptions& options, const BoxLook& look)
+      : look_(look), lower_(options.lower), upper_(options.upper) {
     if (lower_.size() == 3) sides_.emplace(sides_of(lower_, upper_));
   }
 
-  std::string name() const override { return "the box from " + point_text(lower_) + " to " + point_text(upper_); }
+  std::string name() const override { return look_.name + " from " + point_text(lower_) + " to " + point_text(upper_); }
+  bool drawn() const override { return look_.drawn; }
   Box core_bounds() const override { return {lower_, upper_}; }
   double radius() const override { return 0; }
   bool convex() const override { return true; }
@@ -112,6 +114,7 @@ class BoxObstacle final : public Obstacle, public MeetsTriangles {
     return x - std::min(std::max(x, lower_[i]), upper_[i]);
   }
 
+  BoxLook look_;
   Vector lower_, upper_;
   std::optional<SegmentTree> sides_ = {};  ///< in space
 };
@@ -123,7 +126,7 @@ void BoxObstacleOptions::fields(FieldVisitor& visit) {
   visit.field("upper", upper, {.help = "Corner with the largest coordinates.", .unit = "length", .required = true});
 }
 
-std::shared_ptr<const Obstacle> make_box_obstacle(const BoxObstacleOptions& options) {
+std::shared_ptr<const Obstacle> make_box_obstacle(const BoxObstacleOptions& options, const BoxLook& look) {
   if (options.lower.size() == 0 || !options.lower.allFinite())
     throw OptionError("lower", "must be a point, with finite coordinates");
   if (options.upper.size() != options.lower.size() || !options.upper.allFinite())
@@ -131,7 +134,7 @@ std::shared_ptr<const Obstacle> make_box_obstacle(const BoxObstacleOptions& opti
                                    "), all of them finite");
   if (!(options.lower.array() <= options.upper.array()).all())
     throw OptionError("upper", "must be at least lower in every coordinate");
-  return std::make_shared<BoxObstacle>(options);
+  return std::make_shared<BoxObstacle>(options, look);
 }
 
 }  // namespace leastcost

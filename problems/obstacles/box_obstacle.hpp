@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <string>
 
 #include <leastcost/framework/options.hpp>
 #include <leastcost/problems/obstacles/obstacle.hpp>
@@ -17,7 +18,13 @@ struct BoxObstacleOptions {
   void fields(FieldVisitor& visit);
 };
 
+/// What a box is called in messages, before its corners, and whether pictures show it.
+struct BoxLook {
+  std::string name = "the box";
+  bool drawn = true;
+};
+
 /// Throws OptionError where the corners do not fit or the box is empty.
-std::shared_ptr<const Obstacle> make_box_obstacle(const BoxObstacleOptions& options);
+std::shared_ptr<const Obstacle> make_box_obstacle(const BoxObstacleOptions& options, const BoxLook& look = {});
 
 }  // namespace leastcost

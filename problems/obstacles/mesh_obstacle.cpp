@@ -33,7 +33,10 @@ std::vector<SegmentTree::Triangle> triangles_of(const TriangleMesh& mesh) {
 /// Why a mesh has no inside; empty where it has one.
 std::string why_hollow(const TriangleMesh& mesh, const FaceOrientation& orientation) {
   const MeshReport report = inspect(mesh);
-  if (report.border_edges > 0) return "it is open, with " + std::to_string(report.border_edges) + " border edges";
+  if (report.border_edges > 0)
+    return "it is open, with " + std::to_string(report.border_edges) +
+           " border edges (`weld: true` joins vertices at equal positions, `weld: 1e-6` those that are no farther "
+           "apart)";
   if (report.non_manifold_edges > 0)
     return "it has " + std::to_string(report.non_manifold_edges) + " edges with more than two faces";
   if (orientation.one_sided) return "it has one side only";

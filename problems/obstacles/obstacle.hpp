@@ -23,6 +23,8 @@ class Obstacle : public HasAbilities<Obstacle> {
   virtual double radius() const = 0;
   /// Whether the core is known to be convex.
   virtual bool convex() const { return false; }
+  /// Whether pictures show it; else something else of the domain does.
+  virtual bool drawn() const { return true; }
   /// Corners of the core in the plane, 2 x m, counterclockwise (one: a point).
   virtual Eigen::MatrixXd corners() const = 0;
   /// Distance of x from the core, negative within it, and its derivative: the direction in which it grows fastest, of

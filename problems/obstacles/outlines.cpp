@@ -52,13 +52,14 @@ void draw_outlines(const std::vector<std::shared_ptr<const Obstacle>>& obstacles
     out.notes.emplace_back("obstacles in space are not drawn");
     return;
   }
-  for (std::size_t i = 0; i < std::min(kMost, obstacles.size()); ++i) {
-    out.curves.push_back(outline(obstacles[i]->corners(), obstacles[i]->radius()));
-    if (clearance > 0) out.curves.push_back(outline(obstacles[i]->corners(), obstacles[i]->radius() + clearance));
+  std::size_t count = 0;
+  for (const auto& obstacle : obstacles) {
+    if (!obstacle->drawn() || ++count > kMost) continue;
+    out.curves.push_back(outline(obstacle->corners(), obstacle->radius()));
+    if (clearance > 0) out.curves.push_back(outline(obstacle->corners(), obstacle->radius() + clearance));
   }
-  if (obstacles.size() > kMost)
-    out.notes.push_back("of " + std::to_string(obstacles.size()) + " obstacles " + std::to_string(kMost) +
-                        " are drawn");
+  if (count > kMost)
+    out.notes.push_back("of " + std::to_string(count) + " obstacles " + std::to_string(kMost) + " are drawn");
 }
 
 }  // namespace leastcost

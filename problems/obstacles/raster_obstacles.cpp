@@ -25,10 +25,12 @@ OccupancyGrid grid_of(int rows, int columns, const Blocked& blocked) {
 }
 
 /// The boxes of a grid whose cells have other sides.
-void add_boxes(const OccupancyGrid& grid, const Eigen::Vector2d& lower, const Eigen::Vector2d& cell, Obstacles& all) {
+void add_boxes(const OccupancyGrid& grid, const Eigen::Vector2d& lower, const Eigen::Vector2d& cell, bool drawn,
+               Obstacles& all) {
   for (const CellBox& box : blocking_boxes(grid))
     all.push_back(make_box_obstacle({lower + cell.cwiseProduct(grid.corner(box.row, box.column)),
-                                     lower + cell.cwiseProduct(grid.corner(box.row_end, box.column_end))}));
+                                     lower + cell.cwiseProduct(grid.corner(box.row_end, box.column_end))},
+                                    {.drawn = drawn}));
 }
 
 }  // namespace
@@ -39,10 +41,10 @@ void RasterObstacleOptions::fields(FieldVisitor& visit) {
   visit.field("below", below, {.help = "Cells with a smaller value are obstacles, too."});
 }
 
-std::vector<std::shared_ptr<const Obstacle>> void_obstacles(const RasterPatches& patches) {
+std::vector<std::shared_ptr<const Obstacle>> void_obstacles(const RasterPatches& patches, bool drawn) {
   Obstacles all;
   add_boxes(grid_of(patches.rows(), patches.columns(), [&](int r, int c) { return !patches.known(r, c); }),
-            patches.lower(), patches.cell(), all);
+            patches.lower(), patches.cell(), drawn, all);
   return all;
 }
 
@@ -54,7 +56,7 @@ std::vector<std::shared_ptr<const Obstacle>> make_raster_obstacles(const RasterG
     return (options.above && value > *options.above) || (options.below && value < *options.below);
   };
   if (options.above || options.below)
-    add_boxes(grid_of(raster.rows, raster.columns, forbidden), raster.corner, raster.cell, all);
+    add_boxes(grid_of(raster.rows, raster.columns, forbidden), raster.corner, raster.cell, true, all);
   if (all.empty())
     throw InputError(raster.source + ": no cell of the raster is an obstacle: none without data" +
                      (options.above ? ", none above " + short_number(*options.above, 9) : "") +

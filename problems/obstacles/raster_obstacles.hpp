@@ -22,8 +22,9 @@ struct RasterObstacleOptions {
 class RasterPatches;
 
 /// Boxes in the plane that hold all places at which a function through the values has none for want of data, those
-/// alone that a path from elsewhere would touch; the border of the raster is none of them. May be empty.
-std::vector<std::shared_ptr<const Obstacle>> void_obstacles(const RasterPatches& patches);
+/// alone that a path from elsewhere would touch; the border of the raster is none of them. May be empty. `drawn`:
+/// whether pictures show them.
+std::vector<std::shared_ptr<const Obstacle>> void_obstacles(const RasterPatches& patches, bool drawn = true);
 
 /// Boxes in the plane that hold the cells with a value above `above` or below `below`, and all places at which a
 /// terrain or a smooth cost map from this raster has no value for want of data. Those alone that a path from elsewhere

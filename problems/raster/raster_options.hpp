@@ -27,8 +27,11 @@ void check(const RasterOptions& options);
 
 /// What a reader found in a file: the values, NaN where the file itself says that there are none, and where they are.
 struct RasterFile {
+  /// Column and row, counted from the lower left corner of the file, to a place: (sides of a cell, that corner).
+  using Affine = Eigen::Matrix<double, 2, 3>;
   RasterGrid raster;
   std::optional<double> nodata = {};
+  std::optional<Affine> turned = {};  ///< where the sides are not along the axes; cell and corner then say nothing
 };
 
 /// The raster of a file, placed and scaled by the options. Throws OptionError, InputError where there are no data.

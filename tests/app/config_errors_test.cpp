@@ -241,6 +241,13 @@ TEST_CASE("config errors: cells of a cost map where they cannot be") {
   CHECK(errors_of(plane + ends + map("smooth") + ball) == "");  // as it says
   CHECK_THAT(errors_of(plane + ends + map("smooth") + "post_process: [refract_cells]\n"),
              Contains("'refract_cells' needs a cost map that is constant in each cell"));
+  const std::string graph = "initializer: cell_graph\n", other = "family: {initializers: [cell_graph]}\n";
+  CHECK(errors_of(plane + ends + map("cells") + graph) == "");
+  for (const std::string& first : {graph, other})
+    CHECK_THAT(errors_of(plane + ends + map("smooth") + first),
+               Contains("'cell_graph' needs a cost map that is constant in each cell") &&
+                   Contains("interpolation: cells") && Contains("a.yaml:"));
+  CHECK_THAT(errors_of(plane + ends + "cost: euclidean\n" + graph), Contains("'cell_graph' needs a cost map"));
 }
 
 TEST_CASE("config errors: taut where paths cannot be pulled tight") {

@@ -4,7 +4,11 @@
 // Rasters by GDAL, against the same raster read by our own readers.
 #include <leastcost/gdal/gdal_raster.hpp>
 
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <string>
 
 #include <leastcost/catalogue/output/write_run.hpp>
 #include <leastcost/catalogue/run/run.hpp>
@@ -44,8 +48,7 @@ TEST_CASE("GeoTIFF: values, georeference and missing data are those of the same 
   CHECK(!gdal_version().empty());
 }
 
-TEST_CASE(
-    "GeoTIFF: its CRS is read, geographic means degrees, projected places are on the Earth, rotation is refused") {
+TEST_CASE("GeoTIFF: its CRS is read, geographic means degrees, projected places are on the Earth") {
   if (!has_program("gdal_translate", "gdal-bin")) return;
   const ScratchDir dir;
   const std::string asc = "'" + (project_dir() / "configs/data/hills.asc").string() + "' ";
@@ -68,14 +71,104 @@ TEST_CASE(
   const Eigen::Vector2d place = utm.place_of({9, 47});
   CHECK(place[0] == Approx(500000).epsilon(1e-9));
   CHECK((utm.longitude_latitude(place) - Eigen::Vector2d(9, 47)).norm() < 1e-9);
+}
 
-  REQUIRE(output_of("gdal_translate -of VRT " + asc + "'" + (dir / "turned.vrt").string() + "'") != "");
-  std::ifstream in(dir / "turned.vrt");
-  std::string text(std::istreambuf_iterator<char>(in), {});
-  const std::size_t at = text.find("<GeoTransform>") + 14;
-  text.replace(at, text.find('<', at) - at, "0, 10, 5, 100, 5, -10");
-  std::ofstream(dir / "turned.vrt") << text;
-  CHECK_THROWS_WITH(read_gdal_raster(dir / "turned.vrt"), Catch::Contains("gdalwarp -r bilinear"));
+namespace {
+
+/// 40 x 30 cells of 3 x 2 (along the turned sides), turned by 30 degrees, lines downwards; places are begin + side *
+/// (x, y) of indices, z is 0.3 x + 0.2 y + 100 and the cost 1 + 0.01 x.
+struct Turned {
+  static constexpr int kColumns = 40, kLines = 30;
+  Eigen::Vector2d begin;
+  double side;
+
+  Eigen::Vector2d offset(double column, double line) const {
+    const double c = std::sqrt(0.75), s = 0.5;
+    return {3 * c * column + 2 * s * line, 3 * s * column - 2 * c * line};
+  }
+  Eigen::Vector2d place(double column, double line) const { return begin + side * offset(column, line); }
+  static double height(const Eigen::Vector2d& at) { return 0.3 * at[0] + 0.2 * at[1] + 100; }
+  static double unit_cost(const Eigen::Vector2d& at) { return 1 + 0.01 * at[0]; }
+
+  template <class F>
+  void write(const ScratchDir& dir, const std::string& name, const std::string& crs, F value) const {
+    std::ofstream asc(dir / (name + ".asc"));
+    asc << "ncols " << kColumns << "\nnrows " << kLines << "\nxllcorner 0\nyllcorner 0\ncellsize 1\n";
+    for (int line = 0; line < kLines; ++line)
+      for (int column = 0; column < kColumns; ++column)
+        asc << value(offset(column + 0.5, line + 0.5)) << (column + 1 < kColumns ? ' ' : '\n');
+    asc.close();
+    const std::filesystem::path vrt = dir / (name + ".vrt");
+    REQUIRE(output_of("gdal_translate -ot Float64 -of VRT -a_srs " + crs + " '" + (dir / (name + ".asc")).string() +
+                      "' '" + vrt.string() + "'") != "");
+    std::ifstream in(vrt);
+    std::string text(std::istreambuf_iterator<char>(in), {});
+    in.close();
+    const Eigen::Vector2d x = side * offset(1, 0), y = side * offset(0, 1);
+    const std::size_t at = text.find("<GeoTransform>") + 14;
+    text.replace(at, text.find('<', at) - at,
+                 fmt::format("{:.17g}, {:.17g}, {:.17g}, {:.17g}, {:.17g}, {:.17g}", begin[0], x[0], y[0], begin[1],
+                             x[1], y[1]));
+    std::ofstream(vrt) << text;
+  }
+};
+
+std::string ends_at(const char* how, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return fmt::format("ends: {{source: {{{0}: [{1:.15g}, {2:.15g}]}}, target: {{{0}: [{3:.15g}, {4:.15g}]}}}}\n", how,
+                     a[0], a[1], b[0], b[1]);
+}
+
+RunOutcome solved(const std::string& text, const ScratchDir& dir) {
+  return solve(parse_run(text + "path: {points: 9}\n", "a.yaml", dir.path()));
+}
+
+long notes_of_turning(const RunOutcome& run) {
+  return std::count_if(run.parts.notes.begin(), run.parts.notes.end(), [](const std::string& note) {
+    return note.find("is rotated by 30 degrees") != std::string::npos;
+  });
+}
+
+}  // namespace
+
+TEST_CASE(
+    "GeoTIFF: of a rotated raster, lengths and costs are those of the ground, and a note says that it is turned") {
+  if (!has_program("gdal_translate", "gdal-bin")) return;
+  const ScratchDir dir;
+  const Turned utm{{500000, 5205000}, 1}, degrees{{9, 47}, 1e-5};
+  utm.write(dir, "utm", "EPSG:32632", Turned::height);
+  utm.write(dir, "cost", "EPSG:32632", Turned::unit_cost);
+  degrees.write(dir, "degrees", "EPSG:4326", Turned::height);
+  const Eigen::Vector2d a = utm.offset(8, 20), b = utm.offset(30, 8);
+  const double up = Turned::height(b) - Turned::height(a);
+  const std::string terrain = "cost: euclidean\nmanifold: {type: terrain, file: ";
+
+  const std::string in_crs = ends_at("point", utm.place(8, 20), utm.place(30, 8));
+  const RunOutcome hill = solved(terrain + "utm.vrt}\n" + in_crs, dir);
+  CHECK(hill.result.status == Status::certified);
+  CHECK(hill.result.curve.cost == Approx(std::hypot((b - a).norm(), up)).epsilon(1e-6));
+  CHECK(notes_of_turning(hill) == 1);
+
+  // A degree of longitude and one of latitude at 47.00004 degrees north, from the radii of curvature of WGS84.
+  const Eigen::Vector2d per_degree(76055.94, 111170.84);
+  const Eigen::Vector2d way = 1e-5 * (b - a).cwiseProduct(per_degree);
+  const RunOutcome lonlat =
+      solved(terrain + "degrees.vrt}\n" + ends_at("lonlat", degrees.place(8, 20), degrees.place(30, 8)), dir);
+  CHECK(lonlat.result.status == Status::certified);
+  CHECK(lonlat.result.curve.cost == Approx(std::hypot(way.norm(), up)).epsilon(1e-5));
+  CHECK(notes_of_turning(lonlat) == 1);
+
+  const std::string map = "manifold: euclidean\ncost: {type: cost_map, file: cost.vrt";
+  const double straight = (b - a).norm() * 0.5 * (Turned::unit_cost(a) + Turned::unit_cost(b));
+  const RunOutcome cost = solved(map + "}\ninitializer: straight\nsolver: none\n" + in_crs, dir);
+  CHECK(cost.result.initial_cost == Approx(straight).epsilon(2e-3));
+  CHECK(notes_of_turning(cost) == 1);
+  const RunOutcome cells = solved(map + ", interpolation: cells}\n" + in_crs, dir);
+  CHECK(cells.result.curve.cost < straight);
+  CHECK(cells.result.curve.cost > 0.98 * straight);
+
+  // Outside of the rotated rectangle there are no data, though within that of the cells along the axes.
+  CHECK_THROWS_WITH(solved(terrain + "utm.vrt}\n" + ends_at("point", utm.place(8, 20), utm.place(-4, 2)), dir),
+                    Catch::Contains("target"));
 }
 
 TEST_CASE("GeoPackage: the path and its points over a raster with a CRS open in ogrinfo as layers in WGS84") {

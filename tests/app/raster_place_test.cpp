@@ -10,6 +10,7 @@
 #include <leastcost/catalogue/output/write_run.hpp>
 #include <leastcost/catalogue/run/run.hpp>
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/drawing/draws_itself.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
 
@@ -67,6 +68,9 @@ TEST_CASE("cells without data are obstacles of terrains and cost maps, without a
       const double length = 2 * std::hypot(90, 10) + 110;
       CHECK(run.result.certificate.estimate.value == Approx(length).epsilon(0.03));
       CHECK(has_raster_note(run, "places without data are obstacles"));
+      Drawing drawn;  // a map shows them as what they are, not as outlines of obstacles
+      find_ability<DrawsItself>(*run.parts.problem.manifold)->draw({run.result.curve.x, run.result.path.u}, drawn);
+      CHECK(drawn.curves.empty());
     }
     // Cells as they are: round their corners (100, 40) and (100, 120).
     const RunOutcome cells = solved_bay(

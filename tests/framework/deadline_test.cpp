@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/manifolds/mesh.hpp>
 #include <leastcost/problems/manifolds/point_cloud.hpp>
@@ -156,6 +157,47 @@ TEST_CASE("deadline: the coarser version of a cloud is made before it, or not at
   prepare(problem);
   CHECK(cloud->has_made_coarser());
   CHECK(find_path(problem, StraightInitializer(), Newton(), options, late).certificate.geometry_error.has_value());
+}
+
+TEST_CASE("deadline: the search tree of a mesh is made before it, or given up at it", "[framework]") {
+  constexpr double kTree = 0.1, kLate = 0.04;  // thread seconds: of a whole tree, at least; of what is left of it here
+  const auto mesh = std::make_shared<const MeshManifold>(TriangleMesh(sphere(7)));
+  Problem placed;
+  placed.manifold = mesh;
+  placed.cost = make_euclidean_cost(3);
+  placed.kernel = make_kernel<Expm1Square>();
+  placed.source = mesh->vertex(0);
+  placed.target = mesh->vertex(20);
+  Problem problem = placed;
+  problem.source.site = problem.target.site = kNoSite;
+  FindOptions options{.points = 15};
+  options.certificate.enabled = false;
+  const auto late_with = [&](const Problem& asked, const Initializer& initializer, bool path) {
+    Monitor monitor;
+    monitor.deadline = Monitor::Clock::now() + std::chrono::milliseconds(10);
+    Result result;
+    const double late =
+        overrun(*monitor.deadline, [&] { result = find_path(asked, initializer, Newton(), options, monitor); });
+    CHECK(result.status == Status::interrupted);
+    CHECK((result.path.u.size() > 0) == path);
+    CHECK(late < kLate);
+  };
+  late_with(problem, DijkstraInitializer(), false);           // the ends ask for it
+  late_with(placed, BowInitializer({.height = 0.3}), false);  // the first path
+  const CoordinatePath edges = DijkstraInitializer().first_path(placed, {}).path;
+  CHECK_FALSE(mesh->is_asked_by(edges));
+  Monitor monitor;
+  monitor.deadline = Monitor::Clock::now() + std::chrono::milliseconds(10);
+  Result result;
+  CHECK(overrun(*monitor.deadline, [&] { result = improve_path(placed, edges, Lbfgs(), options, monitor); }) < kLate);
+  CHECK(result.status == Status::interrupted);
+  CHECK(result.path.u.cols() == edges.u.cols());
+  CHECK_THROWS_AS(mesh->make(Monitor::Clock::now()), Interrupted);
+
+  const auto begin = Monitor::Clock::now();
+  prepare(placed);
+  CHECK(std::chrono::duration<double>(Monitor::Clock::now() - begin).count() > kTree / 4);
+  CHECK_NOTHROW(mesh->make(Monitor::Clock::now()));  // it is kept
 }
 
 }  // namespace leastcost::test

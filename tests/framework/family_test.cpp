@@ -136,6 +136,8 @@ TEST_CASE("family: a cheaper path that stays undecided comes first, and is not c
   CHECK(first.result.path.free_count() == 31);
   REQUIRE(family.notes.size() == 1);
   CHECK_THAT(family.notes[0], Catch::Contains("neither certified nor ruled out"));
+  REQUIRE(!first.result.notes.empty());
+  CHECK_THAT(first.result.notes.back(), Catch::Contains("points it is not certified either: "));
 }
 
 TEST_CASE("family: the least path is proved, the others are not asked", "[framework]") {

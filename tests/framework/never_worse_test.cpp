@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,8 @@
 #include <leastcost/framework/family.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
+#include <leastcost/problems/post_processors/taut.hpp>
+#include <leastcost/solvers/no_solver.hpp>
 #include "framework/never_worse.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
@@ -115,6 +118,58 @@ TEST_CASE("never worse: what a search improves stays, certified or not", "[frame
   const Result result = find(problem, 20, above(), Newton());
   CHECK_FALSE(says_first(result));
   CHECK(result.curve.cost < 2 * std::sqrt(10.25));
+}
+
+TEST_CASE("never worse: few points around a disc, certified but dearer than the first path, are doubled",
+          "[framework]") {
+  // Tangents to a slightly larger disc and its arc: 1e-3 longer than the shortest path, of which few points see less.
+  constexpr int kArc = 200;
+  constexpr double kRadius = 1.001;
+  const double begin = std::numbers::pi - std::acos(kRadius / 2), end = std::acos(kRadius / 2);
+  Points around(2, kArc + 1);
+  for (int i = 0; i <= kArc; ++i) {
+    const double angle = begin + (end - begin) * i / kArc;
+    around.col(i) = kRadius * Vector2d(std::cos(angle), std::sin(angle));
+  }
+  const WaypointsInitializer first(around);
+  const Problem problem = around_disc();
+  FindOptions options{.points = 12};
+  options.certificate.refine = 0;
+  const Result few = find_path(problem, first, Newton(), options);
+  const double first_cost = PathEnergy(problem, 1).cost(few.first.path);
+  REQUIRE(few.status == Status::uncertified);
+  CHECK(few.certificate.failures.front().name == "dearer_than_first");
+  CHECK_THAT(few.certificate.failures.front().message, Catch::Contains("use more points"));
+  CHECK(says_first(few));
+  CHECK(few.curve.cost == Approx(first_cost));
+
+  options.certificate.refine = 6;
+  const Result doubled = find_path(problem, first, Newton(), options);
+  CHECK(doubled.status == Status::certified);
+  CHECK(doubled.curve.cost < first_cost);
+  CHECK_FALSE(says_first(doubled));
+  const double shortest = 2 * std::sqrt(3.0) + std::numbers::pi - 2 * std::acos(0.5);
+  CHECK(doubled.curve.cost > shortest);
+}
+
+TEST_CASE("clearance: a path in contact far from the origin is clear to the last digits of its coordinates",
+          "[framework]") {
+  FindOptions options{.points = 40};
+  options.post_processors = {std::make_shared<const TautPostProcessor>()};
+  std::vector<double> costs;
+  for (const Vector2d& origin : {Vector2d(0, 0), Vector2d(5e5, 5e6), Vector2d(-4.1e6, 2.3e6)}) {
+    auto domain = std::make_shared<const FreeSpace>(
+        space(2), std::vector<std::shared_ptr<const Obstacle>>{make_ball({origin + Vector2d(0.25, 0.01), 0.05})}, 0);
+    const Problem problem{
+        std::move(domain), make_euclidean_cost(2), make_kernel<Expm1Square>(), {origin}, {origin + Vector2d(0.5, 0)}};
+    const Result result =
+        find_path(problem, WaypointsInitializer(Points(origin + Vector2d(0.25, -0.06))), NoSolver(), options);
+    CAPTURE(origin.transpose(), failures(result.certificate), result.notes);
+    CHECK(result.status == Status::certified);
+    CHECK_FALSE(says_first(result));
+    costs.push_back(result.curve.cost);
+  }
+  for (const double cost : costs) CHECK(cost == Approx(costs.front()).epsilon(1e-6));
 }
 
 }  // namespace leastcost::test

@@ -107,9 +107,10 @@ TEST_CASE("refine: stopped on the way it keeps the path that it has, with its ce
   CHECK(has_note(stopped, "no time"));
 }
 
-/// A field that varies `frequency` times as fast as the ends are apart, over more and less than itself.
-Problem over_ripples(int frequency) {
-  const std::string f = std::to_string(frequency), n = "(1+0.5*sin(" + f + "*(1.7*x+0.3*y))*sin(" + f + "*1.1*y))^2";
+/// A field that varies `frequency` times as fast as the ends are apart, by `weight` of itself.
+Problem over_ripples(int frequency, const std::string& weight = "0.5") {
+  const std::string f = std::to_string(frequency),
+                    n = "(1+" + weight + "*sin(" + f + "*(1.7*x+0.3*y))*sin(" + f + "*1.1*y))^2";
   MetricFieldOptions options;
   options.field = metric::Formula{{n, "0", n}};
   return between(space(2), make_metric_field_cost(options, 2), Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0.31));
@@ -125,7 +126,8 @@ TEST_CASE("refine: where more points bring the value no closer it ends, and says
   CHECK(doublings > 1);
   CHECK(doublings < 6);
   CHECK(has_note(result, "more points are no help: the cost is uncertain by "));
-  CHECK(has_note(result, "smooth the data or the field"));
+  CHECK(has_note(result, "smooth the data or the field, or give the field a smaller weight"));
+  CHECK(find_refined(over_ripples(300, "0.001"), 5, 6).status == Status::certified);
   CHECK(find_refined(over_ripples(1), 5, 6).status == Status::certified);
 }
 

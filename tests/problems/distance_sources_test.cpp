@@ -119,6 +119,16 @@ TEST_CASE("distance of a mesh: what has no inside is refused with the place, or 
     add_polygon(open, {ball.face(f)[0], ball.face(f)[1], ball.face(f)[2]});
   CHECK_THAT(refusal_of([&] { mesh_source(open); }),
              Catch::Contains("3 border edges in 1 loops") && Catch::Contains("sign: unsigned"));
+  // Every triangle with corners of its own, as STL has them: what the message names helps.
+  PolygonSoup apart;
+  for (const auto& [a, b, c] : ball.faces()) {
+    for (const int v : {a, b, c}) apart.positions.push_back(ball.position(v));
+    const int n = static_cast<int>(apart.positions.size());
+    add_polygon(apart, {n - 3, n - 2, n - 1});
+  }
+  CHECK_THAT(refusal_of([&] { mesh_source(apart); }),
+             Catch::Contains("`weld: true` joins vertices at equal positions"));
+  CHECK_NOTHROW(make_mesh_distance(TriangleMesh(apart, {true}), true));
   CHECK_THAT(refusal_of([&] { mesh_source(grid(12, 12, Closing::kTwisted, true)); }), Catch::Contains("one-sided"));
   const SampledDistance around = build_distance_grid(*mesh_source(open, false), {.cell = 0.08, .offset = 0.3});
   Vector3d gradient;

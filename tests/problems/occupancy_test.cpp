@@ -4,18 +4,21 @@
 #include <memory>
 #include <numbers>
 
+#include <leastcost/framework/clearance.hpp>
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/find_path.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
 #include <leastcost/problems/manifolds/map.hpp>
+#include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/problems/obstacles/map_obstacles.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>
 #include <leastcost/solvers/lbfgs.hpp>
 #include "problems/occupancy/free_mesh.hpp"
 #include "problems/readers/occupancy_reader.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/compose.hpp"
 #include "tests/support/random.hpp"
 
 namespace leastcost::test {
@@ -209,6 +212,21 @@ TEST_CASE("map: two blocked cells that touch in a corner leave no way between th
   const std::string why = refusal_of([&] { MapManifold(grid_of({"@@", "@@"})); });
   CHECK_THAT(why, Catch::Contains("no free cell"));
   CHECK_THAT(refusal_of([] { map_obstacles(grid_of({"..", ".."})); }), Catch::Contains("no blocked cell"));
+}
+
+TEST_CASE("map obstacles: an end in unknown cells is refused as one, with the option that lets it be there") {
+  const GreyImage image = read_pgm("P2\n4 1\n255\n254 100 0 254\n", "a.pgm");  // free, unknown, occupied, free
+  OccupancyOptions options;
+  const auto why_at = [&](double x) {
+    Problem problem;
+    problem.manifold = std::make_shared<const FreeSpace>(space(2), map_obstacles(occupancy_of(image, options)), 0.1);
+    return why_in_clearance(problem, {Eigen::Vector2d(x, 0.5)});
+  };
+  CHECK_THAT(why_at(1.5), Catch::Contains("the unknown cells") && Catch::Contains("unknown: free"));
+  CHECK_THAT(why_at(2.5), Catch::Contains("the box from"));
+  CHECK(why_at(0.5).empty());
+  options.unknown = UnknownCells::free;
+  CHECK(why_at(1.5).empty());
 }
 
 }  // namespace leastcost::test
