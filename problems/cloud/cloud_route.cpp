@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/framework/segment_cost.hpp>
+#include "problems/cloud/unresolved.hpp"
 #include "problems/graph/shortest_route.hpp"
 
 namespace leastcost {
@@ -58,8 +60,15 @@ class RouteQuery {
       return path_along(route.nodes);
     }
     throw InitializationError("no route along the neighbour graph: " + std::to_string(route.settled) + " of " +
-                              std::to_string(part_size_) + " samples can be reached, " + std::to_string(no_surface_) +
-                              " beside them are on a border or off the surface, elsewhere the cost is infinite");
+                              std::to_string(part_size_) + " samples can be reached, " + why_cut_off());
+  }
+
+  std::string why_cut_off() const {
+    if (last_gap_)
+      return "and every way on leads over a place without a surface; " +
+             why_no_surface_at(domain_.cloud(), domain_.surface(), *last_gap_);
+    return std::to_string(no_surface_) +
+           " beside them are on a border or off the surface, elsewhere the cost is infinite";
   }
 
   enum class State : std::uint8_t { unknown, on_surface, none };
@@ -88,7 +97,22 @@ class RouteQuery {
     if (a == b) return;
     throw InitializationError("the ends lie in different parts of the cloud, of " + std::to_string(part_size_) +
                               " and " + std::to_string(graph.component_sizes()[static_cast<std::size_t>(b)]) +
-                              " points; a larger max_edge joins what is farther apart");
+                              " points; " + how_to_join(domain_.cloud(), graph, a, b));
+  }
+
+  /// Onto the surface, or to its border where it has one to rest on.
+  bool on_surface(Eigen::Vector3d& x) const {
+    return domain_.cloud().has_border() ? domain_.surface().project_within(x) : domain_.surface().project(x);
+  }
+
+  /// Whether a place of a move is on the surface, or just beyond the border.
+  bool is_near_surface(const Eigen::Vector3d& x) const {
+    constexpr double kBeyond = 0.5;  // spacings
+    Eigen::Vector3d on = x;
+    if (domain_.surface().project(on)) return true;
+    if (!on_surface(on)) return false;
+    const std::int32_t nearest = domain_.cloud().search().nearest(on - domain_.cloud().centre()).index;
+    return (on - x).norm() < kBeyond * domain_.cloud().spacing(nearest);
   }
 
   /// The place of a node on the surface; null where it has none. Projected when it is first asked for.
@@ -101,7 +125,7 @@ class RouteQuery {
     Eigen::Vector3d& x = position_[static_cast<std::size_t>(node)];
     if (state == State::unknown) {
       x = domain_.cloud().sample(node).position + domain_.cloud().centre();
-      state = domain_.surface().project(x) ? State::on_surface : State::none;
+      state = on_surface(x) ? State::on_surface : State::none;
       if (state == State::none) ++no_surface_;
     }
     return state == State::on_surface ? &x : nullptr;
@@ -116,6 +140,10 @@ class RouteQuery {
     const Eigen::Vector3d* b = place(to);
     if (b == nullptr) return kInfinity;
     ends.col(1) = *b;
+    if (is_long(from, to) && looked_at_.insert(std::minmax(from, to)).second && !stays_near_surface(*a, *b)) {
+      gaps_.insert(std::minmax(from, to));
+      return kInfinity;
+    }
     double q = 0;
     problem_.cost->squared_costs({{ends.data(), 3, 2}, {}, false}, {&q, 1});
     return std::sqrt(q);
@@ -125,16 +153,29 @@ class RouteQuery {
   /// there are any.
   bool block_gaps() {
     bool any = false;
-    for (std::size_t i = 1; i < nodes_.size(); ++i) {
-      const Eigen::Vector3d a = *place(nodes_[i - 1]), b = *place(nodes_[i]);
-      for (const double t : {0.25, 0.5, 0.75}) {
-        Eigen::Vector3d x = (1 - t) * a + t * b;
-        if (domain_.surface().project(x)) continue;
+    for (std::size_t i = 1; i < nodes_.size(); ++i)
+      if (!stays_near_surface(*place(nodes_[i - 1]), *place(nodes_[i])))
         any = gaps_.insert(std::minmax(nodes_[i - 1], nodes_[i])).second || any;
-        break;
-      }
-    }
     return any;
+  }
+
+  bool stays_near_surface(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    for (const double t : {0.25, 0.5, 0.75}) {
+      const Eigen::Vector3d x = (1 - t) * a + t * b;
+      if (is_near_surface(x)) continue;
+      last_gap_ = x;
+      return false;
+    }
+    return true;
+  }
+
+  /// Longer than most links between neighbours: looked at at once, the others where a route uses them.
+  bool is_long(std::int32_t from, std::int32_t to) const {
+    constexpr double kLong = 2.2;  // spacings
+    if (from >= samples_ || to >= samples_) return false;
+    const PointCloud& cloud = domain_.cloud();
+    const double length = (cloud.sample(from).position - cloud.sample(to).position).norm();
+    return length > kLong * (cloud.spacing(from) + cloud.spacing(to)) / 2;
   }
 
   CloudRoute path_along(const std::vector<std::int32_t>& nodes) {
@@ -152,8 +193,9 @@ class RouteQuery {
   std::vector<State> state_;
   std::vector<Eigen::Vector3d> position_;
   Eigen::Vector3d end_;
-  std::vector<std::int32_t> nodes_;                       // of the path found last
-  std::set<std::pair<std::int32_t, std::int32_t>> gaps_;  // smaller node first
+  std::optional<Eigen::Vector3d> last_gap_;                           // where a move was blocked last
+  std::vector<std::int32_t> nodes_;                                   // of the path found last
+  std::set<std::pair<std::int32_t, std::int32_t>> gaps_, looked_at_;  // smaller node first
 };
 
 }  // namespace

@@ -19,13 +19,17 @@ constexpr int kMaxSteps = 30;
 constexpr double kConverged =
     1e-8;                        ///< supports: the step after one this small is below rounding (quadratic convergence)
 constexpr double kSlack = 0.15;  ///< supports that x may move before its samples are gathered again
-constexpr double kFarthest = 1.0;      ///< supports between x and the tangent plane of its nearest sample
-constexpr double kOneSided = 0.3;      ///< supports from the foot to the mean of its samples: 0.23 on a straight border
-constexpr double kOtherSheet = -0.5;   ///< cosine of 120 degrees
-constexpr int kFewest = 6;             ///< samples with a say
-constexpr double kSheetGap = 4;        ///< distance of two sheets over their widths; noise has 2.6, a crease 3.5
-constexpr double kSheetValley = 0.06;  ///< part of the samples between two sheets; noise has 0.31, a crease 0.25
-constexpr double kSheetSteepness = 1;  ///< from a sample to the one below it; see steepness()
+constexpr double kFarthest = 1.0;  ///< supports between x and the tangent plane of its nearest sample
+/// Supports from a place on the border to the mean of its samples: 0.23 on a straight row of last samples.
+constexpr double kBorder = 0.3;
+constexpr double kClearlyWithin = 0.2;   ///< the same, in supports of the nearest sample: not beyond the border
+constexpr double kFarFromBorder = 0.12;  ///< the same: no border is near
+constexpr double kOnBorder = 1e-10;      ///< supports off the border that are rounding
+constexpr double kOtherSheet = -0.5;     ///< cosine of 120 degrees
+constexpr int kFewest = 6;               ///< samples with a say
+constexpr double kSheetGap = 4;          ///< distance of two sheets over their widths; noise has 2.6, a crease 3.5
+constexpr double kSheetValley = 0.06;    ///< part of the samples between two sheets; noise has 0.31, a crease 0.25
+constexpr double kSheetSteepness = 1;    ///< from a sample to the one below it; see steepness()
 constexpr double kSheetsParallel = 0.9;  ///< mean cosine of the normals of either sheet against those of the sphere
 constexpr double kSheetShare = 0.05;     ///< part of the samples that a sheet has at least
 constexpr double kSheetsApart = 0.5;     ///< spacings between two sheets that are told from noise
@@ -40,6 +44,14 @@ struct Field {
   Vector3d slope = Vector3d::Zero();
   double bend = 0;
 };
+
+/// By how much a place is beyond the border, in squared supports, with the gradient of that, and the normal of f = 0.
+struct Rim {
+  double value = 0;
+  Vector3d gradient = Vector3d::Zero();
+};
+
+struct Moments;
 
 /// f near one place, from samples gathered once.
 class LocalField {
@@ -63,6 +75,8 @@ class LocalField {
 
   /// False where too few samples reach x.
   bool evaluate(const Vector3d& x, Field& out) const;
+  /// Both f and the border, from one pass over the samples.
+  bool evaluate(const Vector3d& x, Field& out, Rim& rim) const;
 
   /// Heights of the samples that reach x over the algebraic sphere there, length units. Their weights are flatter than
   /// those of the fit, whose few effective samples fall into groups by chance.
@@ -74,6 +88,7 @@ class LocalField {
   Heights heights(const Vector3d& x, const Field& sphere) const;
 
  private:
+  int sum(const Vector3d& x, Moments& m) const;
   /// Calls visit(sample, q, t) for the samples that have a say at x: q = position - x, t = 1 - |q|^2 / support^2.
   template <class Visit>
   void for_samples(const Vector3d& x, Visit visit) const {
@@ -132,8 +147,23 @@ bool sphere_value(const Moments& m, double support, Field& out) {
   return out.gradient.squaredNorm() > 0;
 }
 
-bool LocalField::evaluate(const Vector3d& x, Field& out) const {
-  Moments m;
+/// |mean of q along the surface|^2 / support^2 - kBorder^2, where the normal of the surface is that of the samples and
+/// 1 / support^2 the mean of theirs: as smooth as the weights.
+Rim rim_value(const Moments& m, double inverse2, const Vector3d& d_inverse2) {
+  const double s = 1 / m.weight;
+  const Vector3d q = s * m.q;
+  Matrix3d d_q = m.w_q;
+  d_q.diagonal().array() -= m.weight;
+  const Matrix3d mean_q = s * (d_q - m.w * q.transpose());
+  const double n2 = m.n.squaredNorm(), qn = q.dot(m.n), g = s * inverse2;
+  const double along = q.squaredNorm() - qn * qn / n2;
+  const Vector3d d_qn = mean_q * m.n + m.w_n * q;
+  const Vector3d d_along = 2 * (mean_q * q) - 2 * qn / n2 * d_qn + 2 * (qn / n2) * (qn / n2) * (m.w_n * m.n);
+  return {along * g - kBorder * kBorder, g * d_along + along * s * (d_inverse2 - g * m.w)};
+}
+
+/// Returns how many samples have a say.
+int LocalField::sum(const Vector3d& x, Moments& m) const {
   int count = 0;
   for_samples(x, [&](const CloudSample& sample, const Vector3d& q, double t) {
     const Vector3d& n = sample.normal;
@@ -151,7 +181,26 @@ bool LocalField::evaluate(const Vector3d& x, Field& out) const {
     m.w_n += dw * n.transpose();
     if (sample.trust > 0) ++count;
   });
-  return count >= kFewest && m.weight > 0 && sphere_value(m, support(), out);
+  return count;
+}
+
+bool LocalField::evaluate(const Vector3d& x, Field& out) const {
+  Moments m;
+  return sum(x, m) >= kFewest && m.weight > 0 && sphere_value(m, support(), out);
+}
+
+bool LocalField::evaluate(const Vector3d& x, Field& out, Rim& rim) const {
+  Moments m;
+  if (!(sum(x, m) >= kFewest && m.weight > 0 && sphere_value(m, support(), out) && m.n.squaredNorm() > 0)) return false;
+  double inverse2 = 0;
+  Vector3d d_inverse2 = Vector3d::Zero();
+  for_samples(x, [&](const CloudSample& sample, const Vector3d& q, double t) {
+    const double t3 = sample.trust * t * t * t, k = sample.inverse_radius2;
+    inverse2 += t3 * t * k;
+    d_inverse2 += (8 * t3 * k * k) * q;
+  });
+  rim = rim_value(m, inverse2, d_inverse2);
+  return true;
 }
 
 LocalField::Heights LocalField::heights(const Vector3d& x, const Field& sphere) const {
@@ -169,11 +218,39 @@ LocalField::Heights LocalField::heights(const Vector3d& x, const Field& sphere) 
   return out;
 }
 
-/// All samples on one side of the foot, along the surface.
-bool one_sided(const Field& f, double support) {
+/// The mean of the samples, seen along the surface, is nearer to the foot than so many supports.
+bool is_within(const Field& f, double support, double most) {
   const Vector3d n = f.gradient.normalized();
   const Vector3d along = f.mean - n.dot(f.mean) * n;
-  return along.squaredNorm() > kOneSided * kOneSided * support * support;
+  return along.squaredNorm() < most * most * support * support;
+}
+
+/// The shortest step onto f = 0 and the border, to first order.
+Vector3d step_onto_both(const Field& f, const Rim& rim) {
+  const double ff = f.gradient.squaredNorm(), fr = f.gradient.dot(rim.gradient), rr = rim.gradient.squaredNorm();
+  const double det = ff * rr - fr * fr;
+  if (!(det > 0)) return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  return -((rr * f.value - fr * rim.value) * f.gradient + (ff * rim.value - fr * f.value) * rim.gradient) / det;
+}
+
+/// Newton steps on f = 0 and the border from y.
+bool settle_on_border(LocalField& field, Vector3d& y) {
+  Field f;
+  Rim rim;
+  double last = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kMaxSteps; ++i) {
+    if (!field.covers(y)) field.gather(y);
+    if (!field.evaluate(y, f, rim)) return false;
+    Vector3d step = step_onto_both(f, rim);
+    const double length = step.norm(), support = field.support();
+    if (!std::isfinite(length)) return false;
+    if (!(length < last || length <= kConverged * support)) step *= 0.5;
+    last = length;
+    if (length > 0.25 * support) step *= 0.25 * support / length;
+    y += step;
+    if (length <= kConverged * support) return true;
+  }
+  return false;
 }
 
 std::vector<Neighbour>& buffer() {
@@ -183,7 +260,7 @@ std::vector<Neighbour>& buffer() {
 
 }  // namespace
 
-bool CloudSurface::project(Eigen::Ref<Vector3d> x) const {
+bool CloudSurface::project(Eigen::Ref<Vector3d> x, Border border) const {
   if (!x.allFinite()) return false;
   Vector3d y = x - cloud_->centre();
   LocalField field(*cloud_, buffer());
@@ -206,11 +283,45 @@ bool CloudSurface::project(Eigen::Ref<Vector3d> x) const {
     if (length > 0.5 * support) step *= 0.5 * support / length;
     y += step;
     if (length > kConverged * support) continue;
-    if (one_sided(f, support)) return false;
+    Rim rim;
+    if (border != Border::ignore && !is_within(f, support, kClearlyWithin) && field.evaluate(y, f, rim) &&
+        rim.value > 0) {
+      if (border == Border::stop || !settle_on_border(field, y)) return false;
+    }
     x = y + cloud_->centre();
     return true;
   }
   return false;
+}
+
+bool CloudSurface::project(Eigen::Ref<Vector3d> x) const { return project(x, Border::stop); }
+bool CloudSurface::project_within(Eigen::Ref<Vector3d> x) const { return project(x, Border::rest); }
+bool CloudSurface::project_beyond(Eigen::Ref<Vector3d> x) const { return project(x, Border::ignore); }
+
+bool CloudSurface::project_onto_border(Eigen::Ref<Vector3d> x) const {
+  if (!x.allFinite()) return false;
+  Vector3d y = x - cloud_->centre();
+  LocalField field(*cloud_, buffer());
+  field.gather(y);
+  if (!settle_on_border(field, y)) return false;
+  x = y + cloud_->centre();
+  return true;
+}
+
+std::optional<CloudSurface::NearBorder> CloudSurface::border_near(const Vector3d& x) const {
+  if (!x.allFinite()) return std::nullopt;
+  const Vector3d y = x - cloud_->centre();
+  LocalField field(*cloud_, buffer());
+  field.gather(y);
+  Field f;
+  Rim rim;
+  if (!field.evaluate(y, f) || is_within(f, field.support(), kFarFromBorder) || !field.evaluate(y, f, rim))
+    return std::nullopt;
+  const Vector3d n = f.gradient.normalized(), along = rim.gradient - n.dot(rim.gradient) * n;
+  const double offset = std::sqrt(std::max(0.0, rim.value + kBorder * kBorder)), steep = along.norm();
+  if (!(steep > 0)) return std::nullopt;
+  const double gap = (kBorder - offset) * 2 * offset / steep;  // the offset is more nearly linear than its square
+  return NearBorder{along / steep, gap, std::abs(rim.value) <= kOnBorder * field.support() * steep};
 }
 
 std::optional<Vector3d> CloudSurface::normal(const Vector3d& x) const {

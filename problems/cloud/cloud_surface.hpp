@@ -33,6 +33,22 @@ class CloudSurface {
   /// (beyond the border of a scan).
   bool project(Eigen::Ref<Eigen::Vector3d> x) const;
 
+  /// The same, and where that leads beyond the border, on to the nearest place of the border, which is the curve on f =
+  /// 0 where the mean of the samples, seen along the surface, is kBorder supports away. False only where there is
+  /// neither.
+  bool project_within(Eigen::Ref<Eigen::Vector3d> x) const;
+  /// Onto the border.
+  bool project_onto_border(Eigen::Ref<Eigen::Vector3d> x) const;
+  /// Onto f = 0 as far as that is defined, some supports beyond the border.
+  bool project_beyond(Eigen::Ref<Eigen::Vector3d> x) const;
+  /// The border near x, if any is.
+  struct NearBorder {
+    Eigen::Vector3d outward;  ///< unit, along the surface
+    double gap = 0;           ///< to the border, to first order; negative beyond it
+    bool rests = false;       ///< x lies on the border, to rounding
+  };
+  std::optional<NearBorder> border_near(const Eigen::Vector3d& x) const;
+
   /// Unit normal of the level set of f through x, on the side of the samples' normals; nothing where f is not defined.
   std::optional<Eigen::Vector3d> normal(const Eigen::Vector3d& x) const;
 
@@ -42,6 +58,9 @@ class CloudSurface {
   std::optional<OtherSheet> other_sheet(const Eigen::Vector3d& x) const;
 
  private:
+  enum class Border { stop, rest, ignore };
+  bool project(Eigen::Ref<Eigen::Vector3d> x, Border border) const;
+
   const PointCloud* cloud_;
 };
 

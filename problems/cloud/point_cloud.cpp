@@ -12,6 +12,7 @@
 #include <utility>
 
 #include <leastcost/framework/errors.hpp>
+#include <leastcost/problems/graph/sparse_graph.hpp>
 #include "framework/point_text.hpp"
 #include "problems/cloud/local_fit.hpp"
 #include "problems/cloud/orient_normals.hpp"
@@ -27,6 +28,11 @@ constexpr std::size_t kMostForFit = 160;  ///< neighbours of a fit: of more, eve
 constexpr double kOutlier = 6;            ///< standard deviations off the local fit at which trust ends
 constexpr double kScaleFloor = 0.01;      ///< of the support: below it a deviation is curvature, not noise
 constexpr double kCrowded = 0.1;          ///< part of the neighbours that is another sheet
+constexpr double kPartsApart = 12;        ///< spacings between parts whose sides go together
+constexpr double kSteepLink = 0.5;        ///< sine of 30 degrees out of the tangent planes
+constexpr double kBends = 2;              ///< supports over the radius of curvature
+constexpr double kMuchBent = 0.1;         ///< part of the cloud that is worth a note
+constexpr double kRimOffset = 0.3;        ///< supports from a place one spacing outside to the mean of the samples
 constexpr double kAgreement = 0.985;      ///< median |cos| of given and estimated normals (10 degrees)
 
 /// Bits of a 21-bit number spread to every third bit.
@@ -61,6 +67,26 @@ double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
+}
+
+/// Whether the neighbours, given as offsets, leave one side free: one spacing towards it their mean is far off.
+bool leave_a_side(const std::vector<Eigen::Vector3d>& offsets, const Eigen::Vector3d& normal, double spacing,
+                  double radius) {
+  const auto mean_along = [&](const Eigen::Vector3d& from) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double weight = 0;
+    for (const Eigen::Vector3d& q : offsets) {
+      const double t = 1 - (q - from).squaredNorm() / (radius * radius);
+      if (!(t > 0)) continue;
+      weight += t * t * t * t;
+      sum += t * t * t * t * (q - from);
+    }
+    const Eigen::Vector3d mean = weight > 0 ? Eigen::Vector3d(sum / weight) : sum;
+    return Eigen::Vector3d(mean - normal.dot(mean) * normal);
+  };
+  const Eigen::Vector3d inward = mean_along(Eigen::Vector3d::Zero());
+  if (!(inward.norm() > 0)) return false;
+  return mean_along(-spacing * inward.normalized()).norm() > kRimOffset * radius;
 }
 
 }  // namespace
@@ -223,7 +249,7 @@ void PointCloud::set_radii() {
 void PointCloud::fit_samples(const PointSamples& samples) {
   std::vector<Eigen::Vector3d> estimates(samples_.size()), offsets;
   std::vector<Neighbour> found;
-  std::int32_t outliers = 0, crowded = 0;
+  std::int32_t outliers = 0, crowded = 0, bent = 0;
   for (std::int32_t i = 0; i < size(); ++i) {
     gather(i, radius(i), found, offsets);
     const LocalFit fit = fit_locally(offsets, radius(i));
@@ -234,6 +260,8 @@ void PointCloud::fit_samples(const PointSamples& samples) {
     samples_[static_cast<std::size_t>(i)].trust = trust;
     if (!(trust > 0)) ++outliers;
     if (fit.apart > kCrowded) ++crowded;
+    if (fit.shape.norm() * radius(i) > kBends) ++bent;
+    if (trust > 0 && leave_a_side(offsets, fit.normal, spacing(i), radius(i))) ++rim_samples_;
   }
   if (outliers == size())
     throw InputError(source_ + ": no neighbourhood looks like a surface (the points lie on lines)");
@@ -244,6 +272,10 @@ void PointCloud::fit_samples(const PointSamples& samples) {
     notes_.push_back(std::to_string(crowded) + " of " + std::to_string(size()) +
                      " points have another sheet, or the far side of an edge, within their support: the surface is "
                      "drawn towards it; a smaller radius keeps them apart");
+  if (bent > kMuchBent * size())
+    notes_.push_back(std::to_string(bent) + " of " + std::to_string(size()) +
+                     " points lie where the surface bends within half a support (thin parts, edges, noise): few paths "
+                     "through them are certified, and more samples are what helps");
   choose_normals(samples, estimates);
 }
 
@@ -284,9 +316,34 @@ void PointCloud::choose_normals(const PointSamples& samples, const std::vector<E
       for (std::size_t k = 0; k < std::min(width_, kLinks); ++k)
         if (const std::int32_t j = neighbours(i)[k]; i < j || !lists(j, i)) edges.emplace_back(i, j);
     }
+    link_parts(normals, edges);
     orient_normals(positions, edges, normals);
   }
   for (std::size_t i = 0; i < samples_.size(); ++i) samples_[i].normal = normals[i];
+}
+
+/// Links between parts that no other links hold together, along the surface: their sides go together, as those of one
+/// scan with a gap in it.
+void PointCloud::link_parts(const std::vector<Eigen::Vector3d>& normals,
+                            std::vector<std::pair<std::int32_t, std::int32_t>>& edges) const {
+  std::vector<std::pair<std::int32_t, std::int32_t>> both = edges;
+  for (const auto& [a, b] : edges) both.emplace_back(b, a);
+  const Components parts = connected_components(SparseGraph(size(), std::move(both)));
+  std::vector<Neighbour> found;
+  for (std::int32_t i = 0; i < size(); ++i) {
+    if (parts.of[static_cast<std::size_t>(i)] == 0) continue;
+    search_.within(sample(i).position, kPartsApart * spacing(i), found);
+    Neighbour best;
+    for (const Neighbour& near : found) {
+      if (parts.of[static_cast<std::size_t>(near.index)] == parts.of[static_cast<std::size_t>(i)]) continue;
+      if (best.index >= 0 && near.squared_distance >= best.squared_distance) continue;
+      const Eigen::Vector3d way = (sample(near.index).position - sample(i).position).normalized();
+      const double steep = std::max(std::abs(way.dot(normals[static_cast<std::size_t>(i)])),
+                                    std::abs(way.dot(normals[static_cast<std::size_t>(near.index)])));
+      if (steep < kSteepLink) best = near;
+    }
+    if (best.index >= 0) edges.emplace_back(i, best.index);
+  }
 }
 
 std::int32_t PointCloud::sample_of_file(std::int32_t number) const {

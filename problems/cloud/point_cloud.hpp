@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <leastcost/framework/options.hpp>
@@ -61,6 +62,9 @@ class PointCloud {
   /// surface away, and a coarser version of the cloud would not show it: more than kMostOfCloud is too much.
   double share_of_support() const;
   static constexpr double kMostOfCloud = 0.25;
+  /// Whether the samples end somewhere: the rim of a partial scan, or a hole wider than chance makes it.
+  bool has_border() const { return rim_samples_ > 0; }
+  std::int32_t rim_samples() const { return rim_samples_; }
   std::int32_t count_in_file() const { return count_in_file_; }  ///< points of the file, those removed included
   /// The sample with this number in the file, -1 where there is none.
   std::int32_t sample_of_file(std::int32_t number) const;
@@ -91,6 +95,8 @@ class PointCloud {
   void set_radii();
   void fit_samples(const PointSamples& samples);
   void choose_normals(const PointSamples& samples, const std::vector<Eigen::Vector3d>& estimates);
+  void link_parts(const std::vector<Eigen::Vector3d>& normals,
+                  std::vector<std::pair<std::int32_t, std::int32_t>>& edges) const;
   void gather(std::int32_t i, double radius, std::vector<Neighbour>& found,
               std::vector<Eigen::Vector3d>& offsets) const;
 
@@ -99,7 +105,7 @@ class PointCloud {
   std::vector<CloudSample> samples_;
   std::vector<double> spacing_, radius_;
   std::vector<std::int32_t> in_file_, order_, neighbours_;
-  std::int32_t count_in_file_ = 0;
+  std::int32_t count_in_file_ = 0, rim_samples_ = 0;
   std::size_t width_ = 0;
   NeighbourSearch search_;
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "problems/cloud/unresolved.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -17,6 +18,7 @@ using Eigen::Vector3d;
 
 constexpr double kWidest = 16;           ///< spacings: the widest radius that is tried
 constexpr double kBesideSamples = 0.45;  ///< supports to the mean of the samples: 0.42 on a straight border
+constexpr double kRadiusOverGap = 1.4;   ///< of a gap: narrower supports lay a surface over parts of it
 constexpr std::size_t kFewAround = 8;
 constexpr std::size_t kMostAround = 20000;
 
@@ -57,22 +59,24 @@ std::string what_lies_around(const PointCloud& cloud, const CloudSurface& surfac
   return "the samples there fit no one surface: noise, a sharp edge, or sheets that cross";
 }
 
-/// The first wider radius whose surface has a point near x; 0: none up to kWidest has.
-double radius_that_helps(const PointCloud& cloud, const Vector3d& x) {
-  const Vector3d y = x - cloud.centre();
+/// The first radius, from `first` on, whose surface has a point near each of these places; 0: none up to kWidest has.
+/// Tried on the samples around.
+double radius_that_helps(const PointCloud& cloud, const std::vector<Vector3d>& places, double first) {
+  const Vector3d middle = places[places.size() / 2], y = middle - cloud.centre();
   const Neighbour nearest = cloud.search().nearest(y);
-  const double spacing = cloud.spacing(nearest.index), distance = std::sqrt(nearest.squared_distance);
+  const double spacing = cloud.spacing(nearest.index);
+  const double distance = std::sqrt(nearest.squared_distance) + (places.back() - places.front()).norm() / 2;
   PointCloudSettings settings = cloud.settings();
   settings.normals = NormalSource::given;
-  for (double radius = std::ceil(*settings.radius * 1.25); radius <= kWidest; radius = std::ceil(radius * 1.25)) {
+  for (double radius = std::ceil(first); radius <= kWidest; radius = std::ceil(radius * 1.25)) {
     Around around = samples_around(cloud, y, distance + 3 * radius * spacing);
     if (around.samples.positions.size() > kMostAround) return 0;
     if (std::numbers::pi * radius * radius > PointCloud::kMostOfCloud * cloud.size()) return 0;
     settings.radius = radius;
     try {
       const PointCloud wider(std::move(around.samples), settings);
-      Vector3d moved = x;
-      if (CloudSurface(wider).project(moved)) return radius;
+      const CloudSurface surface(wider);
+      if (std::all_of(places.begin(), places.end(), [&](Vector3d x) { return surface.project(x); })) return radius;
     } catch (const InputError&) {
       continue;  // too few of them
     }
@@ -93,12 +97,33 @@ std::string why_unresolved_at(const CloudSurface& surface, const Eigen::Vector3d
 std::string why_no_surface_at(const PointCloud& cloud, const CloudSurface& surface, const Eigen::Vector3d& x) {
   const std::string why = what_lies_around(cloud, surface, x - cloud.centre());
   const std::string now = short_number(*cloud.settings().radius);
-  const double radius = radius_that_helps(cloud, x);
+  const double radius = radius_that_helps(cloud, {x}, 1.25 * *cloud.settings().radius);
   if (radius > 0)
     return why + "; with radius: " + short_number(radius) + " (it is " + now + ") the surface has a point near it";
   return why + "; no radius from " + now + " to " + short_number(kWidest) +
          " helps: the way has to go around it, by waypoints or a smaller max_edge (it is " +
          short_number(cloud.settings().max_edge) + ")";
+}
+
+std::string how_to_join(const PointCloud& cloud, const CloudGraph& graph, std::int32_t part, std::int32_t other) {
+  const auto gap = graph.gap(cloud, part, other);
+  if (!gap)
+    return "no links up to " + short_number(CloudGraph::kWidestGap) +
+           " local spacings join them: take both ends in one part";
+  const Vector3d a = cloud.sample(gap->from).position + cloud.centre();
+  const Vector3d b = cloud.sample(gap->to).position + cloud.centre();
+  const std::string what = "without samples between them is a gap of " + short_number((b - a).norm()) + ", " +
+                           short_number(gap->spacings) + " local spacings, beside " + point_text(a);
+  std::vector<Vector3d> places;
+  const int parts = 2 * static_cast<int>(std::ceil(gap->spacings));
+  for (int k = 1; k < parts; ++k) places.emplace_back(a + k * (b - a) / parts);
+  const double first = std::max(*cloud.settings().radius, kRadiusOverGap * gap->spacings);
+  const double radius = radius_that_helps(cloud, places, first);
+  if (radius > 0)
+    return what + "; `max_edge: " + short_number(std::ceil(1.05 * gap->spacings)) +
+           "` with `radius: " + short_number(radius) + "` lays a surface over it";
+  return what + ", and no radius up to " + short_number(kWidest) +
+         " lays a surface over it: take both ends in one part";
 }
 
 }  // namespace leastcost

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <string>
 
+#include <leastcost/problems/cloud/cloud_graph.hpp>
 #include <leastcost/problems/cloud/cloud_surface.hpp>
 
 namespace leastcost {
@@ -17,5 +19,9 @@ std::string why_unresolved_at(const CloudSurface& surface, const Eigen::Vector3d
 /// near it: a hole or a border, two sheets, noise; and which `radius` has one, found by trying wider ones on the
 /// samples around x.
 std::string why_no_surface_at(const PointCloud& cloud, const CloudSurface& surface, const Eigen::Vector3d& x);
+
+/// What parts two parts of a cloud, and what joins them: the place and the width of the gap, with the `max_edge` that
+/// spans it and the `radius` whose surface does, found by trying; or that none does.
+std::string how_to_join(const PointCloud& cloud, const CloudGraph& graph, std::int32_t part, std::int32_t other);
 
 }  // namespace leastcost

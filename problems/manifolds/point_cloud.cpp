@@ -8,6 +8,7 @@
 
 #include <leastcost/framework/errors.hpp>
 #include <leastcost/problems/readers/point_cloud_reader.hpp>
+#include "problems/manifolds/bordered_cloud.hpp"
 
 namespace leastcost {
 
@@ -23,10 +24,12 @@ void PointCloudManifoldOptions::fields(FieldVisitor& visit) {
                        .unit = "local spacings",
                        .minimum = 0,
                        .maximum = 100});
-  visit.field("max_edge", settings.max_edge,
-              {.help = "Longest link of the neighbour graph, against jumps between sheets.",
-               .unit = "local spacings",
-               .minimum = 1});
+  visit.field(
+      "max_edge", settings.max_edge,
+      {.help = "Longest link of the neighbour graph, against jumps between sheets; a longer one joins parts with a "
+               "gap between them.",
+       .unit = "local spacings",
+       .minimum = 1});
   visit.choice("normals", settings.normals,
                {.help = "Normals of the file, or estimated by robust quadratic fits and oriented along a minimum "
                         "spanning tree. auto: those of the file where they agree with the estimate."});
@@ -37,7 +40,7 @@ PointCloudManifold::PointCloudManifold(PointCloud cloud)
 
 std::shared_ptr<const ConstraintManifold> PointCloudManifold::coarser() const {
   std::call_once(made_coarser_, [this] {
-    coarser_ = std::make_shared<const PointCloudManifold>(cloud_.thinned());
+    coarser_ = surface_of(cloud_.thinned());
     has_coarser_ = true;
   });
   return coarser_;
@@ -57,6 +60,11 @@ void PointCloudManifold::tangent_basis(const Eigen::VectorXd& x, Eigen::Ref<Poin
   basis.col(1) = normal.cross(Eigen::Vector3d(basis.col(0)));
 }
 
+std::shared_ptr<const PointCloudManifold> surface_of(PointCloud cloud) {
+  if (cloud.has_border()) return std::make_shared<const BorderedCloud>(std::move(cloud));
+  return std::make_shared<const PointCloudManifold>(std::move(cloud));
+}
+
 std::shared_ptr<const PointCloudManifold> make_point_cloud_manifold(const PointCloudManifoldOptions& options,
                                                                     const std::filesystem::path& folder) {
   PointCloud cloud(read_point_cloud(folder / options.file), options.settings);
@@ -68,7 +76,7 @@ std::shared_ptr<const PointCloudManifold> make_point_cloud_manifold(const PointC
         << " % of the cloud; the most is " << 100 * PointCloud::kMostOfCloud << " %";
     throw OptionError("radius", why.str());
   }
-  return std::make_shared<const PointCloudManifold>(std::move(cloud));
+  return surface_of(std::move(cloud));
 }
 
 }  // namespace leastcost

@@ -28,17 +28,17 @@ struct PointCloudManifoldOptions {
 /// The smooth surface that moving least squares lay through a point cloud (VFCS 4.4.4;
 /// problems/cloud/cloud_surface). Projection is along the gradient of the implicit form, tangent planes are those of
 /// the surface itself. Where the samples end (the border of a partial scan, holes wider than a support) there is no
-/// surface, and a path cannot rest against that border.
-class PointCloudManifold final : public EmbeddedManifold,
-                                 public HasPointCloud,
-                                 public HasCoarserVersion,
-                                 public HasUnresolvedPlaces,
-                                 public ExplainsProjection,
-                                 public HasGraph,
-                                 public HasVertices,
-                                 public IsSurface,
-                                 public MadeFromData,
-                                 public DrawsItself {
+/// surface; BorderedCloud lets paths rest there.
+class PointCloudManifold : public EmbeddedManifold,
+                           public HasPointCloud,
+                           public HasCoarserVersion,
+                           public HasUnresolvedPlaces,
+                           public ExplainsProjection,
+                           public HasGraph,
+                           public HasVertices,
+                           public IsSurface,
+                           public MadeFromData,
+                           public DrawsItself {
  public:
   explicit PointCloudManifold(PointCloud cloud);
   PointCloudManifold(const PointCloudManifold&) = delete;  // the surface refers to the cloud beside it
@@ -71,6 +71,9 @@ class PointCloudManifold final : public EmbeddedManifold,
   mutable std::shared_ptr<const ConstraintManifold> coarser_;
   mutable std::atomic<bool> has_coarser_ = false;
 };
+
+/// The surface of a cloud: a BorderedCloud where it has a border, a PointCloudManifold where it is closed.
+std::shared_ptr<const PointCloudManifold> surface_of(PointCloud cloud);
 
 /// Reads the file (relative to `folder`) and builds the surface. Throws InputError, OptionError.
 std::shared_ptr<const PointCloudManifold> make_point_cloud_manifold(const PointCloudManifoldOptions& options,
