@@ -190,9 +190,9 @@ std::string cheaper_image(const Problem& problem, double cost, const Monitor& mo
   };
   if (const std::optional<CheaperImage> best = best_of(problem, tried, cost, kCoarseSaving, monitor))
     return said(best->image, "a path", " costs about ", best->cost);
-  // A straight line through obstacles promises nothing.
+  // A straight line through obstacles promises nothing, nor does a coarse one that saves what its chords cut off.
   const bool obstacles = find_ability<ChecksMoves>(*problem.manifold) != nullptr;
-  if (!obstacles && tried[0].cost < (1 - kCheaper) * cost)
+  if (!obstacles && tried[0].cost < (1 - kCoarseSaving) * cost)
     return said(tried[0].image, "even the straight line", " costs ", tried[0].cost);
   return "";
 }

@@ -87,10 +87,12 @@ Json kind_json(const PluginKind& kind) {
 
 /// What a default is chosen for that may take a while, and how to do without it; else nothing.
 std::string word_on_default(const LoadedConfig& loaded) {
-  if (const std::string word = word_on_interpolation(loaded); !word.empty()) return "  " + word + "\n";
+  std::string words = word_on_interpolation(loaded);
+  if (!words.empty()) words = "  " + words + "\n";
   const PluginChoice& first = loaded.config.initializer;
-  if (!first || first.plugin->type != "eikonal" || loaded.tree.find("initializer") != nullptr) return "";
-  return "  first path: from a field over the two coordinates, which sees the ways on all sides (initializer: "
+  if (!first || first.plugin->type != "eikonal" || loaded.tree.find("initializer") != nullptr) return words;
+  return words +
+         "  first path: from a field over the two coordinates, which sees the ways on all sides (initializer: "
          "eikonal);\n"
          "  'initializer: straight' begins with the straight line\n";
 }

@@ -147,12 +147,14 @@ bool suits_cells(const RunConfig& config) {
 /// Under a cost map that is constant in each cell.
 bool refracts_in_cells(const RunConfig& config) { return suits_cells(config) && reads_cells(config); }
 
-/// A raster is read as it is where that can be solved, unless a solver is asked for, which needs a smooth cost.
+/// Whether something is asked for that needs a smooth cost, or obstacles where there are no data.
+bool asks_for_smooth(const RunConfig& config) { return config.solver || config.post_process || config.clearance > 0; }
+
+/// A raster is read as it is where that can be solved.
 void choose_interpolation(RunConfig& config) {
   auto* interpolation = interpolation_of(config);
   if (interpolation == nullptr || *interpolation != CostMapInterpolation::automatic) return;
-  const bool cells =
-      suits_cells(config) && whole_option(config.manifold, "dimension") == 2 && !config.solver && !config.post_process;
+  const bool cells = suits_cells(config) && whole_option(config.manifold, "dimension") == 2 && !asks_for_smooth(config);
   *interpolation = cells ? CostMapInterpolation::cells : CostMapInterpolation::smooth;
 }
 
@@ -502,7 +504,7 @@ void complete_types(ConfigNode& tree) {
   const ConfigNode* point = node_at(tree, "ends.source.point");
   const std::string interpolation = text_at("cost.interpolation");
   const bool by_default = (interpolation.empty() || interpolation == "auto") && tree.find("solver") == nullptr &&
-                          !tree.find("post_process");
+                          tree.find("post_process") == nullptr && tree.find("clearance") == nullptr;
   const Outline outline{manifold,
                         cost_type,
                         point != nullptr ? static_cast<Eigen::Index>(point->items.size()) : 0,
@@ -523,10 +525,19 @@ void complete_types(ConfigNode& tree) {
 }
 
 std::string word_on_interpolation(const LoadedConfig& loaded) {
+  const RunConfig& config = loaded.config;
   const ConfigNode* asked = node_at(loaded.tree, "cost.interpolation");
-  if (!reads_cells(loaded.config) || (asked != nullptr && asked->text == "cells")) return "";
-  return "the cost map is read as it is, constant in each cell (interpolation: cells); 'smooth' and 'bilinear' go "
-         "from value to value";
+  if (interpolation_of(config) == nullptr || (asked != nullptr && asked->text != "auto")) return "";
+  if (reads_cells(config))
+    return "the cost map is read as it is, constant in each cell (interpolation: cells); 'smooth' and 'bilinear' go "
+           "from value to value";
+  std::string word = "the cost map is read as a smooth surface (interpolation: smooth)";
+  if (suits_cells(config) && whole_option(config.manifold, "dimension") == 2)
+    for (const auto& [key, what] : {std::pair("solver", "a solver"), std::pair("post_process", "a post-processor"),
+                                    std::pair("clearance", "a clearance")})
+      if (loaded.tree.find(key) != nullptr)
+        return word + ", for " + what + " is asked for; without it the map is read as it is, constant in each cell";
+  return word;
 }
 
 void check_and_complete(LoadedConfig& loaded) {

@@ -27,8 +27,7 @@ bool brackets(const RunConfig& config);
 /// Whether the path begins with the straight line and nothing looks at other ways, under a cost that may have several.
 bool sees_one_way(const RunConfig& config);
 
-/// How the raster of a cost map is read where the configuration does not say it and does not get the smooth reading;
-/// else nothing.
+/// How the raster of a cost map is read, and why, where the configuration does not say it; else nothing.
 std::string word_on_interpolation(const LoadedConfig& loaded);
 
 /// Fills in the plug-ins that the configuration leaves out and checks what no single option can: that the parts fit

@@ -55,6 +55,10 @@ std::size_t characters_in(std::string_view text) {
 Diagnostics::Diagnostics(std::string file, std::string_view text) : file_(std::move(file)), lines_(split_lines(text)) {}
 
 void Diagnostics::error(const Place& place, std::string message) {
+  const auto is_this = [&](const Diagnostic& d) {
+    return d.message == message && d.place.line == place.line && d.place.column == place.column;
+  };
+  if (!errors_.empty() && is_this(errors_.back())) return;  // two parts have read one file
   if (count_++ < kMostKept) errors_.push_back({place, std::move(message)});
 }
 

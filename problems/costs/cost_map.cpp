@@ -121,7 +121,9 @@ void check_positive(const RasterGrid& values) {
       if (values.value(row, column) <= 0)
         throw OptionError("file", values.name_of(row, column) + ": the cost of a unit of length is " +
                                       short_number(values.value(row, column), 9) +
-                                      "; it must be greater than 0 (no path leads where there are no data: nodata)");
+                                      "; it must be greater than 0. Where this value means that there are no data: "
+                                      "nodata: " +
+                                      short_number(values.value(row, column), 9));
 }
 
 }  // namespace
@@ -140,8 +142,8 @@ void CostMapOptions::fields(FieldVisitor& visit) {
       "interpolation", interpolation,
       {.help = "cells: constant in each cell. bilinear: through the values, with kinks where cells meet. smooth: the "
                "bicubic spline that has them as coefficients, without kinks, and smoother than they are. auto: cells "
-               "for a path between two ends in the plane without obstacles, unless a solver or a post-processor is "
-               "asked for; smooth elsewhere."});
+               "for a path between two ends in the plane without obstacles, unless a solver, a post-processor or a "
+               "clearance is asked for; smooth elsewhere."});
 }
 
 std::shared_ptr<const SegmentCost> make_cost_map(const RasterGrid& values, CostMapInterpolation interpolation,

@@ -11,7 +11,7 @@
 namespace leastcost {
 
 /// What lies between the values of a cost map. automatic: cells for a path between two ends in the plane without
-/// obstacles, unless a configuration asks for a solver or a post-processor; smooth elsewhere.
+/// obstacles, unless a configuration asks for a solver, a post-processor or a clearance; smooth elsewhere.
 enum class CostMapInterpolation { automatic, smooth, bilinear, cells };
 Words<CostMapInterpolation> words(CostMapInterpolation);
 

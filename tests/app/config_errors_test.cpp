@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: MIT
 
 // What a user reads when a configuration is wrong, to the letter.
+#include <fstream>
+#include <string>
+
 #include "catalogue/registry/registry.hpp"
 #include "catalogue/yaml/suggest.hpp"
+#include "tests/app/called.hpp"
 #include "tests/app/config_text.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/data.hpp"
 
 namespace leastcost::test {
 
@@ -325,6 +330,18 @@ TEST_CASE("config errors: source lines are shown safely") {
   const std::string wide = errors_of(kPlane + "name: [" + std::string(5000, ' ') + "1]\nzzz: 1\n");
   for (std::size_t at = 0; at < wide.size(); at = std::min(wide.find('\n', at), wide.size() - 1) + 1)
     CHECK(wide.find('\n', at) - at < 250);
+}
+
+TEST_CASE("config errors: a fault of a raster is told once, with the value that may mean no data") {
+  const ScratchDir dir;
+  std::ofstream(dir / "a.csv") << "1,1,1,1\n1,-9999,1,1\n1,1,1,1\n1,1,1,1\n";
+  std::ofstream(dir / "a.yaml") << "manifold: euclidean\ncost: {type: cost_map, file: a.csv}\n"
+                                   "ends: {source: {point: [0.5, 0.5]}, target: {point: [3, 3]}}\n";
+  const Called called = call({"run", (dir / "a.yaml").string(), "-o", (dir / "out").string()});
+  CHECK(called.exit == 3);
+  CHECK_THAT(called.err, Contains("nodata: -9999"));
+  CHECK_THAT(called.err, Contains("1 error in "));
+  CHECK(call({"run", (dir / "a.yaml").string(), "--set", "cost.nodata=-9999", "-o", (dir / "out").string()}).exit == 0);
 }
 
 }  // namespace leastcost::test

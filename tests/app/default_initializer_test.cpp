@@ -144,11 +144,26 @@ TEST_CASE(
 
   const double between = solved(text(", interpolation: smooth")).result.curve.cost;
   CHECK(between > 1.1 * around);
-  for (const char* more : {"solver: newton\n", "obstacles: [{type: ball, center: [4.5, 0.5], radius: 0.1}]\n"}) {
+  const std::string ball = "obstacles: [{type: ball, center: [4.5, 0.5], radius: 0.1}]\n";
+  for (const std::string& more : {std::string("solver: newton\n"), ball}) {
     const RunOutcome other = solved(text("") + more);
     CHECK(other.result.curve.cost == Approx(between).epsilon(1e-6));
-    for (const std::string& note : other.parts.notes) CHECK_THAT(note, !Catch::Contains("interpolation: cells"));
+    REQUIRE_FALSE(other.parts.notes.empty());
+    CHECK_THAT(other.parts.notes.front(), Catch::Contains("interpolation: smooth"));
+    CHECK((other.parts.notes.front().find("a solver is asked for") != std::string::npos) == (more != ball));
   }
+  // A clearance is one from places without data, which are obstacles of the smooth surface.
+  std::ofstream hole(dir / "hole.csv");
+  for (int row = 0; row < 9; ++row)
+    for (int column = 0; column < 12; ++column)
+      hole << (row == 4 && column == 6 ? "nan" : "1") << (column < 11 ? "," : "\n");
+  hole.close();
+  const RunOutcome kept = solved(
+      "manifold: euclidean\ncost: {type: cost_map, file: hole.csv}\nclearance: 0.3\n"
+      "ends: {source: {point: [1, 3]}, target: {point: [11, 6]}}\npath: {points: 40}\n");
+  CHECK(kept.result.status == Status::certified);
+  CHECK(kept.result.certificate.clearance->lower >= -1e-6);
+  CHECK_THAT(kept.parts.notes.front(), Catch::Contains("a clearance is asked for"));
 
   const std::string file = (dir / "a.yaml").string();
   std::ofstream(file) << text("");
