@@ -92,6 +92,7 @@ int whole_option(const PluginChoice& choice, std::string_view name) {
 /// The coordinates of points, where the ends say so, or of many pairs of ends their flat domain; else 0.
 Eigen::Index coordinates(const RunConfig& config) {
   if (config.has_pairs()) return is(config.manifold, {"euclidean"}) ? whole_option(config.manifold, "dimension") : 0;
+  if (config.source && config.source->lonlat) return 2;
   return config.source && config.source->point ? config.source->point->size() : 0;
 }
 
@@ -502,6 +503,7 @@ void complete_types(ConfigNode& tree) {
   if (manifold == nullptr) return;  // an error of its own
   const std::string cost = text_at("cost"), cost_type = cost.empty() ? text_at("cost.type") : cost;
   const ConfigNode* point = node_at(tree, "ends.source.point");
+  if (point == nullptr) point = node_at(tree, "ends.source.lonlat");
   const std::string interpolation = text_at("cost.interpolation");
   const bool by_default = (interpolation.empty() || interpolation == "auto") && tree.find("solver") == nullptr &&
                           tree.find("post_process") == nullptr && tree.find("clearance") == nullptr;

@@ -141,6 +141,7 @@ class Potential {
   // The march.
 
   void offer(int node, double value) {
+    value = std::max(value, 0.0);  // what rounding takes off at the source
     if (!(value < u_[at(node)] * (1 - kSameValue)) || value > cap_) return;
     u_[at(node)] = value;
     open_.push(value, node);

@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kOnLine = 1e-9;  ///< of the cell beside it
+constexpr double kOnLine = 8 * std::numeric_limits<double>::epsilon();  ///< of a coordinate, or of a cell
 
 std::vector<double> lines_of(double corner, double side, int cells) {
   std::vector<double> lines(static_cast<std::size_t>(cells) + 1);
@@ -41,7 +41,7 @@ double on_line(const std::vector<double>& lines, double coordinate) {
   const auto next = std::lower_bound(lines.begin(), lines.end(), coordinate);
   for (auto near = next == lines.begin() ? next : next - 1; near != lines.end() && near <= next; ++near) {
     const double cell = near + 1 == lines.end() ? *near - *(near - 1) : *(near + 1) - *near;
-    if (std::abs(*near - coordinate) <= kOnLine * cell) return *near;
+    if (std::abs(*near - coordinate) <= kOnLine * std::max(cell, std::abs(coordinate))) return *near;
   }
   return coordinate;
 }

@@ -74,7 +74,7 @@ class CellMap {
 /// Places, each of which shares a cell with the next one.
 using CellPath = std::vector<Eigen::Vector2d>;
 
-/// A polyline cut where it crosses lines; what comes within 1e-9 of a cell to a line is put on it, but for the ends.
+/// A polyline cut where it crosses lines; what rounding keeps off a line is put on it, but for the ends.
 CellPath cut_at_sides(const CellMap& map, const Eigen::Ref<const Eigen::Matrix2Xd>& polyline);
 /// Infinite where two neighbours share no cell.
 double cost_of(const CellMap& map, const CellPath& path);

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "problems/cells/corner_turn.hpp"
+#include "problems/cells/straight_runs.hpp"
 
 namespace leastcost {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kSame = 1e-13;         ///< of the cost
-constexpr double kAtCorner = 1e-9;      ///< of a side
+constexpr double kAtCorner = 1e-12;     ///< of a side
 constexpr double kBesideCorner = 1e-3;  ///< of a cell: so near to a corner the least path may go through it
 constexpr double kSnell = 1e-11;        ///< mismatch that is none
 constexpr int kMostRounds = 200;
@@ -114,6 +115,7 @@ class Refraction {
       changed = turn_at_corners();
     }
     if (changed) solve_parts();
+    straighten_runs();
     settle_beside_corners();
     return {path_, cost_, cost_ - excess(), !changed};
   }
@@ -196,6 +198,15 @@ class Refraction {
     return true;
   }
 
+  void straighten_runs() {
+    const CellPath path = path_;
+    const double cost = cost_, worst = worst_mismatch();
+    if (!(worst > kSnell)) return;
+    take(with_straight_runs(map_, path_));
+    if (worst_mismatch() < worst) return;
+    path_ = path;
+    cost_ = cost;
+  }
   /// Where two sides are crossed right beside their corner, and the least path goes through it as the cells around cost
   /// the same, the barrier keeps both places off it and Newton's steps do not bring them there.
   void settle_beside_corners() {
@@ -308,8 +319,14 @@ RefractedCellPath refract_in_cells(const CellMap& map, const CellPath& path, con
 
 std::vector<Crossing> measure_cell_crossings(const CellMap& map, const Eigen::Ref<const Eigen::Matrix2Xd>& polyline) {
   std::vector<Crossing> all;
-  for (Eigen::Index i = 1; i + 1 < polyline.cols(); ++i)
-    all.push_back(crossing_at(map, polyline.col(i - 1), polyline.col(i), polyline.col(i + 1)));
+  double cost = 0;
+  for (Eigen::Index i = 0; i + 1 < polyline.cols(); ++i) cost += leg_cost(map, polyline.col(i), polyline.col(i + 1));
+  for (Eigen::Index i = 1; i + 1 < polyline.cols(); ++i) {
+    const Vector2d a = polyline.col(i - 1), x = polyline.col(i), b = polyline.col(i + 1);
+    all.push_back(crossing_at(map, a, x, b));
+    // Beside an end that lies a rounding away from a corner, say: whatever the angles are, nothing is to be gained.
+    if (2 * std::min(leg_cost(map, a, x), leg_cost(map, x, b)) <= kSame * cost) all.back().rounding = 2;
+  }
   if (polyline.cols() == 2 && !map.leg(polyline.col(0), polyline.col(1))) {
     Crossing c;
     c.place = (polyline.col(0) + polyline.col(1)) / 2;

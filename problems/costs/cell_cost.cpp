@@ -24,6 +24,8 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kOnSide = 1e-9;  ///< of a cell: what lies this near to a side lies on it, as in cost_over_cells
 
+constexpr double kUlps = 4 * std::numeric_limits<double>::epsilon();  ///< of a coordinate
+
 struct CellCostFunction {
   static constexpr int dim = 2;
   std::shared_ptr<const CellMap> map;
@@ -67,7 +69,8 @@ struct CellCostFunction {
   /// Of the cheapest cell that a place is in, or as good as beside.
   double unit_at(const Eigen::Vector2d& x) const {
     const std::vector<double>&along = map->lines(0), &up = map->lines(1);
-    const double dx = kOnSide * (along[1] - along[0]), dy = kOnSide * (up[1] - up[0]);
+    const double dx = std::max(kOnSide * (along[1] - along[0]), kUlps * std::abs(x[0])),
+                 dy = std::max(kOnSide * (up[1] - up[0]), kUlps * std::abs(x[1]));
     double least = kInfinite;
     for (const double px : {x[0] - dx, x[0] + dx})
       for (const double py : {x[1] - dy, x[1] + dy}) {

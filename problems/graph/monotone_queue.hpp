@@ -22,8 +22,8 @@ template <class Item>
 class MonotoneQueue {
  public:
   bool empty() const { return filled_ == 0; }
-  /// Requires cost >= 0. One that is below what has been taken out, as rounding may have it, comes out next.
-  void push(double cost, Item item) { put(std::bit_cast<std::uint64_t>(cost + 0.0), item); }
+  /// A cost below 0, as rounding may have it, counts as 0; one below what has been taken out comes out next.
+  void push(double cost, Item item) { put(cost > 0 ? std::bit_cast<std::uint64_t>(cost) : 0, item); }
   /// A cost, and an item of it. Requires !empty().
   std::pair<double, Item> pop() {
     if (lowest() > 0 && buckets_[lowest()].size() > kFew) spread(lowest());

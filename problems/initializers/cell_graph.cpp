@@ -7,6 +7,7 @@
 
 #include <leastcost/framework/errors.hpp>
 #include "framework/in_parts.hpp"
+#include "problems/cells/beside_sides.hpp"
 #include "problems/cells/cell_graph.hpp"
 #include "problems/cells/has_cost_cells.hpp"
 #include "problems/cells/side_nodes.hpp"
@@ -48,8 +49,9 @@ FirstPath CellGraphInitializer::first_path(const Problem& problem, const Monitor
   });
   if (found.empty()) throw InitializationError("cells without data part the ends: no path leads from one to the other");
   FirstPath first;
-  first.path.u.resize(2, static_cast<Index>(found.size()));
-  for (std::size_t i = 0; i < found.size(); ++i) first.path.u.col(static_cast<Index>(i)) = found[i];
+  const CellPath path = beside_sides(map, found);  // along a side of the domain's box too only cells in it count
+  first.path.u.resize(2, static_cast<Index>(path.size()));
+  for (std::size_t i = 0; i < path.size(); ++i) first.path.u.col(static_cast<Index>(i)) = path[i];
   return first;
 }
 

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kOnSide = 1e-9;  // of a cell: what lies this near to a side lies on it
+constexpr double kUlps = 4 * std::numeric_limits<double>::epsilon();  // of a coordinate: the same
 
 /// Adds the shares of a move at which a coordinate, in cells, is a whole number.
 void add_crossings(double from, double to, std::vector<double>& shares) {
@@ -21,10 +22,10 @@ void add_crossings(double from, double to, std::vector<double>& shares) {
 }
 
 /// The value of the cell at (column, row), in cells; of the cheapest one on a side or corner.
-double value_at(const RasterGrid& values, double column, double row) {
+double value_at(const RasterGrid& values, double column, double row, const Eigen::Vector2d& near) {
   double least = kInfinite;
-  for (const double x : {column - kOnSide, column + kOnSide})
-    for (const double y : {row - kOnSide, row + kOnSide}) {
+  for (const double x : {column - near[0], column + near[0]})
+    for (const double y : {row - near[1], row + near[1]}) {
       if (!(x >= 0 && y >= 0 && x < values.columns && y < values.rows)) continue;
       const double value = values.value(static_cast<int>(y), static_cast<int>(x));
       if (value < least) least = value;  // false for NaN
@@ -37,6 +38,8 @@ double value_at(const RasterGrid& values, double column, double row) {
 double cost_over_cells(const RasterGrid& values, const Eigen::Ref<const Eigen::MatrixXd>& curve) {
   double sum = 0;
   std::vector<double> shares;
+  const Eigen::Vector2d far = values.corner.cwiseAbs().cwiseQuotient(values.cell);
+  const Eigen::Vector2d near = (kUlps * far).cwiseMax(kOnSide);
   for (Eigen::Index i = 0; i + 1 < curve.cols(); ++i) {
     const Eigen::Vector2d from = (curve.col(i).head<2>() - values.corner).cwiseQuotient(values.cell);
     const Eigen::Vector2d to = (curve.col(i + 1).head<2>() - values.corner).cwiseQuotient(values.cell);
@@ -47,7 +50,7 @@ double cost_over_cells(const RasterGrid& values, const Eigen::Ref<const Eigen::M
     for (std::size_t k = 0; k + 1 < shares.size(); ++k) {
       if (!(shares[k + 1] > shares[k])) continue;
       const Eigen::Vector2d middle = from + 0.5 * (shares[k] + shares[k + 1]) * (to - from);
-      mean += (shares[k + 1] - shares[k]) * value_at(values, middle[0], middle[1]);
+      mean += (shares[k + 1] - shares[k]) * value_at(values, middle[0], middle[1], near);
     }
     const double length = (curve.col(i + 1) - curve.col(i)).norm();
     if (length > 0) sum += length * mean;

@@ -20,14 +20,14 @@ using Eigen::Matrix2d, Eigen::Vector2d;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kRounding = 1e-9;  // of a cell
 
-/// Sides of cells along the axes, so small that the lattice of their middles leaves no cell of the file out: no disc
-/// within such a cell is wider than what the lattice covers. `to_index`: places to columns and rows of the file.
+/// Sides of cells along the axes, so small that no row and no column of the file is crossed between two of them that
+/// only meet at a corner: |r_x| width + |r_y| height <= 1 for both rows r of `to_index` (places to columns and rows of
+/// the file). A wall that is one cell wide then stays one, and every cell of the file keeps a middle.
 Vector2d upright_cell(const Matrix2d& to_index) {
-  const Vector2d along_x = to_index.col(0), along_y = to_index.col(1);
-  const double skew = std::abs(along_x.normalized().dot(along_y.normalized()));
-  const bool quarter_turn = along_x.cwiseAbs().minCoeff() == 0 && along_y.cwiseAbs().minCoeff() == 0;
-  const double scale = quarter_turn ? 1 : std::sqrt((1 + skew) / 2);
-  return {scale / along_x.norm(), scale / along_y.norm()};
+  const Vector2d sides(1 / to_index.col(0).norm(), 1 / to_index.col(1).norm());
+  const Matrix2d across = to_index.cwiseAbs() * sides.asDiagonal();
+  const bool quarter_turn = across.rowwise().minCoeff().maxCoeff() <= kRounding;
+  return sides / across.rowwise().sum().maxCoeff() * (quarter_turn ? 1 : 1 - kRounding);
 }
 
 /// The empty grid around the outline of the file.
@@ -62,14 +62,15 @@ double bilinear_value(const RasterGrid& file, const Vector2d& index) {
   const Vector2d at = given.cwiseMax(0).cwiseMin(last);
   if (!((given - at).cwiseAbs().maxCoeff() <= kRounding)) return kNone;  // beyond the outermost middles
   const Vector2d low = at.array().floor(), part = at - low;
-  double value = 0;
+  double value = 0, weights = 0;
   for (const int up : {0, 1})
     for (const int right : {0, 1}) {
       const double weight = (right ? part[0] : 1 - part[0]) * (up ? part[1] : 1 - part[1]);
       if (weight <= kRounding) continue;
+      weights += weight;
       value += weight * file.value(static_cast<int>(low[1]) + up, static_cast<int>(low[0]) + right);
     }
-  return value;
+  return value / weights;
 }
 
 std::string note_of(const RasterGrid& file, const RasterFile::Affine& to_place, const RasterGrid& out,

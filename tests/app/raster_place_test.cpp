@@ -93,6 +93,8 @@ TEST_CASE("a .prj in degrees beside a grid makes it one in degrees, with ends in
     INFO(parts);
     CHECK(run.result.certificate.estimate.value == Approx(0.0012 * 111131.745).epsilon(1e-3));
     CHECK(has_raster_note(run, "bay.asc is in degrees"));
+    CHECK(run.parts.initializer->name() ==
+          (run.parts.problem.cost->traits().unit == "cost" ? "cell_graph" : "dijkstra"));
     write_run(run, dir / "out", {.replace = true});
     std::ifstream in(dir / "out/path.geojson");
     const auto line = nlohmann::json::parse(in)["features"][0]["geometry"];

@@ -257,4 +257,48 @@ TEST_CASE("cells: over plateaus the path is straight, through corners too") {
     }
 }
 
+TEST_CASE("cells: ends on corners, where rounding makes costs that are not quite 0") {
+  for (const double cell : {0.1, 1.0 / 3, 25.0})
+    for (int row = 0; row <= 4; ++row)
+      for (int column = 0; column <= 4; ++column) {
+        RasterGrid raster = cells_of_size(4, 4, {cell, cell}, 5);
+        raster.corner = {-3.3, 7.7};
+        const CellMap map(raster);
+        const Vector2d a(map.line(0, 2), map.line(1, 1)), b(map.line(0, column), map.line(1, row));
+        if (a == b) continue;
+        const RefractedCellPath found = least(map, a, b);
+        CHECK(found.cost == Approx(5 * (b - a).norm()).epsilon(1e-12));
+        const CellBound bound = bound_in_cells(map, a, b, {.upper = found.cost, .most_places = 1000});
+        CHECK(bound.lower <= found.cost);
+        CHECK(bound.lower > 0.9 * found.cost);
+      }
+}
+
+TEST_CASE("cells: lines that pass corners however near by") {
+  const CellMap map(cells_of_size(20, 20, {1, 1}, 0.3));
+  const Vector2d corner(map.line(0, 9), map.line(1, 7)), a = corner - Vector2d(8.5, 6.5), way(17.3, 13.1);
+  for (double off = 1e-3; off > 1e-13; off /= 3)
+    for (const double side : {off, -off}) {
+      // Through the corner but for `side`.
+      const Vector2d b = a + (corner + side * Vector2d(-way[1], way[0]).normalized() - a) * 2;
+      const RefractedCellPath found = least(map, a, b);
+      CAPTURE(side);
+      CHECK(found.cost == Approx(0.3 * (b - a).norm()).epsilon(1e-12));
+      for (const Crossing& crossing : measure_cell_crossings(map, as_columns(found.path)))
+        CHECK(crossing.mismatch <= 1e-10 + crossing.rounding);
+    }
+}
+
+TEST_CASE("cells: a side is found far from the origin, where a coordinate has few digits left") {
+  RasterGrid raster = cells_of_size(2, 2, {0.2, 0.2}, 1.5);
+  raster.corner = {500000, 5000000};
+  raster.values[raster.index(1, 0)] = raster.values[raster.index(1, 1)] = kNoData;
+  const auto cost = make_cost_map(raster, CostMapInterpolation::cells, 2);
+  const CellMap map(raster);
+  const Vector2d a(map.line(0, 0), map.line(1, 1)), b(map.line(0, 2), map.line(1, 1));
+  const Problem problem = between(space(2), cost, a, b);
+  const FirstPath first = CellGraphInitializer().first_path(problem, {});
+  CHECK(PathEnergy(problem, 1).cost(first.path) == Approx(0.6).epsilon(1e-7));
+}
+
 }  // namespace leastcost::test

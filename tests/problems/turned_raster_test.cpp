@@ -4,6 +4,9 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
 
 #include <leastcost/framework/errors.hpp>
 #include "tests/support/catch.hpp"
@@ -116,6 +119,67 @@ TEST_CASE("turned raster: fill values are found before they are mixed, options r
   CHECK(plain.columns == 9);
   CHECK(plain.corner == Eigen::Vector2d(7, 8));
   CHECK(note.empty());
+}
+
+namespace {
+
+/// Whether a path over cells, by their corners too, comes from below row `wall` of the file to above it.
+bool leaks(const RasterGrid& grid, const RasterFile::Affine& turned, int wall) {
+  const Eigen::Matrix2d to_index = turned.leftCols<2>().inverse();
+  const auto file_row = [&](int row, int column) { return (to_index * (grid.place(row, column) - turned.col(2)))[1]; };
+  std::vector<int> open;
+  std::vector<bool> seen(grid.values.size(), false);
+  const auto visit = [&](int row, int column) {
+    if (row < 0 || column < 0 || row >= grid.rows || column >= grid.columns) return;
+    const std::size_t at = grid.index(row, column);
+    if (seen[at] || std::isnan(grid.values[at])) return;
+    seen[at] = true;
+    open.push_back(static_cast<int>(at));
+  };
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column)
+      if (file_row(row, column) < wall) visit(row, column);
+  while (!open.empty()) {
+    const int row = open.back() / grid.columns, column = open.back() % grid.columns;
+    open.pop_back();
+    if (file_row(row, column) > wall + 1) return true;
+    for (const int i : {-1, 0, 1})
+      for (const int j : {-1, 0, 1}) visit(row + i, column + j);
+  }
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("turned raster: a wall of one cell stays one, whatever the angle, the sides and the shear", "[raster]") {
+  constexpr int kSize = 15, kWall = 7;
+  for (const double width : {10.0, 5.0, 25.0})
+    for (const double shear : {0.0, 0.4})
+      for (int degrees = 1; degrees < 180; degrees += 7) {
+        const double c = std::cos(degrees * std::numbers::pi / 180), s = std::sin(degrees * std::numbers::pi / 180);
+        const RasterFile::Affine turned = affine(width * c, width * s, 8 * (shear * c - s), 8 * (shear * s + c), 3, 4);
+        std::string note;
+        const RasterGrid grid =
+            placed_upright(file_of(kSize, kSize, turned,
+                                   [&](double, double row) {
+                                     return std::floor(row) == kWall ? std::numeric_limits<double>::quiet_NaN() : 1.0;
+                                   }),
+                           {}, Resampling::nearest, note);
+        CAPTURE(width, shear, degrees);
+        CHECK_FALSE(leaks(grid, turned, kWall));
+      }
+}
+
+TEST_CASE("turned raster: a quarter turn that is one to rounding moves no border", "[raster]") {
+  const double c = std::cos(std::numbers::pi / 2);  // 6e-17
+  std::string note;
+  const RasterGrid grid = placed_upright(
+      file_of(20, 20, affine(10 * c, 10, -10, 10 * c, 500000, 5000000), [](double, double row) { return row; }), {},
+      Resampling::nearest, note);
+  CHECK(grid.columns == 20);
+  CHECK(grid.rows == 20);
+  for (int row = 0; row < 20; ++row)
+    for (int column = 0; column < 20; ++column) REQUIRE(grid.value(row, column) == 19.5 - column);
 }
 
 }  // namespace leastcost::test
