@@ -93,6 +93,7 @@ struct Turned {
   template <class F>
   void write(const ScratchDir& dir, const std::string& name, const std::string& crs, F value) const {
     std::ofstream asc(dir / (name + ".asc"));
+    asc.precision(12);
     asc << "ncols " << kColumns << "\nnrows " << kLines << "\nxllcorner 0\nyllcorner 0\ncellsize 1\n";
     for (int line = 0; line < kLines; ++line)
       for (int column = 0; column < kColumns; ++column)
