@@ -156,7 +156,9 @@ class Potential {
       for (const int node : around_) offer(node, unit * (nodes_.place(node) - source_).norm());
     });
     for (int steps = 1; !open_.empty(); ++steps) {
-      const auto [value, node] = open_.pop();
+      const std::pair<double, int> next = open_.pop();
+      const double value = next.first;
+      const int node = next.second;
       if (value > u_[at(node)]) continue;
       if (steps % kLookEvery == 0 && (out_.stopped = options_.stop())) return;
       nodes_.each_cell(node, [&](int row, int column) { go_on(node, row, column); });

@@ -61,8 +61,9 @@ class Route {
     if (const auto leg = map_.leg(source_, target_)) best_ = leg->cost;
     each_cell_of(source_, [&](int row, int column) { begin(row, column); });
     for (int steps = 1; !open_.empty(); ++steps) {
-      const auto [cost, node] = open_.pop();
-      if (!(cost < best_)) break;
+      const std::pair<double, int> next = open_.pop();
+      if (!(next.first < best_)) break;
+      const int node = next.second;
       if (done_[at(node)]) continue;
       done_[at(node)] = true;
       if (look && steps % kLookEvery == 0) look();

@@ -62,7 +62,7 @@ std::string what_lies_around(const PointCloud& cloud, const CloudSurface& surfac
 /// The first radius, from `first` on, whose surface has a point near each of these places; 0: none up to kWidest has.
 /// Tried on the samples around.
 double radius_that_helps(const PointCloud& cloud, const std::vector<Vector3d>& places, double first) {
-  const Vector3d middle = places[places.size() / 2], y = middle - cloud.centre();
+  const Vector3d y = places[places.size() / 2] - cloud.centre();
   const Neighbour nearest = cloud.search().nearest(y);
   const double spacing = cloud.spacing(nearest.index);
   const double distance = std::sqrt(nearest.squared_distance) + (places.back() - places.front()).norm() / 2;
