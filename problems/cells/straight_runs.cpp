@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kSame = 1e-13;  ///< of the cost
+constexpr double kNoDearer = 1e-13;  ///< of the cost
 
 /// Places of a path that stay, and the cost of a unit of length on the way to each but the first.
 struct Turns {
@@ -40,7 +40,7 @@ Turns turns_of(const CellMap& map, const CellPath& path) {
     run += unit * (path[i] - path[i - 1]).norm();
     if (i + 1 < path.size() && unit_of(map, path[i], path[i + 1]) == unit) {
       const double next = run + unit * (path[i + 1] - path[i]).norm();
-      if (cost_of(map, cut(map, {turns.places.back(), path[i + 1]})) <= next * (1 + kSame)) continue;
+      if (cost_of(map, cut(map, {turns.places.back(), path[i + 1]})) <= next * (1 + kNoDearer)) continue;
     }
     turns.places.push_back(path[i]);
     turns.units.push_back(unit);
