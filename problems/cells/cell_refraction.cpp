@@ -324,8 +324,10 @@ std::vector<Crossing> measure_cell_crossings(const CellMap& map, const Eigen::Re
   for (Eigen::Index i = 1; i + 1 < polyline.cols(); ++i) {
     const Vector2d a = polyline.col(i - 1), x = polyline.col(i), b = polyline.col(i + 1);
     all.push_back(crossing_at(map, a, x, b));
-    // Beside an end that lies a rounding away from a corner, say: whatever the angles are, nothing is to be gained.
-    if (2 * std::min(leg_cost(map, a, x), leg_cost(map, x, b)) <= kSame * cost) all.back().rounding = 2;
+    // An end a rounding away from a corner, say: whatever the angle is, going past x saves no more than twice this leg.
+    const double to_end =
+        std::min(i == 1 ? leg_cost(map, a, x) : cost, i + 2 == polyline.cols() ? leg_cost(map, x, b) : cost);
+    if (std::isfinite(cost) && 2 * to_end <= kSame * cost) all.back().rounding = 2;
   }
   if (polyline.cols() == 2 && !map.leg(polyline.col(0), polyline.col(1))) {
     Crossing c;

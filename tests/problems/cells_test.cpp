@@ -301,4 +301,21 @@ TEST_CASE("cells: a side is found far from the origin, where a coordinate has fe
   CHECK(PathEnergy(problem, 1).cost(first.path) == Approx(0.6).epsilon(1e-7));
 }
 
+TEST_CASE("cells: a short leg within a path excuses no bend, nor does a leg that shares no cell") {
+  RasterGrid raster = cells_of_size(4, 6, {1, 1}, 2);
+  raster.corner = {0, 0};
+  const auto refused = [&](const Eigen::Matrix2Xd& polyline) {
+    for (const Crossing& crossing : measure_cell_crossings(CellMap(raster), polyline))
+      if (crossing.mismatch > 1e-10 + crossing.rounding) return true;
+    return false;
+  };
+  Eigen::Matrix2Xd bent(2, 4);  // up to the side at y = 1, and down again
+  bent << 0.25, 0.5, 0.5 + 3e-14, 0.75, 0.5, 1, 1, 0.5;
+  CHECK(refused(bent));
+  raster.values[raster.index(0, 2)] = kNoData;
+  Eigen::Matrix2Xd across(2, 4);
+  across << 0.5, 1, 3, 3.5, 0.5, 0.5, 0.5, 0.5;
+  CHECK(refused(across));
+}
+
 }  // namespace leastcost::test
