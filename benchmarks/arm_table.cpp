@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/find_path.hpp>
+#include <leastcost/framework/search/find_path.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/find_path.hpp>
+#include <leastcost/framework/search/find_path.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/distance/build_distance_grid.hpp>

@@ -6,14 +6,14 @@
 #include <numbers>
 #include <vector>
 
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
 #include <leastcost/problems/costs/travel_time.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
 #include <leastcost/solvers/lbfgs.hpp>
 #include <leastcost/solvers/newton.hpp>
 #include "benchmarks/measure.hpp"
-#include "framework/cascade.hpp"
+#include "framework/newton/cascade.hpp"
 #include "tests/support/half_plane.hpp"
 
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/find_path.hpp>
+#include <leastcost/framework/search/find_path.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/costs/travel_time.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>

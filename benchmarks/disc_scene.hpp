@@ -7,7 +7,7 @@
 #include <random>
 #include <utility>
 
-#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/problem/problem.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>

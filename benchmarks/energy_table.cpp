@@ -9,15 +9,15 @@
 #include <new>
 #include <numbers>
 
-#include <leastcost/framework/path_energy.hpp>
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
+#include <leastcost/framework/energy/path_energy.hpp>
 #include <leastcost/problems/costs/travel_time.hpp>
 #include <leastcost/problems/initializers/straight.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
 #include <leastcost/solvers/lbfgs.hpp>
 #include <leastcost/solvers/newton.hpp>
-#include "framework/spacing.hpp"
+#include "framework/energy/spacing.hpp"
 
 namespace {
 std::atomic<long> allocations{0};

@@ -12,7 +12,7 @@
 #include <memory>
 #include <vector>
 
-#include <leastcost/framework/path.hpp>
+#include <leastcost/framework/path/path.hpp>
 #include "tests/support/app_scene.hpp"
 
 namespace leastcost {

@@ -10,11 +10,11 @@
 #include <memory>
 #include <vector>
 
-#include <leastcost/framework/initializer.hpp>
-#include <leastcost/framework/path_energy.hpp>
-#include <leastcost/framework/solver.hpp>
+#include <leastcost/framework/energy/path_energy.hpp>
+#include <leastcost/framework/energy/solver.hpp>
+#include <leastcost/framework/problem/initializer.hpp>
 #include <leastcost/problems/initializers/straight.hpp>
-#include "framework/spacing.hpp"
+#include "framework/energy/spacing.hpp"
 
 /// What the tables of iterations share.
 namespace leastcost::bench {

@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-#include <leastcost/framework/find_path.hpp>
+#include <leastcost/framework/search/find_path.hpp>
 #include <leastcost/problems/initializers/grid.hpp>
 #include <leastcost/problems/post_processors/taut.hpp>
 #include <leastcost/solvers/no_solver.hpp>

@@ -13,7 +13,7 @@
 #include <tuple>
 #include <vector>
 
-#include <leastcost/framework/replanner.hpp>
+#include <leastcost/framework/replan/replanner.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>
 #include <leastcost/problems/post_processors/taut.hpp>
 #include <leastcost/solvers/newton.hpp>

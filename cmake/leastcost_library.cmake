@@ -15,7 +15,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/leastcost_objects.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/leastcost_unity.cmake)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 
-# <leastcost/...> in the tree, as it will be installed: <leastcost/framework/path.hpp> is framework/path.hpp.
+# <leastcost/...> in the tree, as it will be installed: <leastcost/framework/path/path.hpp> is framework/path/path.hpp.
 set(LEASTCOST_INCLUDE_DIR ${PROJECT_BINARY_DIR}/include)
 file(MAKE_DIRECTORY ${LEASTCOST_INCLUDE_DIR}/leastcost)
 foreach(folder IN ITEMS framework problems solvers ompl gdal catalogue)
@@ -83,11 +83,11 @@ function(leastcost_library name)
   leastcost_warnings(${target})
   leastcost_unity(${target})
   # One precompiled header for all: parsing Eigen is a third of the compile time. CI also compiles without it.
-  if(name STREQUAL "framework")
+  if(name STREQUAL "numbers")
     target_precompile_headers(${target} PRIVATE
       <Eigen/Core> <algorithm> <array> <cmath> <functional> <limits> <memory> <optional> <span> <string> <vector>)
   else()
-    target_precompile_headers(${target} REUSE_FROM leastcost_framework)
+    target_precompile_headers(${target} REUSE_FROM leastcost_numbers)
   endif()
   set_property(GLOBAL APPEND PROPERTY LEASTCOST_COMPONENTS ${name})
   set_property(GLOBAL APPEND PROPERTY LEASTCOST_COMPONENT_FOLDERS ${CMAKE_CURRENT_BINARY_DIR})

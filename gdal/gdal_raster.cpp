@@ -14,8 +14,8 @@
 #include <mutex>
 #include <optional>
 
-#include <leastcost/framework/errors.hpp>
-#include "framework/point_text.hpp"
+#include <leastcost/framework/base/errors.hpp>
+#include "framework/base/point_text.hpp"
 
 namespace leastcost {
 namespace {

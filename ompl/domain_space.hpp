@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include <leastcost/framework/has_sample_box.hpp>
-#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/domain/has_sample_box.hpp>
+#include <leastcost/framework/problem/problem.hpp>
 #include <leastcost/ompl/forward.hpp>
 #include "problems/initializers/clear_lines.hpp"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/ompl/state_columns.hpp>
 
 namespace leastcost {

@@ -41,11 +41,11 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_box.hpp>
-#include <leastcost/framework/has_sample_box.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/domain/has_box.hpp>
+#include <leastcost/framework/domain/has_sample_box.hpp>
 #include <leastcost/ompl/objective.hpp>
-#include "framework/point_text.hpp"
+#include "framework/base/point_text.hpp"
 #include "ompl/domain_space.hpp"
 #include "problems/initializers/clear_lines.hpp"
 

@@ -5,9 +5,9 @@
 #include <memory>
 #include <utility>
 
-#include <leastcost/framework/manifold.hpp>
-#include <leastcost/framework/path.hpp>
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
+#include <leastcost/framework/path/path.hpp>
 #include <leastcost/ompl/state_columns.hpp>
 #include <leastcost/problems/obstacles/walls.hpp>
 

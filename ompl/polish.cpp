@@ -12,12 +12,12 @@
 #include <string>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/solvers/newton.hpp>
-#include "framework/find_path_checks.hpp"
-#include "framework/point_text.hpp"
+#include "framework/base/point_text.hpp"
+#include "framework/search/find_path_checks.hpp"
 #include "ompl/plan_space.hpp"
 #include "ompl/tighten.hpp"
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include <leastcost/framework/clearance.hpp>
-#include <leastcost/framework/find_path.hpp>
+#include <leastcost/framework/problem/clearance.hpp>
+#include <leastcost/framework/search/find_path.hpp>
 #include <leastcost/ompl/forward.hpp>
 #include <leastcost/problems/obstacles/checker_walls.hpp>
 #include <leastcost/problems/obstacles/walls.hpp>

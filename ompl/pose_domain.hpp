@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
 
 namespace leastcost {
 

@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include <leastcost/framework/manifold.hpp>
-#include <leastcost/framework/path.hpp>
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
+#include <leastcost/framework/path/path.hpp>
 #include <leastcost/ompl/forward.hpp>
 
 namespace leastcost {

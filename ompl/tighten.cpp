@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/has_constant_metric.hpp>
+#include <leastcost/framework/cost/has_constant_metric.hpp>
 #include "problems/taut/tight_chain.hpp"
 
 namespace leastcost {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <leastcost/framework/monitor.hpp>
+#include <leastcost/framework/base/monitor.hpp>
 #include "ompl/plan_space.hpp"
 
 namespace leastcost {

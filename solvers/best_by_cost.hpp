@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include <leastcost/framework/stopping.hpp>
+#include <leastcost/framework/energy/stopping.hpp>
 #include "solvers/rare_test.hpp"
 
 namespace leastcost {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <leastcost/framework/path.hpp>
+#include <leastcost/framework/path/path.hpp>
 
 namespace leastcost {
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/free_move.hpp"
 
-#include <leastcost/framework/goes_beyond_bounds.hpp>
-#include "framework/in_parts.hpp"
+#include <leastcost/framework/domain/goes_beyond_bounds.hpp>
+#include "framework/domain/in_parts.hpp"
 
 namespace leastcost {
 namespace {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <leastcost/framework/deadline.hpp>
-#include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/base/deadline.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
 
 namespace leastcost {
 

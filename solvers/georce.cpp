@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include <leastcost/framework/stopping.hpp>
+#include <leastcost/framework/energy/stopping.hpp>
 #include "solvers/best_by_cost.hpp"
 #include "solvers/limit_fields.hpp"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <leastcost/framework/options.hpp>
-#include <leastcost/framework/solver.hpp>
+#include <leastcost/framework/base/options.hpp>
+#include <leastcost/framework/energy/solver.hpp>
 
 namespace leastcost {
 

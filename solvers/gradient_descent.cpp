@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include <leastcost/framework/stopping.hpp>
-#include "framework/bundle.hpp"
+#include <leastcost/framework/energy/stopping.hpp>
+#include "framework/newton/bundle.hpp"
 #include "solvers/first_move.hpp"
 #include "solvers/limit_fields.hpp"
 #include "solvers/rare_test.hpp"

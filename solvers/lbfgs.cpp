@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/chain_model.hpp>
-#include <leastcost/framework/stopping.hpp>
-#include "framework/bundle.hpp"
+#include <leastcost/framework/energy/chain_model.hpp>
+#include <leastcost/framework/energy/stopping.hpp>
+#include "framework/newton/bundle.hpp"
 #include "solvers/first_move.hpp"
 #include "solvers/lbfgs_history.hpp"
 #include "solvers/limit_fields.hpp"

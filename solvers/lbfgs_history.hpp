@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/path_energy.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/energy/path_energy.hpp>
 
 namespace leastcost {
 

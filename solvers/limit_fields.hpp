@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
 
 namespace leastcost {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/solvers/newton.hpp>
 
-#include "framework/chain_newton.hpp"
+#include "framework/newton/chain_newton.hpp"
 #include "solvers/limit_fields.hpp"
 
 namespace leastcost {

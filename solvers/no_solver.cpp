@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include <leastcost/framework/path_energy.hpp>
-#include <leastcost/framework/stopping.hpp>
+#include <leastcost/framework/energy/path_energy.hpp>
+#include <leastcost/framework/energy/stopping.hpp>
 
 namespace leastcost {
 

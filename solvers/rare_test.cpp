@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
-#include <leastcost/framework/stopping.hpp>
-#include "framework/bundle.hpp"
+#include <leastcost/framework/energy/stopping.hpp>
+#include "framework/newton/bundle.hpp"
 
 namespace leastcost {
 

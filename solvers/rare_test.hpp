@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <leastcost/framework/chain_model.hpp>
+#include <leastcost/framework/energy/chain_model.hpp>
 
 namespace leastcost {
 

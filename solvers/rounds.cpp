@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "framework/bundle.hpp"
+#include "framework/newton/bundle.hpp"
 #include "solvers/limit_fields.hpp"
 #include "solvers/rare_test.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include <leastcost/framework/options.hpp>
-#include <leastcost/framework/stopping.hpp>
+#include <leastcost/framework/base/options.hpp>
+#include <leastcost/framework/energy/stopping.hpp>
 #include <leastcost/solvers/chain_variables.hpp>
 #include <leastcost/solvers/preconditioner.hpp>
 

@@ -6,10 +6,10 @@
 #include <limits>
 #include <utility>
 
-#include <leastcost/framework/chain_model.hpp>
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/stopping.hpp>
-#include "framework/spacing.hpp"
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/energy/chain_model.hpp>
+#include <leastcost/framework/energy/stopping.hpp>
+#include "framework/energy/spacing.hpp"
 #include "solvers/best_by_cost.hpp"
 #include "solvers/first_move.hpp"
 #include "solvers/limit_fields.hpp"

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <utility>
 
-#include <leastcost/framework/stopping.hpp>
+#include <leastcost/framework/energy/stopping.hpp>
 #include "solvers/first_move.hpp"
 #include "solvers/lbfgs_history.hpp"
 #include "solvers/limit_fields.hpp"

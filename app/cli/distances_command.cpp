@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/exact/exact_search.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
 #include "app/cli/commands.hpp"

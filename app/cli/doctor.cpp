@@ -8,7 +8,7 @@
 #include <numbers>
 #include <ostream>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/mesh/mesh_report.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
 #include "app/cli/commands.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include <leastcost/framework/monitor.hpp>
+#include <leastcost/framework/base/monitor.hpp>
 #include "app/cli/streams.hpp"
 
 namespace leastcost::app {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <iterator>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "catalogue/output/vtp.hpp"
 
 namespace leastcost::app {

@@ -6,7 +6,7 @@
 
 #include <fstream>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 
 namespace leastcost::app {
 namespace {

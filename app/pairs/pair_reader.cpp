@@ -11,7 +11,7 @@
 #include <utility>
 
 #include <leastcost/catalogue/yaml/diagnostics.hpp>
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "app/study/rows/csv_text.hpp"
 
 namespace leastcost::app {

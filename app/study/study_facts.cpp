@@ -7,7 +7,7 @@
 #include <limits>
 #include <map>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "catalogue/options/options_writer.hpp"
 #include "catalogue/output/manifest.hpp"
 #include "catalogue/output/results.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <deque>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "benchmarks/comparison/crossings.hpp"
 #include "benchmarks/comparison/methods.hpp"
 

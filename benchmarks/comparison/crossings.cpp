@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/mesh/edge_graph.hpp>
 #include "problems/mesh/surface_walk.hpp"
 

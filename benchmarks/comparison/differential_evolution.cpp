@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "benchmarks/comparison/crossings.hpp"
 #include "benchmarks/comparison/methods.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "benchmarks/comparison/crossings.hpp"
 #include "benchmarks/comparison/methods.hpp"
 

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <memory>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 
 namespace leastcost {
 namespace {

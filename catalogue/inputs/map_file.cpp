@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "catalogue/inputs/png_image.hpp"
 #include "catalogue/yaml/scalars.hpp"
 #include "catalogue/yaml/yaml_reader.hpp"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/readers/occupancy_reader.hpp"
 
 namespace leastcost {

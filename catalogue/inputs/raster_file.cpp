@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "catalogue/back_ends/back_ends.hpp"
 #include "problems/readers/file_content.hpp"
 #include "problems/readers/raster_reader.hpp"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/find_path.hpp>
-#include <leastcost/framework/waypoints.hpp>
+#include <leastcost/framework/replan/waypoints.hpp>
+#include <leastcost/framework/search/result.hpp>
 
 namespace leastcost {
 

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include <leastcost/catalogue/output/write_run.hpp>
-#include <leastcost/framework/has_interfaces.hpp>
+#include <leastcost/framework/cost/has_interfaces.hpp>
 #include "catalogue/output/json_numbers.hpp"
 #include "catalogue/output/unit_of_cost.hpp"
 #include "catalogue/run/run_origin.hpp"

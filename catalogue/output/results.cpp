@@ -8,7 +8,7 @@
 #include <chrono>
 #include <span>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/raster/has_voids.hpp>
 #include "catalogue/back_ends/back_ends.hpp"
 #include "catalogue/output/geojson.hpp"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/problem/problem.hpp>
 
 namespace leastcost {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <leastcost/catalogue/run/run.hpp>
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 
 namespace leastcost {
 

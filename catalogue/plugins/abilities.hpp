@@ -7,10 +7,10 @@
 #include <type_traits>
 #include <vector>
 
-#include <leastcost/framework/has_constant_metric.hpp>
-#include <leastcost/framework/has_graph.hpp>
-#include <leastcost/framework/initializer.hpp>
-#include <leastcost/framework/mixes_moves.hpp>
+#include <leastcost/framework/cost/has_constant_metric.hpp>
+#include <leastcost/framework/cost/mixes_moves.hpp>
+#include <leastcost/framework/problem/has_graph.hpp>
+#include <leastcost/framework/problem/initializer.hpp>
 #include <leastcost/problems/chart/seams.hpp>
 #include <leastcost/problems/distance/has_distance_grid.hpp>
 #include <leastcost/problems/layers/has_layers.hpp>

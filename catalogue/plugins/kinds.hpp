@@ -5,12 +5,12 @@
 #include <memory>
 #include <vector>
 
-#include <leastcost/framework/initializer.hpp>
-#include <leastcost/framework/kernel.hpp>
-#include <leastcost/framework/manifold.hpp>
-#include <leastcost/framework/post_processor.hpp>
-#include <leastcost/framework/segment_cost.hpp>
-#include <leastcost/framework/solver.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
+#include <leastcost/framework/energy/solver.hpp>
+#include <leastcost/framework/path/kernel.hpp>
+#include <leastcost/framework/problem/initializer.hpp>
+#include <leastcost/framework/problem/post_processor.hpp>
 #include <leastcost/problems/obstacles/obstacle.hpp>
 #include <leastcost/problems/robots/robot.hpp>
 

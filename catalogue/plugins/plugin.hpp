@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/manifold.hpp>
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/base/options.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/distance/build_progress.hpp>
 
 namespace leastcost {
@@ -57,8 +57,8 @@ enum class WaitsFor {
 };
 
 /// What is known about a plug-in of any kind. What one plug-in provides and another needs are the words of abilities
-/// (framework/ability.hpp: "mesh", "constant metric", "ring"); what does not fit is refused before anything is read or
-/// computed. An ability that depends on options (a level set may be a surface) is provided if it may be there.
+/// (framework/base/ability.hpp: "mesh", "constant metric", "ring"); what does not fit is refused before anything is
+/// read or computed. An ability that depends on options (a level set may be a surface) is provided if it may be there.
 struct PluginEntry {
   std::string type;     ///< its name in a configuration
   std::string summary;  ///< one sentence

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
 #include "catalogue/plugins/plugin.hpp"
 #include "catalogue/yaml/config_node.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/registry/registry.hpp"
 

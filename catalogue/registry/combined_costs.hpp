@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
 #include <leastcost/problems/costs/combined_cost.hpp>
 #include "catalogue/plugins/plugin.hpp"
 #include "catalogue/plugins/run_visitor.hpp"

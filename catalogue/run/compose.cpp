@@ -13,9 +13,9 @@
 #include <utility>
 #include <variant>
 
-#include <leastcost/framework/clearance.hpp>
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_box.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/domain/has_box.hpp>
+#include <leastcost/framework/problem/clearance.hpp>
 #include <leastcost/problems/chart/is_geographic.hpp>
 #include <leastcost/problems/chart/target_images.hpp>
 #include <leastcost/problems/initializers/bow.hpp>

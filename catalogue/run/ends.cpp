@@ -9,14 +9,14 @@
 #include <optional>
 #include <utility>
 
-#include <leastcost/framework/clearance.hpp>
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/other_images.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/problem/clearance.hpp>
+#include <leastcost/framework/search/other_images.hpp>
 #include <leastcost/problems/chart/is_geographic.hpp>
 #include <leastcost/problems/manifolds/file_places.hpp>
 #include <leastcost/problems/manifolds/made_from_data.hpp>
 #include <leastcost/problems/occupancy/names_cells.hpp>
-#include "framework/point_text.hpp"
+#include "framework/base/point_text.hpp"
 
 namespace leastcost {
 namespace {

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/find_path.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/search/find_path.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
 
 namespace leastcost {

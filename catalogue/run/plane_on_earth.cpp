@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/chart/is_geographic.hpp>
 
 namespace leastcost {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/obstacles/obstacle.hpp>
 
 namespace leastcost {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <leastcost/catalogue/run/run_parts.hpp>
-#include <leastcost/framework/makes_on_demand.hpp>
+#include <leastcost/framework/domain/makes_on_demand.hpp>
 
 namespace leastcost {
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 #include <leastcost/catalogue/run/run.hpp>
+#include <leastcost/framework/family/find_family.hpp>
 
 #include <fmt/format.h>
 
@@ -11,7 +12,7 @@
 #include <system_error>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "catalogue/run/compose.hpp"
 #include "catalogue/run/look_elsewhere.hpp"
 #include "catalogue/run/pair_composer.hpp"
@@ -19,7 +20,7 @@
 #include "catalogue/run/run_checks.hpp"
 #include "catalogue/run/run_origin.hpp"
 #include "catalogue/run/search.hpp"
-#include "framework/point_text.hpp"
+#include "framework/base/point_text.hpp"
 #include "problems/raster/raster_cells.hpp"
 
 namespace leastcost {

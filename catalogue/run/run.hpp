@@ -12,7 +12,7 @@
 #include <leastcost/catalogue/run/run_parts.hpp>
 #include <leastcost/catalogue/yaml/diagnostics.hpp>
 #include <leastcost/catalogue/yaml/override.hpp>
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/distance/build_progress.hpp>
 
 namespace leastcost {

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include <leastcost/framework/certificate.hpp>
-#include <leastcost/framework/waypoints.hpp>
+#include <leastcost/framework/certificate/certificate.hpp>
+#include <leastcost/framework/replan/waypoints.hpp>
 #include "catalogue/options/options_writer.hpp"
 #include "catalogue/plugins/run_visitor.hpp"
 #include "catalogue/yaml/config_node.hpp"

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/family.hpp>
-#include <leastcost/framework/find_path.hpp>
-#include <leastcost/framework/waypoints.hpp>
+#include <leastcost/framework/family/family.hpp>
+#include <leastcost/framework/replan/waypoints.hpp>
+#include <leastcost/framework/search/find_path.hpp>
 
 namespace leastcost {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include <leastcost/framework/has_box.hpp>
+#include <leastcost/framework/domain/has_box.hpp>
 #include "problems/drawing/surroundings.hpp"
 
 namespace leastcost {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
 #include "catalogue/scene/relief.hpp"
 #include "problems/drawing/surroundings.hpp"
 

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include <leastcost/framework/family.hpp>
-#include <leastcost/framework/find_path.hpp>
-#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/family/family.hpp>
+#include <leastcost/framework/problem/problem.hpp>
+#include <leastcost/framework/search/result.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/drawing/draws_poses.hpp>
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 
 namespace leastcost {
 

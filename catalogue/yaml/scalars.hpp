@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
 #include "catalogue/yaml/config_node.hpp"
 
 namespace leastcost {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include <leastcost/framework/find_path.hpp>
+#include <leastcost/framework/search/find_path.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>

@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <random>
 
-#include <leastcost/framework/check_cost.hpp>
-#include <leastcost/framework/find_path.hpp>
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/check/check_cost.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
+#include <leastcost/framework/search/find_path.hpp>
 #include <leastcost/problems/initializers/straight.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>

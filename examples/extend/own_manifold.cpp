@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <random>
 
-#include <leastcost/framework/check_manifold.hpp>
-#include <leastcost/framework/find_path.hpp>
+#include <leastcost/framework/check/check_manifold.hpp>
+#include <leastcost/framework/search/find_path.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/initializers/straight.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <utility>
 
-#include <leastcost/framework/find_path.hpp>
-#include <leastcost/framework/stopping.hpp>
+#include <leastcost/framework/energy/stopping.hpp>
+#include <leastcost/framework/search/find_path.hpp>
 #include <leastcost/problems/costs/travel_time.hpp>
 #include <leastcost/problems/initializers/straight.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>

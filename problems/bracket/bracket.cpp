@@ -7,8 +7,8 @@
 #include <functional>
 #include <utility>
 
-#include <leastcost/framework/dual.hpp>
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/numbers/dual.hpp>
 #include "problems/bracket/bisector.hpp"
 #include "problems/bracket/descent.hpp"
 #include "problems/bracket/level.hpp"

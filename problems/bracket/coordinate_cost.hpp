@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include <leastcost/framework/manifold.hpp>
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
 
 namespace leastcost {
 

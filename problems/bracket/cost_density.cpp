@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include <leastcost/framework/encloses_metric.hpp>
+#include <leastcost/framework/cost/encloses_metric.hpp>
 
 namespace leastcost {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include <leastcost/framework/encloses_metric.hpp>
+#include <leastcost/framework/cost/encloses_metric.hpp>
 
 namespace leastcost {
 namespace {

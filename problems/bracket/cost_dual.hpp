@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include <leastcost/eigen_alignment.hpp>
-#include <leastcost/framework/interval_jet.hpp>
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
+#include <leastcost/framework/numbers/interval_jet.hpp>
 
 namespace leastcost {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/dual.hpp>
+#include <leastcost/framework/numbers/dual.hpp>
 
 namespace leastcost::bracket {
 namespace {

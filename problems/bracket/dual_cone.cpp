@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include <leastcost/framework/dual.hpp>
+#include <leastcost/framework/numbers/dual.hpp>
 #include "problems/bracket/cell_grid.hpp"
 
 namespace leastcost::bracket {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include <leastcost/framework/dual.hpp>
+#include <leastcost/framework/numbers/dual.hpp>
 #include "problems/bracket/cone_bound.hpp"
 
 namespace leastcost::bracket {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <leastcost/framework/global_bound.hpp>
+#include <leastcost/framework/problem/global_bound.hpp>
 #include <leastcost/problems/bracket/bracket.hpp>
 
 namespace leastcost {

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include <leastcost/framework/interval.hpp>
+#include <leastcost/framework/numbers/interval.hpp>
 #include <leastcost/problems/bracket/cost_density.hpp>
 #include "problems/bracket/blocked_parts.hpp"
 #include "problems/bracket/cell_grid.hpp"

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "framework/point_text.hpp"
+#include "framework/base/point_text.hpp"
 
 namespace leastcost {
 namespace {

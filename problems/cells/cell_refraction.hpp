@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include <leastcost/framework/has_interfaces.hpp>
+#include <leastcost/framework/cost/has_interfaces.hpp>
 #include "problems/cells/cell_map.hpp"
 
 namespace leastcost {

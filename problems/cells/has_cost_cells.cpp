@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include <leastcost/framework/checks_moves.hpp>
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_box.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/domain/checks_moves.hpp>
+#include <leastcost/framework/domain/has_box.hpp>
 
 namespace leastcost {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/problem/problem.hpp>
 #include "problems/cells/cell_map.hpp"
 
 namespace leastcost {

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <vector>
 
-#include <leastcost/framework/has_images.hpp>
-#include <leastcost/framework/path.hpp>
+#include <leastcost/framework/domain/has_images.hpp>
+#include <leastcost/framework/path/path.hpp>
 #include <leastcost/problems/chart/seams.hpp>
 
 namespace leastcost {

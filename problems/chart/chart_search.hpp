@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
 
 namespace leastcost {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/chart/seams.hpp>
 
 namespace leastcost {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/problem/problem.hpp>
 
 namespace leastcost {
 

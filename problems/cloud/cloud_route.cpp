@@ -10,8 +10,8 @@
 #include <string>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
 #include "problems/cloud/unresolved.hpp"
 #include "problems/graph/shortest_route.hpp"
 

@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include <leastcost/framework/monitor.hpp>
-#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/base/monitor.hpp>
+#include <leastcost/framework/problem/problem.hpp>
 #include <leastcost/problems/cloud/has_point_cloud.hpp>
 
 namespace leastcost {

@@ -11,9 +11,9 @@
 #include <queue>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/graph/sparse_graph.hpp>
-#include "framework/point_text.hpp"
+#include "framework/base/point_text.hpp"
 #include "problems/cloud/local_fit.hpp"
 #include "problems/cloud/orient_normals.hpp"
 

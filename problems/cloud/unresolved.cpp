@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
-#include "framework/point_text.hpp"
+#include <leastcost/framework/base/errors.hpp>
+#include "framework/base/point_text.hpp"
 
 namespace leastcost {
 namespace {

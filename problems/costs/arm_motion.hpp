@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include <leastcost/framework/segment_derivatives.hpp>
+#include <leastcost/framework/cost/segment_derivatives.hpp>
 #include <leastcost/problems/robots/dh_arm.hpp>
 
 namespace leastcost {

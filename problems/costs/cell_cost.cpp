@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_interfaces.hpp>
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/has_interfaces.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
 #include <leastcost/problems/chart/is_geographic.hpp>
 #include "problems/cells/beside_sides.hpp"
 #include "problems/cells/cell_refraction.hpp"

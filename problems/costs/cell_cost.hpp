@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
 #include <leastcost/problems/raster/raster.hpp>
 
 namespace leastcost {

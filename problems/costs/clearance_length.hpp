@@ -4,9 +4,9 @@
 
 #include <memory>
 
-#include <leastcost/framework/manifold.hpp>
-#include <leastcost/framework/options.hpp>
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/base/options.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/obstacles/walls.hpp>
 
 namespace leastcost {

@@ -8,12 +8,12 @@
 #include <sstream>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_conformal_metric.hpp>
-#include <leastcost/framework/has_constant_metric.hpp>
-#include <leastcost/framework/has_interfaces.hpp>
-#include <leastcost/framework/has_notes.hpp>
-#include <leastcost/framework/regularized.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/has_conformal_metric.hpp>
+#include <leastcost/framework/cost/has_constant_metric.hpp>
+#include <leastcost/framework/cost/has_interfaces.hpp>
+#include <leastcost/framework/cost/has_notes.hpp>
+#include <leastcost/framework/cost/regularized.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
 #include "problems/costs/derived_cost.hpp"
 #include "problems/formula/coordinate_names.hpp"

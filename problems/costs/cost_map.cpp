@@ -7,12 +7,12 @@
 #include <optional>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
 #include <leastcost/problems/bracket/cost_density.hpp>
 #include <leastcost/problems/chart/is_geographic.hpp>
 #include <leastcost/problems/raster/has_voids.hpp>
-#include "framework/point_text.hpp"
+#include "framework/base/point_text.hpp"
 #include "problems/costs/cell_cost.hpp"
 #include "problems/costs/raster_density.hpp"
 #include "problems/raster/has_cell_index.hpp"

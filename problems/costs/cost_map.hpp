@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include <leastcost/framework/options.hpp>
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/base/options.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
 #include <leastcost/problems/raster/raster_options.hpp>
 
 namespace leastcost {

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
 
 namespace leastcost {
 

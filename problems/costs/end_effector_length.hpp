@@ -7,8 +7,8 @@
 #include <string_view>
 #include <variant>
 
-#include <leastcost/framework/options.hpp>
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/base/options.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
 #include <leastcost/problems/robots/arm_models.hpp>
 
 namespace leastcost {

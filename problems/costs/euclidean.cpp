@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/costs/euclidean.hpp>
 
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
 
 namespace leastcost {
 namespace {

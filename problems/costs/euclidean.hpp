@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include <leastcost/framework/has_constant_metric.hpp>
+#include <leastcost/framework/cost/has_constant_metric.hpp>
 
 namespace leastcost {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/segment_derivatives.hpp>
+#include <leastcost/framework/cost/segment_derivatives.hpp>
 
 namespace leastcost {
 

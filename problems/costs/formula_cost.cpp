@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/encloses_metric.hpp>
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_box.hpp>
-#include <leastcost/framework/has_notes.hpp>
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/encloses_metric.hpp>
+#include <leastcost/framework/cost/has_notes.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
+#include <leastcost/framework/domain/has_box.hpp>
 #include "problems/costs/lagrangian_check.hpp"
 #include "problems/costs/lagrangian_form.hpp"
 #include "problems/costs/lagrangian_hull.hpp"

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/manifold.hpp>
-#include <leastcost/framework/options.hpp>
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/base/options.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
 
 namespace leastcost {
 

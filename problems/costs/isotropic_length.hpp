@@ -8,8 +8,8 @@
 #include <sstream>
 #include <string>
 
-#include <leastcost/framework/has_conformal_metric.hpp>
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/cost/has_conformal_metric.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
 
 namespace leastcost {
 

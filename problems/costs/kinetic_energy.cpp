@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/segment_cost_function.hpp>
-#include "framework/symmetric_eigen.hpp"
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
+#include "framework/base/symmetric_eigen.hpp"
 #include "problems/costs/arm_motion.hpp"
 
 namespace leastcost {

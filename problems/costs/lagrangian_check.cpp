@@ -11,11 +11,11 @@
 #include <sstream>
 #include <vector>
 
-#include <leastcost/framework/dual.hpp>
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/interval_jet.hpp>
-#include "framework/point_text.hpp"
-#include "framework/symmetric_eigen.hpp"
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/numbers/dual.hpp>
+#include <leastcost/framework/numbers/interval_jet.hpp>
+#include "framework/base/point_text.hpp"
+#include "framework/base/symmetric_eigen.hpp"
 
 namespace leastcost {
 namespace {

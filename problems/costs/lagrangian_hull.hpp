@@ -6,8 +6,8 @@
 #include <optional>
 #include <span>
 
-#include <leastcost/framework/dual.hpp>
-#include <leastcost/framework/segment_derivatives.hpp>
+#include <leastcost/framework/cost/segment_derivatives.hpp>
+#include <leastcost/framework/numbers/dual.hpp>
 #include "problems/formula/formula.hpp"
 
 namespace leastcost {

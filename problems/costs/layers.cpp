@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
 #include "problems/layers/snell.hpp"
 
 namespace leastcost {

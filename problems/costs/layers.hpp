@@ -5,9 +5,9 @@
 #include <memory>
 #include <optional>
 
-#include <leastcost/framework/has_interfaces.hpp>
-#include <leastcost/framework/options.hpp>
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/base/options.hpp>
+#include <leastcost/framework/cost/has_interfaces.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
 #include <leastcost/problems/layers/has_layers.hpp>
 
 namespace leastcost {

@@ -9,11 +9,11 @@
 #include <string>
 #include <utility>
 
-#include <leastcost/framework/encloses_metric.hpp>
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/encloses_metric.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
 #include <leastcost/problems/costs/sampled_tensors.hpp>
-#include "framework/symmetric_eigen.hpp"
+#include "framework/base/symmetric_eigen.hpp"
 #include "problems/formula/coordinate_names.hpp"
 #include "problems/formula/formula.hpp"
 

@@ -10,9 +10,9 @@
 #include <variant>
 #include <vector>
 
-#include <leastcost/framework/manifold.hpp>
-#include <leastcost/framework/options.hpp>
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/base/options.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/costs/sampled_tensors.hpp>
 
 namespace leastcost {

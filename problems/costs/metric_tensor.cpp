@@ -5,9 +5,9 @@
 #include <Eigen/Cholesky>
 #include <string>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_constant_metric.hpp>
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/has_constant_metric.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
 
 namespace leastcost {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include <leastcost/framework/has_constant_metric.hpp>
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
+#include <leastcost/framework/cost/has_constant_metric.hpp>
 
 namespace leastcost {
 

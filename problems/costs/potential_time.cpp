@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_conformal_metric.hpp>
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/has_conformal_metric.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
 #include "problems/formula/coordinate_names.hpp"
 #include "problems/formula/formula.hpp"
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_free_places.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/has_free_places.hpp>
 #include "problems/costs/isotropic_length.hpp"
 #include "problems/formula/coordinate_names.hpp"
 #include "problems/formula/formula.hpp"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/readers/tensor_reader.hpp"
 #include "problems/tensor/curvature.hpp"
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <string_view>
 
-#include <leastcost/framework/manifold.hpp>
-#include <leastcost/framework/options.hpp>
-#include <leastcost/framework/segment_derivatives.hpp>
+#include <leastcost/framework/base/options.hpp>
+#include <leastcost/framework/cost/segment_derivatives.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/tensor/tensor_samples.hpp>
 
 namespace leastcost {

@@ -9,9 +9,9 @@
 #include <sstream>
 #include <string>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_conformal_metric.hpp>
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/has_conformal_metric.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
 #include "problems/costs/potential_time.hpp"
 
 namespace leastcost {

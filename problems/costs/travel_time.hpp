@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
-#include <leastcost/framework/options.hpp>
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/base/options.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
 
 namespace leastcost {
 

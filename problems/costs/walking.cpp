@@ -11,8 +11,8 @@
 #include <sstream>
 #include <string>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
 #include "problems/costs/walking_laws.hpp"
 
 namespace leastcost {

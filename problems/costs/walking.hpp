@@ -6,10 +6,10 @@
 #include <string_view>
 #include <variant>
 
-#include <leastcost/framework/mixes_moves.hpp>
-#include <leastcost/framework/options.hpp>
-#include <leastcost/framework/regularized.hpp>
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/base/options.hpp>
+#include <leastcost/framework/cost/mixes_moves.hpp>
+#include <leastcost/framework/cost/regularized.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
 
 namespace leastcost {
 

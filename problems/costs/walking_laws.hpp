@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include <leastcost/framework/dual.hpp>
+#include <leastcost/framework/numbers/dual.hpp>
 
 /// \file
 /// What it takes to walk a unit of map distance at a slope s = rise / map distance, as far as it is walked straight.

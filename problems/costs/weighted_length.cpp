@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_blocks.hpp>
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
+#include <leastcost/framework/domain/has_blocks.hpp>
 
 namespace leastcost {
 namespace {

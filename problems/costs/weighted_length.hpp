@@ -5,9 +5,9 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include <leastcost/framework/has_constant_metric.hpp>
-#include <leastcost/framework/manifold.hpp>
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
+#include <leastcost/framework/cost/has_constant_metric.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
 
 namespace leastcost {
 

@@ -11,8 +11,8 @@
 #include <variant>
 #include <vector>
 
-#include <leastcost/framework/options.hpp>
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/base/options.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
 
 namespace leastcost {
 

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/cloud/cloud_surface.hpp>
 #include "problems/cloud/unresolved.hpp"
 #include "problems/distance/distance_signs.hpp"

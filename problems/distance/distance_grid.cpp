@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/spline/bspline_line.hpp"
 
 namespace leastcost {

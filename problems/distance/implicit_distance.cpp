@@ -7,8 +7,8 @@
 #include <limits>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
-#include "framework/point_text.hpp"
+#include <leastcost/framework/base/errors.hpp>
+#include "framework/base/point_text.hpp"
 #include "problems/distance/distance_signs.hpp"
 #include "problems/distance/foot_points.hpp"
 

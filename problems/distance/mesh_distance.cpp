@@ -6,10 +6,10 @@
 #include <optional>
 #include <sstream>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/mesh/closest_point.hpp>
 #include <leastcost/problems/mesh/mesh_report.hpp>
-#include "framework/point_text.hpp"
+#include "framework/base/point_text.hpp"
 #include "problems/distance/distance_signs.hpp"
 #include "problems/distance/foot_points.hpp"
 #include "problems/distance/orient_faces.hpp"

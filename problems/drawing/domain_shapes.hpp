@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/level_set/constraint_function.hpp>
 #include "problems/drawing/surroundings.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/path.hpp>
+#include <leastcost/framework/path/path.hpp>
 
 namespace leastcost {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include <leastcost/framework/path.hpp>
+#include <leastcost/framework/path/path.hpp>
 
 namespace leastcost {
 

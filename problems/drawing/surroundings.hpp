@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
 
 namespace leastcost {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/straighten/straighten.hpp>
 #include "problems/exact/propagation.hpp"
 

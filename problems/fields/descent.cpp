@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/mesh/edge_graph.hpp>
 #include "problems/mesh/surface_walk.hpp"
 

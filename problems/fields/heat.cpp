@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
-#include <leastcost/framework/errors.hpp>
-#include "framework/point_text.hpp"
+#include <leastcost/framework/base/errors.hpp>
+#include "framework/base/point_text.hpp"
 #include "problems/fields/intrinsic_mesh.hpp"
 
 namespace leastcost {

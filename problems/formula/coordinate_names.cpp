@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include <leastcost/framework/names_coordinates.hpp>
+#include <leastcost/framework/domain/names_coordinates.hpp>
 
 namespace leastcost {
 

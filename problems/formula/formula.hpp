@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/formula/formula_program.hpp"
 
 namespace leastcost {

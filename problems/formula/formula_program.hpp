@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/dual.hpp>
-#include <leastcost/framework/interval.hpp>
+#include <leastcost/framework/numbers/dual.hpp>
+#include <leastcost/framework/numbers/interval.hpp>
 
 namespace leastcost {
 

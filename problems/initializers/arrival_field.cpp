@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numeric>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/manifold.hpp>
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
 
 namespace leastcost {
 namespace {

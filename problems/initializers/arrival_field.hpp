@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/problem/problem.hpp>
 #include "problems/graph/lattice_route.hpp"
 #include "problems/graph/monotone_queue.hpp"
 #include "problems/initializers/grid_search.hpp"

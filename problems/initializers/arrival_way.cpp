@@ -3,7 +3,7 @@
 // The way back down an arrival field.
 #include <algorithm>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/initializers/arrival_field.hpp"
 
 namespace leastcost {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/has_constant_metric.hpp>
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/cost/has_constant_metric.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
 
 namespace leastcost {
 

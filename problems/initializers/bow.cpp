@@ -7,8 +7,8 @@
 #include <numbers>
 #include <string>
 
-#include <leastcost/framework/errors.hpp>
-#include "framework/in_parts.hpp"
+#include <leastcost/framework/base/errors.hpp>
+#include "framework/domain/in_parts.hpp"
 
 namespace leastcost {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include <leastcost/framework/errors.hpp>
-#include "framework/in_parts.hpp"
+#include <leastcost/framework/base/errors.hpp>
+#include "framework/domain/in_parts.hpp"
 #include "problems/cells/beside_sides.hpp"
 #include "problems/cells/cell_graph.hpp"
 #include "problems/cells/has_cost_cells.hpp"

@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include <leastcost/framework/initializer.hpp>
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
+#include <leastcost/framework/problem/initializer.hpp>
 
 namespace leastcost {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include <leastcost/framework/clearance.hpp>
+#include <leastcost/framework/problem/clearance.hpp>
 
 namespace leastcost {
 namespace {

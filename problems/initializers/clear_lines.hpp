@@ -6,9 +6,9 @@
 #include <random>
 #include <vector>
 
-#include <leastcost/framework/checks_moves.hpp>
-#include <leastcost/framework/monitor.hpp>
-#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/base/monitor.hpp>
+#include <leastcost/framework/domain/checks_moves.hpp>
+#include <leastcost/framework/problem/problem.hpp>
 #include "problems/section/projected_line.hpp"
 
 namespace leastcost {

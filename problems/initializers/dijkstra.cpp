@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_graph.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/problem/has_graph.hpp>
 #include "problems/initializers/away_from_routes.hpp"
 #include "problems/initializers/route_keeper.hpp"
 #include "problems/mesh/edge_route.hpp"

@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_free_places.hpp>
-#include <leastcost/framework/has_graph.hpp>
-#include <leastcost/framework/path_energy.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/has_free_places.hpp>
+#include <leastcost/framework/energy/path_energy.hpp>
+#include <leastcost/framework/problem/has_graph.hpp>
 #include <leastcost/problems/initializers/grid.hpp>
 #include <leastcost/problems/initializers/straight.hpp>
-#include "framework/spacing.hpp"
+#include "framework/energy/spacing.hpp"
 #include "problems/initializers/arrival_field.hpp"
 #include "problems/initializers/grid_search.hpp"
 #include "problems/initializers/lattice_box.hpp"

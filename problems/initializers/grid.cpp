@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/checks_moves.hpp>
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/domain/checks_moves.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>
 #include "problems/initializers/grid_search.hpp"
 #include "problems/initializers/lattice_box.hpp"

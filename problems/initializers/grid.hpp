@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include <leastcost/framework/initializer.hpp>
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
+#include <leastcost/framework/problem/initializer.hpp>
 
 namespace leastcost {
 

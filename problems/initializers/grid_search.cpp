@@ -6,10 +6,10 @@
 #include <cmath>
 #include <string>
 
-#include <leastcost/framework/clearance.hpp>
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_constant_metric.hpp>
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/has_constant_metric.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
+#include <leastcost/framework/problem/clearance.hpp>
 #include "problems/initializers/lattice_box.hpp"
 
 namespace leastcost {

@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <vector>
 
-#include <leastcost/framework/checks_moves.hpp>
-#include <leastcost/framework/monitor.hpp>
-#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/base/monitor.hpp>
+#include <leastcost/framework/domain/checks_moves.hpp>
+#include <leastcost/framework/problem/problem.hpp>
 #include "problems/graph/lattice_route.hpp"
 
 namespace leastcost {

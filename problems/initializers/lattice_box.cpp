@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_box.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/domain/has_box.hpp>
 
 namespace leastcost {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include <leastcost/framework/initializer.hpp>
+#include <leastcost/framework/problem/initializer.hpp>
 
 namespace leastcost {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <leastcost/framework/has_conformal_metric.hpp>
-#include <leastcost/framework/manifold.hpp>
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/cost/has_conformal_metric.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/bracket/coordinate_cost.hpp>
 #include <leastcost/problems/bracket/cost_density.hpp>
 

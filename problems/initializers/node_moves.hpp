@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/problem/problem.hpp>
 
 namespace leastcost {
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <leastcost/framework/initializer.hpp>
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
+#include <leastcost/framework/problem/initializer.hpp>
 
 namespace leastcost {
 

@@ -9,9 +9,9 @@
 #include <random>
 #include <vector>
 
-#include <leastcost/framework/has_sample_box.hpp>
-#include <leastcost/framework/monitor.hpp>
-#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/base/monitor.hpp>
+#include <leastcost/framework/domain/has_sample_box.hpp>
+#include <leastcost/framework/problem/problem.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>
 #include "problems/initializers/clear_lines.hpp"
 #include "problems/initializers/growing_points.hpp"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/problem/problem.hpp>
 #include <leastcost/problems/straighten/geodesic.hpp>
 #include "problems/mesh/edge_landmarks.hpp"
 

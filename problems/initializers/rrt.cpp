@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/checks_moves.hpp>
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/domain/checks_moves.hpp>
 #include "problems/initializers/random_trees.hpp"
 
 namespace leastcost {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/path_energy.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/energy/path_energy.hpp>
 #include "problems/section/projected_line.hpp"
 
 namespace leastcost {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <leastcost/framework/initializer.hpp>
+#include <leastcost/framework/problem/initializer.hpp>
 
 namespace leastcost {
 

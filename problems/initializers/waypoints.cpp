@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_images.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/domain/has_images.hpp>
 #include <leastcost/problems/chart/seams.hpp>
 #include <leastcost/problems/mesh/edge_graph.hpp>
 #include <leastcost/problems/mesh/has_mesh.hpp>
-#include "framework/in_parts.hpp"
+#include "framework/domain/in_parts.hpp"
 #include "problems/mesh/edge_route.hpp"
 #include "problems/mesh/mesh_curve.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include <leastcost/framework/initializer.hpp>
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
+#include <leastcost/framework/problem/initializer.hpp>
 
 namespace leastcost {
 

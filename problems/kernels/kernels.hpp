@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <leastcost/framework/kernel.hpp>
+#include <leastcost/framework/path/kernel.hpp>
 
 namespace leastcost {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include <leastcost/framework/path.hpp>
+#include <leastcost/framework/path/path.hpp>
 
 #include <leastcost/eigen_alignment.hpp>
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include <leastcost/framework/interval.hpp>
+#include <leastcost/framework/numbers/interval.hpp>
 
 namespace leastcost {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include <leastcost/framework/chain_system.hpp>
+#include <leastcost/framework/energy/chain_system.hpp>
 
 namespace leastcost {
 namespace {

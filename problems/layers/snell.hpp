@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include <leastcost/framework/has_interfaces.hpp>
+#include <leastcost/framework/cost/has_interfaces.hpp>
 #include <leastcost/problems/layers/layer_stack.hpp>
 
 namespace leastcost {

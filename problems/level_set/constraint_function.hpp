@@ -8,10 +8,10 @@
 #include <span>
 #include <utility>
 
-#include <leastcost/framework/dual.hpp>
-#include <leastcost/framework/encloses_level_set.hpp>
-#include <leastcost/framework/manifold.hpp>
-#include <leastcost/framework/segment_derivatives.hpp>
+#include <leastcost/framework/cost/segment_derivatives.hpp>
+#include <leastcost/framework/domain/encloses_level_set.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
+#include <leastcost/framework/numbers/dual.hpp>
 
 namespace leastcost {
 
@@ -37,8 +37,9 @@ class ConstraintFunction {
 ///     };
 ///
 /// With more than one output, `value` returns a Point<S, outputs>. A surface in space that says `static constexpr bool
-/// encloses = true` is compiled with intervals as well (framework/interval.hpp, interval_jet.hpp), and certificates on
-/// it can be proved: what it does with S are the operators and functions of these, and no branch depends on a value.
+/// encloses = true` is compiled with intervals as well (framework/numbers/interval.hpp, interval_jet.hpp), and
+/// certificates on it can be proved: what it does with S are the operators and functions of these, and no branch
+/// depends on a value.
 template <class F>
 class ConstraintFunctionOf final : public ConstraintFunction, private LevelSetEnclosure {
  public:

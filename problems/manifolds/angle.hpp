@@ -4,11 +4,11 @@
 
 #include <optional>
 
-#include <leastcost/framework/has_box.hpp>
-#include <leastcost/framework/has_images.hpp>
-#include <leastcost/framework/has_sample_box.hpp>
-#include <leastcost/framework/manifold.hpp>
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
+#include <leastcost/framework/domain/has_box.hpp>
+#include <leastcost/framework/domain/has_images.hpp>
+#include <leastcost/framework/domain/has_sample_box.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/manifolds/box.hpp>
 
 namespace leastcost {

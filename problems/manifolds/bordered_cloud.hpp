@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include <leastcost/framework/goes_beyond_bounds.hpp>
-#include <leastcost/framework/sees_bounds.hpp>
+#include <leastcost/framework/domain/goes_beyond_bounds.hpp>
+#include <leastcost/framework/domain/sees_bounds.hpp>
 #include <leastcost/problems/manifolds/point_cloud.hpp>
 
 namespace leastcost {

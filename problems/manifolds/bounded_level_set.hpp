@@ -5,8 +5,8 @@
 #include <array>
 #include <memory>
 
-#include <leastcost/framework/goes_beyond_bounds.hpp>
-#include <leastcost/framework/segment_derivatives.hpp>
+#include <leastcost/framework/cost/segment_derivatives.hpp>
+#include <leastcost/framework/domain/goes_beyond_bounds.hpp>
 #include <leastcost/problems/manifolds/box.hpp>
 #include <leastcost/problems/manifolds/level_set.hpp>
 

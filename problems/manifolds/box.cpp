@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 
 namespace leastcost {
 namespace {

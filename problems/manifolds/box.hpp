@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
 
 namespace leastcost {
 

@@ -8,9 +8,9 @@
 #include <span>
 #include <utility>
 
-#include <leastcost/framework/dual.hpp>
-#include <leastcost/framework/interval_jet.hpp>
-#include <leastcost/framework/path.hpp>
+#include <leastcost/framework/numbers/dual.hpp>
+#include <leastcost/framework/numbers/interval_jet.hpp>
+#include <leastcost/framework/path/path.hpp>
 
 namespace leastcost {
 

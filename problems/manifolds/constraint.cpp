@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/manifolds/constraint.hpp>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_blocks.hpp>
-#include <leastcost/framework/has_images.hpp>
-#include <leastcost/framework/has_sample_box.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/domain/has_blocks.hpp>
+#include <leastcost/framework/domain/has_images.hpp>
+#include <leastcost/framework/domain/has_sample_box.hpp>
 #include "problems/formula/coordinate_names.hpp"
 #include "problems/level_set/formula_constraint.hpp"
 #include "problems/level_set/named_surfaces.hpp"

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
 #include <leastcost/problems/manifolds/level_set.hpp>
 
 namespace leastcost {

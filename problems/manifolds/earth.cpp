@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/manifolds/chart_surfaces.hpp"
 
 namespace leastcost {

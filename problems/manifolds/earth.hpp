@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
 #include <leastcost/problems/chart/is_geographic.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/segment_derivatives.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/segment_derivatives.hpp>
 
 namespace leastcost {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/problem/problem.hpp>
 
 namespace leastcost {
 

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/formula/coordinate_names.hpp"
 #include "problems/level_set/formula_constraint.hpp"
 #include "problems/level_set/named_surfaces.hpp"

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <variant>
 
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
 #include <leastcost/problems/manifolds/box.hpp>
 #include <leastcost/problems/manifolds/level_set.hpp>
 

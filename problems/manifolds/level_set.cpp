@@ -10,8 +10,8 @@
 #include <sstream>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
-#include "framework/point_text.hpp"
+#include <leastcost/framework/base/errors.hpp>
+#include "framework/base/point_text.hpp"
 #include "problems/drawing/domain_shapes.hpp"
 
 namespace leastcost {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include <leastcost/framework/encloses_level_set.hpp>
-#include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/domain/encloses_level_set.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/level_set/constraint_function.hpp>
 #include <leastcost/problems/level_set/has_level_set.hpp>

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/occupancy/free_mesh.hpp"
 
 namespace leastcost {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/has_graph.hpp>
-#include <leastcost/framework/makes_on_demand.hpp>
-#include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/domain/makes_on_demand.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
+#include <leastcost/framework/problem/has_graph.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/manifolds/made_from_data.hpp>
 #include <leastcost/problems/manifolds/mesh.hpp>

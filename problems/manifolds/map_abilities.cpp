@@ -9,8 +9,8 @@
 #include <limits>
 #include <optional>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
 #include <leastcost/problems/manifolds/map.hpp>
 #include "problems/graph/lattice_route.hpp"
 #include "problems/mesh/mesh_curve.hpp"

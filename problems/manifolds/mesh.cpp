@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/mesh/surface_path.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
 #include "problems/mesh/weld_option.hpp"

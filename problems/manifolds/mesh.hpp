@@ -8,10 +8,10 @@
 #include <optional>
 #include <string>
 
-#include <leastcost/framework/has_graph.hpp>
-#include <leastcost/framework/makes_on_demand.hpp>
-#include <leastcost/framework/manifold.hpp>
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
+#include <leastcost/framework/domain/makes_on_demand.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
+#include <leastcost/framework/problem/has_graph.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/manifolds/file_places.hpp>
 #include <leastcost/problems/manifolds/made_from_data.hpp>

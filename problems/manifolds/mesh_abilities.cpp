@@ -6,7 +6,7 @@
 #include <sstream>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/manifolds/mesh.hpp>
 #include <leastcost/problems/mesh/surface_path.hpp>
 #include "problems/drawing/domain_shapes.hpp"

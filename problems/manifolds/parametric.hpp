@@ -11,10 +11,10 @@
 #include <variant>
 #include <vector>
 
-#include <leastcost/framework/encloses_chart.hpp>
-#include <leastcost/framework/has_images.hpp>
-#include <leastcost/framework/manifold.hpp>
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
+#include <leastcost/framework/domain/encloses_chart.hpp>
+#include <leastcost/framework/domain/has_images.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/chart/seams.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/manifolds/box.hpp>

@@ -9,9 +9,9 @@
 #include <string>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
-#include "framework/point_text.hpp"
+#include "framework/base/point_text.hpp"
 #include "problems/formula/formula.hpp"
 #include "problems/manifolds/chart_surfaces.hpp"
 #include "problems/manifolds/length_field.hpp"

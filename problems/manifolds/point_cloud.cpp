@@ -6,7 +6,7 @@
 #include <sstream>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/readers/point_cloud_reader.hpp>
 #include "problems/manifolds/bordered_cloud.hpp"
 

@@ -8,9 +8,9 @@
 #include <mutex>
 #include <string>
 
-#include <leastcost/framework/has_graph.hpp>
-#include <leastcost/framework/manifold.hpp>
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
+#include <leastcost/framework/problem/has_graph.hpp>
 #include <leastcost/problems/cloud/has_point_cloud.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/manifolds/file_places.hpp>

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/manifolds/point_cloud.hpp>
 #include "problems/cloud/cloud_route.hpp"
 #include "problems/cloud/unresolved.hpp"

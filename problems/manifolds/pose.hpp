@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include <leastcost/framework/has_origin.hpp>
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
+#include <leastcost/framework/domain/has_origin.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/manifolds/box.hpp>
 #include <leastcost/problems/manifolds/product.hpp>

@@ -7,9 +7,9 @@
 #include <limits>
 #include <utility>
 
-#include <leastcost/framework/checks_moves.hpp>
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/segment_derivatives.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/segment_derivatives.hpp>
+#include <leastcost/framework/domain/checks_moves.hpp>
 #include "problems/formula/coordinate_names.hpp"
 
 namespace leastcost {

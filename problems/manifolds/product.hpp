@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/goes_beyond_bounds.hpp>
-#include <leastcost/framework/has_blocks.hpp>
-#include <leastcost/framework/has_box.hpp>
-#include <leastcost/framework/has_images.hpp>
-#include <leastcost/framework/has_sample_box.hpp>
-#include <leastcost/framework/manifold.hpp>
-#include <leastcost/framework/names_coordinates.hpp>
+#include <leastcost/framework/domain/goes_beyond_bounds.hpp>
+#include <leastcost/framework/domain/has_blocks.hpp>
+#include <leastcost/framework/domain/has_box.hpp>
+#include <leastcost/framework/domain/has_images.hpp>
+#include <leastcost/framework/domain/has_sample_box.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
+#include <leastcost/framework/domain/names_coordinates.hpp>
 
 namespace leastcost {
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/has_box.hpp>
-#include <leastcost/framework/has_graph.hpp>
-#include <leastcost/framework/has_origin.hpp>
-#include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/domain/has_box.hpp>
+#include <leastcost/framework/domain/has_origin.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
+#include <leastcost/framework/problem/has_graph.hpp>
 #include <leastcost/problems/chart/is_geographic.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/manifolds/box.hpp>

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include <leastcost/framework/checks_moves.hpp>
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
+#include <leastcost/framework/domain/checks_moves.hpp>
 #include <leastcost/problems/manifolds/terrain.hpp>
 #include "problems/graph/lattice_route.hpp"
 #include "problems/raster/raster_function.hpp"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
 #include <leastcost/problems/mesh/length_search.hpp>
 #include "problems/mesh/mesh_curve.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include <leastcost/framework/monitor.hpp>
-#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/base/monitor.hpp>
+#include <leastcost/framework/problem/problem.hpp>
 #include <leastcost/problems/mesh/edge_graph.hpp>
 
 namespace leastcost {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <string>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_constant_metric.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/has_constant_metric.hpp>
 
 namespace leastcost {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include <leastcost/framework/post_processor.hpp>
+#include <leastcost/framework/problem/post_processor.hpp>
 #include <leastcost/problems/mesh/has_mesh.hpp>
 #include <leastcost/problems/mesh/surface_path.hpp>
 

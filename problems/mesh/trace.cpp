@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/mesh/edge_graph.hpp>
 #include "problems/mesh/surface_walk.hpp"
 

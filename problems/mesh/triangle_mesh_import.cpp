@@ -9,9 +9,9 @@
 #include <numeric>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/mesh/triangle_mesh.hpp>
-#include "framework/point_text.hpp"
+#include "framework/base/point_text.hpp"
 #include "problems/mesh/edge_table.hpp"
 #include "problems/mesh/polygon_triangulation.hpp"
 #include "problems/mesh/weld.hpp"

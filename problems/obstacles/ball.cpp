@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/obstacles/meets_triangles.hpp>
-#include "framework/point_text.hpp"
+#include "framework/base/point_text.hpp"
 #include "problems/obstacles/triangle_foot.hpp"
 
 namespace leastcost {

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
 #include <leastcost/problems/obstacles/obstacle.hpp>
 
 namespace leastcost {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/obstacles/least_along.hpp"
 
 namespace leastcost {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include <leastcost/framework/path.hpp>
+#include <leastcost/framework/path/path.hpp>
 #include <leastcost/problems/obstacles/walls.hpp>
 
 namespace leastcost {

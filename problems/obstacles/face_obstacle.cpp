@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include "problems/obstacles/segment_tree.hpp"
 #include "problems/obstacles/triangle_foot.hpp"

@@ -9,8 +9,8 @@
 #include <map>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_box.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/domain/has_box.hpp>
 #include "problems/obstacles/crossing_word.hpp"
 #include "problems/obstacles/sweep.hpp"
 #include "problems/obstacles/walls_in.hpp"

@@ -8,12 +8,12 @@
 #include <typeinfo>
 #include <vector>
 
-#include <leastcost/framework/checks_moves.hpp>
-#include <leastcost/framework/fits_segments.hpp>
-#include <leastcost/framework/goes_beyond_bounds.hpp>
-#include <leastcost/framework/has_curvature.hpp>
-#include <leastcost/framework/manifold.hpp>
-#include <leastcost/framework/sees_bounds.hpp>
+#include <leastcost/framework/domain/checks_moves.hpp>
+#include <leastcost/framework/domain/fits_segments.hpp>
+#include <leastcost/framework/domain/goes_beyond_bounds.hpp>
+#include <leastcost/framework/domain/has_curvature.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
+#include <leastcost/framework/domain/sees_bounds.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/drawing/draws_poses.hpp>
 #include <leastcost/problems/obstacles/has_walls.hpp>

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
-#include "framework/point_text.hpp"
+#include <leastcost/framework/base/errors.hpp>
+#include "framework/base/point_text.hpp"
 #include "problems/distance/grid_bounds.hpp"
 #include "problems/obstacles/least_along.hpp"
 #include "problems/readers/sdf_reader.hpp"

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
 #include <leastcost/problems/distance/distance_grid.hpp>
 #include <leastcost/problems/obstacles/obstacle.hpp>
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/mesh/closest_point.hpp>
 #include <leastcost/problems/mesh/mesh_report.hpp>
 #include <leastcost/problems/obstacles/meets_triangles.hpp>

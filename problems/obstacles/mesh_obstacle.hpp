@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
 #include <leastcost/problems/mesh/triangle_mesh.hpp>
 #include <leastcost/problems/obstacles/obstacle.hpp>
 

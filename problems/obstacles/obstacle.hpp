@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <string>
 
-#include <leastcost/framework/ability.hpp>
+#include <leastcost/framework/base/ability.hpp>
 
 namespace leastcost {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/obstacles/broad_phase.hpp"
 #include "problems/obstacles/outlines.hpp"
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/obstacles/raster_obstacles.hpp>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
 #include <leastcost/problems/occupancy/occupancy_grid.hpp>
-#include "framework/point_text.hpp"
+#include "framework/base/point_text.hpp"
 #include "problems/raster/raster_patches.hpp"
 
 namespace leastcost {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
 #include <leastcost/problems/obstacles/obstacle.hpp>
 #include <leastcost/problems/raster/raster_options.hpp>
 

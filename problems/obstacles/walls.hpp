@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/checks_moves.hpp>
+#include <leastcost/framework/domain/checks_moves.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/drawing/draws_poses.hpp>
 

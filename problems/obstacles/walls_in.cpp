@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include <leastcost/framework/has_origin.hpp>
+#include <leastcost/framework/domain/has_origin.hpp>
 #include "problems/obstacles/origin_walls.hpp"
 
 namespace leastcost {

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/obstacles/obstacle_walls.hpp>
 
 namespace leastcost {

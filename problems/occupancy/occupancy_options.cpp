@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 
 namespace leastcost {
 

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <string>
 
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
 #include <leastcost/problems/occupancy/occupancy_grid.hpp>
 
 namespace leastcost {

@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/checks_moves.hpp>
-#include <leastcost/framework/clearance.hpp>
-#include <leastcost/framework/has_box.hpp>
+#include <leastcost/framework/domain/checks_moves.hpp>
+#include <leastcost/framework/domain/has_box.hpp>
+#include <leastcost/framework/problem/clearance.hpp>
 #include <leastcost/problems/bracket/bracket.hpp>
 #include <leastcost/problems/bracket/space/space_bracket.hpp>
 #include <leastcost/problems/chart/seams.hpp>

@@ -7,7 +7,7 @@
 #include <string>
 #include <variant>
 
-#include "framework/point_text.hpp"
+#include "framework/base/point_text.hpp"
 #include "problems/cells/cell_bound.hpp"
 #include "problems/cells/has_cost_cells.hpp"
 #include "problems/cells/side_nodes.hpp"

@@ -11,7 +11,7 @@
 #include <utility>
 #include <variant>
 
-#include <leastcost/framework/has_box.hpp>
+#include <leastcost/framework/domain/has_box.hpp>
 #include "problems/layers/fastest_ray.hpp"
 #include "problems/layers/ray_bound.hpp"
 #include "problems/post_processors/refracted_curve.hpp"

@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include <leastcost/framework/global_bound.hpp>
-#include <leastcost/framework/post_processor.hpp>
+#include <leastcost/framework/problem/global_bound.hpp>
+#include <leastcost/framework/problem/post_processor.hpp>
 
 namespace leastcost {
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
 #include "problems/section/plane_station.hpp"
 #include "problems/section/projected_line.hpp"
 

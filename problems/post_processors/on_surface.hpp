@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include <leastcost/framework/options.hpp>
-#include <leastcost/framework/post_processor.hpp>
+#include <leastcost/framework/base/options.hpp>
+#include <leastcost/framework/problem/post_processor.hpp>
 
 namespace leastcost {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_constant_metric.hpp>
-#include <leastcost/framework/path_energy.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/has_constant_metric.hpp>
+#include <leastcost/framework/energy/path_energy.hpp>
 #include <leastcost/problems/obstacles/has_walls.hpp>
 #include "problems/taut/taut_path.hpp"
 #include "problems/taut/unheld_bends.hpp"

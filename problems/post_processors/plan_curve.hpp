@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include <leastcost/framework/monitor.hpp>
-#include <leastcost/framework/post_processor.hpp>
-#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/base/monitor.hpp>
+#include <leastcost/framework/problem/post_processor.hpp>
+#include <leastcost/framework/problem/problem.hpp>
 #include <leastcost/problems/obstacles/walls.hpp>
 
 namespace leastcost {

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "framework/in_parts.hpp"
+#include "framework/domain/in_parts.hpp"
 #include "problems/cells/beside_sides.hpp"
 #include "problems/cells/cell_refraction.hpp"
 #include "problems/cells/has_cost_cells.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <leastcost/framework/post_processor.hpp>
+#include <leastcost/framework/problem/post_processor.hpp>
 
 namespace leastcost {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include <leastcost/framework/checks_moves.hpp>
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/domain/checks_moves.hpp>
 #include <leastcost/problems/layers/has_layers.hpp>
 #include "problems/layers/snell.hpp"
 

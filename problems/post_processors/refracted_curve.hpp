@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include <leastcost/framework/post_processor.hpp>
-#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/problem/post_processor.hpp>
+#include <leastcost/framework/problem/problem.hpp>
 #include <leastcost/problems/layers/layer_stack.hpp>
 #include "problems/layers/refracted_ray.hpp"
 

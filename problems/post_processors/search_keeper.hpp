@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/global_bound.hpp>
-#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/problem/global_bound.hpp>
+#include <leastcost/framework/problem/problem.hpp>
 #include <leastcost/problems/exact/exact_search.hpp>
 #include "problems/exact/metric_mesh.hpp"
 

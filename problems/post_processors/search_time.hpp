@@ -7,8 +7,8 @@
 #include <functional>
 #include <limits>
 
-#include <leastcost/framework/global_bound.hpp>
-#include <leastcost/framework/monitor.hpp>
+#include <leastcost/framework/base/monitor.hpp>
+#include <leastcost/framework/problem/global_bound.hpp>
 
 namespace leastcost {
 

@@ -11,11 +11,11 @@
 #include <variant>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/exact/exact_search.hpp>
 #include <leastcost/problems/straighten/geodesic.hpp>
 #include <leastcost/problems/straighten/straighten.hpp>
-#include "framework/point_text.hpp"
+#include "framework/base/point_text.hpp"
 #include "problems/mesh/mesh_curve.hpp"
 #include "problems/post_processors/search_keeper.hpp"
 #include "problems/post_processors/search_time.hpp"

@@ -9,9 +9,9 @@
 #include <variant>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_box.hpp>
-#include "framework/point_text.hpp"
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/domain/has_box.hpp>
+#include "framework/base/point_text.hpp"
 #include "problems/post_processors/plan_curve.hpp"
 #include "problems/post_processors/search_time.hpp"
 #include "problems/taut/tangent_path.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/straighten/straighten.hpp>
 #include "problems/mesh/mesh_curve.hpp"
 #include "problems/mesh/trace.hpp"

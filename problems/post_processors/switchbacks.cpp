@@ -12,11 +12,11 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/manifold.hpp>
-#include <leastcost/framework/mixes_moves.hpp>
-#include <leastcost/framework/segment_cost.hpp>
-#include "framework/point_text.hpp"
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/mixes_moves.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
+#include "framework/base/point_text.hpp"
 
 namespace leastcost {
 namespace {

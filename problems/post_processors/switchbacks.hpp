@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <leastcost/framework/options.hpp>
-#include <leastcost/framework/post_processor.hpp>
+#include <leastcost/framework/base/options.hpp>
+#include <leastcost/framework/problem/post_processor.hpp>
 
 namespace leastcost {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/obstacles/crossing_word.hpp"
 #include "problems/post_processors/plan_curve.hpp"
 #include "problems/taut/taut_path.hpp"

@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include <leastcost/framework/clearance.hpp>
-#include <leastcost/framework/fits_segments.hpp>
+#include <leastcost/framework/domain/fits_segments.hpp>
+#include <leastcost/framework/problem/clearance.hpp>
 
 namespace leastcost {
 

@@ -6,8 +6,8 @@
 #include <array>
 #include <span>
 
-#include <leastcost/framework/interval.hpp>
-#include "framework/gauss.hpp"
+#include <leastcost/framework/numbers/interval.hpp>
+#include "framework/base/gauss.hpp"
 #include "problems/raster/raster_patches.hpp"
 
 namespace leastcost {

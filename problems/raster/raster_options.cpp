@@ -10,8 +10,8 @@
 #include <numbers>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
-#include "framework/point_text.hpp"
+#include <leastcost/framework/base/errors.hpp>
+#include "framework/base/point_text.hpp"
 
 namespace leastcost {
 namespace {

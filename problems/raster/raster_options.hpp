@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
 #include <leastcost/problems/raster/raster.hpp>
 
 namespace leastcost {

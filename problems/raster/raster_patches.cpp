@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include <leastcost/framework/errors.hpp>
-#include "framework/point_text.hpp"
+#include <leastcost/framework/base/errors.hpp>
+#include "framework/base/point_text.hpp"
 
 namespace leastcost {
 namespace {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/dual.hpp>
+#include <leastcost/framework/numbers/dual.hpp>
 #include <leastcost/problems/raster/raster.hpp>
 
 namespace leastcost {

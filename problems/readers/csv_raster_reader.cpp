@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/readers/raster_reader.hpp"
 #include "problems/readers/text_scanner.hpp"
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/readers/file_content.hpp"
 #include "problems/readers/raster_reader.hpp"
 #include "problems/readers/text_scanner.hpp"

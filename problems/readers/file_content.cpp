@@ -7,7 +7,7 @@
 #include <fstream>
 #include <system_error>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 
 namespace leastcost {
 

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/readers/file_content.hpp"
 #include "problems/readers/text_scanner.hpp"
 

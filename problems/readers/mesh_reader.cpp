@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/readers/file_content.hpp"
 #include "problems/readers/format_readers.hpp"
 #include "problems/readers/text_scanner.hpp"

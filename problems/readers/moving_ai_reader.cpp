@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <string>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/readers/occupancy_reader.hpp"
 #include "problems/readers/text_scanner.hpp"
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/readers/file_content.hpp"
 #include "problems/readers/ply_values.hpp"
 

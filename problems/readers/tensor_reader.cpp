@@ -5,8 +5,8 @@
 #include <sstream>
 #include <string>
 
-#include <leastcost/framework/errors.hpp>
-#include "framework/symmetric_eigen.hpp"
+#include <leastcost/framework/base/errors.hpp>
+#include "framework/base/symmetric_eigen.hpp"
 #include "problems/readers/file_content.hpp"
 #include "problems/readers/text_scanner.hpp"
 

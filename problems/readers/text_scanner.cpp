@@ -9,7 +9,7 @@
 #include <sstream>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 
 namespace leastcost {
 namespace {

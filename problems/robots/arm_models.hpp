@@ -8,7 +8,7 @@
 #include <string_view>
 #include <variant>
 
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
 #include <leastcost/problems/robots/dh_arm.hpp>
 #include <leastcost/problems/robots/robot.hpp>
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 
 namespace leastcost {
 namespace {

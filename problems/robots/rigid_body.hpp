@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
 #include <leastcost/problems/robots/kinematics.hpp>
 #include <leastcost/problems/robots/robot.hpp>
 

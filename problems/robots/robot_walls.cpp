@@ -9,8 +9,8 @@
 #include <limits>
 #include <utility>
 
-#include <leastcost/framework/ability.hpp>
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/ability.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/robots/least_on_move.hpp"
 #include "problems/robots/least_value.hpp"
 #include "problems/robots/remembering_walls.hpp"

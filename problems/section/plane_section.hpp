@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <leastcost/framework/deadline.hpp>
+#include <leastcost/framework/base/deadline.hpp>
 #include <leastcost/problems/mesh/surface_path.hpp>
 #include <leastcost/problems/mesh/triangle_mesh.hpp>
 

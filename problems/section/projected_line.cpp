@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "problems/section/projected_line.hpp"
 
-#include "framework/point_text.hpp"
+#include "framework/base/point_text.hpp"
 
 namespace leastcost {
 namespace {

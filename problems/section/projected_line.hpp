@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
 
 namespace leastcost {
 

@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/chart/seams.hpp>
 #include <leastcost/problems/cloud/has_point_cloud.hpp>
-#include "framework/point_text.hpp"
+#include "framework/base/point_text.hpp"
 #include "problems/chart/chart_search.hpp"
 #include "problems/section/plane_station.hpp"
 

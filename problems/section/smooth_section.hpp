@@ -4,8 +4,8 @@
 
 #include <Eigen/Core>
 
-#include <leastcost/framework/deadline.hpp>
-#include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/base/deadline.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
 
 namespace leastcost {
 

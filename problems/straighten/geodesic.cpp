@@ -6,7 +6,7 @@
 #include <exception>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 
 namespace leastcost {
 

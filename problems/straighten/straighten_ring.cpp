@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/straighten/ring_funnel.hpp"
 #include "problems/straighten/string_flips.hpp"
 #include "problems/straighten/string_moves.hpp"

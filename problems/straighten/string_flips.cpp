@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/straighten/plane_vectors.hpp"
 
 namespace leastcost {

@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/straighten/plane_vectors.hpp"
 
 namespace leastcost {

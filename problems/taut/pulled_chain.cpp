@@ -7,9 +7,9 @@
 #include <numeric>
 #include <utility>
 
-#include <leastcost/framework/deadline.hpp>
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_box.hpp>
+#include <leastcost/framework/base/deadline.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/domain/has_box.hpp>
 #include "problems/taut/polyline_length.hpp"
 
 namespace leastcost {

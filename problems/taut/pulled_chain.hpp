@@ -6,11 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include <leastcost/framework/manifold.hpp>
-#include <leastcost/framework/monitor.hpp>
-#include <leastcost/framework/path.hpp>
+#include <leastcost/framework/base/monitor.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
+#include <leastcost/framework/path/path.hpp>
 #include <leastcost/problems/obstacles/walls.hpp>
-#include "framework/chain_program.hpp"
+#include "framework/newton/chain_program.hpp"
 
 namespace leastcost {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include <leastcost/framework/monitor.hpp>
-#include <leastcost/framework/path.hpp>
+#include <leastcost/framework/base/monitor.hpp>
+#include <leastcost/framework/path/path.hpp>
 #include <leastcost/problems/obstacles/walls.hpp>
 #include "problems/taut/polyline_length.hpp"
 

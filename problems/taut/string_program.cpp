@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "problems/taut/string_program.hpp"
 
-#include "framework/chain_program.hpp"
+#include "framework/newton/chain_program.hpp"
 
 namespace leastcost {
 

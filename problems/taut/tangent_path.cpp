@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "framework/in_parts.hpp"
+#include "framework/domain/in_parts.hpp"
 
 namespace leastcost {
 namespace {

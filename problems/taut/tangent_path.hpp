@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include <leastcost/framework/deadline.hpp>
-#include <leastcost/framework/path.hpp>
+#include <leastcost/framework/base/deadline.hpp>
+#include <leastcost/framework/path/path.hpp>
 #include "problems/taut/string_pull.hpp"
 #include "problems/taut/tangent.hpp"
 

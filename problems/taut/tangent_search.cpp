@@ -10,7 +10,7 @@
 #include <queue>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/taut/tangent.hpp"
 
 namespace leastcost {

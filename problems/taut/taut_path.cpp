@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "framework/in_parts.hpp"
+#include "framework/domain/in_parts.hpp"
 #include "problems/obstacles/crossing_word.hpp"
 #include "problems/taut/string_pull.hpp"
 #include "problems/taut/tangent.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "problems/taut/tight_chain.hpp"
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/taut/polyline_length.hpp"
 #include "problems/taut/pulled_chain.hpp"
 

@@ -5,9 +5,9 @@
 #include <Eigen/Core>
 #include <functional>
 
-#include <leastcost/framework/manifold.hpp>
-#include <leastcost/framework/monitor.hpp>
-#include <leastcost/framework/path.hpp>
+#include <leastcost/framework/base/monitor.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
+#include <leastcost/framework/path/path.hpp>
 #include <leastcost/problems/obstacles/walls.hpp>
 
 namespace leastcost {

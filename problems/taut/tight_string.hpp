@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include <leastcost/framework/monitor.hpp>
-#include <leastcost/framework/path.hpp>
+#include <leastcost/framework/base/monitor.hpp>
+#include <leastcost/framework/path/path.hpp>
 #include <leastcost/problems/obstacles/walls.hpp>
 
 namespace leastcost {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <leastcost/framework/deadline.hpp>
-#include <leastcost/framework/path.hpp>
+#include <leastcost/framework/base/deadline.hpp>
+#include <leastcost/framework/path/path.hpp>
 #include <leastcost/problems/obstacles/walls.hpp>
 
 namespace leastcost {

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-#include "framework/symmetric_eigen.hpp"
+#include "framework/base/symmetric_eigen.hpp"
 
 namespace leastcost {
 namespace {

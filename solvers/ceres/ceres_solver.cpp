@@ -7,7 +7,7 @@
 #include <array>
 #include <string>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "solvers/ceres/line_search.hpp"
 #include "solvers/ceres/trust_region.hpp"
 

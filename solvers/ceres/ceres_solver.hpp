@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <leastcost/framework/solver.hpp>
+#include <leastcost/framework/energy/solver.hpp>
 #include <leastcost/solvers/rounds.hpp>
 
 namespace leastcost {

@@ -7,7 +7,7 @@
 
 #include <exception>
 
-#include <leastcost/framework/path_energy.hpp>
+#include <leastcost/framework/energy/path_energy.hpp>
 
 namespace leastcost {
 

@@ -4,7 +4,7 @@
 
 #include <ceres/types.h>
 
-#include <leastcost/framework/solver.hpp>
+#include <leastcost/framework/energy/solver.hpp>
 #include <leastcost/solvers/rounds.hpp>
 
 namespace leastcost {

@@ -13,7 +13,7 @@
 #include <string>
 #include <utility>
 
-#include "framework/bundle.hpp"
+#include "framework/newton/bundle.hpp"
 #include "solvers/ceres/chain_residuals.hpp"
 #include "solvers/ceres/point_manifold.hpp"
 #include "solvers/ceres/silence.hpp"

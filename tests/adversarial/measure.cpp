@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include <leastcost/framework/family.hpp>
+#include <leastcost/framework/family/find_family.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
 #include "tests/support/compose.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "catalogue/run/ends.hpp"
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/manifolds/point_cloud.hpp>
 #include "tests/app/config_text.hpp"
 #include "tests/problems/sample_clouds.hpp"

@@ -8,7 +8,7 @@
 
 #include <leastcost/catalogue/output/write_run.hpp>
 #include <leastcost/catalogue/run/run.hpp>
-#include <leastcost/framework/clearance.hpp>
+#include <leastcost/framework/problem/clearance.hpp>
 #include "catalogue/output/geojson.hpp"
 #include "catalogue/output/unit_of_cost.hpp"
 #include "tests/app/config_text.hpp"

@@ -12,7 +12,7 @@
 
 #include <leastcost/catalogue/output/write_run.hpp>
 #include <leastcost/catalogue/run/run.hpp>
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "catalogue/inputs/raster_file.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"

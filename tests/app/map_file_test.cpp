@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "catalogue/inputs/png_image.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"

@@ -4,7 +4,7 @@
 // Metrics given on the data of a domain, in a configuration: where what is wrong shows.
 #include <fstream>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "app/run/run.hpp"
 #include "tests/app/config_text.hpp"
 #include "tests/support/catch.hpp"

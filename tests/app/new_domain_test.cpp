@@ -3,7 +3,7 @@
 
 // A domain that the catalogue has never heard of: its ends, its first paths, its tables and its picture come from its
 // abilities alone.
-#include <leastcost/framework/has_graph.hpp>
+#include <leastcost/framework/problem/has_graph.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/manifolds/file_places.hpp>

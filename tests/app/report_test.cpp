@@ -7,7 +7,7 @@
 #include <regex>
 #include <sstream>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "app/plot/text.hpp"
 #include "app/report/page/page.hpp"
 #include "app/report/page/viewer_script.hpp"

@@ -4,7 +4,7 @@
 // What a configuration says about a robot, and what it is told where that does not fit.
 #include <string>
 
-#include <leastcost/framework/checks_moves.hpp>
+#include <leastcost/framework/domain/checks_moves.hpp>
 #include "tests/app/config_text.hpp"
 #include "tests/support/catch.hpp"
 

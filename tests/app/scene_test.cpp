@@ -8,7 +8,7 @@
 #include <limits>
 #include <map>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
 #include <leastcost/problems/post_processors/bracket.hpp>
 #include "problems/drawing/domain_shapes.hpp"

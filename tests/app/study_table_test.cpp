@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "app/study/rows/csv_text.hpp"
 #include "app/study/rows/run_table.hpp"
 #include "tests/support/catch.hpp"

@@ -38,7 +38,7 @@ std::string casts(const fs::path& root) {
   static const std::regex cast("dynamic_(pointer_)?cast\\b");
   std::string found;
   for (const char* layer : {"framework", "problems", "solvers", "catalogue", "app"})
-    found += matches(root, layer, cast, "framework/ability.hpp");
+    found += matches(root, layer, cast, "framework/base/ability.hpp");
   return found;
 }
 
@@ -72,7 +72,7 @@ TEST_CASE("abilities: what composes, places, draws and writes names no domain") 
 
 TEST_CASE("abilities: a second cast and a domain by name are caught") {
   const ScratchDir tree;
-  write_planted(tree / "framework/ability.hpp", "dynamic_cast<const A*>(object)\n");
+  write_planted(tree / "framework/base/ability.hpp", "dynamic_cast<const A*>(object)\n");
   write_planted(tree / "problems/mesh/has_mesh.hpp", "#include <leastcost/problems/cloud/point_cloud.hpp>\n");
   CHECK(casts(tree.path()) + domains_by_name(tree.path()) == "");
   write_planted(tree / "solvers/a.cpp", "\nif (dynamic_cast<const HasChart*>(&manifold)) return;\n");

@@ -32,7 +32,7 @@ TEST_CASE("failures: docs/failures.md has every name of a failure") {
   const std::regex pushed(R"re((?:\bfail\(|failures\.push_back\(\s*\{)\s*"([a-z_]+)")re");
   std::set<std::string> names = {"collapsed", "refinement",
                                  "inconsistent"};  // those that are chosen as they are pushed
-  for (const auto& entry : std::filesystem::directory_iterator(project_dir() / "framework")) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(project_dir() / "framework")) {
     if (entry.path().extension() != ".cpp") continue;
     names.merge(names_in(text_of(entry.path()), pushed));
   }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
 
 namespace {
 

@@ -67,7 +67,7 @@ function(pkg_config_consumer prefix)
   file(REMOVE_RECURSE ${SCRATCH}/slide_pkg_config)
   set(ompl_needs leastcost-ompl)
   set(ompl ${SCRATCH}/ompl.cpp)
-  file(WRITE ${ompl} "#include <leastcost/framework/errors.hpp>\n#include <leastcost/ompl/ompl.hpp>\nint main() {\n"
+  file(WRITE ${ompl} "#include <leastcost/framework/base/errors.hpp>\n#include <leastcost/ompl/ompl.hpp>\nint main() {\n"
     "  try {\n    leastcost::make_constraint(nullptr);\n  } catch (const leastcost::InputError&) {\n    return 0;\n  }\n"
     "  return 1;\n}\n")
   set(with_ompl "")

@@ -11,7 +11,8 @@ endfunction()
 # An installed header includes installed ones, Eigen and the standard library, and is reached from a public header.
 function(no_internal_header prefix)
   file(GLOB_RECURSE headers RELATIVE ${prefix}/include ${prefix}/include/*.hpp)
-  set(reached leastcost/leastcost.hpp leastcost/version.hpp leastcost/framework/framework.hpp
+  set(reached leastcost/leastcost.hpp leastcost/version.hpp leastcost/framework/framework.hpp leastcost/framework/numbers/numbers.hpp
+    leastcost/framework/check/check.hpp
     leastcost/problems/problems.hpp leastcost/solvers/solvers.hpp leastcost/catalogue/catalogue.hpp
     leastcost/ompl/ompl.hpp leastcost/gdal/gdal.hpp)
   foreach(back_end IN LISTS BACK_ENDS)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <string>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/costs/end_effector_length.hpp>
 #include <leastcost/problems/costs/kinetic_energy.hpp>
 #include "tests/contracts/cost_contract.hpp"

@@ -4,7 +4,7 @@
 // that solve with no other file touched.
 #include <Eigen/Geometry>
 
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/manifolds/mesh.hpp>

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include <leastcost/framework/check_cost.hpp>
+#include <leastcost/framework/check/check_cost.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/random.hpp"
 
@@ -20,7 +20,7 @@ struct CostCase {
   double defect_order = 2;  ///< of (c(a, m) + c(m, b)) / c(a, b) - 1 in |b - a|, where not additive
 };
 
-/// The contract of SegmentCost (framework/segment_cost.hpp), by the check that authors have as well.
+/// The contract of SegmentCost (framework/cost/segment_cost.hpp), by the check that authors have as well.
 inline void check_cost_contract(const CostCase& c) {
   Random random;
   CheckCostOptions options;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <fstream>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/costs/clearance_length.hpp>
 #include <leastcost/problems/costs/cost_map.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>

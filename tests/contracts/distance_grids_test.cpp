@@ -4,8 +4,8 @@
 // Signed-distance grids from every kind of source: the contract of a manifold.
 #include <fstream>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/problem/problem.hpp>
 #include <leastcost/problems/distance/build_distance_grid.hpp>
 #include <leastcost/problems/manifolds/signed_distance.hpp>
 #include "problems/distance/mesh_distance.hpp"

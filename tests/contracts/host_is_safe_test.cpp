@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <leastcost/framework/initializer.hpp>
-#include <leastcost/framework/path_energy.hpp>
+#include <leastcost/framework/energy/path_energy.hpp>
+#include <leastcost/framework/problem/initializer.hpp>
 #include "tests/support/catch.hpp"
 
 namespace leastcost::test {

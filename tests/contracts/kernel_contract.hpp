@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include <leastcost/framework/kernel.hpp>
-#include "framework/observed_order.hpp"
+#include <leastcost/framework/path/kernel.hpp>
+#include "framework/check/observed_order.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/random.hpp"
 
@@ -92,7 +92,7 @@ inline void check_kernel_blocks(const Kernel& kernel, Random& random) {
   }
 }
 
-/// The contract of Kernel (framework/kernel.hpp).
+/// The contract of Kernel (framework/path/kernel.hpp).
 inline void check_kernel_contract(const Kernel& kernel) {
   Random random;
   for (const double q : {1e-8, 0.01, 1.0, 4.0, random.uniform(0.1, 9)}) {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 
 // The domains that are given by equations: contract, and the errors of what is no domain.
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_images.hpp>
-#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/domain/has_images.hpp>
+#include <leastcost/framework/problem/problem.hpp>
 #include <leastcost/problems/manifolds/constraint.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
 #include "tests/contracts/manifold_contract.hpp"

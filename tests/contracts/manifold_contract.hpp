@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include <leastcost/framework/check_manifold.hpp>
+#include <leastcost/framework/check/check_manifold.hpp>
 #include <leastcost/problems/mesh/has_mesh.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/random.hpp"
@@ -67,7 +67,8 @@ inline void check_border(const ManifoldCase& c, const CoordinatePath& path) {
   }
 }
 
-/// The contract of ConstraintManifold (framework/manifold.hpp), by the check that authors have as well; and of meshes.
+/// The contract of ConstraintManifold (framework/domain/manifold.hpp), by the check that authors have as well; and of
+/// meshes.
 inline void check_manifold_contract(const ManifoldCase& c) {
   Random random;
   CheckManifoldOptions options;

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <string>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/costs/walking.hpp>
 #include <leastcost/problems/costs/zermelo.hpp>
 #include "tests/contracts/cost_contract.hpp"

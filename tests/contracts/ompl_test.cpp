@@ -10,8 +10,8 @@
 #include <thread>
 #include <vector>
 
-#include <leastcost/framework/clearance.hpp>
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/problem/clearance.hpp>
 #include <leastcost/problems/costs/weighted_length.hpp>
 #include <leastcost/problems/manifolds/constraint.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/other_images.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/search/other_images.hpp>
 #include <leastcost/problems/costs/weighted_length.hpp>
 #include <leastcost/problems/manifolds/angle.hpp>
 #include <leastcost/problems/manifolds/constraint.hpp>
@@ -19,7 +19,7 @@
 #include <leastcost/problems/manifolds/product.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
-#include "framework/observed_order.hpp"
+#include "framework/check/observed_order.hpp"
 #include "tests/contracts/cost_contract.hpp"
 #include "tests/contracts/manifold_contract.hpp"
 #include "tests/problems/sample_clouds.hpp"

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <filesystem>
 
-#include <leastcost/framework/clearance.hpp>
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_constant_metric.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/has_constant_metric.hpp>
+#include <leastcost/framework/problem/clearance.hpp>
 #include <leastcost/problems/costs/cost_map.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/costs/layers.hpp>
@@ -29,7 +29,7 @@
 #include <leastcost/problems/post_processors/switchbacks.hpp>
 #include <leastcost/problems/post_processors/taut.hpp>
 #include <leastcost/problems/post_processors/trace.hpp>
-#include "framework/spacing.hpp"
+#include "framework/energy/spacing.hpp"
 #include "problems/mesh/mesh_curve.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"

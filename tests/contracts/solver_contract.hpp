@@ -11,13 +11,13 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/chain_model.hpp>
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
+#include <leastcost/framework/energy/chain_model.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/manifolds/mesh.hpp>
-#include "framework/bundle.hpp"
-#include "framework/spacing.hpp"
+#include "framework/energy/spacing.hpp"
+#include "framework/newton/bundle.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
@@ -277,7 +277,7 @@ inline void check_survives_one_point(const Solver& solver) {
   if (report.termination != Termination::refused) CHECK(report.final_energy == report.initial_energy);
 }
 
-/// The contract of Solver (framework/solver.hpp).
+/// The contract of Solver (framework/energy/solver.hpp).
 inline void check_solver_contract(const MakeSolver& make, const Promise& promise = {}) {
   const std::unique_ptr<Solver> solver = make(100000, 1000000);
   for (const StandardProblem& p : standard_problems()) {

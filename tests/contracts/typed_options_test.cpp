@@ -3,7 +3,7 @@
 
 // A misspelt choice does not compile. Those of the back ends are in nlopt_test.cpp and ceres_test.cpp; that the list is
 // complete is checked by tests/app/registry_test.cpp.
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/costs/end_effector_length.hpp>
 #include <leastcost/problems/costs/kinetic_energy.hpp>
 #include <leastcost/problems/problems.hpp>

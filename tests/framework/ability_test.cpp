@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/framework/ability.hpp>
+#include <leastcost/framework/base/ability.hpp>
 
 #include <utility>
 
-#include <leastcost/framework/has_constant_metric.hpp>
+#include <leastcost/framework/cost/has_constant_metric.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
 #include "problems/initializers/away_from_routes.hpp"
 #include "tests/support/catch.hpp"

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/around_pole.hpp"
+#include "framework/domain/around_pole.hpp"
 
 #include <leastcost/problems/manifolds/earth.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
-#include "framework/curve_value.hpp"
+#include "framework/energy/curve_value.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/pi.hpp"

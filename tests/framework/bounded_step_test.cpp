@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/bounded_step.hpp"
+#include "framework/newton/bounded_step.hpp"
 
 #include <algorithm>
 #include <memory>

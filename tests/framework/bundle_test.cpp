@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/bundle.hpp"
+#include "framework/newton/bundle.hpp"
 
 #include <Eigen/Dense>
 
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/random.hpp"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 // Proofs of minima: their bounds hold closed-form values, and what the points of a chain did not see makes them fail.
-#include "framework/calibration.hpp"
+#include "framework/proof/calibration.hpp"
 
 #include <cmath>
 #include <limits>
@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/check_cost.hpp>
-#include <leastcost/framework/refinement.hpp>
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/check/check_cost.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
+#include <leastcost/framework/newton/refinement.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
 #include <leastcost/problems/initializers/coordinate_circle.hpp>

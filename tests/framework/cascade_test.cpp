@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/cascade.hpp"
+#include "framework/newton/cascade.hpp"
 
 #include <numbers>
 

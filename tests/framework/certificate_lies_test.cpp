@@ -4,14 +4,14 @@
 // reason. Chains that are right, made by a formula and not by a solver, pass.
 #include <numbers>
 
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/manifolds/mesh.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>
 #include <leastcost/problems/post_processors/trace.hpp>
 #include <leastcost/problems/straighten/straighten.hpp>
-#include "framework/certify_straightened.hpp"
+#include "framework/certificate/certify_straightened.hpp"
 #include "problems/mesh/mesh_curve.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"

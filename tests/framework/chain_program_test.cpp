@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/chain_program.hpp"
+#include "framework/newton/chain_program.hpp"
 
 #include <chrono>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/random.hpp"
 

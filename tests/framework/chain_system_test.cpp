@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/framework/chain_system.hpp>
+#include <leastcost/framework/energy/chain_system.hpp>
 
 #include <Eigen/Dense>
 

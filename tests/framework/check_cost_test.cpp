@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 
 // Costs with one defect each: check_cost() names it, and nothing that is not a consequence of it.
-#include <leastcost/framework/check_cost.hpp>
+#include <leastcost/framework/check/check_cost.hpp>
 
 #include <cmath>
 #include <set>
 #include <type_traits>
 
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
 #include <leastcost/solvers/georce.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // Domains with one defect each: check_manifold() names it.
-#include <leastcost/framework/check_manifold.hpp>
+#include <leastcost/framework/check/check_manifold.hpp>
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/framework/dual.hpp>
+#include <leastcost/framework/numbers/dual.hpp>
 
 #include <Eigen/Core>
 

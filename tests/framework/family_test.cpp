@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/framework/family.hpp>
+#include <leastcost/framework/family/find_family.hpp>
+#include <leastcost/framework/family/same_path.hpp>
 
 #include <numbers>
 #include <stdexcept>
 #include <string>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>

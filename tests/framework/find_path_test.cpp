@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/framework/find_path.hpp>
+#include <leastcost/framework/search/find_path.hpp>
 
 #include <chrono>
 #include <limits>
@@ -9,8 +9,8 @@
 #include <thread>
 #include <type_traits>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/sample_domains.hpp"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 // Tangent frames: which bounds hold a point, and the pinned point of a ring.
-#include <leastcost/framework/path_energy.hpp>
+#include <leastcost/framework/energy/path_energy.hpp>
 
 #include <Eigen/LU>
 

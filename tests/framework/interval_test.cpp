@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/dual.hpp>
-#include <leastcost/framework/interval_jet.hpp>
+#include <leastcost/framework/numbers/dual.hpp>
+#include <leastcost/framework/numbers/interval_jet.hpp>
 #include "problems/formula/formula.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/random.hpp"

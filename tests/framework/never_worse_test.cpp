@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/clearance.hpp>
-#include <leastcost/framework/family.hpp>
+#include <leastcost/framework/family/find_family.hpp>
+#include <leastcost/framework/problem/clearance.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/problems/post_processors/taut.hpp>
 #include <leastcost/solvers/no_solver.hpp>
-#include "framework/never_worse.hpp"
+#include "framework/search/never_worse.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 

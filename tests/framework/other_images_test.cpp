@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/framework/other_images.hpp>
+#include <leastcost/framework/search/other_images.hpp>
 
 #include <climits>
 #include <cmath>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/chart/target_images.hpp>
 #include <leastcost/problems/initializers/straight.hpp>
 #include <leastcost/problems/manifolds/constraint.hpp>

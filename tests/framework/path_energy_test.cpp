@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/framework/path_energy.hpp>
+#include <leastcost/framework/energy/path_energy.hpp>
 
-#include <leastcost/framework/chain_model.hpp>
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
+#include <leastcost/framework/energy/chain_model.hpp>
 #include <leastcost/problems/manifolds/mesh.hpp>
-#include "framework/observed_order.hpp"
+#include "framework/check/observed_order.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"

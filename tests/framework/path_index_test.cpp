@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 // Morse index by pivots, docs/numerics.md Sec. 6.4: the first negative pivot is the conjugate point.
-#include <leastcost/framework/path_index.hpp>
+#include <leastcost/framework/newton/path_index.hpp>
 
 #include <numbers>
 

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/framework/replanner.hpp>
+#include <leastcost/framework/replan/replanner.hpp>
 
 #include <chrono>
 #include <thread>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>
 #include <leastcost/problems/initializers/straight.hpp>
 #include <leastcost/problems/initializers/waypoints.hpp>
 #include <leastcost/solvers/newton.hpp>
-#include "framework/shortened.hpp"
+#include "framework/replan/shortened.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/moving_discs.hpp"
 #include "tests/support/overrun.hpp"

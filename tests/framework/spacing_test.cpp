@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/spacing.hpp"
+#include "framework/energy/spacing.hpp"
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/sample_domains.hpp"

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/framework/waypoints.hpp>
+#include <leastcost/framework/replan/waypoints.hpp>
 
 #include <cmath>
 #include <numbers>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/costs/travel_time.hpp>
 #include <leastcost/problems/initializers/straight.hpp>

@@ -10,7 +10,7 @@
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
 #include "tests/ompl/plans.hpp"
 

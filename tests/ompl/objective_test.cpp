@@ -4,7 +4,7 @@
 
 #include <ompl/base/OptimizationObjective.h>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include "tests/ompl/plans.hpp"
 

@@ -9,7 +9,7 @@
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
 #include <leastcost/problems/obstacles/obstacle_walls.hpp>

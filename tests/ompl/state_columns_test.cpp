@@ -7,8 +7,8 @@
 #include <ompl/base/spaces/SO3StateSpace.h>
 #include <ompl/base/spaces/TimeStateSpace.h>
 
-#include <leastcost/framework/check_manifold.hpp>
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/check/check_manifold.hpp>
 #include "tests/ompl/plans.hpp"
 
 namespace leastcost::test {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "framework/spacing.hpp"
+#include "framework/energy/spacing.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/chute_chain.hpp"
 #include "tests/support/compose.hpp"

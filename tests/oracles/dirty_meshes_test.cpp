@@ -8,8 +8,8 @@
 #include <cstdio>
 #include <string>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/find_path.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/search/find_path.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>

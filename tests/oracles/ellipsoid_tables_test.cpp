@@ -8,7 +8,7 @@
 #include <numbers>
 #include <sstream>
 
-#include <leastcost/framework/family.hpp>
+#include <leastcost/framework/family/find_family.hpp>
 #include <leastcost/problems/chart/target_images.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/family.hpp>
+#include <leastcost/framework/family/find_family.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/manifolds/mesh.hpp>
 #include <leastcost/problems/manifolds/point_cloud.hpp>

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_constant_metric.hpp>
-#include <leastcost/framework/has_notes.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/has_constant_metric.hpp>
+#include <leastcost/framework/cost/has_notes.hpp>
 #include <leastcost/problems/costs/combined_cost.hpp>
 #include <leastcost/problems/costs/formula_cost.hpp>
 #include <leastcost/problems/costs/layers.hpp>

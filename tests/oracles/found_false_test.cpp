@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>

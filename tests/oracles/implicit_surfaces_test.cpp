@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <leastcost/framework/encloses_level_set.hpp>
+#include <leastcost/framework/domain/encloses_level_set.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
 #include <leastcost/problems/manifolds/constraint.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>

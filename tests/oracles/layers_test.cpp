@@ -5,15 +5,15 @@
 #include <cmath>
 #include <numbers>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/has_interfaces.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/has_interfaces.hpp>
 #include <leastcost/problems/costs/layers.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/problems/post_processors/fastest_refraction.hpp>
 #include <leastcost/problems/post_processors/refract.hpp>
 #include <leastcost/solvers/no_solver.hpp>
-#include "framework/spacing.hpp"
+#include "framework/energy/spacing.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/random.hpp"
 

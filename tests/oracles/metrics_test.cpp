@@ -4,7 +4,7 @@
 // else.
 #include <cmath>
 
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
 #include "tests/support/catch.hpp"

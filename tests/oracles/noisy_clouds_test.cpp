@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <cstdio>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/manifolds/point_cloud.hpp>
 #include "tests/support/catch.hpp"

@@ -4,7 +4,7 @@
 // apart; scans that have holes and sharp edges end in a path or in a clear reason.
 #include <cstdio>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/manifolds/point_cloud.hpp>
 #include "tests/problems/sample_clouds.hpp"

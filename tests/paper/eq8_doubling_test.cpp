@@ -4,7 +4,7 @@
 // detects.
 #include <cstdio>
 
-#include "framework/spacing.hpp"
+#include "framework/energy/spacing.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/sample_domains.hpp"

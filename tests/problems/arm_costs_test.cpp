@@ -7,7 +7,7 @@
 #include <memory>
 #include <random>
 
-#include <leastcost/framework/find_path.hpp>
+#include <leastcost/framework/search/find_path.hpp>
 #include <leastcost/problems/costs/end_effector_length.hpp>
 #include <leastcost/problems/costs/kinetic_energy.hpp>
 #include <leastcost/problems/initializers/straight.hpp>

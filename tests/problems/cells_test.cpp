@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/ability.hpp>
+#include <leastcost/framework/base/ability.hpp>
 #include <leastcost/problems/costs/cost_map.hpp>
 #include <leastcost/problems/initializers/cell_graph.hpp>
 #include <leastcost/problems/post_processors/refract_cells.hpp>

@@ -7,9 +7,9 @@
 #include <memory>
 #include <random>
 
-#include <leastcost/framework/clearance.hpp>
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/find_path.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/problem/clearance.hpp>
+#include <leastcost/framework/search/find_path.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>

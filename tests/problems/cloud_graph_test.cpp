@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/manifolds/point_cloud.hpp>
 #include "problems/cloud/cloud_route.hpp"
 #include "tests/problems/sample_clouds.hpp"

@@ -8,8 +8,8 @@
 #include <regex>
 #include <string>
 
-#include <leastcost/framework/check_manifold.hpp>
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/check/check_manifold.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/manifolds/point_cloud.hpp>
 #include "problems/cloud/cloud_route.hpp"

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/random.hpp"
 

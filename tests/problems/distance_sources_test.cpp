@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // Distances sampled from meshes, implicit surfaces and clouds, and the grids made of them.
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/distance/build_distance_grid.hpp>
 #include "problems/distance/cloud_distance.hpp"
 #include "problems/distance/implicit_distance.hpp"

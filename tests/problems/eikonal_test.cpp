@@ -7,8 +7,8 @@
 #include <memory>
 #include <utility>
 
-#include <leastcost/framework/clearance.hpp>
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/problem/clearance.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
 #include <leastcost/problems/costs/refractive_index.hpp>
 #include <leastcost/problems/costs/zermelo.hpp>

@@ -11,7 +11,7 @@
 #include <numeric>
 #include <sstream>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/exact/landmark_file.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
 #include <leastcost/problems/straighten/straighten.hpp>

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/exact/exact_search.hpp>
 #include <leastcost/problems/fields/descent.hpp>
 #include <leastcost/problems/fields/fast_marching.hpp>

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/costs/flow_grid.hpp"
 #include "problems/readers/flow_reader.hpp"
 #include "tests/support/catch.hpp"

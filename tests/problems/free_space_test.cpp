@@ -8,11 +8,12 @@
 #include <memory>
 #include <vector>
 
-#include <leastcost/framework/fits_segments.hpp>
-#include <leastcost/framework/path_energy.hpp>
+#include <leastcost/framework/domain/fits_segments.hpp>
+#include <leastcost/framework/energy/path_energy.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
-#include "framework/spacing.hpp"
+#include "framework/energy/solve_fitted.hpp"
+#include "framework/energy/spacing.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 

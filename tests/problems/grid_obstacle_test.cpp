@@ -8,8 +8,8 @@
 #include <random>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/find_path.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/search/find_path.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>

@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/layers/fastest_ray.hpp"
 #include "problems/layers/ray_bound.hpp"
 #include "problems/layers/snell.hpp"

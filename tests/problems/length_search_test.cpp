@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/problem/problem.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/costs/travel_time.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>

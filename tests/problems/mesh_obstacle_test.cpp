@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"

@@ -12,7 +12,7 @@
 #include <sstream>
 #include <string>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/mesh/mesh_report.hpp>
 #include "problems/readers/format_readers.hpp"
 #include "tests/problems/sample_meshes.hpp"

@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
-#include <leastcost/framework/checks_moves.hpp>
-#include <leastcost/framework/find_path.hpp>
+#include <leastcost/framework/domain/checks_moves.hpp>
+#include <leastcost/framework/search/find_path.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/initializers/grid.hpp>

@@ -12,9 +12,9 @@
 #include <string_view>
 #include <vector>
 
-#include <leastcost/framework/clearance.hpp>
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/find_path.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/problem/clearance.hpp>
+#include <leastcost/framework/search/find_path.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/initializers/grid.hpp>

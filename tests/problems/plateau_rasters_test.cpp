@@ -12,7 +12,7 @@
 #include <random>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/costs/cost_map.hpp>
 #include "problems/initializers/grid_search.hpp"
 #include "tests/support/catch.hpp"

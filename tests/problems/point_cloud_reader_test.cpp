@@ -6,7 +6,7 @@
 #include <cstring>
 #include <fstream>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include <leastcost/framework/ability.hpp>
+#include <leastcost/framework/base/ability.hpp>
 #include <leastcost/problems/costs/cost_map.hpp>
 #include "tests/support/catch.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "problems/raster/raster_function.hpp"
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "tests/problems/sample_rasters.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/random.hpp"

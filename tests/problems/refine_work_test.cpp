@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/framework/find_path.hpp>
+#include <leastcost/framework/search/find_path.hpp>
 
 #include <algorithm>
 

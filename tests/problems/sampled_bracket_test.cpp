@@ -9,8 +9,8 @@
 #include <numbers>
 #include <vector>
 
-#include <leastcost/framework/find_path.hpp>
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
+#include <leastcost/framework/search/find_path.hpp>
 #include <leastcost/problems/bracket/bracket.hpp>
 #include <leastcost/problems/costs/walking.hpp>
 #include <leastcost/problems/initializers/straight.hpp>

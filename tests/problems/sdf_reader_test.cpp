@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "problems/readers/sdf_reader.hpp"
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "tests/support/catch.hpp"
 
 namespace leastcost::test {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/mesh/trace.hpp"
 #include "problems/section/plane_section.hpp"
 #include "tests/problems/sample_meshes.hpp"

@@ -9,8 +9,8 @@
 #include <memory>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/obstacle_walls.hpp>

@@ -9,7 +9,7 @@
 #include <random>
 #include <set>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
 #include "problems/mesh/polygon_triangulation.hpp"
 #include "tests/problems/sample_meshes.hpp"

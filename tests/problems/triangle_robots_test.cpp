@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/framework/ability.hpp>
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/ability.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
 #include <leastcost/problems/obstacles/polygon.hpp>

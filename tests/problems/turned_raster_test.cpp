@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "tests/support/catch.hpp"
 
 namespace leastcost::test {

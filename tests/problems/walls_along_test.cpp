@@ -16,7 +16,7 @@
 #include <leastcost/problems/obstacles/obstacle_walls.hpp>
 #include <leastcost/problems/robots/arm_models.hpp>
 #include <leastcost/problems/robots/robot_walls.hpp>
-#include "framework/in_parts.hpp"
+#include "framework/domain/in_parts.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/random.hpp"
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
 #include "tests/support/catch.hpp"
 
 // What options promise about their choices: a misspelt one does not compile, and every value has one word.

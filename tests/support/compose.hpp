@@ -5,8 +5,8 @@
 #include <memory>
 #include <utility>
 
-#include <leastcost/framework/find_path.hpp>
-#include <leastcost/framework/path_energy.hpp>
+#include <leastcost/framework/energy/path_energy.hpp>
+#include <leastcost/framework/search/find_path.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/costs/travel_time.hpp>
 #include <leastcost/problems/initializers/straight.hpp>
@@ -15,7 +15,7 @@
 #include <leastcost/problems/manifolds/euclidean.hpp>
 #include <leastcost/solvers/lbfgs.hpp>
 #include <leastcost/solvers/newton.hpp>
-#include "framework/spacing.hpp"
+#include "framework/energy/spacing.hpp"
 
 /// Composing problems in one line each.
 namespace leastcost::test {

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include <leastcost/framework/segment_cost_function.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
 
 namespace leastcost::test {
 

@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include <leastcost/framework/problem.hpp>
+#include <leastcost/framework/problem/problem.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>

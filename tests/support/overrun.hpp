@@ -7,7 +7,7 @@
 #include <csignal>
 #include <ctime>
 
-#include <leastcost/framework/monitor.hpp>
+#include <leastcost/framework/base/monitor.hpp>
 
 namespace leastcost::test {
 

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include <leastcost/framework/manifold.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
 
 /// Smooth domains for tests, each the ten lines that an author of one writes.
 namespace leastcost::test {

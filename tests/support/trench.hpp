@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "framework/spacing.hpp"
+#include "framework/energy/spacing.hpp"
 #include "tests/support/compose.hpp"
 
 namespace leastcost::test {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <variant>
 
-#include <leastcost/framework/options.hpp>
+#include <leastcost/framework/base/options.hpp>
 
 // Choices and forms by their words, for tests that go through a list of them.
 namespace leastcost::test {

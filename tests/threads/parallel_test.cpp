@@ -8,8 +8,8 @@
 #include <thread>
 #include <vector>
 
-#include <leastcost/framework/find_path.hpp>
-#include <leastcost/framework/replanner.hpp>
+#include <leastcost/framework/replan/replanner.hpp>
+#include <leastcost/framework/search/find_path.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/exact/exact_search.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>

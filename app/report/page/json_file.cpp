@@ -7,7 +7,7 @@
 #include <limits>
 #include <sstream>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 
 namespace leastcost::app {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "app/study/rows/csv_text.hpp"
 #include "problems/formula/coordinate_names.hpp"
 

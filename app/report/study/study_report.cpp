@@ -8,7 +8,7 @@
 #include <cmath>
 #include <set>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "app/plot/text.hpp"
 #include "app/report/page/json_file.hpp"
 #include "app/report/page/page.hpp"

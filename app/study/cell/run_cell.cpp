@@ -7,7 +7,7 @@
 #include <new>
 
 #include <leastcost/catalogue/run/run.hpp>
-#include <leastcost/framework/kernel.hpp>
+#include <leastcost/framework/path/kernel.hpp>
 #include "app/study/rows/csv_text.hpp"
 #include "catalogue/run/run_origin.hpp"
 

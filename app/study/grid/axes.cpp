@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <unordered_set>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "catalogue/run/run_config.hpp"
 #include "catalogue/yaml/yaml_reader.hpp"
 

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <limits>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 
 namespace leastcost::app {
 namespace {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <type_traits>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "app/study/rows/csv_text.hpp"
 
 namespace leastcost::app {

@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "app/study/rows/csv_text.hpp"
 
 namespace leastcost::app {

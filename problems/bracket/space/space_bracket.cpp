@@ -7,7 +7,7 @@
 #include <functional>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
+#include <leastcost/framework/base/errors.hpp>
 #include "problems/bracket/smoothed_way.hpp"
 #include "problems/bracket/space/space_bisector.hpp"
 #include "problems/bracket/space/space_descent.hpp"

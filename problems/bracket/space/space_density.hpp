@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include <leastcost/eigen_alignment.hpp>
-#include <leastcost/framework/interval.hpp>
-#include <leastcost/framework/segment_cost.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
+#include <leastcost/framework/numbers/interval.hpp>
 
 namespace leastcost {
 

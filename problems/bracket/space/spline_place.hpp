@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include <leastcost/framework/dual.hpp>
+#include <leastcost/framework/numbers/dual.hpp>
 #include "problems/bracket/space/cube_net.hpp"
 
 namespace leastcost::bracket {

@@ -16,8 +16,8 @@
 #include <sstream>
 #include <utility>
 
-#include <leastcost/framework/errors.hpp>
-#include <leastcost/framework/find_path.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/search/find_path.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/initializers/grid.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <string_view>
+
+#include <leastcost/framework/base/deadline.hpp>
+
+namespace leastcost {
+
+enum class Stage { initialize, solve, post_process, certify };
+std::string_view name(Stage stage);
+
+/// One line of a solver's history.
+struct Iteration {
+  int iteration = 0;
+  double energy = 0;
+  double cost_error =
+      0;            ///< predicted relative cost error, docs/numerics.md Sec. 3.1; NaN where the method has none at hand
+  double step = 0;  ///< largest move of a point, length units
+  long evaluations = 0;  ///< energies + gradients so far
+  double seconds = 0;
+};
+
+/// A path that was refused is solved again with more points: how many, and which of the doublings this is.
+struct MorePoints {
+  long points = 0;
+  int doubling = 0, of = 0;
+};
+
+struct Progress {
+  Stage stage = Stage::initialize;
+  const Iteration* iteration = nullptr;     ///< set in Stage::solve and while the certificate solves
+  const MorePoints* more_points = nullptr;  ///< set in every stage of such a search (certificate.refine)
+};
+
+/// Reaches every stage of find_path(): an observer, a stop request, a time budget. Either function may be empty; both
+/// are called from the thread that runs find_path().
+struct Monitor {
+  using Clock = std::chrono::steady_clock;
+  std::function<void(const Progress&)> observe;
+  std::function<bool()> stop_requested;
+  Deadline deadline;
+
+  void report(const Progress& progress) const {
+    if (observe) observe(progress);
+  }
+  bool cancelled() const { return stop_requested && stop_requested(); }
+  bool out_of_time() const { return deadline && Clock::now() >= *deadline; }
+  bool interrupted() const { return cancelled() || out_of_time(); }
+};
+
+}  // namespace leastcost

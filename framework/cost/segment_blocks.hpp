@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <leastcost/framework/cost/segment_derivatives.hpp>
+#include <leastcost/framework/path/kernel.hpp>
+
+/// \file
+/// From the derivatives of q to those of phi(q / s0^2), one 2d x 2d block per segment. What needs neither the type of
+/// the cost nor its dimension is compiled once, in the library: a user's cost does not pay for an eigenvalue solver.
+
+namespace leastcost {
+
+inline Jet2 evaluate(const Kernel& kernel, double q) {
+  Jet2 jet;
+  kernel.apply({&q, 1}, {&jet, 1});
+  return jet;
+}
+
+namespace detail {
+
+/// h <- scale h + factor g g' over the stacked gradient g = (g.a; g.b).
+template <int D>
+void scale_and_add_outer(double scale, double factor, const SegmentGradient<D>& g, Eigen::Ref<Points> h) {
+  const Index d = g.a.size();
+  const auto add = [&](const Point<double, D>& rows, double slope, double* out) {
+    for (Index i = 0; i < d; ++i) out[i] = scale * out[i] + factor * rows[i] * slope;
+  };
+  for (Index j = 0; j < 2 * d; ++j) {
+    const double slope = j < d ? g.a[j] : g.b[j - d];
+    add(g.a, slope, h.col(j).data());
+    add(g.b, slope, h.col(j).data() + d);
+  }
+}
+
+/// h = factor J'J. By loops over compile-time widths: Eigen unrolls such products, which takes seconds to compile.
+template <int D, class Jacobian>
+void scaled_normal_matrix(double factor, const Jacobian& j, Eigen::Ref<Points> h) {
+  if constexpr (D == Eigen::Dynamic) {
+    h.noalias() = factor * j.transpose() * j;
+  } else {
+    for (Index q = 0; q < 2 * D; ++q) {
+      for (Index p = 0; p <= q; ++p) {
+        double sum = 0;
+        for (Index k = 0; k < j.rows(); ++k) sum += j(k, p) * j(k, q);
+        h(p, q) = h(q, p) = factor * sum;
+      }
+    }
+  }
+}
+
+/// Negative eigenvalues of a symmetric matrix, and those that are zero to rounding, lifted to a little above zero.
+void lift_eigenvalues(Eigen::Ref<Points> h);
+
+/// r = (c / |b - a|) (b - a) and its Jacobian, d x 2d, from q and its gradient. Zero, the Jacobian too, where the ends
+/// coincide; columns of fixed ends are zero.
+using ConstVector = Eigen::Ref<const Eigen::VectorXd>;
+void chord_residual(const ConstVector& a, const ConstVector& b, double q, const ConstVector* ga, const ConstVector* gb,
+                    Eigen::Ref<Eigen::VectorXd> r, Eigen::Ref<Points> jacobian);
+
+/// lim c(x, x + e v) / e from q(e) = c(x, x + e v)^2 itself: three short moves, extrapolated. About 1e-9 relative.
+template <class MoveCost>
+double short_move_limit(double size, double speed, MoveCost cost) {
+  if (!(speed > 0)) return 0;
+  const double e = 2e-4 * (size > 0 ? size : 1) / speed;
+  const double f1 = cost(e) / e, f2 = cost(e / 2) / (e / 2), f4 = cost(e / 4) / (e / 4);
+  return (f1 - 6 * f2 + 8 * f4) / 3;  // free of the terms of first and second order in e
+}
+
+}  // namespace detail
+
+/// Hessian of phi(q / s0^2): phi' d2q / s0^2 + phi'' dq dq' / s0^4.
+template <class C>
+void exact_block(const C& c, const SegmentEnds<C::dim>& e, const Kernel& kernel, double s0, Eigen::Ref<Points> h) {
+  SegmentGradient<C::dim> g;
+  const double scale = 1 / (s0 * s0);
+  const Jet2 phi = evaluate(kernel, scale * squared_cost_gradient(c, e, g));
+  squared_cost_hessian(c, e, h);
+  detail::scale_and_add_outer(phi.d1 * scale, phi.d2 * scale * scale, g, h);
+}
+
+/// A residual r of q, |r|^2 = q, and its Jacobian over (a, b), rows x 2d; columns of fixed ends are zero.
+template <int D>
+struct SegmentResidual {
+  static constexpr int kMost = D == Eigen::Dynamic ? kMaxDimension : D;
+  static constexpr int kWidth = D == Eigen::Dynamic ? Eigen::Dynamic : 2 * D;
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMost, 1> r;
+  Eigen::Matrix<double, Eigen::Dynamic, kWidth, 0, kMost, 2 * kMost> jacobian;
+};
+
+/// That of the cost itself.
+template <class C>
+void own_residual(const C& c, const SegmentEnds<C::dim>& e, SegmentResidual<C::dim>& out) {
+  constexpr int D = C::dim;
+  const Index d = e.a.size();
+  if constexpr (D != Eigen::Dynamic) {
+    using S = Dual<double, 2 * D>;
+    Point<S, D> a, b;
+    detail::seed<S, D>(e.a, e.a_fixed, 0, a);
+    detail::seed<S, D>(e.b, e.b_fixed, D, b);
+    const auto r = c.template residual<S>(a, b);
+    out.r.resize(r.size());
+    out.jacobian.resize(r.size(), 2 * D);
+    for (Index i = 0; i < r.size(); ++i) {
+      out.r[i] = r[i].value;
+      for (int k = 0; k < 2 * D; ++k) out.jacobian(i, k) = r[i].d[static_cast<std::size_t>(k)];
+    }
+  } else {
+    using S = detail::Dual1;
+    Point<S, D> a = detail::constants<S, D>(e.a), b = detail::constants<S, D>(e.b);
+    out.r = c.template residual<double>(e.a, e.b);
+    out.jacobian.resize(out.r.size(), 2 * d);
+    for (Index k = 0; k < 2 * d; ++k) {
+      S& x = detail::variable<S, D>(a, b, k);
+      x.d[0] = detail::is_fixed(e, k) ? 0 : 1;
+      const auto r = c.template residual<S>(a, b);
+      for (Index i = 0; i < r.size(); ++i) out.jacobian(i, k) = r[i].d[0];
+      x.d[0] = 0;
+    }
+  }
+}
+
+/// r = (c / |b - a|) (b - a), for costs without a residual of their own.
+template <class C>
+void chord_residual(const C& c, const SegmentEnds<C::dim>& e, SegmentResidual<C::dim>& out) {
+  const Index d = e.a.size();
+  SegmentGradient<C::dim> g;
+  const double q = squared_cost_gradient(c, e, g);
+  out.r.resize(d);
+  out.jacobian.resize(d, 2 * d);
+  const detail::ConstVector ga(g.a), gb(g.b);
+  detail::chord_residual(e.a, e.b, q, e.a_fixed ? nullptr : &ga, e.b_fixed ? nullptr : &gb, out.r, out.jacobian);
+}
+
+template <class C>
+void squared_cost_residual(const C& c, const SegmentEnds<C::dim>& e, SegmentResidual<C::dim>& out) {
+  if constexpr (requires { c.template residual<double>(e.a, e.b); })
+    own_residual(c, e, out);
+  else
+    chord_residual(c, e, out);
+}
+
+/// Positive semidefinite stand-in for the exact block. With a residual r: 2 phi' J'J + phi'' dq dq', which is
+/// semidefinite for every convex increasing H because dq = 2 J'r and q = |r|^2. Without one: the exact block with its
+/// negative eigenvalues lifted to zero. phi'' stays a little above the value at which H = s loses its stiffness along
+/// the path.
+template <class C>
+void gauss_newton_block(const C& c, const SegmentEnds<C::dim>& e, const Kernel& kernel, double s0,
+                        Eigen::Ref<Points> h) {
+  constexpr double kLeastStiffness = 1e-3;
+  if constexpr (requires { c.template residual<double>(e.a, e.b); }) {
+    SegmentGradient<C::dim> g;
+    const double scale = 1 / (s0 * s0);
+    const double q = scale * squared_cost_gradient(c, e, g);
+    Jet2 phi = evaluate(kernel, q);
+    if (q > 0) phi.d2 = std::max(phi.d2, -(1 - kLeastStiffness) * phi.d1 / (2 * q));
+    SegmentResidual<C::dim> residual;
+    squared_cost_residual(c, e, residual);
+    detail::scaled_normal_matrix<C::dim>(2 * phi.d1 * scale, residual.jacobian, h);
+    detail::scale_and_add_outer(1, phi.d2 * scale * scale, g, h);
+  } else {
+    exact_block(c, e, kernel, s0, h);
+    detail::lift_eigenvalues(h);
+    // A fixed end must stay decoupled although its eigenvalues were lifted.
+    const Index d = e.a.size();
+    if (e.a_fixed) h.topRows(d).setZero(), h.leftCols(d).setZero();
+    if (e.b_fixed) h.bottomRows(d).setZero(), h.rightCols(d).setZero();
+  }
+}
+
+/// lim c(x, x + e v) / e for e -> 0+: sqrt(v' q_bb v / 2) at a = b = x from one second-order directional dual. Where q
+/// is not twice differentiable there (a Finsler cost: |b - a| has no second derivatives), from short moves, to about
+/// 1e-9: a cost that says so is not asked, for it may return any number there. +infinity outside the domain of the
+/// cost.
+template <class C>
+double line_element_from_hessian(const C& c, const Point<double, C::dim>& x, const Point<double, C::dim>& v) {
+  using S = detail::Dual11;
+  if (!(squared_cost(c, x, x) == 0)) return std::numeric_limits<double>::infinity();
+  Point<S, C::dim> a = detail::constants<S, C::dim>(x), b = a;
+  double size = 0, speed = 0;
+  for (Index k = 0; k < x.size(); ++k) {
+    b[k].value.d[0] = v[k];
+    b[k].d[0].value = v[k];
+    size = std::max(size, std::abs(x[k]));
+    speed = std::max(speed, std::abs(v[k]));
+  }
+  if (c.traits().quadratic_at_rest) {
+    const double half = c.template value<S>(a, b).d[0].d[0] / 2;
+    if (half >= 0) return std::sqrt(half);
+  }
+  return detail::short_move_limit(size, speed, [&](double e) {
+    Point<double, C::dim> end = x;
+    for (Index k = 0; k < x.size(); ++k) end[k] += e * v[k];
+    return std::sqrt(squared_cost(c, x, end));
+  });
+}
+
+}  // namespace leastcost

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <limits>
+
+#include <leastcost/framework/cost/segment_cost.hpp>
+#include <leastcost/framework/numbers/dual.hpp>
+
+namespace leastcost {
+
+/// Largest ambient dimension of a cost with run-time dimension (no heap in its inner loops).
+inline constexpr int kMaxDimension = 64;
+
+template <class S, int D>
+using Point = Eigen::Matrix<S, D, 1, 0, D == Eigen::Dynamic ? kMaxDimension : D, 1>;
+
+/// A cost author writes q(a, b) = c(a, b)^2 in [0, +inf] for the straight move a -> b:
+///
+///     struct Weighted {
+///       static constexpr int dim = 2;                                   // 2, 3, or Eigen::Dynamic
+///       CostTraits traits() const { return {.unit = "s"}; }
+///       template <class S> S value(const Point<S, 2>& a, const Point<S, 2>& b) const { ... }
+///     };
+///
+/// Optional, each replacing what dual numbers would do: `residual(a, b)`, a vector r with |r|^2 = q (its Jacobian gives
+/// the Gauss-Newton Hessian); `gradient(a, b, ga, gb)` returning q; `hessian(a, b, H)`; `line_element(x, v)`.
+template <class C>
+concept SegmentCostFunction = requires(const C c, const Point<double, C::dim> p) {
+  { c.traits() } -> std::convertible_to<CostTraits>;
+  { c.template value<double>(p, p) } -> std::convertible_to<double>;
+};
+
+template <int D>
+struct SegmentEnds {
+  Point<double, D> a, b;
+  bool a_fixed = false, b_fixed = false;
+};
+
+template <int D>
+struct SegmentGradient {
+  Point<double, D> a, b;
+};
+
+/// q, with NaN (an argument outside the domain of a root, say) turned into +infinity.
+template <class C>
+double squared_cost(const C& c, const Point<double, C::dim>& a, const Point<double, C::dim>& b) {
+  const double q = c.template value<double>(a, b);
+  return q >= 0 ? q : std::numeric_limits<double>::infinity();
+}
+
+namespace detail {
+
+/// A fixed point of dimension D as duals: component i carries derivative `first + i` unless the point is fixed.
+template <class S, int D>
+void seed(const Point<double, D>& x, bool fixed, int first, Point<S, D>& out) {
+  out.resize(x.size());
+  for (int i = 0; i < x.size(); ++i) {
+    out[i] = S(x[i]);
+    if (!fixed) out[i].d[static_cast<std::size_t>(first + i)] = decltype(out[i].value)(1.0);
+  }
+}
+
+template <class S, int D>
+Point<S, D> constants(const Point<double, D>& x) {
+  Point<S, D> out(x.size());
+  for (int i = 0; i < x.size(); ++i) out[i] = S(x[i]);
+  return out;
+}
+
+/// Variable k of a segment: component k of a, then of b. Fixed ends have none.
+template <int D>
+bool is_fixed(const SegmentEnds<D>& e, Index k) {
+  return k < e.a.size() ? e.a_fixed : e.b_fixed;
+}
+
+using Dual1 = Dual<double, 1>;
+using Dual11 = Dual<Dual1, 1>;
+
+template <class S, int D>
+S& variable(Point<S, D>& a, Point<S, D>& b, Index k) {
+  return k < a.size() ? a[k] : b[k - a.size()];
+}
+
+/// Hessian of q for a run-time dimension: one pair of directions per evaluation, so that no array grows with d.
+template <class C>
+void hessian_by_pairs(const C& c, const SegmentEnds<C::dim>& e, Eigen::Ref<Points> h) {
+  Point<Dual11, C::dim> a = constants<Dual11, C::dim>(e.a), b = constants<Dual11, C::dim>(e.b);
+  const Index m = 2 * e.a.size();
+  for (Index j = 0; j < m; ++j) {
+    if (is_fixed(e, j)) continue;
+    variable<Dual11, C::dim>(a, b, j).d[0].value = 1;
+    for (Index k = 0; k <= j; ++k) {
+      if (is_fixed(e, k)) continue;
+      variable<Dual11, C::dim>(a, b, k).value.d[0] = 1;
+      h(j, k) = h(k, j) = c.template value<Dual11>(a, b).d[0].d[0];
+      variable<Dual11, C::dim>(a, b, k).value.d[0] = 0;
+    }
+    variable<Dual11, C::dim>(a, b, j).d[0].value = 0;
+  }
+}
+
+/// Hessian of q for a compile-time dimension: one evaluation with nested duals.
+template <class C>
+void hessian_nested(const C& c, const SegmentEnds<C::dim>& e, Eigen::Ref<Points> h) {
+  constexpr int D = C::dim, M = 2 * D;
+  using Inner = Dual<double, M>;
+  using Outer = Dual<Inner, M>;
+  Point<Outer, D> a = constants<Outer, D>(e.a), b = constants<Outer, D>(e.b);
+  for (int k = 0; k < M; ++k) {
+    if (is_fixed(e, k)) continue;
+    Outer& x = variable<Outer, D>(a, b, k);
+    x.value.d[static_cast<std::size_t>(k)] = 1;
+    x.d[static_cast<std::size_t>(k)] = Inner(1.0);
+  }
+  const Outer q = c.template value<Outer>(a, b);
+  for (std::size_t j = 0; j < M; ++j)
+    for (std::size_t k = 0; k < M; ++k) h(static_cast<Index>(j), static_cast<Index>(k)) = q.d[j].d[k];
+}
+
+}  // namespace detail
+
+/// q and its gradient.
+template <class C>
+double squared_cost_gradient(const C& c, const SegmentEnds<C::dim>& e, SegmentGradient<C::dim>& g) {
+  constexpr int D = C::dim;
+  g.a.resize(e.a.size());
+  g.b.resize(e.b.size());
+  double q = 0;
+  if constexpr (requires { c.gradient(e.a, e.b, g.a, g.b); }) {
+    q = c.gradient(e.a, e.b, g.a, g.b);
+  } else if constexpr (D != Eigen::Dynamic) {
+    using S = Dual<double, 2 * D>;
+    Point<S, D> a, b;
+    detail::seed<S, D>(e.a, e.a_fixed, 0, a);
+    detail::seed<S, D>(e.b, e.b_fixed, D, b);
+    const S value = c.template value<S>(a, b);
+    q = value.value;
+    for (int k = 0; k < D; ++k) {
+      g.a[k] = value.d[static_cast<std::size_t>(k)];
+      g.b[k] = value.d[static_cast<std::size_t>(D + k)];
+    }
+  } else {
+    using S = detail::Dual1;
+    Point<S, D> a = detail::constants<S, D>(e.a), b = detail::constants<S, D>(e.b);
+    q = c.template value<double>(e.a, e.b);
+    for (Index k = 0; k < 2 * e.a.size(); ++k) {
+      double& out = k < e.a.size() ? g.a[k] : g.b[k - e.a.size()];
+      out = 0;
+      if (detail::is_fixed(e, k)) continue;
+      S& x = detail::variable<S, D>(a, b, k);
+      x.d[0] = 1;
+      out = c.template value<S>(a, b).d[0];
+      x.d[0] = 0;
+    }
+  }
+  if (e.a_fixed) g.a.setZero();
+  if (e.b_fixed) g.b.setZero();
+  return q >= 0 ? q : std::numeric_limits<double>::infinity();
+}
+
+/// Second derivatives of q over (a, b) into h, 2d x 2d; rows and columns of fixed ends are zero.
+template <class C>
+void squared_cost_hessian(const C& c, const SegmentEnds<C::dim>& e, Eigen::Ref<Points> h) {
+  const Index d = e.a.size();
+  h.setZero();
+  if constexpr (requires { c.hessian(e.a, e.b, h); })
+    c.hessian(e.a, e.b, h);
+  else if constexpr (C::dim == Eigen::Dynamic)
+    detail::hessian_by_pairs(c, e, h);
+  else
+    detail::hessian_nested(c, e, h);
+  if (e.a_fixed) h.topRows(d).setZero(), h.leftCols(d).setZero();
+  if (e.b_fixed) h.bottomRows(d).setZero(), h.rightCols(d).setZero();
+}
+
+}  // namespace leastcost

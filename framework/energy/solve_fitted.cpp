@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "framework/energy/solve_fitted.hpp"
+
+#include <utility>
+
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/domain/fits_segments.hpp>
+#include <leastcost/framework/energy/path_energy.hpp>
+#include "framework/domain/in_parts.hpp"
+#include "framework/energy/spacing.hpp"
+
+namespace leastcost {
+namespace {
+
+constexpr int kMostFits = 16;
+constexpr int kMostUnsolved = 2;  ///< fits to a chain that is not at rest say little
+
+/// Onto the domain, but for the ends of an open path, which are given.
+void project_free(const ConstraintManifold& manifold, CoordinatePath& path, const Deadline& deadline) {
+  CoordinatePath moved = path;
+  project(manifold, moved, deadline);
+  const Index first = path.free_begin(), count = path.free_count();
+  path.u.middleCols(first, count) = moved.u.middleCols(first, count);
+}
+
+/// Points that were pushed out of walls are spaced equally again where that has stretched a segment: a solver with an
+/// exponential kernel needs an iteration for each factor e that a segment's energy stands out by.
+void space_pushed(const Problem& problem, CoordinatePath& path, const Deadline& deadline) {
+  constexpr double kStretched = 1.5;  // of the mean
+  PathEnergy energy(problem, 1, deadline);
+  const auto stretch = [&](const CoordinatePath& p) {
+    const Eigen::VectorXd costs = energy.costs(p);
+    return costs.maxCoeff() / costs.mean();
+  };
+  const double before = stretch(path);
+  if (!(before > kStretched)) return;
+  try {
+    CoordinatePath spaced =
+        sample_equally(problem, path, static_cast<int>(path.free_count()), kStretched - 1, 8, deadline);
+    if (stretch(spaced) < before) path = std::move(spaced);
+  } catch (const InitializationError&) {  // there is no other place for its points
+  }
+}
+
+}  // namespace
+
+SolveReport solve_fitted(Problem& problem, const Solver& solver, double reference_cost, CoordinatePath& path,
+                         const Monitor& monitor) {
+  const auto* domain = find_ability<FitsSegments>(*problem.manifold);
+  const bool fits = domain != nullptr && solver.moves_points();
+  Points agreed;  // the chain to which the domain was fitted without a change: looking again would say the same
+  if (fits) {     // to the path as it is, too: a move through an obstacle could not be drawn out of it
+    problem.manifold = domain->unfitted(path);
+    project_free(*problem.manifold, path, monitor.deadline);
+    space_pushed(problem, path, monitor.deadline);
+    auto fitted = find_ability<FitsSegments>(*problem.manifold)->fitted(path);
+    if (fitted != nullptr)
+      problem.manifold = std::move(fitted);
+    else
+      agreed = path.u;
+  }
+  SolveReport report;
+  int unsolved = 0;
+  for (int k = 0;; ++k) {
+    if (fits && agreed.size() == 0) {
+      project_free(*problem.manifold, path, monitor.deadline);
+      space_pushed(problem, path, monitor.deadline);
+    }
+    PathEnergy energy(problem, reference_cost, monitor.deadline);
+    SolveReport next = solver.solve(energy, path, monitor);
+    report = k == 0 ? std::move(next) : joined(report, std::move(next));
+    if (!fits || report.termination == Termination::exception || monitor.interrupted()) break;
+    if (agreed.size() == path.u.size() && agreed == path.u) break;
+    agreed.resize(0, 0);
+    if (!is_solved(report.termination) && ++unsolved == kMostUnsolved) break;
+    auto fitted = find_ability<FitsSegments>(*problem.manifold)->fitted(path);
+    if (fitted == nullptr) break;
+    if (k + 1 == kMostFits) {
+      report.cycling = true;
+      break;
+    }
+    problem.manifold = std::move(fitted);
+  }
+  return report;
+}
+
+}  // namespace leastcost

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "framework/newton/bounded_step.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "framework/domain/in_parts.hpp"
+#include "framework/newton/chain_program.hpp"
+
+namespace leastcost {
+namespace {
+
+constexpr Index kLooksAtOnce = 16;  ///< between two looks at the clock
+constexpr double kPassed = 0.01;    ///< of a point's move: so far beyond a bound it is worth a program
+constexpr double kEndsOn = 1e-7;    ///< of the largest move: nearer to a bound than that a step ends on it
+
+}  // namespace
+
+BoundedStep::BoundedStep(PathEnergy& energy)
+    : energy_(energy), bounds_(find_ability<SeesBounds>(*energy.problem().manifold)) {}
+
+/// Looks beside each point as far as it or a neighbour moves.
+bool BoundedStep::passes_bounds(const CoordinatePath& path, const Points& moves) {
+  const Index n = moves.cols();
+  const Eigen::VectorXd far = moves.colwise().norm();
+  near_.resize(static_cast<std::size_t>(n));
+  bool passes = false;
+  for (Index i = 0; i < n; ++i) {
+    if (i % kLooksAtOnce == 0) look_at_clock(energy_.deadline());
+    const double reach = std::max({far[std::max<Index>(0, i - 1)], far[i], far[std::min(n - 1, i + 1)]});
+    std::vector<NearBound>& near = near_[static_cast<std::size_t>(i)];
+    bounds_->bounds_within(path, path.free_begin() + i, reach, near);
+    for (const NearBound& bound : near) {
+      const double change = bound.slope.dot(moves.col(i));
+      passes = passes || (change < -kPassed * far[i] && bound.gap + change < -kPassed * far[i]);
+    }
+  }
+  return passes;
+}
+
+/// In frames in which all directions are free: what is blocked in the model is a bound like others here.
+bool BoundedStep::find_hessian(const CoordinatePath& path, const ChainModel& model) {
+  frames_ = model.frames;
+  frames_.identity = false;
+  std::fill(frames_.blocked.begin(), frames_.blocked.end(), 0);
+  if (frames_.bases.cols() == 0) {
+    tangent_bases(*energy_.problem().manifold, path, frames_.bases, energy_.deadline());
+    const Index k = frames_.bases.cols() / path.u.cols();
+    frames_.bases = frames_.bases.middleCols(k * path.free_begin(), k * path.free_count()).eval();
+  }
+  for (const HessianKind kind : {HessianKind::exact, HessianKind::gauss_newton}) {
+    energy_.chain_hessian(path, model.gradient, frames_, kind, hessian_);
+    scaled_ = hessian_;
+    if (energy_.factor(scaled_)) return true;
+  }
+  return false;
+}
+
+/// Lengths are in units of the largest move, energies in those of the model's decrease.
+bool BoundedStep::solve(const CoordinatePath& path, const ChainModel& model) {
+  if (bounds_ == nullptr || path.ring || !passes_bounds(path, model.moves) || !find_hessian(path, model)) return false;
+  const double length = model.moves.colwise().norm().maxCoeff(), gain = model.decrement;
+  if (!(length > 0) || !(gain > 0)) return false;
+  const int k = hessian_.block();
+  const Index n = hessian_.count();
+  Eigen::VectorXd gradient;
+  energy_.to_tangent(frames_, model.gradient, gradient);
+  scaled_.set_zero();
+  scaled_.add(length * length / gain, hessian_);
+  ChainHalfSpaces rows(k);
+  for (Index i = 0; i < n; ++i)
+    for (const NearBound& bound : near_[static_cast<std::size_t>(i)])
+      rows.add(i, frames_.bases.middleCols(k * i, k).transpose() * bound.slope, -std::max(0.0, bound.gap) / length);
+  const std::optional<Eigen::VectorXd> z =
+      least_of_chain(scaled_, -length / gain * gradient, rows, Eigen::VectorXd::Zero(k * n), energy_.deadline());
+  energy_.count({.linear_solves = 1});
+  if (!z) return false;
+  energy_.from_tangent(frames_, length * *z, moves_);
+  slope_ = length * gradient.dot(*z);
+  end_on_bounds(length);
+  return slope_ < 0;
+}
+
+/// A program ends a hair before its bounds. Where the retraction itself stops points at a bound, a hair too far ends on
+/// it.
+void BoundedStep::end_on_bounds(double length) {
+  ends_on_.assign(near_.size(), {});
+  for (std::size_t i = 0; i < near_.size(); ++i) {
+    auto move = moves_.col(static_cast<Index>(i));
+    for (const NearBound& bound : near_[i]) {
+      if (!(bound.gap + bound.slope.dot(move) <= kEndsOn * length)) continue;
+      if (bound.number == NearBound::kNone)
+        move -= 2 * kEndsOn * length * bound.slope;
+      else
+        ends_on_[i].push_back(bound.number);
+    }
+  }
+}
+
+void BoundedStep::retract(const CoordinatePath& from, CoordinatePath& to) const {
+  energy_.count({.projections = 1});
+  retract_onto(*bounds_, from, moves_, ends_on_, to, energy_.deadline());
+}
+
+}  // namespace leastcost

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include <leastcost/framework/domain/sees_bounds.hpp>
+#include <leastcost/framework/energy/chain_model.hpp>
+
+namespace leastcost {
+
+/// The step of a chain's model that heeds the bounds beside all points at once, those that no point lies on yet among
+/// them: a quadratic program (least_of_chain()) between bounds taken to be straight. Cut off where single points meet
+/// bounds, a step of the whole chain gains nothing unless it is shortened until hardly any point moves; this one comes
+/// to rest on the bounds that will hold it. (A step of sequential quadratic programming: Nocedal and Wright 2006,
+/// Ch. 18.)
+class BoundedStep {
+ public:
+  explicit BoundedStep(PathEnergy& energy);
+
+  /// Whether the domain sees bounds (SeesBounds).
+  bool possible() const { return bounds_ != nullptr; }
+
+  /// Where the domain sees bounds and the model's own step would pass over one: solves for the step that
+  /// does not. False elsewhere, for a ring, and where that fails; then there is no such step.
+  bool solve(const CoordinatePath& path, const ChainModel& model);
+
+  const Points& moves() const { return moves_; }  ///< coordinate x n
+  double slope() const { return slope_; }         ///< of the energy along the step, below 0
+  /// The whole step, onto the bounds that it ends on.
+  void retract(const CoordinatePath& from, CoordinatePath& to) const;
+
+ private:
+  bool passes_bounds(const CoordinatePath& path, const Points& moves);
+  bool find_hessian(const CoordinatePath& path, const ChainModel& model);
+  void end_on_bounds(double length);
+
+  PathEnergy& energy_;
+  const SeesBounds* bounds_;
+  std::vector<std::vector<NearBound>> near_;  ///< of each free point
+  Frames frames_;                             ///< without blocked directions
+  ChainSystem hessian_, scaled_;
+  Points moves_;
+  double slope_ = 0;
+  BoundsOfPoints ends_on_;
+};
+
+}  // namespace leastcost

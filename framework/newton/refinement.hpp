@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <leastcost/framework/base/monitor.hpp>
+#include <leastcost/framework/problem/problem.hpp>
+
+namespace leastcost {
+
+/// One solved level of the refinement M, 2M, 4M.
+struct RefinementLevel {
+  int segments = 0;
+  double cost = 0;
+  double energy = 0;  ///< at the reference cost of the middle level
+  double spacing = 0;
+  int iterations = 0;
+  long evaluations = 0;  ///< energies, gradients and Hessians of its solve
+};
+
+/// The path solved again with M, 2M and 4M segments, M = max(4, ceil(N / 2)): for even N >= 8 these are N/2, N, 2N.
+/// Where the domain fits segments M = N.
+struct Refinement {
+  std::vector<RefinementLevel> levels;
+  std::vector<CoordinatePath> paths;
+  std::vector<std::shared_ptr<const ConstraintManifold>> domains;  ///< that they were solved on, fitted to them
+  std::optional<double>
+      coarser;  ///< cost of the chain with half as many segments as the first level, where that could be solved
+  int coarser_segments = 0;
+  bool collapsed = false;  ///< a ring that shrinks to a point, or is one
+  std::string trouble;     ///< why it is incomplete, or which level did not converge; empty: all is well
+};
+/// The cost of a chain with another number of segments, solved from the same path; nothing where that fails. Throws
+/// Interrupted.
+std::optional<double> solved_cost(const Problem& problem, const CoordinatePath& chain, int segments,
+                                  const Monitor& monitor);
+
+/// Throws Interrupted after the monitor's deadline.
+Refinement refine_levels(const Problem& problem, const CoordinatePath& chain, const Monitor& monitor);
+
+}  // namespace leastcost

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include <leastcost/eigen_alignment.hpp>
+
+#include <leastcost/framework/base/options.hpp>
+
+namespace leastcost {
+
+/// What a lower bound of the least cost rests on.
+enum class BoundCategory {
+  proved,               ///< on nothing but the arithmetic of the machine and the C library
+  proved_given_bounds,  ///< on bounds of derivatives that the user states
+  sampled               ///< on values at points: no proof
+};
+Words<BoundCategory> words(BoundCategory);
+
+/// Values of a potential on a regular grid over a box, the corners included, for pictures. +infinity where no path that
+/// may be cheaper goes.
+struct PotentialSamples {
+  Eigen::AlignedBox2d box;
+  int columns = 0, rows = 0;
+  std::vector<double> values;  ///< x runs fastest, from below
+};
+
+/// The box and the grid of a lower bound by a potential on cells.
+struct BoundGrid {
+  Eigen::AlignedBoxXd box;          ///< in two or three dimensions: the paths that the bound speaks of stay in it
+  std::vector<int> cells = {};      ///< of the finest grid over the whole box, along each axis
+  double upper = 0;                 ///< of the cost of the delivered curve: the gap is between both
+  PotentialSamples potential = {};  ///< around all places that were searched; empty: none, as in space
+};
+
+/// What a proof over all paths of the domain between two ends says, whatever class they are of.
+struct GlobalBound {
+  bool proved = false;  ///< no path costs less than the delivered one by more than the gap
+  /// "proved", "improved" (proved, of a path cheaper than before), "sampled" (the gap is small enough, but nothing is
+  /// proved), "bounded", "blocked".
+  std::string outcome = {};
+  double lower_bound = 0;                      ///< no path costs less
+  double gap = 0;                              ///< (cost of the delivered path - lower_bound) / cost
+  std::string scope = "global_on_polyhedron";  ///< of a certificate, when it is proved
+  std::int64_t steps = 0;                      ///< of the search
+  std::string counts = "windows";              ///< what the steps are
+  std::string bound = {};                      ///< what the search aimed by: "euclid"
+  std::string reason = {};                     ///< why it is blocked, in words
+  BoundCategory category = BoundCategory::proved;
+  std::optional<BoundGrid> grid = {};  ///< of a bound by a potential
+  double seconds = 0;                  ///< that it took
+};
+
+/// How far a proof over all paths may go.
+struct GlobalBudget {
+  static constexpr std::string_view kType = "budget", kHelp = "Within a budget that is given here.";
+  double tolerance = 1e-9;
+  std::optional<double> max_seconds = {};
+  std::optional<int> max_windows = {};
+  std::optional<int> landmarks = {};  ///< that lower bounds come from
+  std::string index = {};             ///< file of landmarks; empty: none
+  void fields(FieldVisitor& visit);
+};
+struct GlobalAuto {
+  static constexpr std::string_view kType = "auto",
+                                    kHelp = "To the end on meshes of up to 20000 vertices, else within a budget.";
+};
+struct GlobalOff {
+  static constexpr std::string_view kType = "off", kHelp = "Not tried: the certificate is a local one.";
+};
+using GlobalProof = std::variant<GlobalAuto, GlobalOff, GlobalBudget>;
+
+}  // namespace leastcost

@@ -1,0 +1,287 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/framework/replan/replanner.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/domain/fits_segments.hpp>
+#include <leastcost/framework/energy/path_energy.hpp>
+#include "framework/base/point_text.hpp"
+#include "framework/domain/in_parts.hpp"
+#include "framework/energy/spacing.hpp"
+#include "framework/replan/shortened.hpp"
+#include "framework/search/find_path_checks.hpp"
+
+namespace leastcost {
+namespace {
+
+using Clock = Monitor::Clock;
+
+Clock::duration clock_duration(double seconds) {
+  return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+/// A path that may be delivered.
+struct Candidate {
+  Result result;
+  std::optional<Clearance> clearance;
+  std::string why_not = "there is none";  ///< empty: it is valid now
+  bool valid() const { return why_not.empty(); }
+};
+
+/// One replan: the problem, the budget, and what is known so far.
+class OneReplan {
+ public:
+  OneReplan(const Problem& now, const Solver& solver, const Initializer& initializer, const FindOptions& options,
+            const Monitor& monitor, double& seconds_per_move)
+      : problem_(now),
+        solver_(solver),
+        initializer_(initializer),
+        options_(options),
+        monitor_(monitor),
+        seconds_per_move_(seconds_per_move) {}
+
+  Replan from(const Result& last) {
+    Replan out;
+    out.why_not_old = out.why_not_new = why_no_end();
+    if (!out.why_not_old.empty()) return out;
+    old_.result = carried_over(last);
+    look_at(old_);
+    if (!old_.valid() || !solver_.moves_points()) push_clear();
+    improve();
+    if (!old_.valid() && !pushed_.valid() && !new_.valid() && !monitor_.interrupted()) {
+      unfinished_ = new_.result.path;
+      begin_anew();
+      out.from_initializer = true;
+    }
+    out.why_not_old = old_.why_not;
+    out.why_not_new = new_.why_not;
+    if (pushed_.valid() && (!new_.valid() || pushed_.result.curve.cost < new_.result.curve.cost))
+      new_ = std::move(pushed_);
+    const bool take_new =
+        new_.valid() && (!old_.valid() || shortened_ || new_.result.curve.cost < old_.result.curve.cost);
+    if (take_new) return delivered(std::move(out), ReplanOutcome::new_path, std::move(new_));
+    if (old_.valid()) return delivered(std::move(out), ReplanOutcome::old_path, std::move(old_));
+    if (unfinished_.u.cols() == 0) unfinished_ = new_.result.path;
+    return out;
+  }
+
+  /// Without a valid path, what the search came to: the next one goes on from there.
+  CoordinatePath unfinished() { return std::move(unfinished_); }
+
+ private:
+  static Replan delivered(Replan out, ReplanOutcome outcome, Candidate path) {
+    out.outcome = outcome;
+    out.result = std::move(path.result);
+    out.clearance = std::move(path.clearance);
+    return out;
+  }
+
+  /// An end within an obstacle: whatever is searched, there is no path now.
+  std::string why_no_end() const {
+    if (problem_.ring && !problem_.based) return "";
+    std::string why = why_in_clearance(problem_, problem_.source);
+    if (!why.empty()) return "the source " + why;
+    if (problem_.ring) return "";
+    why = why_in_clearance(problem_, problem_.target);
+    return why.empty() ? "" : "the target " + why;
+  }
+
+  /// The last path between the ends of now. Empty where there is none.
+  Result carried_over(const Result& last) {
+    if (last.path.u.cols() == 0 || last.path.u.rows() != problem_.manifold->dimensions().coordinate) return {};
+    Result old;
+    old.path = last.path;
+    old.curve = last.curve;
+    old.post_processed = last.post_processed;
+    shortened_ = shorten_to_ends(problem_, old.path);
+    if (!shortened_) return old;
+    const auto& steps = options_.post_processors;
+    if (std::any_of(steps.begin(), steps.end(), [](const auto& step) { return !step->finds_its_own(); }))
+      return {};  // its curve was made for other ends
+    old.curve = {};
+    old.curve.x = chain_of(old.path);
+    return old;
+  }
+
+  /// Whether a path may be delivered, and what it costs now.
+  void look_at(Candidate& path) {
+    Result& result = path.result;
+    if (result.curve.x.cols() < 2) return;
+    const Clock::time_point begin = Clock::now();
+    try {
+      const Points& x = result.curve.x;
+      result.curve_costs = segment_costs(*problem_.cost, {{x.data(), x.rows(), x.cols()}, {}, false});
+      result.curve.cost = result.curve_costs.sum();
+      result.costs = PathEnergy(problem_, 1, last_look()).costs(result.path);
+      path.clearance = measure_clearance(*problem_.manifold, x, false, last_look());
+      path.why_not = why_not(result, path.clearance);
+      seconds_per_move_ = seconds_since(begin) / static_cast<double>(x.cols() - 1);
+    } catch (const Interrupted&) {
+      path.why_not = "there was no time to look at it";
+    }
+  }
+
+  std::string why_not(const Result& result, const std::optional<Clearance>& clearance) const {
+    if (!std::isfinite(result.curve.cost)) return "it costs infinitely much";
+    const Points& x = result.curve.x;
+    const double extent = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm();
+    if (!clearance || clearance->lower >= -options_.certificate.clearance * extent) return "";
+    return "it comes " + short_number(std::abs(clearance->upper)) + " too near to " + clearance->obstacle;
+  }
+
+  /// What an obstacle has moved onto is pushed out of it, without a solve, until no move touches. So is a chain whose
+  /// curve is valid, but not the moves between its points, if there is no solver to do it.
+  void push_clear() {
+    constexpr int kMostPushes = 8;
+    const auto* fits = find_ability<FitsSegments>(*problem_.manifold);
+    if (fits == nullptr || old_.result.path.u.cols() == 0 || monitor_.interrupted()) return;
+    try {
+      CoordinatePath& path = pushed_.result.path = with_points(old_.result.path, monitor_.deadline);
+      std::shared_ptr<const ConstraintManifold> domain = fits->unfitted(path);
+      for (int k = 0; k < kMostPushes && domain != nullptr; ++k) {
+        CoordinatePath moved = path;
+        if (!project(*domain, moved, monitor_.deadline).failed.empty()) return;
+        path.u.middleCols(path.free_begin(), path.free_count()) =
+            moved.u.middleCols(path.free_begin(), path.free_count());
+        pushed_.result.curve.x = chain_of(path);
+        look_at(pushed_);
+        if (pushed_.valid() || monitor_.interrupted()) return;
+        domain = find_ability<FitsSegments>(*domain)->fitted(path);
+      }
+    } catch (const InitializationError&) {  // too few places left for its points
+    } catch (const Interrupted&) {
+    }
+  }
+
+  /// From the old path, or what could be made of it.
+  void improve() {
+    const CoordinatePath& from = pushed_.valid() ? pushed_.result.path : old_.result.path;
+    if (from.u.cols() == 0 || monitor_.interrupted()) return;
+    const Monitor within = with_deadline(old_.valid() || pushed_.valid() ? 1 : kShareOfWarmStart);
+    attempt([&] {
+      const CoordinatePath start = with_points(from, within.deadline);
+      return improve_path(problem_, start, solver_, options_, within);
+    });
+  }
+
+  void begin_anew() {
+    const Monitor within = with_deadline(1);
+    attempt([&] { return find_path(problem_, initializer_, solver_, options_, within); });
+    if (new_.valid() || new_.result.first.path.u.cols() == 0) return;
+    // Its samples may cut corners that the first path goes around.
+    Candidate first;
+    first.result.path = new_.result.first.path;
+    first.result.curve.x = chain_of(first.result.path);
+    look_at(first);
+    if (first.valid()) new_ = std::move(first);
+  }
+
+  template <class Search>
+  void attempt(Search search) {
+    new_ = {};
+    try {
+      new_.result = search();
+      if (new_.result.path.u.cols() == 0) new_.why_not = "the time budget is used up";
+      if (new_.result.curve.x.cols() < 2 && new_.result.path.u.cols() > 0)
+        new_.result.curve.x = chain_of(new_.result.path);
+      look_at(new_);
+    } catch (const InputError& error) {  // a point of the path has no nearest place now
+      new_.why_not = error.what();
+    } catch (const InitializationError& error) {
+      new_.why_not = error.what();
+    } catch (const Interrupted& error) {
+      new_.why_not = error.what();
+    }
+  }
+
+  /// Its points as a curve; a ring is closed by its first one.
+  Points chain_of(const CoordinatePath& path) const { return PathEnergy(problem_, 1).ambient(path).x; }
+
+  /// A chain of as many points as are asked for.
+  CoordinatePath with_points(const CoordinatePath& path, const Deadline& deadline) const {
+    const int points = options_.points.value();
+    if (path.free_count() == points) return path;
+    return sample_equally(problem_, path, points, 0.05, 8, deadline);
+  }
+
+  /// Leaves a part of the remaining time to the search, and what it takes to look at its path.
+  Monitor with_deadline(double part) const {
+    Monitor within = monitor_;
+    if (!monitor_.deadline) return within;
+    const double moves = options_.points.value() + 1;
+    const Clock::time_point now = Clock::now(),
+                            end = *monitor_.deadline - clock_duration(1.5 * moves * seconds_per_move_);
+    within.deadline = now + clock_duration(part * std::max(0.0, std::chrono::duration<double>(end - now).count()));
+    return within;
+  }
+
+  /// Until when a path may be looked at: a part of what find_path() may take beyond its deadline.
+  Deadline last_look() const {
+    constexpr double kLeast = 3e-4, kPart = 0.03;  // seconds; of the budget
+    if (!monitor_.deadline) return {};
+    const double budget = std::chrono::duration<double>(*monitor_.deadline - start_).count();
+    return *monitor_.deadline + clock_duration(std::max(kLeast, kPart * budget));
+  }
+
+  static double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+  }
+
+  static constexpr double kShareOfWarmStart = 0.4;  ///< of the time, where the old path is not valid
+
+  const Clock::time_point start_ = Clock::now();
+  const Problem& problem_;
+  const Solver& solver_;
+  const Initializer& initializer_;
+  const FindOptions& options_;
+  const Monitor& monitor_;
+  double& seconds_per_move_;
+  Candidate old_, pushed_, new_;
+  CoordinatePath unfinished_;
+  bool shortened_ =
+      false;  ///< the old path, which led between other ends: it is spaced unevenly, hence only a last resort
+};
+
+}  // namespace
+
+std::string_view name(ReplanOutcome outcome) {
+  switch (outcome) {
+    case ReplanOutcome::new_path: return "new_path";
+    case ReplanOutcome::old_path: return "old_path";
+    case ReplanOutcome::no_valid_path: return "no_valid_path";
+  }
+  return "unknown";
+}
+
+Replanner::Replanner(std::shared_ptr<const Solver> solver, std::shared_ptr<const Initializer> initializer,
+                     FindOptions options)
+    : solver_(std::move(solver)), initializer_(std::move(initializer)), options_(std::move(options)) {
+  if (!solver_ || !initializer_) throw InputError("a replanner needs a solver and an initializer");
+  if (!options_.points) throw InputError("a replanner needs a number of points");
+  check(options_);
+  options_.certificate.refine = 0;  // the time is that of one search
+}
+
+Replan Replanner::replan(const Problem& now, const Monitor& monitor) {
+  check(now);
+  OneReplan once(now, *solver_, *initializer_, options_, monitor, seconds_per_move_);
+  Replan out = once.from(last_);
+  if (out.outcome == ReplanOutcome::no_valid_path) {
+    if (CoordinatePath unfinished = once.unfinished(); unfinished.u.cols() > 0) {
+      last_ = {};
+      last_.curve.x = PathEnergy(now, 1).ambient(unfinished).x;
+      last_.path = std::move(unfinished);
+    }
+    return out;
+  }
+  last_.path = out.result.path;
+  last_.curve = out.result.curve;
+  return out;
+}
+
+}  // namespace leastcost

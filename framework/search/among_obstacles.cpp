@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "framework/search/among_obstacles.hpp"
+
+#include <leastcost/framework/domain/checks_moves.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
+
+namespace leastcost {
+
+/// A path on the other side of an obstacle than the one that was begun with is not what was asked for, unless it is
+/// shown to be the least of its class. Where the fit to the obstacles did not end, that is why the path fails.
+void judge_among_obstacles(const Problem& problem, Result& result) {
+  const auto* obstacles = find_ability<ChecksMoves>(*problem.manifold);
+  if (obstacles == nullptr) return;
+  auto& failures = result.certificate.failures;
+  if (!failures.empty() && result.solve.cycling)
+    failures.push_back(
+        {"active_set_cycling", "what the points keep from the obstacles and where they come to rest did not agree"});
+  if (problem.ring || result.curve.least_of_class) return;
+  const Points first = positions(*problem.manifold, result.first.path);
+  if (!obstacles->same_class(first, result.curve.x).value_or(true))
+    failures.push_back({"class_lost", "the path passes an obstacle on another side than the first path"});
+}
+
+}  // namespace leastcost

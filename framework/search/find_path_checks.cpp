@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "framework/search/find_path_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/problem/clearance.hpp>
+#include <leastcost/framework/search/other_images.hpp>
+#include "framework/base/point_text.hpp"
+
+namespace leastcost {
+
+void check(const FindOptions& options) {
+  if (options.points && *options.points < 1)
+    throw InputError("a path has at least one free point, not " + std::to_string(*options.points));
+  constexpr int kMostAllowed = 100'000'000;
+  if (options.points && *options.points > kMostAllowed)
+    throw InputError("a path has at most 10^8 free points, not " + std::to_string(*options.points));
+  if (options.reference_cost && !(*options.reference_cost > 0 && std::isfinite(*options.reference_cost)))
+    throw InputError("the reference cost is positive and finite, not " + short_number(*options.reference_cost, 6));
+  for (const auto& step : options.post_processors)
+    if (!step) throw InputError("a post-processor is null");
+}
+
+void refuse_one_point(const Problem& problem) {
+  std::optional<PointImage> image;
+  if (!ends_are_one_point(problem, &image) || image) return;
+  throw InputError("source " + point_text(problem.source.u) + " and target " + point_text(problem.target.u) +
+                   " are one point of the domain; a closed path is a ring (path.ring: true)");
+}
+
+void refuse_end_in_clearance(const Problem& problem) {
+  const auto check = [&](const PathEnd& end, const std::string& which) {
+    if (end.u.size() == 0) return;
+    const std::string why = why_in_clearance(problem, end);
+    if (!why.empty()) throw InputError("end_in_clearance: the " + which + " " + why);
+  };
+  check(problem.source, "source");
+  check(problem.target, "target");
+}
+
+void check_path(const Problem& problem, const CoordinatePath& path, Index least, const std::string& what) {
+  const Index columns = path.u.cols(), rows = problem.manifold->dimensions().coordinate;
+  if (path.ring != problem.ring)
+    throw InputError(path.ring ? what + " is a ring, the problem has two ends"
+                               : what + " is open, the problem is a ring");
+  if (path.u.rows() != rows || columns < least)
+    throw InputError(what + " is " + std::to_string(path.u.rows()) + " x " + std::to_string(columns) +
+                     "; this problem needs " + std::to_string(rows) + " rows and at least " + std::to_string(least) +
+                     " columns");
+  if (!path.sites.empty() && path.sites.size() != static_cast<std::size_t>(columns))
+    throw InputError(what + " has " + std::to_string(path.sites.size()) + " sites for " + std::to_string(columns) +
+                     " columns");
+  if (!path.closing.identity() && (path.closing.sign.size() != rows || path.closing.shift.size() != rows))
+    throw InputError(what + " closes by a map of another dimension");
+  if (!path.u.allFinite()) throw InputError(what + " has coordinates that are not finite");
+}
+
+void check_processed(const Problem& problem, const CoordinatePath& before, const PostProcessed& after) {
+  const CoordinatePath& chain = after.chain;
+  check_path(problem, chain, before.u.cols(), "the chain of a post-processor");
+  if (chain.u.cols() != before.u.cols())
+    throw InputError("a post-processor made " + std::to_string(chain.u.cols()) + " points of " +
+                     std::to_string(before.u.cols()));
+  constexpr double kSame = 1e-6;  // of the extent: what rounding and projections may move an end
+  const double extent = (before.u.rowwise().maxCoeff() - before.u.rowwise().minCoeff()).norm();
+  const Index last = chain.u.cols() - 1;
+  if (!chain.ring && std::max((chain.u.col(0) - before.u.col(0)).norm(),
+                              (chain.u.col(last) - before.u.col(last)).norm()) > kSame * extent)
+    throw InputError("a post-processor moved an end of the path");
+  if (after.curve_costs.size() != chain.segment_count())
+    throw InputError("a post-processor returned " + std::to_string(after.curve_costs.size()) + " costs for " +
+                     std::to_string(chain.segment_count()) + " segments");
+  if (after.curve.x.rows() != problem.manifold->dimensions().ambient || after.curve.x.cols() < 2)
+    throw InputError("a post-processor returned a curve of " + std::to_string(after.curve.x.rows()) + " x " +
+                     std::to_string(after.curve.x.cols()) + " coordinates");
+}
+
+}  // namespace leastcost

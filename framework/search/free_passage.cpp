@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "framework/search/free_passage.hpp"
+
+#include <algorithm>
+
+#include <leastcost/framework/domain/checks_moves.hpp>
+#include "framework/energy/spacing.hpp"
+
+namespace leastcost {
+namespace {
+
+constexpr double kReached = 1e-6;  ///< of the distance of the farther end from the free places
+
+/// Of a problem in which a straight move is one of the domain.
+const HasFreePlaces* free_places(const Problem& problem, const CoordinatePath& path) {
+  const ConstraintManifold& domain = *problem.manifold;
+  if (path.ring || path.segment_count() < 3 || domain.shape() != Shape::flat) return nullptr;
+  if (find_ability<HasChart>(domain) != nullptr || find_ability<ChecksMoves>(domain) != nullptr) return nullptr;
+  return find_ability<HasFreePlaces>(*problem.cost);
+}
+
+}  // namespace
+
+std::optional<FreePassage> free_passage(const Problem& problem, const CoordinatePath& path) {
+  const HasFreePlaces* places = free_places(problem, path);
+  if (places == nullptr) return std::nullopt;
+  FreePassage passage = places->free_passage(path.u.col(0), path.u.rightCols(1), path.segment_count());
+  // A box without the free places does not let it through.
+  const double size = (passage.points.rowwise().maxCoeff() - passage.points.rowwise().minCoeff()).norm();
+  if (!(problem.manifold->residual({passage.points, {}, false}) <= kReached * size)) return std::nullopt;
+  return passage;
+}
+
+bool reaches_free_place(const Problem& problem, const CoordinatePath& path) {
+  const HasFreePlaces* places = free_places(problem, path);
+  if (places == nullptr) return false;
+  const double far = std::max(places->distance_to_free(path.u.col(0)), places->distance_to_free(path.u.rightCols(1)));
+  for (Index i = 1; i + 1 < path.u.cols(); ++i)
+    if (places->distance_to_free(path.u.col(i)) <= kReached * far) return true;
+  return false;
+}
+
+double spread_where_paid(const Eigen::VectorXd& costs, Index free) {
+  Eigen::VectorXd paid(costs.size() - 1);
+  paid << costs.head(free), costs.tail(costs.size() - free - 1);
+  return spread(paid);
+}
+
+}  // namespace leastcost
