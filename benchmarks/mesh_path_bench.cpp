@@ -10,6 +10,7 @@
 #include <map>
 #include <vector>
 
+#include <leastcost/framework/certificate/certify.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
 #include <leastcost/problems/straighten/geodesic.hpp>
 #include "problems/mesh/trace.hpp"

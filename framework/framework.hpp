@@ -6,6 +6,7 @@
 /// What a least-cost path is: path, cost, manifold, kernel, energy, solver, certificate, find_path(). What this header
 /// reaches is public and installed; everything else in the folder is internal.
 
+#include <leastcost/framework/certificate/certify.hpp>
 #include <leastcost/framework/cost/has_constant_metric.hpp>
 #include <leastcost/framework/cost/has_free_places.hpp>
 #include <leastcost/framework/cost/has_notes.hpp>
@@ -18,5 +19,5 @@
 #include <leastcost/framework/problem/has_graph.hpp>
 #include <leastcost/framework/replan/replanner.hpp>
 #include <leastcost/framework/replan/waypoints.hpp>
+#include <leastcost/framework/result/other_images.hpp>
 #include <leastcost/framework/search/find_path.hpp>
-#include <leastcost/framework/search/other_images.hpp>

@@ -17,7 +17,7 @@
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/solvers/newton.hpp>
 #include "framework/base/point_text.hpp"
-#include "framework/search/find_path_checks.hpp"
+#include "framework/result/find_path_checks.hpp"
 #include "ompl/plan_space.hpp"
 #include "ompl/tighten.hpp"
 

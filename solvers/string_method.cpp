@@ -54,12 +54,10 @@ class String {
     }
     energy_.retract(path_, force_, moved_);
     if (!std::isfinite(energy_.value(moved_))) return false;
-    CoordinatePath even;
-    try {
-      even = sample_equally(energy_.problem(), moved_, static_cast<int>(path_.free_count()), kEven, kPasses);
-    } catch (const InitializationError&) {
-      return false;
-    }
+    const int points = static_cast<int>(path_.free_count());
+    MaybeChain sampled = try_sampling(energy_.problem(), moved_, {points, kEven, kPasses});
+    if (!sampled) return false;
+    CoordinatePath& even = *sampled.chain;
     if (!model_.evaluate(energy_, even)) return false;
     largest_move_ = (even.u - path_.u).colwise().norm().maxCoeff();
     path_ = std::move(even);

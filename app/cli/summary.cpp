@@ -17,7 +17,7 @@
 #include "catalogue/run/compose.hpp"
 #include "catalogue/run/memory.hpp"
 #include "catalogue/run/run_origin.hpp"
-#include "framework/search/never_worse.hpp"
+#include "framework/result/never_worse.hpp"
 
 namespace leastcost::app {
 namespace {

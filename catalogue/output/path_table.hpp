@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <leastcost/framework/replan/waypoints.hpp>
-#include <leastcost/framework/search/result.hpp>
+#include <leastcost/framework/result/result.hpp>
 
 namespace leastcost {
 

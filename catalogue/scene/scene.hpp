@@ -11,7 +11,7 @@
 
 #include <leastcost/framework/family/family.hpp>
 #include <leastcost/framework/problem/problem.hpp>
-#include <leastcost/framework/search/result.hpp>
+#include <leastcost/framework/result/result.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/drawing/draws_poses.hpp>
 

@@ -7,8 +7,8 @@
 #include <random>
 
 #include <leastcost/framework/check/check_manifold.hpp>
+#include <leastcost/framework/result/other_images.hpp>
 #include <leastcost/framework/search/find_path.hpp>
-#include <leastcost/framework/search/other_images.hpp>
 #include <leastcost/problems/costs/weighted_length.hpp>
 #include <leastcost/problems/initializers/straight.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>

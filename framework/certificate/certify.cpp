@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/certificate/certify.hpp"
+#include <leastcost/framework/certificate/certify.hpp>
 
 #include <algorithm>
 #include <array>

@@ -4,9 +4,9 @@
 
 #include <leastcost/framework/base/monitor.hpp>
 #include <leastcost/framework/certificate/certificate.hpp>
+#include <leastcost/framework/certificate/to_curve.hpp>
 #include <leastcost/framework/problem/post_processor.hpp>
 #include <leastcost/framework/problem/problem.hpp>
-#include "framework/certificate/to_curve.hpp"
 
 namespace leastcost {
 

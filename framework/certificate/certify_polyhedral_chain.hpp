@@ -3,8 +3,8 @@
 #pragma once
 
 #include <leastcost/framework/certificate/certificate.hpp>
+#include <leastcost/framework/certificate/to_curve.hpp>
 #include <leastcost/framework/energy/path_energy.hpp>
-#include "framework/certificate/to_curve.hpp"
 
 namespace leastcost {
 

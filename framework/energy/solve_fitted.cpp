@@ -35,17 +35,13 @@ void space_pushed(const Problem& problem, CoordinatePath& path, const Deadline& 
   };
   const double before = stretch(path);
   if (!(before > kStretched)) return;
-  try {
-    CoordinatePath spaced =
-        sample_equally(problem, path, static_cast<int>(path.free_count()), kStretched - 1, 8, deadline);
-    if (stretch(spaced) < before) path = std::move(spaced);
-  } catch (const InitializationError&) {  // there is no other place for its points
-  }
+  MaybeChain spaced = try_sampling(problem, path, {static_cast<int>(path.free_count()), kStretched - 1}, deadline);
+  if (spaced && stretch(*spaced.chain) < before) path = std::move(*spaced.chain);
 }
 
 }  // namespace
 
-SolveReport solve_fitted(Problem& problem, const Solver& solver, double reference_cost, CoordinatePath& path,
+FittedSolve solve_fitted(Problem problem, const Solver& solver, double reference_cost, CoordinatePath& path,
                          const Monitor& monitor) {
   const auto* domain = find_ability<FitsSegments>(*problem.manifold);
   const bool fits = domain != nullptr && solver.moves_points();
@@ -82,7 +78,7 @@ SolveReport solve_fitted(Problem& problem, const Solver& solver, double referenc
     }
     problem.manifold = std::move(fitted);
   }
-  return report;
+  return {std::move(report), std::move(problem)};
 }
 
 }  // namespace leastcost

@@ -8,9 +8,15 @@
 
 namespace leastcost {
 
-/// Solves a chain. Where the domain fits segments, the chain and what the domain is fitted to are made to agree:
-/// `problem` is left with the domain that the chain was solved on.
-SolveReport solve_fitted(Problem& problem, const Solver& solver, double reference_cost, CoordinatePath& path,
+/// What became of a chain, and the problem that it was solved on: where the domain fits segments, with the margins that
+/// this chain needs.
+struct FittedSolve {
+  SolveReport report;
+  Problem problem;
+};
+
+/// Solves a chain. Where the domain fits segments, the chain and what the domain is fitted to are made to agree.
+FittedSolve solve_fitted(Problem problem, const Solver& solver, double reference_cost, CoordinatePath& path,
                          const Monitor& monitor);
 
 }  // namespace leastcost

@@ -108,18 +108,32 @@ double spread(const Eigen::VectorXd& costs) {
   return least > 0 ? costs.maxCoeff() / least - 1 : std::numeric_limits<double>::infinity();
 }
 
-CoordinatePath sample_equally(const Problem& problem, const CoordinatePath& polyline, int points, double tolerance,
-                              int passes, const Deadline& deadline) {
+CoordinatePath MaybeChain::or_throw() && {
+  if (!chain) throw InitializationError(why_not);
+  return std::move(*chain);
+}
+
+MaybeChain try_sampling(const Problem& problem, const CoordinatePath& polyline, const Sampling& sampling,
+                        const Deadline& deadline) {
+  try {
+    return {sample_equally(problem, polyline, sampling, deadline), ""};
+  } catch (const InitializationError& error) {
+    return {std::nullopt, error.what()};
+  }
+}
+
+CoordinatePath sample_equally(const Problem& problem, const CoordinatePath& polyline, const Sampling& sampling,
+                              const Deadline& deadline) {
   const ArcLength curve(polyline);
   if (!(curve.length() > 0)) throw InitializationError("the first path has no length");
-  const Index segments = polyline.ring ? points : points + 1;
+  const Index segments = polyline.ring ? sampling.points : sampling.points + 1;
   PathEnergy energy(problem, 1, deadline);
   Eigen::VectorXd t = Eigen::VectorXd::LinSpaced(segments + 1, 0, curve.length());
   CoordinatePath path = points_at(problem, curve, polyline, t, deadline);
   Eigen::VectorXd costs = energy.costs(path);
   refuse_infinite(problem, energy.ambient(path).x, costs);
   try {
-    for (int pass = 0; pass < passes && !(spread(costs) < tolerance) && costs.sum() > 0; ++pass) {
+    for (int pass = 0; pass < sampling.passes && !(spread(costs) < sampling.tolerance) && costs.sum() > 0; ++pass) {
       const Eigen::VectorXd next = equal_shares(t, costs);
       CoordinatePath trial = points_at(problem, curve, polyline, next, deadline);
       const Eigen::VectorXd trial_costs = energy.costs(trial);

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
+#include <string>
 
 #include <leastcost/framework/base/deadline.hpp>
 #include <leastcost/framework/problem/problem.hpp>
@@ -16,13 +18,37 @@ double spread(const Eigen::VectorXd& costs);
 /// none. `x`: ambient, one column more than costs.
 void refuse_infinite(const Problem& problem, const Points& x, const Eigen::VectorXd& costs);
 
-/// Samples a polyline at n free points, equally spaced in cost: up to `passes` passes of O(n) until the spread is below
-/// `tolerance`. An exponential kernel overflows, and Newton needs 20 times as many iterations, from a path that is not
-/// (docs/numerics.md Sec. 1.3). The points are projected onto the manifold. Throws InitializationError when the cost
-/// stays infinite or the polyline has no length, Interrupted when it meets the deadline before the first samples of
-/// finite cost are there; later the best of them are returned.
-CoordinatePath sample_equally(const Problem& problem, const CoordinatePath& polyline, int points,
-                              double tolerance = 0.05, int passes = 8, const Deadline& deadline = {});
+/// How points are placed along a path: up to `passes` passes of O(n) until the spread of the costs is below
+/// `tolerance`.
+struct Sampling {
+  static constexpr int kPasses = 8;
+  Sampling(int points, double tolerance = 0.05, int passes = kPasses)
+      : points(points), tolerance(tolerance), passes(passes) {}
+  int points;  ///< free points, n >= 1
+  double tolerance;
+  int passes;
+};
+
+/// A chain, or in words why there is no such chain.
+struct MaybeChain {
+  std::optional<CoordinatePath> chain;
+  std::string why_not;
+
+  explicit operator bool() const { return chain.has_value(); }
+  /// The chain; throws InitializationError where there is none.
+  CoordinatePath or_throw() &&;
+};
+
+/// Samples a polyline at n free points, equally spaced in cost. From a path that is not, an exponential kernel
+/// overflows, and Newton needs 20 times as many iterations (docs/numerics.md Sec. 1.3). The points are projected onto
+/// the manifold. There is no chain when the cost stays infinite or the polyline has no length. Throws Interrupted when
+/// it meets the deadline before the first samples of finite cost are there; later the best of them are returned.
+MaybeChain try_sampling(const Problem& problem, const CoordinatePath& polyline, const Sampling& sampling,
+                        const Deadline& deadline = {});
+
+/// The same where there has to be a chain: throws InitializationError when there is none.
+CoordinatePath sample_equally(const Problem& problem, const CoordinatePath& polyline, const Sampling& sampling,
+                              const Deadline& deadline = {});
 
 /// The same at equal lengths, whatever the moves between the points cost.
 CoordinatePath sample_evenly(const Problem& problem, const CoordinatePath& polyline, int points,

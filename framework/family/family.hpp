@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/search/result.hpp>
+#include <leastcost/framework/result/result.hpp>
 
 namespace leastcost {
 

@@ -14,8 +14,8 @@
 #include "framework/base/point_text.hpp"
 #include "framework/family/family_rank.hpp"
 #include "framework/proof/calibration.hpp"
-#include "framework/search/feasible_cost.hpp"
-#include "framework/search/refine_until_certified.hpp"
+#include "framework/result/feasible_cost.hpp"
+#include "framework/search/point_doubling.hpp"
 
 namespace leastcost {
 namespace {
@@ -94,7 +94,8 @@ class Decision {
 
   void look_at(std::size_t i) {
     const Problem problem = members_[i].problem;
-    FinerSearch search(problem, members_[i].result, solver_, options_, monitor_);
+    const Search means{solver_, options_, monitor_};
+    PointDoubling search(problem, members_[i].result, means);
     for (;;) {
       if (search.fine().certificate.index.verdict == IndexVerdict::saddle && leave(i, search)) return;
       if (!search.may_double()) return say_why(i, search);
@@ -112,7 +113,7 @@ class Decision {
   }
 
   /// As for one path: more points were tried, and why no more of them.
-  void say_why(std::size_t i, const FinerSearch& search) {
+  void say_why(std::size_t i, const PointDoubling& search) {
     if (monitor_.interrupted()) return;
     std::vector<std::string>& notes = members_[i].result.notes;
     for (std::string& note : search.notes_of_failure())
@@ -120,7 +121,7 @@ class Decision {
   }
 
   /// Down from a saddle; false where no cheaper path was found there.
-  bool leave(std::size_t i, const FinerSearch& search) {
+  bool leave(std::size_t i, const PointDoubling& search) {
     const FamilyMember& from = members_[i];
     const Result& saddle = search.fine();
     FindOptions down = options_;
@@ -128,7 +129,7 @@ class Decision {
     down.escape_saddle = true;
     down.cascade = false;
     down.certificate.refine = 0;
-    Result lower = continued(saddle, improve_path(from.problem, saddle.path, solver_, down, monitor_));
+    Result lower = joined(saddle, improve_path(from.problem, saddle.path, solver_, down, monitor_));
     if (lower.status == Status::interrupted || lower.path.u.size() == 0) return false;
     FamilyMember found{{"down from the saddle of " + from.origins.front()}, from.problem, std::move(lower)};
     found.rank_cost = rank_cost(found.problem, found.result);
@@ -185,7 +186,7 @@ bool is_refuted(std::vector<FamilyMember>& members, const Solver& solver, const 
   try {
     Result proved = improve_path(first.problem, first.result.path, solver, again, monitor);
     if (proved.status == Status::interrupted) return false;
-    proved = continued(first.result, std::move(proved));
+    proved = joined(first.result, std::move(proved));
     first.rank_cost = ranking_cost(first.problem, proved, monitor.deadline);
     first.result = std::move(proved);
   } catch (const InputError&) {  // it stays as it is, sampled

@@ -9,7 +9,7 @@
 #include <leastcost/framework/search/find_path.hpp>
 #include "framework/family/family_decision.hpp"
 #include "framework/family/family_rank.hpp"
-#include "framework/search/feasible_cost.hpp"
+#include "framework/result/feasible_cost.hpp"
 
 namespace leastcost {
 namespace {

@@ -24,16 +24,16 @@ std::vector<Index> level_sizes(Index finest) {
 
 }  // namespace
 
-SolveReport solve_by_cascade(Problem& problem, const Solver& solver, double reference_cost, CoordinatePath& path,
+FittedSolve solve_by_cascade(Problem problem, const Solver& solver, double reference_cost, CoordinatePath& path,
                              const Monitor& monitor) {
   const Index finest = path.segment_count();
   const auto points = [&path](Index segments) { return static_cast<int>(path.ring ? segments : segments - 1); };
   const auto next_level = [&](const CoordinatePath& before, Index segments) {
     if (before.u.size() == 0)
-      return segments == finest ? path : sample_equally(problem, path, points(segments), 0.05, 8, monitor.deadline);
+      return segments == finest ? path : sample_equally(problem, path, points(segments), monitor.deadline);
     CoordinatePath level = refine(problem, before, monitor.deadline);
     if (level.segment_count() == segments) return level;
-    return sample_equally(problem, level, points(segments), 1e-3, 8, monitor.deadline);
+    return sample_equally(problem, level, {points(segments), 1e-3}, monitor.deadline);
   };
   SolveReport report;
   CoordinatePath level;
@@ -43,15 +43,16 @@ SolveReport solve_by_cascade(Problem& problem, const Solver& solver, double refe
     } catch (const Interrupted&) {
       report.termination = Termination::time_limit;
       report.message = "";
-      return report;
+      return {std::move(report), std::move(problem)};
     }
     const double s0 = reference_cost * static_cast<double>(finest) / static_cast<double>(segments);
-    SolveReport next = solve_fitted(problem, solver, s0, level, monitor);
-    report = report.history.empty() ? std::move(next) : joined(report, std::move(next));
+    FittedSolve next = solve_fitted(std::move(problem), solver, s0, level, monitor);
+    problem = std::move(next.problem);
+    report = report.history.empty() ? std::move(next.report) : joined(report, std::move(next.report));
     if (monitor.interrupted() || report.termination == Termination::exception) break;
   }
   if (level.segment_count() == finest) path = std::move(level);
-  return report;
+  return {std::move(report), std::move(problem)};
 }
 
 }  // namespace leastcost

@@ -17,8 +17,8 @@
 namespace leastcost {
 namespace {
 
-CoordinatePath sample(const Problem& problem, const CoordinatePath& chain, int segments, const Monitor& monitor) {
-  return sample_equally(problem, chain, chain.ring ? segments : segments - 1, 0.05, 8, monitor.deadline);
+MaybeChain sample(const Problem& problem, const CoordinatePath& chain, int segments, const Monitor& monitor) {
+  return try_sampling(problem, chain, chain.ring ? segments : segments - 1, monitor.deadline);
 }
 
 double mean_cost(const Problem& problem, const CoordinatePath& path, const Monitor& monitor) {
@@ -29,7 +29,7 @@ double mean_cost(const Problem& problem, const CoordinatePath& path, const Monit
 bool usable(double s0) { return s0 > 0 && std::isfinite(s0); }
 
 /// Solves one level; false where there is nothing to solve, or it came to nothing.
-bool solve_level(Problem problem, CoordinatePath& path, const Monitor& monitor, Refinement& result) {
+bool solve_level(const Problem& problem, CoordinatePath& path, const Monitor& monitor, Refinement& result) {
   const int segments = static_cast<int>(path.segment_count());
   const std::string which = "the chain with " + std::to_string(segments) + " segments ";
   const double s0 = mean_cost(problem, path, monitor);
@@ -37,13 +37,14 @@ bool solve_level(Problem problem, CoordinatePath& path, const Monitor& monitor, 
     result.trouble = which + (s0 > 0 ? "costs infinitely much" : "costs nothing");
     return false;
   }
-  const SolveReport report = solve_fitted(problem, ChainNewton(), s0, path, monitor);
-  const Eigen::VectorXd costs = PathEnergy(problem, s0, monitor.deadline).costs(path);
+  const FittedSolve solved = solve_fitted(problem, ChainNewton(), s0, path, monitor);
+  const SolveReport& report = solved.report;
+  const Eigen::VectorXd costs = PathEnergy(solved.problem, s0, monitor.deadline).costs(path);
   const Counters& work = report.counters;
   result.levels.push_back(
       {segments, costs.sum(), 0, spread(costs), report.iterations, work.energies + work.gradients + work.hessians});
   result.paths.push_back(path);
-  result.domains.push_back(problem.manifold);
+  result.domains.push_back(solved.problem.manifold);
   if (!is_solved(report.termination)) result.trouble = which + "ended with " + std::string(name(report.termination));
   result.collapsed = report.termination == Termination::collapsed;
   return !result.collapsed && !monitor.interrupted();
@@ -53,16 +54,14 @@ bool solve_level(Problem problem, CoordinatePath& path, const Monitor& monitor, 
 
 std::optional<double> solved_cost(const Problem& problem, const CoordinatePath& chain, int segments,
                                   const Monitor& monitor) {
-  try {
-    CoordinatePath path = sample(problem, chain, segments, monitor);
-    const double s0 = mean_cost(problem, path, monitor);
-    if (!usable(s0)) return std::nullopt;
-    Problem fitted = problem;
-    if (!is_solved(solve_fitted(fitted, ChainNewton(), s0, path, monitor).termination)) return std::nullopt;
-    return PathEnergy(fitted, s0, monitor.deadline).cost(path);
-  } catch (const InitializationError&) {
-    return std::nullopt;  // too few points for this path: there is nothing to compare with
-  }
+  MaybeChain sampled = sample(problem, chain, segments, monitor);
+  if (!sampled) return std::nullopt;  // too few points for this path: there is nothing to compare with
+  CoordinatePath& path = *sampled.chain;
+  const double s0 = mean_cost(problem, path, monitor);
+  if (!usable(s0)) return std::nullopt;
+  const FittedSolve solved = solve_fitted(problem, ChainNewton(), s0, path, monitor);
+  if (!is_solved(solved.report.termination)) return std::nullopt;
+  return PathEnergy(solved.problem, s0, monitor.deadline).cost(path);
 }
 
 Refinement refine_levels(const Problem& problem, const CoordinatePath& chain, const Monitor& monitor) {
@@ -71,14 +70,13 @@ Refinement refine_levels(const Problem& problem, const CoordinatePath& chain, co
   const bool fits = find_ability<FitsSegments>(*problem.manifold) != nullptr;
   const int segments = static_cast<int>(chain.segment_count());
   const int coarse = std::max(4, fits ? segments : (segments + 1) / 2);
-  CoordinatePath path;
-  try {
-    path = sample(problem, chain, coarse, monitor);
-  } catch (const InitializationError& error) {
-    result.trouble = error.what();
+  MaybeChain sampled = sample(problem, chain, coarse, monitor);
+  if (!sampled) {
+    result.trouble = sampled.why_not;
     result.collapsed = chain.ring && chain.u == chain.u.col(0).replicate(1, chain.u.cols());
     return result;
   }
+  CoordinatePath& path = *sampled.chain;
   for (int k = 0; k < 3; ++k) {
     if (k > 0) path = refine(problem, path, monitor.deadline);
     if (!solve_level(problem, path, monitor, result)) return result;

@@ -10,11 +10,12 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/domain/fits_segments.hpp>
 #include <leastcost/framework/energy/path_energy.hpp>
+#include "framework/base/grace_deadline.hpp"
 #include "framework/base/point_text.hpp"
 #include "framework/domain/in_parts.hpp"
 #include "framework/energy/spacing.hpp"
 #include "framework/replan/shortened.hpp"
-#include "framework/search/find_path_checks.hpp"
+#include "framework/result/find_path_checks.hpp"
 
 namespace leastcost {
 namespace {
@@ -206,7 +207,7 @@ class OneReplan {
   CoordinatePath with_points(const CoordinatePath& path, const Deadline& deadline) const {
     const int points = options_.points.value();
     if (path.free_count() == points) return path;
-    return sample_equally(problem_, path, points, 0.05, 8, deadline);
+    return sample_equally(problem_, path, points, deadline);
   }
 
   /// Leaves a part of the remaining time to the search, and what it takes to look at its path.
@@ -220,13 +221,8 @@ class OneReplan {
     return within;
   }
 
-  /// Until when a path may be looked at: a part of what find_path() may take beyond its deadline.
-  Deadline last_look() const {
-    constexpr double kLeast = 3e-4, kPart = 0.03;  // seconds; of the budget
-    if (!monitor_.deadline) return {};
-    const double budget = std::chrono::duration<double>(*monitor_.deadline - start_).count();
-    return *monitor_.deadline + clock_duration(std::max(kLeast, kPart * budget));
-  }
+  /// Until when a path may be looked at.
+  Deadline last_look() const { return grace_deadline(monitor_.deadline, start_, 1); }
 
   static double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();

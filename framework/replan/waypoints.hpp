@@ -8,7 +8,7 @@
 #include <leastcost/framework/base/deadline.hpp>
 #include <leastcost/framework/base/options.hpp>
 #include <leastcost/framework/problem/clearance.hpp>
-#include <leastcost/framework/search/result.hpp>
+#include <leastcost/framework/result/result.hpp>
 
 namespace leastcost {
 

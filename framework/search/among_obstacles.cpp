@@ -9,7 +9,10 @@ namespace leastcost {
 
 /// A path on the other side of an obstacle than the one that was begun with is not what was asked for, unless it is
 /// shown to be the least of its class. Where the fit to the obstacles did not end, that is why the path fails.
-void judge_among_obstacles(const Problem& problem, Result& result) {
+void judge_homotopy_class(const Search& search, Outcome& out) {
+  const Problem& problem = out.solved;
+  Result& result = out.result;
+  if (!search.options.certificate.enabled) return;
   const auto* obstacles = find_ability<ChecksMoves>(*problem.manifold);
   if (obstacles == nullptr) return;
   auto& failures = result.certificate.failures;

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <leastcost/framework/search/result.hpp>
+#include "framework/search/search.hpp"
 
 namespace leastcost {
 
 /// Adds to the failures of a certificate what the obstacles of the domain, if there are any, did to the path.
-void judge_among_obstacles(const Problem& problem, Result& result);
+void judge_homotopy_class(const Search& search, Outcome& out);
 
 }  // namespace leastcost

@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
+#include <vector>
+
+#include "framework/result/find_path_checks.hpp"
 
 namespace leastcost {
 namespace {
@@ -30,9 +34,12 @@ Cut nearest_cut(const CoordinatePath& ring, const Eigen::VectorXd& base) {
   return best;
 }
 
-}  // namespace
+struct BasedLoop {
+  Problem problem;
+  FirstPath first;
+};
 
-BasedLoop cut_at_base(const Problem& problem, const FirstPath& ring) {
+BasedLoop based_loop(const Problem& problem, const FirstPath& ring) {
   const CoordinatePath& closed = ring.path;
   const Index n = closed.u.cols();
   const Cut cut = nearest_cut(closed, problem.source.u);
@@ -65,6 +72,29 @@ BasedLoop cut_at_base(const Problem& problem, const FirstPath& ring) {
     loop.first.path.sites.back() = loop.problem.target.site;
   }
   return loop;
+}
+
+}  // namespace
+
+void cut_at_base(Outcome& out) {
+  if (!out.problem.ring || !out.problem.based) return;
+  BasedLoop loop = based_loop(out.problem, out.result.first);
+  out.problem = std::move(loop.problem);
+  out.result.first = std::move(loop.first);
+  check(out.problem);
+}
+
+void open_based_chain(Outcome& out) {
+  const CoordinatePath& chain = out.result.first.path;
+  if (!out.problem.ring || !out.problem.based) return;
+  if (chain.ring) {
+    check_path(out.problem, chain, 1, "the chain");
+    return cut_at_base(out);
+  }
+  if (chain.u.rows() != out.problem.source.u.size() || chain.u.cols() < 3) return;  // place_chain() says so
+  out.problem.ring = false;
+  out.problem.target = {chain.u.rightCols(1), out.problem.source.site};
+  check(out.problem);
 }
 
 }  // namespace leastcost

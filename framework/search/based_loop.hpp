@@ -2,20 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <leastcost/framework/problem/initializer.hpp>
-#include <leastcost/framework/problem/problem.hpp>
+#include "framework/search/search.hpp"
 
 namespace leastcost {
 
-/// A loop with a fixed point as the open path that it is: from that point to itself, or to its image where the loop
-/// crosses the seams of a chart.
-struct BasedLoop {
-  Problem problem;
-  FirstPath first;
-};
+/// A ring with a fixed point is an open path from that point to an image of itself: its first path is cut open beside
+/// the point and led through it. Other problems stay as they are.
+void cut_at_base(Outcome& out);
 
-/// Cuts a first ring open where it is nearest to the source of `problem` (a ring with a fixed point, Problem::based)
-/// and joins both ends to that point by straight moves, in coordinates.
-BasedLoop cut_at_base(const Problem& problem, const FirstPath& ring);
+/// The same for a chain to begin with. A result of such a search is open already, and ends at the image that it found.
+void open_based_chain(Outcome& out);
 
 }  // namespace leastcost

@@ -6,8 +6,9 @@
 #include <leastcost/framework/energy/solver.hpp>
 #include <leastcost/framework/problem/initializer.hpp>
 #include <leastcost/framework/problem/problem.hpp>
-#include <leastcost/framework/search/complete_interrupted.hpp>
-#include <leastcost/framework/search/result.hpp>
+#include <leastcost/framework/result/complete_interrupted.hpp>
+#include <leastcost/framework/result/result.hpp>
+#include <leastcost/framework/search/prepare.hpp>
 
 namespace leastcost {
 
@@ -41,10 +42,5 @@ Result find_path(const Problem& problem, const Initializer& initializer, const S
 /// domain, InitializationError when the chain costs infinitely much, or nothing.
 Result improve_path(const Problem& problem, const CoordinatePath& chain, const Solver& solver,
                     const FindOptions& options = {}, const Monitor& monitor = {});
-
-/// Makes now what parts of a problem make only when they are asked for (HasCoarserVersion::coarser), so that it does
-/// not count against a deadline. They are kept by the domain, whatever problem asks next, and take no longer than the
-/// domain itself.
-void prepare(const Problem& problem);
 
 }  // namespace leastcost

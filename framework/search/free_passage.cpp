@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include <leastcost/framework/cost/has_free_places.hpp>
 #include <leastcost/framework/domain/checks_moves.hpp>
+#include "framework/base/point_text.hpp"
 #include "framework/energy/spacing.hpp"
 
 namespace leastcost {
@@ -19,8 +21,6 @@ const HasFreePlaces* free_places(const Problem& problem, const CoordinatePath& p
   if (find_ability<HasChart>(domain) != nullptr || find_ability<ChecksMoves>(domain) != nullptr) return nullptr;
   return find_ability<HasFreePlaces>(*problem.cost);
 }
-
-}  // namespace
 
 std::optional<FreePassage> free_passage(const Problem& problem, const CoordinatePath& path) {
   const HasFreePlaces* places = free_places(problem, path);
@@ -45,6 +45,33 @@ double spread_where_paid(const Eigen::VectorXd& costs, Index free) {
   Eigen::VectorXd paid(costs.size() - 1);
   paid << costs.head(free), costs.tail(costs.size() - free - 1);
   return spread(paid);
+}
+
+}  // namespace
+
+void join_at_free_place(const Search&, Outcome& out) {
+  Result& result = out.result;
+  if (out.free_segment || !reaches_free_place(out.solved, result.path)) return;
+  const std::optional<FreePassage> passage = free_passage(out.solved, result.path);
+  if (!passage) return;
+  out.free_segment = passage->free;
+  result.path.u = passage->points;
+  result.notes.push_back(
+      "collapsed: the path has come to where moves are free; delivered is the cheapest way by there, of cost " +
+      short_number(passage->cost, 6) + ", whose two parts are joined by a move that costs nothing");
+}
+
+void judge_free_passage(const Search&, Outcome& out) {
+  Result& result = out.result;
+  if (out.free_segment) {
+    result.certificate.spacing = spread_where_paid(result.costs, *out.free_segment);
+    return;
+  }
+  const std::optional<FreePassage> passage = free_passage(out.solved, result.path);
+  if (!passage || !(passage->cost < result.curve.cost)) return;
+  const TwoNumbers texts = told_apart(passage->cost, result.curve.cost, 6);
+  result.notes.push_back("cheaper: the way by the places where moves are free costs " + texts.first + ", this path " +
+                         texts.second + ", which is the least of its neighbours only");
 }
 
 }  // namespace leastcost

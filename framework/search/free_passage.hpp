@@ -2,21 +2,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-
-#include <leastcost/framework/cost/has_free_places.hpp>
-#include <leastcost/framework/problem/problem.hpp>
+#include "framework/search/search.hpp"
 
 namespace leastcost {
 
-/// The cheapest way between the ends of an open path by places where moves are free, with as many segments as the path
-/// has; none where the cost knows no such places, or the domain does not let it through.
-std::optional<FreePassage> free_passage(const Problem& problem, const CoordinatePath& path);
+/// Under a cost that is zero somewhere (HasFreePlaces) the way by those places competes with every path.
 
-/// Whether a point of the path has come to such a place.
-bool reaches_free_place(const Problem& problem, const CoordinatePath& path);
+/// A path that has come to a place where moves are free is the way by it: its two parts are joined there.
+void join_at_free_place(const Search& search, Outcome& out);
 
-/// max / min - 1 of the costs but for those of the segment that is free.
-double spread_where_paid(const Eigen::VectorXd& costs, Index free);
+/// A path that keeps away from such places may be the least of its neighbours and dearer than the way by them; a note
+/// says so. The spacing of a path that was joined there is that of its parts.
+void judge_free_passage(const Search& search, Outcome& out);
 
 }  // namespace leastcost

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "framework/search/placement.hpp"
 
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/domain/makes_on_demand.hpp>
 #include "framework/domain/in_parts.hpp"
-#include "framework/search/find_path_checks.hpp"
+#include "framework/result/find_path_checks.hpp"
 
 namespace leastcost {
 namespace {
@@ -29,11 +31,12 @@ void place(const ConstraintManifold& manifold, const char* which, PathEnd& end, 
 
 }  // namespace
 
-Problem with_sites(Problem problem, std::vector<std::string>& notes, const Deadline& deadline) {
-  if (problem.ring && !problem.based) return problem;
-  place(*problem.manifold, "the source", problem.source, notes, deadline);
-  if (!problem.ring) place(*problem.manifold, "the target", problem.target, notes, deadline);
-  return problem;
+void locate_ends(const Search& search, Outcome& out) {
+  Problem& problem = out.problem;
+  if (problem.ring && !problem.based) return;
+  const Deadline& deadline = search.monitor.deadline;
+  place(*problem.manifold, "the source", problem.source, out.result.notes, deadline);
+  if (!problem.ring) place(*problem.manifold, "the target", problem.target, out.result.notes, deadline);
 }
 
 void place_chain(const Problem& problem, CoordinatePath& chain, const Deadline& deadline) {

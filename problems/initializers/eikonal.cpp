@@ -77,12 +77,7 @@ CoordinatePath way_of(const ArrivalField& field, const Problem& problem) {
 /// Whether points on the path, as many as a run has by default, keep clear of places without a cost.
 bool can_be_sampled(const Problem& problem, const CoordinatePath& path) {
   constexpr int kPoints = 64;
-  try {
-    sample_equally(problem, path, kPoints);
-    return true;
-  } catch (const InitializationError&) {
-    return false;
-  }
+  return static_cast<bool>(try_sampling(problem, path, kPoints));
 }
 
 struct Found {

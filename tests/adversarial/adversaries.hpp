@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/framework/search/result.hpp>
+#include <leastcost/framework/result/result.hpp>
 #include "tests/adversarial/shooting.hpp"
 
 namespace leastcost::test {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include <leastcost/framework/base/errors.hpp>
-#include <leastcost/framework/search/other_images.hpp>
+#include <leastcost/framework/result/other_images.hpp>
 #include <leastcost/problems/costs/weighted_length.hpp>
 #include <leastcost/problems/manifolds/angle.hpp>
 #include <leastcost/problems/manifolds/constraint.hpp>

@@ -4,6 +4,7 @@
 // reason. Chains that are right, made by a formula and not by a solver, pass.
 #include <numbers>
 
+#include <leastcost/framework/certificate/certify.hpp>
 #include <leastcost/framework/cost/segment_cost_function.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>

@@ -15,7 +15,7 @@
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/problems/post_processors/taut.hpp>
 #include <leastcost/solvers/no_solver.hpp>
-#include "framework/search/never_worse.hpp"
+#include "framework/result/never_worse.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 

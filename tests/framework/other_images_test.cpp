@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/framework/search/other_images.hpp>
+#include <leastcost/framework/result/other_images.hpp>
 
 #include <climits>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include <leastcost/framework/search/other_images.hpp>
+#include <leastcost/framework/result/other_images.hpp>
 #include <leastcost/problems/costs/weighted_length.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>
 #include <leastcost/problems/manifolds/angle.hpp>

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include <leastcost/framework/certificate/certify.hpp>
 #include <leastcost/framework/energy/path_energy.hpp>
 #include <leastcost/framework/search/find_path.hpp>
 #include <leastcost/problems/costs/euclidean.hpp>

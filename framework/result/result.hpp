@@ -64,4 +64,10 @@ struct Result {
   std::vector<std::string> notes;
 };
 
+/// A later result of the same search: where it began, and what it took, are those of the whole.
+Result joined(const Result& before, Result later);
+
+/// Adds notes that are not there yet.
+void add_notes(const std::vector<std::string>& more, std::vector<std::string>& notes);
+
 }  // namespace leastcost

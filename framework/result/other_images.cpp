@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/framework/search/other_images.hpp>
+#include <leastcost/framework/result/other_images.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -72,7 +72,7 @@ double solved_cost(const Problem& problem, const Monitor& monitor, Index segment
   try {
     const std::optional<CoordinatePath> line = straight_line(problem, monitor.deadline);
     if (!line) return kUnsolved;
-    CoordinatePath path = sample_equally(problem, *line, static_cast<int>(segments) - 1, 0.05, 8, monitor.deadline);
+    CoordinatePath path = sample_equally(problem, *line, static_cast<int>(segments) - 1, monitor.deadline);
     const double s0 = PathEnergy(problem, 1, monitor.deadline).cost(path) / static_cast<double>(segments);
     if (!(s0 > 0) || !std::isfinite(s0)) return kUnsolved;
     PathEnergy energy(problem, s0, monitor.deadline);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/search/feasible_cost.hpp"
+#include "framework/result/feasible_cost.hpp"
 
 #include <cmath>
 #include <limits>

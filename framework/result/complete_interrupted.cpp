@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/framework/search/complete_interrupted.hpp>
+#include <leastcost/framework/result/complete_interrupted.hpp>
 
 #include <string>
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/energy/path_energy.hpp>
-#include "framework/search/delivery.hpp"
-#include "framework/search/find_path_checks.hpp"
-#include "framework/search/never_worse.hpp"
+#include "framework/result/delivery.hpp"
+#include "framework/result/find_path_checks.hpp"
+#include "framework/result/never_worse.hpp"
 
 namespace leastcost {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <leastcost/framework/search/result.hpp>
+#include <leastcost/framework/result/result.hpp>
 
 namespace leastcost {
 

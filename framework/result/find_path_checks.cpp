@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/search/find_path_checks.hpp"
+#include "framework/result/find_path_checks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/problem/clearance.hpp>
-#include <leastcost/framework/search/other_images.hpp>
+#include <leastcost/framework/result/other_images.hpp>
 #include "framework/base/point_text.hpp"
 
 namespace leastcost {

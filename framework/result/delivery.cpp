@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/search/delivery.hpp"
+#include "framework/result/delivery.hpp"
 
 #include <cmath>
 #include <limits>
@@ -9,7 +9,7 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include "framework/domain/in_parts.hpp"
-#include "framework/search/find_path_checks.hpp"
+#include "framework/result/find_path_checks.hpp"
 
 namespace leastcost {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <leastcost/framework/problem/problem.hpp>
-#include <leastcost/framework/search/result.hpp>
+#include <leastcost/framework/result/result.hpp>
 
 namespace leastcost {
 

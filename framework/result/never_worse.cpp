@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/search/never_worse.hpp"
+#include "framework/result/never_worse.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +18,8 @@
 #include <leastcost/framework/problem/clearance.hpp>
 #include "framework/base/point_text.hpp"
 #include "framework/energy/spacing.hpp"
-#include "framework/search/delivery.hpp"
-#include "framework/search/feasible_cost.hpp"
+#include "framework/result/delivery.hpp"
+#include "framework/result/feasible_cost.hpp"
 
 namespace leastcost {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include <leastcost/framework/search/result.hpp>
+#include <leastcost/framework/result/result.hpp>
 
 namespace leastcost {
 

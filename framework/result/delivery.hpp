@@ -6,7 +6,7 @@
 #include <string>
 
 #include <leastcost/framework/energy/path_energy.hpp>
-#include <leastcost/framework/search/result.hpp>
+#include <leastcost/framework/result/result.hpp>
 
 namespace leastcost {
 
