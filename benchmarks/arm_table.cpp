@@ -303,7 +303,7 @@ int main(int count, char** arguments) {
             result.seconds.initialize, 1e3 * cold, solved.solve.iterations, 1e3 * warm, warmed.solve.iterations,
             1e3 * unit, freed.solve.iterations, goes_round ? "round" : "straight", cold / unit, warm / unit);
         for (const auto& failure : result.certificate.failures)
-          std::printf("    %s: %s\n", failure.name.c_str(), failure.message.c_str());
+          std::printf("    %s: %s\n", failure.name().c_str(), failure.message.c_str());
       } catch (const std::exception& error) {
         std::printf("seed %u: %s\n", seed, error.what());
       }

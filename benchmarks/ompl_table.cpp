@@ -187,7 +187,7 @@ void scene(unsigned seed, Known known, bool certify, bool verbose, Row& row) {
               std::string(name(ours.outcome)).c_str(), std::string(name(ours.result.status)).c_str(), clearance,
               1e3 * seconds, ours.why.c_str());
   for (const CertificateFailure& failure : ours.result.certificate.failures)
-    std::printf("    %s: %s\n", failure.name.c_str(), failure.message.c_str());
+    std::printf("    %s: %s\n", failure.name().c_str(), failure.message.c_str());
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <leastcost/framework/cost/has_free_places.hpp>
 #include <leastcost/framework/cost/has_notes.hpp>
 #include <leastcost/framework/cost/segment_cost_function.hpp>
+#include <leastcost/framework/cost/starts_straight.hpp>
 #include <leastcost/framework/domain/goes_beyond_bounds.hpp>
 #include <leastcost/framework/energy/chain_model.hpp>
 #include <leastcost/framework/energy/stopping.hpp>

@@ -164,7 +164,7 @@ std::string summary_text(const WrittenRun& run, bool verbose) {
   const Result& result = run.result;
   std::string out = row("status", status_line(run));
   for (const CertificateFailure& f : result.certificate.failures)
-    out += row("", fmt::format("{}: {}", f.name, f.message));
+    out += row("", fmt::format("{}: {}", f.name(), f.message));
   out += row("cost", cost_line(run));
   if (const auto& global = result.certificate.global;
       global && (global->counts == "cells" || global->counts == "places"))

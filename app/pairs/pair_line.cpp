@@ -64,7 +64,7 @@ void add_path(const RunOutcome& run, bool points, Json& out) {
   }
   if (!certificate.failures.empty()) {
     Json failures = Json::array();
-    for (const CertificateFailure& failure : certificate.failures) failures.push_back(failure.name);
+    for (const CertificateFailure& failure : certificate.failures) failures.push_back(failure.name());
     out["failures"] = std::move(failures);
   }
   if (run.parts.source.given.size() > 0 && (run.parts.source.moved > 0 || run.parts.target.moved > 0))

@@ -26,7 +26,7 @@ Json list(const Eigen::VectorXd& x) {
 
 Json failures(const Certificate& certificate) {
   Json out = Json::array();
-  for (const CertificateFailure& f : certificate.failures) out.push_back({{"name", f.name}, {"message", f.message}});
+  for (const CertificateFailure& f : certificate.failures) out.push_back({{"name", f.name()}, {"message", f.message}});
   return out;
 }
 

@@ -25,10 +25,7 @@
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/problems/obstacles/raster_obstacles.hpp>
 #include <leastcost/problems/post_processors/bracket.hpp>
-#include <leastcost/problems/post_processors/cell_bound.hpp>
-#include <leastcost/problems/post_processors/fastest_refraction.hpp>
-#include <leastcost/problems/post_processors/shortest.hpp>
-#include <leastcost/problems/post_processors/shortest_plan.hpp>
+#include <leastcost/problems/post_processors/global_proof.hpp>
 #include <leastcost/problems/raster/has_voids.hpp>
 #include <leastcost/problems/robots/robot_walls.hpp>
 #include "catalogue/plugins/abilities.hpp"
@@ -97,27 +94,26 @@ void fill_options(const RunConfig& config, RunParts& out) {
   out.options.cascade = config.cascade;
   out.options.escape_saddle = config.escape_saddle;
   out.options.certificate = config.certificate;
+  out.options.certificate.global = GlobalOff{};  // add_proof() has seen to it
   out.waypoints = config.waypoints;
 }
 
-/// A proof over all paths after the path is straight. Not for families: their members are paths of other classes.
+/// A proof over all paths, after the step that makes the curve it speaks of. Not for families: their members are paths
+/// of other classes.
 void add_proof(const RunConfig& config, const std::filesystem::path& folder, RunParts& out) {
-  if (brackets(config))
-    out.options.post_processors.push_back(
-        std::make_shared<const BracketPostProcessor>(std::get<GlobalBudget>(config.certificate.global)));
-  if (!proves_shortest(config) || !config.post_process || config.post_process->empty()) return;
-  const std::string& last = config.post_process->back().plugin->type;
+  const bool bracket = brackets(config), search = proves_shortest(config);
+  if ((!bracket && !search) || !out.problem.manifold || !out.problem.cost) return;
   GlobalProof proof = config.certificate.global;
   if (auto* budget = std::get_if<GlobalBudget>(&proof); budget != nullptr && !budget->index.empty())
     budget->index = (folder / budget->index).string();
-  if (last == "straighten")
-    out.options.post_processors.push_back(std::make_shared<const ShortestPostProcessor>(std::move(proof)));
-  else if (last == "taut")
-    out.options.post_processors.push_back(std::make_shared<const ShortestPlanPostProcessor>(std::move(proof)));
-  else if (last == "refract_cells")
-    out.options.post_processors.push_back(std::make_shared<const CellBoundPostProcessor>(std::move(proof)));
-  else if (last == "refract")
-    out.options.post_processors.push_back(std::make_shared<const FastestRefractionPostProcessor>(std::move(proof)));
+  auto& steps = out.options.post_processors;
+  if (bracket) {
+    steps.push_back(std::make_shared<const BracketPostProcessor>(std::get<GlobalBudget>(proof)));
+    return;
+  }
+  GlobalProofStep found = global_proof(out.problem, proof);
+  if (found.step && found.before && !steps.empty() && steps.back()->name() == found.before->name())
+    steps.push_back(std::move(found.step));
 }
 
 /// The further ways of a family: bows, the mirror image, routes, and what else was given.

@@ -11,6 +11,7 @@
 #include <leastcost/problems/costs/cost_map.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/initializers/eikonal.hpp>
+#include <leastcost/recipes/methods.hpp>
 #include "catalogue/options/options_writer.hpp"
 #include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/kinds.hpp"
@@ -25,15 +26,6 @@ PluginChoice default_plugin(const char* kind_name, const char* type, const std::
   return choose(*find_plugin(kind(kind_name), type), path);
 }
 
-/// What the defaults depend on.
-struct Outline {
-  const PluginEntry* manifold = nullptr;  ///< null where it is not known
-  std::string_view cost;                  ///< its type
-  Eigen::Index coordinates = 0;           ///< of points; 0: not known
-  bool ring = false, obstacles = false, robot = false;
-  bool cells = false;  ///< the cost is constant in each cell of a raster
-};
-
 bool is_one_of(std::string_view type, std::initializer_list<std::string_view> types) {
   return std::count(types.begin(), types.end(), type) > 0;
 }
@@ -44,30 +36,22 @@ bool has_several_ways(std::string_view cost) {
                           "scaled", "clearance"});
 }
 
-/// "" for a ring, which has none. A field over two coordinates sees the ways on all sides, and works in charts, where
-/// random trees do not.
-std::string default_initializer(const Outline& run) {
-  if (run.ring) return "";
-  const std::string_view domain = run.manifold != nullptr ? std::string_view(run.manifold->type) : "";
-  const bool plane = domain == "euclidean" && run.coordinates == 2;
-  const bool free_or_chart = !run.obstacles || is_one_of(domain, {"terrain", "parametric", "earth"});
-  if (run.cells && plane && !run.robot && !run.obstacles) return "cell_graph";
-  if (!run.robot && (plane || domain == "terrain") && has_several_ways(run.cost)) return "eikonal";
-  if (!run.robot && run.obstacles && free_or_chart) return "eikonal";
-  if (!run.robot && run.obstacles && plane) return "grid";
-  if (run.robot || run.obstacles) return "rrt";
-  const bool graph = run.manifold != nullptr &&
-                     std::count(run.manifold->provides.begin(), run.manifold->provides.end(), HasGraph::kAbility) > 0;
-  return graph ? "dijkstra" : "straight";
-}
-
-/// The type of a part that is left out, "" where there is no default.
-std::string default_type(std::string_view part, const Outline& run) {
-  if (part == "kernel") return "expm1_square";
-  if (part == "initializer") return default_initializer(run);
-  const bool mesh = run.manifold != nullptr &&
-                    std::count(run.manifold->provides.begin(), run.manifold->provides.end(), HasMesh::kAbility) > 0;
-  return mesh ? "lbfgs" : "newton";  // the solver
+/// What the types of a domain and a cost say to the recipes.
+ProblemFacts facts_of_types(const PluginEntry* manifold, std::string_view cost) {
+  const std::string_view domain = manifold != nullptr ? std::string_view(manifold->type) : "";
+  const auto provides = [&](std::string_view ability) {
+    return manifold != nullptr && std::count(manifold->provides.begin(), manifold->provides.end(), ability) > 0;
+  };
+  ProblemFacts facts;
+  facts.euclidean = domain == "euclidean";
+  facts.terrain = domain == "terrain";
+  facts.chart = is_one_of(domain, {"terrain", "parametric", "earth"});
+  facts.mesh = provides(HasMesh::kAbility);
+  facts.occupancy = facts.mesh && domain != "mesh";
+  facts.graph = provides(HasGraph::kAbility);
+  facts.level_set = provides(HasLevelSet::kAbility);
+  facts.field = has_several_ways(cost);
+  return facts;
 }
 
 bool is(const PluginChoice& choice, std::initializer_list<std::string_view> types) {
@@ -123,12 +107,6 @@ bool plans_taut(const RunConfig& config) {
          why_not_taut(config).empty() && (coordinates(config) == 2 || is_unbounded(config.manifold));
 }
 
-/// Under a cost with layers, in R^d without obstacles.
-bool refracts(const RunConfig& config) {
-  return !config.ring && !config.robot && config.obstacles.empty() && is(config.manifold, {"euclidean"}) &&
-         config.cost && config.cost.provides<HasLayers>();
-}
-
 /// How a raster of costs is read; null: the cost is another one.
 CostMapInterpolation* interpolation_of(const RunConfig& config) {
   if (!is(config.cost, {"cost_map"}) || !config.cost.options) return nullptr;
@@ -140,13 +118,10 @@ bool reads_cells(const RunConfig& config) {
   return interpolation != nullptr && *interpolation == CostMapInterpolation::cells;
 }
 
-/// In the plane without obstacles, where a path can be refracted at the sides of cells.
-bool suits_cells(const RunConfig& config) {
+/// In R^d without obstacles, where a path can be refracted at the sides of cells.
+bool is_free(const RunConfig& config) {
   return !config.ring && !config.robot && config.obstacles.empty() && is(config.manifold, {"euclidean"});
 }
-
-/// Under a cost map that is constant in each cell.
-bool refracts_in_cells(const RunConfig& config) { return suits_cells(config) && reads_cells(config); }
 
 /// Whether something is asked for that needs a smooth cost, or obstacles where there are no data.
 bool asks_for_smooth(const RunConfig& config) { return config.solver || config.post_process || config.clearance > 0; }
@@ -155,7 +130,7 @@ bool asks_for_smooth(const RunConfig& config) { return config.solver || config.p
 void choose_interpolation(RunConfig& config) {
   auto* interpolation = interpolation_of(config);
   if (interpolation == nullptr || *interpolation != CostMapInterpolation::automatic) return;
-  const bool cells = suits_cells(config) && whole_option(config.manifold, "dimension") == 2 && !asks_for_smooth(config);
+  const bool cells = is_free(config) && whole_option(config.manifold, "dimension") == 2 && !asks_for_smooth(config);
   *interpolation = cells ? CostMapInterpolation::cells : CostMapInterpolation::smooth;
 }
 
@@ -167,21 +142,29 @@ bool states_no_class(const PluginChoice& initializer) {
   return static_cast<const OptionsOf<DijkstraOptions>&>(*initializer.options).value.rank == 1;
 }
 
+ProblemFacts facts_of(const RunConfig& config) {
+  const std::string_view cost = config.cost ? std::string_view(config.cost.plugin->type) : std::string_view();
+  ProblemFacts facts = facts_of_types(config.manifold.plugin, cost);
+  facts.ring = config.ring;
+  facts.obstacles = !config.obstacles.empty();
+  facts.robot = static_cast<bool>(config.robot);
+  facts.coordinates = static_cast<int>(coordinates(config));
+  facts.constant_metric = config.cost && config.cost.provides<HasConstantMetric>();
+  facts.layers = config.cost && config.cost.provides<HasLayers>();
+  facts.cells = reads_cells(config);
+  facts.pulls_tight = plans_taut(config);
+  return facts;
+}
+
+FirstPathFacts first_path_of(const RunConfig& config) {
+  return {.straight = is(config.initializer, {"straight"}), .states_class = !states_no_class(config.initializer)};
+}
+
 }  // namespace
 
 bool proves_shortest(const RunConfig& config) {
-  if (!config.certificate.enabled || config.ring || config.family.wanted()) return false;
-  if (std::holds_alternative<GlobalOff>(config.certificate.global)) return false;
-  if (refracts(config) && is(config.initializer, {"straight"})) return true;
-  if (refracts_in_cells(config)) return true;
-  if (!states_no_class(config.initializer)) return false;
-  if (refracts(config)) return true;
-  if (plans_taut(config) && coordinates(config) == 2) return true;
-  const bool mesh =
-      config.manifold &&
-      (config.manifold.plugin->type == "mesh" ||
-       (config.manifold.provides<HasMesh>() && std::holds_alternative<GlobalBudget>(config.certificate.global)));
-  return mesh && config.cost && config.cost.provides<HasConstantMetric>();
+  return config.certificate.enabled && !config.family.wanted() &&
+         proves_over_all_classes(facts_of(config), first_path_of(config), config.certificate.global);
 }
 
 bool sees_one_way(const RunConfig& config) {
@@ -207,40 +190,25 @@ void fall_back(PluginChoice& eikonal) {
   static_cast<OptionsOf<EikonalOptions>&>(*eikonal.options).value.fallback = true;
 }
 
+/// The recipes choose; what they choose is written down as if it had been asked for.
 void complete(RunConfig& config) {
   choose_interpolation(config);
-  const bool mesh = config.manifold.provides<HasMesh>(), default_first = !config.initializer;
-  const Outline outline{
-      config.manifold.plugin,    config.cost ? std::string_view(config.cost.plugin->type) : std::string_view(),
-      coordinates(config),       config.ring,
-      !config.obstacles.empty(), static_cast<bool>(config.robot),
-      reads_cells(config)};
-  const auto fill = [&](const char* part, PluginChoice& choice) {
-    const std::string type = default_type(part, outline);
-    if (!choice && !type.empty()) choice = default_plugin(part, type.c_str(), part);
+  const bool default_first = !config.initializer, default_steps = !config.post_process;
+  const ProblemFacts facts = facts_of(config);
+  const auto fill = [&](const char* part, std::string_view type, PluginChoice& choice) {
+    if (!choice && !type.empty()) choice = default_plugin(part, std::string(type).c_str(), part);
   };
-  fill("kernel", config.kernel);
-  fill("initializer", config.initializer);
+  fill("kernel", "expm1_square", config.kernel);
+  fill("initializer", word_of(recommended_first_path(facts)), config.initializer);
   if (default_first && is(config.initializer, {"eikonal"})) fall_back(config.initializer);
-  const bool taut = !config.post_process && plans_taut(config);
-  const bool layers = !config.post_process && refracts(config);
-  const bool cells = !config.post_process && refracts_in_cells(config);
-  const bool proof = !config.post_process && proves_shortest(config);
-  if ((taut || layers || cells || proof) && !config.solver) {
-    config.solver = default_plugin("solver", "none", "solver");
-    if (default_first && is(config.manifold, {"mesh"})) go_over_diagonals(config.initializer);
-  }
-  fill("solver", config.solver);
-  if (config.post_process) return;
+  const bool exact = default_steps && (makes_exact_curves(facts) || proves_shortest(config));
+  if (exact && !config.solver && default_first && is(config.manifold, {"mesh"})) go_over_diagonals(config.initializer);
+  fill("solver", word_of(recommended_solver(facts, exact)), config.solver);
+  if (!default_steps) return;
   PluginList& steps = config.post_process.emplace();
-  if (config.manifold.provides<HasLevelSet>())
-    steps.push_back(default_plugin("post_processor", "on_surface", "post_process.0"));
-  if (mesh) steps.push_back(default_plugin("post_processor", "trace", "post_process.0"));
-  if (mesh && config.cost.provides<HasConstantMetric>())
-    steps.push_back(default_plugin("post_processor", "straighten", "post_process.1"));
-  if (taut) steps.push_back(default_plugin("post_processor", "taut", "post_process.0"));
-  if (layers) steps.push_back(default_plugin("post_processor", "refract", "post_process.0"));
-  if (cells) steps.push_back(default_plugin("post_processor", "refract_cells", "post_process.0"));
+  for (const CurveMethod method : recommended_curve(facts))
+    steps.push_back(default_plugin("post_processor", std::string(word_of(method)).c_str(),
+                                   "post_process." + std::to_string(steps.size())));
 }
 
 /// Whether it is something that costs have, not manifolds.
@@ -397,7 +365,7 @@ void check_taut(LoadedConfig& loaded) {
 
 void check_refract(LoadedConfig& loaded) {
   const RunConfig& config = loaded.config;
-  if (!config.manifold || !config.cost || !config.cost.provides<HasLayers>() || refracts(config)) return;
+  if (!config.manifold || !config.cost || !config.cost.provides<HasLayers>() || is_free(config)) return;
   for (const PluginChoice& step : config.post_process.value_or(PluginList{}))
     if (is(step, {"refract"}))
       loaded.errors.error(place_of(loaded.tree, step.path),
@@ -408,7 +376,7 @@ void check_refract(LoadedConfig& loaded) {
 void check_cells(LoadedConfig& loaded) {
   const RunConfig& config = loaded.config;
   if (!config.manifold || !config.cost) return;
-  if (reads_cells(config) && !refracts_in_cells(config))
+  if (reads_cells(config) && !is_free(config))
     loaded.errors.error(place_of(loaded.tree, "cost.interpolation"),
                         "'cells' joins two ends in the plane or a box of it (euclidean), without obstacles, robots and "
                         "rings: use interpolation: smooth");
@@ -507,16 +475,18 @@ void complete_types(ConfigNode& tree) {
   const std::string interpolation = text_at("cost.interpolation");
   const bool by_default = (interpolation.empty() || interpolation == "auto") && tree.find("solver") == nullptr &&
                           tree.find("post_process") == nullptr && tree.find("clearance") == nullptr;
-  const Outline outline{manifold,
-                        cost_type,
-                        point != nullptr ? static_cast<Eigen::Index>(point->items.size()) : 0,
-                        text_at("path.ring") == "true",
-                        tree.find("obstacles") != nullptr,
-                        tree.find("robot") != nullptr,
-                        cost_type == "cost_map" && (by_default || interpolation == "cells")};
-  for (const char* part : {"kernel", "initializer", "solver"}) {
+  ProblemFacts facts = facts_of_types(manifold, cost_type);
+  facts.ring = text_at("path.ring") == "true";
+  facts.obstacles = tree.find("obstacles") != nullptr;
+  facts.robot = tree.find("robot") != nullptr;
+  facts.coordinates = point != nullptr ? static_cast<int>(point->items.size()) : 0;
+  facts.cells = cost_type == "cost_map" && (by_default || interpolation == "cells");
+  const std::array<std::pair<const char*, std::string>, 3> defaults = {
+      {{"kernel", "expm1_square"},
+       {"initializer", std::string(word_of(recommended_first_path(facts)))},
+       {"solver", std::string(word_of(recommended_solver(facts, false)))}}};
+  for (const auto& [part, standard] : defaults) {
     ConfigEntry* entry = tree.find(part);
-    const std::string standard = default_type(part, outline);
     if (entry == nullptr || !entry->value.is_block() || standard.empty()) continue;
     const auto& options = entry->value.entries;
     const bool replaced =
@@ -534,7 +504,7 @@ std::string word_on_interpolation(const LoadedConfig& loaded) {
     return "the cost map is read as it is, constant in each cell (interpolation: cells); 'smooth' and 'bilinear' go "
            "from value to value";
   std::string word = "the cost map is read as a smooth surface (interpolation: smooth)";
-  if (suits_cells(config) && whole_option(config.manifold, "dimension") == 2)
+  if (is_free(config) && whole_option(config.manifold, "dimension") == 2)
     for (const auto& [key, what] : {std::pair("solver", "a solver"), std::pair("post_process", "a post-processor"),
                                     std::pair("clearance", "a clearance")})
       if (loaded.tree.find(key) != nullptr)

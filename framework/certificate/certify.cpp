@@ -55,7 +55,7 @@ class Certifier {
     } catch (const Interrupted&) {
       interrupted = true;
     }
-    if (interrupted || monitor_.interrupted()) fail("interrupted", "the certificate was interrupted");
+    if (interrupted || monitor_.interrupted()) fail(Failure::interrupted, "the certificate was interrupted");
     if (voids_the_bar()) {
       c_.estimate = {};
       c_.estimate.value = path_.curve.cost;
@@ -66,7 +66,7 @@ class Certifier {
  private:
   void measure() {
     if (!std::isfinite(path_.curve.cost) || !path_.curve_costs.allFinite())
-      return fail("infinite_cost", "the delivered path costs infinitely much: it leaves the domain of the cost");
+      return fail(Failure::infinite_cost, "the delivered path costs infinitely much: it leaves the domain of the cost");
     measure_residual();
     measure_clearance();
     measure_segments();
@@ -82,19 +82,15 @@ class Certifier {
     }
   }
 
-  void fail(const char* name, std::string message) { c_.failures.push_back({name, std::move(message)}); }
+  void fail(Failure kind, std::string message) { c_.failures.push_back({kind, std::move(message)}); }
 
   /// Whether a failure says that the levels and the delivered path are not of one kind, so that nothing is known about
   /// the cost but what the delivered path itself costs; or that nothing but differences of levels that do not fall
   /// speaks for the bar.
   bool voids_the_bar() const {
     if (differences_alone_) return true;
-    static constexpr std::array<std::string_view, 9> kVoiding = {"interrupted",     "infinite_cost", "residual",
-                                                                 "stationarity",    "refinement",    "collapsed",
-                                                                 "longest_segment", "unresolved",    "touches"};
-    return std::any_of(c_.failures.begin(), c_.failures.end(), [](const CertificateFailure& failure) {
-      return std::find(kVoiding.begin(), kVoiding.end(), failure.name) != kVoiding.end();
-    });
+    return std::any_of(c_.failures.begin(), c_.failures.end(),
+                       [](const CertificateFailure& failure) { return consequences(failure.kind).voids_bar; });
   }
 
   double extent() const {
@@ -116,7 +112,7 @@ class Certifier {
     c_.residual = worst / extent();
     if (*c_.residual <= options_.residual) return;
     const TwoNumbers texts = told_apart(*c_.residual, options_.residual);
-    fail("residual", "the path leaves the domain by " + texts.first + " diameters; allowed " + texts.second);
+    fail(Failure::residual, "the path leaves the domain by " + texts.first + " diameters; allowed " + texts.second);
   }
 
   /// Of the curve that is delivered, segment by segment: no number of points sees a thin obstacle between two of them.
@@ -124,19 +120,20 @@ class Certifier {
     c_.clearance = leastcost::measure_clearance(*problem_.manifold, path_.curve.x, path_.chain.ring, monitor_.deadline);
     if (!c_.clearance || c_.clearance->lower >= -contact_tolerance(path_.chain.u, options_.clearance)) return;
     const bool inside = c_.clearance->upper < 0;
-    fail("touches", "the path comes " + short_number(std::abs(inside ? c_.clearance->upper : c_.clearance->lower)) +
-                        (inside ? "" : " (not decided: perhaps)") + " too near to " + c_.clearance->obstacle +
-                        " between points " + std::to_string(c_.clearance->segment) + " and " +
-                        std::to_string(c_.clearance->segment + 1) + ", at " + point_text(c_.clearance->place));
+    fail(Failure::touches, "the path comes " +
+                               short_number(std::abs(inside ? c_.clearance->upper : c_.clearance->lower)) +
+                               (inside ? "" : " (not decided: perhaps)") + " too near to " + c_.clearance->obstacle +
+                               " between points " + std::to_string(c_.clearance->segment) + " and " +
+                               std::to_string(c_.clearance->segment + 1) + ", at " + point_text(c_.clearance->place));
   }
 
   void measure_segments() {
     c_.spacing = spread(path_.curve.straightness ? path_.curve_costs : energy_.costs(path_.chain));
     c_.longest_segment = path_.curve_costs.maxCoeff() / path_.curve_costs.mean();
     if (!(path_.curve.cost > 0))
-      fail("costs_nothing", "the delivered path costs nothing");
+      fail(Failure::costs_nothing, "the delivered path costs nothing");
     else if (!(c_.longest_segment <= options_.longest_segment))
-      fail("longest_segment",
+      fail(Failure::longest_segment,
            "the longest segment costs " + short_number(c_.longest_segment) +
                " times the mean: the path jumps over a part of the domain (a sinkhole, VFCS Fig. 2)");
   }
@@ -153,7 +150,7 @@ class Certifier {
     c_.global = path_.curve.global;
     c_.scope = c_.global && c_.global->proved ? c_.global->scope : "local";
     if (find_ability<HasInterfaces>(*problem_.cost) != nullptr)
-      fail("interfaces",
+      fail(Failure::interfaces,
            "the cost jumps at interfaces, which no chain of points resolves: use a post-processor that "
            "knows them (refract, refract_cells)");
     measure_regularization();
@@ -163,7 +160,8 @@ class Certifier {
     const Refinement refinement = refine_levels(problem_, path_.chain, monitor_);
     c_.levels = refinement.levels;
     if (monitor_.interrupted()) return;  // run() says so; half a refinement says nothing
-    if (!refinement.trouble.empty()) fail(refinement.collapsed ? "collapsed" : "refinement", refinement.trouble);
+    if (!refinement.trouble.empty())
+      fail(refinement.collapsed ? Failure::collapsed : Failure::refinement, refinement.trouble);
     measure_fine_index(refinement);
     judge_index();
     const std::optional<double> between = cost_between_points();
@@ -177,8 +175,8 @@ class Certifier {
     measure_resolution(refinement);
     add_regularization();
     if (!(c_.estimate.error <= kWidestBar * c_.estimate.value))
-      fail("error_bar", "the error bar is " + short_number(c_.estimate.error / c_.estimate.value) +
-                            " of the cost: too few points for this path");
+      fail(Failure::error_bar, "the error bar is " + short_number(c_.estimate.error / c_.estimate.value) +
+                                   " of the cost: too few points for this path");
     compare_with_bound();
     measure_domain();
     measure_places();
@@ -189,7 +187,7 @@ class Certifier {
     if (!c_.global || c_.global->category == BoundCategory::sampled) return;
     if (c_.estimate.value + c_.estimate.error >= c_.global->lower_bound) return;
     const TwoNumbers texts = told_apart(c_.estimate.value, c_.global->lower_bound);
-    fail("below_bound",
+    fail(Failure::below_bound,
          "the cost " + texts.first + " lies below " + texts.second + ", which is proved of all paths: use more points");
   }
 
@@ -220,8 +218,9 @@ class Certifier {
   /// Only of a path that has no other failure: a proof about another one would say nothing. What is proved needs no
   /// extrapolation.
   void measure_resolution(const Refinement& refinement) {
-    constexpr std::string_view kNotAsymptotic = "not_asymptotic";
-    const auto extrapolates = [&](const CertificateFailure& failure) { return failure.name == kNotAsymptotic; };
+    const auto extrapolates = [&](const CertificateFailure& failure) {
+      return failure.kind == Failure::not_asymptotic;
+    };
     const bool others = !std::all_of(c_.failures.begin(), c_.failures.end(), extrapolates);
     differences_alone_ = others && std::any_of(c_.failures.begin(), c_.failures.end(), extrapolates);
     if (hugs_bound_ || others) return;
@@ -238,7 +237,7 @@ class Certifier {
   void measure_places() {
     const std::string why = why_unresolved(problem_, path_.chain, monitor_);
     if (why.empty()) return;
-    fail("unresolved", why);
+    fail(Failure::unresolved, why);
     c_.resolution.emplace().verdict = ResolutionVerdict::unresolved;
   }
 
@@ -246,7 +245,7 @@ class Certifier {
     const GeometryError error = measure_geometry_error(problem_, path_.chain, monitor_);
     c_.geometry_error = error.value;
     if (!error.trouble.empty() && !monitor_.interrupted())
-      fail("geometry_error", "what the domain's representation costs is unknown: " + error.trouble);
+      fail(Failure::geometry_error, "what the domain's representation costs is unknown: " + error.trouble);
   }
 
   void measure_stationarity() {
@@ -309,10 +308,10 @@ class Certifier {
     if (find_ability<HasChart>(*problem_.manifold) == nullptr) return;
     const ChartJump jump = worst_chart_jump(problem_, path_.chain, energy_.costs(path_.chain), monitor_.deadline);
     if (jump.ratio > kChartJump)
-      fail("longest_segment", "between points " + std::to_string(jump.segment) + " and " +
-                                  std::to_string(jump.segment + 1) + " the straight way in the chart costs " +
-                                  short_number(jump.ratio) +
-                                  " times the chord: the path jumps over a part of the domain; use more points");
+      fail(Failure::longest_segment, "between points " + std::to_string(jump.segment) + " and " +
+                                         std::to_string(jump.segment + 1) + " the straight way in the chart costs " +
+                                         short_number(jump.ratio) +
+                                         " times the chord: the path jumps over a part of the domain; use more points");
   }
 
   /// On a curved domain with bounds that is not a chart: where the path between its points comes to rest on a bound
@@ -345,20 +344,21 @@ class Certifier {
     switch (c_.index.verdict) {
       case IndexVerdict::minimum: return;
       case IndexVerdict::saddle:
-        return fail("saddle", "the path is a saddle of order " + std::to_string(c_.index.saddle_order) +
-                                  ": a neighbouring path costs less; `path: {escape_saddle: true}` goes on to it");
+        return fail(Failure::saddle,
+                    "the path is a saddle of order " + std::to_string(c_.index.saddle_order) +
+                        ": a neighbouring path costs less; `path: {escape_saddle: true}` goes on to it");
       case IndexVerdict::degenerate:
         // Where ways are free they cost nearly the same, and the path is the least of them nevertheless.
         if (has_free_ways() && c_.index.negatives == 0) return;
-        return fail("degenerate", "the path is degenerate with nullity " + std::to_string(c_.index.nullity) +
-                                      ": neighbouring paths cost the same to second order");
+        return fail(Failure::degenerate, "the path is degenerate with nullity " + std::to_string(c_.index.nullity) +
+                                             ": neighbouring paths cost the same to second order");
       case IndexVerdict::undecidable:
-        return fail("undecidable",
+        return fail(Failure::undecidable,
                     "whether the path is a minimum or a saddle is lost in rounding: the metric is too ill-conditioned");
       case IndexVerdict::not_applicable:
         if (problem_.kernel->strictly_convex())
-          return fail("index_not_applicable", "the energy of the path is not finite: no index");
-        return fail("index_not_applicable",
+          return fail(Failure::index_not_applicable, "the energy of the path is not finite: no index");
+        return fail(Failure::index_not_applicable,
                     "the kernel is not strictly convex (H = s): points may slide along the path, no index, no spacing");
     }
   }
@@ -368,14 +368,15 @@ class Certifier {
     const RefinementLevel &a = c_.levels[1], &b = c_.levels[2];
     const double s0 = a.cost / a.segments;
     if (!std::isfinite(a.energy) || !std::isfinite(b.energy) || !(b.energy > 0))
-      return fail("doubling", "the energies of the refined chains are not finite, or zero: no ratio E(2M) / E(4M)");
+      return fail(Failure::doubling,
+                  "the energies of the refined chains are not finite, or zero: no ratio E(2M) / E(4M)");
     c_.doubling = a.energy / b.energy;
     c_.doubling_expected = kernel_value(*problem_.kernel, a.cost / (a.segments * s0)) /
                            (2 * kernel_value(*problem_.kernel, b.cost / (b.segments * s0)));
     if (std::abs(*c_.doubling / *c_.doubling_expected - 1) <= options_.doubling) return;
     const TwoNumbers texts = told_apart(*c_.doubling, *c_.doubling_expected);
-    fail("doubling", "E(2M) / E(4M) is " + texts.first + " where an evenly spaced path has " + texts.second +
-                         ": the path jumps over a part of the domain (VFCS Eq. 8)");
+    fail(Failure::doubling, "E(2M) / E(4M) is " + texts.first + " where an evenly spaced path has " + texts.second +
+                                ": the path jumps over a part of the domain (VFCS Eq. 8)");
   }
 
   const Problem& problem_;

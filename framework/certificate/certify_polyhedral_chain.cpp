@@ -71,12 +71,12 @@ void certify_polyhedral_chain(const Problem& problem, PathEnergy& energy, const 
   c.estimate.method = "traced";
   c.estimate.error = traced_bar(path.curve.cost, traced, finest, *most - *least) + *c.stationarity * path.curve.cost;
   if (refinement.levels.size() < 3)
-    c.failures.push_back({refinement.collapsed ? "collapsed" : "refinement", refinement.trouble});
+    c.failures.push_back({refinement.collapsed ? Failure::collapsed : Failure::refinement, refinement.trouble});
   else if (!(c.estimate.error <= kPolyhedronError * path.curve.cost))
-    c.failures.push_back({"error_bar", "the traced cost varies by " + short_number((*most - *least) / path.curve.cost) +
-                                           " (relative) between " + std::to_string(refinement.levels[0].segments) +
-                                           " and " + std::to_string(refinement.levels[2].segments) +
-                                           " segments; use more points"});
+    c.failures.push_back(
+        {Failure::error_bar, "the traced cost varies by " + short_number((*most - *least) / path.curve.cost) +
+                                 " (relative) between " + std::to_string(refinement.levels[0].segments) + " and " +
+                                 std::to_string(refinement.levels[2].segments) + " segments; use more points"});
   const auto& levels = c.levels;
   // Kinks push points along the path wherever they meet them: more points even out, at last or step by step.
   const bool falling = levels.size() == 3 && levels[2].spacing < levels[1].spacing &&

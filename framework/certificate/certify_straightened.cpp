@@ -32,9 +32,10 @@ void measure_refraction(const HasInterfaces& cost, const Points& curve, const Co
     const double allowed = options.stationarity + crossing.rounding;
     if (crossing.mismatch <= allowed) continue;
     const TwoNumbers texts = told_apart(crossing.mismatch, allowed);
-    c.failures.push_back({"stationarity", "at " + point_text(crossing.place) + " the slownesses along interface " +
-                                              std::to_string(crossing.interface) + " differ by " + texts.first +
-                                              " of the index; allowed " + texts.second + " (Snell's law)"});
+    c.failures.push_back({Failure::stationarity, "at " + point_text(crossing.place) +
+                                                     " the slownesses along interface " +
+                                                     std::to_string(crossing.interface) + " differ by " + texts.first +
+                                                     " of the index; allowed " + texts.second + " (Snell's law)"});
   }
 }
 
@@ -52,12 +53,12 @@ void certify_straightened(const Problem& problem, const PostProcessed& path, con
   if (const auto* cost = find_ability<HasInterfaces>(*problem.cost))
     measure_refraction(*cost, path.curve.x, *problem.manifold, options, c);
   else if (!(*c.straightness >= -(measured ? kNearlyStraight : kStraight)))
-    c.failures.push_back({"straightness", "an angle beside the path is " + short_number(-*c.straightness) +
-                                              " below pi: it can be shortened there"});
+    c.failures.push_back({Failure::straightness, "an angle beside the path is " + short_number(-*c.straightness) +
+                                                     " below pi: it can be shortened there"});
   if (c.global && c.global->outcome == "blocked" && c.global->gap > kFarBelow) {
     const TwoNumbers texts = told_apart(c.global->lower_bound, path.curve.cost);
-    c.failures.push_back({"global", "a path of " + texts.first + " may exist, this one costs " + texts.second + ": " +
-                                        c.global->reason});
+    c.failures.push_back({Failure::not_global, "a path of " + texts.first + " may exist, this one costs " +
+                                                   texts.second + ": " + c.global->reason});
   }
   if (!(c.spacing <= options.spacing)) fail_spacing(c, options.spacing);
   c.estimate.method = "straightened";
@@ -82,7 +83,7 @@ void certify_straightened(const Problem& problem, const PostProcessed& path, con
   // The gap of a proof is what its tolerance allows.
   if (!global && !(c.estimate.error <= kPolyhedronError * path.curve.cost))
     c.failures.push_back(
-        {"error_bar", "the error bar is " + short_number(c.estimate.error / path.curve.cost) + " of the cost"});
+        {Failure::error_bar, "the error bar is " + short_number(c.estimate.error / path.curve.cost) + " of the cost"});
 }
 
 }  // namespace leastcost

@@ -124,7 +124,7 @@ EstimatedCost estimate_from_levels(const Problem& problem, PathEnergy& energy, c
   // has a say as well: of few points the least chain may lie in a valley of its own, and bounds nothing else.
   if (e.lower && e.upper && *e.lower > std::min(*e.upper, finest_curve()) * (1 + kExact)) {
     out.failures.push_back(
-        {"bracket", "the lower bound of the cost lies above the upper one: too few points for this path"});
+        {Failure::bracket, "the lower bound of the cost lies above the upper one: too few points for this path"});
     e.lower.reset();
   }
   const bool bracketed = e.lower && e.upper;
@@ -142,11 +142,11 @@ EstimatedCost estimate_from_levels(const Problem& problem, PathEnergy& energy, c
   if (!second_order) {
     e.error = 2 * largest;
     e.method = "differences";
-    out.failures.push_back({"not_asymptotic", "the cost does not fall at second order between " +
-                                                  std::to_string(refinement.levels[0].segments) + ", " +
-                                                  std::to_string(refinement.levels[1].segments) + " and " +
-                                                  std::to_string(refinement.levels[2].segments) +
-                                                  " segments: no extrapolated value; use more points"});
+    out.failures.push_back({Failure::not_asymptotic, "the cost does not fall at second order between " +
+                                                         std::to_string(refinement.levels[0].segments) + ", " +
+                                                         std::to_string(refinement.levels[1].segments) + " and " +
+                                                         std::to_string(refinement.levels[2].segments) +
+                                                         " segments: no extrapolated value; use more points"});
     return out;
   }
   const double richardson = richardson_bar(refinement);

@@ -82,7 +82,7 @@ class Examiner {
  private:
   void unresolved(std::string why) {
     out_.resolution.verdict = ResolutionVerdict::unresolved;
-    out_.failures.push_back({"unresolved", std::move(why)});
+    out_.failures.push_back({Failure::unresolved, std::move(why)});
   }
 
   /// The cost of a chain with any number of segments follows from the levels where these see what there is to see.

@@ -22,9 +22,9 @@ void refuse_infinite(const Problem& problem, const Points& x, const Eigen::Vecto
 /// `tolerance`.
 struct Sampling {
   static constexpr int kPasses = 8;
-  Sampling(int points, double tolerance = 0.05, int passes = kPasses)
-      : points(points), tolerance(tolerance), passes(passes) {}
-  int points;  ///< free points, n >= 1
+  Sampling(int free_points, double spread = 0.05, int most_passes = kPasses)
+      : points(free_points), tolerance(spread), passes(most_passes) {}
+  int points;  ///< n >= 1
   double tolerance;
   int passes;
 };

@@ -22,16 +22,16 @@ namespace {
 
 constexpr int kMostLooks = 64;  ///< members that are looked at, saddles' lower neighbours included
 
-bool fails_one_of(const Certificate& certificate, std::initializer_list<std::string_view> names) {
+bool fails_one_of(const Certificate& certificate, std::initializer_list<Failure> kinds) {
   return std::any_of(certificate.failures.begin(), certificate.failures.end(), [&](const CertificateFailure& f) {
-    return std::find(names.begin(), names.end(), f.name) != names.end();
+    return std::find(kinds.begin(), kinds.end(), f.kind) != kinds.end();
   });
 }
 
 /// Failures that no number of points mends.
 bool beyond_help(const Certificate& certificate) {
-  return fails_one_of(
-      certificate, {"degenerate", "index_not_applicable", "costs_nothing", "exception", "inconsistent", "interrupted"});
+  return std::any_of(certificate.failures.begin(), certificate.failures.end(),
+                     [](const CertificateFailure& f) { return consequences(f.kind).points == PointsHelp::never; });
 }
 
 double ranking_cost(const Problem& problem, const Result& result, const Deadline& deadline) {
@@ -65,7 +65,7 @@ class Decision {
   /// The least cost that the member may turn out to have. Levels that were not solved promise nothing.
   static double promise(const FamilyMember& m) {
     const Certificate& c = m.result.certificate;
-    const bool solved = c.measured && !fails_one_of(c, {"stationarity", "refinement"});
+    const bool solved = c.measured && !fails_one_of(c, {Failure::stationarity, Failure::refinement});
     return solved && c.estimate.value > 0 ? std::min(m.rank_cost, c.estimate.value) : m.rank_cost;
   }
 
@@ -107,7 +107,7 @@ class Decision {
         return;
       }
       if (certified(search.fine())) return take(i, search.delivered(search.fine()));
-      if (fails_one_of(search.fine().certificate, {"stationarity"}))  // the solver does not get there
+      if (fails_one_of(search.fine().certificate, {Failure::stationarity}))  // the solver does not get there
         return say_why(i, search);
     }
   }

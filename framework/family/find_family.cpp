@@ -32,8 +32,10 @@ std::string no_time(const FamilyStart& start) {
 
 }  // namespace
 
-Family find_family(const std::vector<FamilyStart>& starts, const Solver& solver, const FindOptions& options,
+Family find_family(const std::vector<FamilyStart>& starts, const Solver& solver, const FindOptions& given,
                    const Monitor& monitor) {
+  FindOptions options = given;
+  options.certificate.global = GlobalOff{};  // members are paths of other classes than the least one's
   Family family;
   std::exception_ptr first_error;
   std::vector<FamilyMember> pathless;

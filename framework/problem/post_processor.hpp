@@ -53,6 +53,8 @@ class PostProcessor {
   virtual std::string_view name() const = 0;
   /// Whether it finds the way by itself, so that a chain which is not clear of obstacles is as good a beginning.
   virtual bool finds_its_own() const { return false; }
+  /// Whether it bounds the cost of all paths (Curve::global).
+  virtual bool bounds_all_paths() const { return false; }
   virtual PostProcessed apply(const Problem& problem, const FirstPath& first, PostProcessed current,
                               const Monitor& monitor) const = 0;
 };

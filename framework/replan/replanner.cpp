@@ -261,6 +261,7 @@ Replanner::Replanner(std::shared_ptr<const Solver> solver, std::shared_ptr<const
   if (!options_.points) throw InputError("a replanner needs a number of points");
   check(options_);
   options_.certificate.refine = 0;  // the time is that of one search
+  options_.certificate.global = GlobalOff{};
 }
 
 Replan Replanner::replan(const Problem& now, const Monitor& monitor) {

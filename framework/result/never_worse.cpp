@@ -168,7 +168,7 @@ void refuse(const Problem& problem, const Offer& offer, const Deadline& deadline
   for (CertificateFailure& failure : refused.failures)
     failure.message = "of the path that was searched and is not delivered: " + failure.message;
   if (result.status == Status::certified)
-    refused.failures.push_back({"dearer_than_first", "the locally least path costs more than the first path"});
+    refused.failures.push_back({Failure::dearer_than_first, "the locally least path costs more than the first path"});
   refused.clearance = measure_clearance(*problem.manifold, offer.curve.curve.x, offer.curve.chain.ring, deadline);
   refused.spacing = spread(offer.curve.curve_costs);
   if (std::optional<GlobalBound>& bound = result.certificate.global) {  // of all paths, so of this one too

@@ -37,10 +37,10 @@ void make_coarser_versions(const Search& search, Outcome& out) {
 /// The path is found: what a part throws now takes nothing away from it.
 void certify_delivered(const Search& search, Outcome& out) {
   Result& result = out.result;
-  const auto fail = [&](const char* failure, const std::string& why) {
+  const auto fail = [&](Failure failure, const std::string& why) {
     result.certificate.failures.push_back({failure, why});
   };
-  if (search.monitor.interrupted()) return fail("interrupted", "there was no time for the certificate");
+  if (search.monitor.interrupted()) return fail(Failure::interrupted, "there was no time for the certificate");
   timed(Stage::certify, search, result.seconds.certify, [&] {
     try {
       make_coarser_versions(search, out);
@@ -50,9 +50,9 @@ void certify_delivered(const Search& search, Outcome& out) {
     } catch (const Interrupted&) {
       throw;
     } catch (const std::exception& error) {
-      fail("exception", std::string("while certifying: ") + error.what());
+      fail(Failure::exception, std::string("while certifying: ") + error.what());
     } catch (...) {
-      fail("exception", "while certifying: an exception not derived from std::exception");
+      fail(Failure::exception, "while certifying: an exception not derived from std::exception");
     }
   });
   result.seconds.certify -= result.seconds.prepare;
@@ -75,7 +75,8 @@ void certify_outcome(const Search& search, Outcome& out) {
   deliver(out.curve, energy.costs(out.curve.chain), result);
   result.post_processed = true;
   if (out.curve_fault)
-    result.certificate.failures.push_back({"post_process", "the curve stays as it was before: " + *out.curve_fault});
+    result.certificate.failures.push_back(
+        {Failure::post_process, "the curve stays as it was before: " + *out.curve_fault});
   if (search.options.certificate.enabled && !collapsed && !out.curve_fault) certify_delivered(search, out);
   for (const Step judge : kJudgements) judge(search, out);
   result.status = status_of(search, result, collapsed);

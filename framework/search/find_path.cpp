@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/framework/search/find_path.hpp>
 
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <leastcost/framework/result/other_images.hpp>
 #include "framework/base/grace_deadline.hpp"
 #include "framework/result/never_worse.hpp"
+#include "framework/search/add_global_proof.hpp"
 #include "framework/search/begin.hpp"
 #include "framework/search/run_search.hpp"
 #include "framework/search/with_more_points.hpp"
@@ -16,11 +19,15 @@ namespace {
 
 /// The search, more points where it lacks them, and nothing worse than where it began. `near`: where the name of the
 /// target should be nearest to, where it has several.
-Result search_for(const Problem& problem, const Eigen::VectorXd& near, const Begin& begin, const Search& search) {
+Result search_for(const Problem& problem, const Eigen::VectorXd& near, const Begin& begin, const Search& asked) {
   Problem named = problem;
+  std::vector<std::string> notes;
+  const FindOptions options = with_global_proof(problem, asked.options, notes);
+  const Search search{asked.solver, options, asked.monitor, asked.begun};
   if (!search.options.target_as_given && near.size() > 0) name_target_near(near, named);
   Result found = run_search(named, begin, search);
   found = with_more_points(named, std::move(found), search);
+  add_notes(notes, found.notes);
   return never_worse(named, std::move(found), search.options, grace_deadline(search.monitor.deadline, search.begun, 2));
 }
 

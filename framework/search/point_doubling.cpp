@@ -174,7 +174,7 @@ std::vector<std::string> PointDoubling::notes_of_failure() const {
   const auto& failures = fine_.certificate.failures;
   if (factor_ > 1)
     notes.push_back("with " + points_of(fine_) + " it is not certified either" +
-                    (failures.empty() ? "" : ": " + failures.front().name));
+                    (failures.empty() ? "" : ": " + failures.front().name()));
   std::string why = more_points_may_help(problem_, fine_) ? why_stopped() : "";
   if (!why.empty()) notes.push_back(std::move(why));
   return notes;

@@ -56,7 +56,7 @@ void judge_delivered_spacing(const Problem& problem, Index factor, Result& finer
   Eigen::VectorXd costs(segments);
   for (Index i = 0; i < segments; ++i) costs[i] = finer.costs.segment(factor * i, factor).sum();
   c.spacing = spread(costs);
-  const auto is_spacing = [](const CertificateFailure& failure) { return failure.name == "spacing"; };
+  const auto is_spacing = [](const CertificateFailure& failure) { return failure.kind == Failure::spacing; };
   if (!(c.spacing <= kPolyhedronSpacing)) return;
   c.failures.erase(std::remove_if(c.failures.begin(), c.failures.end(), is_spacing), c.failures.end());
   if (finer.status == Status::uncertified && c.certified()) finer.status = Status::certified;

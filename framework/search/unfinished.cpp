@@ -13,8 +13,9 @@ void leave_unmeasured(Outcome& out) {
   Result& result = out.result;
   deliver_unmeasured(result);
   result.curve.x = PathEnergy(out.problem, 1).ambient(result.path).x;
+  const bool threw = result.solve.termination == Termination::exception;
   result.certificate.failures.push_back(
-      {std::string(name(result.solve.termination)), "while solving: " + result.solve.message});
+      {threw ? Failure::exception : Failure::inconsistent, "while solving: " + result.solve.message});
 }
 
 void leave_unfinished(const Search& search, const std::string& why, Outcome& out) {
@@ -22,7 +23,7 @@ void leave_unfinished(const Search& search, const std::string& why, Outcome& out
   result.status = Status::interrupted;
   if (result.post_processed) return;
   if (search.options.certificate.enabled)
-    result.certificate.failures.push_back({"interrupted", "there was no time for the certificate"});
+    result.certificate.failures.push_back({Failure::interrupted, "there was no time for the certificate"});
   if (result.path.u.size() == 0) {
     result.notes.push_back("interrupted before there was a path: " + why);
     return;

@@ -16,15 +16,22 @@ CellMap cells_in_box(const HasCostCells& cost, const ConstraintManifold& domain)
   return cost.cell_map().within({Eigen::Vector2d(box->box_lower()), Eigen::Vector2d(box->box_upper())});
 }
 
-CellMap cells_of(const Problem& problem, const std::string& who) {
-  const auto* cost = find_ability<HasCostCells>(*problem.cost);
-  if (cost == nullptr) throw InputError(who + " needs a cost map that is read as cells (interpolation: cells)");
-  if (problem.ring || problem.based) throw InputError(who + " joins two ends, and this path is a ring");
+std::string why_no_cells(const Problem& problem) {
+  if (find_ability<HasCostCells>(*problem.cost) == nullptr)
+    return "needs a cost map that is read as cells (interpolation: cells)";
+  if (problem.ring || problem.based) return "joins two ends, and this path is a ring";
   const ConstraintManifold& domain = *problem.manifold;
   const Dimensions d = domain.dimensions();
   if (domain.shape() != Shape::flat || d.coordinate != 2 || d.ambient != 2 || d.tangent != 2 ||
       find_ability<HasChart>(domain) != nullptr || find_ability<ChecksMoves>(domain) != nullptr)
-    throw InputError(who + " needs the plane, or a box of it, without obstacles");
+    return "needs the plane, or a box of it, without obstacles";
+  return "";
+}
+
+CellMap cells_of(const Problem& problem, const std::string& who) {
+  if (const std::string why = why_no_cells(problem); !why.empty()) throw InputError(who + " " + why);
+  const auto* cost = find_ability<HasCostCells>(*problem.cost);
+  const ConstraintManifold& domain = *problem.manifold;
   CellMap map = cells_in_box(*cost, domain);
   for (const PathEnd* end : {&problem.source, &problem.target})
     if (const std::string why = map.why_no_end(end->u); !why.empty())

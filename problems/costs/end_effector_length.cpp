@@ -9,6 +9,7 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/cost/segment_cost_function.hpp>
+#include <leastcost/framework/cost/starts_straight.hpp>
 #include "problems/costs/arm_motion.hpp"
 
 namespace leastcost {
@@ -102,6 +103,11 @@ struct JointsOf {
   }
 };
 
+class EndEffectorLengthCost final : public SegmentCostOf<EndEffectorLength>, public StartsStraight {
+ public:
+  using SegmentCostOf<EndEffectorLength>::SegmentCostOf;
+};
+
 }  // namespace
 
 void arm_joints::Table::fields(FieldVisitor& visit) {
@@ -138,7 +144,7 @@ std::shared_ptr<const SegmentCost> make_end_effector_length(const EndEffectorLen
                       "nothing");
   cost.tool = options.tool;
   cost.weight = options.joint_weight;
-  return std::make_shared<const SegmentCostOf<EndEffectorLength>>(std::move(cost), dim);
+  return std::make_shared<const EndEffectorLengthCost>(std::move(cost), dim);
 }
 
 }  // namespace leastcost

@@ -12,6 +12,7 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/cost/segment_cost_function.hpp>
+#include <leastcost/framework/cost/starts_straight.hpp>
 #include "framework/base/symmetric_eigen.hpp"
 #include "problems/costs/arm_motion.hpp"
 
@@ -249,6 +250,11 @@ void check_moves_mass(const KineticEnergy& cost) {
   }
 }
 
+class KineticEnergyCost final : public SegmentCostOf<KineticEnergy>, public StartsStraight {
+ public:
+  using SegmentCostOf<KineticEnergy>::SegmentCostOf;
+};
+
 }  // namespace
 
 void arm_inertia::Table::fields(FieldVisitor& visit) {
@@ -275,7 +281,7 @@ std::shared_ptr<const SegmentCost> make_kinetic_energy_cost(const KineticEnergyO
   } catch (const OptionError& error) {
     throw OptionError(error.key().empty() ? "model" : "model." + error.key(), error.what());
   }
-  return std::make_shared<const SegmentCostOf<KineticEnergy>>(std::move(cost), dim);
+  return std::make_shared<const KineticEnergyCost>(std::move(cost), dim);
 }
 
 }  // namespace leastcost

@@ -11,6 +11,7 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/cost/has_conformal_metric.hpp>
 #include <leastcost/framework/cost/segment_cost_function.hpp>
+#include <leastcost/framework/cost/starts_straight.hpp>
 #include "problems/formula/coordinate_names.hpp"
 #include "problems/formula/formula.hpp"
 
@@ -143,7 +144,8 @@ struct PotentialChute {
 
 template <int D>
 class PotentialTimeCost final : public SegmentCostOf<PotentialChute<D>>,
-                                public ConformalMetricBy<PotentialTimeCost<D>> {
+                                public ConformalMetricBy<PotentialTimeCost<D>>,
+                                public StartsStraight {
  public:
   using SegmentCostOf<PotentialChute<D>>::SegmentCostOf;
 

@@ -12,6 +12,7 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/cost/has_conformal_metric.hpp>
 #include <leastcost/framework/cost/segment_cost_function.hpp>
+#include <leastcost/framework/cost/starts_straight.hpp>
 #include "problems/costs/potential_time.hpp"
 
 namespace leastcost {
@@ -123,7 +124,9 @@ struct Midpoint : TravelTimeBase<D> {
 
 /// Both rules are the length under the metric I / v^2 in the limit of short segments.
 template <class Rule>
-class TravelTimeCost final : public SegmentCostOf<Rule>, public ConformalMetricBy<TravelTimeCost<Rule>> {
+class TravelTimeCost final : public SegmentCostOf<Rule>,
+                             public ConformalMetricBy<TravelTimeCost<Rule>>,
+                             public StartsStraight {
  public:
   using SegmentCostOf<Rule>::SegmentCostOf;
 

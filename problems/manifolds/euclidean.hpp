@@ -9,6 +9,7 @@
 #include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/manifolds/box.hpp>
+#include <leastcost/problems/post_processors/global_proof.hpp>
 
 namespace leastcost {
 
@@ -19,7 +20,11 @@ struct EuclideanManifoldOptions {
 };
 
 /// R^d, or a box in it.
-class EuclideanManifold final : public ConstraintManifold, public HasBounds, public HasBox, public DrawsItself {
+class EuclideanManifold final : public ConstraintManifold,
+                                public HasBounds,
+                                public HasBox,
+                                public KnowsGlobalProofs,
+                                public DrawsItself {
  public:
   /// Throws OptionError when the box does not fit the dimension or is empty.
   explicit EuclideanManifold(const EuclideanManifoldOptions& options);

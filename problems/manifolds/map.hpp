@@ -15,6 +15,7 @@
 #include <leastcost/problems/mesh/has_mesh.hpp>
 #include <leastcost/problems/occupancy/names_cells.hpp>
 #include <leastcost/problems/occupancy/occupancy_grid.hpp>
+#include <leastcost/problems/post_processors/global_proof.hpp>
 
 namespace leastcost {
 
@@ -25,6 +26,7 @@ namespace leastcost {
 class MapManifold final : public ConstraintManifold,
                           public HasBounds,
                           public HasMesh,
+                          public KnowsGlobalProofs,
                           public MakesOnDemand,
                           public HasGraph,
                           public NamesCells,

@@ -16,6 +16,7 @@
 #include <leastcost/problems/manifolds/file_places.hpp>
 #include <leastcost/problems/manifolds/made_from_data.hpp>
 #include <leastcost/problems/mesh/has_mesh.hpp>
+#include <leastcost/problems/post_processors/global_proof.hpp>
 #include <leastcost/problems/section/is_surface.hpp>
 
 namespace leastcost {
@@ -34,6 +35,7 @@ class MeshManifold final : public ConstraintManifold,
                            public HasBounds,
                            public HasPieces,
                            public HasMesh,
+                           public KnowsGlobalProofs,
                            public MakesOnDemand,
                            public HasGraph,
                            public HasVertices,

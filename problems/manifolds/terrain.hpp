@@ -14,6 +14,7 @@
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/manifolds/box.hpp>
 #include <leastcost/problems/manifolds/made_from_data.hpp>
+#include <leastcost/problems/post_processors/global_proof.hpp>
 #include <leastcost/problems/raster/has_voids.hpp>
 #include <leastcost/problems/raster/raster.hpp>
 
@@ -29,6 +30,7 @@ class TerrainManifold final : public ConstraintManifold,
                               public HasChart,
                               public HasBounds,
                               public HasBox,
+                              public KnowsGlobalProofs,
                               public HasGraph,
                               public HasOrigin,
                               public IsGeographic,

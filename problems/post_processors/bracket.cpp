@@ -195,22 +195,6 @@ bool has_plain_coordinates(const ConstraintManifold& domain) {
 }
 
 /// Why there is no bracket of a problem; empty: there may be one.
-std::string why_no_bracket(const Problem& problem) {
-  const ConstraintManifold& domain = *problem.manifold;
-  if (problem.ring || problem.based) return "a bracket is of the cost between two ends, and a ring has none";
-  const bool flat = domain.shape() == Shape::flat || find_ability<HasWalls>(domain) != nullptr;
-  if (!(flat && (dimension_of(problem) == 2 || dimension_of(problem) == 3)) && !has_plain_coordinates(domain))
-    return "a bracket needs the plane or space, a flat domain with two or three coordinates, or terrain";
-  if (find_ability<ChecksMoves>(domain) != nullptr && walls_in_place(domain) == nullptr)
-    return "a bracket needs obstacles that stand in the plane or in space itself: balls, boxes, polygons, maps, meshes";
-  if (box_of(domain).isEmpty()) return "a bracket speaks of the paths in a box: give the manifold finite bounds";
-  const CostInCells cost = in_cells(problem);
-  if (cost.space != nullptr && !looks_isotropic(*problem.cost, box_of(domain)))
-    return "a bracket in space needs a cost that is the same in all directions";
-  if (!cost) return "a bracket in space needs a cost by formula: bounds of a black box would prove nothing";
-  return "";
-}
-
 GlobalBound blocked(std::string reason) {
   GlobalBound out;
   out.outcome = "blocked";
@@ -295,6 +279,22 @@ BracketInBox bracket_of(const Problem& problem, const CostInCells& cost, double 
 }
 
 }  // namespace
+
+std::string why_no_bracket(const Problem& problem) {
+  const ConstraintManifold& domain = *problem.manifold;
+  if (problem.ring || problem.based) return "a bracket is of the cost between two ends, and a ring has none";
+  const bool flat = domain.shape() == Shape::flat || find_ability<HasWalls>(domain) != nullptr;
+  if (!(flat && (dimension_of(problem) == 2 || dimension_of(problem) == 3)) && !has_plain_coordinates(domain))
+    return "a bracket needs the plane or space, a flat domain with two or three coordinates, or terrain";
+  if (find_ability<ChecksMoves>(domain) != nullptr && walls_in_place(domain) == nullptr)
+    return "a bracket needs obstacles that stand in the plane or in space itself: balls, boxes, polygons, maps, meshes";
+  if (box_of(domain).isEmpty()) return "a bracket speaks of the paths in a box: give the manifold finite bounds";
+  const CostInCells cost = in_cells(problem);
+  if (cost.space != nullptr && !looks_isotropic(*problem.cost, box_of(domain)))
+    return "a bracket in space needs a cost that is the same in all directions";
+  if (!cost) return "a bracket in space needs a cost by formula: bounds of a black box would prove nothing";
+  return "";
+}
 
 BracketPostProcessor::BracketPostProcessor(GlobalBudget budget)
     : budget_(std::move(budget)), kept_(std::make_shared<KeptBracket>()) {}

@@ -15,6 +15,7 @@ class CellBoundPostProcessor final : public PostProcessor {
  public:
   explicit CellBoundPostProcessor(GlobalProof proof = GlobalAuto{}) : proof_(std::move(proof)) {}
   std::string_view name() const override { return "cell_bound"; }
+  bool bounds_all_paths() const override { return true; }
   PostProcessed apply(const Problem& problem, const FirstPath& first, PostProcessed current,
                       const Monitor& monitor) const override;
 

@@ -15,6 +15,7 @@ class FastestRefractionPostProcessor final : public PostProcessor {
  public:
   explicit FastestRefractionPostProcessor(GlobalProof proof = GlobalAuto{}) : proof_(std::move(proof)) {}
   std::string_view name() const override { return "fastest_refraction"; }
+  bool bounds_all_paths() const override { return true; }
   PostProcessed apply(const Problem& problem, const FirstPath& first, PostProcessed current,
                       const Monitor& monitor) const override;
 

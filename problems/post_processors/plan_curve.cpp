@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/cost/has_constant_metric.hpp>
@@ -43,29 +44,47 @@ Points spaced_by_length(const Points& polyline, Index columns, Eigen::VectorXd& 
   return points;
 }
 
-}  // namespace
-
-const Walls& walls_of(const Problem& problem, const std::string& who) {
+std::string why_no_walls(const Problem& problem) {
   const ConstraintManifold& manifold = *problem.manifold;
   const auto* domain = find_ability<HasWalls>(manifold);
   const Dimensions d = manifold.dimensions();
   const bool flat = d.coordinate == d.ambient && d.tangent == d.ambient && find_ability<HasChart>(manifold) == nullptr;
   if (domain == nullptr || !flat || d.ambient < 2 || d.ambient > 3)
-    throw InputError(who + " needs the plane or space with obstacles in it");
+    return "needs the plane or space with obstacles in it";
   if (d.ambient == 2 && !domain->walls().rounds(Eigen::AlignedBox2d()))
-    throw InputError("in the plane " + who + " needs obstacles that are balls, boxes, polygons or maps");
-  if (problem.ring) throw InputError(who + " joins two ends, and this path is a ring");
-  return domain->walls();
+    return "in the plane needs obstacles that are balls, boxes, polygons or maps";
+  if (problem.ring) return "joins two ends, and this path is a ring";
+  return "";
 }
 
-/// The cost of a move of length one, the same in all directions.
-double cost_of_length(const Problem& problem, const std::string& who) {
+/// The cost of a move of length one, the same in all directions; nothing where it is not.
+std::optional<double> unit_of_length(const Problem& problem) {
   const auto* cost = find_ability<HasConstantMetric>(*problem.cost);
   const Eigen::MatrixXd metric = cost != nullptr ? cost->metric() : Eigen::MatrixXd();
-  if (metric.rows() != problem.source.u.size() ||
+  if (metric.rows() != problem.manifold->dimensions().ambient ||
       !metric.isApprox(metric(0, 0) * Eigen::MatrixXd::Identity(metric.rows(), metric.cols())))
-    throw InputError(who + " needs a cost that is the length, or a multiple of it, in all directions");
+    return std::nullopt;
   return std::sqrt(metric(0, 0));
+}
+
+constexpr const char* kNeedsLength = "needs a cost that is the length, or a multiple of it, in all directions";
+
+}  // namespace
+
+std::string why_no_tight_path(const Problem& problem) {
+  const std::string why = why_no_walls(problem);
+  return !why.empty() || unit_of_length(problem) ? why : kNeedsLength;
+}
+
+const Walls& walls_of(const Problem& problem, const std::string& who) {
+  if (const std::string why = why_no_walls(problem); !why.empty()) throw InputError(who + " " + why);
+  return find_ability<HasWalls>(*problem.manifold)->walls();
+}
+
+double cost_of_length(const Problem& problem, const std::string& who) {
+  const std::optional<double> unit = unit_of_length(problem);
+  if (!unit) throw InputError(who + " " + kNeedsLength);
+  return *unit;
 }
 
 bool deliver_plan(const Problem& problem, const Walls& walls, double unit, const TightPath& path,

@@ -18,6 +18,9 @@ struct TightPath {
   double least = 0;   ///< what it may come down to: in the plane no path of the class is shorter
 };
 
+/// Why paths cannot be pulled tight among the obstacles of a problem; empty: they can.
+std::string why_no_tight_path(const Problem& problem);
+
 /// The obstacles of the plane or of space. Throws InputError, which begins with `who`, where there are none, where
 /// those in the plane are not made of discs, and for rings.
 const Walls& walls_of(const Problem& problem, const std::string& who);

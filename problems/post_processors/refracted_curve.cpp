@@ -46,17 +46,22 @@ Points spaced_by_cost(const Points& x, const Eigen::VectorXd& legs, Index column
   return points;
 }
 
-const LayerStack& layers_of(const Problem& problem, const std::string& who) {
+std::string why_no_refraction(const Problem& problem) {
   const auto* cost = find_ability<HasLayers>(*problem.cost);
-  if (cost == nullptr) throw InputError(who + " needs a cost with layers");
-  if (problem.ring || problem.based) throw InputError(who + " joins two ends, and this path is a ring");
+  if (cost == nullptr) return "needs a cost with layers";
+  if (problem.ring || problem.based) return "joins two ends, and this path is a ring";
   const ConstraintManifold& manifold = *problem.manifold;
   const Dimensions d = manifold.dimensions();
   const bool free = manifold.shape() == Shape::flat && d.coordinate == d.ambient && d.tangent == d.ambient &&
                     find_ability<HasChart>(manifold) == nullptr && find_ability<ChecksMoves>(manifold) == nullptr;
   if (!free || d.ambient != cost->layers().dimension())
-    throw InputError(who + " needs the plane or space, or a box of it, without obstacles");
-  return cost->layers();
+    return "needs the plane or space, or a box of it, without obstacles";
+  return "";
+}
+
+const LayerStack& layers_of(const Problem& problem, const std::string& who) {
+  if (const std::string why = why_no_refraction(problem); !why.empty()) throw InputError(who + " " + why);
+  return find_ability<HasLayers>(*problem.cost)->layers();
 }
 
 bool is_in_box(const Problem& problem, const Points& polyline) {

@@ -11,6 +11,9 @@
 
 namespace leastcost {
 
+/// Why paths cannot be refracted at interfaces; empty: they can.
+std::string why_no_refraction(const Problem& problem);
+
 /// The layers of the cost. Throws InputError, which begins with `who`, where it has none, for rings, and where points
 /// are not free in R^d or a box.
 const LayerStack& layers_of(const Problem& problem, const std::string& who);

@@ -20,6 +20,7 @@ class ShortestPostProcessor final : public PostProcessor {
  public:
   explicit ShortestPostProcessor(GlobalProof proof = GlobalAuto{});
   std::string_view name() const override { return "shortest"; }
+  bool bounds_all_paths() const override { return true; }
   PostProcessed apply(const Problem& problem, const FirstPath& first, PostProcessed current,
                       const Monitor& monitor) const override;
 

@@ -16,6 +16,7 @@ class ShortestPlanPostProcessor final : public PostProcessor {
  public:
   explicit ShortestPlanPostProcessor(GlobalProof proof = GlobalAuto{}) : proof_(std::move(proof)) {}
   std::string_view name() const override { return "shortest_plan"; }
+  bool bounds_all_paths() const override { return true; }
   PostProcessed apply(const Problem& problem, const FirstPath& first, PostProcessed current,
                       const Monitor& monitor) const override;
 

@@ -28,7 +28,7 @@ void write_line(const std::string& family, std::uint64_t seed, const Result& r,
       << (c.resolution ? word_of(c.resolution->verdict) : "not examined") << ',' << feature << ','
       << (c.resolution ? c.resolution->narrowest.value_or(0) : 0) << ','
       << (c.levels.size() > 2 ? c.levels[2].segments : 0) << ',' << r.seconds.solve + r.seconds.certify << ',';
-  for (const CertificateFailure& f : c.failures) out << f.name << ' ';
+  for (const CertificateFailure& f : c.failures) out << f.name() << ' ';
   out << ',' << (r.notes.empty() ? "" : '"' + r.notes.back() + '"') << '\n';
 }
 
@@ -70,7 +70,7 @@ Tally measure(const AdversaryFamily& family, std::uint64_t first, int count, con
       tally.false_ones += outcome == "false";
       tally.cautious += outcome == "cautious";
       if (outcome == "cautious")
-        for (const CertificateFailure& f : r.certificate.failures) ++tally.reasons[f.name];
+        for (const CertificateFailure& f : r.certificate.failures) ++tally.reasons[f.name()];
     }
     write_line(family.name, seed, r, truth, a.feature, outcome);
   }

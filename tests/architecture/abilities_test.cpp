@@ -37,7 +37,7 @@ std::string matches(const fs::path& root, const std::string& folder, const std::
 std::string casts(const fs::path& root) {
   static const std::regex cast("dynamic_(pointer_)?cast\\b");
   std::string found;
-  for (const char* layer : {"framework", "problems", "solvers", "catalogue", "app"})
+  for (const char* layer : {"framework", "problems", "solvers", "recipes", "catalogue", "app"})
     found += matches(root, layer, cast, "framework/base/ability.hpp");
   return found;
 }

@@ -29,8 +29,8 @@ struct Include {
   bool open = false;   ///< written <leastcost/...>: installed
 };
 
-constexpr std::array<std::string_view, 7> kLayers = {"framework", "problems",  "solvers", "ompl",
-                                                     "gdal",      "catalogue", "app"};
+constexpr std::array<std::string_view, 8> kLayers = {"framework", "problems", "solvers",   "recipes",
+                                                     "ompl",      "gdal",     "catalogue", "app"};
 
 constexpr std::string_view kPublic = "leastcost/";
 
@@ -92,10 +92,11 @@ const Arrows& layers() {
   static const Arrows table = {{"framework", {}},
                                {"problems", {"framework"}},
                                {"solvers", {"framework"}},
+                               {"recipes", {"framework", "problems", "solvers"}},
                                {"ompl", {"framework", "problems", "solvers"}},
                                {"gdal", {"framework", "problems"}},
-                               {"catalogue", {"framework", "problems", "solvers"}},
-                               {"app", {"framework", "problems", "solvers", "catalogue"}}};
+                               {"catalogue", {"framework", "problems", "solvers", "recipes"}},
+                               {"app", {"framework", "problems", "solvers", "recipes", "catalogue"}}};
   return table;
 }
 
@@ -108,6 +109,11 @@ const Arrows& rooms() {
       "problems/cells",      "problems/level_set", "problems/mesh",    "problems/obstacles",    "problems/occupancy",
       "problems/raster",     "problems/readers",   "problems/robots",  "problems/section",      "problems/spline",
       "problems/straighten", "problems/taut",      "problems/tensor",  "problems/bracket/space"};
+  static const std::set<std::string> and_post_processors = [] {
+    std::set<std::string> rooms = subjects;  // domains offer the proofs that speak of them
+    rooms.insert("problems/post_processors");
+    return rooms;
+  }();
   static const Arrows table = {
       {"framework/base", {}},
       {"framework/numbers", {}},
@@ -168,7 +174,7 @@ const Arrows& rooms() {
       {"problems/kernels", {}},
       {"problems/costs", subjects},
       {"problems/initializers", subjects},
-      {"problems/manifolds", subjects},
+      {"problems/manifolds", and_post_processors},
       {"problems/post_processors", subjects},
       {"catalogue/yaml", {}},
       {"catalogue/inputs", {"catalogue/yaml", "catalogue/back_ends"}},

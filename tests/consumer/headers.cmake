@@ -12,7 +12,7 @@ endfunction()
 function(no_internal_header prefix)
   file(GLOB_RECURSE headers RELATIVE ${prefix}/include ${prefix}/include/*.hpp)
   set(reached leastcost/leastcost.hpp leastcost/version.hpp leastcost/framework/framework.hpp leastcost/framework/numbers/numbers.hpp
-    leastcost/framework/check/check.hpp
+    leastcost/framework/check/check.hpp leastcost/recipes/recipes.hpp
     leastcost/problems/problems.hpp leastcost/solvers/solvers.hpp leastcost/catalogue/catalogue.hpp
     leastcost/ompl/ompl.hpp leastcost/gdal/gdal.hpp)
   foreach(back_end IN LISTS BACK_ENDS)
@@ -42,6 +42,7 @@ endfunction()
 # with a strict consumer's warnings.
 function(headers_compile prefix eigen)
   file(GLOB_RECURSE sources ${SOURCE_DIR}/framework/*.cpp ${SOURCE_DIR}/problems/*.cpp ${SOURCE_DIR}/solvers/*.cpp
+    ${SOURCE_DIR}/recipes/*.cpp
     ${SOURCE_DIR}/ompl/*.cpp ${SOURCE_DIR}/gdal/*.cpp ${SOURCE_DIR}/catalogue/*.cpp)
   set(first "")
   foreach(source IN LISTS sources)

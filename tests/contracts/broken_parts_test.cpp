@@ -117,7 +117,7 @@ TEST_CASE("a post-processor that returns what is no curve with the points on it,
     CHECK(result.path.u.cols() == 12);
     CHECK(result.curve.cost == Approx(std::sqrt(2.0)));
     REQUIRE(result.certificate.failures.size() == 1);
-    CHECK(result.certificate.failures[0].name == "post_process");
+    CHECK(result.certificate.failures[0].name() == "post_process");
     CHECK(result.certificate.failures[0].message.size() >= 40);
     CHECK(result.notes == std::vector<std::string>{"the first step"});
   }
@@ -136,7 +136,7 @@ TEST_CASE("a cost that throws while the path is certified takes nothing away fro
   CHECK(result.status == Status::uncertified);
   CHECK(result.path.u.cols() == 22);
   REQUIRE(result.certificate.failures.size() == 1);
-  CHECK(result.certificate.failures[0].name == "exception");
+  CHECK(result.certificate.failures[0].name() == "exception");
   CHECK_THAT(result.certificate.failures[0].message, Catch::Contains("late boom"));
 }
 

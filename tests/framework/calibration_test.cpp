@@ -207,7 +207,7 @@ TEST_CASE("a surface by equation: details and second sheets beside the path", "[
     const Result result = find(between_on(f, a, b), 64);
     CHECK(result.status == Status::uncertified);
     REQUIRE_FALSE(result.certificate.failures.empty());
-    CHECK(result.certificate.failures.front().name == "unresolved");
+    CHECK(result.certificate.failures.front().name() == "unresolved");
   }
   // Through the apex of a cone, which has no normal.
   const Problem cone = between_on("z^2 - x^2 - y^2", {1, 0, 1}, {-1, 0, -1});

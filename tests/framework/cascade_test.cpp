@@ -29,7 +29,7 @@ TEST_CASE("cascade: the path of a direct solve, for any number of points", "[fra
   const int points = GENERATE(1, 16, 31, 62, 100, 255);
   Problem problem = bead(Eigen::Vector2d(0, 0), Eigen::Vector2d(std::numbers::pi, -2));
   Run run = start(problem, points);
-  const SolveReport report = solve_by_cascade(problem, Newton(), run.s0, run.path, {});
+  const SolveReport report = solve_by_cascade(problem, Newton(), run.s0, run.path, {}).report;
   CAPTURE(points, name(report.termination));
   CHECK(report.termination == Termination::converged);
   CHECK(run.path.u.cols() == points + 2);
@@ -44,8 +44,8 @@ TEST_CASE("cascade: a few Newton steps per doubling", "[framework]") {
   Problem problem = bead(Eigen::Vector2d(0, 0), Eigen::Vector2d(std::numbers::pi, -2), 1, 0, TravelTimeRule::chute,
                          make_kernel<Square>());
   Run coarse = start(problem, 15), fine = start(problem, 1023);
-  const int first = solve_by_cascade(problem, Newton(), coarse.s0, coarse.path, {}).iterations;
-  const int all = solve_by_cascade(problem, Newton(), fine.s0, fine.path, {}).iterations;
+  const int first = solve_by_cascade(problem, Newton(), coarse.s0, coarse.path, {}).report.iterations;
+  const int all = solve_by_cascade(problem, Newton(), fine.s0, fine.path, {}).report.iterations;
   CAPTURE(first, all);
   CHECK(all - first <= 6 * 5);  // six doublings; a prototype took 3 each
 }

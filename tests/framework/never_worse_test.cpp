@@ -138,7 +138,7 @@ TEST_CASE("never worse: few points around a disc, certified but dearer than the 
   const Result few = find_path(problem, first, Newton(), options);
   const double first_cost = PathEnergy(problem, 1).cost(few.first.path);
   REQUIRE(few.status == Status::uncertified);
-  CHECK(few.certificate.failures.front().name == "dearer_than_first");
+  CHECK(few.certificate.failures.front().name() == "dearer_than_first");
   CHECK_THAT(few.certificate.failures.front().message, Catch::Contains("use more points"));
   CHECK(says_first(few));
   CHECK(few.curve.cost == Approx(first_cost));

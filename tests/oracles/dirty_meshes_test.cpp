@@ -48,7 +48,7 @@ std::string outcome(const std::shared_ptr<const MeshManifold>& domain, std::int3
     const Index m = edges.cols() - 1;
     const auto& failures = result.certificate.failures;
     const bool straightened = std::none_of(failures.begin(), failures.end(),
-                                           [](const CertificateFailure& f) { return f.name == "post_process"; });
+                                           [](const CertificateFailure& f) { return f.name() == "post_process"; });
     if (straightened)
       CHECK(result.curve.cost <= (edges.rightCols(m) - edges.leftCols(m)).colwise().norm().sum() * (1 + 1e-12));
     // What is certified is straight by the independent checker; what is not says why.

@@ -132,7 +132,7 @@ TEST_CASE("a chain across interfaces is refused by name", "[oracle]") {
     const Result result = find(problem, points);
     CHECK(result.status == Status::uncertified);
     REQUIRE_FALSE(result.certificate.failures.empty());
-    CHECK(result.certificate.failures.front().name == "interfaces");
+    CHECK(result.certificate.failures.front().name() == "interfaces");
     CHECK(result.curve.cost >= kSnell * (1 - 1e-14));
     CHECK(result.curve.cost <= kSnell * 1.01);
     check_result(refracted(problem, points, StraightInitializer(), GlobalAuto{}, Newton()), kSnell, points);

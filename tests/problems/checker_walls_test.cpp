@@ -96,7 +96,7 @@ TEST_CASE("checker walls: around a disc as among obstacles, by values alone, wit
     FindOptions options;
     options.points = 60;
     const Result result = find_path(problem, BowInitializer(), Newton(), options);
-    for (const auto& failure : result.certificate.failures) UNSCOPED_INFO(failure.name + ": " + failure.message);
+    for (const auto& failure : result.certificate.failures) UNSCOPED_INFO(failure.name() + ": " + failure.message);
     CHECK(result.status == Status::certified);
     CHECK(result.curve.cost > truth);
     CHECK(result.curve.cost < truth * (1 + (kind < 2 ? 2e-3 : 5e-4)));

@@ -82,7 +82,7 @@ TEST_CASE("clearance length: around a disc it is the ray that shooting finds") {
     FindOptions options;
     options.points = points;
     const Result result = find_path(problem, BowInitializer(BowOptions{.height = 0.3}), Newton(), options);
-    for (const auto& failure : result.certificate.failures) UNSCOPED_INFO(failure.name + ": " + failure.message);
+    for (const auto& failure : result.certificate.failures) UNSCOPED_INFO(failure.name() + ": " + failure.message);
     CAPTURE(points, truth, result.certificate.estimate.value, result.certificate.estimate.error);
     CHECK(result.status == Status::certified);
     CHECK(std::abs(result.certificate.estimate.value - truth) <= result.certificate.estimate.error);

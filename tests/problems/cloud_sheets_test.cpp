@@ -46,7 +46,7 @@ Result across_spheres(const std::shared_ptr<const ConstraintManifold>& domain, c
 
 std::string message_of_failure(const Certificate& c, const std::string& name) {
   for (const CertificateFailure& f : c.failures)
-    if (f.name == name) return f.message;
+    if (f.name() == name) return f.message;
   return "";
 }
 

@@ -172,11 +172,12 @@ TEST_CASE("free space: points that are pushed out of walls are spaced again") {
   Problem problem = across(plane({disc(0, -0.05, 1)}));
   CoordinatePath path{Points::Zero(2, 42), {}, false};
   path.u.row(0).setLinSpaced(-2, 2);
-  const SolveReport report = solve_fitted(problem, Newton(), 4.0 / 41, path, {});
+  const FittedSolve solved = solve_fitted(problem, Newton(), 4.0 / 41, path, {});
+  const SolveReport& report = solved.report;
   CHECK(report.termination == Termination::converged);
   CAPTURE(report.iterations);
   CHECK(report.iterations <= 20);
-  const Eigen::VectorXd costs = PathEnergy(problem, 1).costs(path);
+  const Eigen::VectorXd costs = PathEnergy(solved.problem, 1).costs(path);
   CHECK(costs.maxCoeff() <= 1.01 * costs.minCoeff());
 }
 
@@ -185,8 +186,9 @@ TEST_CASE("free space: a finer chain is placed for its own moves, not for those 
   Problem problem = across(plane({disc(0, 0.1, 0.02)}));
   CoordinatePath path{Points::Zero(2, 12), {}, false};
   path.u.row(0).setLinSpaced(-2, 2);
-  REQUIRE(is_solved(solve_fitted(problem, Newton(), 4.0 / 11, path, {}).termination));
-  const CoordinatePath fine = refine(problem, path);
+  const FittedSolve solved = solve_fitted(problem, Newton(), 4.0 / 11, path, {});
+  REQUIRE(is_solved(solved.report.termination));
+  const CoordinatePath fine = refine(solved.problem, path);
   for (Index i = 1; i < fine.u.cols(); i += 2) {
     const Vector2d middle = (fine.u.col(i - 1) + fine.u.col(i + 1)) / 2;
     CHECK((fine.u.col(i) - middle).norm() < 0.01);
@@ -198,7 +200,7 @@ TEST_CASE("free space: a chain with too few points for a gate ends soon") {
       across(plane({disc(0, 0.08, 0.05), disc(0, -0.08, 0.05), disc(0.5, 0.3, 0.2), disc(0.5, -0.3, 0.2)}));
   CoordinatePath path{Points::Zero(2, 7), {}, false};
   path.u.row(0).setLinSpaced(-2, 2);
-  const SolveReport report = solve_fitted(problem, Newton(), 4.0 / 6, path, {});
+  const SolveReport report = solve_fitted(problem, Newton(), 4.0 / 6, path, {}).report;
   CAPTURE(report.iterations, report.counters.energies, name(report.termination));
   CHECK(report.counters.energies < 200);
 }

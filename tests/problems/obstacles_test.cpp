@@ -350,7 +350,7 @@ class Restless final : public ConstraintManifold, public ChecksMoves, public Fit
 
 bool fails_by(const Result& result, std::string_view name) {
   const auto& failures = result.certificate.failures;
-  return std::any_of(failures.begin(), failures.end(), [&](const auto& failure) { return failure.name == name; });
+  return std::any_of(failures.begin(), failures.end(), [&](const auto& failure) { return failure.name() == name; });
 }
 
 }  // namespace
@@ -361,7 +361,7 @@ TEST_CASE("obstacles: a path through one is not certified, and says where") {
   const Result result = solve(problem, 20, StraightInitializer());
   CHECK(result.status == Status::uncertified);
   REQUIRE(result.certificate.failures.size() == 1);
-  CHECK(result.certificate.failures.front().name == "touches");
+  CHECK(result.certificate.failures.front().name() == "touches");
   CHECK_THAT(result.certificate.failures.front().message, Catch::Contains("the post"));
 }
 

@@ -189,7 +189,7 @@ TEST_CASE("taut: from the solved chain where the first path goes through") {
   CHECK(result.certificate.scope == "least_of_class");
   const Result left = find_path(problem, WaypointsInitializer(Vector2d(0, -0.9)), NoSolver(), pulled_tight(40));
   CHECK(left.status == Status::uncertified);
-  CHECK(left.certificate.failures.front().name == "touches");
+  CHECK(left.certificate.failures.front().name() == "touches");
 }
 
 TEST_CASE("taut: what it cannot do is said") {

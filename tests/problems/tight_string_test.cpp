@@ -72,7 +72,7 @@ void check_plan(ObstacleWalls::Obstacles obstacles, double clearance, const std:
   const Result result = find_path(problem, WaypointsInitializer(between), NoSolver(), options);
   const Certificate& certificate = result.certificate;
   CAPTURE(certificate.estimate.value, certificate.estimate.error, length);
-  for (const auto& failure : certificate.failures) UNSCOPED_INFO(failure.name << ": " << failure.message);
+  for (const auto& failure : certificate.failures) UNSCOPED_INFO(failure.name() << ": " << failure.message);
   CHECK(result.status == Status::certified);
   CHECK(certificate.scope == "local");
   REQUIRE(certificate.clearance);

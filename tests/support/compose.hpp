@@ -77,14 +77,14 @@ inline Certificate certify_chain(const Problem& problem, const CoordinatePath& c
 
 inline bool failed(const Certificate& certificate, std::string_view name) {
   for (const CertificateFailure& failure : certificate.failures)
-    if (failure.name == name) return true;
+    if (failure.name() == name) return true;
   return false;
 }
 
 /// All failures in one line, for messages.
 inline std::string failures(const Certificate& certificate) {
   std::string text = certificate.measured ? "" : "not measured";
-  for (const CertificateFailure& failure : certificate.failures) text += failure.name + ": " + failure.message + "; ";
+  for (const CertificateFailure& failure : certificate.failures) text += failure.name() + ": " + failure.message + "; ";
   return text.empty() ? "certified" : text;
 }
 

@@ -23,7 +23,7 @@ double energy_slope(const Problem& problem, const Result& result) {
 
 std::string failures_of(const Certificate& certificate) {
   std::string names;
-  for (const CertificateFailure& f : certificate.failures) names += (names.empty() ? "" : ";") + f.name;
+  for (const CertificateFailure& f : certificate.failures) names += (names.empty() ? "" : ";") + f.name();
   return names;
 }
 

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <leastcost/framework/problem/problem.hpp>
+#include <leastcost/recipes/methods.hpp>
+
+namespace leastcost {
+
+/// What the objects of a problem say about themselves (their abilities). `problem`: with a domain and a cost.
+ProblemFacts facts_of(const Problem& problem);
+
+}  // namespace leastcost

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/recipes/methods.hpp>
+
+#include <array>
+#include <variant>
+
+namespace leastcost {
+namespace {
+
+bool is_plane(const ProblemFacts& facts) { return facts.euclidean && facts.coordinates == 2; }
+
+/// Without obstacles and robots, where a path can be refracted at interfaces.
+bool is_free(const ProblemFacts& facts) { return facts.euclidean && !facts.ring && !facts.robot && !facts.obstacles; }
+
+bool refracts(const ProblemFacts& facts) { return is_free(facts) && facts.layers; }
+bool refracts_in_cells(const ProblemFacts& facts) { return is_free(facts) && facts.cells; }
+
+bool is_asked_for(const GlobalProof& proof) { return std::holds_alternative<GlobalBudget>(proof); }
+
+}  // namespace
+
+Words<FirstPathMethod> words(FirstPathMethod) {
+  static constexpr std::array<Word<FirstPathMethod>, 7> kWords = {{{FirstPathMethod::none, ""},
+                                                                   {FirstPathMethod::straight, "straight"},
+                                                                   {FirstPathMethod::dijkstra, "dijkstra"},
+                                                                   {FirstPathMethod::cell_graph, "cell_graph"},
+                                                                   {FirstPathMethod::grid, "grid"},
+                                                                   {FirstPathMethod::eikonal, "eikonal"},
+                                                                   {FirstPathMethod::rrt, "rrt"}}};
+  return kWords;
+}
+
+Words<SolveMethod> words(SolveMethod) {
+  static constexpr std::array<Word<SolveMethod>, 3> kWords = {
+      {{SolveMethod::none, "none"}, {SolveMethod::newton, "newton"}, {SolveMethod::lbfgs, "lbfgs"}}};
+  return kWords;
+}
+
+Words<CurveMethod> words(CurveMethod) {
+  static constexpr std::array<Word<CurveMethod>, 6> kWords = {{{CurveMethod::on_surface, "on_surface"},
+                                                               {CurveMethod::trace, "trace"},
+                                                               {CurveMethod::straighten, "straighten"},
+                                                               {CurveMethod::taut, "taut"},
+                                                               {CurveMethod::refract, "refract"},
+                                                               {CurveMethod::refract_cells, "refract_cells"}}};
+  return kWords;
+}
+
+FirstPathMethod recommended_first_path(const ProblemFacts& facts) {
+  if (facts.ring) return FirstPathMethod::none;
+  if (refracts_in_cells(facts) && is_plane(facts)) return FirstPathMethod::cell_graph;
+  if (!facts.robot) {
+    if ((is_plane(facts) || facts.terrain) && facts.field) return FirstPathMethod::eikonal;
+    if (facts.obstacles && facts.chart) return FirstPathMethod::eikonal;
+    if (facts.obstacles && is_plane(facts)) return FirstPathMethod::grid;
+  }
+  if (facts.robot || facts.obstacles) return FirstPathMethod::rrt;
+  return facts.graph ? FirstPathMethod::dijkstra : FirstPathMethod::straight;
+}
+
+std::string_view why(FirstPathMethod method, const ProblemFacts& facts) {
+  switch (method) {
+    case FirstPathMethod::none: return "a ring has no default first path: give one";
+    case FirstPathMethod::straight: return "nothing stands between the ends, and the cost names no other way";
+    case FirstPathMethod::dijkstra: return "the domain has edges, and the shortest path along them is near the least";
+    case FirstPathMethod::cell_graph: return "the cost is constant in each cell: a graph over the sides of the cells";
+    case FirstPathMethod::grid: return "obstacles in the plane: a grid sees the ways around them";
+    case FirstPathMethod::eikonal:
+      return facts.obstacles ? "obstacles on a chart: a field over two coordinates sees the ways around them"
+                             : "the cost depends on the place: a field over two coordinates sees the ways on all sides";
+    case FirstPathMethod::rrt: return "obstacles in more than two coordinates: random trees find a way";
+  }
+  return "";
+}
+
+bool makes_exact_curves(const ProblemFacts& facts) {
+  return facts.pulls_tight || refracts(facts) || refracts_in_cells(facts);
+}
+
+SolveMethod recommended_solver(const ProblemFacts& facts, bool exact_curve) {
+  if (exact_curve) return SolveMethod::none;
+  return facts.mesh ? SolveMethod::lbfgs : SolveMethod::newton;
+}
+
+std::vector<CurveMethod> recommended_curve(const ProblemFacts& facts) {
+  std::vector<CurveMethod> steps;
+  if (facts.level_set) steps.push_back(CurveMethod::on_surface);
+  if (facts.mesh) steps.push_back(CurveMethod::trace);
+  if (facts.mesh && facts.constant_metric) steps.push_back(CurveMethod::straighten);
+  if (facts.pulls_tight) steps.push_back(CurveMethod::taut);
+  if (refracts(facts)) steps.push_back(CurveMethod::refract);
+  if (refracts_in_cells(facts)) steps.push_back(CurveMethod::refract_cells);
+  return steps;
+}
+
+bool proves_over_all_classes(const ProblemFacts& facts, const FirstPathFacts& first, const GlobalProof& asked) {
+  if (facts.ring || std::holds_alternative<GlobalOff>(asked)) return false;
+  if (refracts(facts) && first.straight) return true;
+  if (refracts_in_cells(facts)) return true;
+  if (first.states_class) return false;
+  if (refracts(facts)) return true;
+  if (facts.pulls_tight && facts.coordinates == 2) return true;
+  return facts.mesh && facts.constant_metric && (!facts.occupancy || is_asked_for(asked));
+}
+
+bool brackets_in_box(const ProblemFacts& facts, const FirstPathFacts& first, const GlobalProof& asked) {
+  return is_asked_for(asked) && (facts.euclidean || facts.terrain) && !proves_over_all_classes(facts, first, asked);
+}
+
+}  // namespace leastcost

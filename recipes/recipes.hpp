@@ -1,0 +1,9 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// Which method fits which problem: what a run does when nothing is asked for, in C++ as in a configuration.
+
+#include <leastcost/recipes/find_path.hpp>
+#include <leastcost/recipes/recommended.hpp>

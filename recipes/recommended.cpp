@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/recipes/recommended.hpp>
+
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/problems/initializers/cell_graph.hpp>
+#include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/initializers/eikonal.hpp>
+#include <leastcost/problems/initializers/grid.hpp>
+#include <leastcost/problems/initializers/rrt.hpp>
+#include <leastcost/problems/initializers/straight.hpp>
+#include <leastcost/problems/post_processors/global_proof.hpp>
+#include <leastcost/problems/post_processors/on_surface.hpp>
+#include <leastcost/problems/post_processors/refract.hpp>
+#include <leastcost/problems/post_processors/refract_cells.hpp>
+#include <leastcost/problems/post_processors/straighten.hpp>
+#include <leastcost/problems/post_processors/taut.hpp>
+#include <leastcost/problems/post_processors/trace.hpp>
+#include <leastcost/recipes/facts.hpp>
+#include <leastcost/solvers/lbfgs.hpp>
+#include <leastcost/solvers/newton.hpp>
+#include <leastcost/solvers/no_solver.hpp>
+
+namespace leastcost {
+namespace {
+
+std::shared_ptr<const Initializer> make(FirstPathMethod method, bool diagonals) {
+  switch (method) {
+    case FirstPathMethod::none: return nullptr;
+    case FirstPathMethod::straight: return std::make_shared<const StraightInitializer>();
+    case FirstPathMethod::dijkstra:
+      return std::make_shared<const DijkstraInitializer>(DijkstraOptions{.diagonals = diagonals});
+    case FirstPathMethod::cell_graph: return std::make_shared<const CellGraphInitializer>();
+    case FirstPathMethod::grid: return std::make_shared<const GridInitializer>();
+    case FirstPathMethod::eikonal: return std::make_shared<const EikonalInitializer>(EikonalOptions{.fallback = true});
+    case FirstPathMethod::rrt: return std::make_shared<const RrtInitializer>();
+  }
+  return nullptr;
+}
+
+std::shared_ptr<const Solver> make(SolveMethod method) {
+  switch (method) {
+    case SolveMethod::none: return std::make_shared<const NoSolver>();
+    case SolveMethod::newton: return std::make_shared<const Newton>();
+    case SolveMethod::lbfgs: return std::make_shared<const Lbfgs>();
+  }
+  return nullptr;
+}
+
+std::shared_ptr<const PostProcessor> make(CurveMethod method) {
+  switch (method) {
+    case CurveMethod::on_surface: return std::make_shared<const OnSurfacePostProcessor>();
+    case CurveMethod::trace: return std::make_shared<const TracePostProcessor>();
+    case CurveMethod::straighten: return std::make_shared<const StraightenPostProcessor>();
+    case CurveMethod::taut: return std::make_shared<const TautPostProcessor>();
+    case CurveMethod::refract: return std::make_shared<const RefractPostProcessor>();
+    case CurveMethod::refract_cells: return std::make_shared<const RefractCellsPostProcessor>();
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+Recipe recommended(const Problem& problem, const FindOptions& options) {
+  if (!problem.manifold || !problem.cost) throw InputError("a recipe needs a problem with a manifold and a cost");
+  const ProblemFacts facts = facts_of(problem);
+  const FirstPathMethod first = recommended_first_path(facts);
+  const FirstPathFacts start{.straight = first == FirstPathMethod::straight};
+  const GlobalProof asked = options.certificate.enabled ? options.certificate.global : GlobalProof(GlobalOff{});
+  const bool proved = proves_over_all_classes(facts, start, asked), exact = makes_exact_curves(facts) || proved;
+  const SolveMethod solver = recommended_solver(facts, exact);
+
+  Recipe recipe;
+  recipe.initializer = make(first, exact && facts.mesh && !facts.occupancy);
+  recipe.solver = make(solver);
+  for (const CurveMethod step : recommended_curve(facts)) recipe.post_processors.push_back(make(step));
+  recipe.why.push_back("first path: " + std::string(why(first, facts)));
+  recipe.why.push_back("solver: " + (solver == SolveMethod::none
+                                         ? std::string("none, for a post-processor makes the curve by itself")
+                                         : "the chain has to be solved"));
+  if (!proved && !brackets_in_box(facts, start, asked)) return recipe;
+  GlobalProofStep proof = global_proof(problem, options.certificate.global);
+  recipe.why.push_back("proof over all paths: " + (proof.step ? std::string(proof.step->name()) : proof.why_not));
+  if (proof.step) recipe.post_processors.push_back(std::move(proof.step));
+  return recipe;
+}
+
+}  // namespace leastcost

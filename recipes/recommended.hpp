@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <leastcost/framework/energy/solver.hpp>
+#include <leastcost/framework/problem/initializer.hpp>
+#include <leastcost/framework/problem/post_processor.hpp>
+#include <leastcost/framework/problem/problem.hpp>
+#include <leastcost/framework/search/find_path.hpp>
+
+namespace leastcost {
+
+/// The methods that are recommended for a problem: what a configuration without options would run.
+struct Recipe {
+  std::shared_ptr<const Initializer> initializer;  ///< null for a ring, which has no default
+  std::shared_ptr<const Solver> solver;
+  std::vector<std::shared_ptr<const PostProcessor>> post_processors;  ///< the proof over all paths comes last
+  std::vector<std::string> why;                                       ///< one sentence for each choice
+};
+
+/// Decided by what the objects of the problem are (facts_of), and by `options.certificate`: whether a proof over all
+/// paths is wanted. Throws InputError for a problem without a domain or a cost.
+Recipe recommended(const Problem& problem, const FindOptions& options = {});
+
+}  // namespace leastcost

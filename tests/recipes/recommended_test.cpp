@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+// What is recommended for a problem, by what its objects are (recipes), and that it is what a configuration runs.
+#include <cmath>
+#include <numbers>
+
+#include <leastcost/leastcost.hpp>
+
+#include "catalogue/run/run.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/data.hpp"
+
+namespace leastcost::test {
+namespace {
+
+using Eigen::Vector2d, Eigen::Vector3d;
+
+std::shared_ptr<const ConstraintManifold> plane(const BoxOptions& box = {}) {
+  return std::make_shared<EuclideanManifold>(EuclideanManifoldOptions{.dimension = 2, .box = box});
+}
+
+Problem across(std::shared_ptr<const ConstraintManifold> domain, std::shared_ptr<const SegmentCost> cost) {
+  Problem problem;
+  problem.manifold = std::move(domain);
+  problem.cost = std::move(cost);
+  problem.source.u = Vector2d(-2, 0.1);
+  problem.target.u = Vector2d(2, -0.1);
+  return problem;
+}
+
+Problem around_discs() {
+  FreeSpace::Obstacles discs = {make_ball({.center = Vector2d(0, 0), .radius = 0.5})};
+  return across(std::make_shared<FreeSpace>(plane(), std::move(discs), 0), make_euclidean_cost(2));
+}
+
+const BoxOptions kBox{.lower = Vector2d(-3, -3), .upper = Vector2d(3, 3)};
+
+std::shared_ptr<const SegmentCost> lens() {
+  return make_refractive_index_cost({.index = refraction::Formula{.n = "1 + 2 * exp(-x^2 - y^2)"}}, 2);
+}
+
+Problem on_hill() {
+  const auto mesh = std::make_shared<MeshManifold>(TriangleMesh(read_mesh(project_dir() / "configs/data/hill.obj")));
+  Problem problem;
+  problem.manifold = mesh;
+  problem.cost = make_euclidean_cost(3);
+  problem.source = mesh->vertex(0);
+  problem.target = mesh->vertex(120);
+  return problem;
+}
+
+std::string names(const Recipe& recipe) {
+  std::string text = recipe.initializer ? std::string(recipe.initializer->name()) : "-";
+  text += " " + std::string(recipe.solver->name());
+  for (const auto& step : recipe.post_processors) text += " " + std::string(step->name());
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("recipes: the objects of a problem decide") {
+  CHECK(names(recommended(across(plane(), make_euclidean_cost(2)))) == "straight newton");
+  CHECK(names(recommended(across(plane(), lens()))) == "eikonal newton");
+  CHECK(names(recommended(across(plane(), make_travel_time_cost({.start_speed = 1}, 2, Vector2d(-2, 0.1))))) ==
+        "straight newton");
+  CHECK(names(recommended(around_discs())) == "grid none taut shortest_plan");
+  CHECK(names(recommended(on_hill())) == "dijkstra none trace straighten shortest");
+  FindOptions local;
+  local.certificate.global = GlobalOff{};
+  CHECK(names(recommended(on_hill(), local)) == "dijkstra lbfgs trace straighten");
+  FindOptions bounded;
+  bounded.certificate.global = GlobalBudget{.tolerance = 1e-3};
+  CHECK(names(recommended(across(plane(kBox), lens()), bounded)) == "eikonal newton bracket");
+  Problem ring = around_discs();
+  ring.ring = true;
+  CHECK(names(recommended(ring)) == "- newton");
+  CHECK_THROWS_WITH(find_path(ring), Catch::Contains("a ring has no default first path"));
+  CHECK_THROWS_WITH(recommended({}), Catch::Contains("needs a problem with a manifold and a cost"));
+}
+
+TEST_CASE("recipes: a mesh geodesic is proved by default") {
+  const Result result = find_path(on_hill());
+  CHECK(result.certificate.certified());
+  CHECK(result.certificate.scope == "global_on_polyhedron");
+}
+
+TEST_CASE("recipes: a bound that is asked for is made, whoever chooses the methods") {
+  FindOptions options;
+  options.certificate.global = GlobalBudget{.tolerance = 1e-3};
+  Problem problem = across(plane(kBox), lens());
+  const Result recommended = find_path(problem, options);
+  problem.kernel = make_kernel<Expm1Square>();
+  const Result chosen = find_path(problem, EikonalInitializer(), Newton(), options);
+  for (const Result* result : {&recommended, &chosen}) {
+    REQUIRE(result->certificate.global);
+    CHECK(result->certificate.global->proved);
+    CHECK(result->certificate.scope == "global");
+    CHECK(result->certificate.global->lower_bound <= result->certificate.estimate.value);
+  }
+  Problem mesh = on_hill();
+  mesh.kernel = problem.kernel;
+  options.certificate.global = GlobalBudget{};
+  const Result walked = find_path(mesh, DijkstraInitializer(), Lbfgs(), options);
+  CHECK(walked.certificate.scope == "global_on_polyhedron");
+}
+
+TEST_CASE("recipes: a bound that nobody can make is a note") {
+  FindOptions options;
+  options.certificate.global = GlobalBudget{};
+  Problem problem = across(plane(), lens());  // no box
+  problem.kernel = make_kernel<Expm1Square>();
+  const Result result = find_path(problem, StraightInitializer(), Newton(), options);
+  CHECK_FALSE(result.certificate.global);
+  CHECK_THAT(result.notes.back(), Catch::Contains("certificate.global: no bound over all paths"));
+  CHECK_THAT(result.notes.back(), Catch::Contains("give the manifold finite bounds"));
+}
+
+TEST_CASE("recipes: a configuration without options runs the same methods") {
+  struct Same {
+    const char* config;
+    Problem problem;
+  };
+  const Same same = GENERATE(
+      Same{"{manifold: {type: mesh, file: hill.obj}, cost: euclidean, ends: {source: {vertex: 0}, target: {vertex: "
+           "120}}}",
+           on_hill()},
+      Same{"{manifold: euclidean, obstacles: [{type: ball, center: [0, 0], radius: 0.5}], cost: euclidean, "
+           "ends: {source: {point: [-2, 0.1]}, target: {point: [2, -0.1]}}}",
+           around_discs()},
+      Same{"{manifold: euclidean, cost: {type: refractive_index, index: {type: formula, n: 1 + 2 * exp(-x^2 - y^2)}}, "
+           "ends: {source: {point: [-2, 0.1]}, target: {point: [2, -0.1]}}}",
+           across(plane(), lens())});
+  CAPTURE(same.config);
+  const Run run = parse_run(same.config, "same", project_dir() / "configs/data");
+  Recipe recipe = recommended(same.problem);
+  Recipe of_run{run.parts.initializer, run.parts.solver, run.parts.options.post_processors, {}};
+  CHECK(names(of_run) == names(recipe));
+}
+
+}  // namespace leastcost::test
