@@ -5,5 +5,6 @@
 /// \file
 /// Which method fits which problem: what a run does when nothing is asked for, in C++ as in a configuration.
 
+#include <leastcost/recipes/facts.hpp>
 #include <leastcost/recipes/find_path.hpp>
 #include <leastcost/recipes/recommended.hpp>

@@ -326,6 +326,7 @@ std::set<std::string> public_headers(const std::vector<Include>& includes) {
                                    "framework/framework.hpp",
                                    "problems/problems.hpp",
                                    "solvers/solvers.hpp",
+                                   "recipes/recipes.hpp",
                                    "ompl/ompl.hpp",
                                    "gdal/gdal.hpp",
                                    "catalogue/catalogue.hpp"};
