@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "catalogue/run/run_config.hpp"
+#include "catalogue/config/loaded_config.hpp"
 
 namespace leastcost {
 

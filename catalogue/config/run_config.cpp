@@ -1,39 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "catalogue/run/run_config.hpp"
-
-#include <fmt/format.h>
+#include "catalogue/config/run_config.hpp"
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 
-#include "catalogue/options/options_reader.hpp"
-#include "catalogue/registry/registry.hpp"
-#include "catalogue/run/run_checks.hpp"
-#include "catalogue/yaml/scalars.hpp"
-#include "catalogue/yaml/yaml_reader.hpp"
+#include "catalogue/yaml/yaml_writer.hpp"
 
 namespace leastcost {
-
-void EndOptions::fields(FieldVisitor& visit) {
-  visit.field(
-      "vertex", vertex,
-      {.help = "Vertex of the mesh, or point of the cloud, numbered from 0 in the order of the file.", .minimum = 0});
-  visit.field("face", face, {.help = "Face of the mesh, numbered from 0 in the order of the file.", .minimum = 0});
-  visit.field("barycentric", barycentric,
-              {.help = "Where on the face: three weights of its corners, with sum 1.", .minimum = 0});
-  visit.field("point", point, {.help = "Coordinates; moved to the nearest point of the manifold.", .unit = "length"});
-  visit.field("lonlat", lonlat,
-              {.help = "On the Earth, and on rasters with a CRS or in degrees: [longitude, latitude] on WGS84, in this "
-                       "order.",
-               .unit = "degrees"});
-  visit.field("tolerance", tolerance,
-              {.help = "How far `point` may be moved; default: 1 % of the diameter of a mesh, a cloud or the box of a "
-                       "grid, elsewhere rounding.",
-               .unit = "length",
-               .minimum = 0});
-}
 
 void FamilyOptions::fields(RunVisitor& visit) {
   visit.field(
@@ -47,7 +21,7 @@ void FamilyOptions::fields(RunVisitor& visit) {
                .minimum = 1,
                .maximum = 32});
   visit.field("mirrored", mirrored, {.help = "Also the mirror image of the first path, at the line between the ends."});
-  visit.plugins("initializers", initializers, kind("initializer"), {.help = "Also these first paths."});
+  visit.plugins("initializers", initializers, "initializer", {.help = "Also these first paths."});
 }
 
 Words<TargetImageChoice> words(TargetImageChoice) {
@@ -59,15 +33,15 @@ Words<TargetImageChoice> words(TargetImageChoice) {
 void RunConfig::fields(RunVisitor& visit) {
   visit.field("name", name, {.help = "Name of the run and of its output folder; default: that of the file."});
   visit.field("seed", seed, {.help = "Master seed of everything random.", .minimum = 0});
-  visit.plugin("manifold", manifold, kind("manifold"), {.help = "Where points may be.", .required = true});
-  visit.plugins("obstacles", obstacles, kind("obstacle"),
+  visit.plugin("manifold", manifold, "manifold", {.help = "Where points may be.", .required = true});
+  visit.plugins("obstacles", obstacles, "obstacle",
                 {.help = "What no path may enter, in a flat domain; contact is allowed."});
-  visit.plugin("robot", robot, kind("robot"),
+  visit.plugin("robot", robot, "robot",
                {.help = "What moves: points are its configurations, and the obstacles stand in its workspace."});
   visit.field("clearance", clearance,
               {.help = "Distance that a path keeps from the obstacles.", .unit = "length", .minimum = 0});
-  visit.plugin("cost", cost, kind("cost"), {.help = "What a move from a to b costs.", .required = true});
-  visit.plugin("kernel", kernel, kind("kernel"), {.help = "The convex H of the energy; default: expm1_square."});
+  visit.plugin("cost", cost, "cost", {.help = "What a move from a to b costs.", .required = true});
+  visit.plugin("kernel", kernel, "kernel", {.help = "The convex H of the energy; default: expm1_square."});
   visit.block("ends", {.help = "Where the path begins and ends; none in a ring, or the source alone: its fixed point."},
               [&](RunVisitor& ends) {
                 ends.end("source", source, {.help = "Where the path begins; of a ring: its fixed point."});
@@ -97,13 +71,13 @@ void RunConfig::fields(RunVisitor& visit) {
                  "more from the source. given: to those in 'ends'."});
     path.field("escape_saddle", escape_saddle, {.help = "Leave a saddle to its lower side and solve again."});
   });
-  visit.plugin("initializer", initializer, kind("initializer"),
+  visit.plugin("initializer", initializer, "initializer",
                {.help = "The first path; default: dijkstra on a mesh or cloud, else straight."});
   visit.block("family",
               {.help = "More first paths: lists the distinct locally least-cost paths, the least one is delivered."},
               [&](RunVisitor& v) { family.fields(v); });
   visit.plugin(
-      "solver", solver, kind("solver"),
+      "solver", solver, "solver",
       {.help = "How the path is improved; default: none where the shortest path is proved (certificate.global), lbfgs "
                "on a mesh otherwise, else newton."});
   visit.field_or_zero("max_seconds", max_seconds,
@@ -114,7 +88,7 @@ void RunConfig::fields(RunVisitor& visit) {
   visit.block("certificate", {.help = "What a path must fulfil to be certified."},
               [&](RunVisitor& v) { certificate.fields(v); });
   visit.plugins(
-      "post_process", post_process, kind("post_processor"),
+      "post_process", post_process, "post_processor",
       {.help =
            "After the solve, in this order; default: trace, and straighten where the metric is constant, on a mesh."});
   visit.block("output", {.help = "Where results go."}, [&](RunVisitor& v) {
@@ -133,67 +107,6 @@ void RunConfig::fields(RunVisitor& visit) {
 
 bool RunConfig::writes(std::string_view file) const {
   return output_files.empty() || std::count(output_files.begin(), output_files.end(), file) > 0;
-}
-
-void LoadedConfig::add_error(const std::string& key, const std::string& message) {
-  const std::size_t dot = key.rfind('.');
-  const std::string what =
-      dot == std::string::npos ? in_quotes(key) : in_quotes(key.substr(dot + 1)) + " in " + key.substr(0, dot);
-  errors.error(place_of(tree, key), what + ": " + message);
-}
-
-LoadedConfig parse_config(std::string text, const std::string& file_name, const std::filesystem::path& folder,
-                          const std::vector<Override>& overrides) {
-  LoadedConfig loaded{{}, folder, std::move(text), {}, {1, 1, 1, ""}, {}, {file_name, ""}};
-  loaded.errors = Diagnostics(file_name, loaded.text);
-  loaded.tree = read_yaml(loaded.text, loaded.errors);
-  const bool readable = loaded.errors.empty();
-  apply_overrides(overrides, loaded.tree, loaded.errors);
-  // A text that is no YAML gives one error, not one more for every key that was never reached.
-  if (!readable && !loaded.tree.is_block()) return loaded;
-  const std::string stem = std::filesystem::path(file_name).stem().string();
-  read_tree(loaded, stem.empty() ? "run" : stem);
-  return loaded;
-}
-
-void read_tree(LoadedConfig& loaded, const std::string& name) {
-  if (const ConfigEntry* problems = loaded.tree.find("problems"))
-    return loaded.errors.error(problems->place, "'problems' makes this a study: leastcost study runs it");
-  loaded.config.name = name;
-  complete_types(loaded.tree);
-  OptionsReader reader(loaded.tree, "", loaded.place, loaded.errors);
-  loaded.config.fields(reader);
-  reader.finish();
-  check_and_complete(loaded);
-}
-
-std::string config_text(const std::filesystem::path& file) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error))
-    throw InputError(file.string() + ": is a folder, not a configuration file");
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError(file.string() + ": cannot be opened: " + std::generic_category().message(errno));
-  std::string text = config_text(in);
-  if (in.bad()) throw InputError(file.string() + ": cannot be read");
-  return text;
-}
-
-std::string config_text(std::istream& in) {
-  std::string text;
-  constexpr std::size_t kPart = 1 << 16;
-  while (in && text.size() <= kLargestConfiguration) {
-    const std::size_t before = text.size(), part = std::min(kPart, kLargestConfiguration + 1 - before);
-    text.resize(before + part);
-    in.read(text.data() + before, static_cast<std::streamsize>(part));
-    text.resize(before + static_cast<std::size_t>(in.gcount()));
-  }
-  return text;
-}
-
-LoadedConfig load_config(const std::filesystem::path& file, const std::vector<Override>& overrides) {
-  LoadedConfig loaded = parse_config(config_text(file), file.string(), file.parent_path(), overrides);
-  loaded.file = file;
-  return loaded;
 }
 
 std::string resolved_yaml(const RunConfig& config, const RenameFile& rename) {

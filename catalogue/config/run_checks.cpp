@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "catalogue/run/run_checks.hpp"
+#include "catalogue/config/run_checks.hpp"
 
 #include <fmt/format.h>
 

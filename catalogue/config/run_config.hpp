@@ -3,8 +3,6 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
-#include <istream>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,8 +12,6 @@
 #include <leastcost/framework/replan/waypoints.hpp>
 #include "catalogue/options/options_writer.hpp"
 #include "catalogue/plugins/run_visitor.hpp"
-#include "catalogue/yaml/config_node.hpp"
-#include "catalogue/yaml/overrides.hpp"
 
 namespace leastcost {
 
@@ -74,32 +70,6 @@ struct RunConfig {
   /// Whether a run writes what one of kRunFiles stands for.
   bool writes(std::string_view file) const;
 };
-
-/// A configuration file after reading.
-struct LoadedConfig {
-  std::filesystem::path file;    ///< empty for a text without a file
-  std::filesystem::path folder;  ///< files of the configuration are relative to it
-  std::string text;
-  ConfigNode tree;           ///< overrides included: where each option stands
-  Place place{1, 1, 1, ""};  ///< of the tree as a whole: where missing keys are reported
-  RunConfig config;
-  Diagnostics errors;  ///< what was found so far; config is usable only while it is empty
-
-  /// An error of an object made from the configuration (key: its path, "cost.matrix") at its place.
-  void add_error(const std::string& key, const std::string& message);
-};
-
-/// Reads and checks. All errors are in `errors`; throws InputError only when the file cannot be read.
-LoadedConfig load_config(const std::filesystem::path& file, const std::vector<Override>& overrides);
-LoadedConfig parse_config(std::string text, const std::string& file_name, const std::filesystem::path& folder,
-                          const std::vector<Override>& overrides = {});
-
-/// Reads `tree` into `config` and checks it. Done by the two above; `name`: of a run that has none.
-void read_tree(LoadedConfig& loaded, const std::string& name);
-/// The text of a configuration file. Throws InputError. Of a text that is too long for a configuration no more is read
-/// than shows it: a device may have no end.
-std::string config_text(const std::filesystem::path& file);
-std::string config_text(std::istream& in);
 
 /// The configuration with every default, as YAML that reads back as the same one.
 std::string resolved_yaml(const RunConfig& config, const RenameFile& rename = {});
