@@ -103,11 +103,18 @@ const Arrows& layers() {
 /// is for. Rooms that are not listed here may not exist.
 const Arrows& rooms() {
   static const std::set<std::string> subjects = {
-      "problems/bracket",    "problems/chart",     "problems/cloud",   "problems/distance",     "problems/drawing",
-      "problems/exact",      "problems/fields",    "problems/formula", "problems/graph",        "problems/layers",
-      "problems/cells",      "problems/level_set", "problems/mesh",    "problems/obstacles",    "problems/occupancy",
-      "problems/raster",     "problems/readers",   "problems/robots",  "problems/section",      "problems/spline",
-      "problems/straighten", "problems/taut",      "problems/tensor",  "problems/bracket/space"};
+      "problems/bracket",      "problems/chart",     "problems/cloud",     "problems/distance",
+      "problems/drawing",      "problems/exact",     "problems/fields",    "problems/formula",
+      "problems/graph",        "problems/layers",    "problems/cells",     "problems/level_set",
+      "problems/mesh",         "problems/obstacles", "problems/occupancy", "problems/raster",
+      "problems/readers",      "problems/robots",    "problems/section",   "problems/spline",
+      "problems/straighten",   "problems/taut",      "problems/tensor",    "problems/bracket/plane",
+      "problems/bracket/space"};
+  static const auto subjects_and = [](const char* room) {
+    std::set<std::string> all = subjects;
+    all.insert(room);
+    return all;
+  };
   static const Arrows table = {
       {"framework/base", {}},
       {"framework/numbers", {}},
@@ -162,13 +169,16 @@ const Arrows& rooms() {
        {"problems/distance", "problems/drawing", "problems/mesh", "problems/occupancy", "problems/raster",
         "problems/readers"}},
       {"problems/bracket", {}},
+      {"problems/bracket/plane", {"problems/bracket"}},
       {"problems/bracket/space", {"problems/bracket"}},
       {"problems/taut", {"problems/obstacles"}},
       {"problems/robots", {"problems/drawing", "problems/obstacles"}},
       {"problems/kernels", {}},
-      {"problems/costs", subjects},
+      {"problems/costs/lagrangian", {"problems/formula"}},
+      {"problems/costs", subjects_and("problems/costs/lagrangian")},
       {"problems/initializers", subjects},
       {"problems/manifolds", subjects},
+      {"problems/manifolds/data", subjects_and("problems/manifolds")},
       {"problems/post_processors", subjects},
       {"catalogue/yaml", {}},
       {"catalogue/inputs", {"catalogue/yaml", "catalogue/back_ends"}},
@@ -176,12 +186,13 @@ const Arrows& rooms() {
       {"catalogue/back_ends", {"catalogue/plugins"}},
       {"catalogue/registry", {"catalogue/plugins", "catalogue/back_ends", "catalogue/inputs"}},
       {"catalogue/options", {"catalogue/yaml", "catalogue/plugins", "catalogue/registry"}},
+      {"catalogue/config", {"catalogue/yaml", "catalogue/plugins", "catalogue/registry", "catalogue/options"}},
       {"catalogue/run",
-       {"catalogue/yaml", "catalogue/inputs", "catalogue/plugins", "catalogue/registry", "catalogue/options"}},
+       {"catalogue/config", "catalogue/yaml", "catalogue/inputs", "catalogue/plugins", "catalogue/registry"}},
       {"catalogue/scene", {}},
       {"catalogue/output",
-       {"catalogue/run", "catalogue/back_ends", "catalogue/inputs", "catalogue/options", "catalogue/registry",
-        "catalogue/scene"}},
+       {"catalogue/config", "catalogue/run", "catalogue/back_ends", "catalogue/inputs", "catalogue/options",
+        "catalogue/registry", "catalogue/scene"}},
       {"app/plot", {}},
       {"app/report/page", {"app/plot"}},
       {"app/report/run", {"app/report/page", "app/plot", "app/study/rows"}},
