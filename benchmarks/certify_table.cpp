@@ -18,11 +18,11 @@
 #include <leastcost/problems/distance/build_distance_grid.hpp>
 #include <leastcost/problems/initializers/waypoints.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
+#include <leastcost/problems/manifolds/data/point_cloud.hpp>
+#include <leastcost/problems/manifolds/data/signed_distance.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
-#include <leastcost/problems/manifolds/point_cloud.hpp>
-#include <leastcost/problems/manifolds/signed_distance.hpp>
 #include <leastcost/solvers/newton.hpp>
 #include "benchmarks/measure.hpp"
 #include "problems/distance/cloud_distance.hpp"

@@ -16,11 +16,11 @@
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/initializers/straight.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
+#include <leastcost/problems/manifolds/data/mesh.hpp>
+#include <leastcost/problems/manifolds/data/point_cloud.hpp>
+#include <leastcost/problems/manifolds/data/signed_distance.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
-#include <leastcost/problems/manifolds/mesh.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
-#include <leastcost/problems/manifolds/point_cloud.hpp>
-#include <leastcost/problems/manifolds/signed_distance.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>
 #include <leastcost/problems/post_processors/trace.hpp>
 #include <leastcost/solvers/lbfgs.hpp>

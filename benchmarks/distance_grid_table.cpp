@@ -15,7 +15,7 @@
 #include <vector>
 
 #include <leastcost/problems/distance/build_distance_grid.hpp>
-#include <leastcost/problems/manifolds/signed_distance.hpp>
+#include <leastcost/problems/manifolds/data/signed_distance.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
 #include "problems/distance/cloud_distance.hpp"
 #include "problems/distance/implicit_distance.hpp"

@@ -15,7 +15,7 @@
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
-#include <leastcost/problems/manifolds/map.hpp>
+#include <leastcost/problems/manifolds/data/map.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>
 #include <leastcost/problems/post_processors/trace.hpp>
 #include <leastcost/problems/straighten/straighten.hpp>

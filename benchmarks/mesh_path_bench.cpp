@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <leastcost/framework/certificate/certify.hpp>
+#include <leastcost/problems/mesh/edge_graph.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
 #include <leastcost/problems/straighten/geodesic.hpp>
 #include "problems/mesh/trace.hpp"

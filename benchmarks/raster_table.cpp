@@ -25,8 +25,8 @@
 #include <leastcost/problems/costs/walking.hpp>
 #include <leastcost/problems/initializers/waypoints.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
+#include <leastcost/problems/manifolds/data/terrain.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
-#include <leastcost/problems/manifolds/terrain.hpp>
 #include <leastcost/problems/post_processors/bracket.hpp>
 #include <leastcost/solvers/newton.hpp>
 #include "problems/readers/file_content.hpp"

@@ -13,4 +13,5 @@
 /// What this header reaches is public and installed; everything else in the folder is internal.
 
 #include <leastcost/catalogue/output/write_run.hpp>
-#include <leastcost/catalogue/run/run.hpp>
+#include <leastcost/catalogue/run/load_run.hpp>
+#include <leastcost/catalogue/run/solve.hpp>

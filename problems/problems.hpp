@@ -6,7 +6,7 @@
 /// Kernels, costs, manifolds, initializers, post-processors and readers. What this header reaches is public and
 /// installed; everything else in the folder is internal.
 
-#include <leastcost/problems/bracket/bracket.hpp>
+#include <leastcost/problems/bracket/plane/bracket.hpp>
 #include <leastcost/problems/bracket/space/space_bracket.hpp>
 #include <leastcost/problems/chart/target_images.hpp>
 #include <leastcost/problems/costs/clearance_length.hpp>
@@ -43,17 +43,18 @@
 #include <leastcost/problems/kernels/kernels.hpp>
 #include <leastcost/problems/manifolds/angle.hpp>
 #include <leastcost/problems/manifolds/constraint.hpp>
+#include <leastcost/problems/manifolds/data/map.hpp>
+#include <leastcost/problems/manifolds/data/mesh.hpp>
+#include <leastcost/problems/manifolds/data/point_cloud.hpp>
+#include <leastcost/problems/manifolds/data/signed_distance.hpp>
+#include <leastcost/problems/manifolds/data/terrain.hpp>
 #include <leastcost/problems/manifolds/earth.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
-#include <leastcost/problems/manifolds/map.hpp>
-#include <leastcost/problems/manifolds/mesh.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
-#include <leastcost/problems/manifolds/point_cloud.hpp>
 #include <leastcost/problems/manifolds/pose.hpp>
 #include <leastcost/problems/manifolds/product.hpp>
-#include <leastcost/problems/manifolds/signed_distance.hpp>
-#include <leastcost/problems/manifolds/terrain.hpp>
+#include <leastcost/problems/mesh/edge_graph.hpp>
 #include <leastcost/problems/mesh/mesh_report.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/box_obstacle.hpp>

@@ -17,10 +17,11 @@
 #include "app/study/rows/journal.hpp"
 #include "app/study/study_files.hpp"
 #include "catalogue/back_ends/back_ends.hpp"
+#include "catalogue/config/load_config.hpp"
+#include "catalogue/config/run_checks.hpp"
 #include "catalogue/output/json_numbers.hpp"
 #include "catalogue/registry/registry.hpp"
 #include "catalogue/run/compose.hpp"
-#include "catalogue/run/run_checks.hpp"
 #include "catalogue/yaml/suggest.hpp"
 
 namespace leastcost::app {

@@ -3,10 +3,12 @@
 #include "app/reference/field_list.hpp"
 
 #include "app/study/grid/study_config.hpp"
+#include "catalogue/config/run_config.hpp"
 #include "catalogue/options/options_writer.hpp"
-#include "catalogue/run/run_config.hpp"
+#include "catalogue/registry/registry.hpp"
 #include "catalogue/yaml/scalars.hpp"
 #include "catalogue/yaml/suggest.hpp"
+#include "catalogue/yaml/yaml_writer.hpp"
 
 namespace leastcost::app {
 namespace {
@@ -57,11 +59,11 @@ class FieldCollector final : public RunVisitor {
     end.fields(inner);
     add(key, FieldType::end, doc).children = inner.take();
   }
-  void plugin(std::string_view key, PluginChoice&, const PluginKind& kind, const FieldDoc& doc) override {
-    add(key, FieldType::plugin, doc).kind = &kind;
+  void plugin(std::string_view key, PluginChoice&, std::string_view kind, const FieldDoc& doc) override {
+    add(key, FieldType::plugin, doc).kind = &leastcost::kind(kind);
   }
-  void plugins(std::string_view key, std::optional<PluginList>&, const PluginKind& kind, const FieldDoc& doc) override {
-    add(key, FieldType::plugins, doc).kind = &kind;
+  void plugins(std::string_view key, std::optional<PluginList>&, std::string_view kind, const FieldDoc& doc) override {
+    add(key, FieldType::plugins, doc).kind = &leastcost::kind(kind);
   }
   void block(std::string_view key, const FieldDoc& doc, const std::function<void(RunVisitor&)>& body) override {
     FieldCollector inner;

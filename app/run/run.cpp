@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "app/report/report.hpp"
+#include "catalogue/config/load_config.hpp"
 #include "catalogue/output/results.hpp"
-#include "catalogue/run/run_config.hpp"
 #include "catalogue/run/run_origin.hpp"
 
 namespace leastcost::app {

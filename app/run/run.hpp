@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/catalogue/run/run.hpp>
+#include <leastcost/catalogue/run/load_run.hpp>
+#include <leastcost/catalogue/run/solve.hpp>
 
 namespace leastcost::app {
 

@@ -12,6 +12,7 @@
 #include "catalogue/output/manifest.hpp"
 #include "catalogue/output/results.hpp"
 #include "catalogue/yaml/yaml_reader.hpp"
+#include "catalogue/yaml/yaml_writer.hpp"
 
 namespace leastcost::app {
 namespace {

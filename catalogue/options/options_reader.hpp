@@ -40,8 +40,8 @@ class OptionsReader final : public RunVisitor {
 
   void points(std::string_view key, std::optional<int>& value, const FieldDoc& doc) override;
   void end(std::string_view key, std::optional<EndOptions>& value, const FieldDoc& doc) override;
-  void plugin(std::string_view key, PluginChoice& value, const PluginKind& kind, const FieldDoc& doc) override;
-  void plugins(std::string_view key, std::optional<PluginList>& value, const PluginKind& kind,
+  void plugin(std::string_view key, PluginChoice& value, std::string_view kind, const FieldDoc& doc) override;
+  void plugins(std::string_view key, std::optional<PluginList>& value, std::string_view kind,
                const FieldDoc& doc) override;
   void block(std::string_view key, const FieldDoc& doc, const std::function<void(RunVisitor&)>& body) override;
   void blocks(std::string_view key, const BlockList& list, const FieldDoc& doc) override;

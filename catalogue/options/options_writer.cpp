@@ -3,6 +3,7 @@
 #include "catalogue/options/options_writer.hpp"
 
 #include "catalogue/yaml/scalars.hpp"
+#include "catalogue/yaml/yaml_writer.hpp"
 
 namespace leastcost {
 namespace {
@@ -136,12 +137,11 @@ ConfigNode OptionsWriter::written(const PluginChoice& choice) const {
   return inner.take();
 }
 
-void OptionsWriter::plugin(std::string_view key, PluginChoice& value, const PluginKind&, const FieldDoc&) {
+void OptionsWriter::plugin(std::string_view key, PluginChoice& value, std::string_view, const FieldDoc&) {
   if (value) add(key, written(value));
 }
 
-void OptionsWriter::plugins(std::string_view key, std::optional<PluginList>& value, const PluginKind&,
-                            const FieldDoc&) {
+void OptionsWriter::plugins(std::string_view key, std::optional<PluginList>& value, std::string_view, const FieldDoc&) {
   if (!value) return;
   ConfigNode list;
   list.kind = ConfigNode::Kind::list;

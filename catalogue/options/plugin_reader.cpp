@@ -59,15 +59,16 @@ PluginChoice OptionsReader::read_plugin(const ConfigNode& node, const Place& pla
   return choice;
 }
 
-void OptionsReader::plugin(std::string_view key, PluginChoice& value, const PluginKind& kind, const FieldDoc& doc) {
+void OptionsReader::plugin(std::string_view key, PluginChoice& value, std::string_view kind, const FieldDoc& doc) {
   const ConfigEntry* e = entry(key, doc);
-  if (e != nullptr) value = read_plugin(e->value, e->place, path(key), kind);
+  if (e != nullptr) value = read_plugin(e->value, e->place, path(key), leastcost::kind(kind));
 }
 
-void OptionsReader::plugins(std::string_view key, std::optional<PluginList>& value, const PluginKind& kind,
+void OptionsReader::plugins(std::string_view key, std::optional<PluginList>& value, std::string_view kind_name,
                             const FieldDoc& doc) {
   const ConfigEntry* e = entry(key, doc);
   if (e == nullptr) return;
+  const PluginKind& kind = leastcost::kind(kind_name);
   if (!e->value.is_list())
     return fault(key, e->value.place,
                  fmt::format("must be a list, like [{}] ({})", types_of(kind).front(), found(e->value)));

@@ -58,12 +58,12 @@ class RunVisitor : public FieldVisitor {
   /// A number of points, or `auto`: none.
   virtual void points(std::string_view key, std::optional<int>& value, const FieldDoc& doc) = 0;
   virtual void end(std::string_view key, std::optional<EndOptions>& value, const FieldDoc& doc) = 0;
-  /// {type: x, options...}, or just the word x.
-  virtual void plugin(std::string_view key, PluginChoice& value, const PluginKind& kind, const FieldDoc& doc) = 0;
-  virtual void plugins(std::string_view key, std::optional<PluginList>& value, const PluginKind& kind,
+  /// {type: x, options...}, or just the word x. `kind`: its name, as "cost".
+  virtual void plugin(std::string_view key, PluginChoice& value, std::string_view kind, const FieldDoc& doc) = 0;
+  virtual void plugins(std::string_view key, std::optional<PluginList>& value, std::string_view kind,
                        const FieldDoc& doc) = 0;
   /// A list that may be empty.
-  void plugins(std::string_view key, PluginList& value, const PluginKind& kind, const FieldDoc& doc) {
+  void plugins(std::string_view key, PluginList& value, std::string_view kind, const FieldDoc& doc) {
     std::optional<PluginList> given;
     if (!value.empty()) given = value;
     plugins(key, given, kind, doc);

@@ -8,7 +8,6 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include "catalogue/plugins/kinds.hpp"
-#include "catalogue/registry/registry.hpp"
 
 namespace leastcost {
 namespace {
@@ -45,7 +44,7 @@ WaitsFor waits_of_part(const PluginChoice& choice) { return choice ? waits_for<C
 
 void CostTermOptions::fields(RunVisitor& visit) {
   visit.field("weight", weight, {.help = "What the cost is multiplied by.", .minimum = 0, .exclusive_minimum = true});
-  visit.plugin("cost", cost, kind("cost"), {.help = "The cost.", .required = true});
+  visit.plugin("cost", cost, "cost", {.help = "The cost.", .required = true});
 }
 
 void SumCostOptions::fields(RunVisitor& visit) {
@@ -56,7 +55,7 @@ void SumCostOptions::fields(RunVisitor& visit) {
 
 void ScaledCostOptions::fields(RunVisitor& visit) {
   scale.fields(visit);
-  visit.plugin("cost", cost, kind("cost"), {.help = "The cost that is multiplied.", .required = true});
+  visit.plugin("cost", cost, "cost", {.help = "The cost that is multiplied.", .required = true});
 }
 
 Cost make_sum(const SumCostOptions& options, const BuildContext& context) {

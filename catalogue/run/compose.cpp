@@ -28,6 +28,7 @@
 #include <leastcost/problems/post_processors/global_proof.hpp>
 #include <leastcost/problems/raster/has_voids.hpp>
 #include <leastcost/problems/robots/robot_walls.hpp>
+#include "catalogue/config/run_checks.hpp"
 #include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/registry/registry.hpp"
@@ -35,7 +36,6 @@
 #include "catalogue/run/memory.hpp"
 #include "catalogue/run/pair_composer.hpp"
 #include "catalogue/run/plane_on_earth.hpp"
-#include "catalogue/run/run_checks.hpp"
 #include "problems/formula/coordinate_names.hpp"
 #include "problems/obstacles/walls_in.hpp"
 #include "problems/raster/raster_patches.hpp"

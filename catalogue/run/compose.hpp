@@ -8,8 +8,8 @@
 
 #include <leastcost/catalogue/run/run_parts.hpp>
 #include <leastcost/problems/obstacles/obstacle.hpp>
+#include "catalogue/config/loaded_config.hpp"
 #include "catalogue/plugins/plugin.hpp"
-#include "catalogue/run/run_config.hpp"
 
 namespace leastcost {
 

@@ -5,8 +5,9 @@
 #include <memory>
 #include <string>
 
+#include <leastcost/catalogue/run/run_parts.hpp>
+#include "catalogue/config/run_config.hpp"
 #include "catalogue/plugins/run_visitor.hpp"
-#include "catalogue/run/compose.hpp"
 
 namespace leastcost {
 

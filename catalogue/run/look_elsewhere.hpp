@@ -4,7 +4,9 @@
 
 #include <string>
 
-#include <leastcost/catalogue/run/run.hpp>
+#include <leastcost/catalogue/run/run_parts.hpp>
+#include <leastcost/framework/base/monitor.hpp>
+#include <leastcost/framework/result/result.hpp>
 
 namespace leastcost {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include <leastcost/catalogue/run/run_parts.hpp>
+#include "catalogue/config/run_config.hpp"
 #include "catalogue/plugins/plugin.hpp"
-#include "catalogue/run/run_config.hpp"
 
 namespace leastcost {
 

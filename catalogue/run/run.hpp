@@ -3,17 +3,13 @@
 #pragma once
 
 #include <chrono>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <leastcost/catalogue/run/run_parts.hpp>
-#include <leastcost/catalogue/yaml/diagnostics.hpp>
-#include <leastcost/catalogue/yaml/override.hpp>
 #include <leastcost/framework/base/errors.hpp>
-#include <leastcost/problems/distance/build_progress.hpp>
 
 namespace leastcost {
 
@@ -45,16 +41,6 @@ struct Run {
   std::shared_ptr<const RunOrigin> origin;  ///< what was read, for the files of results
 };
 
-/// Reads, checks and composes; all files of the configuration have been read afterwards. `progress` hears of domains
-/// that take a while to make, and may throw to stop. Throws ConfigError with every error and its place, InputError.
-Run load_run(const std::filesystem::path& file, const std::vector<Override>& overrides = {},
-             const BuildProgress& progress = {});
-
-/// The same for a configuration that is in memory. `name`: what messages call it, and the default name of the run;
-/// `folder`: what its files are relative to, empty for the current one.
-Run parse_run(std::string text, const std::string& name, const std::filesystem::path& folder = {},
-              const std::vector<Override>& overrides = {}, const BuildProgress& progress = {});
-
 /// A finished run.
 struct RunOutcome {
   std::string name;
@@ -67,10 +53,5 @@ struct RunOutcome {
   std::chrono::system_clock::time_point finished;
   std::shared_ptr<const RunOrigin> origin;
 };
-
-/// The search of a composed configuration, within its max_seconds: the path, or the best of its family. Writes nothing.
-/// What an interrupted search had no time for, its curve and its costs, is made up for afterwards. Throws
-/// InitializationError; StoppedEarly when it was told to stop before there was a path.
-RunOutcome solve(Run run, const Monitor& monitor = {});
 
 }  // namespace leastcost

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/catalogue/run/run.hpp>
+#include <leastcost/catalogue/run/run_parts.hpp>
+#include "catalogue/config/run_config.hpp"
 #include "catalogue/inputs/input_file.hpp"
 #include "catalogue/run/pair_composer.hpp"
-#include "catalogue/run/run_config.hpp"
 
 namespace leastcost {
 
@@ -24,8 +24,5 @@ struct RunOrigin {
   RunParts parts;                             ///< as they were composed
   std::shared_ptr<const PairComposer> pairs;  ///< of a run of many pairs of ends, whose parts have none; else null
 };
-
-/// A run of a configuration that is there already and has passed its checks. Throws OptionError, InputError.
-Run compose_run(const RunConfig& config, const std::filesystem::path& folder);
 
 }  // namespace leastcost

@@ -4,7 +4,8 @@
 
 #include <optional>
 
-#include "catalogue/scene/scene.hpp"
+#include <leastcost/framework/domain/manifold.hpp>
+#include "catalogue/scene/raster.hpp"
 
 namespace leastcost {
 

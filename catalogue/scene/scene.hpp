@@ -14,15 +14,9 @@
 #include <leastcost/framework/result/result.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/drawing/draws_poses.hpp>
+#include "catalogue/scene/raster.hpp"
 
 namespace leastcost {
-
-/// A function of the plane, sampled on a regular grid over a rectangle, the corners included.
-struct Raster {
-  int columns = 0, rows = 0;
-  Eigen::Vector2d lower = Eigen::Vector2d::Zero(), upper = Eigen::Vector2d::Zero();
-  std::vector<double> values;  ///< x runs fastest, from below; +infinity where the cost is
-};
 
 /// Polylines on the domain, d x m each; a closed one ends where it begins.
 struct SceneLines {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,8 +43,9 @@ struct ConfigEntry {
 bool is_note(std::string_view key);
 
 ConfigNode scalar_node(std::string text, bool quoted = false);
-/// Text as a scalar, in quotes where YAML would otherwise take it for something else.
-ConfigNode text_node(std::string_view text);
+
+/// A list position as it stands in a path: "0", "12".
+std::optional<std::size_t> list_index(std::string_view text);
 
 /// The node at "solver.tolerance" or "post_process.1.type"; null when it is not given.
 const ConfigNode* node_at(const ConfigNode& root, std::string_view path);
@@ -50,8 +53,5 @@ const ConfigNode* node_at(const ConfigNode& root, std::string_view path);
 /// The place of "solver.tolerance" or "post_process.1.type": of the key itself where it is given, else of the nearest
 /// block around it that is.
 Place place_of(const ConfigNode& root, std::string_view path);
-
-/// YAML that reads back as the same tree: blocks over lines, lists of scalars on one line.
-std::string to_yaml(const ConfigNode& node);
 
 }  // namespace leastcost

@@ -145,12 +145,4 @@ std::string number_text(double value) {
   return text;
 }
 
-std::optional<std::size_t> list_index(std::string_view text) {
-  constexpr std::size_t kMostDigits = 6;
-  if (text.empty() || text.size() > kMostDigits || count_digits(text) != text.size()) return std::nullopt;
-  std::size_t value = 0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
-
 }  // namespace leastcost

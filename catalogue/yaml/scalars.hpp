@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,8 +36,5 @@ std::string found(const ConfigNode& node);
 
 /// Shortest text that reads back as the same number, here and in readers of YAML 1.1 (1.0e-06: to those 1e-06 is text).
 std::string number_text(double value);
-
-/// A list position as it stands in a path: "0", "12".
-std::optional<std::size_t> list_index(std::string_view text);
 
 }  // namespace leastcost

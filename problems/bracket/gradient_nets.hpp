@@ -6,7 +6,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "problems/bracket/spline_check.hpp"
+#include <leastcost/framework/numbers/interval.hpp>
+#include "problems/bracket/net.hpp"
 
 namespace leastcost::bracket {
 

@@ -15,9 +15,9 @@
 #include <leastcost/framework/cost/has_notes.hpp>
 #include <leastcost/framework/cost/segment_cost_function.hpp>
 #include <leastcost/framework/domain/has_box.hpp>
-#include "problems/costs/lagrangian_check.hpp"
-#include "problems/costs/lagrangian_form.hpp"
-#include "problems/costs/lagrangian_hull.hpp"
+#include "problems/costs/lagrangian/lagrangian_check.hpp"
+#include "problems/costs/lagrangian/lagrangian_form.hpp"
+#include "problems/costs/lagrangian/lagrangian_hull.hpp"
 #include "problems/formula/coordinate_names.hpp"
 #include "problems/formula/formula.hpp"
 

@@ -11,7 +11,7 @@
 namespace leastcost {
 namespace {
 
-using Graph = SparseGraph::Rows::Graph;
+using Graph = CompressedRows::Graph;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kStopInterval = 16;  // settled nodes between two questions to the stop predicate

@@ -19,7 +19,7 @@ std::vector<SparseGraph::Edge> sorted_once(std::vector<SparseGraph::Edge> edges)
   return edges;
 }
 
-SparseGraph::Rows rows_of(std::int32_t nodes, const std::vector<SparseGraph::Edge>& edges) {
+CompressedRows rows_of(std::int32_t nodes, const std::vector<SparseGraph::Edge>& edges) {
   return {{boost::edges_are_sorted, edges.begin(), edges.end(), nodes}};
 }
 
@@ -43,7 +43,7 @@ Components by_size(std::vector<std::int32_t> of, const std::vector<std::int32_t>
 SparseGraph::SparseGraph() : SparseGraph(0, {}) {}
 
 SparseGraph::SparseGraph(std::int32_t nodes, std::vector<Edge> edges)
-    : rows_(std::make_shared<const Rows>(rows_of(nodes, sorted_once(std::move(edges))))) {}
+    : rows_(std::make_shared<const CompressedRows>(rows_of(nodes, sorted_once(std::move(edges))))) {}
 
 std::int32_t SparseGraph::size() const { return static_cast<std::int32_t>(boost::num_vertices(rows_->graph)); }
 

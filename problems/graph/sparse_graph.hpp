@@ -10,6 +10,8 @@
 
 namespace leastcost {
 
+struct CompressedRows;
+
 /// A directed graph: nodes 0 .. n-1 and, of each, its successors in ascending order. Immutable and cheap to copy.
 /// Boost.Graph works behind it (compressed rows), so that no caller sees a second model of a graph.
 class SparseGraph {
@@ -23,11 +25,10 @@ class SparseGraph {
   std::int32_t size() const;
   std::span<const std::int32_t> successors(std::int32_t node) const;
 
-  struct Rows;
-  const Rows& rows() const { return *rows_; }
+  const CompressedRows& rows() const { return *rows_; }
 
  private:
-  std::shared_ptr<const Rows> rows_;
+  std::shared_ptr<const CompressedRows> rows_;
 };
 
 /// The parts of a graph whose edges go both ways.

@@ -12,7 +12,7 @@
 #include <leastcost/framework/base/monitor.hpp>
 #include <leastcost/framework/domain/has_sample_box.hpp>
 #include <leastcost/framework/problem/problem.hpp>
-#include <leastcost/problems/initializers/rrt.hpp>
+#include <leastcost/problems/initializers/rrt_options.hpp>
 #include "problems/initializers/clear_lines.hpp"
 #include "problems/initializers/growing_points.hpp"
 

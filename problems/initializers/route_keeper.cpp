@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
+#include "problems/mesh/choose_landmarks.hpp"
 
 namespace leastcost {
 
@@ -12,7 +13,7 @@ KeptRoutes::KeptRoutes(const Problem& problem, const TriangleMesh& mesh, const M
                        const StopPredicate& stop)
     : domain_(problem.manifold), mesh_(&mesh), metric_(metric) {
   if (landmarks == 0) return;
-  landmarks_.emplace(mesh, landmarks, metric, stop);
+  landmarks_ = choose_landmarks(mesh, landmarks, metric, stop);
   if (stop && stop()) throw Interrupted("the landmarks of the mesh were not ready");
 }
 

@@ -70,29 +70,6 @@ std::vector<Eigen::VectorXd> shortest_of(int paths, std::vector<Eigen::VectorXd>
 
 }  // namespace
 
-void RrtOptions::fields(FieldVisitor& visit) {
-  visit.field("step", step,
-              {.help = "Length of an edge of the tree; default: a sixteenth of the distance of the ends.",
-               .unit = "length",
-               .minimum = 0,
-               .exclusive_minimum = true});
-  visit.field(
-      "shell", shell,
-      {.help = "How far nodes may be off the domain; default: a quarter of the step.", .unit = "length", .minimum = 0});
-  visit.field("goal_bias", goal_bias, {.help = "Share of samples that are the other end.", .minimum = 0, .maximum = 1});
-  visit.field("reach", reach,
-              {.help = "How far beyond the tree samples are taken, in distances of the ends.",
-               .minimum = 0,
-               .exclusive_minimum = true});
-  visit.field("max_nodes", max_nodes, {.help = "Nodes of both trees after which the search gives up.", .minimum = 1});
-  visit.field("shortcuts", shortcuts, {.help = "Random shortcuts that are tried on the path found.", .minimum = 0});
-  visit.field("paths", paths,
-              {.help = "How many paths are looked for, of which the shortest is taken; default: 8 among obstacles in "
-                       "space, else 1.",
-               .minimum = 1});
-  visit.field("seed", seed, {.help = "Seed of the samples; default: the seed of the run.", .minimum = 0});
-}
-
 RrtInitializer::RrtInitializer(const RrtOptions& options, int run_seed) : options_(options) {
   if (!options_.seed) options_.seed = run_seed;
   if (options.step && !(*options.step > 0)) throw OptionError("step", "must be greater than 0");

@@ -2,24 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-
-#include <leastcost/framework/base/options.hpp>
 #include <leastcost/framework/problem/initializer.hpp>
+#include <leastcost/problems/initializers/rrt_options.hpp>
 
 namespace leastcost {
-
-struct RrtOptions {
-  std::optional<double> step = {};   ///< length units; else a sixteenth of the distance of the ends
-  std::optional<double> shell = {};  ///< length units; else a quarter of the step
-  double goal_bias = 0.1;
-  double reach = 1;
-  int max_nodes = 20000;
-  int shortcuts = 200;
-  std::optional<int> paths = {};  ///< else 8 among obstacles in space, 1 anywhere else
-  std::optional<int> seed = {};   ///< else the seed of the run
-  void fields(FieldVisitor& visit);
-};
 
 /// Rapidly exploring random trees in the shell around a smooth domain, VFCS Sec. 4.2.1: from the tree's point nearest
 /// to a random sample one step towards it, then into the shell; one tree from each end, which grow towards each other

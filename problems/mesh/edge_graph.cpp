@@ -170,20 +170,4 @@ EdgePath EdgeGraphSearch::shortest(const SurfacePoint& source, const SurfacePoin
   return result;
 }
 
-std::string EdgePath::failure() const {
-  switch (outcome) {
-    case EdgePathOutcome::found: return {};
-    case EdgePathOutcome::different_components:
-      return "the ends lie in different parts of the mesh, of " + std::to_string(source_component_size) + " and " +
-             std::to_string(target_component_size) +
-             " vertices (`weld: true` joins vertices at equal positions, `weld: 1e-6` those that are no farther apart, "
-             "in length units; `leastcost doctor` names the parts and the distance)";
-    case EdgePathOutcome::no_finite_route:
-      return "the cost is infinite on every route along the edges (" + std::to_string(settled) + " of " +
-             std::to_string(source_component_size) + " vertices can be reached)";
-    case EdgePathOutcome::stopped: return "the search was stopped after " + std::to_string(settled) + " vertices";
-  }
-  return {};
-}
-
 }  // namespace leastcost

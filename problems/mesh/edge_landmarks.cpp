@@ -2,45 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include "problems/mesh/edge_landmarks.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace leastcost {
 
-EdgeLandmarks::EdgeLandmarks(const TriangleMesh& mesh, int count, const MetricRoot& metric, const StopPredicate& stop) {
-  const std::size_t vertices = static_cast<std::size_t>(mesh.vertex_count());
-  const auto& sizes = mesh.component_sizes();
-  const auto largest = static_cast<std::int32_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
-  std::int32_t next = 0;
-  while (mesh.component(next) != largest) ++next;
-  LengthSearch search(mesh);
-  LengthSearchOptions options;
-  options.metric = metric;
-  options.stop = stop;
-  std::vector<std::vector<double>> fields;
-  std::vector<double> nearest(vertices, std::numeric_limits<double>::infinity());
-  // Each lies as far as can be from those before it; the first run only finds a vertex far from any.
-  for (int i = -1; i < count; ++i) {
-    std::vector<double> field = search.lengths_from(next, options);
-    if (stop && stop()) break;
-    double farthest = 0;
-    for (std::size_t v = 0; v < vertices; ++v) {
-      if (std::isinf(field[v])) continue;
-      if (i >= 0) nearest[v] = std::min(nearest[v], field[v]);
-      const double rank = i < 0 ? field[v] : nearest[v];
-      if (rank > farthest) {
-        farthest = rank;
-        next = static_cast<std::int32_t>(v);
-      }
-    }
-    if (i >= 0) fields.push_back(std::move(field));
-    if (!(farthest > 0)) break;
-  }
-  count_ = static_cast<std::int32_t>(fields.size());
-  lengths_.resize(vertices * fields.size());
+EdgeLandmarks::EdgeLandmarks(const std::vector<std::vector<double>>& lengths)
+    : count_(static_cast<std::int32_t>(lengths.size())) {
+  if (lengths.empty()) return;
+  const std::size_t vertices = lengths.front().size();
+  lengths_.resize(vertices * lengths.size());
   for (std::size_t v = 0, at = 0; v < vertices; ++v)
-    for (const std::vector<double>& field : fields) lengths_[at++] = static_cast<float>(field[v]);
+    for (const std::vector<double>& field : lengths) lengths_[at++] = static_cast<float>(field[v]);
 }
 
 }  // namespace leastcost

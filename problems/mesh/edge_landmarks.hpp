@@ -6,17 +6,14 @@
 #include <span>
 #include <vector>
 
-#include <leastcost/problems/mesh/length_search.hpp>
-
 namespace leastcost {
 
 /// Lengths of shortest routes over edges and diagonals from a few vertices far apart, for lower bounds of a search
 /// along them: |d(l, v) - d(l, t)| <= d(v, t) (ALT: Goldberg and Harrelson 2005). Immutable, shared by threads.
 class EdgeLandmarks {
  public:
-  /// As many as asked for, fewer where a component has fewer vertices or `stop` said so; a search over the whole
-  /// component each. The first lie in the largest component.
-  EdgeLandmarks(const TriangleMesh& mesh, int count, const MetricRoot& metric = {}, const StopPredicate& stop = {});
+  /// Of each landmark the lengths to all vertices.
+  explicit EdgeLandmarks(const std::vector<std::vector<double>>& lengths);
 
   std::int32_t count() const { return count_; }
   /// From all landmarks to vertex v, rounded to float; infinite where there is no route.

@@ -9,7 +9,8 @@
 #include <memory>
 #include <vector>
 
-#include <leastcost/problems/mesh/edge_graph.hpp>
+#include <leastcost/problems/mesh/edge_path.hpp>
+#include <leastcost/problems/mesh/triangle_mesh.hpp>
 
 /// Inside EdgeGraphSearch: the graph of one query. Its nodes are the vertices of the mesh and up to two ends that are
 /// none; its moves are made, with their costs, when a node is examined.

@@ -10,7 +10,8 @@
 #include <span>
 #include <vector>
 
-#include <leastcost/problems/mesh/edge_graph.hpp>
+#include <leastcost/problems/mesh/edge_path.hpp>
+#include <leastcost/problems/mesh/triangle_mesh.hpp>
 
 namespace leastcost {
 

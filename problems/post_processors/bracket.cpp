@@ -16,11 +16,11 @@
 #include <leastcost/framework/domain/checks_moves.hpp>
 #include <leastcost/framework/domain/has_box.hpp>
 #include <leastcost/framework/problem/clearance.hpp>
-#include <leastcost/problems/bracket/bracket.hpp>
+#include <leastcost/problems/bracket/plane/bracket.hpp>
 #include <leastcost/problems/bracket/space/space_bracket.hpp>
 #include <leastcost/problems/chart/seams.hpp>
 #include <leastcost/problems/obstacles/has_walls.hpp>
-#include "problems/bracket/potential_samples.hpp"
+#include "problems/bracket/plane/potential_samples.hpp"
 #include "problems/bracket/smooth_polyline.hpp"
 #include "problems/post_processors/search_time.hpp"
 #include "problems/post_processors/way_among_obstacles.hpp"

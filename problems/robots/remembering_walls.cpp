@@ -17,7 +17,7 @@ constexpr double kBesidePlace = 0.05;  ///< of the configuration: from farther a
 
 }  // namespace
 
-RememberingWalls::RememberingWalls(std::shared_ptr<const RobotWalls> walls) : walls_(std::move(walls)) {}
+RememberingWalls::RememberingWalls(std::shared_ptr<const PairWalls> walls) : walls_(std::move(walls)) {}
 
 /// What is near a place and some way around it.
 const RememberingWalls::Seen& RememberingWalls::look(const Vector& x, double reach) const {
@@ -30,7 +30,7 @@ const RememberingWalls::Seen& RememberingWalls::look(const Vector& x, double rea
     for (const auto& [pair, gap] : seen.pairs) gaps.push_back(gap);
     std::nth_element(gaps.begin(), gaps.begin() + kPairsOfPlace, gaps.end());
     seen.radius = std::min(seen.radius, std::max(kFartherThanAsked * reach, gaps[kPairsOfPlace]));
-    std::erase_if(seen.pairs, [&](const RobotWalls::PairGap& one) { return one.gap >= seen.radius; });
+    std::erase_if(seen.pairs, [&](const PairWalls::PairGap& one) { return one.gap >= seen.radius; });
   }
   if (places_.rows() != x.size()) places_.resize(x.size(), static_cast<Eigen::Index>(kMostRemembered));
   places_.col(static_cast<Eigen::Index>(seen_.size())) = x;

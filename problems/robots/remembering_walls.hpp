@@ -9,18 +9,18 @@
 #include <thread>
 #include <vector>
 
-#include <leastcost/problems/robots/robot_walls.hpp>
+#include <leastcost/problems/robots/pair_walls.hpp>
 
 namespace leastcost {
 
 /// The walls of a robot for one solve, whose points move little from one look to the next: they remember, for places
 /// where they have looked, which pairs are near and how near. No gap changes by more than the place does, so that
-/// most looks beside such a place need no kinematics at all. Walls and gaps are those of RobotWalls.
+/// most looks beside such a place need no kinematics at all. Walls and gaps are those of PairWalls.
 ///
-/// Whoever made them has the memory; for other threads they are as RobotWalls are.
+/// Whoever made them has the memory; for other threads they are as PairWalls are.
 class RememberingWalls final : public Walls {
  public:
-  explicit RememberingWalls(std::shared_ptr<const RobotWalls> walls);
+  explicit RememberingWalls(std::shared_ptr<const PairWalls> walls);
 
   Eigen::Index dimension() const override { return walls_->dimension(); }
   double size() const override { return walls_->size(); }
@@ -37,7 +37,7 @@ class RememberingWalls final : public Walls {
   /// Of a place where somebody looked: within `radius` no gap but those of `pairs` is below the distance to the rim.
   struct Seen {
     double radius = 0;
-    std::vector<RobotWalls::PairGap> pairs;  ///< ascending by number
+    std::vector<PairWalls::PairGap> pairs;  ///< ascending by number
   };
 
   bool mine() const { return std::this_thread::get_id() == owner_; }
@@ -45,14 +45,14 @@ class RememberingWalls final : public Walls {
   const Seen& look(const Vector& x, double reach) const;
   void candidates(const Vector& x, double reach) const;
 
-  std::shared_ptr<const RobotWalls> walls_;
+  std::shared_ptr<const PairWalls> walls_;
   std::thread::id owner_ = std::this_thread::get_id();
   mutable Points places_;  ///< of what was seen, one a column
   mutable std::vector<Seen> seen_;
   mutable std::size_t last_ = 0;
   mutable double from_place_ = 0;  ///< of the last x asked for
-  mutable std::vector<RobotWalls::Pair> pairs_;
-  mutable std::vector<RobotWalls::PairGap> bounds_;
+  mutable std::vector<PairWalls::Pair> pairs_;
+  mutable std::vector<PairWalls::PairGap> bounds_;
 };
 
 }  // namespace leastcost

@@ -10,7 +10,7 @@
 
 #include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include <leastcost/problems/obstacles/obstacle.hpp>
-#include <leastcost/problems/obstacles/walls.hpp>
+#include <leastcost/problems/robots/pair_walls.hpp>
 #include <leastcost/problems/robots/robot.hpp>
 
 namespace leastcost {
@@ -23,7 +23,7 @@ struct RobotPose;
 /// Places are configurations, moves are straight there. Clearances are lengths in the workspace. The gaps of walls are
 /// such lengths divided by the length that the part goes, at most, as the configuration moves by 1: like distances
 /// in the space of configurations, they change by no more than the place does.
-class RobotWalls final : public Walls, public std::enable_shared_from_this<RobotWalls> {
+class RobotWalls final : public PairWalls, public std::enable_shared_from_this<RobotWalls> {
  public:
   using Obstacles = std::vector<std::shared_ptr<const Obstacle>>;
 
@@ -44,22 +44,14 @@ class RobotWalls final : public Walls, public std::enable_shared_from_this<Robot
   std::optional<PoseStrip> pose_strip(const Points& configurations) const override;
   /// Null for walls that no shared pointer owns.
   std::shared_ptr<const Walls> remembering() const override;
+  void gaps_within(const Vector& x, double reach, std::vector<PairGap>& found) const override;
+  void near_among(const std::vector<Pair>& pairs, const Vector& x, double reach,
+                  std::vector<Wall>& found) const override;
+  void along_among(const std::vector<Pair>& pairs, const Vector& a, const Vector& b, double reach,
+                   std::vector<Wall>& found) const override;
+  double room_among(const std::vector<PairGap>& pairs, const Vector& a, const Vector& b, double reach) const override;
 
  private:
-  friend class RememberingWalls;
-  /// A part and an obstacle, or another capsule, from whose link it is seen.
-  struct Pair {
-    int number = 0;
-    int part = 0;
-    int other = 0;
-    bool self = false;
-    double required = 0;  ///< of the distance between the cores: the axis or triangle, the obstacle's or another axis
-    double steepest = 0;  ///< length units that the part moves at most as the configuration moves by 1
-  };
-  struct PairGap {
-    Pair pair;
-    double gap = 0;  ///< or a bound of what is asked for
-  };
   struct Body {
     Vector reach;  ///< of any corner of the part
     double radius = 0, steepest = 0;
@@ -80,11 +72,6 @@ class RobotWalls final : public Walls, public std::enable_shared_from_this<Robot
 
   void add_obstacles(Obstacles obstacles, double clearance);
   void add_self_pairs();
-  void near_among(const std::vector<Pair>& pairs, const Vector& x, double reach, std::vector<Wall>& found) const;
-  void along_among(const std::vector<Pair>& pairs, const Vector& a, const Vector& b, double reach,
-                   std::vector<Wall>& found) const;
-  double room_among(const std::vector<PairGap>& pairs, const Vector& a, const Vector& b, double reach) const;
-  void gaps_within(const Vector& x, double reach, std::vector<PairGap>& found) const;
   void add_near(const RobotPose& pose, const std::vector<Pair>& pairs, double reach, std::vector<Wall>& found) const;
   void add_along(OnMove& move, const std::vector<Pair>& pairs, double reach, std::vector<Wall>& found) const;
   double room(OnMove& move, const std::vector<PairGap>& pairs, double reach) const;

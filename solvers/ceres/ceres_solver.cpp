@@ -48,8 +48,10 @@ std::optional<std::string> Ceres::cannot_solve(const PathEnergy& energy, const C
 SolveReport Ceres::do_solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const {
   switch (options_.algorithm) {
     case CeresAlgorithm::levenberg_marquardt:
-      return solve_by_trust_region(energy, path, ceres::LEVENBERG_MARQUARDT, options_, monitor);
-    case CeresAlgorithm::dogleg: return solve_by_trust_region(energy, path, ceres::DOGLEG, options_, monitor);
+      return solve_by_trust_region(energy, path, ceres::LEVENBERG_MARQUARDT, options_.rounds, options_.max_iterations,
+                                   monitor);
+    case CeresAlgorithm::dogleg:
+      return solve_by_trust_region(energy, path, ceres::DOGLEG, options_.rounds, options_.max_iterations, monitor);
     case CeresAlgorithm::lbfgs: return solve_by_line_search(energy, path, ceres::LBFGS, options_.rounds, monitor);
     case CeresAlgorithm::bfgs: return solve_by_line_search(energy, path, ceres::BFGS, options_.rounds, monitor);
     case CeresAlgorithm::ncg:

@@ -45,17 +45,16 @@ class KernelLoss final : public ceres::LossFunction {
 class TrustRegion final : public ceres::IterationCallback {
  public:
   TrustRegion(PathEnergy& energy, CoordinatePath& path, ceres::TrustRegionStrategyType strategy,
-              const CeresOptions& options, const Monitor& monitor)
+              const RoundOptions& rounds, int max_iterations, const Monitor& monitor)
       : energy_(energy),
         path_(path),
         strategy_(strategy),
-        options_(options),
+        max_iterations_(max_iterations),
         kinked_(energy.problem().manifold->shape() == Shape::polyhedral),
         bounded_(find_ability<HasBounds>(*energy.problem().manifold) != nullptr),
         loss_(*energy.problem().kernel, energy.reference_cost()),
-        test_(options.rounds.tolerance),
-        loop_(energy, path, {options.rounds.tolerance, options.max_iterations, options.rounds.max_evaluations},
-              monitor) {}
+        test_(rounds.tolerance),
+        loop_(energy, path, {rounds.tolerance, max_iterations, rounds.max_evaluations}, monitor) {}
 
   SolveReport run() {
     for (int idle = 0; idle < kPatience;) {
@@ -115,7 +114,7 @@ class TrustRegion final : public ceres::IterationCallback {
     options.minimizer_type = ceres::TRUST_REGION;
     options.trust_region_strategy_type = strategy_;
     options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
-    options.max_num_iterations = options_.max_iterations;
+    options.max_num_iterations = max_iterations_;
     options.function_tolerance = options.gradient_tolerance = options.parameter_tolerance = 0;
     options.max_num_consecutive_invalid_steps = 50;
     options.logging_type = ceres::SILENT;
@@ -204,7 +203,7 @@ class TrustRegion final : public ceres::IterationCallback {
   PathEnergy& energy_;
   CoordinatePath& path_;
   ceres::TrustRegionStrategyType strategy_;
-  const CeresOptions& options_;
+  int max_iterations_;
   bool kinked_, bounded_;
   KernelLoss loss_;
   RareTest test_;
@@ -221,8 +220,8 @@ class TrustRegion final : public ceres::IterationCallback {
 }  // namespace
 
 SolveReport solve_by_trust_region(PathEnergy& energy, CoordinatePath& path, ceres::TrustRegionStrategyType strategy,
-                                  const CeresOptions& options, const Monitor& monitor) {
-  return TrustRegion(energy, path, strategy, options, monitor).run();
+                                  const RoundOptions& rounds, int max_iterations, const Monitor& monitor) {
+  return TrustRegion(energy, path, strategy, rounds, max_iterations, monitor).run();
 }
 
 }  // namespace leastcost

@@ -5,11 +5,11 @@
 #include <ceres/types.h>
 
 #include <leastcost/framework/energy/solver.hpp>
-#include <leastcost/solvers/ceres/ceres_solver.hpp>
+#include <leastcost/solvers/rounds.hpp>
 
 namespace leastcost {
 
 SolveReport solve_by_trust_region(PathEnergy& energy, CoordinatePath& path, ceres::TrustRegionStrategyType strategy,
-                                  const CeresOptions& options, const Monitor& monitor);
+                                  const RoundOptions& rounds, int max_iterations, const Monitor& monitor);
 
 }  // namespace leastcost

@@ -3,7 +3,7 @@
 #include "catalogue/run/ends.hpp"
 
 #include <leastcost/framework/base/errors.hpp>
-#include <leastcost/problems/manifolds/point_cloud.hpp>
+#include <leastcost/problems/manifolds/data/point_cloud.hpp>
 #include "tests/app/config_text.hpp"
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/support/catch.hpp"

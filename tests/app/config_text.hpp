@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "catalogue/config/load_config.hpp"
 #include "catalogue/run/compose.hpp"
-#include "catalogue/run/run_config.hpp"
 
 namespace leastcost::test {
 

@@ -7,7 +7,8 @@
 #include <numbers>
 
 #include <leastcost/catalogue/output/write_run.hpp>
-#include <leastcost/catalogue/run/run.hpp>
+#include <leastcost/catalogue/run/load_run.hpp>
+#include <leastcost/catalogue/run/solve.hpp>
 #include <leastcost/framework/problem/clearance.hpp>
 #include "catalogue/output/geojson.hpp"
 #include "catalogue/output/unit_of_cost.hpp"

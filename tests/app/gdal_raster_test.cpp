@@ -11,7 +11,8 @@
 #include <string>
 
 #include <leastcost/catalogue/output/write_run.hpp>
-#include <leastcost/catalogue/run/run.hpp>
+#include <leastcost/catalogue/run/load_run.hpp>
+#include <leastcost/catalogue/run/solve.hpp>
 #include <leastcost/framework/base/errors.hpp>
 #include "catalogue/inputs/raster_file.hpp"
 #include "tests/support/catch.hpp"

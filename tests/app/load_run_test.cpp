@@ -11,7 +11,7 @@
 #include <leastcost/catalogue/catalogue.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
 #include <leastcost/solvers/gradient_descent.hpp>
-#include "catalogue/run/run_config.hpp"
+#include "catalogue/config/load_config.hpp"
 #include "tests/app/called.hpp"
 #include "tests/app/config_text.hpp"
 #include "tests/support/catch.hpp"

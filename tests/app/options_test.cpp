@@ -13,6 +13,7 @@
 #include "catalogue/yaml/scalars.hpp"
 #include "catalogue/yaml/suggest.hpp"
 #include "catalogue/yaml/yaml_reader.hpp"
+#include "catalogue/yaml/yaml_writer.hpp"
 #include "framework/base/point_text.hpp"
 #include "problems/formula/edit_distance.hpp"
 #include "tests/support/catch.hpp"

@@ -3,7 +3,8 @@
 
 // Poses in configurations: which name of the target a path goes to, what is refused, and what the files call the
 // coordinates.
-#include <leastcost/catalogue/run/run.hpp>
+#include <leastcost/catalogue/run/load_run.hpp>
+#include <leastcost/catalogue/run/solve.hpp>
 #include "catalogue/output/path_table.hpp"
 #include "tests/app/config_text.hpp"
 #include "tests/support/catch.hpp"

@@ -8,7 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include <leastcost/catalogue/output/write_run.hpp>
-#include <leastcost/catalogue/run/run.hpp>
+#include <leastcost/catalogue/run/load_run.hpp>
+#include <leastcost/catalogue/run/solve.hpp>
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include "tests/support/catch.hpp"

@@ -12,6 +12,7 @@
 #include "app/reference/field_list.hpp"
 #include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/kinds.hpp"
+#include "catalogue/run/compose_run.hpp"
 #include "catalogue/run/run_origin.hpp"
 #include "tests/app/config_text.hpp"
 #include "tests/support/catch.hpp"

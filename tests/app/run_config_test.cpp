@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "catalogue/run/run_config.hpp"
+#include "catalogue/config/load_config.hpp"
 
 #include "catalogue/registry/registry.hpp"
 #include "tests/app/config_text.hpp"

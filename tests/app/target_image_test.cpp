@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 // Coordinates of a configuration that name a point which has others: which of them a straight start goes to.
-#include <leastcost/catalogue/run/run.hpp>
+#include <leastcost/catalogue/run/load_run.hpp>
+#include <leastcost/catalogue/run/solve.hpp>
 #include "tests/app/config_text.hpp"
 #include "tests/support/catch.hpp"
 

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "catalogue/yaml/yaml_writer.hpp"
 #include "tests/app/config_text.hpp"
 #include "tests/support/catch.hpp"
 

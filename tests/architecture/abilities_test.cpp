@@ -45,11 +45,11 @@ std::string casts(const fs::path& root) {
 /// Includes of rooms about one sort of domain.
 std::string domains_by_name(const fs::path& root) {
   static const std::regex room(
-      "#include.*problems/(mesh/|cloud/|distance/(?!build_progress)|level_set/)|#include.*problems/manifolds/"
+      "#include.*problems/(mesh/|cloud/|distance/(?!build_progress)|level_set/)|#include.*problems/manifolds/(data/)?"
       "(box|chart|constraint|euclidean|implicit|level_set|mesh|parametric|point_cloud|signed)");
   std::string found;
-  for (const char* folder : {"catalogue/run", "catalogue/scene", "catalogue/output", "catalogue/options", "app/run",
-                             "app/report", "app/study", "app/reference"})
+  for (const char* folder : {"catalogue/config", "catalogue/run", "catalogue/scene", "catalogue/output",
+                             "catalogue/options", "app/run", "app/report", "app/study", "app/reference"})
     found += matches(root, folder, room);
   return found;
 }

@@ -104,16 +104,18 @@ const Arrows& layers() {
 /// is for. Rooms that are not listed here may not exist.
 const Arrows& rooms() {
   static const std::set<std::string> subjects = {
-      "problems/bracket",    "problems/chart",     "problems/cloud",   "problems/distance",     "problems/drawing",
-      "problems/exact",      "problems/fields",    "problems/formula", "problems/graph",        "problems/layers",
-      "problems/cells",      "problems/level_set", "problems/mesh",    "problems/obstacles",    "problems/occupancy",
-      "problems/raster",     "problems/readers",   "problems/robots",  "problems/section",      "problems/spline",
-      "problems/straighten", "problems/taut",      "problems/tensor",  "problems/bracket/space"};
-  static const std::set<std::string> and_post_processors = [] {
-    std::set<std::string> rooms = subjects;  // domains offer the proofs that speak of them
-    rooms.insert("problems/post_processors");
-    return rooms;
-  }();
+      "problems/bracket",      "problems/chart",     "problems/cloud",     "problems/distance",
+      "problems/drawing",      "problems/exact",     "problems/fields",    "problems/formula",
+      "problems/graph",        "problems/layers",    "problems/cells",     "problems/level_set",
+      "problems/mesh",         "problems/obstacles", "problems/occupancy", "problems/raster",
+      "problems/readers",      "problems/robots",    "problems/section",   "problems/spline",
+      "problems/straighten",   "problems/taut",      "problems/tensor",    "problems/bracket/plane",
+      "problems/bracket/space"};
+  static const auto subjects_and = [](std::initializer_list<const char*> rooms) {
+    std::set<std::string> all = subjects;
+    all.insert(rooms.begin(), rooms.end());
+    return all;
+  };
   static const Arrows table = {
       {"framework/base", {}},
       {"framework/numbers", {}},
@@ -168,13 +170,17 @@ const Arrows& rooms() {
        {"problems/distance", "problems/drawing", "problems/mesh", "problems/occupancy", "problems/raster",
         "problems/readers"}},
       {"problems/bracket", {}},
+      {"problems/bracket/plane", {"problems/bracket"}},
       {"problems/bracket/space", {"problems/bracket"}},
       {"problems/taut", {"problems/obstacles"}},
       {"problems/robots", {"problems/drawing", "problems/obstacles"}},
       {"problems/kernels", {}},
-      {"problems/costs", subjects},
+      {"problems/costs/lagrangian", {"problems/formula"}},
+      {"problems/costs", subjects_and({"problems/costs/lagrangian"})},
       {"problems/initializers", subjects},
-      {"problems/manifolds", and_post_processors},
+      // Domains offer the proofs over all paths that speak of them.
+      {"problems/manifolds", subjects_and({"problems/post_processors"})},
+      {"problems/manifolds/data", subjects_and({"problems/manifolds", "problems/post_processors"})},
       {"problems/post_processors", subjects},
       {"catalogue/yaml", {}},
       {"catalogue/inputs", {"catalogue/yaml", "catalogue/back_ends"}},
@@ -182,12 +188,13 @@ const Arrows& rooms() {
       {"catalogue/back_ends", {"catalogue/plugins"}},
       {"catalogue/registry", {"catalogue/plugins", "catalogue/back_ends", "catalogue/inputs"}},
       {"catalogue/options", {"catalogue/yaml", "catalogue/plugins", "catalogue/registry"}},
+      {"catalogue/config", {"catalogue/yaml", "catalogue/plugins", "catalogue/registry", "catalogue/options"}},
       {"catalogue/run",
-       {"catalogue/yaml", "catalogue/inputs", "catalogue/plugins", "catalogue/registry", "catalogue/options"}},
+       {"catalogue/config", "catalogue/yaml", "catalogue/inputs", "catalogue/plugins", "catalogue/registry"}},
       {"catalogue/scene", {}},
       {"catalogue/output",
-       {"catalogue/run", "catalogue/back_ends", "catalogue/inputs", "catalogue/options", "catalogue/registry",
-        "catalogue/scene"}},
+       {"catalogue/config", "catalogue/run", "catalogue/back_ends", "catalogue/inputs", "catalogue/options",
+        "catalogue/registry", "catalogue/scene"}},
       {"app/plot", {}},
       {"app/report/page", {"app/plot"}},
       {"app/report/run", {"app/report/page", "app/plot", "app/study/rows"}},
@@ -321,15 +328,10 @@ std::set<std::string> public_headers(const std::vector<Include>& includes) {
   std::multimap<std::string, std::string> reaches;
   for (const Include& include : includes)
     if (include.open) reaches.emplace(include.file, include.target);
-  std::vector<std::string> open = {"framework/numbers/numbers.hpp",
-                                   "framework/check/check.hpp",
-                                   "framework/framework.hpp",
-                                   "problems/problems.hpp",
-                                   "solvers/solvers.hpp",
-                                   "recipes/recipes.hpp",
-                                   "ompl/ompl.hpp",
-                                   "gdal/gdal.hpp",
-                                   "catalogue/catalogue.hpp"};
+  std::vector<std::string> open = {
+      "framework/numbers/numbers.hpp", "framework/check/check.hpp", "framework/framework.hpp", "problems/problems.hpp",
+      "solvers/solvers.hpp",           "recipes/recipes.hpp",       "ompl/ompl.hpp",           "gdal/gdal.hpp",
+      "catalogue/catalogue.hpp"};
   for (const Include& include : includes)
     for (const std::string& file : {include.file, include.target})
       if (is_back_end_header(file)) open.push_back(file);

@@ -14,8 +14,8 @@
 #include <sstream>
 #include <string>
 
+#include "catalogue/config/load_config.hpp"
 #include "catalogue/registry/registry.hpp"
-#include "catalogue/run/run_config.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
 

@@ -10,8 +10,8 @@
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/initializers/coordinate_circle.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/manifolds/data/mesh.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
-#include <leastcost/problems/manifolds/mesh.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>
 #include <leastcost/problems/post_processors/trace.hpp>

@@ -10,8 +10,8 @@
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
 #include <leastcost/problems/costs/travel_time.hpp>
-#include <leastcost/problems/manifolds/mesh.hpp>
-#include <leastcost/problems/manifolds/point_cloud.hpp>
+#include <leastcost/problems/manifolds/data/mesh.hpp>
+#include <leastcost/problems/manifolds/data/point_cloud.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/obstacle_walls.hpp>
 #include "tests/contracts/cost_contract.hpp"

@@ -7,7 +7,7 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/problem/problem.hpp>
 #include <leastcost/problems/distance/build_distance_grid.hpp>
-#include <leastcost/problems/manifolds/signed_distance.hpp>
+#include <leastcost/problems/manifolds/data/signed_distance.hpp>
 #include "problems/distance/mesh_distance.hpp"
 #include "tests/contracts/manifold_contract.hpp"
 #include "tests/problems/sample_meshes.hpp"

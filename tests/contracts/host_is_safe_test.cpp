@@ -9,7 +9,7 @@
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
-#include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/manifolds/data/mesh.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
 #include <leastcost/solvers/gradient_descent.hpp>
 #include "tests/problems/sample_meshes.hpp"

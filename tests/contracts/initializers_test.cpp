@@ -13,10 +13,10 @@
 #include <leastcost/problems/initializers/mirrored.hpp>
 #include <leastcost/problems/initializers/plane_cut.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>
+#include <leastcost/problems/manifolds/data/mesh.hpp>
+#include <leastcost/problems/manifolds/data/point_cloud.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
-#include <leastcost/problems/manifolds/mesh.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
-#include <leastcost/problems/manifolds/point_cloud.hpp>
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include "problems/readers/waypoint_reader.hpp"

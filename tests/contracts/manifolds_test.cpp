@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 #include <leastcost/framework/base/errors.hpp>
+#include <leastcost/problems/manifolds/data/map.hpp>
+#include <leastcost/problems/manifolds/data/mesh.hpp>
+#include <leastcost/problems/manifolds/data/point_cloud.hpp>
+#include <leastcost/problems/manifolds/data/terrain.hpp>
 #include <leastcost/problems/manifolds/earth.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
-#include <leastcost/problems/manifolds/map.hpp>
-#include <leastcost/problems/manifolds/mesh.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
-#include <leastcost/problems/manifolds/point_cloud.hpp>
-#include <leastcost/problems/manifolds/terrain.hpp>
 #include "tests/contracts/manifold_contract.hpp"
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/problems/sample_meshes.hpp"

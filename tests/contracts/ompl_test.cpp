@@ -14,8 +14,8 @@
 #include <leastcost/framework/problem/clearance.hpp>
 #include <leastcost/problems/costs/weighted_length.hpp>
 #include <leastcost/problems/manifolds/constraint.hpp>
+#include <leastcost/problems/manifolds/data/mesh.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
-#include <leastcost/problems/manifolds/mesh.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
 #include <leastcost/problems/manifolds/pose.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>

@@ -11,10 +11,10 @@
 #include <leastcost/problems/costs/weighted_length.hpp>
 #include <leastcost/problems/manifolds/angle.hpp>
 #include <leastcost/problems/manifolds/constraint.hpp>
+#include <leastcost/problems/manifolds/data/mesh.hpp>
+#include <leastcost/problems/manifolds/data/point_cloud.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
-#include <leastcost/problems/manifolds/mesh.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
-#include <leastcost/problems/manifolds/point_cloud.hpp>
 #include <leastcost/problems/manifolds/pose.hpp>
 #include <leastcost/problems/manifolds/product.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>

@@ -13,8 +13,8 @@
 #include <leastcost/problems/costs/walking.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/initializers/plane_cut.hpp>
+#include <leastcost/problems/manifolds/data/mesh.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
-#include <leastcost/problems/manifolds/mesh.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
 #include <leastcost/problems/mesh/edge_graph.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>

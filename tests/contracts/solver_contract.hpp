@@ -15,7 +15,7 @@
 #include <leastcost/framework/energy/chain_model.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
-#include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/manifolds/data/mesh.hpp>
 #include "framework/energy/spacing.hpp"
 #include "framework/newton/bundle.hpp"
 #include "tests/problems/sample_meshes.hpp"

@@ -3,11 +3,11 @@
 
 // Every registered solver, with every algorithm it offers, on every kind of domain: it comes to the cost that newton
 // comes to, or says before it starts why it cannot.
+#include <leastcost/problems/manifolds/data/point_cloud.hpp>
+#include <leastcost/problems/manifolds/data/signed_distance.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
-#include <leastcost/problems/manifolds/point_cloud.hpp>
 #include <leastcost/problems/manifolds/product.hpp>
-#include <leastcost/problems/manifolds/signed_distance.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include "app/reference/field_list.hpp"

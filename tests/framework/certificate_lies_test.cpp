@@ -8,7 +8,7 @@
 #include <leastcost/framework/cost/segment_cost_function.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
-#include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/manifolds/data/mesh.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>
 #include <leastcost/problems/post_processors/trace.hpp>
 #include <leastcost/problems/straighten/straighten.hpp>

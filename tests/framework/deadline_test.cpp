@@ -6,8 +6,8 @@
 
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
-#include <leastcost/problems/manifolds/mesh.hpp>
-#include <leastcost/problems/manifolds/point_cloud.hpp>
+#include <leastcost/problems/manifolds/data/mesh.hpp>
+#include <leastcost/problems/manifolds/data/point_cloud.hpp>
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"

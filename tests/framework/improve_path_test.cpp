@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include <leastcost/framework/base/errors.hpp>
-#include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/manifolds/data/mesh.hpp>
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"

@@ -4,7 +4,7 @@
 
 #include <leastcost/framework/cost/segment_cost_function.hpp>
 #include <leastcost/framework/energy/chain_model.hpp>
-#include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/manifolds/data/mesh.hpp>
 #include "framework/check/observed_order.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"

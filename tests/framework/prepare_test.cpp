@@ -4,8 +4,8 @@
 // The coarser versions of clouds and grids: made once, told apart from the certificate, and no dearer than the domain.
 #include <ctime>
 
-#include <leastcost/problems/manifolds/point_cloud.hpp>
-#include <leastcost/problems/manifolds/signed_distance.hpp>
+#include <leastcost/problems/manifolds/data/point_cloud.hpp>
+#include <leastcost/problems/manifolds/data/signed_distance.hpp>
 #include "problems/distance/cloud_distance.hpp"
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/support/catch.hpp"

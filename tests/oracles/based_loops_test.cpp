@@ -9,8 +9,8 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/initializers/coordinate_circle.hpp>
 #include <leastcost/problems/initializers/plane_cut.hpp>
+#include <leastcost/problems/manifolds/data/mesh.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
-#include <leastcost/problems/manifolds/mesh.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"

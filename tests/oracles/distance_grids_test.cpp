@@ -4,8 +4,8 @@
 // Geodesics of the sphere and the torus on grids made from their equation, from a mesh and from a cloud.
 #include <leastcost/problems/distance/build_distance_grid.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
-#include <leastcost/problems/manifolds/mesh.hpp>
-#include <leastcost/problems/manifolds/signed_distance.hpp>
+#include <leastcost/problems/manifolds/data/mesh.hpp>
+#include <leastcost/problems/manifolds/data/signed_distance.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>
 #include "problems/distance/cloud_distance.hpp"
 #include "problems/distance/implicit_distance.hpp"

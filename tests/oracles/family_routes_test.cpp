@@ -10,8 +10,8 @@
 
 #include <leastcost/framework/family/find_family.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
-#include <leastcost/problems/manifolds/mesh.hpp>
-#include <leastcost/problems/manifolds/point_cloud.hpp>
+#include <leastcost/problems/manifolds/data/mesh.hpp>
+#include <leastcost/problems/manifolds/data/point_cloud.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>
 #include <leastcost/problems/post_processors/trace.hpp>
 #include "tests/problems/sample_clouds.hpp"

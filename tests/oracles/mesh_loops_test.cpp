@@ -13,7 +13,7 @@
 #include <vector>
 
 #include <leastcost/problems/initializers/plane_cut.hpp>
-#include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/manifolds/data/mesh.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
 #include "problems/section/plane_section.hpp"
 #include "problems/straighten/straighten_ring.hpp"

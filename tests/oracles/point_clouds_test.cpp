@@ -6,7 +6,7 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
-#include <leastcost/problems/manifolds/point_cloud.hpp>
+#include <leastcost/problems/manifolds/data/point_cloud.hpp>
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"

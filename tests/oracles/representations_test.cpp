@@ -6,11 +6,11 @@
 #include <string>
 
 #include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/manifolds/data/mesh.hpp>
+#include <leastcost/problems/manifolds/data/point_cloud.hpp>
+#include <leastcost/problems/manifolds/data/signed_distance.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
-#include <leastcost/problems/manifolds/mesh.hpp>
 #include <leastcost/problems/manifolds/parametric.hpp>
-#include <leastcost/problems/manifolds/point_cloud.hpp>
-#include <leastcost/problems/manifolds/signed_distance.hpp>
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"

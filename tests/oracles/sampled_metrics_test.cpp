@@ -9,8 +9,8 @@
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
-#include <leastcost/problems/manifolds/mesh.hpp>
-#include <leastcost/problems/manifolds/point_cloud.hpp>
+#include <leastcost/problems/manifolds/data/mesh.hpp>
+#include <leastcost/problems/manifolds/data/point_cloud.hpp>
 #include <leastcost/problems/post_processors/trace.hpp>
 #include "problems/mesh/mesh_curve.hpp"
 #include "problems/mesh/trace.hpp"

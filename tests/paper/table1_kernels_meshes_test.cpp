@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include <leastcost/problems/initializers/dijkstra.hpp>
-#include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/manifolds/data/mesh.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"

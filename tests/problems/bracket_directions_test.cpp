@@ -7,14 +7,14 @@
 #include <vector>
 
 #include <leastcost/framework/search/find_path.hpp>
-#include <leastcost/problems/bracket/bracket.hpp>
+#include <leastcost/problems/bracket/plane/bracket.hpp>
 #include <leastcost/problems/initializers/straight.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
 #include <leastcost/problems/post_processors/bracket.hpp>
 #include <leastcost/solvers/newton.hpp>
-#include "problems/bracket/dual_check.hpp"
-#include "problems/bracket/end_region.hpp"
+#include "problems/bracket/plane/dual_check.hpp"
+#include "problems/bracket/plane/end_region.hpp"
 #include "tests/problems/planted_directions.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/trials.hpp"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "problems/bracket/fast_marching.hpp"
+#include "problems/bracket/plane/fast_marching.hpp"
 #include "problems/bracket/space/space_marching.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/random.hpp"

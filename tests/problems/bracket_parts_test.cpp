@@ -7,9 +7,9 @@
 #include <vector>
 
 #include <leastcost/eigen_alignment.hpp>
-#include "problems/bracket/blocked_parts.hpp"
-#include "problems/bracket/dual_check.hpp"
-#include "problems/bracket/spline_check.hpp"
+#include "problems/bracket/plane/blocked_parts.hpp"
+#include "problems/bracket/plane/dual_check.hpp"
+#include "problems/bracket/plane/spline_check.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/random.hpp"
 

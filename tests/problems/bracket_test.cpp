@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/problems/bracket/bracket.hpp>
+#include <leastcost/problems/bracket/plane/bracket.hpp>
 
 #include <cmath>
 #include <cstdlib>
@@ -21,7 +21,7 @@
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/problems/post_processors/bracket.hpp>
 #include <leastcost/solvers/newton.hpp>
-#include "problems/bracket/level.hpp"
+#include "problems/bracket/plane/level.hpp"
 #include "tests/problems/planted_media.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/trials.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include <leastcost/framework/base/errors.hpp>
-#include <leastcost/problems/manifolds/point_cloud.hpp>
+#include <leastcost/problems/manifolds/data/point_cloud.hpp>
 #include "problems/cloud/cloud_route.hpp"
 #include "tests/problems/sample_clouds.hpp"
 #include "tests/support/catch.hpp"

@@ -11,7 +11,7 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/check/check_manifold.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
-#include <leastcost/problems/manifolds/point_cloud.hpp>
+#include <leastcost/problems/manifolds/data/point_cloud.hpp>
 #include "problems/cloud/cloud_route.hpp"
 #include "problems/cloud/unresolved.hpp"
 #include "tests/problems/sample_clouds.hpp"

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include <leastcost/problems/initializers/dijkstra.hpp>
-#include <leastcost/problems/manifolds/point_cloud.hpp>
-#include <leastcost/problems/manifolds/signed_distance.hpp>
+#include <leastcost/problems/manifolds/data/point_cloud.hpp>
+#include <leastcost/problems/manifolds/data/signed_distance.hpp>
 #include "problems/cloud/two_groups.hpp"
 #include "problems/distance/cloud_distance.hpp"
 #include "tests/problems/sample_clouds.hpp"

@@ -15,7 +15,7 @@
 
 #include <leastcost/problems/costs/formula_cost.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
-#include <leastcost/problems/manifolds/mesh.hpp>
+#include <leastcost/problems/manifolds/data/mesh.hpp>
 #include <leastcost/problems/post_processors/trace.hpp>
 #include <leastcost/solvers/lbfgs.hpp>
 #include "tests/problems/sample_meshes.hpp"

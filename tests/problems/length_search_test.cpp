@@ -13,8 +13,9 @@
 #include <leastcost/problems/costs/travel_time.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
-#include <leastcost/problems/manifolds/mesh.hpp>
-#include <leastcost/problems/mesh/edge_landmarks.hpp>
+#include <leastcost/problems/manifolds/data/mesh.hpp>
+#include <leastcost/problems/mesh/edge_graph.hpp>
+#include "problems/mesh/choose_landmarks.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/random.hpp"
@@ -50,7 +51,7 @@ TEST_CASE("length search: the lengths of the search that asks for every move, wi
   const TriangleMesh mesh = dented_sphere(random);
   EdgeGraphSearch by_moves(mesh);
   LengthSearch search(mesh);
-  const EdgeLandmarks marks(mesh, 6);
+  const EdgeLandmarks marks = choose_landmarks(mesh, 6);
   REQUIRE(marks.count() == 6);
   const MoveCost length = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (b - a).norm(); };
   int settled = 0, settled_aimed = 0;
@@ -88,7 +89,7 @@ TEST_CASE("length search: a constant metric is the Euclidean one on a mesh that 
   for (Eigen::Vector3d& p : soup.positions) p = shear() * p;
   const TriangleMesh turned(soup);
   LengthSearch search(mesh), there(turned);
-  const EdgeLandmarks marks(mesh, 4, MetricRoot(shear()));
+  const EdgeLandmarks marks = choose_landmarks(mesh, 4, MetricRoot(shear()));
   for (int k = 0; k < 50; ++k) {
     const SurfacePoint from = any_point(random, mesh), to = any_point(random, mesh);
     const EdgePath expected = there.shortest(from, to, {.diagonals = true});
@@ -106,7 +107,7 @@ TEST_CASE("length search: landmarks bound every length from below, and are far a
   Random random;
   const TriangleMesh mesh = dented_sphere(random);
   LengthSearch search(mesh);
-  const EdgeLandmarks marks(mesh, 5);
+  const EdgeLandmarks marks = choose_landmarks(mesh, 5);
   const auto difference = [&](std::int32_t i, std::int32_t a, std::int32_t b) {
     const auto k = static_cast<std::size_t>(i);
     return std::abs(static_cast<double>(marks.of(a)[k]) - static_cast<double>(marks.of(b)[k]));
@@ -135,7 +136,7 @@ TEST_CASE("length search: two components, a stop, fewer vertices than landmarks"
   add_polygon(soup, {first, first + 1, first + 2});
   const TriangleMesh mesh(soup);
   LengthSearch search(mesh);
-  const EdgeLandmarks marks(mesh, 100);
+  const EdgeLandmarks marks = choose_landmarks(mesh, 100);
   CHECK(marks.count() > 1);
   CHECK(marks.count() <= first);
   CHECK(std::isinf(marks.of(first).front()));
@@ -155,7 +156,7 @@ TEST_CASE("length search: two components, a stop, fewer vertices than landmarks"
   const EdgePath none = stopped.shortest(from, to, {.stop = [] { return true; }});
   CHECK((none.found() || none.outcome == EdgePathOutcome::stopped));
   CHECK(stopped.shortest(from, to).found());  // the next query is not disturbed
-  CHECK(EdgeLandmarks(large, 3, {}, [] { return true; }).count() == 0);
+  CHECK(choose_landmarks(large, 3, {}, [] { return true; }).count() == 0);
 }
 
 TEST_CASE("dijkstra with diagonals and landmarks: as short as can be, for costs that are lengths on a mesh") {

@@ -12,8 +12,8 @@
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/initializers/grid.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
+#include <leastcost/problems/manifolds/data/map.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
-#include <leastcost/problems/manifolds/map.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/problems/obstacles/map_obstacles.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>

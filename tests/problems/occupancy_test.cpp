@@ -10,7 +10,7 @@
 #include <leastcost/problems/costs/euclidean.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
-#include <leastcost/problems/manifolds/map.hpp>
+#include <leastcost/problems/manifolds/data/map.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/problems/obstacles/map_obstacles.hpp>
 #include <leastcost/problems/post_processors/straighten.hpp>

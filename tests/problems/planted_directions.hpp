@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/problems/bracket/bracket.hpp>
+#include <leastcost/problems/bracket/plane/bracket.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/costs/zermelo.hpp>
 #include "tests/problems/planted_media.hpp"

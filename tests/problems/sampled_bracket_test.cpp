@@ -11,17 +11,17 @@
 
 #include <leastcost/framework/cost/segment_cost_function.hpp>
 #include <leastcost/framework/search/find_path.hpp>
-#include <leastcost/problems/bracket/bracket.hpp>
+#include <leastcost/problems/bracket/plane/bracket.hpp>
 #include <leastcost/problems/costs/walking.hpp>
 #include <leastcost/problems/initializers/straight.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
+#include <leastcost/problems/manifolds/data/terrain.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
-#include <leastcost/problems/manifolds/terrain.hpp>
 #include <leastcost/problems/post_processors/bracket.hpp>
 #include <leastcost/solvers/newton.hpp>
 #include "problems/bracket/cubic_minimum.hpp"
-#include "problems/bracket/sampled_cone.hpp"
-#include "problems/bracket/sampled_norms.hpp"
+#include "problems/bracket/plane/sampled_cone.hpp"
+#include "problems/bracket/plane/sampled_norms.hpp"
 #include "tests/problems/planted_directions.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/trials.hpp"

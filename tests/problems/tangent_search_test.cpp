@@ -18,8 +18,8 @@
 #include <leastcost/problems/exact/exact_search.hpp>
 #include <leastcost/problems/initializers/waypoints.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
+#include <leastcost/problems/manifolds/data/map.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
-#include <leastcost/problems/manifolds/map.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "catalogue/registry/registry.hpp"
+
 namespace leastcost::test {
 namespace {
 
@@ -115,8 +117,9 @@ void RandomFields::group(std::string_view, const FieldDoc&, const std::function<
   body(*this);
 }
 
-void RandomFields::plugin(std::string_view key, PluginChoice& value, const PluginKind& kind, const FieldDoc&) {
+void RandomFields::plugin(std::string_view key, PluginChoice& value, std::string_view kind_name, const FieldDoc&) {
   if (chance(bad_)) return;  // not given
+  const PluginKind& kind = leastcost::kind(kind_name);
   const PluginEntry* entry = kind.entries[chance(0.6) ? 0 : below(kind.entries.size())];
   if (!entry->missing.empty()) entry = kind.entries[0];
   value = choose(*entry, std::string(key));

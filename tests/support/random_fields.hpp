@@ -35,13 +35,13 @@ class RandomFields final : public RunVisitor {
   void group(std::string_view key, const FieldDoc& doc, const std::function<void(FieldVisitor&)>& body) override;
 
   /// One of those that need no files; of costs within costs mostly the first.
-  void plugin(std::string_view key, PluginChoice& value, const PluginKind& kind, const FieldDoc& doc) override;
+  void plugin(std::string_view key, PluginChoice& value, std::string_view kind, const FieldDoc& doc) override;
   void blocks(std::string_view key, const BlockList& list, const FieldDoc& doc) override;
   void block(std::string_view key, const FieldDoc& doc, const std::function<void(RunVisitor&)>& body) override;
   // What only a whole run has keeps its default.
   void points(std::string_view, std::optional<int>&, const FieldDoc&) override {}
   void end(std::string_view, std::optional<EndOptions>&, const FieldDoc&) override {}
-  void plugins(std::string_view, std::optional<PluginList>&, const PluginKind&, const FieldDoc&) override {}
+  void plugins(std::string_view, std::optional<PluginList>&, std::string_view, const FieldDoc&) override {}
   void tree(std::string_view, ConfigNode&, TreeForm, const PluginKind*, const FieldDoc&) override {}
 
  protected:

@@ -6,9 +6,10 @@
 #include <cmath>
 #include <new>
 
-#include <leastcost/catalogue/run/run.hpp>
+#include <leastcost/catalogue/run/solve.hpp>
 #include <leastcost/framework/path/kernel.hpp>
 #include "app/study/rows/csv_text.hpp"
+#include "catalogue/run/compose_run.hpp"
 #include "catalogue/run/run_origin.hpp"
 
 namespace leastcost::app {

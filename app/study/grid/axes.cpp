@@ -8,8 +8,9 @@
 #include <unordered_set>
 
 #include <leastcost/framework/base/errors.hpp>
-#include "catalogue/run/run_config.hpp"
+#include "catalogue/config/load_config.hpp"
 #include "catalogue/yaml/yaml_reader.hpp"
+#include "catalogue/yaml/yaml_writer.hpp"
 
 namespace leastcost::app {
 namespace {

@@ -11,6 +11,7 @@
 #include <unordered_set>
 
 #include "app/study/grid/axes.hpp"
+#include "catalogue/config/load_config.hpp"
 #include "catalogue/options/options_reader.hpp"
 #include "catalogue/output/manifest.hpp"
 #include "catalogue/registry/registry.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/study/grid/study_config.hpp"
-#include "catalogue/run/run_config.hpp"
+#include "catalogue/config/run_config.hpp"
 
 namespace leastcost::app {
 

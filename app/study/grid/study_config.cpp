@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/study/grid/study_config.hpp"
 
+#include "catalogue/config/load_config.hpp"
+#include "catalogue/config/run_checks.hpp"
 #include "catalogue/options/options_reader.hpp"
 #include "catalogue/registry/registry.hpp"
-#include "catalogue/run/run_checks.hpp"
-#include "catalogue/run/run_config.hpp"
 #include "catalogue/yaml/yaml_reader.hpp"
 
 namespace leastcost::app {

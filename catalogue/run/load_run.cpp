@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/catalogue/run/load_run.hpp>
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include <leastcost/framework/base/errors.hpp>
+#include "catalogue/config/load_config.hpp"
+#include "catalogue/config/run_checks.hpp"
+#include "catalogue/inputs/input_file.hpp"
+#include "catalogue/run/compose.hpp"
+#include "catalogue/run/compose_run.hpp"
+
+namespace leastcost {
+namespace {
+
+/// The data as it is when it is used: a file may change while a long run goes on.
+std::vector<InputFile> inputs_of(const LoadedConfig& loaded) {
+  const auto absolute = [](const std::filesystem::path& p) { return std::filesystem::absolute(p).lexically_normal(); };
+  const std::filesystem::path file =
+      loaded.file.empty() ? std::filesystem::path("<" + loaded.errors.file() + ">") : absolute(loaded.file);
+  std::vector<InputFile> inputs = {{"configuration", file, sha256_of_text(loaded.text)}};
+  for (const std::string& name : files_of(loaded.config))
+    inputs.push_back({"data", absolute(loaded.folder / name), sha256_of_file(loaded.folder / name)});
+  return inputs;
+}
+
+/// The place of a text in a configuration; null where it has none of its own.
+const ConfigNode* find_text(const ConfigNode& node, const std::string& text) {
+  if (node.is_scalar() && node.text == text) return &node;
+  const ConfigNode* found = nullptr;
+  for (auto item = node.items.begin(); found == nullptr && item != node.items.end(); ++item)
+    found = find_text(*item, text);
+  for (auto entry = node.entries.begin(); found == nullptr && entry != node.entries.end(); ++entry)
+    found = find_text(entry->value, text);
+  return found;
+}
+
+/// Throws InputError for a file that is not there, with the place where the configuration names it.
+void check_files(const LoadedConfig& loaded) {
+  for (const std::string& name : files_of(loaded.config)) {
+    const std::filesystem::path file = loaded.folder / name;
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(file, error);
+    if (status.type() != std::filesystem::file_type::not_found) continue;
+    const ConfigNode* named = find_text(loaded.tree, name);
+    throw InputError(loaded.errors.where(named == nullptr ? Place{} : named->place) + ": " + file.string() +
+                     ": no such file");
+  }
+}
+
+Run composed(LoadedConfig loaded, const BuildProgress& progress, const RunStart& start) {
+  const auto stop_at_errors = [&] {
+    if (!loaded.errors.empty()) throw ConfigError(loaded.errors);
+  };
+  stop_at_errors();
+  Composer composer(loaded.config, loaded.folder, [&](const OptionError& e) { loaded.add_error(e.key(), e.what()); });
+  composer.make_from_options();
+  stop_at_errors();
+  check_files(loaded);
+  composer.make_from_files(progress);
+  stop_at_errors();
+  const auto hashing = std::chrono::steady_clock::now();
+  std::vector<InputFile> inputs = inputs_of(loaded);
+  const double hashed = seconds_since(hashing);
+  RunParts parts = composer.take();
+  if (std::string word = word_on_interpolation(loaded); !word.empty()) parts.notes.push_back(std::move(word));
+  std::shared_ptr<const PairComposer> pairs = composer.pairs(parts);
+  Run run =
+      run_of(std::move(loaded.config), loaded.folder, std::move(inputs), std::move(parts), std::move(pairs), start);
+  run.seconds.read = composer.read_seconds() + hashed;
+  run.seconds.compose = seconds_since(start.clock) - run.seconds.read;
+  return run;
+}
+
+}  // namespace
+
+Run load_run(const std::filesystem::path& file, const std::vector<Override>& overrides, const BuildProgress& progress) {
+  const RunStart start;
+  return composed(load_config(file, overrides), progress, start);
+}
+
+Run parse_run(std::string text, const std::string& name, const std::filesystem::path& folder,
+              const std::vector<Override>& overrides, const BuildProgress& progress) {
+  const RunStart start;
+  return composed(parse_config(std::move(text), name, folder, overrides), progress, start);
+}
+
+}  // namespace leastcost

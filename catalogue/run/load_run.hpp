@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <leastcost/catalogue/run/run.hpp>
+#include <leastcost/catalogue/yaml/diagnostics.hpp>
+#include <leastcost/catalogue/yaml/override.hpp>
+#include <leastcost/problems/distance/build_progress.hpp>
+
+namespace leastcost {
+
+/// Reads, checks and composes; all files of the configuration have been read afterwards. `progress` hears of domains
+/// that take a while to make, and may throw to stop. Throws ConfigError with every error and its place, InputError.
+Run load_run(const std::filesystem::path& file, const std::vector<Override>& overrides = {},
+             const BuildProgress& progress = {});
+
+/// The same for a configuration that is in memory. `name`: what messages call it, and the default name of the run;
+/// `folder`: what its files are relative to, empty for the current one.
+Run parse_run(std::string text, const std::string& name, const std::filesystem::path& folder = {},
+              const std::vector<Override>& overrides = {}, const BuildProgress& progress = {});
+
+}  // namespace leastcost

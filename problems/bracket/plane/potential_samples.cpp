@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "problems/bracket/plane/potential_samples.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace leastcost {
+
+PotentialSamples samples_of(const BracketPotential& potential) {
+  constexpr int kNodes = 121;  // along the longer side
+  PotentialSamples out;
+  for (int j = 0; j < potential.ny; ++j)
+    for (int i = 0; i < potential.nx; ++i) {
+      if (potential.searched[static_cast<std::size_t>(i + 1 + (j + 1) * (potential.nx + 2))] == 0) continue;
+      out.box.extend(potential.corner + potential.side * Eigen::Vector2d(i, j));
+      out.box.extend(potential.corner + potential.side * Eigen::Vector2d(i + 1, j + 1));
+    }
+  if (out.box.isEmpty()) return out;
+  const Eigen::Vector2d size = out.box.sizes();
+  const double cell = size.maxCoeff() / (kNodes - 1);
+  out.columns = static_cast<int>(std::ceil(size[0] / cell)) + 1;
+  out.rows = static_cast<int>(std::ceil(size[1] / cell)) + 1;
+  for (int j = 0; j < out.rows; ++j)
+    for (int i = 0; i < out.columns; ++i) {
+      const Eigen::Vector2d part(static_cast<double>(i) / (out.columns - 1), static_cast<double>(j) / (out.rows - 1));
+      const Eigen::Vector2d x = out.box.min() + part.cwiseProduct(size);
+      out.values.push_back(potential.is_checked(x) ? potential.value(x) : std::numeric_limits<double>::infinity());
+    }
+  return out;
+}
+
+}  // namespace leastcost
