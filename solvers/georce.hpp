@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <leastcost/framework/base/checked.hpp>
 #include <leastcost/framework/base/options.hpp>
 #include <leastcost/framework/energy/solver.hpp>
 
@@ -22,7 +23,7 @@ struct GeorceOptions {
 /// parametric.
 class Georce final : public Solver {
  public:
-  explicit Georce(GeorceOptions options = {}) : options_(options) {}
+  explicit Georce(GeorceOptions options = {}) : options_(checked(options)) {}
   std::string_view name() const override { return "georce"; }
   std::optional<std::string> cannot_solve(const PathEnergy& energy, const CoordinatePath& path) const override;
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <leastcost/framework/base/checked.hpp>
 #include <leastcost/framework/base/options.hpp>
 #include <leastcost/framework/energy/solver.hpp>
 
@@ -19,7 +20,7 @@ struct GradientDescentOptions {
 /// which is what it is here to show.
 class GradientDescent final : public Solver {
  public:
-  explicit GradientDescent(GradientDescentOptions options = {}) : options_(options) {}
+  explicit GradientDescent(GradientDescentOptions options = {}) : options_(checked(options)) {}
   std::string_view name() const override { return "gradient_descent"; }
 
  private:

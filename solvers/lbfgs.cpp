@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <leastcost/framework/base/checked.hpp>
 #include <leastcost/framework/energy/chain_model.hpp>
 #include <leastcost/framework/energy/stopping.hpp>
 #include "framework/newton/bundle.hpp"
@@ -196,7 +197,7 @@ void LbfgsOptions::fields(FieldVisitor& visit) {
            "Initial inverse Hessian: the chain's own (iterations independent of n) or a multiple of the identity."});
 }
 
-Lbfgs::Lbfgs(LbfgsOptions options) : options_(options) {}
+Lbfgs::Lbfgs(LbfgsOptions options) : options_(checked(options)) {}
 
 SolveReport Lbfgs::do_solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const {
   return LbfgsSolve(energy, path, options_, monitor).run();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/solvers/newton.hpp>
 
+#include <leastcost/framework/base/checked.hpp>
 #include "framework/newton/chain_newton.hpp"
 #include "solvers/limit_fields.hpp"
 
@@ -12,7 +13,7 @@ void NewtonOptions::fields(FieldVisitor& visit) {
   limit_fields(visit, max_iterations, max_evaluations);
 }
 
-Newton::Newton(NewtonOptions options) : options_(options) {}
+Newton::Newton(NewtonOptions options) : options_(checked(options)) {}
 
 SolveReport Newton::do_solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const {
   return solve_by_newton(energy, path, {options_.tolerance, options_.max_iterations, options_.max_evaluations},

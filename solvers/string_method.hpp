@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <leastcost/framework/base/checked.hpp>
 #include <leastcost/framework/base/options.hpp>
 #include <leastcost/framework/energy/solver.hpp>
 
@@ -21,7 +22,7 @@ struct StringMethodOptions {
 /// re-spacing, the path of least true cost met on the way is returned.
 class StringMethod final : public Solver {
  public:
-  explicit StringMethod(StringMethodOptions options = {}) : options_(options) {}
+  explicit StringMethod(StringMethodOptions options = {}) : options_(checked(options)) {}
   std::string_view name() const override { return "string"; }
 
  private:

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <leastcost/framework/base/checked.hpp>
 #include <leastcost/framework/base/options.hpp>
 #include <leastcost/framework/energy/solver.hpp>
 
@@ -23,7 +24,7 @@ struct VfcsOptions {
 /// Armijo by halving, first step a tenth of a segment. Its energies are those of `reference_cost: 1`.
 class Vfcs final : public Solver {
  public:
-  explicit Vfcs(VfcsOptions options = {}) : options_(options) {}
+  explicit Vfcs(VfcsOptions options = {}) : options_(checked(options)) {}
   std::string_view name() const override { return "vfcs"; }
 
  private:

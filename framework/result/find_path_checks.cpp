@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include <leastcost/framework/base/checked.hpp>
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/problem/clearance.hpp>
 #include <leastcost/framework/result/other_images.hpp>
@@ -15,6 +16,7 @@
 namespace leastcost {
 
 void check(const FindOptions& options) {
+  static_cast<void>(checked(options.certificate, "certificate"));
   if (options.points && *options.points < 1)
     throw InputError("a path has at least one free point, not " + std::to_string(*options.points));
   constexpr int kMostAllowed = 100'000'000;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <leastcost/framework/base/checked.hpp>
 #include <leastcost/framework/base/options.hpp>
 #include <leastcost/framework/problem/initializer.hpp>
 
@@ -17,7 +18,7 @@ struct BowOptions {
 /// paths. In the plane and in charts angle 0 bows to the left, 180 to the right.
 class BowInitializer final : public Initializer {
  public:
-  explicit BowInitializer(BowOptions options = {}) : options_(options) {}
+  explicit BowInitializer(BowOptions options = {}) : options_(checked(options)) {}
   std::string_view name() const override { return "bow"; }
   FirstPath first_path(const Problem& problem, const Monitor& monitor) const override;
 

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include <leastcost/framework/base/checked.hpp>
 #include <leastcost/framework/base/options.hpp>
 #include <leastcost/framework/problem/initializer.hpp>
 
@@ -19,7 +20,7 @@ struct CellGraphOptions {
 /// a cost that is constant in each cell. With three places it costs no more than any grid path to 8 or 16 neighbours.
 class CellGraphInitializer final : public Initializer {
  public:
-  explicit CellGraphInitializer(const CellGraphOptions& options = {}) : options_(options) {}
+  explicit CellGraphInitializer(const CellGraphOptions& options = {}) : options_(checked(options)) {}
   std::string_view name() const override { return "cell_graph"; }
   /// Throws InputError for another cost or domain, InitializationError where cells without data part the ends.
   FirstPath first_path(const Problem& problem, const Monitor& monitor) const override;

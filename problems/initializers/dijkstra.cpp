@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <leastcost/framework/base/checked.hpp>
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/problem/has_graph.hpp>
 #include "problems/initializers/away_from_routes.hpp"
@@ -102,7 +103,7 @@ void DijkstraOptions::fields(FieldVisitor& visit) {
 }
 
 DijkstraInitializer::DijkstraInitializer(DijkstraOptions options)
-    : options_(options), keeper_(std::make_shared<RouteKeeper>()) {}
+    : options_(checked(options)), keeper_(std::make_shared<RouteKeeper>()) {}
 
 FirstPath DijkstraInitializer::first_path(const Problem& problem, const Monitor& monitor) const {
   if (problem.ring) throw InitializationError("a ring has no ends to join: give waypoints");

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <leastcost/framework/base/checked.hpp>
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/cost/has_free_places.hpp>
 #include <leastcost/framework/energy/path_energy.hpp>
@@ -128,7 +129,7 @@ void EikonalOptions::fields(FieldVisitor& visit) {
                "domain; without obstacles the line too where it costs no more. On where eikonal is the default."});
 }
 
-EikonalInitializer::EikonalInitializer(const EikonalOptions& options) : options_(options) {
+EikonalInitializer::EikonalInitializer(const EikonalOptions& options) : options_(checked(options)) {
   if (options.cells && (*options.cells < kFewestCells || *options.cells > kMostCells))
     throw OptionError("cells", "must be from " + std::to_string(kFewestCells) + " to " + std::to_string(kMostCells));
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <leastcost/framework/base/checked.hpp>
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/domain/checks_moves.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>
@@ -67,8 +68,7 @@ void GridOptions::fields(FieldVisitor& visit) {
   visit.field("trees", trees, {.help = "Where no grid has a passage random trees look for one, as rrt."});
 }
 
-GridInitializer::GridInitializer(const GridOptions& options) : options_(options) {
-  if (options.resolution && !(*options.resolution > 0)) throw OptionError("resolution", "must be greater than 0");
+GridInitializer::GridInitializer(const GridOptions& options) : options_(checked(options)) {
   if (options.lower && !options.lower->allFinite()) throw OptionError("lower", "must be finite");
   if (options.upper && !options.upper->allFinite()) throw OptionError("upper", "must be finite");
 }

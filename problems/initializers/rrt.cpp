@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include <leastcost/framework/base/checked.hpp>
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/domain/checks_moves.hpp>
 #include "problems/initializers/random_trees.hpp"
@@ -70,10 +71,8 @@ std::vector<Eigen::VectorXd> shortest_of(int paths, std::vector<Eigen::VectorXd>
 
 }  // namespace
 
-RrtInitializer::RrtInitializer(const RrtOptions& options, int run_seed) : options_(options) {
+RrtInitializer::RrtInitializer(const RrtOptions& options, int run_seed) : options_(checked(options)) {
   if (!options_.seed) options_.seed = run_seed;
-  if (options.step && !(*options.step > 0)) throw OptionError("step", "must be greater than 0");
-  if (options.shell && !(*options.shell >= 0)) throw OptionError("shell", "must be at least 0");
 }
 
 FirstPath RrtInitializer::first_path(const Problem& problem, const Monitor& monitor) const {

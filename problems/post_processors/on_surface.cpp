@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <leastcost/framework/base/checked.hpp>
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/cost/segment_cost.hpp>
 #include "problems/section/plane_station.hpp"
@@ -115,7 +116,7 @@ void OnSurfaceOptions::fields(FieldVisitor& visit) {
                .exclusive_minimum = true});
 }
 
-OnSurfacePostProcessor::OnSurfacePostProcessor(const OnSurfaceOptions& options) : options_(options) {
+OnSurfacePostProcessor::OnSurfacePostProcessor(const OnSurfaceOptions& options) : options_(checked(options)) {
   if (options.tolerance && !(*options.tolerance > 0)) throw OptionError("tolerance", "must be greater than 0");
 }
 

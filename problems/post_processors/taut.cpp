@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include <leastcost/framework/base/checked.hpp>
 #include <leastcost/framework/base/errors.hpp>
 #include "problems/obstacles/crossing_word.hpp"
 #include "problems/post_processors/plan_curve.hpp"
@@ -42,10 +43,7 @@ void TautOptions::fields(FieldVisitor& visit) {
                .maximum = kMostExcess});
 }
 
-TautPostProcessor::TautPostProcessor(TautOptions options) : options_(options) {
-  if (!(options.excess >= kLeastExcess && options.excess <= kMostExcess))
-    throw OptionError("excess", "must be from 1e-10 to 0.01");
-}
+TautPostProcessor::TautPostProcessor(TautOptions options) : options_(checked(options)) {}
 
 PostProcessed TautPostProcessor::apply(const Problem& problem, const FirstPath& first, PostProcessed current,
                                        const Monitor& monitor) const {

@@ -7,6 +7,7 @@
 #include <array>
 #include <string>
 
+#include <leastcost/framework/base/checked.hpp>
 #include <leastcost/framework/base/errors.hpp>
 #include "solvers/ceres/line_search.hpp"
 #include "solvers/ceres/trust_region.hpp"
@@ -35,7 +36,7 @@ void CeresOptions::fields(FieldVisitor& visit) {
   rounds.fields(visit);
 }
 
-Ceres::Ceres(CeresOptions options) : options_(options) {}
+Ceres::Ceres(CeresOptions options) : options_(checked(options)) {}
 
 std::optional<std::string> Ceres::cannot_solve(const PathEnergy& energy, const CoordinatePath& path) const {
   const Index variables = energy.problem().manifold->dimensions().tangent * path.free_count();

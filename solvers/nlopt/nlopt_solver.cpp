@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include <leastcost/framework/base/checked.hpp>
 #include <leastcost/framework/base/errors.hpp>
 
 namespace leastcost {
@@ -126,7 +127,7 @@ void NloptOptions::fields(FieldVisitor& visit) {
   rounds.fields(visit);
 }
 
-Nlopt::Nlopt(NloptOptions options) : options_(options) {}
+Nlopt::Nlopt(NloptOptions options) : options_(checked(options)) {}
 
 std::optional<std::string> Nlopt::cannot_solve(const PathEnergy& energy, const CoordinatePath& path) const {
   const Method m = method(options_.algorithm);

@@ -7,6 +7,7 @@
 
 #include "catalogue/config/load_config.hpp"
 #include "catalogue/run/compose.hpp"
+#include "catalogue/yaml/overrides.hpp"
 
 namespace leastcost::test {
 

@@ -21,6 +21,7 @@
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/problems/post_processors/bracket.hpp>
 #include <leastcost/solvers/newton.hpp>
+#include "problems/bracket/plane/distance_bound.hpp"
 #include "problems/bracket/plane/level.hpp"
 #include "tests/problems/planted_media.hpp"
 #include "tests/support/catch.hpp"

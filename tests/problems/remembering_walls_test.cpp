@@ -18,6 +18,7 @@
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/problems/robots/arm_models.hpp>
 #include <leastcost/problems/robots/rigid_body.hpp>
+#include <leastcost/problems/robots/robot_walls.hpp>
 #include <leastcost/solvers/newton.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/trials.hpp"

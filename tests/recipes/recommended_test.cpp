@@ -6,7 +6,7 @@
 
 #include <leastcost/leastcost.hpp>
 
-#include "catalogue/run/run.hpp"
+#include "catalogue/run/load_run.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
 
