@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-// The shortest path between two vertices of a mesh, proved to be the shortest of all: mesh_geodesic hill.obj 0 120
+// The shortest path between two vertices of a mesh, proved to be the shortest of all: mesh_geodesic hill.obj 0 80
 #include <cstdio>
 #include <cstdlib>
 

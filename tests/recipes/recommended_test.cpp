@@ -45,7 +45,7 @@ Problem on_hill() {
   problem.manifold = mesh;
   problem.cost = make_euclidean_cost(3);
   problem.source = mesh->vertex(0);
-  problem.target = mesh->vertex(120);
+  problem.target = mesh->vertex(80);
   return problem;
 }
 
