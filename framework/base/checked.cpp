@@ -59,9 +59,10 @@ class RangeCheck final : public FieldVisitor {
     const bool bounded = std::isfinite(doc.minimum);
     if (!bounded && !std::isfinite(doc.maximum) && !std::isnan(value)) return;
     std::string range =
-        bounded ? (doc.exclusive_minimum ? "greater than " : "at least ") + short_number(doc.minimum) : "";
-    if (std::isfinite(doc.maximum)) range += (bounded ? " and at most " : "at most ") + short_number(doc.maximum);
-    throw OptionError(path_of(key), "must be " + (range.empty() ? "a number" : range) + ", not " + short_number(value));
+        bounded ? (doc.exclusive_minimum ? "greater than " : "at least ") + short_number(doc.minimum, 6) : "";
+    if (std::isfinite(doc.maximum)) range += (bounded ? " and at most " : "at most ") + short_number(doc.maximum, 6);
+    throw OptionError(path_of(key),
+                      "must be " + (range.empty() ? "a number" : range) + ", not " + short_number(value, 6));
   }
 
   std::string prefix_;

@@ -22,7 +22,7 @@ void refuse_infinite(const Problem& problem, const Points& x, const Eigen::Vecto
 /// `tolerance`.
 struct Sampling {
   static constexpr int kPasses = 8;
-  Sampling(int free_points, double spread = 0.05, int most_passes = kPasses)
+  Sampling(int free_points, double spread = 0.05, int most_passes = kPasses)  // NOLINT: a number of points is one
       : points(free_points), tolerance(spread), passes(most_passes) {}
   int points;  ///< n >= 1
   double tolerance;
