@@ -50,7 +50,7 @@ bool is_length(const SegmentCost& cost) {
   return metric.isApprox(metric(0, 0) * Eigen::MatrixXd::Identity(metric.rows(), metric.cols()));
 }
 
-/// In space obstacles have to be convex, and no side of a box may have to hold a path that is pulled tight.
+/// In space all obstacles have to be convex and the domain unbounded: the string does not know the sides of a box.
 bool pulls_tight(const Problem& problem) {
   const ConstraintManifold& domain = *problem.manifold;
   const auto* among = find_ability<HasWalls>(domain);

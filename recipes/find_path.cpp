@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include <leastcost/framework/base/errors.hpp>
-#include <leastcost/problems/kernels/kernels.hpp>
 #include <leastcost/recipes/recommended.hpp>
 
 namespace leastcost {
@@ -14,15 +13,13 @@ Result find_path(const Problem& problem, const FindOptions& options, const Monit
   const Recipe recipe = recommended(problem, options);
   if (!recipe.initializer)
     throw InputError("a ring has no default first path: call find_path(problem, initializer, solver) with one");
-  Problem whole = problem;
-  if (!whole.kernel) whole.kernel = make_kernel<Expm1Square>();
   FindOptions chosen = options;
   for (const auto& step : recipe.post_processors) {
     const bool given = std::any_of(options.post_processors.begin(), options.post_processors.end(),
                                    [&](const auto& other) { return other && other->name() == step->name(); });
     if (!given) chosen.post_processors.push_back(step);
   }
-  return find_path(whole, *recipe.initializer, *recipe.solver, chosen, monitor);
+  return find_path(with_kernel(problem), *recipe.initializer, *recipe.solver, chosen, monitor);
 }
 
 }  // namespace leastcost

@@ -10,7 +10,7 @@ namespace {
 
 bool is_plane(const ProblemFacts& facts) { return facts.euclidean && facts.coordinates == 2; }
 
-/// Without obstacles and robots, where a path can be refracted at interfaces.
+/// Layers and cells refract a path only if there are no obstacles and no robot.
 bool is_free(const ProblemFacts& facts) { return facts.euclidean && !facts.ring && !facts.robot && !facts.obstacles; }
 
 bool refracts(const ProblemFacts& facts) { return is_free(facts) && facts.layers; }
@@ -61,15 +61,26 @@ FirstPathMethod recommended_first_path(const ProblemFacts& facts) {
 
 std::string_view why(FirstPathMethod method, const ProblemFacts& facts) {
   switch (method) {
-    case FirstPathMethod::none: return "a ring has no default first path: give one";
-    case FirstPathMethod::straight: return "nothing stands between the ends, and the cost names no other way";
-    case FirstPathMethod::dijkstra: return "the domain has edges, and the shortest path along them is near the least";
-    case FirstPathMethod::cell_graph: return "the cost is constant in each cell: a graph over the sides of the cells";
-    case FirstPathMethod::grid: return "obstacles in the plane: a grid sees the ways around them";
+    case FirstPathMethod::none: return "because a ring has no default: give one";
+    case FirstPathMethod::straight: return "because there are no obstacles and no edges to follow";
+    case FirstPathMethod::dijkstra: return "because the shortest path along the edges is near the least-cost path";
+    case FirstPathMethod::cell_graph: return "because the cost is constant in each cell of a raster";
+    case FirstPathMethod::grid: return "because it sees all ways around obstacles in the plane";
     case FirstPathMethod::eikonal:
-      return facts.obstacles ? "obstacles on a chart: a field over two coordinates sees the ways around them"
-                             : "the cost depends on the place: a field over two coordinates sees the ways on all sides";
-    case FirstPathMethod::rrt: return "obstacles in more than two coordinates: random trees find a way";
+      return facts.obstacles ? "because it sees all ways around obstacles on a chart"
+                             : "because the cost depends on the place, and it sees the ways on all sides";
+    case FirstPathMethod::rrt:
+      return facts.robot ? "because a robot moves in a space of configurations"
+                         : "because it finds ways among obstacles in any number of coordinates";
+  }
+  return "";
+}
+
+std::string_view why(SolveMethod method) {
+  switch (method) {
+    case SolveMethod::none: return "because a post-processor makes the curve from the first path";
+    case SolveMethod::newton: return "because second derivatives are known, and it takes fewest iterations";
+    case SolveMethod::lbfgs: return "because the energy on a mesh has kinks";
   }
   return "";
 }

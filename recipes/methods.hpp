@@ -27,7 +27,7 @@ struct ProblemFacts {
   bool terrain = false;          ///< a height field over the plane
   bool chart = false;            ///< a surface given by coordinates, terrain and the Earth included
   bool mesh = false;             ///< made of triangles
-  bool occupancy = false;        ///< which are the free part of an occupancy map
+  bool occupancy = false;        ///< its triangles are the free part of an occupancy map
   bool graph = false;            ///< edges that a shortest path can follow
   bool level_set = false;        ///< a surface f = 0
   int coordinates = 0;           ///< of points; 0: not known yet
@@ -47,8 +47,9 @@ struct FirstPathFacts {
 /// none: for a ring, which has no default.
 FirstPathMethod recommended_first_path(const ProblemFacts& facts);
 
-/// Why it is the one, in one sentence.
+/// Why it is the one, in words that follow its name.
 std::string_view why(FirstPathMethod method, const ProblemFacts& facts);
+std::string_view why(SolveMethod method);
 
 /// Whether the post-processors make the least-cost curve of its class by themselves, so that no solver is needed.
 bool makes_exact_curves(const ProblemFacts& facts);

@@ -9,6 +9,7 @@
 #include <leastcost/problems/initializers/grid.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>
 #include <leastcost/problems/initializers/straight.hpp>
+#include <leastcost/problems/kernels/kernels.hpp>
 #include <leastcost/problems/post_processors/global_proof.hpp>
 #include <leastcost/problems/post_processors/on_surface.hpp>
 #include <leastcost/problems/post_processors/refract.hpp>
@@ -61,8 +62,15 @@ std::shared_ptr<const PostProcessor> make(CurveMethod method) {
 
 }  // namespace
 
-Recipe recommended(const Problem& problem, const FindOptions& options) {
-  if (!problem.manifold || !problem.cost) throw InputError("a recipe needs a problem with a manifold and a cost");
+Problem with_kernel(Problem problem) {
+  if (!problem.kernel) problem.kernel = make_kernel<Expm1Square>();
+  return problem;
+}
+
+Recipe recommended(const Problem& given, const FindOptions& options) {
+  if (!given.manifold || !given.cost) throw InputError("a recipe needs a problem with a manifold and a cost");
+  const Problem problem = with_kernel(given);
+  check(problem);
   const ProblemFacts facts = facts_of(problem);
   const FirstPathMethod first = recommended_first_path(facts);
   const FirstPathFacts start{.straight = first == FirstPathMethod::straight};
@@ -74,13 +82,13 @@ Recipe recommended(const Problem& problem, const FindOptions& options) {
   recipe.initializer = make(first, exact && facts.mesh && !facts.occupancy);
   recipe.solver = make(solver);
   for (const CurveMethod step : recommended_curve(facts)) recipe.post_processors.push_back(make(step));
-  recipe.why.push_back("first path: " + std::string(why(first, facts)));
-  recipe.why.push_back("solver: " + (solver == SolveMethod::none
-                                         ? std::string("none, for a post-processor makes the curve by itself")
-                                         : "the chain has to be solved"));
+  recipe.why.push_back("first path: " + std::string(word_of(first)) + ", " + std::string(why(first, facts)));
+  recipe.why.push_back("solver: " + std::string(word_of(solver)) + ", " + std::string(why(solver)));
   if (!proved && !brackets_in_box(facts, start, asked)) return recipe;
   GlobalProofStep proof = global_proof(problem, options.certificate.global);
-  recipe.why.push_back("proof over all paths: " + (proof.step ? std::string(proof.step->name()) : proof.why_not));
+  recipe.why.push_back("proof over all paths: " +
+                       (proof.step ? std::string(proof.step->name()) + ", by what the domain and the cost are"
+                                   : "none, " + proof.why_not));
   if (proof.step) recipe.post_processors.push_back(std::move(proof.step));
   return recipe;
 }

@@ -14,16 +14,20 @@
 
 namespace leastcost {
 
-/// The methods that are recommended for a problem: what a configuration without options would run.
+/// The methods that are recommended for a problem.
 struct Recipe {
   std::shared_ptr<const Initializer> initializer;  ///< null for a ring, which has no default
   std::shared_ptr<const Solver> solver;
   std::vector<std::shared_ptr<const PostProcessor>> post_processors;  ///< the proof over all paths comes last
-  std::vector<std::string> why;                                       ///< one sentence for each choice
+  std::vector<std::string> why;  ///< of the first path, the solver and the proof: "solver: newton, .."
 };
 
+/// The problem, with the kernel exp(s^2) - 1 if it has none.
+Problem with_kernel(Problem problem);
+
 /// Decided by what the objects of the problem are (facts_of), and by `options.certificate`: whether a proof over all
-/// paths is wanted. Throws InputError for a problem without a domain or a cost.
+/// paths is wanted. A configuration asks the same rules (methods.hpp) with what the types of its parts say. Throws
+/// InputError for a problem whose parts do not fit; the kernel may be missing.
 Recipe recommended(const Problem& problem, const FindOptions& options = {});
 
 }  // namespace leastcost

@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: MIT
 // What is recommended for a problem, by what its objects are (recipes), and that it is what a configuration runs.
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <numbers>
+#include <regex>
+#include <string>
 
 #include <leastcost/leastcost.hpp>
 
@@ -54,6 +59,13 @@ std::string names(const Recipe& recipe) {
   text += " " + std::string(recipe.solver->name());
   for (const auto& step : recipe.post_processors) text += " " + std::string(step->name());
   return text;
+}
+
+/// Whether a configuration leaves first path, solver and post-processors to the defaults, for one open path.
+bool leaves_methods_open(const std::string& text) {
+  static const std::regex stated(
+      R"((^|\n)(initializer|solver|post_process|family|extends):|pairs:|ring: true|max_seconds)");
+  return !std::regex_search(text, stated);
 }
 
 }  // namespace
@@ -135,6 +147,29 @@ TEST_CASE("recipes: a configuration without options runs the same methods") {
   Recipe recipe = recommended(same.problem);
   Recipe of_run{run.parts.initializer, run.parts.solver, run.parts.options.post_processors, {}};
   CHECK(names(of_run) == names(recipe));
+}
+
+TEST_CASE("recipes: of what the configurations compose, the objects say the same as the types") {
+  int compared = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(project_dir() / "configs")) {
+    if (entry.path().extension() != ".yaml") continue;
+    std::ifstream in(entry.path());
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    if (!leaves_methods_open(text)) continue;
+    CAPTURE(entry.path().filename().string());
+    const Run run = load_run(entry.path());
+    // Places without data become obstacles when the files are read, after the types have chosen.
+    const bool walls = find_ability<HasWalls>(*run.parts.problem.manifold) != nullptr;
+    if (walls && text.find("obstacles:") == std::string::npos) continue;
+    FindOptions options = run.parts.options;
+    options.certificate.global = GlobalAuto{};
+    for (const auto& step : run.parts.options.post_processors)
+      if (step->name() == "bracket") options.certificate.global = GlobalBudget{};
+    const Recipe of_run{run.parts.initializer, run.parts.solver, run.parts.options.post_processors, {}};
+    CHECK(names(of_run) == names(recommended(run.parts.problem, options)));
+    ++compared;
+  }
+  CHECK(compared > 30);
 }
 
 }  // namespace leastcost::test
