@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/framework/certificate/certificate_failure.hpp>
 
-#include <algorithm>
 #include <array>
+#include <cstddef>
 
 namespace leastcost {
 namespace {
@@ -41,10 +41,15 @@ constexpr std::array<Consequences, 30> kTable = {{
     {Failure::below_bound, "below_bound", false, PointsHelp::no},
 }};
 
+constexpr bool is_in_order() {
+  for (std::size_t i = 0; i < kTable.size(); ++i)
+    if (kTable[i].failure != static_cast<Failure>(i)) return false;
+  return true;
+}
+static_assert(is_in_order() && kTable.back().failure == Failure::below_bound, "one row for each failure, in order");
+
 }  // namespace
 
-const Consequences& consequences(Failure failure) {
-  return *std::find_if(kTable.begin(), kTable.end(), [&](const Consequences& row) { return row.failure == failure; });
-}
+const Consequences& consequences(Failure failure) { return kTable[static_cast<std::size_t>(failure)]; }
 
 }  // namespace leastcost

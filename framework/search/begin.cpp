@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include <leastcost/framework/base/errors.hpp>
@@ -28,7 +27,7 @@ int point_count(const FindOptions& options, const FirstPath& first) {
   return std::max(8, *first.graph_vertices);
 }
 
-/// Among obstacles its failure has a name of its own.
+/// Among obstacles the message begins with no_passage.
 FirstPath first_path(const Initializer& initializer, const Problem& problem, const Monitor& monitor) {
   try {
     return initializer.first_path(problem, monitor);

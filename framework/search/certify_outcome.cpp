@@ -20,7 +20,7 @@
 namespace leastcost {
 namespace {
 
-/// Of the certificate itself; what throws here takes it away.
+/// Part of the certificate: if one throws, the certificate fails as `exception`.
 constexpr std::array<Step, 2> kNotes = {note_cheaper_image, note_free_ways};
 /// Of the delivered path, whether it was certified or not.
 constexpr std::array<Step, 2> kJudgements = {judge_homotopy_class, judge_free_passage};

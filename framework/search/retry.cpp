@@ -30,6 +30,7 @@ std::optional<Outcome> with_twice_the_points(const Search& search, const Outcome
   return next;
 }
 
+/// Not judged: an attempt with more points is nearer to the path that is asked for, however deep its moves go.
 bool always(const Search&, const Outcome&, Outcome&) { return true; }
 
 bool another_way_is_cheaper(const Search&, const Outcome& out, int tries) {
@@ -74,7 +75,7 @@ std::optional<Outcome> resampled(const Search& search, const Outcome& before, co
   return next;
 }
 
-const Retry kNone = {never, nullptr, nullptr};
+const Retry kNoRetry = {never, nullptr, nullptr};
 const Retry kDenserBetweenObstacles = {goes_through_obstacles, with_twice_the_points, always};
 const Retry kFromCheaperWay = {another_way_is_cheaper, from_cheaper_way, costs_less, true};
 

@@ -8,15 +8,15 @@
 
 namespace leastcost {
 
-/// Why a stage of a search is tried again, and what is kept of it. An attempt is carried up to the stage whose answer
-/// was wrong and is judged there; then the stage is run again on what is kept.
+/// When a phase of a search is repeated. A new attempt runs the phases before it and is compared here; then the phase
+/// runs on the one that is kept.
 struct Retry {
-  /// `tries`: attempts that were made at this stage.
+  /// `tries`: attempts that this phase has made.
   bool (*has_reason)(const Search&, const Outcome&, int tries);
   /// The next attempt, not yet solved; nothing: there are too many points, or no such chain.
   std::optional<Outcome> (*attempt)(const Search&, const Outcome&);
   bool (*keeps)(const Search&, const Outcome& before, Outcome& attempt);
-  /// The stage has left work open for the sake of the attempt: it is run again where nothing came of that, too.
+  /// The phase runs again even if there was no attempt, or it was not kept.
   bool repeats = false;
 };
 
@@ -24,10 +24,11 @@ struct Retry {
 /// say nothing of another. Nothing where there is no such chain.
 std::optional<Outcome> resampled(const Search& search, const Outcome& before, const CoordinatePath& path, Index points);
 
-/// No other attempt.
-extern const Retry kNone;
+/// For a phase that is never repeated.
+extern const Retry kNoRetry;
 
-/// After a solve: twice as many points where the moves between them would not go between the obstacles of the domain.
+/// After a solve: twice as many points, up to 4,000, if the moves between them touch the obstacles of the domain. Ends
+/// when a doubling makes them touch by no less than three quarters.
 extern const Retry kDenserBetweenObstacles;
 /// A note of the points that it came to.
 void note_denser_points(const Search& search, Outcome& out);

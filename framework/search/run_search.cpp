@@ -3,6 +3,7 @@
 #include "framework/search/run_search.hpp"
 
 #include <array>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -31,7 +32,7 @@ constexpr std::array<Step, 2> kPreparations = {locate_ends, refuse_wrong_ends};
 /// The stages of a search and why each may be tried again.
 struct Phase {
   Step run;
-  const Retry& again = kNone;
+  const Retry& again = kNoRetry;
 };
 const std::array<Phase, 5> kPhases = {{{solve_chain, kDenserBetweenObstacles},
                                        {note_denser_points},

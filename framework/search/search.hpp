@@ -46,13 +46,17 @@ struct Outcome {
 /// One step of a search. Throws Interrupted.
 using Step = void (*)(const Search&, Outcome&);
 
-/// Runs a part of a search as one of the stages that an observer sees, and adds up its time.
+/// Runs a part of a search as one of the stages that an observer sees, and adds up its time, also if it throws.
 template <class Work>
 void timed(Stage stage, const Search& search, double& seconds, Work work) {
+  struct Timer {
+    double& seconds;
+    Monitor::Clock::time_point start = Monitor::Clock::now();
+    ~Timer() { seconds += std::chrono::duration<double>(Monitor::Clock::now() - start).count(); }
+  };
   search.monitor.report({stage, nullptr});
-  const auto start = Monitor::Clock::now();
+  const Timer timer{seconds};
   work();
-  seconds += std::chrono::duration<double>(Monitor::Clock::now() - start).count();
 }
 
 }  // namespace leastcost
