@@ -3,6 +3,8 @@
 #pragma once
 
 #include <leastcost/framework/certificate/certificate.hpp>
+#include <leastcost/framework/problem/post_processor.hpp>
+#include <leastcost/framework/problem/problem.hpp>
 
 namespace leastcost {
 
