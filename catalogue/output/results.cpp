@@ -16,6 +16,7 @@
 #include "catalogue/output/path_table.hpp"
 #include "catalogue/run/run_origin.hpp"
 #include "catalogue/scene/scene.hpp"
+#include "problems/raster/raster_cells.hpp"
 
 namespace leastcost {
 namespace {
@@ -44,7 +45,8 @@ ManifestFacts facts_of(const RunOutcome& outcome, const std::vector<std::string>
 }
 
 bool is_on_raster(const Problem& problem) {
-  return find_ability<HasVoids>(*problem.manifold) != nullptr || find_ability<HasVoids>(*problem.cost) != nullptr;
+  return find_ability<HasVoids>(*problem.manifold) != nullptr || find_ability<HasVoids>(*problem.cost) != nullptr ||
+         find_ability<HasRasterCells>(*problem.cost) != nullptr;
 }
 
 /// Polylines: the delivered points and curve, and the curves of the family.

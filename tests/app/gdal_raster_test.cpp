@@ -195,6 +195,14 @@ TEST_CASE("GeoPackage: the path and its points over a raster with a CRS open in 
   CHECK_THAT(output_of("ogrinfo -so " + file + " points 2>&1"), Catch::Contains("Feature Count: 11"));
   run_in("result");
   CHECK_FALSE(std::filesystem::exists(dir / "out/path.gpkg"));
+  // A cost map that is read as its cells, which is the default, has one too.
+  write_run(solve(parse_run("manifold: euclidean\ncost: {type: cost_map, file: utm.tif}\nends: {source: {point: "
+                            "[500100, 5200200]}, target: {point: [500300, 5200400]}}\npath: {points: 9}\n"
+                            "output: {files: [result, gpkg]}\n",
+                            "b.yaml", dir.path())),
+            dir / "cells", {});
+  CHECK_THAT(output_of("ogrinfo -so '" + (dir / "cells/path.gpkg").string() + "' points 2>&1"),
+             Catch::Contains("Feature Count: 11"));
 }
 
 TEST_CASE("GDAL: what it cannot read is an error with the name of the file") {
