@@ -115,8 +115,8 @@ bool proves_over_all_classes(const ProblemFacts& facts, const FirstPathFacts& fi
   return facts.mesh && facts.constant_metric && (!facts.occupancy || is_asked_for(asked));
 }
 
-bool brackets_in_box(const ProblemFacts& facts, const FirstPathFacts& first, const GlobalProof& asked) {
-  return is_asked_for(asked) && (facts.euclidean || facts.terrain) && !proves_over_all_classes(facts, first, asked);
+bool brackets_in_box(const ProblemFacts& facts, const GlobalProof& asked) {
+  return is_asked_for(asked) && (facts.euclidean || facts.terrain);
 }
 
 }  // namespace leastcost

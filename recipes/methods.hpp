@@ -63,7 +63,7 @@ std::vector<CurveMethod> recommended_curve(const ProblemFacts& facts);
 /// among obstacles, through layers and cells.
 bool proves_over_all_classes(const ProblemFacts& facts, const FirstPathFacts& first, const GlobalProof& asked);
 
-/// Whether a bracket of the least cost in a box is made: only on request.
-bool brackets_in_box(const ProblemFacts& facts, const FirstPathFacts& first, const GlobalProof& asked);
+/// Whether a bracket of the least cost in a box is made where that search is not: only on request.
+bool brackets_in_box(const ProblemFacts& facts, const GlobalProof& asked);
 
 }  // namespace leastcost

@@ -84,7 +84,7 @@ Recipe recommended(const Problem& given, const FindOptions& options) {
   for (const CurveMethod step : recommended_curve(facts)) recipe.post_processors.push_back(make(step));
   recipe.why.push_back("first path: " + std::string(word_of(first)) + ", " + std::string(why(first, facts)));
   recipe.why.push_back("solver: " + std::string(word_of(solver)) + ", " + std::string(why(solver)));
-  if (!proved && !brackets_in_box(facts, start, asked)) return recipe;
+  if (!proved && !brackets_in_box(facts, asked)) return recipe;
   GlobalProofStep proof = global_proof(problem, options.certificate.global);
   recipe.why.push_back("proof over all paths: " +
                        (proof.step ? std::string(proof.step->name()) + ", by what the domain and the cost are"

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <variant>
 
 #include <leastcost/problems/costs/cost_map.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
@@ -174,9 +173,8 @@ bool sees_one_way(const RunConfig& config) {
 }
 
 bool brackets(const RunConfig& config) {
-  if (!config.certificate.enabled || proves_shortest(config)) return false;
-  return std::holds_alternative<GlobalBudget>(config.certificate.global) &&
-         is(config.manifold, {"euclidean", "terrain"});
+  return config.certificate.enabled && !proves_shortest(config) &&
+         brackets_in_box(facts_of(config), config.certificate.global);
 }
 
 namespace {

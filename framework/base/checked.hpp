@@ -6,8 +6,8 @@
 
 namespace leastcost {
 
-/// Throws OptionError, with the key of the option, for the first one outside the range that its fields() state. `key`:
-/// what stands before it, as in "certificate".
+/// Throws OptionError, whose message names the option, for the first one outside the range that its fields() state.
+/// `key`: what stands before it, as in "certificate".
 void check_ranges(const std::function<void(FieldVisitor&)>& fields, const std::string& key = "");
 
 /// The options, after that check: for constructors, so that C++ refuses what a configuration would.

@@ -10,7 +10,8 @@
 namespace leastcost::test {
 
 TEST_CASE("ranges: options outside their range do not make a part") {
-  CHECK_THROWS_WITH(RrtInitializer({.goal_bias = 7}), Catch::Contains("must be at least 0 and at most 1, not 7"));
+  CHECK_THROWS_WITH(RrtInitializer({.goal_bias = 7}),
+                    Catch::Contains("goal_bias must be at least 0 and at most 1, not 7"));
   CHECK_THROWS_AS(RrtInitializer({.max_nodes = -3}), OptionError);
   CHECK_THROWS_WITH(RrtInitializer({.step = -1}), Catch::Contains("must be greater than 0, not -1"));
   CHECK_THROWS_AS(BowInitializer({.height = -1}), OptionError);
