@@ -21,4 +21,5 @@
 #include <leastcost/framework/replan/replanner.hpp>
 #include <leastcost/framework/replan/waypoints.hpp>
 #include <leastcost/framework/result/other_images.hpp>
+#include <leastcost/framework/result/prove.hpp>
 #include <leastcost/framework/search/find_path.hpp>

@@ -28,21 +28,24 @@ struct Calibration {
   double half_width = 0;        ///< of the tube where it is narrowest, units of the cost
   double lower = 0;             ///< where proved: no curve in the tube costs less. Units of the cost
   std::optional<double> upper;  ///< the curve costs no more
+  Index segments = 0;           ///< of the tube; 0 where none was needed
   DetailVerdict details = DetailVerdict::undecided;
-  Index detail = 0;  ///< the segment of the chain where there are details, or may be
+  Index detail = 0;  ///< the point of the chain where there are details, or may be
 };
 
 struct CalibrationOptions {
   Index segments = 0;  ///< of the delivered path: the tube reaches a quarter of one to each side
   double gap = 0;      ///< relative; no more effort where it is reached
-  int boxes = 4;       ///< at most this many per segment of the chain, in the mean: the effort for the proof
+  int boxes = 4;       ///< at most this many per segment of the tube, in the mean: the effort for the proof
 };
 
 /// Whether there can be a proof: cost and domain are formulas, in two or three coordinates, or the metric is constant
 /// in a flat space of any number of them.
 bool can_calibrate(const Problem& problem);
 
-/// For the piecewise cubic curve with continuous tangents through the points of an open chain. Throws Interrupted.
+/// For a piecewise quintic curve with continuous curvature along an open chain or a ring, through as many of its points
+/// as the shape of the curve and of the metric ask for: the time does not grow with the number of points. Throws
+/// Interrupted.
 Calibration calibrate(const Problem& problem, const CoordinatePath& chain, const CalibrationOptions& options,
                       const Deadline& deadline);
 

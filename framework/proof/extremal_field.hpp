@@ -140,7 +140,7 @@ class ExtremalField {
       for (Index r = 0; r < kAcross; ++r)
         for (Index c = 0; c < kAcross; ++c)
           tube_.segments[i].w[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)] =
-              Cubic::hermite(w(r, c), next(r, c), k1(r, c), rate(r, c));
+              hermite(w(r, c), next(r, c), k1(r, c), rate(r, c));
       w = next;
     }
     end_ = w(0, 0);
@@ -191,7 +191,7 @@ void ExtremalField<N, D>::add_third_derivatives() {
       for (Index l = 0; l < kAcross; ++l)
         for (Index m = 0; m < kAcross; ++m)
           tube_.segments[i].third[k][static_cast<std::size_t>(l)][static_cast<std::size_t>(m)] =
-              Cubic::hermite(c[k](l, m), next[k](l, m), k1[k](l, m), rate[k](l, m));
+              hermite(c[k](l, m), next[k](l, m), k1[k](l, m), rate[k](l, m));
     c = next;
   }
 }

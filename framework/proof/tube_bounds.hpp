@@ -29,7 +29,7 @@ class TubeBounds {
   /// The cost of a part of the curve, by Taylor's theorem: the third derivative of the speed bounds what its parabola
   /// leaves out. Where there is none, at a kink, the part is halved until only a short one holds the kink.
   Interval curve_cost(const TubeSegment<N, D>& segment, const Interval& range, double enough, int depth = 0) {
-    constexpr int kDeepest = 3, kMostParts = 4;
+    constexpr int kDeepest = 2, kMostParts = 16;
     look_at_clock(deadline_);
     const double middle = range.middle(), half = range.width() / 2 * (1 + 1e-15);
     const TubeSegment<N, D> here = segment.around(middle);
@@ -40,8 +40,8 @@ class TubeBounds {
     const Interval sum =
         Interval(2) * speed.value_at_center() * r + speed.d_at_center(0, 0) * r3 / Interval(3) + Interval(-odd, odd);
     if (sum.width() <= enough || depth == kDeepest) return sum;
-    const double parts_needed = std::sqrt(std::sqrt(sum.width() / enough));  // the error is of fourth order
-    const int parts = parts_needed <= 2 ? 2 : parts_needed <= 3 ? 3 : kMostParts;
+    const double needed = std::sqrt(std::sqrt(sum.width() / enough));  // the error is of fourth order
+    const int parts = needed < kMostParts ? std::max(2, static_cast<int>(std::ceil(needed))) : kMostParts;
     Interval all(0);
     double from = range.lo;
     for (int part = 1; part <= parts; ++part) {
@@ -52,23 +52,34 @@ class TubeBounds {
     return all;
   }
 
+  struct Curvature {
+    double bound;
+    IntervalJet<N> on_curve;  ///< f on the curve of the whole segment
+    int parts = 1;            ///< in which the segment is better divided; the bound says nothing then
+  };
+
   /// c < 0 such that f(t, z) <= 1 + r.z + c |z|^2 / 2 in the tube, r the slope on the curve; not negative where that is
   /// not seen. f is the double integral of its Hessian along the way from the curve to z, so that a bound on each of a
   /// few shells around the curve is enough, and farther out it may be positive. `margin`: -1/2 of that Hessian on the
   /// curve.
-  double mean_curvature(const TubeSegment<N, D>& segment, double half_width, double margin) {
+  Curvature mean_curvature(const TubeSegment<N, D>& segment, double half_width, double margin, bool can_divide) {
     margin_ = margin;
     on_curve_.clear();
     constexpr int kShells = kAcross == 1 ? 6 : 3;
-    Box all;
-    all.fill({-half_width, half_width});
-    const CurvatureBound at_once = curvature_bound(segment, {0, 1}, all);
-    if (is_good(at_once)) return at_once.bound;
+    const IntervalJet<N> on_curve = squared_norm(segment, {0, 1}, Box{});
+    const CurvatureBound at_once = mean_at_once(segment, {0, 1}, half_width, on_curve);
+    if (is_good(at_once, kPart)) return {at_once.bound, on_curve};
+    if (can_divide) {
+      const Interval middle(0.5);
+      const double cut = mean_at_once(segment, middle, half_width, squared_norm(segment, middle, Box{})).bound;
+      const double off = (at_once.bound - cut) / std::abs(at_once.at_center);
+      if (!(off < kOff)) return {at_once.bound, on_curve, parts_for(off)};
+    }
     double sum = 0, slope = 0, worst = -std::numeric_limits<double>::infinity();  // the double integral, its slope
     for (int shell = 0; shell < kShells; ++shell) {
       const double lo = shell * half_width / kShells, hi = (shell + 1) * half_width / kShells;
       const double bound = shell_curvature(segment, {lo, hi});
-      if (!std::isfinite(bound)) return std::numeric_limits<double>::infinity();
+      if (!std::isfinite(bound)) return {bound, on_curve};
       // The integral over z^2 is a + b / z + c / z^2 within the shell.
       const double a = bound / 2, b = slope - bound * lo, c = sum - slope * lo + bound * lo * lo / 2;
       const auto mean = [&](double inverse) { return 2 * (a + inverse * (b + inverse * c)); };
@@ -79,17 +90,22 @@ class TubeBounds {
       sum += (hi - lo) * (slope + bound * (hi - lo) / 2);
       slope += bound * (hi - lo);
     }
-    return worst;
+    return {worst, on_curve};
   }
 
-  /// A bound of the squared slope of f across the curve, on the curve; `enough` is good enough.
-  double squared_slope(const TubeSegment<N, D>& segment, double enough) {
+  /// A bound of the squared slope of f across the curve, on the curve; `enough` is good enough. `on_curve`: f of the
+  /// whole segment.
+  double squared_slope(const TubeSegment<N, D>& segment, const IntervalJet<N>& on_curve, double enough) {
     seen_ = 0;
-    return slope2(segment, {0, 1}, enough, 0);
+    on_curve_.clear();
+    return slope2(segment, on_curve, {0, 1}, enough, 0);
   }
 
  private:
   using Box = std::array<Interval, kAcross>;
+  static constexpr double kPart = 0.25;        ///< of the curvature on the curve that is enough in the mean
+  static constexpr double kPartOfShell = 0.5;  ///< and in a shell, which may have to make up for others
+  static constexpr double kOff = 0.7;          ///< of a bound above that in the middle of a segment, relative
 
   /// The cost of a part with a kink in it, which falls as the square of its length.
   Interval kinked_cost(const TubeSegment<N, D>& segment, const Interval& range, const Interval& speed, double enough) {
@@ -117,10 +133,19 @@ class TubeBounds {
     double bound, at_center;
   };
 
-  static bool is_good(const CurvatureBound& found) { return found.bound < 0 && found.bound <= found.at_center / 2; }
+  static bool is_good(const CurvatureBound& found, double part) {
+    return found.bound < 0 && found.bound <= part * found.at_center;
+  }
 
-  /// A bound of the eigenvalues of the Hessian of f across the curve in a part of the tube, by Gershgorin's circles.
-  CurvatureBound curvature_bound(const TubeSegment<N, D>& segment, const Interval& range, const Box& across) {
+  /// Parts of a segment, where its bound lies `off` above that in its middle, relative to it. The distance falls with
+  /// the third power of the length.
+  static int parts_for(double off) {
+    constexpr int kMost = 4;
+    if (!std::isfinite(off)) return 2;
+    return off < kOff * kMost * kMost * kMost ? std::max(2, static_cast<int>(std::ceil(std::cbrt(off / kOff)))) : kMost;
+  }
+
+  IntervalJet<N> squared_norm(const TubeSegment<N, D>& segment, const Interval& range, const Box& across) {
     look_at_clock(deadline_);
     ++boxes_;
     const double middle = range.middle(), half = range.width() / 2 * (1 + 1e-12);
@@ -129,24 +154,52 @@ class TubeBounds {
     auto on_curve = on_curve_.find({range.lo, range.hi});
     if (on_curve == on_curve_.end())
       on_curve = on_curve_.emplace(std::pair(range.lo, range.hi), field_.on_curve(here, local)).first;
-    const IntervalJet<N> f = field_.squared_norm(here, on_curve->second, local, across);
+    return field_.squared_norm(here, on_curve->second, local, across);
+  }
+
+  /// A bound of the eigenvalues of the Hessian of f across the curve, by Gershgorin's circles.
+  static CurvatureBound largest_eigenvalue(const IntervalJet<N>& f) {
     CurvatureBound out{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (int k = 1; k < N; ++k) {
       double row = f.d(k, k).hi, center_row = f.d_at_center(k, k).hi;
       for (int l = 1; l < N; ++l)
         if (l != k) row += f.d(k, l).magnitude(), center_row += f.d_at_center(k, l).magnitude();
+      if (std::isnan(row)) row = std::numeric_limits<double>::infinity();
       out.bound = std::max(out.bound, row);
       out.at_center = std::max(out.at_center, center_row);
     }
-    if (std::isnan(out.bound)) out.bound = std::numeric_limits<double>::infinity();
     return out;
+  }
+
+  /// c as in mean_curvature(), from the Hessian on the curve and the third derivatives over the whole width: the
+  /// second integral of a Hessian that grows by these is a third of what they add at the sides.
+  CurvatureBound mean_at_once(const TubeSegment<N, D>& segment, const Interval& range, double half_width,
+                              const IntervalJet<N>& f_on_curve) {
+    Box all;
+    all.fill({-half_width, half_width});
+    const CurvatureBound on_curve = largest_eigenvalue(f_on_curve);
+    const IntervalJet<N> f = squared_norm(segment, range, all);
+    double norm2 = 0;
+    for (int k = 1; k < N; ++k)
+      for (int l = 1; l < N; ++l)
+        for (int m = 1; m < N; ++m) norm2 += f.d(k, l, m).magnitude() * f.d(k, l, m).magnitude();
+    const double reach = half_width * std::sqrt(static_cast<double>(kAcross)),
+                 bound = (on_curve.bound + std::sqrt(norm2) * reach / 3) * (1 + 1e-15);
+    const double over_box = largest_eigenvalue(f).bound;
+    return {bound < over_box ? bound : over_box, on_curve.at_center};
+  }
+
+  /// A bound of the eigenvalues of the Hessian of f across the curve in a part of the tube.
+  CurvatureBound curvature_bound(const TubeSegment<N, D>& segment, const Interval& range, const Box& across) {
+    return largest_eigenvalue(squared_norm(segment, range, across));
   }
 
   /// The same, halved in every direction until the bound is good.
   double largest_curvature(const TubeSegment<N, D>& segment, const Interval& range, const Box& across, int depth) {
     constexpr int kDeepest = kAcross == 1 ? 5 : 3;
     const CurvatureBound found = curvature_bound(segment, range, across);
-    if (is_good(found) || found.bound - found.at_center <= margin_ / 4 || depth == kDeepest) return found.bound;
+    if (is_good(found, kPartOfShell) || found.bound - found.at_center <= margin_ / 4 || depth == kDeepest)
+      return found.bound;
     if (boxes_ > most_boxes_) return found.bound;
     double largest = -std::numeric_limits<double>::infinity();
     for (int part = 0; part < 1 << N && largest < std::numeric_limits<double>::infinity(); ++part) {
@@ -160,25 +213,46 @@ class TubeBounds {
   }
 
   /// A bound of the squared slope of f across the curve, on the curve.
-  double slope2(const TubeSegment<N, D>& segment, const Interval& range, double enough, int depth) {
-    constexpr int kDeepest = 4;
-    look_at_clock(deadline_);
-    const double middle = range.middle(), half = range.width() / 2 * (1 + 1e-12);
-    const TubeSegment<N, D> here = segment.around(middle);
-    const Interval local(-half, half);
-    const Box zero = {};
-    const IntervalJet<N> f = field_.squared_norm(here, field_.on_curve(here, local), local, zero);
-    double sum = 0, least = 0;
+  double slope2(const TubeSegment<N, D>& segment, const IntervalJet<N>& f, const Interval& range, double enough,
+                int depth) {
+    constexpr int kDeepest = 2, kMostParts = 8;
+    constexpr double kSlack = 1.6;  // of the slope
+    const double half = range.width() / 2 * (1 + 1e-12);
+    double most = 0, seen = 0;
     for (int k = 1; k < N; ++k) {
-      const Interval there = f.d_at_center(k), slope = f.d(k);
-      sum += slope.magnitude() * slope.magnitude();
-      least += there.magnitude() * there.magnitude();
+      const double bound = std::min(f.d(k).magnitude(), largest_slope(f, k, half, f.d(k, 0, 0))),
+                   there = largest_slope(f, k, half, Interval(f.d(k, 0, 0).middle()));
+      most += bound * bound;
+      seen += there * there;
     }
-    seen_ = std::max(seen_, least);
-    if (sum <= std::max(enough, 2 * seen_) || depth == kDeepest)
-      return std::isnan(sum) ? std::numeric_limits<double>::infinity() : sum;
-    return std::max(slope2(segment, {range.lo, middle}, enough, depth + 1),
-                    slope2(segment, {middle, range.hi}, enough, depth + 1));
+    seen_ = std::max(seen_, seen);
+    if (most <= std::max(enough, kSlack * kSlack * seen_)) return most;
+    if (depth == kDeepest) return std::isnan(most) ? std::numeric_limits<double>::infinity() : most;
+    // What is not seen falls with the third power of the length.
+    const double unseen = (std::sqrt(most) - std::sqrt(seen)) / ((kSlack - 1) * std::sqrt(std::max(enough, seen_)));
+    const int parts = unseen < kMostParts * kMostParts * kMostParts
+                          ? std::max(2, static_cast<int>(std::ceil(std::cbrt(unseen))))
+                          : kMostParts;
+    double worst = 0;
+    for (int part = 0; part < parts; ++part) {
+      const auto at = [&](int p) { return p == parts ? range.hi : range.lo + range.width() * p / parts; };
+      const Interval there(at(part), at(part + 1));
+      worst = std::max(worst, slope2(segment, squared_norm(segment, there, Box{}), there, enough, depth + 1));
+    }
+    return worst;
+  }
+
+  /// A bound of |df/dz_k| on the curve for |t| <= half, by Taylor's theorem, if d^3f/dz_k dt^2 is in `second`.
+  static double largest_slope(const IntervalJet<N>& f, int k, double half, const Interval& second) {
+    constexpr int kParts = 4;
+    double most = 0;
+    for (int part = -kParts; part < kParts; ++part) {
+      const Interval t(half * part / kParts, half * (part + 1) / kParts);
+      const Interval there = f.d_at_center(k) + t * f.d_at_center(k, 0) + square(t) * second / Interval(2);
+      if (!there.is_finite()) return std::numeric_limits<double>::infinity();
+      most = std::max(most, there.magnitude());
+    }
+    return most;
   }
 
   const TubeField<N, D>& field_;

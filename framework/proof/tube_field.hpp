@@ -190,7 +190,10 @@ class TubeField {
     return metric_.pulled_back(x, jacobian);
   }
 
-  static Jet jet(const Cubic& c, const Interval& t) { return c.template jet<N>(t); }
+  template <std::size_t Degree>
+  static Jet jet(const Polynomial<Degree>& c, const Interval& t) {
+    return c.template jet<N>(t);
+  }
 
   const TubeMetric<N, D>& metric_;
 };

@@ -191,6 +191,29 @@ TEST_CASE("bounds of a proof on a surface by equation hold the closed form", "[c
   check(implicit::Torus{2, 0.5}, {2.5, 0, 0}, {2, 0, 0.5}, kPi / 4);
 }
 
+TEST_CASE("a tube is as long as its curve, however many points the chain has", "[calibration]") {
+  const Problem torus = between(make_implicit_manifold({.surface = implicit::Torus{2, 0.5}}), make_euclidean_cost(3),
+                                Eigen::Vector3d(2.5, 0, 0), Eigen::Vector3d(2, 0, 0.5));
+  const Problem half_plane =
+      between(space(2), tensor({"1/y^2", "0", "1/y^2"}), Eigen::Vector2d(-1, 0.5), Eigen::Vector2d(1, 0.6));
+  for (const Problem& problem : {torus, half_plane}) {
+    for (const int points : {64, 800}) {
+      const Calibration c = proof(problem, points);
+      CAPTURE(points, c.segments, c.gap);
+      REQUIRE(c.proved);
+      CHECK(c.segments <= 128);
+      CHECK(c.gap < (points == 64 ? 1e-6 : 1e-8));
+    }
+  }
+  // Where the metric has fine details, the tube has short segments, and there only.
+  const Problem fine =
+      between(space(2), index("1 + 1e-3*exp(-((x-0.5)^2+y^2)/2e-2^2)"), Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0));
+  const Calibration local = proof(fine, 800);
+  REQUIRE(local.proved);
+  CHECK(local.details == DetailVerdict::none);
+  CHECK(local.segments < 300);
+}
+
 TEST_CASE("a surface by equation: details and second sheets beside the path", "[calibration]") {
   const auto between_on = [](const std::string& f, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     const implicit::Formula surface{.f = f};
