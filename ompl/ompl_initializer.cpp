@@ -196,16 +196,18 @@ void OmplOptions::fields(FieldVisitor& visit) {
                .unit = "length",
                .minimum = 0,
                .exclusive_minimum = true});
-  visit.field("step", step,
-              {.help = "Moves are looked at in pieces of half of it; default: a sixteenth of the distance of the ends.",
-               .unit = "length",
-               .minimum = 0,
-               .exclusive_minimum = true});
+  visit.field(
+      "step", step,
+      {.help = "Moves are checked in pieces of half this length; default: 1/16 of the distance between the ends.",
+       .unit = "length",
+       .minimum = 0,
+       .exclusive_minimum = true});
   visit.field("reach", reach,
-              {.help = "How far beyond the ends samples are taken along sides without bounds, in their distances.",
+              {.help = "How far beyond the ends samples are taken along unbounded coordinates, in units of the "
+                       "distance between the ends.",
                .minimum = 0,
                .exclusive_minimum = true});
-  visit.field("shortcuts", shortcuts, {.help = "Random shortcuts that are tried on the path found.", .minimum = 0});
+  visit.field("shortcuts", shortcuts, {.help = "Number of random shortcuts tried on the path found.", .minimum = 0});
   visit.field("seed", seed, {.help = "Seed of the planner; default: the seed of the run.", .minimum = 0});
 }
 

@@ -139,7 +139,7 @@ class GeorceSolve {
 
 void GeorceOptions::fields(FieldVisitor& visit) {
   visit.field("tolerance", tolerance,
-              {.help = "Stops when an iteration lowers its own energy by less than this part.", .minimum = 0});
+              {.help = "Stops when an iteration lowers its discrete energy by less than this fraction.", .minimum = 0});
   limit_fields(visit, max_iterations, max_evaluations);
 }
 

@@ -218,11 +218,11 @@ void RoundOptions::fields(FieldVisitor& visit) {
   tolerance_field(visit, tolerance);
   visit.field("max_evaluations", max_evaluations, {.help = "Limit on energy and gradient evaluations.", .minimum = 1});
   visit.choice("precondition", precondition,
-               {.help = "Variables in which the energy is about |z|^2 / 2, by the chain's own Hessian (evaluations "
-                        "independent of n), or the tangent coordinates as they are."});
+               {.help = "chain: variables in which the energy is about |z|^2 / 2, from the chain Hessian (evaluations "
+                        "independent of n). none: plain tangent coordinates."});
   visit.field("restart", restart,
               {.help = "Evaluations after which the chain Hessian is factored again and the back end restarted; 15 to "
-                       "30 work well. Not used without the chain.",
+                       "30 work well. Not used with precondition: none.",
                .minimum = 2});
 }
 

@@ -268,15 +268,14 @@ void check_ends(LoadedConfig& loaded) {
   if (config.has_pairs()) return;
   const ConfigEntry* ends = loaded.tree.find("ends");
   if (ends != nullptr && ends->value.is_block() && ends->value.find("source") == nullptr)
-    loaded.errors.error(ends->place,
-                        "missing key 'source' in ends: Where the path begins; of a ring: its fixed point.");
+    loaded.errors.error(ends->place, "missing key 'source' in ends: Start of the path; in a ring, its fixed point.");
   const bool target = ends != nullptr && ends->value.find("target") != nullptr;
   if (config.ring && target) {
     loaded.errors.error(ends->place,
                         "a ring (path.ring: true) has no ends: remove one of the two; the source alone is a fixed "
                         "point of the ring");
   } else if (!config.ring && ends != nullptr && ends->value.is_block() && !target) {
-    loaded.errors.error(ends->place, "missing key 'target' in ends: Where the path ends.");
+    loaded.errors.error(ends->place, "missing key 'target' in ends: End of the path.");
   } else if (!config.ring && ends == nullptr && loaded.tree.is_block()) {
     loaded.errors.error(loaded.place, "missing key 'ends': the source and target of the path, or path.ring: true");
   }

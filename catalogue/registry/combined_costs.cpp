@@ -43,7 +43,7 @@ WaitsFor waits_of_part(const PluginChoice& choice) { return choice ? waits_for<C
 }  // namespace
 
 void CostTermOptions::fields(RunVisitor& visit) {
-  visit.field("weight", weight, {.help = "What the cost is multiplied by.", .minimum = 0, .exclusive_minimum = true});
+  visit.field("weight", weight, {.help = "Factor of the cost.", .minimum = 0, .exclusive_minimum = true});
   visit.plugin("cost", cost, "cost", {.help = "The cost.", .required = true});
 }
 
@@ -55,7 +55,7 @@ void SumCostOptions::fields(RunVisitor& visit) {
 
 void ScaledCostOptions::fields(RunVisitor& visit) {
   scale.fields(visit);
-  visit.plugin("cost", cost, "cost", {.help = "The cost that is multiplied.", .required = true});
+  visit.plugin("cost", cost, "cost", {.help = "The cost to be multiplied.", .required = true});
 }
 
 Cost make_sum(const SumCostOptions& options, const BuildContext& context) {

@@ -118,9 +118,9 @@ struct ClearanceLength {
 }  // namespace
 
 void ClearanceLengthOptions::fields(FieldVisitor& visit) {
-  visit.field("weight", weight, {.help = "What length counts in addition where an obstacle is touched.", .minimum = 0});
+  visit.field("weight", weight, {.help = "Extra cost per unit of length in contact with an obstacle.", .minimum = 0});
   visit.field("reach", reach,
-              {.help = "Distance, beyond the clearance, from which on an obstacle does not matter.",
+              {.help = "Distance, beyond the clearance, at which the extra cost of an obstacle ends.",
                .unit = "length",
                .minimum = 0,
                .exclusive_minimum = true,

@@ -371,7 +371,7 @@ class ScaledOnData final : public ScaledCost, public FollowsDomain {
 
 void ScaleOptions::fields(FieldVisitor& visit) {
   visit.field("by", by, {.help = "f(x) > 0 in the coordinates, like \"1 + x^2\".", .required = true});
-  visit.field("parameters", parameters, {.help = "Numbers that the formula may name, like {a: 2, b: 1}."});
+  visit.field("parameters", parameters, {.help = "Constants that the formula can use, like {a: 2, b: 1}."});
 }
 
 std::shared_ptr<const SegmentCost> make_sum_cost(std::vector<WeightedCost> terms) {

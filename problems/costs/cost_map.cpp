@@ -138,12 +138,11 @@ Words<CostMapInterpolation> words(CostMapInterpolation) {
 
 void CostMapOptions::fields(FieldVisitor& visit) {
   raster.fields(visit);
-  visit.choice(
-      "interpolation", interpolation,
-      {.help = "cells: constant in each cell. bilinear: through the values, with kinks where cells meet. smooth: the "
-               "bicubic spline that has them as coefficients, without kinks, and smoother than they are. auto: cells "
-               "for a path between two ends in the plane without obstacles, unless a solver, a post-processor or a "
-               "clearance is asked for; smooth elsewhere."});
+  visit.choice("interpolation", interpolation,
+               {.help = "cells: constant in each cell. bilinear: through the values, with kinks between cells. smooth: "
+                        "the bicubic spline with the values as coefficients, without kinks and smoother than the "
+                        "values. auto: cells for a path between two ends in the plane without obstacles, unless a "
+                        "solver, a post-processor or a clearance is given; otherwise smooth."});
 }
 
 std::shared_ptr<const SegmentCost> make_cost_map(const RasterGrid& values, CostMapInterpolation interpolation,

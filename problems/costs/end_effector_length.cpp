@@ -113,14 +113,14 @@ class EndEffectorLengthCost final : public SegmentCostOf<EndEffectorLength>, pub
 void arm_joints::Table::fields(FieldVisitor& visit) {
   visit.choice("convention", convention,
                {.help = "standard: joint i turns about z of frame i - 1; modified (Craig): about z of frame i."});
-  visit.field("rows", rows, {.help = "For each joint [a, alpha, d, offset of the angle].", .required = true});
+  visit.field("rows", rows, {.help = "One row per joint: [a, alpha, d, offset of the angle].", .required = true});
 }
 
 void EndEffectorLengthOptions::fields(FieldVisitor& visit) {
-  visit.variant("model", model, {.help = "Which arm."});
-  visit.field("tool", tool, {.help = "Where the tool is, in the frame of the last row.", .unit = "length"});
+  visit.variant("model", model, {.help = "The arm: a named model, or a table."});
+  visit.field("tool", tool, {.help = "Position of the tool in the frame of the last row.", .unit = "length"});
   visit.field("joint_weight", joint_weight,
-              {.help = "What a turn of the joints counts beside the way of the tool.",
+              {.help = "Weight of joint rotation relative to the path of the tool.",
                .unit = "length per rad",
                .minimum = 0,
                .exclusive_minimum = true});

@@ -167,10 +167,11 @@ void FormulaCostOptions::fields(FieldVisitor& visit) {
               {.help = "F(x, v) > 0 of degree 1 in v, like \"sqrt(vx^2 + vy^2) * (1 + x^2)\"; in more than three "
                        "dimensions in x0, x1, ... and v0, v1, ...",
                .required = true});
-  visit.field("parameters", parameters, {.help = "Numbers that the formula may name, like {a: 2, b: 1}."});
-  visit.field("convexify", convexify,
-              {.help = "In the plane: the convex hull of F in v, where F is not convex: what zigzags make of it."});
-  visit.field("unit", unit, {.help = "What the cost is measured in, in words."});
+  visit.field("parameters", parameters, {.help = "Constants that the formula can use, like {a: 2, b: 1}."});
+  visit.field(
+      "convexify", convexify,
+      {.help = "In the plane: replaces F by its convex hull in v where F is not convex; zigzags attain the hull."});
+  visit.field("unit", unit, {.help = "Unit of the cost, as free text."});
 }
 
 std::optional<CheckedRegion> checked_region(const ConstraintManifold& domain,

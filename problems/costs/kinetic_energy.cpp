@@ -260,15 +260,16 @@ class KineticEnergyCost final : public SegmentCostOf<KineticEnergy>, public Star
 void arm_inertia::Table::fields(FieldVisitor& visit) {
   visit.choice("convention", convention,
                {.help = "standard: joint i turns about z of frame i - 1; modified (Craig): about z of frame i."});
-  visit.field("rows", rows, {.help = "For each joint [a, alpha, d, offset of the angle].", .required = true});
-  visit.field(
-      "links", links,
-      {.help = "For each joint, of what it moves, in the frame of its row: [mass, centre x, y, z, inertia about "
-               "the centre xx, yy, zz, xy, xz, yz].",
-       .required = true});
+  visit.field("rows", rows, {.help = "One row per joint: [a, alpha, d, offset of the angle].", .required = true});
+  visit.field("links", links,
+              {.help = "One row per joint, for the link that it moves, in the frame of its row: [mass, centre x, y, z, "
+                       "inertia about the centre xx, yy, zz, xy, xz, yz].",
+               .required = true});
 }
 
-void KineticEnergyOptions::fields(FieldVisitor& visit) { visit.variant("model", model, {.help = "Which arm."}); }
+void KineticEnergyOptions::fields(FieldVisitor& visit) {
+  visit.variant("model", model, {.help = "The arm: a named model, or a table."});
+}
 
 std::shared_ptr<const SegmentCost> make_kinetic_energy_cost(const KineticEnergyOptions& options, int dim) {
   KineticEnergy cost;

@@ -124,17 +124,17 @@ std::vector<Crossing> LayersCost::crossings(const Points& polyline, const Constr
 
 void LayersOptions::fields(FieldVisitor& visit) {
   visit.field("interfaces", interfaces,
-              {.help = "Where the layers meet, from the lowest on: normal . x = this number (heights, where the normal "
-                       "is the last axis).",
+              {.help = "Positions of the interfaces, lowest first: normal . x = this number (heights, if the normal is "
+                       "the last axis).",
                .unit = "length",
                .required = true});
   visit.field("speeds", speeds,
-              {.help = "Speed in each layer, from the lowest on; one more than interfaces.", .unit = "length/s"});
+              {.help = "Speed in each layer, lowest first; one more than interfaces.", .unit = "length/s"});
   visit.field("indices", indices,
-              {.help = "Instead of speeds: cost of a unit of length in each layer (refractive index)."});
+              {.help = "Instead of speeds: cost per unit of length in each layer (refractive index)."});
   visit.field("normals", normals,
-              {.help = "Upward normals of the interfaces, one row for all or one each (layers that dip); default: the "
-                       "last axis."});
+              {.help = "Upward normals of the interfaces, one row for all or one for each (dipping layers); default: "
+                       "the last axis."});
 }
 
 std::shared_ptr<const LayersCost> make_layers_cost(const LayersOptions& options, int dim) {

@@ -307,7 +307,7 @@ void metric::Formula::fields(FieldVisitor& visit) {
   visit.field(
       "entries", entries,
       {.help = "Entries on and above the diagonal, row by row, like [\"1 + x^2\", \"0\", \"1\"].", .required = true});
-  visit.field("parameters", parameters, {.help = "Numbers that the formulas may name, like {a: 2, b: 1}."});
+  visit.field("parameters", parameters, {.help = "Constants that the formulas can use, like {a: 2, b: 1}."});
 }
 
 Words<TensorReading> words(TensorReading) {
@@ -323,14 +323,14 @@ Words<TensorRule> words(TensorRule) {
 }
 
 void MetricFieldOptions::fields(FieldVisitor& visit) {
-  visit.variant("field", field, {.help = "The tensor T(x): a name, or formulas in the coordinates.", .required = true});
+  visit.variant("field", field,
+                {.help = "The tensor T(x): by name, or as formulas in the coordinates.", .required = true});
   visit.choice("reading", reading,
                {.help = "T is the metric, c = sqrt(d' T d) (VFCS Eq. 1), or a root of it, c = |T d| (VFCS Sec. 4.5)."});
   visit.choice(
       "rule", rule,
-      {.help =
-           "T in the middle of a segment, or the mean of its ends (VFCS Sec. 4.5). auto: the mean for tensors given "
-           "on data, because the ends lie on the surface and the middle does not; else the middle."});
+      {.help = "midpoint: T at the middle of a segment. average: the mean of T at its ends (VFCS Sec. 4.5). auto: "
+               "average for tensors given on data, whose midpoints are off the surface; otherwise midpoint."});
 }
 
 bool MetricFieldOptions::needs_domain() const {

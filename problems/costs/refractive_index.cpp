@@ -264,49 +264,51 @@ Words<refraction::LayerValues> refraction::words(LayerValues) {
 void refraction::LinearVelocity::fields(FieldVisitor& visit) {
   visit.field("speed", speed, {.help = "Speed at the origin.", .unit = "length/time"});
   visit.field("gradient", gradient,
-              {.help = "Of the speed, one number per coordinate.", .unit = "1/time", .required = true});
+              {.help = "Gradient of the speed, one number per coordinate.", .unit = "1/time", .required = true});
 }
 
 void refraction::Luneburg::fields(FieldVisitor& visit) {
-  visit.field("radius", radius, {.help = "Where n = 1.", .unit = "length", .minimum = 0, .exclusive_minimum = true});
+  visit.field("radius", radius,
+              {.help = "Radius at which n = 1.", .unit = "length", .minimum = 0, .exclusive_minimum = true});
   visit.field("center", center, {.help = "Centre of the lens; default: the origin.", .unit = "length"});
 }
 
 void refraction::MaxwellFisheye::fields(FieldVisitor& visit) {
   visit.field("peak", peak, {.help = "n at the centre.", .minimum = 0, .exclusive_minimum = true});
-  visit.field("radius", radius,
-              {.help = "Where n is half as large.", .unit = "length", .minimum = 0, .exclusive_minimum = true});
+  visit.field(
+      "radius", radius,
+      {.help = "Radius at which n is half its peak.", .unit = "length", .minimum = 0, .exclusive_minimum = true});
   visit.field("center", center, {.help = "Centre of the lens; default: the origin.", .unit = "length"});
 }
 
 void refraction::SmoothLayers::fields(FieldVisitor& visit) {
   visit.field("boundaries", boundaries,
-              {.help = "Where one layer ends and the next begins, along the normal, increasing.",
+              {.help = "Positions along the normal where one layer ends and the next begins, increasing.",
                .unit = "length",
                .required = true});
   visit.field("values", values,
-              {.help = "Of the layers, one more than there are boundaries.",
+              {.help = "Values in the layers, one more than boundaries.",
                .minimum = 0,
                .exclusive_minimum = true,
                .required = true});
   visit.choice("values_are", values_are, {.help = "Whether the values are indices n, or speeds 1 / n."});
   visit.field("width", width,
-              {.help = "Half of the range in which a step takes 76 % of its height: (1 + tanh(d / width)) / 2.",
+              {.help = "Half the range over which a step covers 76 % of its height: (1 + tanh(d / width)) / 2.",
                .unit = "length",
                .minimum = 0,
                .exclusive_minimum = true,
                .required = true});
-  visit.field("normal", normal, {.help = "Across the layers; default: along the last coordinate."});
+  visit.field("normal", normal, {.help = "Normal of the layers; default: along the last coordinate."});
 }
 
 void refraction::PowerLaw::fields(FieldVisitor& visit) {
-  visit.field("exponent", exponent, {.help = "k of n = y^k.", .required = true});
+  visit.field("exponent", exponent, {.help = "The exponent k in n = y^k.", .required = true});
   visit.field("level", level, {.help = "Value of the last coordinate where y is 0.", .unit = "length"});
 }
 
 void refraction::Formula::fields(FieldVisitor& visit) {
   visit.field("n", n, {.help = "n(x) > 0, like \"1 + 2 * exp(-x^2 - y^2)\".", .required = true});
-  visit.field("parameters", parameters, {.help = "Numbers that the formula may name, like {a: 2, b: 1}."});
+  visit.field("parameters", parameters, {.help = "Constants that the formula can use, like {a: 2, b: 1}."});
 }
 
 void RefractiveIndexOptions::fields(FieldVisitor& visit) {

@@ -43,7 +43,8 @@ void TensorFileOptions::fields(FieldVisitor& visit) {
              {.help = "Text file with one row per vertex, face or point, in the order of the manifold's file: xx xy xz "
                       "yy yz zz, the entries of a symmetric positive definite tensor of R^3.",
               .required = true});
-  visit.choice("on", on, {.help = "What the rows belong to; auto: the vertices of a mesh, the points of a cloud."});
+  visit.choice("on", on,
+               {.help = "Elements to which the rows belong; auto: the vertices of a mesh, the points of a cloud."});
 }
 
 void CurvatureMetricOptions::fields(FieldVisitor& visit) {
@@ -55,13 +56,12 @@ void CurvatureMetricOptions::fields(FieldVisitor& visit) {
        .minimum = 0,
        .exclusive_minimum = true,
        .required = true});
-  visit.field_or_zero(
-      "radius", radius,
-      {.help = "Radius of the quadratic fits that measure the curvatures; 0: 2.5 on a mesh, on a cloud that of its "
-               "surface. A larger one averages noise and creases.",
-       .unit = "local spacings",
-       .minimum = 0,
-       .maximum = 100});
+  visit.field_or_zero("radius", radius,
+                      {.help = "Radius of the quadratic fits that measure the curvatures; 0: 2.5 on a mesh, the radius "
+                               "of the surface fit on a cloud. A larger radius averages over noise and creases.",
+                       .unit = "local spacings",
+                       .minimum = 0,
+                       .maximum = 100});
 }
 
 std::shared_ptr<const TensorSamples> tensors_from_file(const TensorFileOptions& options,

@@ -162,15 +162,15 @@ void TravelTimeOptions::fields(FieldVisitor& visit) {
                .exclusive_minimum = true});
   visit.field("start_speed", start_speed, {.help = "Speed at the source.", .unit = "length/s", .minimum = 0});
   visit.field("level", level,
-              {.help = "Height at which the bead is at rest, in a potential its energy; default: that of the source "
-                       "with the start speed. A ring has no source and must state it.",
+              {.help = "Height at which the bead is at rest, or its energy in a potential; default: from the source "
+                       "and the start speed. Required for a ring, which has no source.",
                .unit = "length, in a potential length^2/s^2"});
   visit.field(
       "potential", potential,
       {.help = "Instead of gravity: the potential energy per mass as a formula in the coordinates, like \"(x^2 + "
                "y^2) / 2\".",
        .unit = "length^2/s^2"});
-  visit.field("parameters", parameters, {.help = "Numbers that the potential may name, like {k: 2}."});
+  visit.field("parameters", parameters, {.help = "Constants that the potential can use, like {k: 2}."});
 }
 
 void check_travel_time(const TravelTimeOptions& options, bool has_source) {

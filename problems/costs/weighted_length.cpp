@@ -84,8 +84,8 @@ Eigen::VectorXd of_coordinates(const Eigen::VectorXd& weights, const ConstraintM
 
 void WeightedLengthOptions::fields(FieldVisitor& visit) {
   visit.field("weights", weights,
-              {.help = "One per factor of the domain (se2, se3: of the place, then of the turn, in length per radian), "
-                       "or one per coordinate.",
+              {.help = "One per factor of the domain (se2, se3: position, then rotation, in length per radian), or one "
+                       "per coordinate.",
                .minimum = 0,
                .exclusive_minimum = true,
                .required = true});

@@ -277,12 +277,12 @@ void flow::Grid::fields(FieldVisitor& visit) {
 
 void ZermeloOptions::fields(FieldVisitor& visit) {
   visit.field("speed", speed,
-              {.help = "Of the vehicle through the air or water: a number, or a formula in the coordinates.",
+              {.help = "Speed of the vehicle through the air or water: a number, or a formula in the coordinates.",
                .unit = "length/time",
                .required = true});
   visit.variant("flow", flow, {.help = "The velocity of the wind or current.", .required = true});
-  visit.field("parameters", parameters, {.help = "Numbers that the formulas may name, like {a: 2, b: 1}."});
-  visit.field("unit", unit, {.help = "The unit of time that follows from those of length and speed."});
+  visit.field("parameters", parameters, {.help = "Constants that the formulas can use, like {a: 2, b: 1}."});
+  visit.field("unit", unit, {.help = "Unit of time, which follows from the units of length and speed."});
 }
 
 void check_zermelo(const ZermeloOptions& options, int dim) {

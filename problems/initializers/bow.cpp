@@ -28,8 +28,9 @@ Eigen::VectorXd across(const Eigen::VectorXd& line, double angle) {
 
 void BowOptions::fields(FieldVisitor& visit) {
   visit.field("height", height,
-              {.help = "Height of the arc over the distance of the ends; 0.5 is nearly a half circle.", .minimum = 0});
-  visit.field("angle", angle, {.help = "To which side, about the straight line.", .unit = "degrees"});
+              {.help = "Height of the arc, relative to the distance between the ends; 0.5 is nearly a half circle.",
+               .minimum = 0});
+  visit.field("angle", angle, {.help = "Side of the arc, as an angle about the straight line.", .unit = "degrees"});
 }
 
 FirstPath BowInitializer::first_path(const Problem& problem, const Monitor& monitor) const {

@@ -27,12 +27,11 @@ int side_points_for(const CellMap& map) {
 }  // namespace
 
 void CellGraphOptions::fields(FieldVisitor& visit) {
-  visit.field(
-      "side_points", side_points,
-      {.help = "Places on each side of a cell, beside its corners: more see more ways, and take longer. Without "
-               "it 3, and 1 where the raster has more than 300,000 cells.",
-       .minimum = 0,
-       .maximum = 63});
+  visit.field("side_points", side_points,
+              {.help = "Points on each side of a cell, in addition to its corners; more points find more paths and "
+                       "take longer. Default: 3, or 1 if the raster has more than 300,000 cells.",
+               .minimum = 0,
+               .maximum = 63});
 }
 
 FirstPath CellGraphInitializer::first_path(const Problem& problem, const Monitor& monitor) const {

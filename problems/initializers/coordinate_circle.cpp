@@ -23,10 +23,10 @@ Index seam_of(const std::vector<Seam>& seams, int coordinate) {
 }  // namespace
 
 void CoordinateCircleOptions::fields(FieldVisitor& visit) {
-  visit.field("coordinate", coordinate, {.help = "The coordinate that runs around, from 0.", .minimum = 0});
+  visit.field("coordinate", coordinate, {.help = "The coordinate that varies, numbered from 0.", .minimum = 0});
   visit.field("through", through,
               {.help = "A point of the circle, in the coordinates of the chart.", .required = true});
-  visit.field("turns", turns, {.help = "How many times it runs around.", .minimum = 1, .maximum = kMostTurns});
+  visit.field("turns", turns, {.help = "Number of turns.", .minimum = 1, .maximum = kMostTurns});
 }
 
 CoordinateCircleInitializer::CoordinateCircleInitializer(CoordinateCircleOptions options)

@@ -89,17 +89,18 @@ void DijkstraOptions::fields(FieldVisitor& visit) {
                .minimum = 1,
                .maximum = 2});
   visit.field("rank", rank,
-              {.help = "k: the k-th of routes that keep away from each other, for another class of paths.",
+              {.help = "k: the k-th of several routes that avoid each other, for another class of paths.",
                .minimum = 1,
                .maximum = 32});
   visit.field("diagonals", diagonals,
-              {.help = "Also moves from a vertex of a mesh straight across an edge to the vertex opposite, for costs "
-                       "with a constant metric: more often the class of the shortest path."});
-  visit.field("landmarks", landmarks,
-              {.help = "Vertices of a mesh whose distances to all others are made once and aim every later search, for "
-                       "costs with a constant metric: quicker for many pairs on a large mesh, for 4 bytes each.",
-               .minimum = 0,
-               .maximum = 256});
+              {.help = "Also use moves from a mesh vertex across an edge to the opposite vertex, for costs with a "
+                       "constant metric. The path is then more often in the class of the shortest one."});
+  visit.field(
+      "landmarks", landmarks,
+      {.help = "Number of mesh vertices whose distances to all others are computed once, to guide every later search, "
+               "for costs with a constant metric. Faster for many pairs on a large mesh; each distance takes 4 bytes.",
+       .minimum = 0,
+       .maximum = 256});
 }
 
 DijkstraInitializer::DijkstraInitializer(DijkstraOptions options)

@@ -114,19 +114,18 @@ FirstPath among_obstacles(const Problem& problem, const Monitor& monitor, const 
 
 void EikonalOptions::fields(FieldVisitor& visit) {
   visit.field("cells", cells,
-              {.help = "Cells along the longest side of the box; default: those of a raster of costs, or a multiple, "
-                       "but no more than a field in a fraction of a second has; 100 without one.",
+              {.help = "Number of cells along the longest side of the box. Default: as in the cost raster, or a "
+                       "multiple, limited so that the field takes a fraction of a second; 100 without a raster.",
                .minimum = kFewestCells,
                .maximum = kMostCells});
-  visit.field(
-      "lower", lower,
-      {.help = "Lower corner of the box of coordinates that is searched; default: that of the domain, and where "
-               "it has none the ends with as much around them as they are apart."});
+  visit.field("lower", lower,
+              {.help = "Lower corner of the searched box of coordinates. Default: that of the domain; if it has none, "
+                       "a box around the ends with their distance as margin."});
   visit.field("upper", upper, {.help = "Upper corner of that box."});
   visit.field(
       "fallback", fallback,
-      {.help = "Where no way is found, the straight line, or among obstacles a grid in the plane or edges of the "
-               "domain; without obstacles the line too where it costs no more. On where eikonal is the default."});
+      {.help = "If no path is found, use the straight line, or, among obstacles, a grid in the plane or the edges of "
+               "the domain. Without obstacles, also use the line if it costs no more. On if eikonal is the default."});
 }
 
 EikonalInitializer::EikonalInitializer(const EikonalOptions& options) : options_(checked(options)) {

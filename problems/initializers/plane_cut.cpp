@@ -60,13 +60,11 @@ std::string failure(const TriangleMesh& mesh, const SectionCurves& curves, const
 }  // namespace
 
 void PlaneCutOptions::fields(FieldVisitor& visit) {
-  visit.field(
-      "point", point,
-      {.help =
-           "A point of the plane; of several closed curves the nearest to it is taken (on a smooth surface: one that "
-           "is near).",
-       .unit = "length",
-       .required = true});
+  visit.field("point", point,
+              {.help = "A point of the plane. Of several closed curves, the nearest to it is taken (on a smooth "
+                       "surface: one nearby).",
+               .unit = "length",
+               .required = true});
   visit.field("normal", normal, {.help = "Normal of the plane, of any length.", .required = true});
 }
 

@@ -92,7 +92,7 @@ void WaypointsOptions::fields(FieldVisitor& visit) {
 
 void FileInitializerOptions::fields(FieldVisitor& visit) {
   visit.file("file", file,
-             {.help = "Text file with one point per row (the path.csv of an earlier run works).", .required = true});
+             {.help = "Text file with one point per row, such as the path.csv of an earlier run.", .required = true});
 }
 
 WaypointsInitializer::WaypointsInitializer(Points waypoints) : waypoints_(std::move(waypoints)) {

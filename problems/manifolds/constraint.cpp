@@ -71,7 +71,7 @@ void Sphere::fields(FieldVisitor& visit) {
 }
 void Rotations::fields(FieldVisitor& visit) {
   visit.field("nearest_image", nearest_image,
-              {.help = "Takes, of the two quaternions of the target, the one to which a path is cheaper."});
+              {.help = "Of the two quaternions of the target, take the one with the cheaper path."});
 }
 
 }  // namespace constraint
@@ -79,9 +79,9 @@ void Rotations::fields(FieldVisitor& visit) {
 void ConstraintManifoldOptions::fields(FieldVisitor& visit) {
   visit.field("dimension", dimension, {.help = "Dimension n of the space.", .minimum = 2, .maximum = kMaxDimension});
   visit.field("equations", equations,
-              {.help = "Formulas in x0 .. x{n-1} that vanish on the set, fewer than n of them."});
-  visit.field("parameters", parameters, {.help = "Numbers by name that the equations use."});
-  visit.variant("set", set, {.help = "A set with a name, instead of equations."});
+              {.help = "Formulas in x0 .. x{n-1} that are zero on the set, fewer than n of them."});
+  visit.field("parameters", parameters, {.help = "Constants that the equations use, by name."});
+  visit.variant("set", set, {.help = "A named set, instead of equations."});
 }
 
 std::shared_ptr<const LevelSet> make_constraint_manifold(const ConstraintManifoldOptions& o) {

@@ -146,8 +146,9 @@ Box box_of(const ParametricOptions& o, const Parts& parts) {
 }
 
 void tube(FieldVisitor& visit, double& major_radius, double& minor_radius) {
-  length_field(visit, "major_radius", major_radius, "From the axis to the middle of the tube (a of VFCS Eq. 17).");
-  length_field(visit, "minor_radius", minor_radius, "Of the tube (b of VFCS Eq. 17).");
+  length_field(visit, "major_radius", major_radius,
+               "Distance from the axis to the centre of the tube (a of VFCS Eq. 17).");
+  length_field(visit, "minor_radius", minor_radius, "Radius of the tube (b of VFCS Eq. 17).");
 }
 
 }  // namespace
@@ -157,13 +158,13 @@ namespace parametric {
 void Sphere::fields(FieldVisitor& visit) { length_field(visit, "radius", radius, "Radius."); }
 void Ellipsoid::fields(FieldVisitor& visit) {
   visit.field("axes", axes,
-              {.help = "Half axes along x, y, z.", .unit = "length", .minimum = 0, .exclusive_minimum = true});
+              {.help = "Semi-axes along x, y, z.", .unit = "length", .minimum = 0, .exclusive_minimum = true});
 }
 void Torus::fields(FieldVisitor& visit) { tube(visit, major_radius, minor_radius); }
 void Cylinder::fields(FieldVisitor& visit) { length_field(visit, "radius", radius, "Radius."); }
 void Cone::fields(FieldVisitor& visit) {
   visit.field("half_angle", half_angle,
-              {.help = "Between axis and ruling.",
+              {.help = "Angle between the axis and a ruling.",
                .unit = "radians",
                .minimum = 0,
                .maximum = kPi / 2,
@@ -181,22 +182,25 @@ void KleinBottle::fields(FieldVisitor& visit) { tube(visit, major_radius, minor_
 void MoebiusStrip::fields(FieldVisitor& visit) {
   length_field(visit, "half_width", half_width, "The strip is -half_width <= v <= half_width.");
 }
-void Spiral::fields(FieldVisitor& visit) { visit.field("pitch", pitch, {.help = "a of z = a v.", .unit = "length"}); }
+void Spiral::fields(FieldVisitor& visit) {
+  visit.field("pitch", pitch, {.help = "The constant a in z = a v.", .unit = "length"});
+}
 void Formula::fields(FieldVisitor& visit) {
   visit.field("x", x, {.help = "x(u, v), like (2 + cos(v)) * cos(u).", .required = true});
   visit.field("y", y, {.help = "y(u, v).", .required = true});
   visit.field("z", z, {.help = "z(u, v).", .required = true});
-  visit.field("parameters", parameters, {.help = "Numbers that the formulas may name, like {a: 2, b: 1}."});
+  visit.field("parameters", parameters, {.help = "Constants that the formulas can use, like {a: 2, b: 1}."});
   visit.field_or_zero("period_u", period_u, {.help = "Period of u; 0: not periodic.", .minimum = 0});
   visit.field_or_zero("period_v", period_v, {.help = "Period of v; 0: not periodic.", .minimum = 0});
-  visit.field("twisted", twisted, {.help = "Whether v changes sign where u comes back (Moebius strip, Klein bottle)."});
+  visit.field("twisted", twisted,
+              {.help = "Whether v changes sign when u completes a period (Moebius strip, Klein bottle)."});
 }
 
 }  // namespace parametric
 
 void ParametricOptions::fields(FieldVisitor& visit) {
   visit.variant("surface", surface,
-                {.help = "The surface: a name with its measures, or formulas in u and v.", .required = true});
+                {.help = "The surface: a named one with its dimensions, or formulas in u and v.", .required = true});
   box.fields(visit);
 }
 

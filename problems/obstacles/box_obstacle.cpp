@@ -122,7 +122,7 @@ class BoxObstacle final : public Obstacle, public MeetsTriangles {
 }  // namespace
 
 void BoxObstacleOptions::fields(FieldVisitor& visit) {
-  visit.field("lower", lower, {.help = "Corner with the least coordinates.", .unit = "length", .required = true});
+  visit.field("lower", lower, {.help = "Corner with the smallest coordinates.", .unit = "length", .required = true});
   visit.field("upper", upper, {.help = "Corner with the largest coordinates.", .unit = "length", .required = true});
 }
 

@@ -125,10 +125,13 @@ class GridObstacle final : public Obstacle {
 void GridObstacleOptions::fields(FieldVisitor& visit) {
   visit.file(
       "file", file,
-      {.help = "Signed distances, negative within the obstacle, in the text format of SDFGen.", .required = true});
+      {.help = "Signed distances, negative inside the obstacle, in the text format of SDFGen.", .required = true});
   visit.field("radius", radius, {.help = "Thickness around the obstacle.", .unit = "length", .minimum = 0});
   visit.field("memory_limit", memory_limit,
-              {.help = "More than this is refused.", .unit = "GiB", .minimum = 0, .exclusive_minimum = true});
+              {.help = "Limit on the memory for the grid; a grid that needs more is refused.",
+               .unit = "GiB",
+               .minimum = 0,
+               .exclusive_minimum = true});
 }
 
 std::shared_ptr<const Obstacle> make_grid_obstacle(DistanceGrid grid, double radius, const std::string& name) {

@@ -132,12 +132,12 @@ void MeshObstacleOptions::fields(FieldVisitor& visit) {
   visit.file("file", file, {.help = "Mesh file: OBJ, OFF, PLY or STL.", .required = true});
   visit_weld(visit, weld, weld_within);
   visit.choice("inside", inside,
-               {.help = "solid: what the mesh encloses is in it; surface: only its faces are, so that a path may be "
-                        "within it; auto: solid where it is closed."});
+               {.help = "solid: the enclosed volume is part of the obstacle. surface: only the faces are, so a path "
+                        "can run inside. auto: solid if the mesh is closed."});
   visit.field("radius", radius, {.help = "Thickness around the mesh.", .unit = "length", .minimum = 0});
-  visit.field("scale", scale, {.help = "Applied first.", .minimum = 0, .exclusive_minimum = true});
-  visit.field("rotation", rotation, {.help = "Applied second: the axis times the angle.", .unit = "rad"});
-  visit.field("translation", translation, {.help = "Applied last.", .unit = "length"});
+  visit.field("scale", scale, {.help = "Scale factor, applied first.", .minimum = 0, .exclusive_minimum = true});
+  visit.field("rotation", rotation, {.help = "Rotation vector, axis times angle, applied second.", .unit = "rad"});
+  visit.field("translation", translation, {.help = "Translation, applied last.", .unit = "length"});
 }
 
 std::shared_ptr<const Obstacle> make_mesh_obstacle(const TriangleMesh& mesh, MeshInside inside, double radius) {

@@ -37,8 +37,8 @@ void add_boxes(const OccupancyGrid& grid, const Eigen::Vector2d& lower, const Ei
 
 void RasterObstacleOptions::fields(FieldVisitor& visit) {
   raster.fields(visit);
-  visit.field("above", above, {.help = "Cells with a larger value are obstacles, too."});
-  visit.field("below", below, {.help = "Cells with a smaller value are obstacles, too."});
+  visit.field("above", above, {.help = "Cells with a larger value are also obstacles."});
+  visit.field("below", below, {.help = "Cells with a smaller value are also obstacles."});
 }
 
 std::vector<std::shared_ptr<const Obstacle>> void_obstacles(const RasterPatches& patches, bool drawn) {

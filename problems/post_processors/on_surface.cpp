@@ -110,7 +110,7 @@ double extent(const Points& u) { return (u.rowwise().maxCoeff() - u.rowwise().mi
 
 void OnSurfaceOptions::fields(FieldVisitor& visit) {
   visit.field("tolerance", tolerance,
-              {.help = "How far the delivered curve may be off the domain; default: 1e-6 of its extent.",
+              {.help = "Largest distance of the delivered curve from the domain; default: 1e-6 of its extent.",
                .unit = "length",
                .minimum = 0,
                .exclusive_minimum = true});

@@ -181,7 +181,7 @@ Eigen::VectorXd costs_between(const std::vector<ZigzagPlace>& places, const Eige
 
 void SwitchbackOptions::fields(FieldVisitor& visit) {
   visit.field("width", width,
-              {.help = "How far the legs go to both sides of the path together, at most.",
+              {.help = "Largest total width of the zigzag across the path.",
                .unit = "length",
                .minimum = 0,
                .exclusive_minimum = true,

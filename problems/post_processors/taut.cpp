@@ -38,7 +38,7 @@ std::optional<TightPath> shorter(std::optional<TightPath> a, std::optional<Tight
 
 void TautOptions::fields(FieldVisitor& visit) {
   visit.field("excess", excess,
-              {.help = "By which part of its length the polyline around round corners may be longer than the curve.",
+              {.help = "Largest relative excess of the polyline's length over the curve's, at round corners.",
                .minimum = kLeastExcess,
                .maximum = kMostExcess});
 }

@@ -120,23 +120,24 @@ std::string RasterGrid::name_of(int row, int column) const {
 void RasterOptions::fields(FieldVisitor& visit) {
   visit.file("file", file,
              {.help = "Raster: an ESRI ASCII grid (.asc), a table of numbers whose first line is the northernmost row "
-                      "(.csv), or, in builds with GDAL, what GDAL reads (.tif).",
+                      "(.csv), or, in builds with GDAL, any raster that GDAL reads (.tif).",
               .required = true});
-  visit.field("cell", cell,
-              {.help = "Side of a cell, [25], or those along x and y, [25, 30]; default: that of the file, or [1].",
-               .unit = "length",
-               .minimum = 0,
-               .exclusive_minimum = true});
-  visit.field("origin", origin,
-              {.help = "Place (x, y) of the lower left corner of the raster; default: that of the file, or (0, 0).",
-               .unit = "length"});
-  visit.field("nodata", nodata, {.help = "Value that means no data; default: that of the file."});
-  visit.field("value_scale", value_scale, {.help = "What values are multiplied by: 0.3048 takes feet to metres."});
   visit.field(
-      "degrees", degrees,
-      {.help = "cell and origin, of the file or given here, are longitude and latitude in degrees. Places are "
-               "then metres east and north of the lower left corner, on WGS84, true in the raster's middle. Default: "
-               "whether the file says so (its CRS, or the .prj beside it)."});
+      "cell", cell,
+      {.help = "Side length of a cell, [25], or lengths along x and y, [25, 30]; default: from the file, or [1].",
+       .unit = "length",
+       .minimum = 0,
+       .exclusive_minimum = true});
+  visit.field("origin", origin,
+              {.help = "Position (x, y) of the lower left corner of the raster; default: from the file, or (0, 0).",
+               .unit = "length"});
+  visit.field("nodata", nodata, {.help = "Value that marks missing data; default: from the file."});
+  visit.field("value_scale", value_scale,
+              {.help = "Factor by which values are multiplied: 0.3048 converts feet to metres."});
+  visit.field("degrees", degrees,
+              {.help = "Whether cell and origin, from the file or given here, are longitude and latitude in degrees. "
+                       "Points are then metres east and north of the lower left corner, on WGS84, exact at the "
+                       "raster's centre. Default: from the CRS of the file, or the .prj beside it."});
 }
 
 void check(const RasterOptions& o) {

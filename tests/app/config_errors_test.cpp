@@ -52,7 +52,7 @@ TEST_CASE("config errors: missing keys stand at their block") {
   CHECK_THAT(errors_of("manifold: euclidean\n"), Contains("a.yaml:1:1: error: missing key 'cost': "));
   CHECK_THAT(errors_of("manifold: euclidean\n"), Contains("missing key 'ends': the source and target of the path"));
   CHECK_THAT(errors_of("manifold: euclidean\ncost: euclidean\nends:\n  source: {point: [0, 0]}\n"),
-             Contains("a.yaml:3:1: error: missing key 'target' in ends: Where the path ends.\n"));
+             Contains("a.yaml:3:1: error: missing key 'target' in ends: End of the path.\n"));
 }
 
 TEST_CASE("config errors: all of them, in the order of the file") {

@@ -153,17 +153,18 @@ void Mesh::fields(FieldVisitor& visit) {
   visit.file("file", file, {.help = "Mesh file: OBJ, OFF, PLY or STL.", .required = true});
   visit_weld(visit, weld, weld_within);
   sides.fields(visit,
-               "signed: the mesh must be closed, inside is where its winding number is not 0. unsigned: any mesh.");
+               "signed: for a closed mesh; inside is where its winding number is not 0. unsigned: for any mesh.");
 }
 
 void PointCloud::fields(FieldVisitor& visit) {
   cloud.fields(visit);
-  sides.fields(visit, "signed: the cloud must go all around, inside is against its normals. unsigned: any cloud.");
+  sides.fields(
+      visit, "signed: for a cloud that covers a closed surface; its normals point outwards. unsigned: for any cloud.");
 }
 
 void Implicit::fields(FieldVisitor& visit) {
   surface.fields(visit);
-  visit.group("box", {.help = "Where the surface lies; needed where it has no bounds of its own."},
+  visit.group("box", {.help = "Box around the surface; needed if the surface has no bounds of its own."},
               [this](FieldVisitor& inner) { box.fields(inner); });
 }
 
@@ -172,25 +173,24 @@ void GridFile::fields(FieldVisitor& visit) { visit.file("file", file, {.help = "
 }  // namespace distance_source
 
 void SignedDistanceOptions::fields(FieldVisitor& visit) {
-  visit.variant("source", source, {.help = "What distances are sampled from.", .required = true});
-  visit.field_or_zero("cell", cell,
-                      {.help = "Cell of the grid; 0: from the accuracy, or a 64th of the longest side of the surface.",
-                       .unit = "length",
-                       .minimum = 0});
+  visit.variant("source", source, {.help = "Source of the distances.", .required = true});
   visit.field_or_zero(
-      "accuracy", accuracy,
-      {.help = "Instead of the cell: the largest distance that the surface of the grid may have from the one "
-               "it is made from; the cell "
-               "shrinks until a measurement says so.",
+      "cell", cell,
+      {.help = "Side of a cell of the grid; 0: from `accuracy`, or 1/64 of the longest side of the surface.",
        .unit = "length",
        .minimum = 0});
+  visit.field_or_zero("accuracy", accuracy,
+                      {.help = "Instead of `cell`: largest distance between the surface of the grid and its source. "
+                               "The cell is reduced until a measurement confirms it.",
+                       .unit = "length",
+                       .minimum = 0});
   visit.field("margin", margin,
-              {.help = "Cells around the surface; paths cannot leave the grid.",
+              {.help = "Number of cells around the surface; paths cannot leave the grid.",
                .unit = "cells",
                .minimum = 1,
                .maximum = 1000});
   visit.field("memory_limit", memory_limit,
-              {.help = "Most memory that making the grid may take; a larger one is refused before it is made.",
+              {.help = "Limit on the memory to compute the grid; a grid that needs more is refused beforehand.",
                .unit = "GiB",
                .minimum = 0,
                .exclusive_minimum = true});
