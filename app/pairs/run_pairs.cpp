@@ -79,7 +79,7 @@ void write_manifest(const fs::path& folder, const RunOrigin& origin, const RunRe
 }
 
 std::string resolved(const RunOrigin& origin, const fs::path& folder) {
-  return "# Every option of this run, defaults included. `leastcost run` on this file repeats it.\n" +
+  return "# Every option of this run, including defaults. To repeat the run: `leastcost run` on this file.\n" +
          resolved_yaml(origin.config, from_output(origin.folder, folder));
 }
 

@@ -19,7 +19,7 @@ std::string term_key(std::size_t i) { return "terms." + std::to_string(i); }
 /// One step on the plug-in of a part. Its faults are those of `key`, within the options of the whole.
 template <class Step>
 auto on_part(const PluginChoice& choice, const std::string& key, Step step) {
-  if (!choice) throw OptionError(key, "missing: a cost, like {type: euclidean}");
+  if (!choice) throw OptionError(key, "missing: give a cost, like {type: euclidean}");
   try {
     return step(static_cast<const CostPlugin&>(*choice.plugin), *choice.options);
   } catch (const OptionError& e) {

@@ -42,7 +42,7 @@ std::optional<std::string> post_process_or_say_why(const Problem& problem, const
   } catch (const Interrupted&) {
     throw;
   } catch (const std::bad_alloc&) {
-    return "there is not enough memory";
+    return "not enough memory";
   } catch (const std::exception& error) {
     return error.what();
   } catch (...) {

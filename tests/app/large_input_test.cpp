@@ -47,7 +47,7 @@ TEST_CASE("large inputs: unknown and duplicate keys are told by the first hundre
   within(10, [&] {
     const LoadedConfig loaded = parse(unknown);
     CHECK(loaded.errors.size() == kUnknown);
-    CHECK(loaded.errors.count() == "60000 errors in a.yaml, of which the first 100 are shown");
+    CHECK(loaded.errors.count() == "60000 errors in a.yaml, the first 100 are shown");
     CHECK(loaded.errors.render().size() < kShort);
     CHECK_THAT(loaded.errors.render(), Contains("a.yaml:6:1: error: unknown key 'k0'"));
   });
@@ -64,9 +64,9 @@ TEST_CASE("large inputs: an override is named by its beginning, and no option is
   within(2, [&] {
     const std::string errors = errors_of(kPlane, {dots + "=1"});
     CHECK(errors.size() < kShort);
-    CHECK_THAT(errors, Contains("none is named by more than 16 words"));
+    CHECK_THAT(errors, Contains("no option has more than 16 words"));
   });
-  CHECK_THAT(errors_of(kPlane, {"name=" + std::string(100'000, '/')}), Contains("'name' becomes a folder"));
+  CHECK_THAT(errors_of(kPlane, {"name=" + std::string(100'000, '/')}), Contains("'name' is used as a folder name"));
 }
 
 TEST_CASE("large inputs: what is nested too deep is said with the limit") {

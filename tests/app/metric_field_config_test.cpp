@@ -70,7 +70,7 @@ TEST_CASE("tensors on data in a configuration: what does not fit the domain") {
 
 TEST_CASE("tensors on data in a configuration: no straightening under a metric that changes") {
   CHECK_THAT(with("{type: curvature, weight: 1}", 0, "post_process: [trace, straighten]\n"),
-             Contains("'straighten' needs a cost with a constant metric, which 'metric_field' does not have"));
+             Contains("'straighten' needs a cost with a constant metric, but 'metric_field' has none"));
 }
 
 TEST_CASE("a metric that is none: told with its place") {

@@ -282,7 +282,8 @@ TEST_CASE("pairs: threads, and what was cut off and is resumed, give the same li
   };
   refused(kAroundDisc + "clearance: 0.1\n", pairs, "the options have changed");
   refused(kAroundDisc, pairs + "0,2,2,0\n", "a file that it is made from has changed");
-  CHECK_THAT(run_pairs_of(dir, kAroundDisc, pairs).err, Contains("--resume goes on with the run of many pairs in it"));
+  CHECK_THAT(run_pairs_of(dir, kAroundDisc, pairs).err,
+             Contains("use --resume to continue the run of many pairs in it"));
   put(log, text.substr(0, text.size() / 2) + "\nno json\n");
   const Called broken = run_pairs_of(dir, kAroundDisc, pairs, {"--resume"});
   CHECK(broken.exit == 4);
@@ -303,7 +304,7 @@ TEST_CASE("pairs: on standard output as lines, as one object, or in words, exit 
   CHECK(run_pairs_of(dir, kAroundDisc + "certificate: {enabled: false}\n", kInPlane + "-2,0,2,0\n", {"--force"}).exit ==
         5);
   CHECK_THAT(run_pairs_of(dir, kAroundDisc, kInPlane + "-2,0,2,0\nx,0,0,0\n", {"-n"}).out,
-             Contains("2 of points, 1 of them cannot be read (line 3: source_x: 'x'"));
+             Contains("2 of points, 1 of them invalid (line 3: source_x: 'x'"));
   const Called report = call({"report", (dir / "out").string()});
   CHECK(report.exit == 4);
   CHECK_THAT(report.err, Contains("a run of many pairs has no report"));
@@ -321,7 +322,7 @@ TEST_CASE("pairs: on standard output as lines, as one object, or in words, exit 
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Called called = call(arguments);
     CHECK(called.exit == 2);
-    CHECK_THAT(called.err, Contains("are for a run of many pairs of ends"));
+    CHECK_THAT(called.err, Contains("are for runs of many pairs of ends"));
   }
 }
 
@@ -369,13 +370,13 @@ TEST_CASE("pairs: a line of any length costs no more memory than the longest one
 TEST_CASE("pairs in a configuration: instead of two ends, and not with what only one path has") {
   const std::string many = "manifold: euclidean\ncost: euclidean\nends: {pairs: p.csv}\n";
   CHECK(errors_of(many) == "");
-  CHECK_THAT(errors_of(many, {"ends.source.point=[0, 0]"}), Contains("either 'pairs', or a 'source' and a 'target'"));
+  CHECK_THAT(errors_of(many, {"ends.source.point=[0, 0]"}), Contains("give either 'pairs' or 'source' and 'target'"));
   CHECK_THAT(errors_of(many + "path: {ring: true}\ninitializer: {type: waypoints, points: [[0, 1], [1, 0], [1, 1]]}\n"),
              Contains("a.yaml:3:15: error: a ring (path.ring: true) has no ends"));
-  CHECK_THAT(errors_of(many + "output: {waypoints: {count: 5}}\n"), Contains("waypoints are for a run of one path"));
-  CHECK_THAT(errors_of(many + "output: {files: [result]}\n"), Contains("'files' is for a run of one path"));
-  CHECK_THAT(errors_of(kPlane + "output: {pair_points: true}\n"), Contains("is for many pairs of ends"));
-  CHECK_THAT(errors_of(kPlane, {"ends.tolerance=1"}), Contains("is for the points of pairs"));
+  CHECK_THAT(errors_of(many + "output: {waypoints: {count: 5}}\n"), Contains("waypoints are for runs of one path"));
+  CHECK_THAT(errors_of(many + "output: {files: [result]}\n"), Contains("'files' is for runs of one path"));
+  CHECK_THAT(errors_of(kPlane + "output: {pair_points: true}\n"), Contains("needs many pairs of ends"));
+  CHECK_THAT(errors_of(kPlane, {"ends.tolerance=1"}), Contains("is only for pairs"));
   CHECK_THAT(errors_of("manifold: euclidean\ncost: euclidean\nends: {target: {point: [1, 1]}}\n"),
              Contains("missing key 'source' in ends"));
   const ScratchDir dir;
@@ -462,7 +463,7 @@ TEST_CASE("pairs: told to stop, the program says how to go on, and does") {
     std::this_thread::sleep_for(kPause);
   ::kill(child.pid, SIGINT);
   CHECK(child.wait() == 130);
-  CHECK_THAT(content(child.err), Contains("the same command with --resume goes on"));
+  CHECK_THAT(content(child.err), Contains("to continue, add --resume to the same command"));
   std::vector<Json> lines = lines_of(dir / "out");
   const Json result = Json::parse(content(dir / "out/result.json"));
   CHECK(result["status"] == "interrupted");

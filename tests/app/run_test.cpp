@@ -344,7 +344,7 @@ TEST_CASE("run: ends are placed or refused with their position") {
   CHECK(source("{vertex: 1}") == "moved 0.000000");
   CHECK(source("{point: [0, 0, 1.01]}") == "moved 0.010000");
   CHECK_THAT(source("{point: [0, 0, 2]}"), Contains("m.yaml:4:19: error: 'point' in ends.source: the nearest point of "
-                                                    "the manifold is 1 away, the tolerance is 0.03"));
+                                                    "the manifold is 1 away, but the tolerance is 0.03"));
   CHECK(source("{point: [0, 0, 2], tolerance: 1}") == "moved 1.000000");
   CHECK_THAT(source("{vertex: 5}"),
              Contains("m.yaml:4:20: error: 'vertex' in ends.source: the mesh has vertices 0 to 4, not 5"));
