@@ -175,7 +175,7 @@ class Rounds final : public RoundObjective {
     if (last_centre_.u.size() == 0)
       return loop_.finish(Termination::non_finite, "the gradient is not finite", energy_.value(path_));
     path_ = last_centre_;
-    words_ = "the search has run to a place where the gradient is not finite";
+    words_ = "the search reached a point where the gradient is not finite";
     return finish(Termination::line_search_failed);
   }
 
@@ -188,7 +188,7 @@ class Rounds final : public RoundObjective {
     const double gain = variables_.model().decrement / 2;  // that is left, by the chain's model
     if (gain <= (chain_ ? kFloor : kPlainFloor) * rounding_slack(best_value_, path_.segment_count()))
       return finish(Termination::round_off);
-    if (words_.empty()) words_ = "two rounds in a row have not lowered the energy";
+    if (words_.empty()) words_ = "two rounds in a row did not lower the energy";
     return finish(Termination::line_search_failed);
   }
 

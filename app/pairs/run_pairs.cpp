@@ -53,7 +53,8 @@ std::string bytes_of(const fs::path& file) {
 /// option of this one.
 void check_same(const fs::path& folder, const std::string& config, const RunOrigin& origin) {
   const auto refuse = [&](const std::string& why) {
-    throw OutputRefused(fmt::format("{}: belongs to another run: {}; --force begins anew", folder.string(), why));
+    throw OutputRefused(
+        fmt::format("{}: belongs to another run: {}; use --force to start again", folder.string(), why));
   };
   if (bytes_of(folder / kConfig) != config) refuse("the options have changed");
   const Json manifest = Json::parse(bytes_of(folder / kManifest), nullptr, false);

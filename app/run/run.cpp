@@ -96,7 +96,8 @@ std::filesystem::path output_of(const RunRequest& request, const Run& run) {
 
 std::string with_advice(const std::string& refusal, bool replaceable) {
   if (refusal.find("-o chooses") != std::string::npos) return refusal;  // it says so already
-  return refusal + (replaceable ? "; --force replaces it, -o chooses another" : "; -o chooses another");
+  return refusal +
+         (replaceable ? "; use --force to replace it, or -o for another folder" : "; use -o for another folder");
 }
 
 WrittenRun run(Run loaded, const RunRequest& request, const Monitor& monitor) {

@@ -123,12 +123,12 @@ class OneReplan {
       path.why_not = why_not(result, path.clearance);
       seconds_per_move_ = seconds_since(begin) / static_cast<double>(x.cols() - 1);
     } catch (const Interrupted&) {
-      path.why_not = "there was no time to look at it";
+      path.why_not = "there was no time to check it";
     }
   }
 
   std::string why_not(const Result& result, const std::optional<Clearance>& clearance) const {
-    if (!std::isfinite(result.curve.cost)) return "it costs infinitely much";
+    if (!std::isfinite(result.curve.cost)) return "it has infinite cost";
     const Points& x = result.curve.x;
     const double extent = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm();
     if (!clearance || clearance->lower >= -options_.certificate.clearance * extent) return "";

@@ -46,7 +46,7 @@ std::optional<std::string> post_process_or_say_why(const Problem& problem, const
   } catch (const std::exception& error) {
     return error.what();
   } catch (...) {
-    return "an exception that is no std::exception";
+    return "an exception not derived from std::exception";
   }
 }
 

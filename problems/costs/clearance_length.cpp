@@ -134,7 +134,7 @@ std::shared_ptr<const SegmentCost> make_clearance_length(const ClearanceLengthOp
   if (!(options.reach > 0) || !std::isfinite(options.reach))
     throw OptionError("reach", "must be a number greater than 0");
   if (walls->dimension() != dim)
-    throw InputError("the walls have " + std::to_string(walls->dimension()) + " dimensions, the space has " +
+    throw InputError("the obstacles have " + std::to_string(walls->dimension()) + " dimensions, the space has " +
                      std::to_string(dim));
   const Softness softness(options, std::move(walls));
   if (dim == 2) return make_segment_cost(ClearanceLength<2>{softness});

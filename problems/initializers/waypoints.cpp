@@ -103,7 +103,7 @@ WaypointsInitializer::WaypointsInitializer(Points waypoints) : waypoints_(std::m
 FirstPath WaypointsInitializer::first_path(const Problem& problem, const Monitor& monitor) const {
   if (waypoints_.rows() != problem.manifold->dimensions().coordinate)
     throw OptionError("points", "waypoints have " + std::to_string(waypoints_.rows()) +
-                                    " coordinates, the domain has " +
+                                    " coordinates, but the domain has " +
                                     std::to_string(problem.manifold->dimensions().coordinate));
   if (problem.ring && waypoints_.cols() < 3) throw OptionError("points", "a ring needs at least 3 waypoints");
   FirstPath first;

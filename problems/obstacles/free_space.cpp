@@ -126,7 +126,7 @@ FreeSpace::FreeSpace(std::shared_ptr<const ConstraintManifold> domain, std::shar
   if (find_ability<HasCoarserVersion>(*domain_) != nullptr)
     throw InputError("obstacles stand in a domain that is given exactly; this one is made from data");
   if (walls_->dimension() != domain_->dimensions().ambient)
-    throw InputError("the walls have " + std::to_string(walls_->dimension()) + " dimensions, the domain has " +
+    throw InputError("the obstacles have " + std::to_string(walls_->dimension()) + " dimensions, the domain has " +
                      std::to_string(domain_->dimensions().ambient));
 }
 

@@ -62,7 +62,7 @@ TEST_CASE("a target that names the source by other coordinates is an error, unle
              Contains(same));
   const std::string loop = with_ends("cylinder", "[0, 0]", "[6.283185307179586, 0]");
   CHECK(errors_of(loop) == "");
-  CHECK(has_note(solved_image(loop), "the ends are one point of the domain"));
+  CHECK(has_note(solved_image(loop), "both ends are the same point of the domain"));
 }
 
 }  // namespace leastcost::test

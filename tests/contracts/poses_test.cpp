@@ -372,7 +372,7 @@ TEST_CASE("poses: points that are none are refused with a reason", "[contract]")
   const auto room = make_spatial_poses();
   CHECK_THAT(refused_point(*room, Eigen::VectorXd::Zero(7)),
              Contains("factor 2 of the product has none") && Contains("gradients of the equations vanish"));
-  CHECK_THAT(refused_point(*room, Eigen::VectorXd::Zero(6)), Contains("6 coordinates, the domain has 7"));
+  CHECK_THAT(refused_point(*room, Eigen::VectorXd::Zero(6)), Contains("6 coordinates, but the domain has 7"));
   CHECK_THAT(refused_point(*room, Eigen::VectorXd::Constant(7, std::nan(""))), Contains("must be finite"));
   CHECK_THROWS_AS(make_planar_poses({.box = {Eigen::Vector3d(0, 0, 0), {}}}), OptionError);
   CHECK_THROWS_AS(make_spatial_poses({.box = {Eigen::Vector3d(0, 0, 2), Eigen::Vector3d(1, 1, 1)}}), OptionError);

@@ -88,7 +88,7 @@ TEST_CASE("ompl constraint: plans on surfaces stay on them, and are polished the
   if (name == "sphere")  // a great circle
     CHECK(ours.result.certificate.estimate.value == Approx(std::acos(from.dot(to))).epsilon(1e-6));
   CHECK_THROWS_AS(polish(plan), InputError);
-  CHECK_THROWS_WITH(polish(plan), Catch::Contains("the space is constrained: say which domain its states are on"));
+  CHECK_THROWS_WITH(polish(plan), Catch::Contains("the space is constrained: give the domain of its states"));
 }
 
 TEST_CASE("ompl constraint: places without a nearest point, and far ones") {
