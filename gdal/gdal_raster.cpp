@@ -149,7 +149,7 @@ RasterFile read_gdal_raster(const std::filesystem::path& file) {
   raster.crs = crs_of(GDALGetSpatialRef(dataset.get()));
   if (raster.rows < 1 || raster.columns < 1 || std::int64_t{raster.rows} * raster.columns > RasterGrid::kMostCells)
     fail(file, "a raster of " + std::to_string(raster.rows) + " x " + std::to_string(raster.columns) +
-                   " cells; at least one and at most " + std::to_string(RasterGrid::kMostCells) + " are read");
+                   " cells; at least one and at most " + std::to_string(RasterGrid::kMostCells) + " can be read");
   const Placement placement = placement_of(dataset.get(), file);
   out.turned = placement.turned;
   raster.cell << placement.width, placement.height;

@@ -134,14 +134,13 @@ std::shared_ptr<const SegmentCost> make_end_effector_length(const EndEffectorLen
     throw OptionError("model." + error.key(), error.what());
   }
   if (cost.table.rows.rows() != dim)
-    throw OptionError("model", "has " + std::to_string(cost.table.rows.rows()) + " joints, the domain has points of " +
-                                   std::to_string(dim) + " numbers");
+    throw OptionError("model", "has " + std::to_string(cost.table.rows.rows()) +
+                                   " joints, but points of the domain have " + std::to_string(dim) + " coordinates");
   if (options.tool.size() != 3 || !options.tool.allFinite())
     throw OptionError("tool", "must be a point in the frame of the last row, three finite numbers");
   if (!(options.joint_weight > 0) || !std::isfinite(options.joint_weight))
     throw OptionError("joint_weight",
-                      "must be greater than 0: a motion that leaves the tool where it is would cost "
-                      "nothing");
+                      "must be greater than 0, or motions that do not move the tool would cost nothing");
   cost.tool = options.tool;
   cost.weight = options.joint_weight;
   return std::make_shared<const EndEffectorLengthCost>(std::move(cost), dim);

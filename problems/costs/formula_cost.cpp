@@ -189,9 +189,10 @@ std::optional<CheckedRegion> checked_region(const ConstraintManifold& domain,
 
 std::shared_ptr<const SegmentCost> make_formula_cost(const FormulaCostOptions& options, int dim,
                                                      const std::optional<CheckedRegion>& region) {
-  if (dim < 1 || dim > kMaxDimension) throw OptionError("lagrangian", "the space has 1 to 64 dimensions");
+  if (dim < 1 || dim > kMaxDimension) throw OptionError("lagrangian", "the space must have 1 to 64 dimensions");
   if (options.convexify && dim != 2)
-    throw OptionError("convexify", "is for the plane; this space has " + std::to_string(dim) + " dimensions");
+    throw OptionError("convexify",
+                      "works in the plane only, but this space has " + std::to_string(dim) + " dimensions");
   std::vector<std::string> names = coordinate_names(dim);
   const std::vector<std::string> velocities = velocity_names(dim);
   names.insert(names.end(), velocities.begin(), velocities.end());
@@ -202,8 +203,8 @@ std::shared_ptr<const SegmentCost> make_formula_cost(const FormulaCostOptions& o
   const bool hull = options.convexify && !check.convex;
   if (hull)
     check.note +=
-        "; it is not convex there, and its convex hull takes its place: where a path goes between the two "
-        "directions of a zigzag its value holds and the path is not unique";
+        "; it is not convex there, so its convex hull is used. Where a path runs between the two directions of a "
+        "zigzag, its value holds, but the path is not unique";
   const bool metric = form.kind == LagrangianForm::Kind::root && !hull;
   const CostTraits says{
       .unit = options.unit, .symmetric = form.parity == LagrangianForm::Parity::even, .quadratic_at_rest = metric};

@@ -246,7 +246,7 @@ void check_moves_mass(const KineticEnergy& cost) {
     }
     if (!(most > 0))
       throw OptionError("links", "nothing that joint " + std::to_string(k + 1) +
-                                     " moves has a mass or an inertia: its motion would cost nothing");
+                                     " moves has a mass or an inertia, so its motion would cost nothing");
   }
 }
 
@@ -276,8 +276,8 @@ std::shared_ptr<const SegmentCost> make_kinetic_energy_cost(const KineticEnergyO
   try {
     cost.arm = std::visit(MovingArmOf{}, options.model);
     if (cost.arm.table.rows.rows() != dim)
-      throw OptionError("", "has " + std::to_string(cost.arm.table.rows.rows()) + " joints, the domain has points of " +
-                                std::to_string(dim) + " numbers");
+      throw OptionError("", "has " + std::to_string(cost.arm.table.rows.rows()) +
+                                " joints, but points of the domain have " + std::to_string(dim) + " coordinates");
     check_moves_mass(cost);
   } catch (const OptionError& error) {
     throw OptionError(error.key().empty() ? "model" : "model." + error.key(), error.what());

@@ -125,13 +125,13 @@ struct MetricField {
     std::ostringstream out;
     const Eigen::IOFormat row(6, Eigen::DontAlignCols, ", ", ", ", "", "", "(", ")");
     if (!Field::inside(x)) {
-      out << x.format(row) << " lies outside the domain of the metric";
+      out << x.format(row) << " is outside the domain of the metric";
     } else if (!t.allFinite()) {
       out << "at " << x.format(row) << " the tensor is not finite";
     } else if (!is_root && x.allFinite()) {
       const Eigen::VectorXd values = symmetric_eigenvalues(t);
       if (values[0] > 0) return "";
-      out << "at " << x.format(row) << " the tensor is not positive definite, its eigenvalues are "
+      out << "at " << x.format(row) << " the tensor is not positive definite: its eigenvalues are "
           << values.format(row);
     }
     return out.str();
@@ -259,8 +259,8 @@ class MetricOnData final : public MetricFieldCost<SampledTensors>, public Follow
 template <class Field>
 std::shared_ptr<const SegmentCost> lifted(Field field, const MetricFieldOptions& o, int dim) {
   if (dim != Field::dim)
-    throw OptionError("field", "this metric lives in dimension " + std::to_string(Field::dim) +
-                                   ", the ambient space has " + std::to_string(dim));
+    throw OptionError("field", "this metric has dimension " + std::to_string(Field::dim) +
+                                   ", but the ambient space has " + std::to_string(dim));
   return std::make_shared<MetricByFormula<Field>>(
       MetricField<Field>{std::move(field), o.reading == TensorReading::root, o.averages()});
 }
@@ -272,7 +272,7 @@ std::shared_ptr<const SegmentCost> by_formulas(const metric::Formula& formula, c
   if (given != kEntries)
     throw OptionError("field.entries", "a symmetric " + std::to_string(D) + " x " + std::to_string(D) + " tensor has " +
                                            std::to_string(kEntries) +
-                                           " entries on and above the diagonal, row by row; these are " +
+                                           " entries on and above the diagonal, row by row, not " +
                                            std::to_string(given));
   return lifted(
       FormulaTensor<D>{formulas_of_option("field.entries", formula.entries, coordinate_names(D), formula.parameters)},
@@ -293,7 +293,7 @@ struct Maker {
   Made operator()(const metric::Formula& formula) const {
     if (dim == 2) return by_formulas<2>(formula, options);
     if (dim == 3) return by_formulas<3>(formula, options);
-    throw OptionError("field", "formulas describe metrics of spaces of dimension 2 and 3, not " + std::to_string(dim));
+    throw OptionError("field", "formulas describe metrics in dimension 2 and 3, not " + std::to_string(dim));
   }
   Made operator()(const TensorFileOptions&) const { return std::make_shared<MetricOnData>(options, domain, folder); }
   Made operator()(const CurvatureMetricOptions&) const {

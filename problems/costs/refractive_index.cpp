@@ -56,7 +56,7 @@ struct LuneburgIndex {
   double radius;
   std::vector<double> center;
   std::string unit() const { return "optical length"; }
-  std::string outside() const { return "is beyond sqrt 2 radii from the centre of the lens, where there is no n"; }
+  std::string outside() const { return "n is not defined beyond sqrt 2 radii from the centre of the lens"; }
   template <class S>
   S operator()(std::span<const S> x) const {
     return sqrt(S(S(2.0) - squared_radius(x, center, radius)));
@@ -115,7 +115,7 @@ struct PowerIndex {
 struct FormulaIndex {
   Formula formula;
   std::string unit() const { return "optical length"; }
-  std::string outside() const { return "the formula of n gives no positive number"; }
+  std::string outside() const { return "the formula of n is not positive"; }
   template <class S>
   S operator()(std::span<const S> x) const {
     return formula(x);
@@ -198,7 +198,7 @@ std::vector<double> of_dimension(const char* option, const Eigen::VectorXd& x, i
                                  const Eigen::VectorXd& otherwise) {
   if (x.size() == 0) return list(otherwise);
   if (x.size() != dim)
-    throw OptionError(key(option), "has " + std::to_string(x.size()) + " numbers; the space has " +
+    throw OptionError(key(option), "has " + std::to_string(x.size()) + " numbers, but the space has " +
                                        std::to_string(dim) + " coordinates");
   if (!x.allFinite()) throw OptionError(key(option), "must be finite");
   return list(x);
@@ -224,10 +224,10 @@ struct IndexMaker {
   }
   AnyIndex operator()(const refraction::SmoothLayers& o) const {
     require_positive("width", o.width);
-    if (o.boundaries.size() == 0) throw OptionError(key("boundaries"), "missing: give one boundary at least");
+    if (o.boundaries.size() == 0) throw OptionError(key("boundaries"), "missing: give at least one boundary");
     if (o.values.size() != o.boundaries.size() + 1)
-      throw OptionError(key("values"), "has " + std::to_string(o.values.size()) + " numbers; " +
-                                           std::to_string(o.boundaries.size()) + " boundaries have " +
+      throw OptionError(key("values"), "has " + std::to_string(o.values.size()) + " numbers, but " +
+                                           std::to_string(o.boundaries.size()) + " boundaries separate " +
                                            std::to_string(o.boundaries.size() + 1) + " layers");
     for (Eigen::Index i = 0; i + 1 < o.boundaries.size(); ++i)
       if (!(o.boundaries[i] < o.boundaries[i + 1])) throw OptionError(key("boundaries"), "must increase");
@@ -316,7 +316,7 @@ void RefractiveIndexOptions::fields(FieldVisitor& visit) {
 }
 
 std::shared_ptr<const SegmentCost> make_refractive_index_cost(const RefractiveIndexOptions& options, int dim) {
-  if (dim < 1) throw OptionError("index", "light moves in R^d, d at least 1");
+  if (dim < 1) throw OptionError("index", "the space must have at least one dimension");
   NamedIndex n{std::visit(IndexMaker{dim}, options.index)};
   if (dim == 2) return with_index<2>(std::move(n), dim);
   if (dim == 3) return with_index<3>(std::move(n), dim);

@@ -71,8 +71,9 @@ std::shared_ptr<const TensorSamples> tensors_from_file(const TensorFileOptions& 
   const std::filesystem::path file = folder / options.file;
   const std::vector<Eigen::Matrix3d> rows = read_tensors(file);
   if (rows.size() != static_cast<std::size_t>(samples.count_in_file))
-    throw InputError(file.string() + ": " + std::to_string(rows.size()) + " tensors, the file of the manifold has " +
-                     std::to_string(samples.count_in_file) + " " + samples.what);
+    throw InputError(file.string() + ": " + std::to_string(rows.size()) +
+                     " tensors, but the file of the manifold has " + std::to_string(samples.count_in_file) + " " +
+                     samples.what);
   std::vector<Eigen::Matrix3d> tensors;
   tensors.reserve(samples.in_file.size());
   for (const std::int32_t number : samples.in_file) tensors.push_back(rows[static_cast<std::size_t>(number)]);

@@ -203,9 +203,8 @@ void WalkingOptions::fields(FieldVisitor& visit) {
 
 std::shared_ptr<const WalkingCost> make_walking_cost(const WalkingOptions& options, int dim) {
   if (dim != 3)
-    throw OptionError("type",
-                      "'walking' is over terrain in three dimensions, the last of which is height; this space has " +
-                          std::to_string(dim));
+    throw OptionError("type", "'walking' needs three dimensions, the last of which is height, but this space has " +
+                                  std::to_string(dim));
   if (!(options.rounding > 0 && options.rounding < -ToblerPace::kFastest))
     throw OptionError("rounding", "must be greater than 0 and less than 0.05, so that level ground is exact");
   return std::visit(LawMaker{options.length == MapLength::metres ? 1 : kMetres, options.rounding}, options.law);

@@ -56,8 +56,8 @@ class WeightedLengthCost final : public SegmentCostOf<WeightedLength<D>, Constan
 void check_weights(const Eigen::VectorXd& weights) {
   for (Index i = 0; i < weights.size(); ++i)
     if (!(weights[i] > 0) || !std::isfinite(weights[i]))
-      throw OptionError("weights", "number " + std::to_string(i + 1) +
-                                       " must be greater than 0: a way that costs nothing has no least-cost path");
+      throw OptionError("weights",
+                        "number " + std::to_string(i + 1) + " must be greater than 0, or paths could cost nothing");
 }
 
 /// The weights of all coordinates.

@@ -36,7 +36,7 @@ void BowOptions::fields(FieldVisitor& visit) {
 FirstPath BowInitializer::first_path(const Problem& problem, const Monitor& monitor) const {
   if (problem.ring) throw InitializationError("a ring has no ends to join: give waypoints");
   const Eigen::VectorXd &a = problem.source.u, &b = problem.target.u;
-  if (a.size() < 2) throw InitializationError("on a line there is nowhere to bow to");
+  if (a.size() < 2) throw InitializationError("a path on a line cannot bow");
   const Eigen::VectorXd sag = options_.height * (b - a).norm() * across(b - a, options_.angle * std::numbers::pi / 180);
   FirstPath first;
   first.path.u.resize(a.size(), kSegments + 1);

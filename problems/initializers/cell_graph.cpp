@@ -40,13 +40,13 @@ FirstPath CellGraphInitializer::first_path(const Problem& problem, const Monitor
   if (SideNodes::count_for(map, side_points) > kMostPlaces)
     throw InputError("cell_graph: " + std::to_string(map.rows()) + " x " + std::to_string(map.columns()) +
                      " cells are too many for " + std::to_string(side_points) +
-                     " places on each side: give fewer (initializer: {type: cell_graph, side_points: 0}), or a box "
+                     " points on each side: give fewer (initializer: {type: cell_graph, side_points: 0}), or a box "
                      "around the ends (manifold: {type: euclidean, lower: [..], upper: [..]})");
   const CellPath found = least_cell_path(map, problem.source.u, problem.target.u, side_points, [&monitor] {
     if (monitor.cancelled()) throw Interrupted("while the cells were searched");
     look_at_clock(monitor.deadline);
   });
-  if (found.empty()) throw InitializationError("cells without data part the ends: no path leads from one to the other");
+  if (found.empty()) throw InitializationError("cells without data separate the ends: there is no path between them");
   FirstPath first;
   const CellPath path = beside_sides(map, found);  // along a side of the domain's box too only cells in it count
   first.path.u.resize(2, static_cast<Index>(path.size()));

@@ -63,15 +63,14 @@ int cells_for(const LatticeBox& box, const Problem& problem, bool obstacles) {
 CoordinatePath way_of(const ArrivalField& field, const Problem& problem) {
   if (!field.arrival_cost())
     throw InitializationError("eikonal: " + lattice_in_words(field.lattice()) +
-                              ": no way arrives at the target. More cells may find a narrower one, a wider box "
-                              "(lower, upper) one around");
+                              ": no path reaches the target. Use more cells to find a narrower passage, or a wider box "
+                              "(lower, upper) to find a way around");
   const std::vector<Eigen::Vector2d> way = field.way();
   CoordinatePath path{Points(2, static_cast<Index>(way.size())), {}, false};
   for (std::size_t k = 0; k < way.size(); ++k) path.u.col(static_cast<Index>(k)) = way[k];
   if (!std::isfinite(PathEnergy(problem, 1).cost(path)))
-    throw InitializationError(
-        "eikonal: " + lattice_in_words(field.lattice()) +
-        ": the way found passes places without a cost between the nodes. More cells may see them");
+    throw InitializationError("eikonal: " + lattice_in_words(field.lattice()) +
+                              ": the path found crosses places with infinite cost between the nodes. Use more cells");
   return path;
 }
 
@@ -161,14 +160,14 @@ FirstPath EikonalInitializer::down_the_field(const Problem& problem, const Monit
   const ConstraintManifold& domain = *problem.manifold;
   if (domain.dimensions().coordinate != 2 || domain.shape() == Shape::polyhedral)
     throw InitializationError(
-        "eikonal works where two coordinates name a point: the plane, charts, terrain; on a mesh or a cloud use "
-        "dijkstra, elsewhere rrt");
+        "eikonal needs points with two coordinates (the plane, charts, terrain); on a mesh or a cloud use dijkstra, "
+        "elsewhere rrt");
   const MoveCheck moves(problem);
   LatticeBox box = LatticeBox::of(problem, options_.lower, options_.upper);
   close_by_raster(box, problem);
   for (const PathEnd* end : {&problem.source, &problem.target})
     if ((end->u.array() < box.lower.array()).any() || (end->u.array() > box.upper.array()).any())
-      throw InitializationError("eikonal: an end lies outside the box that is searched: widen lower and upper");
+      throw InitializationError("eikonal: an end is outside the searched box: widen lower and upper");
   const int cells = options_.cells.value_or(cells_for(box, problem, moves.among_obstacles()));
   const auto search = [&](int count, const ArrivalField::Way& how) {
     const ArrivalField field(problem, moves, box, count, how, [&monitor] { return monitor.interrupted(); });

@@ -99,7 +99,7 @@ FirstPath GridInitializer::first_path(const Problem& problem, const Monitor& mon
   }
   const std::string none = "grid: no passage at this resolution: " + tried;
   if (!options_.trees)
-    throw InitializationError(none + ". A smaller resolution, or more refinements, may find a narrower one");
+    throw InitializationError(none + ". Use a smaller resolution, or more refinements, to find a narrower one");
   try {
     FirstPath first = RrtInitializer().first_path(problem, monitor);
     first.notes.insert(first.notes.begin(), none);

@@ -41,7 +41,7 @@ CoordinatePath stops(const Problem& problem, const Points& waypoints, const Moni
   const Projection projection = project(*problem.manifold, path, monitor.deadline);
   if (!projection.failed.empty())
     throw InitializationError("waypoint " + std::to_string(projection.failed.front()) +
-                              " (counted from 0) has no nearest point on the domain");
+                              " (numbered from 0) has no nearest point on the domain");
   CoordinatePath all{Points(waypoints.rows(), waypoints.cols() + (problem.ring ? 1 : 2)), {}, false};
   if (problem.ring)
     all.u << path.u, path.u.col(0);

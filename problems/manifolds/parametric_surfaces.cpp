@@ -77,8 +77,8 @@ void check_seams(const ChartMap& map, const std::vector<Seam>& seams) {
       const Eigen::Vector3d x = map.position(u), y = map.position(image.apply(u));
       if (!x.allFinite() || !y.allFinite() || (x - y).norm() <= kSame * (1 + x.norm())) continue;
       const char* key = seams[s].coordinate == 0 ? "surface.period_u" : "surface.period_v";
-      throw OptionError(key, "the formulas do not come back after this period" +
-                                 std::string(seams[s].flipped ? " with v turned over" : "") + ": (u, v) = " +
+      throw OptionError(key, "the formulas do not repeat after this period" +
+                                 std::string(seams[s].flipped ? " with the sign of v reversed" : "") + ": (u, v) = " +
                                  point_text(u) + " and its image are " + short_number((x - y).norm()) + " apart");
     }
   }
@@ -91,7 +91,7 @@ Parts parts_of(const parametric::Formula& o) {
   if (o.period_u) seams.push_back({0, *o.period_u, o.twisted ? std::optional(1) : std::nullopt});
   if (o.period_v) seams.push_back({1, *o.period_v, {}});
   if (o.twisted && !o.period_u)
-    throw OptionError("surface.twisted", "turns v over where u comes back: it needs period_u");
+    throw OptionError("surface.twisted", "needs period_u: v changes sign after a period of u");
   const auto read = [&o](const char* key, const std::string& text) {  // each alone first: the error names its key
     formulas_of_option(std::string("surface.") + key, {text}, {"u", "v"}, o.parameters);
   };
@@ -110,7 +110,7 @@ Parts parts_of(const parametric::Sphere& o) {
 }
 Parts parts_of(const parametric::Ellipsoid& o) {
   if (o.axes.size() != 3 || !(o.axes.array() > 0).all())
-    throw OptionError("surface.axes", "an ellipsoid has three positive half axes");
+    throw OptionError("surface.axes", "must be three positive semi-axes");
   return {make_chart_map(chart::Ellipsoid{o.axes[0], o.axes[1], o.axes[2]}), {kAround}, kTwoPoles};
 }
 Parts parts_of(const parametric::Torus& o) {

@@ -133,7 +133,7 @@ std::shared_ptr<const Obstacle> make_box_obstacle(const BoxObstacleOptions& opti
     throw OptionError("upper", "must have as many coordinates as lower (" + std::to_string(options.lower.size()) +
                                    "), all of them finite");
   if (!(options.lower.array() <= options.upper.array()).all())
-    throw OptionError("upper", "must be at least lower in every coordinate");
+    throw OptionError("upper", "must not be below lower in any coordinate");
   return std::make_shared<BoxObstacle>(options, look);
 }
 

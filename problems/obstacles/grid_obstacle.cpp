@@ -38,10 +38,11 @@ class GridObstacle final : public Obstacle {
         upper_[i] = std::nextafter(upper_[i], lower_[i]);
     const GridBounds known = bounds_above(grid_, deepest_);
     const double border = least_on_border(grid_);
-    if (!(known.slope > 0)) throw InputError(name_ + ": its values are nowhere above half a cell within the obstacle");
+    if (!(known.slope > 0))
+      throw InputError(name_ + ": its values are nowhere more than half a cell above the obstacle");
     if (!(border > 0))
-      throw InputError(name_ + ": on the border of the grid its values may be as low as " + short_number(border) +
-                       ", so that the obstacle would go on beyond it; make a grid with a wider margin");
+      throw InputError(name_ + ": on the border of the grid its values can be as low as " + short_number(border) +
+                       ", so the obstacle would extend beyond it; make a grid with a wider margin");
     slope_ = kOfBounds * known.slope;
     bend_ = kOfBounds * known.bend / slope_;
     bend_beyond_ = bend_ + slope_ / border;

@@ -35,11 +35,10 @@ std::string why_hollow(const TriangleMesh& mesh, const FaceOrientation& orientat
   const MeshReport report = inspect(mesh);
   if (report.border_edges > 0)
     return "it is open, with " + std::to_string(report.border_edges) +
-           " border edges (`weld: true` joins vertices at equal positions, `weld: 1e-6` those that are no farther "
-           "apart)";
+           " border edges (`weld: true` merges vertices at equal positions, `weld: 1e-6` those no farther apart)";
   if (report.non_manifold_edges > 0)
     return "it has " + std::to_string(report.non_manifold_edges) + " edges with more than two faces";
-  if (orientation.one_sided) return "it has one side only";
+  if (orientation.one_sided) return "it is one-sided";
   return "";
 }
 
@@ -59,7 +58,7 @@ class MeshObstacle final : public Obstacle, public MeetsTriangles {
     if (why.empty())
       winding_.emplace(mesh, orientation.turned);
     else if (inside == MeshInside::solid)
-      throw InputError(mesh.source() + ": the mesh has no inside: " + why + "; take it as a surface (inside: surface)");
+      throw InputError(mesh.source() + ": the mesh has no inside: " + why + "; use it as a surface (inside: surface)");
   }
 
   std::string name() const override { return name_; }

@@ -120,14 +120,14 @@ ArmModel model_of(const arm_model::Table& given) {
   if (given.shape.rows() == 0 || given.shape.cols() != 8)
     throw OptionError("shape", "must be rows of 8 numbers: the link, both ends of a segment and a radius");
   for (const auto& row : given.shape.rowwise()) {
-    if (!whole(row[0])) throw OptionError("shape", "begins with the number of a link in every row");
+    if (!whole(row[0])) throw OptionError("shape", "must begin with a link number in every row");
     arm.shape.capsules.push_back(
         {static_cast<int>(row[0]), row.segment<3>(1).transpose(), row.segment<3>(4).transpose(), row[7]});
   }
   if (!given.self) return arm;
-  if (given.self->cols() != 2) throw OptionError("self", "must be rows of two numbers of capsules");
+  if (given.self->cols() != 2) throw OptionError("self", "must be rows of two capsule numbers");
   for (const auto& row : given.self->rowwise()) {
-    if (!whole(row[0]) || !whole(row[1])) throw OptionError("self", "must be rows of two numbers of capsules");
+    if (!whole(row[0]) || !whole(row[1])) throw OptionError("self", "must be rows of two capsule numbers");
     arm.shape.self.emplace_back(static_cast<int>(row[0]), static_cast<int>(row[1]));
   }
   return arm;

@@ -270,11 +270,11 @@ TEST_CASE("command line: an end in unknown cells of a map is refused as one, wit
                                                 "{point: [" +
                                                 x + ", 0.5]}}\npath: {points: 5}\n")});
   };
-  CHECK_THAT(run_to("1.5", "").err, Contains("the target lies in unknown cells of") &&
+  CHECK_THAT(run_to("1.5", "").err, Contains("the target is in unknown cells of") &&
                                         Contains("`unknown: free` of the map") && Contains("is 0.5 away"));
   CHECK(run_to("1.5", ", unknown: free").exit == 0);
-  CHECK_THAT(run_to("2.5", "").err, Contains("the target lies in blocked cells of"));
-  CHECK_THAT(run_to("3.5", "").err, Contains("the target lies outside of"));
+  CHECK_THAT(run_to("2.5", "").err, Contains("the target is in blocked cells of"));
+  CHECK_THAT(run_to("3.5", "").err, Contains("the target is outside"));
 }
 
 TEST_CASE("command line: doctor") {

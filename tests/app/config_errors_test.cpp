@@ -132,7 +132,7 @@ TEST_CASE("config errors: what constructors refuse stands at its option") {
   const std::string ends = "\nends: {source: {point: [0, 0]}, target: {point: [1, 1]}}\n";
   const std::string box =
       errors_of("manifold: {type: euclidean, dimension: 2, lower: [0, 0, 0]}\ncost: euclidean" + ends);
-  CHECK_THAT(box, Contains("a.yaml:1:50: error: 'lower' in manifold: 3 numbers, the space has dimension 2; write "
+  CHECK_THAT(box, Contains("a.yaml:1:50: error: 'lower' in manifold: 3 numbers, but the space has dimension 2; write "
                            "`dimension: 3` for it\n"));
   const std::string indefinite =
       errors_of("manifold: euclidean\ncost: {type: metric_tensor, matrix: [[1, 0], [0, -1]]}" + ends);
@@ -218,11 +218,11 @@ TEST_CASE("config errors: layers, and refraction where it cannot be") {
   CHECK(errors_of(plane + ends + layers) == "");
   CHECK(errors_of(plane + ends + layers + refract) == "");
   CHECK_THAT(errors_of(plane + ends + "cost: {type: layers, interfaces: [0], speeds: [2, 1, 1]}\n"),
-             Contains("has 3 numbers, and 1 interfaces lie between 2 layers"));
+             Contains("has 3 numbers, but 1 interfaces separate 2 layers"));
   CHECK_THAT(errors_of(plane + ends + "cost: {type: layers, interfaces: [0]}\n"),
              Contains("give either 'speeds' or 'indices'"));
   CHECK_THAT(errors_of(plane + ends + "cost: {type: layers, interfaces: [1, 0], speeds: [1, 2, 3]}\n"),
-             Contains("must rise: number 2 is not above the one before"));
+             Contains("must increase: number 2 is not above the previous one"));
   CHECK_THAT(errors_of(plane + ends + "cost: euclidean\n" + refract),
              Contains("'refract' needs a cost with a stack of layers, but 'euclidean' has none"));
   CHECK_THAT(

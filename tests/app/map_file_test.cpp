@@ -72,7 +72,7 @@ TEST_CASE("map files: PNG") {
   flipped[45] = static_cast<char>(flipped[45] ^ 1);
   CHECK_THROWS_AS(read_png(flipped, "a.png"), InputError);
   CHECK_THROWS_WITH(read_png(text_of(kVast), "a.png"),
-                    "a.png: not a readable PNG image: 121000000 pixels were "
+                    "a.png: not a readable PNG image: 121000000 pixels are "
                     "announced, which do not fit in the 56 bytes of the file");
 }
 

@@ -85,14 +85,14 @@ TEST_CASE("poses: what is no pose, no box, no weight and no obstacle of theirs i
   CHECK_THAT(errors_of(poses_between("se3", "[0, 0, 0, 1, 0, 0, 0]", "[0, 0, 0, -1, 0, 0, 0]")),
              Contains("is the same point as the source, in other coordinates"));
   CHECK_THAT(errors_of(poses_between("se2, lower: [0, 0, 0]", "[1, 1, 0]", "[2, 2, 0]")),
-             Contains("'lower' in manifold: 3 numbers, the space has dimension 2"));
+             Contains("'lower' in manifold: 3 numbers, but the space has dimension 2"));
   CHECK_THAT(errors_of(poses_between("se2", "[0, 0, 0]", "[2, 2, 0]"), {"cost.weights=[1, 2, 3, 4]"}),
              Contains("'weights' in cost: has 4 numbers; give 2, one per factor of the domain, or 3"));
   CHECK_THAT(errors_of(poses_between("se2", "[0, 0, 0]", "[2, 2, 0]"), {"cost.weights=[1, 0]"}),
              Contains("'weights' in cost"));
   CHECK_THAT(errors_of(poses_between("se2", "[-2, 0, 0]", "[2, 0, 0]",
                                      "obstacles: [{type: ball, center: [0, 0, 0], radius: 1}]\n")),
-             Contains("in obstacles: ") && Contains("has 3 dimensions, the domain has 2"));
+             Contains("in obstacles: ") && Contains("has 3 dimensions, but the domain has 2"));
   CHECK_THAT(errors_of(poses_between("se2", "[0.5, 0, 3]", "[2, 0, 0]",
                                      "obstacles: [{type: ball, center: [0, 0], radius: 1}]\n")),
              Contains("end_in_clearance"));

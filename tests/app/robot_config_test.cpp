@@ -53,7 +53,7 @@ TEST_CASE("robot: it and its obstacles are read, and the first path is one that 
 
 TEST_CASE("robot: its obstacles are of the workspace, its domain of its configurations") {
   CHECK_THAT(errors_of(replaced(kBody, "[2, 0.5]", "[2, 0.5, 0]")),
-             Contains("a.yaml:7:13") && Contains("has 3 dimensions, the workspace of the robot has 2"));
+             Contains("a.yaml:7:13") && Contains("has 3 dimensions, but the workspace of the robot has 2"));
   CHECK_THAT(errors_of(replaced(kBody, "dimension: 3", "dimension: 2").replace(0, 0, "")),
              Contains("has configurations of 3 coordinates, but the manifold has points of 2"));
   CHECK_THAT(errors_of(replaced(kArm, "[2.8973, 1.7628", "[2.8973, 2")),

@@ -349,7 +349,7 @@ TEST_CASE("run: ends are placed or refused with their position") {
   CHECK_THAT(source("{vertex: 5}"),
              Contains("m.yaml:4:20: error: 'vertex' in ends.source: the mesh has vertices 0 to 4, not 5"));
   CHECK_THAT(source("{face: 4, barycentric: [1, 0, 0]}"), Contains("the mesh has faces 0 to 3, not 4"));
-  CHECK_THAT(source("{face: 0, barycentric: [1, 1, 0]}"), Contains("must have the sum 1, not 2"));
+  CHECK_THAT(source("{face: 0, barycentric: [1, 1, 0]}"), Contains("must have sum 1, not 2"));
   CHECK_THAT(source("{vertex: 3}"), Contains("is the same point as the source"));
 }
 

@@ -168,8 +168,8 @@ std::shared_ptr<const PointCloudManifold> make_point_cloud_manifold(const PointC
   if (options.settings.radius && share > PointCloud::kMostOfCloud) {
     std::ostringstream why;
     why.precision(3);
-    why << "a support of " << *options.settings.radius << " local spacings holds " << 100 * share
-        << " % of the cloud; the most is " << 100 * PointCloud::kMostOfCloud << " %";
+    why << "a radius of " << *options.settings.radius << " local spacings contains " << 100 * share
+        << " % of the cloud; the limit is " << 100 * PointCloud::kMostOfCloud << " %";
     throw OptionError("radius", why.str());
   }
   return surface_of(std::move(cloud));
