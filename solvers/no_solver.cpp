@@ -15,7 +15,7 @@ SolveReport NoSolver::do_solve(PathEnergy& energy, CoordinatePath& path, const M
   const double value = energy.value(path);
   if (!std::isfinite(value)) return loop.finish(Termination::non_finite, "the first path has infinite cost", value);
   loop.record(value, std::numeric_limits<double>::quiet_NaN(), 0);
-  return loop.finish(Termination::fixed_point, "the first path as it is", value);
+  return loop.finish(Termination::fixed_point, "the first path unchanged", value);
 }
 
 }  // namespace leastcost

@@ -65,7 +65,7 @@ void check_same(const fs::path& folder, const std::string& config, const RunOrig
   std::vector<std::string> now;
   for (const InputFile& input : origin.inputs)
     if (input.role == "data") now.push_back(input.sha256);
-  if (then != now) refuse("a file that it is made from has changed");
+  if (then != now) refuse("one of its input files has changed");
 }
 
 void write_manifest(const fs::path& folder, const RunOrigin& origin, const RunRequest& request) {

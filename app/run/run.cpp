@@ -45,7 +45,7 @@ void write_files(WrittenRun& outcome, const RunRequest& request, const Monitor& 
     write_results(outcome, request.arguments, folder);
     std::string missing;
     if (leaves_out_report(outcome, monitor))
-      outcome.result.notes.emplace_back("interrupted: the report was left out; leastcost report makes it");
+      outcome.result.notes.emplace_back("interrupted: the report was left out; to make it, run leastcost report");
     else if (outcome.origin->config.writes("report"))
       missing = add_report(outcome, folder);
     folder.commit();

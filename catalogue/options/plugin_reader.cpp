@@ -35,8 +35,8 @@ const PluginEntry* OptionsReader::find_type(const ConfigNode& node, const Place&
     errors_.error(type->place, fmt::format("unknown {} {}{}; valid types: {}", kind.name, in_quotes(type->text),
                                            did_you_mean(type->text, types), joined(types)));
   } else if (!plugin->missing.empty()) {
-    errors_.error(type->place, fmt::format("{} {} is not part of this build: {}", kind.name, in_quotes(type->text),
-                                           plugin->missing));
+    errors_.error(type->place,
+                  fmt::format("{} {} is not in this build: {}", kind.name, in_quotes(type->text), plugin->missing));
     return nullptr;
   }
   return plugin;
