@@ -104,7 +104,7 @@ std::string Diagnostics::render(bool color) const {
 
 std::string Diagnostics::count() const {
   std::string text = fmt::format("{} error{} in {}", count_, count_ == 1 ? "" : "s", file_);
-  if (count_ > errors_.size()) text += fmt::format(", the first {} are shown", errors_.size());
+  if (count_ > errors_.size()) text += fmt::format(", of which the first {} are shown", errors_.size());
   return text;
 }
 

@@ -178,7 +178,7 @@ class Certifier {
     add_regularization();
     if (!(c_.estimate.error <= kWidestBar * c_.estimate.value))
       fail(Failure::error_bar, "the error bar is " + short_number(c_.estimate.error / c_.estimate.value) +
-                                   " of the cost, too large: use more points");
+                                   " of the cost, which is too large: use more points");
     compare_with_bound();
     measure_domain();
     measure_places();

@@ -57,7 +57,7 @@ void certify_straightened(const Problem& problem, const PostProcessed& path, con
                                                      " below pi: the path can be shortened there"});
   if (c.global && c.global->outcome == "blocked" && c.global->gap > kFarBelow) {
     const TwoNumbers texts = told_apart(c.global->lower_bound, path.curve.cost);
-    c.failures.push_back({Failure::not_global, "a path of " + texts.first + " may exist, but this one costs " +
+    c.failures.push_back({Failure::not_global, "a path of cost " + texts.first + " may exist, but this one costs " +
                                                    texts.second + ": " + c.global->reason});
   }
   if (!(c.spacing <= options.spacing)) fail_spacing(c, options.spacing);

@@ -22,7 +22,7 @@ void judge_homotopy_class(const Search& search, Outcome& out) {
   if (problem.ring || result.curve.least_of_class) return;
   const Points first = positions(*problem.manifold, result.first.path);
   if (!obstacles->same_class(first, result.curve.x).value_or(true))
-    failures.push_back({Failure::class_lost, "the path passes an obstacle on the other side than the first path"});
+    failures.push_back({Failure::class_lost, "the path passes an obstacle on a different side from the first path"});
 }
 
 }  // namespace leastcost

@@ -72,7 +72,7 @@ void judge_free_passage(const Search&, Outcome& out) {
   if (!passage || !(passage->cost < result.curve.cost)) return;
   const TwoNumbers texts = told_apart(passage->cost, result.curve.cost, 6);
   result.notes.push_back("cheaper: the path through the places where moves cost nothing costs " + texts.first +
-                         ", but this path costs " + texts.second + ", and is only locally the cheapest");
+                         ", but this path costs " + texts.second + ", and is the cheapest only locally");
 }
 
 }  // namespace leastcost

@@ -25,7 +25,7 @@ std::string why_no_factor(const ConstraintManifold* domain) {
   if (domain->shape() == Shape::polyhedral || find_ability<HasPieces>(*domain) != nullptr)
     return "is made of flat pieces (a mesh, a map), and a point of a product does not determine its piece";
   if (find_ability<HasCoarserVersion>(*domain) != nullptr || find_ability<HasUnresolvedPlaces>(*domain) != nullptr)
-    return "is made from data, and a product cannot estimate their effect on the cost";
+    return "is made from data, and a product cannot estimate its effect on the cost";
   if (find_ability<ChecksMoves>(*domain) != nullptr)
     return "has obstacles: give the product without them, and add them to the product";
   const Dimensions d = domain->dimensions();

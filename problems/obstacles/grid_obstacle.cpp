@@ -38,8 +38,7 @@ class GridObstacle final : public Obstacle {
         upper_[i] = std::nextafter(upper_[i], lower_[i]);
     const GridBounds known = bounds_above(grid_, deepest_);
     const double border = least_on_border(grid_);
-    if (!(known.slope > 0))
-      throw InputError(name_ + ": its values are nowhere more than half a cell above the obstacle");
+    if (!(known.slope > 0)) throw InputError(name_ + ": all its values are more than half a cell inside the obstacle");
     if (!(border > 0))
       throw InputError(name_ + ": on the border of the grid its values can be as low as " + short_number(border) +
                        ", so the obstacle would extend beyond it; make a grid with a wider margin");

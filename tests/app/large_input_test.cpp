@@ -47,7 +47,7 @@ TEST_CASE("large inputs: unknown and duplicate keys are told by the first hundre
   within(10, [&] {
     const LoadedConfig loaded = parse(unknown);
     CHECK(loaded.errors.size() == kUnknown);
-    CHECK(loaded.errors.count() == "60000 errors in a.yaml, the first 100 are shown");
+    CHECK(loaded.errors.count() == "60000 errors in a.yaml, of which the first 100 are shown");
     CHECK(loaded.errors.render().size() < kShort);
     CHECK_THAT(loaded.errors.render(), Contains("a.yaml:6:1: error: unknown key 'k0'"));
   });
