@@ -89,7 +89,7 @@ std::shared_ptr<ob::Constraint> make_constraint(std::shared_ptr<const Constraint
   const Dimensions dimensions = domain->dimensions();
   if (dimensions.tangent >= dimensions.ambient)
     throw InputError("this domain fills its space of " + std::to_string(dimensions.ambient) +
-                     " dimensions: it is no constraint");
+                     " dimensions, so it needs no constraint");
   if (!(tolerance > 0) || !std::isfinite(tolerance))
     throw InputError("the tolerance of a constraint must be a number greater than 0");
   return std::make_shared<DomainConstraint>(std::move(domain), tolerance);

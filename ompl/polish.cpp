@@ -266,7 +266,7 @@ class Polishing {
 
   std::string fault_of(const Points& x, const std::optional<Clearance>& clearance) const {
     if (heeds_clearance_ && touches(x, clearance))
-      return "it would come " + short_number(std::abs(clearance->upper)) + " too near to " + clearance->obstacle;
+      return "it would come " + short_number(std::abs(clearance->upper)) + " too close to " + clearance->obstacle;
     for (Index i = 0; i < x.cols(); ++i)
       if (!space_.is_free(x.col(i))) return "the planner's checker refuses its place " + point_text(x.col(i));
     for (Index i = 0; i + 1 < x.cols(); ++i)

@@ -60,7 +60,8 @@ void place_waypoints(RunOutcome& outcome) {
   parts.notes.push_back("the straight moves between the waypoints are not clear: the move from waypoint " +
                         std::to_string(clearance->segment) + " comes " +
                         short_number(std::abs(inside ? clearance->upper : clearance->lower)) +
-                        (inside ? "" : " (possibly)") + " too near to " + clearance->obstacle + "; use more waypoints");
+                        (inside ? "" : " (possibly)") + " too close to " + clearance->obstacle +
+                        "; use more waypoints");
 }
 
 bool same_end(const PathEnd& a, const PathEnd& b) { return a.u.size() == b.u.size() && a.u == b.u; }

@@ -124,7 +124,7 @@ class Certifier {
     const bool inside = c_.clearance->upper < 0;
     fail(Failure::touches, "the path comes " +
                                short_number(std::abs(inside ? c_.clearance->upper : c_.clearance->lower)) +
-                               (inside ? "" : " (possibly)") + " too near to " + c_.clearance->obstacle +
+                               (inside ? "" : " (possibly)") + " too close to " + c_.clearance->obstacle +
                                " between points " + std::to_string(c_.clearance->segment) + " and " +
                                std::to_string(c_.clearance->segment + 1) + ", at " + point_text(c_.clearance->place));
   }

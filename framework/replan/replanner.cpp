@@ -132,7 +132,7 @@ class OneReplan {
     const Points& x = result.curve.x;
     const double extent = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm();
     if (!clearance || clearance->lower >= -options_.certificate.clearance * extent) return "";
-    return "it comes " + short_number(std::abs(clearance->upper)) + " too near to " + clearance->obstacle;
+    return "it comes " + short_number(std::abs(clearance->upper)) + " too close to " + clearance->obstacle;
   }
 
   /// What an obstacle has moved onto is pushed out of it, without a solve, until no move touches. So is a chain whose

@@ -256,8 +256,8 @@ TEST_CASE("command line: an end on the side of an obstacle is as much too near a
     config.replace(config.find('X'), 1, x);
     return call({"run", write_text(dir / "end.yaml", config), "-n"}).err;
   };
-  CHECK_THAT(refusal("3"), Contains("it lies 0.001 too near to the polygon"));
-  CHECK_THAT(refusal("3.25"), Contains("it lies 0.251 too near to the polygon"));
+  CHECK_THAT(refusal("3"), Contains("it is 0.001 too close to the polygon"));
+  CHECK_THAT(refusal("3.25"), Contains("it is 0.251 too close to the polygon"));
 }
 
 TEST_CASE("command line: an end in unknown cells of a map is refused as one, with the option that lets it be there") {

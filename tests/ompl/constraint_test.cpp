@@ -110,7 +110,7 @@ TEST_CASE("ompl constraint: what is no constraint is refused") {
   CHECK_THROWS_AS(make_constraint(std::make_shared<EuclideanManifold>(EuclideanManifoldOptions{.dimension = 3})),
                   InputError);
   CHECK_THROWS_WITH(make_constraint(std::make_shared<EuclideanManifold>(EuclideanManifoldOptions{.dimension = 3})),
-                    Catch::Contains("this domain fills its space of 3 dimensions: it is no constraint"));
+                    Catch::Contains("this domain fills its space of 3 dimensions, so it needs no constraint"));
 }
 
 }  // namespace leastcost::test

@@ -112,7 +112,8 @@ class CertificateTable {
         "The value is the cost of the delivered curve itself; nothing was extrapolated. Method: " + method + ".";
     if (!result_.objects("certificate.levels").empty())
       words =
-          "The path is solved again with half, once and twice as many segments; the value and its bar follow from "
+          "The path is solved again with half, the same and twice the number of segments; the value and its bar follow "
+          "from "
           "these levels. Method: " +
           method + ".";
     if (std::isfinite(order)) words += " The order is observed; smooth paths have 2.";
@@ -214,7 +215,7 @@ std::string what_bracket_says(const JsonFile& result) {
     return fmt::format("({:.6g})", fmt::join(result.numbers(std::string("global.box.") + name), ", "));
   };
   const std::string work =
-      fmt::format("a potential, the finest of it on a part of {:g} cells; {} cells searched in all, {:.2g} s; {}",
+      fmt::format("a potential, finest on a part of {:g} cells; {} cells searched in total, {:.2g} s; {}",
                   fmt::join(result.numbers("global.grid"), " x "), result.text("global.cells"),
                   result.number("global.seconds"), category);
   const std::string bound = fmt::format(
