@@ -93,8 +93,8 @@ std::string word_on_default(const LoadedConfig& loaded) {
   const PluginChoice& first = loaded.config.initializer;
   if (!first || first.plugin->type != "eikonal" || loaded.tree.find("initializer") != nullptr) return words;
   return words +
-         "  first path: from an arrival-cost field over the two coordinates, which finds ways on all sides "
-         "(initializer:\n  eikonal); to begin with the straight line, set 'initializer: straight'\n";
+         "  first path: from an arrival-cost field over the two coordinates, which finds ways on all sides\n"
+         "  (initializer: eikonal); to begin with the straight line, set 'initializer: straight'\n";
 }
 
 /// The errors of a configuration or a study. An unreadable file is one more error, so that the other files get their
