@@ -87,7 +87,7 @@ const auto& kernels() {
   static const std::vector<KernelPlugin> all = {
       kernel<Linear>("linear",
                      "H(s) = s: the plain cost. Points can slide along the path, so nothing can be certified."),
-      kernel<Square>("square", "H(s) = s^2: the smoothest start."),
+      kernel<Square>("square", "H(s) = s^2: the usual path energy; enforces equal spacing less strongly."),
       kernel<Expm1Square>("expm1_square",
                           "H(s) = exp(s^2) - 1: the choice of VFCS, enforces equal spacing most strongly."),
       kernel<Exp>("exp", "H(s) = exp(s)."),

@@ -27,7 +27,7 @@ void CertificateOptions::fields(FieldVisitor& visit) {
                .maximum = 16});
   visit.field("refine_work", refine_work,
               {.help = "Limit on the work of these doublings, relative to the search before them (sweeps over the "
-                       "points times their number); a small search can always take some.",
+                       "points times their number). Small searches are always allowed some doublings.",
                .minimum = 0});
   visit.field("stationarity", stationarity, {.help = "Largest relative cost error.", .minimum = 0});
   visit.field("residual", residual, {.help = "Largest distance from the domain.", .unit = "diameters", .minimum = 0});

@@ -262,7 +262,7 @@ void arm_inertia::Table::fields(FieldVisitor& visit) {
                {.help = "standard: joint i turns about z of frame i - 1; modified (Craig): about z of frame i."});
   visit.field("rows", rows, {.help = "One row per joint: [a, alpha, d, offset of the angle].", .required = true});
   visit.field("links", links,
-              {.help = "One row per joint, for the link that it moves, in the frame of its row: [mass, centre x, y, z, "
+              {.help = "One row per joint, for its link, in the frame of the joint's row: [mass, centre x, y, z, "
                        "inertia about the centre xx, yy, zz, xy, xz, yz].",
                .required = true});
 }

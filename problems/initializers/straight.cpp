@@ -55,8 +55,8 @@ CoordinatePath find_finite(const Problem& problem) {
                               reason_for_infinity(*problem.cost, problem.source.u, problem.target.u));
   const std::string reason = reason_on(problem, line);
   throw InitializationError(
-      "the cost is infinite on the straight line between the ends and on every bow around it (in all coordinate "
-      "directions, up to the distance of the ends)" +
+      "the cost is infinite on the straight line between the ends, and on bows around it in all coordinate directions, "
+      "up to the distance between the ends" +
       (reason.empty() ? ": the cost may not be defined at an end; otherwise give waypoints"
                       : reason + "; give waypoints around such places"));
 }

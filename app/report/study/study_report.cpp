@@ -167,8 +167,8 @@ std::vector<ReportFile> study_report(const fs::path& folder) {
   add_figure(
       "Performance profiles", performance_figure(study),
       "Dolan and Moré (2002): the share of problems that a solver solves to 1e-10 within a multiple of the work of the "
-      "best one. The left edge shows how often it is the best. A problem is solved when, at some time in the run, the "
-      "solver comes within that relative cost excess of the best chain of all solvers, or, at the latest at its end, "
+      "best one. The left edge shows how often it is the best. A problem is solved when the solver comes within that "
+      "relative cost excess of the best chain of all solvers. It is also solved, at the latest at the end of the run, "
       "when it is certified at the least certified cost. Refusals, failures and other minima are not solved.",
       "", body, files);
   add_figure("Data profiles", data_figure(study),
