@@ -107,14 +107,15 @@ Placement placement_of(GDALDatasetH dataset, const std::filesystem::path& file) 
   if (GDALGetGeoTransform(dataset, t.data()) != CE_None) return {};
   if (t[2] != 0 || t[4] != 0) {
     if (const double area = t[1] * t[5] - t[2] * t[4]; area == 0 || !std::isfinite(area))
-      fail(file, "the georeference has no cells: their area is " + short_number(area, 6));
+      fail(file, "the georeference has no valid cells: their area is " + short_number(area, 6));
     const int rows = GDALGetRasterYSize(dataset);  // which are stored from the last one of the file on
     Placement askew;
     askew.turned.emplace();
     *askew.turned << t[1], -t[2], t[0] + rows * t[2], t[4], -t[5], t[3] + rows * t[5];
     return askew;
   }
-  if (!(t[1] > 0) || t[5] == 0) fail(file, "the georeference has no cells: their width is " + short_number(t[1], 6));
+  if (!(t[1] > 0) || t[5] == 0)
+    fail(file, "the georeference has no valid cells: their width is " + short_number(t[1], 6));
   return {true, t[5] > 0, t[0], t[3], t[1], std::abs(t[5])};
 }
 
@@ -136,7 +137,7 @@ RasterFile read_gdal_raster(const std::filesystem::path& file) {
   static std::once_flag registered;
   std::call_once(registered, GDALAllRegister);
   const Quiet quiet;
-  if (!std::filesystem::is_regular_file(file)) throw InputError(file.string() + ": there is no such file");
+  if (!std::filesystem::is_regular_file(file)) throw InputError(file.string() + ": no such file");
   const Dataset dataset(GDALOpenEx(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
   if (!dataset) fail(file, "cannot be read as a raster");
   if (GDALGetRasterCount(dataset.get()) < 1) fail(file, "the raster has no band");
@@ -148,7 +149,7 @@ RasterFile read_gdal_raster(const std::filesystem::path& file) {
   raster.crs = crs_of(GDALGetSpatialRef(dataset.get()));
   if (raster.rows < 1 || raster.columns < 1 || std::int64_t{raster.rows} * raster.columns > RasterGrid::kMostCells)
     fail(file, "a raster of " + std::to_string(raster.rows) + " x " + std::to_string(raster.columns) +
-                   " cells; at least one and at most " + std::to_string(RasterGrid::kMostCells) + " are read");
+                   " cells; at least one and at most " + std::to_string(RasterGrid::kMostCells) + " can be read");
   const Placement placement = placement_of(dataset.get(), file);
   out.turned = placement.turned;
   raster.cell << placement.width, placement.height;

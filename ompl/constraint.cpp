@@ -83,13 +83,13 @@ class DomainConstraint final : public ob::Constraint {
 }  // namespace
 
 std::shared_ptr<ob::Constraint> make_constraint(std::shared_ptr<const ConstraintManifold> domain, double tolerance) {
-  if (!domain) throw InputError("there is no domain to make a constraint of");
+  if (!domain) throw InputError("a constraint needs a domain");
   if (find_ability<HasChart>(*domain) != nullptr)
-    throw InputError("this domain is given by a chart: plan in its coordinates, which need no constraint");
+    throw InputError("this domain is a chart: plan in its coordinates, which need no constraint");
   const Dimensions dimensions = domain->dimensions();
   if (dimensions.tangent >= dimensions.ambient)
     throw InputError("this domain fills its space of " + std::to_string(dimensions.ambient) +
-                     " dimensions: it is no constraint");
+                     " dimensions, so it needs no constraint");
   if (!(tolerance > 0) || !std::isfinite(tolerance))
     throw InputError("the tolerance of a constraint must be a number greater than 0");
   return std::make_shared<DomainConstraint>(std::move(domain), tolerance);

@@ -43,10 +43,10 @@ class SegmentObjective final : public ob::OptimizationObjective {
 
 std::shared_ptr<ob::OptimizationObjective> make_objective(const std::shared_ptr<ob::SpaceInformation>& space,
                                                           std::shared_ptr<const SegmentCost> cost) {
-  if (!space || !cost) throw InputError("an objective needs the information of a space, and a cost");
+  if (!space || !cost) throw InputError("an objective needs a SpaceInformation and a cost");
   StateColumns columns(space->getStateSpace());
   if (columns.rows() != cost->dim())
-    throw InputError("the cost has " + std::to_string(cost->dim()) + " dimensions, states of the space have " +
+    throw InputError("the cost has " + std::to_string(cost->dim()) + " dimensions, but states of the space have " +
                      std::to_string(columns.rows()));
   return std::make_shared<SegmentObjective>(space, std::move(columns), std::move(cost));
 }

@@ -134,17 +134,17 @@ SampleBox box_of_samples(const Problem& problem, double reach) {
   }
   if (!(box.upper - box.lower).allFinite())
     throw InitializationError("ompl: the ends are " + short_number((b - a).norm()) +
-                              " apart: a box around them is too large for numbers; bound the domain");
+                              " apart: a box around them overflows; bound the domain");
   return box;
 }
 
 void check_plannable(const Problem& problem) {
   if (problem.ring) throw InitializationError("a ring has no ends to join: give waypoints");
   if (problem.manifold->shape() == Shape::polyhedral)
-    throw InitializationError("ompl plans on smooth domains; a mesh has edges: use dijkstra");
+    throw InitializationError("ompl plans on smooth domains, but a mesh has edges: use dijkstra");
   if (find_ability<HasChart>(*problem.manifold) != nullptr)
     throw InitializationError(
-        "ompl plans in the space around a domain; a chart has none: use straight, bow or waypoints");
+        "ompl plans in the space around a domain, but a chart has none: use straight, bow or waypoints");
 }
 
 void set_state(const ob::SpaceInformationPtr& space, const Eigen::VectorXd& x, ob::ScopedState<>& state) {
@@ -196,16 +196,18 @@ void OmplOptions::fields(FieldVisitor& visit) {
                .unit = "length",
                .minimum = 0,
                .exclusive_minimum = true});
-  visit.field("step", step,
-              {.help = "Moves are looked at in pieces of half of it; default: a sixteenth of the distance of the ends.",
-               .unit = "length",
-               .minimum = 0,
-               .exclusive_minimum = true});
+  visit.field(
+      "step", step,
+      {.help = "Moves are checked in pieces of half this length; default: 1/16 of the distance between the ends.",
+       .unit = "length",
+       .minimum = 0,
+       .exclusive_minimum = true});
   visit.field("reach", reach,
-              {.help = "How far beyond the ends samples are taken along sides without bounds, in their distances.",
+              {.help = "How far beyond the ends samples are taken along unbounded coordinates, in units of the "
+                       "distance between the ends.",
                .minimum = 0,
                .exclusive_minimum = true});
-  visit.field("shortcuts", shortcuts, {.help = "Random shortcuts that are tried on the path found.", .minimum = 0});
+  visit.field("shortcuts", shortcuts, {.help = "Number of random shortcuts tried on the path found.", .minimum = 0});
   visit.field("seed", seed, {.help = "Seed of the planner; default: the seed of the run.", .minimum = 0});
 }
 
@@ -220,7 +222,7 @@ OmplInitializer::OmplInitializer(const OmplOptions& options, int run_seed) : opt
   const ob::SpaceInformationPtr any =
       std::make_shared<ob::SpaceInformation>(std::make_shared<ob::RealVectorStateSpace>(2));
   if (!kind_of(options.planner).make(any)->params().hasParam("range"))
-    throw OptionError("range", std::string(kind_of(options.planner).word) + " has none: leave it out");
+    throw OptionError("range", std::string(kind_of(options.planner).word) + " has none: remove it");
 }
 
 FirstPath OmplInitializer::first_path(const Problem& problem, const Monitor& monitor) const {
@@ -251,8 +253,8 @@ FirstPath OmplInitializer::first_path(const Problem& problem, const Monitor& mon
       const std::string came_to = std::string(chosen.word) + " came to: " + status.asString();
       if (monitor.interrupted()) throw Interrupted("ompl: interrupted; " + came_to);
       throw InitializationError("ompl: no path; " + came_to + ", with " + short_number(options_.max_seconds) +
-                                " s to look for one. The ends may lie on different parts of the domain; otherwise try "
-                                "another planner, a larger max_seconds or reach");
+                                " s to search. The ends may be on different parts of the domain; otherwise try another "
+                                "planner, or a larger max_seconds or reach");
     }
     nodes = nodes_of(*definition->getSolutionPath()->as<og::PathGeometric>(), problem.source.u.size());
     first.notes.push_back("ompl: " + std::string(chosen.word) + ", a path of " + std::to_string(nodes.size()) +

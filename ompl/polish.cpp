@@ -69,9 +69,9 @@ class Polishing {
   Polished run() {
     out_.path = std::make_shared<og::PathGeometric>(given_);
     const double given = out_.cost = out_.given_cost = space_.cost(x_, length_of(x_) / kPieces);
-    if (!std::isfinite(given)) throw InputError("the given path costs infinitely much, or more than a number can say");
+    if (!std::isfinite(given)) throw InputError("the given path has infinite cost, or its cost overflows");
     if (!(given > 0)) {
-      out_.why = "the given path costs nothing";
+      out_.why = "the given path has cost 0";
       return std::move(out_);
     }
     const bool by_answer = !options_.walls && !options_.distance;
@@ -85,7 +85,7 @@ class Polishing {
     if (options_.search)
       search(tight, by_answer);
     else
-      out_.why = "no search was asked for";
+      out_.why = "no search was requested";
     if (out_.result.path.u.cols() > 1 && take(out_.result.path.u, PolishOutcome::polished)) return std::move(out_);
     if (options_.search && !by_answer) tight = pulled_and_short_of(tight);  // as where no search is asked for
     take(tight, PolishOutcome::tightened);
@@ -125,33 +125,35 @@ class Polishing {
     check(options_.find);
     if (!options_.find.points) throw InputError("polishing needs a number of points");
     if (!options_.find.post_processors.empty())
-      throw InputError("a polished path is the chain itself: post-processors would make another curve of it");
+      throw InputError(
+          "polishing returns the chain itself: remove the post-processors, which would make another curve");
     const Dimensions dimensions = domain_->dimensions();
     if (dimensions.coordinate != states_.rows() || dimensions.ambient != states_.rows())
-      throw InputError("states of the space have " + std::to_string(states_.rows()) + " rows, the domain has " +
+      throw InputError("states of the space have " + std::to_string(states_.rows()) + " rows, but the domain has " +
                        std::to_string(dimensions.coordinate) + " coordinates in " + std::to_string(dimensions.ambient) +
                        " dimensions");
     if (find_ability<HasChart>(*domain_) != nullptr)
-      throw InputError("the domain is given by a chart, whose coordinates are no states of the space");
+      throw InputError("the domain is a chart, and its coordinates are not states of the space");
     const auto cost = options_.cost ? options_.cost : states_.length();
     if (cost->dim() != states_.rows())
-      throw InputError("the cost has " + std::to_string(cost->dim()) + " dimensions, states of the space " +
+      throw InputError("the cost has " + std::to_string(cost->dim()) + " dimensions, but states of the space have " +
                        std::to_string(states_.rows()));
   }
 
   /// The given path, if it is one.
   void read() {
     if (given_.getStateCount() < 2)
-      throw InputError("a path has at least two states, and this one " + std::to_string(given_.getStateCount()));
+      throw InputError("a path must have at least two states, but this one has " +
+                       std::to_string(given_.getStateCount()));
     x_ = states_.columns(given_);
     for (Index i = 0; i < x_.cols(); ++i)
       if (!space_.is_free(x_.col(i)))
         throw InputError(state_name(i) + ", " + point_text(x_.col(i)) +
-                         ", is not valid, or beyond the bounds of the space");
+                         ", is not valid or is outside the bounds of the space");
     for (Index i = 0; i + 1 < x_.cols() && !states_.constrained(); ++i)
       if (!space_.straight(x_.col(i), x_.col(i + 1)))
         throw InputError("the move from " + state_name(i) +
-                         " to the next is not straight in its coordinates: leastcost would make it another one");
+                         " to the next is not straight in its coordinates: leastcost would change it");
   }
 
   void set_problem() {
@@ -221,7 +223,7 @@ class Polishing {
     }
     const std::string fault = fault_of(x, clearance_of(x));
     if (fault.empty()) return x;
-    out_.why = "it lies against obstacles of which only yes or no is known: without them " + fault;
+    out_.why = "it touches obstacles that give only valid or invalid, not distances: without them " + fault;
     return {};
   }
 
@@ -264,7 +266,7 @@ class Polishing {
 
   std::string fault_of(const Points& x, const std::optional<Clearance>& clearance) const {
     if (heeds_clearance_ && touches(x, clearance))
-      return "it would come " + short_number(std::abs(clearance->upper)) + " too near to " + clearance->obstacle;
+      return "it would come " + short_number(std::abs(clearance->upper)) + " too close to " + clearance->obstacle;
     for (Index i = 0; i < x.cols(); ++i)
       if (!space_.is_free(x.col(i))) return "the planner's checker refuses its place " + point_text(x.col(i));
     for (Index i = 0; i + 1 < x.cols(); ++i)

@@ -69,8 +69,8 @@ class PoseWalls final : public Walls {
 
 std::shared_ptr<const Walls> make_pose_walls(const StateColumns& states, std::shared_ptr<const Walls> poses) {
   if (poses->dimension() != states.rows())
-    throw InputError("the walls have " + std::to_string(poses->dimension()) + " dimensions, states of the space " +
-                     std::to_string(states.rows()) + " rows");
+    throw InputError("the obstacles have " + std::to_string(poses->dimension()) +
+                     " dimensions, but states of the space have " + std::to_string(states.rows()) + " rows");
   if (!states.has_quaternions()) return poses;
   return std::make_shared<PoseWalls>(std::move(poses), states.quaternions());
 }

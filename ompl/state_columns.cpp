@@ -34,7 +34,7 @@ constexpr double kLeastQuaternion = 1e-6;
 
 StateColumns::StateColumns(std::shared_ptr<const ob::StateSpace> space, double turn)
     : space_(std::move(space)), turn_(turn) {
-  if (!(turn > 0) || !std::isfinite(turn)) throw InputError("what a turn counts as must be a number greater than 0");
+  if (!(turn > 0) || !std::isfinite(turn)) throw InputError("the weight of rotation must be a number greater than 0");
   if (!space_) throw InputError("there is no state space");
   const ob::StateSpace* inner = space_.get();
   while (const auto* wrapper = dynamic_cast<const ob::WrapperStateSpace*>(inner)) {
@@ -64,7 +64,7 @@ void StateColumns::add(const ob::StateSpace& space, double weight, const std::ve
       break;
     default:
       throw InputError("the space " + space.getName() +
-                       " is none of R^n, SO(2), SO(3) or compounds of them: leastcost knows no coordinates of it");
+                       " is not R^n, SO(2), SO(3) or a compound of them: leastcost has no coordinates for it");
   }
   rows_ += part.count;
   parts_.push_back(std::move(part));
@@ -106,8 +106,9 @@ Points StateColumns::columns(const og::PathGeometric& path) const {
   Points columns(rows_, count);
   for (Index i = 0; i < count; ++i) {
     columns.col(i) = column(*path.getState(static_cast<unsigned>(i)));
-    if (!columns.col(i).allFinite()) throw InputError("state " + std::to_string(i) + " has a value that is no number");
-    if (!settle(columns.col(i))) throw InputError("state " + std::to_string(i) + " has a quaternion of no length");
+    if (!columns.col(i).allFinite())
+      throw InputError("state " + std::to_string(i) + " has a value that is not a number");
+    if (!settle(columns.col(i))) throw InputError("state " + std::to_string(i) + " has a quaternion of length 0");
     if (i > 0) unwrap(columns.col(i - 1), columns.col(i));
   }
   return columns;
@@ -161,7 +162,7 @@ bool StateColumns::settle(Eigen::Ref<Eigen::VectorXd> column) const {
 }
 
 std::shared_ptr<const ConstraintManifold> StateColumns::domain() const {
-  if (constrained_) throw InputError("the space is constrained: say which domain its states are on");
+  if (constrained_) throw InputError("the space is constrained: give the domain of its states");
   if (has_quaternions()) return std::make_shared<PoseDomain>(static_cast<int>(rows_), quaternions(), turn_);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Eigen::VectorXd lower = Eigen::VectorXd::Constant(rows_, -kInfinity), upper = -lower;
@@ -180,7 +181,7 @@ std::shared_ptr<const SegmentCost> StateColumns::length() const {
   for (const Part& part : parts_) weights.segment(part.row, part.count).setConstant(part.weight / in_columns(part));
   if ((weights.array() == 1).all()) return make_euclidean_cost(static_cast<int>(rows_));
   if (!(weights.array() > 0).all())
-    throw InputError("a part of the space has the weight 0: its length says nothing about that part; give a cost");
+    throw InputError("a part of the space has weight 0, so length ignores it: give a cost");
   return make_metric_tensor_cost({.matrix = weights.cwiseAbs2().asDiagonal()}, static_cast<int>(rows_));
 }
 

@@ -61,17 +61,17 @@ FirstPathMethod recommended_first_path(const ProblemFacts& facts) {
 
 std::string_view why(FirstPathMethod method, const ProblemFacts& facts) {
   switch (method) {
-    case FirstPathMethod::none: return "because a ring has no default: give one";
+    case FirstPathMethod::none: return "because a ring has no default first path: give one";
     case FirstPathMethod::straight: return "because there are no obstacles and no edges to follow";
     case FirstPathMethod::dijkstra: return "because the shortest path along the edges is near the least-cost path";
     case FirstPathMethod::cell_graph: return "because the cost is constant in each cell of a raster";
-    case FirstPathMethod::grid: return "because it sees all ways around obstacles in the plane";
+    case FirstPathMethod::grid: return "because it considers all ways around obstacles in the plane";
     case FirstPathMethod::eikonal:
-      return facts.obstacles ? "because it sees all ways around obstacles on a chart"
-                             : "because the cost depends on the place, and it sees the ways on all sides";
+      return facts.obstacles ? "because it considers all ways around obstacles on a chart"
+                             : "because the cost varies with position, and it considers the ways on all sides";
     case FirstPathMethod::rrt:
-      return facts.robot ? "because a robot moves in a space of configurations"
-                         : "because it finds ways among obstacles in any number of coordinates";
+      return facts.robot ? "because a robot moves in a configuration space"
+                         : "because it finds paths among obstacles in any number of coordinates";
   }
   return "";
 }
@@ -79,7 +79,7 @@ std::string_view why(FirstPathMethod method, const ProblemFacts& facts) {
 std::string_view why(SolveMethod method) {
   switch (method) {
     case SolveMethod::none: return "because a post-processor makes the curve from the first path";
-    case SolveMethod::newton: return "because second derivatives are known, and it takes fewest iterations";
+    case SolveMethod::newton: return "because second derivatives are known, and it needs the fewest iterations";
     case SolveMethod::lbfgs: return "because the energy on a mesh has kinks";
   }
   return "";

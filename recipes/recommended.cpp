@@ -87,7 +87,7 @@ Recipe recommended(const Problem& given, const FindOptions& options) {
   if (!proved && !brackets_in_box(facts, asked)) return recipe;
   GlobalProofStep proof = global_proof(problem, options.certificate.global);
   recipe.why.push_back("proof over all paths: " +
-                       (proof.step ? std::string(proof.step->name()) + ", by what the domain and the cost are"
+                       (proof.step ? std::string(proof.step->name()) + ", chosen by the domain and the cost"
                                    : "none, " + proof.why_not));
   if (proof.step) recipe.post_processors.push_back(std::move(proof.step));
   return recipe;

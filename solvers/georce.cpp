@@ -139,17 +139,17 @@ class GeorceSolve {
 
 void GeorceOptions::fields(FieldVisitor& visit) {
   visit.field("tolerance", tolerance,
-              {.help = "Stops when an iteration lowers its own energy by less than this part.", .minimum = 0});
+              {.help = "Stops when an iteration lowers its discrete energy by less than this fraction.", .minimum = 0});
   limit_fields(visit, max_iterations, max_evaluations);
 }
 
 std::optional<std::string> Georce::cannot_solve(const PathEnergy& energy, const CoordinatePath& path) const {
   const Problem& problem = energy.problem();
-  if (problem.ring) return "georce needs an open path: its points move from the source on";
+  if (problem.ring) return "georce needs an open path: it updates the points starting from the source";
   const bool chart = problem.manifold->shape() == Shape::flat || find_ability<HasChart>(*problem.manifold) != nullptr;
   if (!chart) return "georce works in a chart: a euclidean or a parametric manifold";
   if (!problem.cost->traits().quadratic_at_rest)
-    return "georce needs a metric; this cost says that it has none (a Finsler cost)";
+    return "georce needs a metric, but this cost has none (a Finsler cost)";
   PathEnergy own(problem, energy.reference_cost(), energy.deadline());
   Points metric;
   own.metrics(path, metric);
@@ -157,7 +157,7 @@ std::optional<std::string> Georce::cannot_solve(const PathEnergy& energy, const 
   for (Index t = 0; t < path.segment_count(); ++t) {
     const Points g = metric.middleCols(d * t, d);
     if (!g.allFinite() || g.llt().info() != Eigen::Success)
-      return "georce needs a metric at every point; that of this cost is infinite or not definite at point " +
+      return "georce needs a metric at every point, but that of this cost is infinite or not definite at point " +
              std::to_string(t) + " of the path";
   }
   return std::nullopt;

@@ -190,11 +190,10 @@ class LbfgsSolve {
 void LbfgsOptions::fields(FieldVisitor& visit) {
   tolerance_field(visit, tolerance);
   limit_fields(visit, max_iterations, max_evaluations);
-  visit.field("memory", memory, {.help = "Stored pairs.", .minimum = 1, .maximum = 1000});
-  visit.choice(
-      "precondition", precondition,
-      {.help =
-           "Initial inverse Hessian: the chain's own (iterations independent of n) or a multiple of the identity."});
+  visit.field("memory", memory, {.help = "Number of stored pairs.", .minimum = 1, .maximum = 1000});
+  visit.choice("precondition", precondition,
+               {.help = "Initial inverse Hessian. chain: that of the chain (iterations independent of n). none: a "
+                        "multiple of the identity."});
 }
 
 Lbfgs::Lbfgs(LbfgsOptions options) : options_(checked(options)) {}

@@ -17,7 +17,7 @@ class LbfgsHistory {
  public:
   /// Throws OptionError for a memory that holds no pair.
   explicit LbfgsHistory(int memory) {
-    if (memory < 1) throw OptionError("memory", "at least one pair is stored, not " + std::to_string(memory));
+    if (memory < 1) throw OptionError("memory", "at least one pair must be stored, not " + std::to_string(memory));
     pairs_.resize(static_cast<std::size_t>(memory));
   }
   bool empty() const { return count_ == 0; }

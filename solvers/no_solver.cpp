@@ -13,9 +13,9 @@ namespace leastcost {
 SolveReport NoSolver::do_solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const {
   SolveLoop loop(energy, path, {}, monitor);
   const double value = energy.value(path);
-  if (!std::isfinite(value)) return loop.finish(Termination::non_finite, "the first path costs infinitely much", value);
+  if (!std::isfinite(value)) return loop.finish(Termination::non_finite, "the first path has infinite cost", value);
   loop.record(value, std::numeric_limits<double>::quiet_NaN(), 0);
-  return loop.finish(Termination::fixed_point, "the first path as it is", value);
+  return loop.finish(Termination::fixed_point, "the first path unchanged", value);
 }
 
 }  // namespace leastcost

@@ -175,7 +175,7 @@ class Rounds final : public RoundObjective {
     if (last_centre_.u.size() == 0)
       return loop_.finish(Termination::non_finite, "the gradient is not finite", energy_.value(path_));
     path_ = last_centre_;
-    words_ = "the search has run to a place where the gradient is not finite";
+    words_ = "the search reached a point where the gradient is not finite";
     return finish(Termination::line_search_failed);
   }
 
@@ -188,7 +188,7 @@ class Rounds final : public RoundObjective {
     const double gain = variables_.model().decrement / 2;  // that is left, by the chain's model
     if (gain <= (chain_ ? kFloor : kPlainFloor) * rounding_slack(best_value_, path_.segment_count()))
       return finish(Termination::round_off);
-    if (words_.empty()) words_ = "two rounds in a row have not lowered the energy";
+    if (words_.empty()) words_ = "two rounds in a row did not lower the energy";
     return finish(Termination::line_search_failed);
   }
 
@@ -218,11 +218,11 @@ void RoundOptions::fields(FieldVisitor& visit) {
   tolerance_field(visit, tolerance);
   visit.field("max_evaluations", max_evaluations, {.help = "Limit on energy and gradient evaluations.", .minimum = 1});
   visit.choice("precondition", precondition,
-               {.help = "Variables in which the energy is about |z|^2 / 2, by the chain's own Hessian (evaluations "
-                        "independent of n), or the tangent coordinates as they are."});
+               {.help = "chain: variables in which the energy is about |z|^2 / 2, from the chain Hessian (evaluations "
+                        "independent of n). none: plain tangent coordinates."});
   visit.field("restart", restart,
               {.help = "Evaluations after which the chain Hessian is factored again and the back end restarted; 15 to "
-                       "30 work well. Not used without the chain.",
+                       "30 work well. Not used with precondition: none.",
                .minimum = 2});
 }
 

@@ -81,7 +81,7 @@ class String {
 
 void StringMethodOptions::fields(FieldVisitor& visit) {
   visit.field("step", step,
-              {.help = "Step along the force, in units of the largest that the stiffest point bears.",
+              {.help = "Step along the force, relative to the largest stable step of the stiffest point.",
                .minimum = 0,
                .maximum = 1,
                .exclusive_minimum = true});

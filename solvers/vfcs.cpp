@@ -111,7 +111,7 @@ void VfcsOptions::fields(FieldVisitor& visit) {
   visit.field("gradient_tolerance", gradient_tolerance,
               {.help = "Stops at this norm of the projected gradient: the rule of the paper.", .minimum = 0});
   limit_fields(visit, max_iterations, max_evaluations);
-  visit.field("memory", memory, {.help = "Stored pairs.", .minimum = 1, .maximum = 1000});
+  visit.field("memory", memory, {.help = "Number of stored pairs.", .minimum = 1, .maximum = 1000});
 }
 
 SolveReport Vfcs::do_solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const {

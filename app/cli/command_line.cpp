@@ -85,34 +85,38 @@ void add_output(CLI::App& command, Values& v, const char* help, const char* type
 }
 
 constexpr const char* kPairsHelp =
-    "Many pairs of ends: a CSV file, one pair per line. Its header is source,target for numbers of vertices, or\n"
-    "source_x,source_y,..,target_x,.. for points, coordinates as the domain names them; other columns are left alone.\n"
-    "Each pair becomes one line of paths.jsonl, a wrong one too, in the order of the file. Exit codes: 0 every pair "
-    "is\n"
-    "certified, 5 every pair has a path, 7 some have none, 130 interrupted (--resume goes on), others as for one path";
+    "Many pairs of ends: a CSV file, one pair per line. The header is source,target for vertex numbers, or\n"
+    "source_x,source_y,..,target_x,.. for points, with the coordinate names of the domain. Other columns are ignored.\n"
+    "Each pair, valid or not, becomes one line of paths.jsonl, in the order of the file. Exit codes: 0 all pairs\n"
+    "certified, 5 all pairs have a path, 7 some have none, 130 interrupted (resume with --resume), others as for\n"
+    "one path";
 
 void add_run(CLI::App& app, Values& v, const std::vector<std::string>& arguments, const Streams& streams,
              Command& chosen) {
-  CLI::App& c = *app.add_subcommand("run", "Find a least-cost path, or one for each of many pairs, and write results");
+  CLI::App& c = *app.add_subcommand(
+      "run", "Find a least-cost path, or one for each of many pairs of ends, and write the results");
   c.footer(kPairsHelp);
   c.add_option("config", v.config,
-               "Configuration (YAML); - reads it from standard input, with files relative to the current folder")
+               "Configuration (YAML); - reads standard input, with files relative to the current folder")
       ->required()
       ->type_name("CONFIG");
   add_set(c, v);
-  c.add_option("--format", v.format, "text or json; of many pairs also jsonl: the lines of paths.jsonl")
+  c.add_option("--format", v.format, "text or json; with many pairs also jsonl: the lines of paths.jsonl")
       ->check(CLI::IsMember({"text", "json", "jsonl"}))
       ->type_name("FORMAT");
   add_output(c, v, "Output folder; default: results/<name>", "DIR");
-  c.add_option("--pairs", v.pairs, "A path for each pair of this CSV file, in the place of the configuration's ends")
+  c.add_option("--pairs", v.pairs, "Find a path for each pair in this CSV file, instead of the configuration's ends")
       ->type_name("FILE")
       ->check(empty_fault);
-  c.add_option("-j,--jobs", v.parallel, "With many pairs: threads")->type_name("N")->check(CLI::Range(1, 1024));
-  auto* resume = c.add_flag("--resume", v.resume, "With many pairs: go on where an interrupted or killed run ended");
-  c.add_flag("--force", v.force, "Replace an output folder of an earlier run")->excludes(resume);
-  c.add_flag("-n,--dry-run", v.dry_run, "Check everything, input files included, and say what would be done");
-  auto* quiet = c.add_flag("-q,--quiet", v.quiet, "No progress");
-  c.add_flag("-v,--verbose", v.verbose, "More about the result")->excludes(quiet);
+  c.add_option("-j,--jobs", v.parallel, "With many pairs: number of threads")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  auto* resume = c.add_flag("--resume", v.resume, "With many pairs: resume an interrupted or killed run");
+  c.add_flag("--force", v.force, "Replace the output folder of an earlier run")->excludes(resume);
+  c.add_flag("-n,--dry-run", v.dry_run,
+             "Check everything, including input files, and print the plan; solve and write nothing");
+  auto* quiet = c.add_flag("-q,--quiet", v.quiet, "Print no progress");
+  c.add_flag("-v,--verbose", v.verbose, "Print more about the result")->excludes(quiet);
   c.callback([&] {
     chosen = [&] {
       RunArguments run{{v.config, v.overrides(), v.output, v.force, arguments}, v.dry_run, v.json(), Verbosity::normal};
@@ -127,13 +131,14 @@ void add_run(CLI::App& app, Values& v, const std::vector<std::string>& arguments
 }
 
 constexpr const char* kStudyHelp =
-    "On one machine:         leastcost study CONFIG -j 4 -o DIR     (killed: the same with --resume)\n"
-    "In parts, GNU parallel: seq 0 7 | parallel leastcost study CONFIG --shard {}/8 -o DIR/{} --resume\n"
-    "In parts, Slurm:        sbatch --array=0-7 --wrap 'leastcost study CONFIG --shard $SLURM_ARRAY_TASK_ID/8 "
+    "On one machine:         leastcost study CONFIG -j 4 -o DIR     (if killed: add --resume)\n"
+    "Shards, GNU parallel:   seq 0 7 | parallel leastcost study CONFIG --shard {}/8 -o DIR/{} --resume\n"
+    "Shards, Slurm:          sbatch --array=0-7 --wrap 'leastcost study CONFIG --shard $SLURM_ARRAY_TASK_ID/8 "
     "-o DIR/$SLURM_ARRAY_TASK_ID --resume'\n"
     "Then:                   leastcost merge DIR/* -o MERGED\n"
-    "Times are comparable only when cells do not compete: -j 1, or fewer than there are cores.\n"
-    "Exit codes: 0 every cell ended, 7 part of the study failed, 130 interrupted (--resume goes on), others as for run";
+    "Times are comparable only if cells do not compete: use -j 1, or fewer jobs than cores.\n"
+    "Exit codes: 0 every cell ended, 7 part of the study failed, 130 interrupted (resume with --resume), others as for "
+    "run";
 
 void add_study(CLI::App& app, Values& v, const std::vector<std::string>& arguments, const Streams& streams,
                Command& chosen) {
@@ -143,14 +148,16 @@ void add_study(CLI::App& app, Values& v, const std::vector<std::string>& argumen
   add_set(c, v);
   add_format(c, v);
   add_output(c, v, "Output folder; default: results/<name>", "DIR");
-  c.add_option("-j,--jobs", v.parallel, "Cells at once")->type_name("N")->check(CLI::Range(1, 1024));
-  c.add_option("--shard", v.shard, "Only part i of N, i from 0 to N - 1")->type_name("i/N");
+  c.add_option("-j,--jobs", v.parallel, "Number of cells to run in parallel")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  c.add_option("--shard", v.shard, "Run only shard i of N, with i from 0 to N - 1")->type_name("i/N");
   c.add_option("--timeout", v.timeout, "Same as --set max_seconds=S")->type_name("S");
   c.add_option("--repetitions", v.repetitions, "Same as --set repetitions=R")->type_name("R");
-  auto* resume = c.add_flag("--resume", v.resume, "Go on where an interrupted or killed study ended");
-  c.add_flag("--force", v.force, "Begin anew in the folder of an earlier one")->excludes(resume);
+  auto* resume = c.add_flag("--resume", v.resume, "Resume an interrupted or killed study");
+  c.add_flag("--force", v.force, "Replace the output folder of an earlier study")->excludes(resume);
   c.add_flag("-n,--dry-run", v.dry_run, "Check every cell and print the grid");
-  c.add_flag("-q,--quiet", v.quiet, "No progress");
+  c.add_flag("-q,--quiet", v.quiet, "Print no progress");
   c.callback([&] {
     chosen = [&, shard = parse_shard(v.shard)] {
       StudyArguments study;
@@ -172,10 +179,10 @@ void add_study(CLI::App& app, Values& v, const std::vector<std::string>& argumen
 
 void add_merge(CLI::App& app, Values& v, const std::vector<std::string>& arguments, const Streams& streams,
                Command& chosen) {
-  CLI::App& c = *app.add_subcommand("merge", "Join the shards of a study");
-  c.add_option("folders", v.configs, "Output folders of its shards")->required()->type_name("DIR...");
+  CLI::App& c = *app.add_subcommand("merge", "Merge the shards of a study");
+  c.add_option("folders", v.configs, "Output folders of the shards")->required()->type_name("DIR...");
   c.add_option("-o,--output", v.output, "Output folder")->required()->type_name("DIR")->check(empty_fault);
-  c.add_flag("--force", v.force, "Replace the folder of an earlier study");
+  c.add_flag("--force", v.force, "Replace the output folder of an earlier study");
   add_format(c, v);
   c.callback([&] {
     chosen = [&] {
@@ -186,75 +193,87 @@ void add_merge(CLI::App& app, Values& v, const std::vector<std::string>& argumen
 }
 
 void add_validate(CLI::App& app, Values& v, const Streams& streams, Command& chosen) {
-  CLI::App& c = *app.add_subcommand("validate", "Every error of configurations with its position; computes nothing");
-  c.add_option("configs", v.configs, "Configurations (YAML); - is standard input")->required()->type_name("CONFIG...");
+  CLI::App& c =
+      *app.add_subcommand("validate", "Check configurations and print every error with its position, without solving");
+  c.add_option("configs", v.configs, "Configurations (YAML); - reads standard input")
+      ->required()
+      ->type_name("CONFIG...");
   add_set(c, v);
   add_format(c, v);
   c.callback([&] { chosen = [&] { return validate_command(v.configs, v.overrides(), v.json(), streams); }; });
 }
 
 void add_report(CLI::App& app, Values& v, const Streams& streams, Command& chosen) {
-  CLI::App& c = *app.add_subcommand("report", "Make report.html again from the files of a run or a study");
-  c.add_option("folders", v.configs, "Folder of results")->required()->type_name("DIR...");
+  CLI::App& c = *app.add_subcommand("report", "Rebuild report.html from the files of a run or a study");
+  c.add_option("folders", v.configs, "Output folder of a run or a study")->required()->type_name("DIR...");
   c.callback([&] { chosen = [&] { return report_command(v.configs, streams); }; });
 }
 
 void add_reference(CLI::App& app, Values& v, const Streams& streams, Command& chosen) {
-  CLI::App& list = *app.add_subcommand("list", "What a configuration can name");
-  list.add_option("kind", v.kind, "manifolds, costs, kernels, initializers, solvers, post_processors, formats")
+  CLI::App& list = *app.add_subcommand("list", "List the types that a configuration can use");
+  list.add_option("kind", v.kind,
+                  "manifolds, obstacles, robots, costs, kernels, initializers, solvers, post_processors, formats")
       ->type_name("KIND");
   add_format(list, v);
   list.callback([&] { chosen = [&] { return list_command(v.kind, v.json(), streams); }; });
 
   CLI::App& describe = *app.add_subcommand(
-      "describe", "Every option of a plug-in, of a configuration (describe run) or a study (describe study)");
-  describe.add_option("kind", v.kind, "run, study, manifold, cost, kernel, initializer, solver, post_processor")
+      "describe", "Describe every option of a type, of a configuration (describe run) or of a study (describe study)");
+  describe
+      .add_option("kind", v.kind,
+                  "run, study, manifold, obstacle, robot, cost, kernel, initializer, solver, post_processor")
       ->required()
       ->type_name("KIND");
-  describe.add_option("type", v.type, "Its type, e.g. euclidean")->type_name("TYPE");
+  describe.add_option("type", v.type, "Type to describe, e.g. euclidean; without it, all types of the kind")
+      ->type_name("TYPE");
   describe.callback([&] { chosen = [&] { return describe_command(v.kind, v.type, streams); }; });
 
-  CLI::App& schema = *app.add_subcommand("schema", "JSON Schema (draft 7) of configurations and studies, for editors");
+  CLI::App& schema =
+      *app.add_subcommand("schema", "Print the JSON Schema (draft 7) of configurations and studies, for editors");
   schema.callback([&] { chosen = [&] { return streams.out << json_schema(), Exit::certified; }; });
 }
 
 void add_helpers(CLI::App& app, Values& v, const Streams& streams, Command& chosen) {
-  CLI::App& init = *app.add_subcommand("init", "Print a commented starter configuration; without a name: the list");
+  CLI::App& init =
+      *app.add_subcommand("init", "Print a commented starter configuration, or, without a name, the list of templates");
   init.footer(
-      "The first line of each names the schema, for editors with the YAML language server; it is made by\n"
+      "The first line of each template names the schema, for editors with the YAML language server. To make it:\n"
       "  leastcost schema > leastcost.schema.json");
   init.add_option("template", v.name, "Name of the template")->type_name("TEMPLATE");
-  add_output(init, v, "Write to this file instead", "FILE");
+  add_output(init, v, "Write to this file instead of standard output", "FILE");
   init.add_flag("--force", v.force, "Overwrite the file");
   init.callback([&] { chosen = [&] { return init_command(v.name, v.output, v.force, streams); }; });
 
-  CLI::App& doctor =
-      *app.add_subcommand("doctor", "What is wrong with a mesh, if anything, and what a solve would need");
+  CLI::App& doctor = *app.add_subcommand("doctor", "Report the faults of a mesh, and what it needs for a solve");
   doctor.add_option("mesh", v.mesh, "OBJ, OFF, PLY or STL file")->required()->type_name("MESH");
-  doctor.add_flag("--weld", v.weld,
-                  "After merging vertices with equal positions; --weld=1e-6: no farther apart than this, length units");
+  doctor.add_flag(
+      "--weld", v.weld,
+      "First merge vertices at equal positions; --weld=1e-6: also those no farther apart than this, in length units");
   add_format(doctor, v);
   doctor.callback([&] { chosen = [&] { return doctor_command(v.mesh, v.weld, v.json(), streams); }; });
 
   CLI::App& distances = *app.add_subcommand(
-      "distances", "Exact distances over a mesh, from one vertex or the nearest of several to all others");
+      "distances", "Compute exact distances on a mesh to all vertices, from one vertex or from the nearest of several");
   distances.add_option("mesh", v.mesh, "OBJ, OFF, PLY or STL file")->required()->type_name("MESH");
   DistancesArguments& d = v.distances;
-  distances.add_option("--from", d.from, "Vertex of the file, from 0, or a text file of such numbers; may be repeated")
+  distances
+      .add_option("--from", d.from,
+                  "Vertex number in the file, from 0, or a text file of vertex numbers; can be repeated")
       ->required()
       ->type_name("VERTEX");
   distances.add_flag(
       "--weld", v.weld,
-      "After merging vertices with equal positions; --weld=1e-6: no farther apart than this, length units");
-  distances.add_option("--max-distance", d.max_distance, "Go no farther than this, length units")
+      "First merge vertices at equal positions; --weld=1e-6: also those no farther apart than this, in length units");
+  distances.add_option("--max-distance", d.max_distance, "Go no farther than this, in length units")
       ->check(CLI::PositiveNumber);
-  distances.add_option("--max-seconds", d.max_seconds, "Stop after this time; default: never")
+  distances.add_option("--max-seconds", d.max_seconds, "Stop after this time, in seconds; default: no limit")
       ->check(CLI::PositiveNumber);
-  distances.add_option("--max-memory", d.max_memory, "Stop before windows take more, GB; default: 1.8")
+  distances
+      .add_option("--max-memory", d.max_memory, "Stop before windows take more memory than this, in GB; default: 1.8")
       ->check(CLI::PositiveNumber);
-  distances.add_option("--max-windows", d.max_windows, "Stop after this many windows; default: never")
+  distances.add_option("--max-windows", d.max_windows, "Stop after this many windows; default: no limit")
       ->check(CLI::PositiveNumber);
-  distances.add_flag("-q,--quiet", v.quiet, "No progress");
+  distances.add_flag("-q,--quiet", v.quiet, "Print no progress");
   add_output(distances, v, "Write to this file: .csv, .vtp or .ply; default: CSV on standard output", "FILE");
   distances.callback([&] {
     chosen = [&] {
@@ -307,13 +326,12 @@ Exit parse_outcome(const CLI::App& app, const CLI::ParseError& e, const std::vec
 }
 
 Exit parse_and_run(const std::vector<std::string>& arguments, const Streams& streams, Values& values) {
-  CLI::App app("Least-cost paths on manifolds whose points are equally spaced in cost", "leastcost");
+  CLI::App app("Find least-cost paths on manifolds, with points equally spaced in cost", "leastcost");
   app.set_version_flag("--version", "leastcost " + std::string(program_version()));
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 certified, 1 internal error, 2 usage, 3 configuration, 4 input, 5 uncertified or collapsed,\n"
-      "6 no path, 7 part of a study or of many pairs failed, 8 output or another condition of the host, 130 "
-      "interrupted");
+      "Exit codes: 0 certified, 1 internal error, 2 usage, 3 configuration, 4 input, 5 uncertified or collapsed,\n6 no "
+      "path, 7 part of a study or of many pairs failed, 8 output or system error, 130 interrupted");
   Command chosen;
   add_run(app, values, arguments, streams, chosen);
   add_study(app, values, arguments, streams, chosen);

@@ -58,9 +58,9 @@ std::string formats_text() {
 /// Readers of rasters beside ESRI grids, where the build has them.
 std::string raster_formats_text() {
   return raster_reader_of_libraries() != nullptr
-             ? "rasters: asc (ESRI grid), csv, and what GDAL reads: GeoTIFF and others\n"
-             : "rasters: asc (ESRI grid), csv; GeoTIFF and others need GDAL, which this build does not have: install "
-               "libgdal-dev and build again\n";
+             ? "rasters: asc (ESRI grid), csv, and all rasters that GDAL reads, such as GeoTIFF\n"
+             : "rasters: asc (ESRI grid), csv; this build has no GDAL for GeoTIFF and others: install libgdal-dev and "
+               "rebuild\n";
 }
 
 std::vector<std::string> kind_names() {
@@ -93,9 +93,8 @@ std::string word_on_default(const LoadedConfig& loaded) {
   const PluginChoice& first = loaded.config.initializer;
   if (!first || first.plugin->type != "eikonal" || loaded.tree.find("initializer") != nullptr) return words;
   return words +
-         "  first path: from a field over the two coordinates, which sees the ways on all sides (initializer: "
-         "eikonal);\n"
-         "  'initializer: straight' begins with the straight line\n";
+         "  first path: from an arrival-cost field over the two coordinates, which finds ways on all sides\n"
+         "  (initializer: eikonal); to begin with the straight line, set 'initializer: straight'\n";
 }
 
 /// The errors of a configuration or a study. An unreadable file is one more error, so that the other files get their
@@ -219,13 +218,13 @@ Exit init_command(const std::string& name, const std::string& file, bool force, 
     return Exit::certified;
   }
   if (std::filesystem::exists(file) && !force) {
-    streams.err << fmt::format("error: {} exists; --force overwrites it\n", file);
+    streams.err << fmt::format("error: {} exists; use --force to overwrite it\n", file);
     return Exit::usage;
   }
   std::ofstream out(file, std::ios::binary);
   out << found->text << std::flush;
   if (out) return Exit::certified;
-  streams.err << fmt::format("error: {} cannot be written\n", file);
+  streams.err << fmt::format("error: cannot write {}\n", file);
   return Exit::output;
 }
 

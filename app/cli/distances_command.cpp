@@ -32,7 +32,7 @@ std::vector<int> numbers_of(const std::vector<std::string>& from) {
     const char* end = word.data() + word.size();
     const auto [rest, error] = std::from_chars(word.data(), end, number);
     if (error != std::errc() || rest != end || number < 0)
-      throw InputError(fmt::format("{}: expected the number of a vertex, from 0, found '{}'", where, word));
+      throw InputError(fmt::format("{}: expected a vertex number, from 0 (found '{}')", where, word));
     numbers.push_back(number);
   };
   for (const std::string& one : from) {
@@ -41,12 +41,10 @@ std::vector<int> numbers_of(const std::vector<std::string>& from) {
       continue;
     }
     std::ifstream in(one);
-    if (!in)
-      throw InputError(
-          fmt::format("--from {}: neither the number of a vertex, from 0, nor a file that can be read", one));
+    if (!in) throw InputError(fmt::format("--from {}: neither a vertex number, from 0, nor a readable file", one));
     const std::size_t before = numbers.size();
     for (std::string word; in >> word;) take(word, one);
-    if (numbers.size() == before) throw InputError(fmt::format("--from {}: the file names no vertex", one));
+    if (numbers.size() == before) throw InputError(fmt::format("--from {}: the file has no vertex numbers", one));
   }
   return numbers;
 }
@@ -56,7 +54,7 @@ std::vector<SurfacePoint> sources_of(const TriangleMesh& mesh, const DistancesAr
   for (const int number : numbers_of(arguments.from)) {
     const std::int32_t v = mesh.vertex_of_file(number);
     if (v < 0)
-      throw InputError(fmt::format("{}: no face uses vertex {}, so that no path leaves it", arguments.mesh, number));
+      throw InputError(fmt::format("{}: no face uses vertex {}, so no path can leave it", arguments.mesh, number));
     sources.push_back(vertex_point(mesh, v));
   }
   return sources;
@@ -82,13 +80,13 @@ Count count(const ExactDistances& found) {
 std::string end_of_search(const ExactDistances& found, const DistancesArguments& arguments, double max_memory) {
   if (interrupted()) return "interrupted";
   if (found.out_of_memory)
-    return fmt::format("stopped: windows may take {:.4g} GB of memory (--max-memory {:.4g} lets them take more)",
+    return fmt::format("stopped: windows reached the memory limit of {:.4g} GB; to continue, use --max-memory {:.4g}",
                        max_memory, 2 * max_memory);
   if (found.out_of_windows)
-    return fmt::format("stopped after {0} windows (--max-windows {1} lets it go on)", *arguments.max_windows,
+    return fmt::format("stopped after {0} windows; to continue, use --max-windows {1}", *arguments.max_windows,
                        2 * *arguments.max_windows);
   if (found.stopped)
-    return fmt::format("stopped after {0:.4g} s (--max-seconds {1:.4g} lets it go on)", *arguments.max_seconds,
+    return fmt::format("stopped after {0:.4g} s; to continue, use --max-seconds {1:.4g}", *arguments.max_seconds,
                        2 * *arguments.max_seconds);
   return "";
 }
@@ -135,9 +133,8 @@ Exit distances_command(const DistancesArguments& arguments, const Streams& strea
                                found.seen_to, all.not_reached, mesh.vertex_count());
   if (found.blocked)
     streams.err << fmt::format(
-        "note: shorter paths could cross a face without height, where nothing can be unfolded: distances from {:.6g} "
-        "on "
-        "are bounds (leastcost doctor names the places)\n",
+        "note: shorter paths could cross a degenerate face, which cannot be unfolded: distances from {:.6g} on are "
+        "only bounds (leastcost doctor lists the faces)\n",
         found.seen_to);
   const Exit exit = interrupted() ? Exit::interrupted : end.empty() ? Exit::certified : Exit::uncertified;
   const std::string text = distance_text(mesh, found, format);
@@ -148,7 +145,7 @@ Exit distances_command(const DistancesArguments& arguments, const Streams& strea
   std::ofstream out(arguments.output, std::ios::binary);
   out << text << std::flush;
   if (!out) {
-    streams.err << fmt::format("error: {} cannot be written\n", arguments.output);
+    streams.err << fmt::format("error: cannot write {}\n", arguments.output);
     return Exit::output;
   }
   streams.out << fmt::format("{}: {} of {} vertices reached, the farthest at {:.10g}\n", arguments.output, all.reached,

@@ -41,14 +41,14 @@ void append_fault(std::string& out, const char* what, std::int32_t count, const 
 std::string faults(const MeshReport& r) {
   std::string out;
   append_fault(out, "edges with three or more faces", r.non_manifold_edges, r.named_non_manifold_edges);
-  append_fault(out, "vertices whose faces do not hang together", r.non_manifold_vertices,
+  append_fault(out, "vertices whose faces are not connected by edges", r.non_manifold_vertices,
                r.named_non_manifold_vertices);
   append_fault(out, "edges between faces of opposite orientation", r.flipped_edges, r.named_flipped_edges);
   append_fault(out, "degenerate faces", r.degenerate_faces, r.named_degenerate_faces);
   append_fault(out, "duplicate faces", r.duplicate_faces, r.named_duplicate_faces);
   append_fault(out, "vertices at the position of an earlier one", r.duplicate_positions, r.named_duplicate_positions);
   append_fault(out, "border vertices close to an earlier one", r.near_positions, r.named_near_positions);
-  append_fault(out, "vertices that no face uses", r.unreferenced_vertices, std::vector<std::int32_t>{});
+  append_fault(out, "vertices not used by any face", r.unreferenced_vertices, std::vector<std::int32_t>{});
   return out;
 }
 
@@ -69,12 +69,12 @@ double joining_distance(const MeshReport& r) {
 std::vector<std::string> advice(const MeshReport& r) {
   std::vector<std::string> out;
   if (r.duplicate_positions > 0 && (r.border_edges > 0 || r.components.size() > 1))
-    out.emplace_back("try weld: true: vertices at equal positions may be seams that paths cannot cross");
+    out.emplace_back("try weld: true; vertices at equal positions can be seams that paths cannot cross");
   if (r.near_positions > 0)
-    out.push_back(fmt::format(
-        "try weld: {:g} (length units): {} border vertices lie up to {:.3g} from another, which may be seams that "
-        "paths cannot cross",
-        joining_distance(r), r.near_positions, r.near_within));
+    out.push_back(
+        fmt::format("try weld: {:g} (length units); {} border vertices lie up to {:.3g} from another one and can be "
+                    "seams that paths cannot cross",
+                    joining_distance(r), r.near_positions, r.near_within));
   if (r.components.size() > 1) out.emplace_back("both ends must lie in the same component");
   if (r.non_manifold_edges > 0)
     out.emplace_back("a path that must cross an edge with three or more faces ends in an error");
@@ -156,7 +156,7 @@ MeshOptions weld_of(const std::string& text) {
   const char* end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, within);
   if (error != std::errc() || rest != end || !(within > 0) || !std::isfinite(within))
-    throw InputError(fmt::format("--weld={}: a distance above 0, in length units, or nothing is expected", text));
+    throw InputError(fmt::format("--weld={}: expected a distance above 0, in length units, or no value", text));
   return options;
 }
 

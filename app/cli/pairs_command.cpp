@@ -41,7 +41,7 @@ std::string pairs_text(const PairsOutcome& outcome) {
   out += fmt::format("{:<11} read {:.3g} s, compose {:.3g} s, {} pairs {:.3g} s with {} thread{}", "time",
                      outcome.seconds.read, outcome.seconds.compose, done, outcome.seconds.search, outcome.threads,
                      outcome.threads == 1 ? "" : "s");
-  if (outcome.found > 0) out += fmt::format("; {} were there already", outcome.found);
+  if (outcome.found > 0) out += fmt::format("; {} already done", outcome.found);
   return out + fmt::format("\n{:<11} {}\n", "output", outcome.output.string());
 }
 
@@ -64,7 +64,7 @@ Exit pairs_dry_run(const Run& run, const RunArguments& arguments, const Streams&
                             {"output", output}});
     return Exit::certified;
   }
-  streams.out << fmt::format("{:<11} {}\n{:<11} {} of {}, {} of them cannot be read{}\n{:<11} {}\n", "valid",
+  streams.out << fmt::format("{:<11} {}\n{:<11} {} of {}, {} of them invalid{}\n{:<11} {}\n", "valid",
                              arguments.request.config_file.string(), "pairs", look.count,
                              look.by_number ? "vertices" : "points", look.faulty,
                              look.first_fault.empty() ? "" : " (" + look.first_fault + ")", "would write", output);
@@ -93,7 +93,7 @@ Exit pairs_command(const Run& run, const RunArguments& arguments, const Streams&
     request.line = [&](const std::string& text, bool written) {
       streams.out << text;
       if (written) streams.out << std::flush;
-      if (!streams.out) throw OutputError("standard output cannot be written");
+      if (!streams.out) throw OutputError("cannot write to standard output");
     };
   }
   const PairsOutcome outcome = run_pairs(run, request);
@@ -102,7 +102,7 @@ Exit pairs_command(const Run& run, const RunArguments& arguments, const Streams&
   // The lines have standard output to themselves.
   if (!arguments.json) (arguments.json_lines ? streams.err : streams.out) << pairs_text(outcome);
   if (outcome.interrupted)
-    streams.err << fmt::format("interrupted: {} pairs are done; the same command with --resume goes on\n",
+    streams.err << fmt::format("interrupted: {} pairs are done; to continue, add --resume to the same command\n",
                                outcome.summary.count);
   return exit_of(outcome);
 }

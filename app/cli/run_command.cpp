@@ -25,8 +25,8 @@ std::string error_label(const Streams& streams) { return streams.color ? "\033[1
 bool misses_pairs(const RunArguments& arguments, const Run& run, const Streams& streams) {
   if (run.origin->pairs || !(arguments.json_lines || arguments.resume || arguments.threads > 1)) return false;
   streams.err << error_label(streams)
-              << " --resume, -j and --format jsonl are for a run of many pairs of ends: --pairs FILE, or ends: {pairs: "
-                 "FILE} in the configuration\n";
+              << " --resume, -j and --format jsonl are for runs of many pairs of ends: add --pairs FILE, or ends: "
+                 "{pairs: FILE} in the configuration\n";
   return true;
 }
 
@@ -49,7 +49,7 @@ std::string without_result(bool json, const char* status, const std::string& mes
 
 /// Reads the files and makes the domain; an interrupt then ends the program at once.
 Run load_or_end(const RunRequest& request, bool json, const Streams& streams) {
-  const std::string message = "interrupted before there was a path";
+  const std::string message = "interrupted before a path was found";
   const EndsAtOnce reading(without_result(json, "interrupted", message),
                            (streams.err_is_terminal ? "\r\033[K" : "") + message + "; nothing was written\n");
   return load(request);
@@ -85,7 +85,7 @@ Verdict verdict_on_exception(const Streams& streams) {
   } catch (const std::filesystem::filesystem_error& e) {
     return verdict(Exit::output, "output_error", e.path1().string() + ": " + e.code().message());
   } catch (const std::bad_alloc&) {
-    return verdict(Exit::output, "out_of_memory", "there is not enough memory");
+    return verdict(Exit::output, "out_of_memory", "not enough memory");
   } catch (const std::exception& e) {
     return verdict(Exit::internal, "internal_error", e.what(), "internal: ", " (please report this)");
   } catch (...) {
@@ -118,7 +118,8 @@ Exit run_command(const RunArguments& arguments, const Streams& streams) {
                 << std::flush;
     if (outcome.output_error.empty()) return exit_of(outcome.result.status);
     streams.err << error_label(streams)
-                << (outcome.in_place ? " not all could be written: " : " the results are not in their place: ")
+                << (outcome.in_place ? " not all files could be written: "
+                                     : " the results are not in the requested folder: ")
                 << outcome.output_error << '\n';
     return Exit::output;
   } catch (const StoppedEarly& e) {

@@ -89,7 +89,7 @@ Exit study_command(const StudyArguments& arguments, const Streams& streams) {
   StudyRequest request = arguments.request;
   request.observe = [&](const StudyProgress& p) { progress.show(p); };
   request.stop_requested = interrupted;
-  const std::string early = "interrupted before the study began";
+  const std::string early = "interrupted before the study started";
   std::optional<EndsAtOnce> reading(std::in_place, arguments.json ? interrupted_json(early) : "",
                                     early + "; nothing was written\n");
   request.loaded = [&] { reading.reset(); };
@@ -97,7 +97,7 @@ Exit study_command(const StudyArguments& arguments, const Streams& streams) {
   progress.clear();
   if (!outcome.interrupted) return finish(outcome, arguments.json, streams);
   if (!outcome.journal.results.empty()) write_report(outcome.output);
-  const std::string message = fmt::format("{} results are in {}; the same command with --resume goes on",
+  const std::string message = fmt::format("{} results are in {}; to continue, add --resume to the same command",
                                           outcome.journal.results.size(), outcome.output.string());
   streams.err << "interrupted: " << message << '\n';
   if (arguments.json) streams.out << interrupted_json(message);

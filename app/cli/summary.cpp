@@ -58,17 +58,17 @@ std::string cost_line(const WrittenRun& run) {
   const Result& result = run.result;
   const std::string unit = unit_of_cost(run.parts.problem);
   const CostEstimate& estimate = result.certificate.estimate;
-  if (std::isinf(result.curve.cost)) return "infinite: the path leaves the domain of the cost";
+  if (std::isinf(result.curve.cost)) return "infinite: the cost is not defined along the whole path";
   if (result.status == Status::interrupted && !std::isfinite(estimate.error))
     return fmt::format("{:.15g} {} (interrupted: error not measured)", result.curve.cost, unit);
   if (!result.certificate.measured) return fmt::format("{:.15g} {} (error not measured)", result.curve.cost, unit);
   if (!std::isfinite(estimate.error)) return fmt::format("{:.15g} {} (error unknown)", estimate.value, unit);
   if (const std::optional<double> own = cost_as_delivered(run))
-    return fmt::format("{:.9g} {} (the delivered points; {:.9g} +- {:.2g} with ever more points: {})", *own, unit,
+    return fmt::format("{:.9g} {} (the delivered points; {:.9g} +- {:.2g} in the limit of more points: {})", *own, unit,
                        estimate.value, estimate.error, estimate.method);
   std::string line = fmt::format("{:.15g} +- {:.2g} {} ({})", estimate.value, estimate.error, unit, estimate.method);
   if (const std::optional<double>& geometry = result.certificate.geometry_error)
-    line += fmt::format(", and +- {:.2g} for the samples of the domain", *geometry);
+    line += fmt::format(", and +- {:.2g} from the samples of the domain", *geometry);
   return line;
 }
 
@@ -77,7 +77,7 @@ std::string bracket_line(const GlobalBound& global) {
   if (global.outcome == "blocked") return "nothing proved: " + global.reason;
   if (global.counts == "places")
     return fmt::format(
-        "no path over the cells is cheaper by more than {:.2g} % ({}, {} places on their sides, {:.2g} s)",
+        "no path over the cells is cheaper by more than {:.2g} % ({}, {} points on their sides, {:.2g} s)",
         100 * global.gap, word_of(global.category), global.steps, global.seconds);
   return fmt::format("no path in this box is cheaper by more than {:.2g} % ({}, {} cells, {:.2g} s)", 100 * global.gap,
                      word_of(global.category), fmt::join(global.grid->cells, " x "), global.seconds);
@@ -87,8 +87,8 @@ constexpr double kFarBelow = 0.01;  // of the cost: a bound that deserves a line
 
 /// What a search over all paths left open, where that is much.
 std::string bound_line(const GlobalBound& global) {
-  return fmt::format("no path costs less than {:.9g}; a cheaper one than this was not ruled out: {}",
-                     global.lower_bound, global.reason.empty() ? "the budget of the search is spent" : global.reason);
+  return fmt::format("no path costs less than {:.9g}; a path cheaper than this one was not ruled out: {}",
+                     global.lower_bound, global.reason.empty() ? "the search budget is used up" : global.reason);
 }
 
 std::string solver_line(const WrittenRun& run) {
@@ -122,8 +122,7 @@ std::string time_line(const WrittenRun& run) {
   const StageSeconds& s = run.result.seconds;
   const RunSeconds& all = run.seconds;
   constexpr double kWorthSaying = 1e-3;
-  const std::string coarser =
-      s.prepare > kWorthSaying ? fmt::format("coarser versions of the domain {:.3g} s, ", s.prepare) : "";
+  const std::string coarser = s.prepare > kWorthSaying ? fmt::format("coarser domains {:.3g} s, ", s.prepare) : "";
   std::string line = fmt::format(
       "read {:.3g} s, compose {:.3g} s, first path {:.3g} s, solve {:.3g} s, post-process {:.3g} s, "
       "{}certify {:.3g} s, write {:.3g} s, report {:.3g} s",
@@ -155,7 +154,7 @@ std::string memory_text(int points, const Dimensions& dims) {
 }
 
 std::string points_text(const RunConfig& config) {
-  return config.points ? std::to_string(*config.points) : "as many as the first edge path";
+  return config.points ? std::to_string(*config.points) : "as many as the first edge path has";
 }
 
 }  // namespace

@@ -8,12 +8,12 @@ namespace leastcost::app {
 namespace {
 
 constexpr std::string_view kPlane = R"(# A least-cost path in the plane. Try: leastcost run THIS_FILE
-# All options: leastcost describe run; those of one plug-in: leastcost describe cost metric_tensor
+# All options: leastcost describe run; those of one type: leastcost describe cost metric_tensor
 name: plane
 manifold:
   type: euclidean
   dimension: 2
-  # lower: [0, 0]         # a box, if points may not be everywhere
+  # lower: [0, 0]         # a box that limits the domain
   # upper: [1, 1]
 cost:
   type: metric_tensor     # moves along x cost twice those along y
@@ -23,7 +23,7 @@ ends:
   target: {point: [1, 1]}
 path:
   points: 64              # free points between the ends
-# kernel: expm1_square    # what is left out has a default
+# kernel: expm1_square    # options that are left out have defaults
 # solver: newton
 )";
 
@@ -44,12 +44,12 @@ path: {points: 64}
 )";
 
 constexpr std::string_view kMesh =
-    R"(# A geodesic on a triangle mesh of yours: put its name below, relative to the folder of this configuration.
-# What is wrong with a mesh, if anything: leastcost doctor bunny.obj
+    R"(# A geodesic on your own triangle mesh: give its file name below, relative to the folder of this configuration.
+# To check a mesh: leastcost doctor bunny.obj
 name: mesh
 manifold:
   type: mesh
-  file: bunny.obj         # yours: OBJ, OFF, PLY or STL
+  file: bunny.obj         # your file: OBJ, OFF, PLY or STL
   weld: false             # true: merge vertices with equal positions; 1e-6: those no farther apart, length units
 cost: euclidean
 ends:                     # a vertex, a point inside a face, or coordinates (moved to the surface)
@@ -66,7 +66,7 @@ path: {points: auto}      # as many as the first path along edges has
 constexpr std::string_view kRing =
     R"(# A closed path through given points: the waist of a hyperboloid. A ring needs a domain that it can wrap around;
 # in the plane it would shrink to a point. Replace the manifold by a mesh with a handle or a waist, and the points by
-# ones around it.
+# points around it.
 name: ring
 manifold:
   type: implicit
@@ -90,7 +90,7 @@ manifold:
     y: (R + r*cos(v))*sin(u)
     z: r*sin(v)
     parameters: {R: 2, r: 1}
-    period_u: 6.283185307179586   # where the surface comes back to itself; leave out where it does not
+    period_u: 6.283185307179586   # the period in u; leave out if there is none
     period_v: 6.283185307179586
   # surface: {type: torus, major_radius: 2, minor_radius: 1}   # the same one by name
 cost: euclidean
@@ -98,7 +98,7 @@ ends:
   source: {point: [0, 0]}
   target: {point: [1, 2]}
 path: {points: 64}
-# family: {windings: 1}   # also the paths that go once around either way
+# family: {windings: 1}   # also find the paths that go once around, in both directions
 )yaml";
 
 constexpr std::string_view kImplicit =
@@ -120,12 +120,12 @@ path: {points: 64}
 )";
 
 constexpr std::string_view kCloud =
-    R"(# A geodesic on the smooth surface through a point cloud of yours: put its name below, relative to this folder.
+    R"(# A geodesic on the smooth surface through your own point cloud: give its file name below, relative to this folder.
 name: cloud
 manifold:
   type: point_cloud
-  file: cloud.xyz         # yours. XYZ: x y z, or x y z nx ny nz, per line; or PLY
-  # normals: estimate     # auto: those of the file where it has them
+  file: cloud.xyz         # your file. XYZ: x y z, or x y z nx ny nz, per line; or PLY
+  # normals: estimate     # auto: those of the file if it has them
 cost: euclidean
 ends:                     # a sample of the file, or coordinates (moved to the surface)
   source: {vertex: 0}
@@ -149,7 +149,7 @@ problems:
       cost: travel_time
       ends: {source: {point: [0, 0]}, target: {point: [3, -2]}}
   - name: torus
-    optimum: 3.00530920550149849   # where it is known, the tables show the distance from it
+    optimum: 3.00530920550149849   # if known, the tables show the distance from it
     config:
       manifold: {type: parametric, surface: {type: torus, major_radius: 2, minor_radius: 1}}
       cost: euclidean

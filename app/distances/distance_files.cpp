@@ -121,7 +121,7 @@ DistanceFormat distance_format(std::string_view file) {
   if (ending == ".csv") return DistanceFormat::csv;
   if (ending == ".vtp") return DistanceFormat::vtp;
   if (ending == ".ply") return DistanceFormat::ply;
-  throw InputError(std::string(file) + ": distances are written as .csv, .vtp or .ply");
+  throw InputError(std::string(file) + ": distances can be written as .csv, .vtp or .ply");
 }
 
 std::string distance_text(const TriangleMesh& mesh, const ExactDistances& distances, DistanceFormat format) {

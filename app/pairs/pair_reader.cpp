@@ -37,10 +37,10 @@ std::string without_plus(const std::string& cell) {
 }
 
 std::string vertex_fault(const std::string& cell, std::optional<int>& vertex) {
-  if (cell.empty()) return "is empty; a vertex is a whole number from 0";
+  if (cell.empty()) return "is empty; use a whole number from 0";
   const std::optional<long> value = csv_long(without_plus(cell));
   const bool digits = cell.find_first_not_of("0123456789") == std::string::npos;
-  if (!value && !digits) return shown(cell) + " is no number of a vertex: whole numbers from 0";
+  if (!value && !digits) return shown(cell) + " is not a vertex number: use whole numbers from 0";
   if (!value || *value > std::numeric_limits<int>::max()) return shown(cell) + " is too large for a vertex";
   if (*value < 0) return shown(cell) + " is negative; vertices are numbered from 0";
   vertex = static_cast<int>(*value);
@@ -48,9 +48,9 @@ std::string vertex_fault(const std::string& cell, std::optional<int>& vertex) {
 }
 
 std::string coordinate_fault(const std::string& cell, double& value) {
-  if (cell.empty()) return "is empty; a coordinate is a number";
+  if (cell.empty()) return "is empty; use a number";
   const std::optional<double> read = csv_double(without_plus(cell));
-  if (!read) return shown(cell) + " is no number that can be held";
+  if (!read) return shown(cell) + " is not a number, or overflows";
   if (!std::isfinite(*read)) return shown(cell) + " is not finite";
   value = *read;
   return "";
@@ -70,15 +70,14 @@ PairReader::PairReader(const std::filesystem::path& file, const std::vector<std:
     : file_(file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
-    throw InputError(file.string() + (std::filesystem::exists(file, error)
-                                          ? ": is no regular file: pairs are read from one"
-                                          : ": no such file"));
+    throw InputError(file.string() +
+                     (std::filesystem::exists(file, error) ? ": is not a regular file" : ": no such file"));
   size_ = static_cast<double>(std::filesystem::file_size(file, error));
   in_.open(file, std::ios::binary);
   if (!in_) throw InputError(file.string() + ": cannot be opened");
   read_header(coordinates, has_vertices, on_earth);
   first_ = next();
-  if (!first_) throw InputError(file.string() + ": holds no pairs, only a header");
+  if (!first_) throw InputError(file.string() + ": has a header but no pairs");
 }
 
 std::string PairReader::place() const { return fmt::format("{}:{}: ", file_.string(), line_); }
@@ -111,7 +110,7 @@ bool PairReader::read_row(std::vector<std::string>& cells, std::string& fault) {
     if (line_ == 1 && text_.starts_with(kByteOrderMark)) text_.erase(0, kByteOrderMark.size());
     if (trimmed(text_).empty()) continue;
     if (too_long_) {
-      fault = "a line of more than a million bytes";
+      fault = "the line has more than a million bytes";
       return true;
     }
     try {
@@ -119,7 +118,7 @@ bool PairReader::read_row(std::vector<std::string>& cells, std::string& fault) {
         for (const std::string& cell : record.fields) cells.push_back(trimmed(cell));
     } catch (const InputError&) {
       cells.clear();
-      fault = "a quote is not closed on its line";
+      fault = "a quote is not closed on the same line";
       return true;
     }
     if (!cells.empty()) return true;
@@ -135,14 +134,14 @@ void PairReader::read_header(std::vector<std::string> coordinates, bool has_vert
                              in_quotes(columns_of_points(coordinates)) + " for points" +
                              (on_earth ? ", or " + in_quotes(columns_of_points(kLonlat)) : "");
   if (!read_row(names, fault))
-    throw InputError(file_.string() + ": is empty; its first line names the columns: " + wanted);
+    throw InputError(file_.string() + ": is empty; the first line must name the columns: " + wanted);
   if (!fault.empty()) throw InputError(place() + fault);
   columns_ = names.size();
   const auto find = [&](const std::string& name) -> std::optional<Column> {
     const auto at = std::find(names.begin(), names.end(), name);
     if (at == names.end()) return std::nullopt;
     if (std::count(names.begin(), names.end(), name) > 1)
-      throw InputError(place() + "two columns are called " + in_quotes(name));
+      throw InputError(place() + "two columns have the name " + in_quotes(name));
     return Column{static_cast<std::size_t>(at - names.begin()), name};
   };
   const std::optional<Column> source = find("source"), target = find("target");
@@ -162,11 +161,11 @@ void PairReader::read_header(std::vector<std::string> coordinates, bool has_vert
     }
   by_number_ = source.has_value() || target.has_value();
   if (by_number_ && any)
-    throw InputError(place() + "the columns name ends both as vertices and as points; wanted: " + wanted);
-  if (!by_number_ && !any) throw InputError(place() + "the header names no ends; wanted: " + wanted);
+    throw InputError(place() + "the columns give ends both as vertices and as points; expected: " + wanted);
+  if (!by_number_ && !any) throw InputError(place() + "the header has no ends; expected: " + wanted);
   if (by_number_ && !has_vertices)
     throw InputError(place() +
-                     "the columns 'source' and 'target' are vertices, and this domain has none; wanted: " + wanted);
+                     "the columns 'source' and 'target' are vertices, but this domain has none; expected: " + wanted);
   if (by_number_) {
     if (!source || !target)
       missing = source ? "target" : "source";
@@ -174,7 +173,7 @@ void PairReader::read_header(std::vector<std::string> coordinates, bool has_vert
       missing.clear();
   }
   if (!missing.empty())
-    throw InputError(place() + "the column " + in_quotes(missing) + " is missing; wanted: " + wanted);
+    throw InputError(place() + "the column " + in_quotes(missing) + " is missing; expected: " + wanted);
   if (!by_number_) return;
   source_ = {*source};
   target_ = {*target};
@@ -199,14 +198,14 @@ std::optional<PairRow> PairReader::next() {
   std::vector<std::string> cells;
   PairRow row;
   if (!read_row(cells, row.fault)) {
-    if (in_.bad()) throw InputError(place() + "cannot be read on");
+    if (in_.bad()) throw InputError(place() + "cannot be read any further");
     return std::nullopt;
   }
   row.number = pairs_++;
   row.line = line_;
   if (!row.fault.empty()) return row;
   if (cells.size() != columns_)
-    row.fault = fmt::format("{} cell{}, the header has {}", cells.size(), cells.size() == 1 ? "" : "s", columns_);
+    row.fault = fmt::format("{} cell{}, but the header has {}", cells.size(), cells.size() == 1 ? "" : "s", columns_);
   if (row.fault.empty()) row.fault = read_end(cells, source_, row.source);
   if (row.fault.empty()) row.fault = read_end(cells, target_, row.target);
   return row;
@@ -214,7 +213,7 @@ std::optional<PairRow> PairReader::next() {
 
 void PairReader::skip(long count) {
   for (long i = 0; i < count; ++i)
-    if (!next()) throw InputError(fmt::format("{}: has {} pairs, and {} are done", file_.string(), i, count));
+    if (!next()) throw InputError(fmt::format("{}: has {} pairs, but {} are done", file_.string(), i, count));
 }
 
 double PairReader::part() const { return size_ > 0 ? std::min(1.0, read_ / size_) : 1; }

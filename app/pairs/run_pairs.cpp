@@ -53,7 +53,8 @@ std::string bytes_of(const fs::path& file) {
 /// option of this one.
 void check_same(const fs::path& folder, const std::string& config, const RunOrigin& origin) {
   const auto refuse = [&](const std::string& why) {
-    throw OutputRefused(fmt::format("{}: belongs to another run: {}; --force begins anew", folder.string(), why));
+    throw OutputRefused(
+        fmt::format("{}: belongs to another run: {}; use --force to start again", folder.string(), why));
   };
   if (bytes_of(folder / kConfig) != config) refuse("the options have changed");
   const Json manifest = Json::parse(bytes_of(folder / kManifest), nullptr, false);
@@ -64,7 +65,7 @@ void check_same(const fs::path& folder, const std::string& config, const RunOrig
   std::vector<std::string> now;
   for (const InputFile& input : origin.inputs)
     if (input.role == "data") now.push_back(input.sha256);
-  if (then != now) refuse("a file that it is made from has changed");
+  if (then != now) refuse("one of its input files has changed");
 }
 
 void write_manifest(const fs::path& folder, const RunOrigin& origin, const RunRequest& request) {
@@ -79,7 +80,7 @@ void write_manifest(const fs::path& folder, const RunOrigin& origin, const RunRe
 }
 
 std::string resolved(const RunOrigin& origin, const fs::path& folder) {
-  return "# Every option of this run, defaults included. `leastcost run` on this file repeats it.\n" +
+  return "# Every option of this run, including defaults. To repeat the run: `leastcost run` on this file.\n" +
          resolved_yaml(origin.config, from_output(origin.folder, folder));
 }
 

@@ -50,7 +50,7 @@ void append_fields(const std::vector<FieldInfo>& fields, std::size_t indent, std
 
 std::string describe_plugin(const PluginKind& kind, const PluginEntry& plugin) {
   std::string out = fmt::format("{} {}\n{}\n", kind.name, plugin.type, plugin.summary);
-  if (!plugin.missing.empty()) out += fmt::format("Not part of this build: {}\n", plugin.missing);
+  if (!plugin.missing.empty()) out += fmt::format("Not in this build: {}\n", plugin.missing);
   if (!plugin.needs.empty()) out += "Needs: " + joined(plugin.needs) + ".\n";
   if (!plugin.provides.empty()) out += "Provides: " + joined(plugin.provides) + ".\n";
   const std::vector<FieldInfo> fields = fields_of(*plugin.defaults());
@@ -65,20 +65,20 @@ std::string describe_kind(const PluginKind& kind) {
   for (const PluginEntry* plugin : kind.entries) width = std::max(width, plugin->type.size());
   for (const PluginEntry* plugin : kind.entries)
     out += fmt::format("  {:<{}}  {}{}\n", plugin->type, width, plugin->summary,
-                       plugin->missing.empty() ? "" : " Not part of this build: " + plugin->missing);
+                       plugin->missing.empty() ? "" : " Not in this build: " + plugin->missing);
   return out;
 }
 
 std::string describe_run() {
-  std::string out = "run\nThe keys of a configuration. Keys that start with x- are notes.\n\nOptions:\n";
+  std::string out = "run\nThe keys of a configuration. Keys that start with x- are for your own notes.\n\nOptions:\n";
   append_fields(fields_of_run(), 2, out);
   return out;
 }
 
 std::string describe_study() {
   std::string out =
-      "study\nThe keys of a study: a grid of runs. A file with `problems` is a study.\nKeys that start with x- are "
-      "notes.\n\nOptions:\n";
+      "study\nThe keys of a study: a grid of runs. A file with `problems` is a study.\nKeys that start with x- are for "
+      "your own notes.\n\nOptions:\n";
   append_fields(fields_of_study(), 2, out);
   return out;
 }

@@ -16,15 +16,14 @@ std::vector<ReportFile> make_report(const fs::path& folder) {
   if (!fs::is_directory(folder)) throw InputError(folder.string() + ": is not a folder");
   const fs::path file = folder / "manifest.json";
   if (!fs::exists(file))
-    throw InputError(
-        folder.string() +
-        ": has no manifest.json; a report is made from the folder that `leastcost run` or `leastcost study` wrote");
+    throw InputError(folder.string() +
+                     ": has no manifest.json; give the output folder of `leastcost run` or `leastcost study`");
   const JsonFile manifest(file);
   if (!manifest.has("program") || manifest.text("program") != kProgramName)
     throw InputError(file.string() + ": was not written by leastcost");
   if (manifest.has("kind") && manifest.text("kind") == "study") return study_report(folder);
   if (manifest.has("kind") && manifest.text("kind") == "pairs")
-    throw InputError(folder.string() + ": a run of many pairs has no report; its lines are in paths.jsonl");
+    throw InputError(folder.string() + ": a run of many pairs has no report; the results are in paths.jsonl");
   return {{"report.html", run_report(folder)}};
 }
 

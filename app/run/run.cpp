@@ -45,7 +45,7 @@ void write_files(WrittenRun& outcome, const RunRequest& request, const Monitor& 
     write_results(outcome, request.arguments, folder);
     std::string missing;
     if (leaves_out_report(outcome, monitor))
-      outcome.result.notes.emplace_back("interrupted: the report was left out; leastcost report makes it");
+      outcome.result.notes.emplace_back("interrupted: the report was left out; to make it, run leastcost report");
     else if (outcome.origin->config.writes("report"))
       missing = add_report(outcome, folder);
     folder.commit();
@@ -96,7 +96,8 @@ std::filesystem::path output_of(const RunRequest& request, const Run& run) {
 
 std::string with_advice(const std::string& refusal, bool replaceable) {
   if (refusal.find("-o chooses") != std::string::npos) return refusal;  // it says so already
-  return refusal + (replaceable ? "; --force replaces it, -o chooses another" : "; -o chooses another");
+  return refusal +
+         (replaceable ? "; use --force to replace it, or -o for another folder" : "; use -o for another folder");
 }
 
 WrittenRun run(Run loaded, const RunRequest& request, const Monitor& monitor) {

@@ -48,7 +48,7 @@ P absent(const char* type, const char* summary, const char* package) {
   P entry;
   entry.type = type;
   entry.summary = summary;
-  entry.missing = std::string("install ") + package + " (Debian) and build again";
+  entry.missing = std::string("install ") + package + " (Debian) and rebuild";
   entry.defaults = [] { return std::make_unique<OptionsOf<NoOptions>>(); };
   return entry;
 }

@@ -32,7 +32,8 @@ LoadedConfig parse_config(std::string text, const std::string& file_name, const 
 
 void read_tree(LoadedConfig& loaded, const std::string& name) {
   if (const ConfigEntry* problems = loaded.tree.find("problems"))
-    return loaded.errors.error(problems->place, "'problems' makes this a study: leastcost study runs it");
+    return loaded.errors.error(problems->place,
+                               "this file has 'problems', so it is a study: run it with leastcost study");
   loaded.config.name = name;
   complete_types(loaded.tree);
   OptionsReader reader(loaded.tree, "", loaded.place, loaded.errors);

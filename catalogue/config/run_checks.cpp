@@ -81,15 +81,15 @@ Eigen::Index coordinates(const RunConfig& config) {
 
 /// Why paths cannot be pulled tight among the obstacles; empty: they can. Obstacles are told by their types.
 std::string why_not_taut(const RunConfig& config) {
-  if (config.ring) return "joins two ends, and a ring has none";
-  if (config.robot) return "works on points, not on a robot";
+  if (config.ring) return "joins two ends, but a ring has none";
+  if (config.robot) return "works for points, not for a robot";
   if (config.manifold && !is(config.manifold, {"euclidean"})) return "works in the plane and in space";
-  if (config.obstacles.empty()) return "needs obstacles to pull the path around";
+  if (config.obstacles.empty()) return "needs obstacles around which to pull the path";
   const Eigen::Index d = coordinates(config);
   if (d != 0 && d != 2 && d != 3) return "works in the plane and in space";
   for (const PluginChoice& obstacle : config.obstacles)
     if (obstacle && !is(obstacle, {"ball", "box"}) && (d == 3 || !is(obstacle, {"polygon", "map"})))
-      return d == 3 ? "needs obstacles that are convex: balls or boxes"
+      return d == 3 ? "needs convex obstacles: balls or boxes"
                     : "needs obstacles that are balls, boxes, polygons or maps";
   return "";
 }
@@ -223,7 +223,7 @@ void check_needs(LoadedConfig& loaded, const PluginChoice& choice) {
     const PluginChoice& giver = of_cost ? loaded.config.cost : loaded.config.manifold;
     if (giver.provides(need)) continue;
     loaded.errors.error(place_of(loaded.tree, choice.path),
-                        fmt::format("'{}' needs a {} with a {}, which '{}' does not have", choice.plugin->type,
+                        fmt::format("'{}' needs a {} with a {}, but '{}' has none", choice.plugin->type,
                                     of_cost ? "cost" : "manifold", need, giver.plugin->type));
   }
 }
@@ -236,16 +236,18 @@ void check_pairs(LoadedConfig& loaded) {
   };
   if (!config.has_pairs()) {
     if (config.pair_tolerance)
-      refuse("ends.tolerance", "'tolerance' in ends is for the points of pairs; an end has its own, beside its point");
-    if (config.pair_points) refuse("output.pair_points", "'pair_points' is for many pairs of ends (ends.pairs)");
+      refuse("ends.tolerance", "'tolerance' in ends is only for pairs: for a single end, set it in source or target");
+    if (config.pair_points)
+      refuse("output.pair_points", "'pair_points' needs many pairs of ends: give ends.pairs, or remove it");
     return;
   }
-  if (config.source || config.target)
-    refuse("ends.pairs", "either 'pairs', or a 'source' and a 'target': remove one of the two");
+  if (config.source || config.target) refuse("ends.pairs", "give either 'pairs' or 'source' and 'target', not both");
   if (config.ring) refuse("ends.pairs", "a ring (path.ring: true) has no ends: remove one of the two");
   if (!config.output_files.empty())
-    refuse("output.files", "'files' is for a run of one path; one of many pairs writes paths.jsonl and result.json");
-  if (config.waypoints.wanted()) refuse("output.waypoints", "waypoints are for a run of one path, not for pairs");
+    refuse("output.files",
+           "'files' is for runs of one path: remove it; runs of many pairs write paths.jsonl and result.json");
+  if (config.waypoints.wanted())
+    refuse("output.waypoints", "waypoints are for runs of one path, not for pairs: remove them");
 }
 
 void check_files_of_output(LoadedConfig& loaded) {
@@ -254,12 +256,12 @@ void check_files_of_output(LoadedConfig& loaded) {
   const std::vector<std::string> known(kRunFiles.begin(), kRunFiles.end());
   for (const std::string& file : config.output_files)
     if (std::count(known.begin(), known.end(), file) == 0)
-      loaded.errors.error(place, fmt::format("'files' has {}, which is none of: {}{}", in_quotes(file), joined(known),
-                                             did_you_mean(file, known)));
+      loaded.errors.error(place, fmt::format("'files' has {}, which is not one of: {}{}", in_quotes(file),
+                                             joined(known), did_you_mean(file, known)));
   if (config.output_files.empty() || !config.writes("report")) return;
   for (const char* needed : {"result", "path", "history", "scene", "config"})
     if (!config.writes(needed))
-      loaded.errors.error(place, fmt::format("'files' has 'report', which is made from '{}' too: add it", needed));
+      loaded.errors.error(place, fmt::format("'files' has 'report', which also needs '{}': add it", needed));
 }
 
 void check_ends(LoadedConfig& loaded) {
@@ -268,15 +270,14 @@ void check_ends(LoadedConfig& loaded) {
   if (config.has_pairs()) return;
   const ConfigEntry* ends = loaded.tree.find("ends");
   if (ends != nullptr && ends->value.is_block() && ends->value.find("source") == nullptr)
-    loaded.errors.error(ends->place,
-                        "missing key 'source' in ends: Where the path begins; of a ring: its fixed point.");
+    loaded.errors.error(ends->place, "missing key 'source' in ends: Start of the path; in a ring, its fixed point.");
   const bool target = ends != nullptr && ends->value.find("target") != nullptr;
   if (config.ring && target) {
-    loaded.errors.error(ends->place,
-                        "a ring (path.ring: true) has no ends: remove one of the two; the source alone is a fixed "
-                        "point of the ring");
+    loaded.errors.error(
+        ends->place,
+        "a ring (path.ring: true) has no target: remove one of the two; a source alone is a fixed point of the ring");
   } else if (!config.ring && ends != nullptr && ends->value.is_block() && !target) {
-    loaded.errors.error(ends->place, "missing key 'target' in ends: Where the path ends.");
+    loaded.errors.error(ends->place, "missing key 'target' in ends: End of the path.");
   } else if (!config.ring && ends == nullptr && loaded.tree.is_block()) {
     loaded.errors.error(loaded.place, "missing key 'ends': the source and target of the path, or path.ring: true");
   }
@@ -288,7 +289,7 @@ void check_ends(LoadedConfig& loaded) {
     const bool fits = end->face ? has_faces : !end->vertex || has_vertices;
     if (fits) continue;
     loaded.errors.error(place_of(loaded.tree, std::string(path) + (end->vertex ? ".vertex" : ".face")),
-                        fmt::format("'{}' has no {}; an end on it is {{point: [..]}}{}", config.manifold.plugin->type,
+                        fmt::format("'{}' has no {}: give the end as {{point: [..]}}{}", config.manifold.plugin->type,
                                     end->face ? HasFaces::kAbility : HasVertices::kAbility,
                                     has_vertices ? " or {vertex: .., a sample of the file}" : ""));
   }
@@ -313,23 +314,23 @@ void check_family(LoadedConfig& loaded) {
     loaded.errors.error(place_of(loaded.tree, std::string("family.") + key), fmt::format("'{}' {}", key, reason));
   };
   if (config.family.windings > 0 && config.ring)
-    refuse("windings", "lists images of the target, and a ring has none: give other first rings (family.initializers)");
+    refuse("windings", "tries images of the target, but a ring has none: give other first rings (family.initializers)");
   else if (config.family.windings > 0 && config.manifold && !config.manifold.provides<HasSeams>())
     refuse("windings", "needs a manifold with a chart with seams");
   if (config.family.bows > 0 && config.ring)
-    refuse("bows", "bows the line between two ends, and a ring has none: give other first rings (family.initializers)");
+    refuse("bows", "bows the line between two ends, but a ring has none: give other first rings (family.initializers)");
   if (config.family.routes > 1 && config.ring)
     refuse("routes",
-           "lists routes between two ends, and a ring has none: give other first rings (family.initializers)");
+           "tries routes between two ends, but a ring has none: give other first rings (family.initializers)");
   else if (config.family.routes > 1 && config.manifold && !config.manifold.provides<HasGraph>())
     refuse("routes", "needs a manifold with a graph: a mesh or a point cloud");
   if (config.family.mirrored && config.ring)
-    refuse("mirrored", "mirrors a path at its ends, and a ring has none: give other first rings (family.initializers)");
+    refuse("mirrored", "mirrors a path at its ends, but a ring has none: give other first rings (family.initializers)");
   if (!config.ring) return;
   for (const PluginChoice& choice : config.family.initializers)
     if (choice && !choice.provides<MakesRings>())
       loaded.errors.error(place_of(loaded.tree, choice.path),
-                          fmt::format("'{}' joins two ends and a ring has none: use {}", choice.plugin->type,
+                          fmt::format("'{}' joins two ends, but a ring has none: use {}", choice.plugin->type,
                                       ring_initializers(config.manifold)));
 }
 
@@ -340,10 +341,10 @@ void check_ring(LoadedConfig& loaded) {
     if (loaded.tree.find("initializer") == nullptr)
       loaded.errors.error(
           place_of(loaded.tree, "path.ring"),
-          "a ring has no ends to start from: it needs an initializer: " + ring_initializers(config.manifold));
+          "a ring has no default first path: give an initializer: " + ring_initializers(config.manifold));
   } else if (!config.initializer.provides<MakesRings>()) {
     loaded.errors.error(place_of(loaded.tree, "initializer"),
-                        fmt::format("'{}' joins two ends and a ring has none: use {}", config.initializer.plugin->type,
+                        fmt::format("'{}' joins two ends, but a ring has none: use {}", config.initializer.plugin->type,
                                     ring_initializers(config.manifold)));
   }
 }
@@ -357,7 +358,7 @@ void check_taut(LoadedConfig& loaded) {
     if (config.cost && !config.cost.provides<HasConstantMetric>())
       loaded.errors.error(
           place_of(loaded.tree, step.path),
-          fmt::format("'taut' needs a cost that is a length, which '{}' is not", config.cost.plugin->type));
+          fmt::format("'taut' needs a cost with a constant metric, but '{}' has none", config.cost.plugin->type));
   }
 }
 
@@ -366,9 +367,9 @@ void check_refract(LoadedConfig& loaded) {
   if (!config.manifold || !config.cost || !config.cost.provides<HasLayers>() || is_free(config)) return;
   for (const PluginChoice& step : config.post_process.value_or(PluginList{}))
     if (is(step, {"refract"}))
-      loaded.errors.error(place_of(loaded.tree, step.path),
-                          "'refract' joins two ends in R^d or a box of it (euclidean), without obstacles, robots and "
-                          "rings");
+      loaded.errors.error(
+          place_of(loaded.tree, step.path),
+          "'refract' works for paths between two ends in R^d or a box (euclidean), without obstacles or robots");
 }
 
 void check_cells(LoadedConfig& loaded) {
@@ -376,8 +377,8 @@ void check_cells(LoadedConfig& loaded) {
   if (!config.manifold || !config.cost) return;
   if (reads_cells(config) && !is_free(config))
     loaded.errors.error(place_of(loaded.tree, "cost.interpolation"),
-                        "'cells' joins two ends in the plane or a box of it (euclidean), without obstacles, robots and "
-                        "rings: use interpolation: smooth");
+                        "'cells' works for paths between two ends in the plane or a box (euclidean), without obstacles "
+                        "or robots: use interpolation: smooth");
   PluginList asking = config.post_process.value_or(PluginList{});
   asking.push_back(config.initializer);
   asking.insert(asking.end(), config.family.initializers.begin(), config.family.initializers.end());
@@ -395,16 +396,16 @@ void check_bracket(LoadedConfig& loaded) {
   const RunConfig& config = loaded.config;
   if (!brackets(config)) return;
   const auto refuse = [&](const std::string& why) {
-    loaded.errors.error(place_of(loaded.tree, "certificate.global"), "a proof over all paths of a box " + why);
+    loaded.errors.error(place_of(loaded.tree, "certificate.global"), "a proof over all paths in a box " + why);
   };
-  if (config.ring) refuse("is of paths between two ends, and a ring has none: remove it");
-  if (config.family.wanted()) refuse("is of the least cost, and a family is of others: remove one of the two");
+  if (config.ring) refuse("works for paths between two ends, but a ring has none: remove it");
+  if (config.family.wanted()) refuse("finds the least cost, but a family lists other paths: remove one of the two");
   if (!is(config.manifold, {"euclidean"})) return;  // terrain has its own box
   const int dimension = whole_option(config.manifold, "dimension");
-  if (dimension != 2 && dimension != 3) refuse("works in two and three dimensions: remove it");
+  if (dimension != 2 && dimension != 3) refuse("works in two and three dimensions only: remove it");
   const ConfigNode options = options_of(config.manifold);
   if (options.find("lower") == nullptr || options.find("upper") == nullptr)
-    refuse("speaks of the paths in a box: give the manifold lower: [..] and upper: [..]");
+    refuse("needs a box: give the manifold lower: [..] and upper: [..]");
 }
 
 void check_points(LoadedConfig& loaded) {
@@ -415,16 +416,17 @@ void check_points(LoadedConfig& loaded) {
     loaded.errors.error(place, fmt::format("a ring needs at least {} points", kFewestInRing));
   if (config.points || !config.manifold || config.manifold.provides<HasGraph>()) return;
   loaded.errors.error(
-      place, fmt::format("'auto' takes the number of points from the first path along edges, and '{}' has none: "
-                         "give a number",
-                         config.manifold.plugin->type));
+      place,
+      fmt::format(
+          "'auto' takes the number of points from the first path along edges, but '{}' has no edges: give a number",
+          config.manifold.plugin->type));
 }
 
 void check_waypoints(LoadedConfig& loaded) {
   const WaypointOptions& asked = loaded.config.waypoints;
   const Place place = place_of(loaded.tree, "output.waypoints");
   if (asked.count && asked.spacing)
-    loaded.errors.error(place, "waypoints take either a 'count' or a 'spacing': remove one of the two");
+    loaded.errors.error(place, "waypoints need either a 'count' or a 'spacing': remove one of the two");
   constexpr int kFewestInRing = 3;
   if (asked.count && loaded.config.ring && *asked.count < kFewestInRing)
     loaded.errors.error(place, fmt::format("'count' must be at least {} in a ring", kFewestInRing));
@@ -455,8 +457,8 @@ std::string name_fault(const std::string& name) {
   });
   constexpr std::size_t kLongestName = 200;  // file systems stop at 255 bytes
   if (harmless && !name.empty() && name[0] != '.' && name.size() <= kLongestName) return "";
-  return "'name' becomes a folder: it must not be empty, begin with a dot, contain a slash or a control character, "
-         "or be longer than 200 bytes";
+  return "'name' is used as a folder name: it must not be empty, begin with a dot, contain a slash or a control "
+         "character, or have more than 200 bytes";
 }
 
 void complete_types(ConfigNode& tree) {
@@ -499,14 +501,14 @@ std::string word_on_interpolation(const LoadedConfig& loaded) {
   const ConfigNode* asked = node_at(loaded.tree, "cost.interpolation");
   if (interpolation_of(config) == nullptr || (asked != nullptr && asked->text != "auto")) return "";
   if (reads_cells(config))
-    return "the cost map is read as it is, constant in each cell (interpolation: cells); 'smooth' and 'bilinear' go "
-           "from value to value";
-  std::string word = "the cost map is read as a smooth surface (interpolation: smooth)";
+    return "the cost map is constant in each cell (interpolation: cells); to interpolate between the values, use "
+           "'smooth' or 'bilinear'";
+  std::string word = "the cost map is interpolated smoothly (interpolation: smooth)";
   if (is_free(config) && whole_option(config.manifold, "dimension") == 2)
     for (const auto& [key, what] : {std::pair("solver", "a solver"), std::pair("post_process", "a post-processor"),
                                     std::pair("clearance", "a clearance")})
       if (loaded.tree.find(key) != nullptr)
-        return word + ", for " + what + " is asked for; without it the map is read as it is, constant in each cell";
+        return word + ", because " + what + " is given; remove it to read the map as constant in each cell";
   return word;
 }
 

@@ -24,7 +24,8 @@ namespace fs = std::filesystem;
 class MapServerFile {
  public:
   MapServerFile(const ConfigNode& tree, Diagnostics& errors) : tree_(tree), errors_(errors) {
-    if (!tree.is_block()) errors.error(tree.place, "a map_server file is a block of keys: image, resolution, origin");
+    if (!tree.is_block())
+      errors.error(tree.place, "a map_server file must be a block of keys: image, resolution, origin");
   }
 
   std::string text(const char* key, const std::optional<std::string>& missing = {}) {
@@ -69,8 +70,8 @@ class MapServerFile {
   void expect_trinary() {
     const ConfigNode* node = find("mode", true);
     if (node != nullptr && node->text != "trinary")
-      errors_.error(node->place,
-                    fmt::format("'mode' must be trinary ({}); scale and raw maps state no obstacles", found(*node)));
+      errors_.error(node->place, fmt::format("'mode' must be trinary ({}); scale and raw maps do not define obstacles",
+                                             found(*node)));
   }
 
  private:
@@ -118,7 +119,7 @@ OccupancyGrid read_image(const fs::path& file, const OccupancyOptions& options) 
   if (kind == ".map") return read_moving_ai(read_content(file), file.string(), options);
   if (kind == ".png") return occupancy_of(read_png(read_content(file), file.string()), options);
   if (kind == ".pgm") return occupancy_of(read_pgm(read_content(file), file.string()), options);
-  throw InputError(file.string() + ": maps are .map (Moving AI), .png, .pgm and .yaml (map_server) files");
+  throw InputError(file.string() + ": a map must be a .map (Moving AI), .png, .pgm or .yaml (map_server) file");
 }
 
 }  // namespace

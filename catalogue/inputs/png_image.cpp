@@ -22,8 +22,8 @@ void check_png_bytes(const png_image& png, std::size_t bytes, const std::string&
   constexpr std::uint64_t kMostPerByte = 8 * 1032;
   const std::uint64_t pixels = std::uint64_t{png.height} * png.width;
   if (pixels / kMostPerByte <= bytes) return;
-  throw InputError(file + ": no PNG image that can be read: " + std::to_string(pixels) +
-                   " pixels were announced, which do not fit into the " + std::to_string(bytes) + " bytes of the file");
+  throw InputError(file + ": not a readable PNG image: " + std::to_string(pixels) +
+                   " pixels are announced, which do not fit in the " + std::to_string(bytes) + " bytes of the file");
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ GreyImage read_png(std::string_view bytes, const std::string& file) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   const std::unique_ptr<png_image, void (*)(png_image*)> freed(&png, &png_image_free);
-  const auto refuse = [&] { throw InputError(file + ": no PNG image that can be read: " + std::string(png.message)); };
+  const auto refuse = [&] { throw InputError(file + ": not a readable PNG image: " + std::string(png.message)); };
   if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) refuse();
   check_map_size(png.height, png.width, file);
   check_png_bytes(png, bytes.size(), file);

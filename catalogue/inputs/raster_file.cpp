@@ -30,9 +30,8 @@ RasterFile read_file(const std::filesystem::path& file) {
   if (kind == ".csv" || kind == ".txt") return read_csv_raster(read_content(file), file.string());
   if (const RasterReader read = raster_reader_of_libraries()) return read(file);
   throw InputError(file.string() +
-                   ": rasters are .asc (ESRI ASCII grid) and .csv files; others, GeoTIFF among them, are read by GDAL, "
-                   "which this build does not have: install libgdal-dev and build again, or convert the file with "
-                   "gdal_translate -of AAIGrid");
+                   ": without GDAL, this build reads .asc (ESRI ASCII grid) and .csv rasters only; for GeoTIFF and "
+                   "others, install libgdal-dev and rebuild, or convert the file with gdal_translate -of AAIGrid");
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ const ConfigEntry* OptionsReader::entry(std::string_view key, const FieldDoc& do
     return nullptr;
   }
   if (e->value.kind != ConfigNode::Kind::nothing) return e;
-  errors_.error(e->place, fmt::format("'{}'{} has no value: leave the key out for the default", key, inside()));
+  errors_.error(e->place, fmt::format("'{}'{} has no value: remove the key to use the default", key, inside()));
   return nullptr;
 }
 

@@ -35,8 +35,8 @@ const PluginEntry* OptionsReader::find_type(const ConfigNode& node, const Place&
     errors_.error(type->place, fmt::format("unknown {} {}{}; valid types: {}", kind.name, in_quotes(type->text),
                                            did_you_mean(type->text, types), joined(types)));
   } else if (!plugin->missing.empty()) {
-    errors_.error(type->place, fmt::format("{} {} is not part of this build: {}", kind.name, in_quotes(type->text),
-                                           plugin->missing));
+    errors_.error(type->place,
+                  fmt::format("{} {} is not in this build: {}", kind.name, in_quotes(type->text), plugin->missing));
     return nullptr;
   }
   return plugin;
@@ -140,13 +140,13 @@ void OptionsReader::end(std::string_view key, std::optional<EndOptions>& value, 
   if (ways != 1)
     fault(key, e->place, "must have exactly one of: vertex; face and barycentric; point; lonlat");
   else if (end.face.has_value() != end.barycentric.has_value())
-    fault(key, e->place, "needs both face and barycentric, like {face: 12, barycentric: [0.2, 0.3, 0.5]}");
+    fault(key, e->place, "must have both face and barycentric, like {face: 12, barycentric: [0.2, 0.3, 0.5]}");
   else if (end.barycentric && end.barycentric->size() != 3)
     fault("barycentric", e->value.find("barycentric")->value.place, "must have three numbers");
   else if (end.lonlat && end.lonlat->size() != 2)
     fault("lonlat", e->value.find("lonlat")->value.place, "must have two numbers, longitude and latitude");
   else if (end.tolerance && !end.point && !end.lonlat)
-    fault("tolerance", e->value.find("tolerance")->place, "is for an end given as a point; the others need none");
+    fault("tolerance", e->value.find("tolerance")->place, "is only for an end given as a point: remove it");
 }
 
 }  // namespace leastcost

@@ -29,11 +29,10 @@ void check_place(const GrowingFolder& wanted, const fs::path& folder) {
   const bool holds_log = fs::exists(folder / wanted.log, error);
   if (wanted.resume && (holds_log || barely_begun(folder))) return;
   if (wanted.resume && fs::is_directory(folder, error))
-    throw OutputRefused(
-        fmt::format("{}: holds no {} that could be resumed (no {})", folder.string(), wanted.what, wanted.log));
+    throw OutputRefused(fmt::format("{}: has no {} to resume (no {})", folder.string(), wanted.what, wanted.log));
   OutputRefusal refusal = output_refusal(folder, wanted.force);
   if (refusal.empty()) return;
-  if (holds_log && !wanted.force) refusal.reason += fmt::format("; --resume goes on with the {} in it", wanted.what);
+  if (holds_log && !wanted.force) refusal.reason += fmt::format("; use --resume to continue the {} in it", wanted.what);
   throw OutputRefused(refusal.reason, refusal.replaceable);
 }
 

@@ -121,11 +121,9 @@ OutputRefusal output_refusal(const fs::path& target, bool force) {
   const fs::path foreign = foreign_file(target);
   if (!force) return {target.string() + ": the output folder is not empty", ours && foreign.empty()};
   if (!ours)
-    return {target.string() + ": only a folder with a manifest.json of leastcost is replaced, and this has none"};
+    return {target.string() + ": only a folder with a manifest.json of leastcost is replaced, and this one has none"};
   if (foreign.empty()) return {};
-  return {foreign.string() +
-          ": would be removed with the folder that is to be replaced, and no run wrote it; move it "
-          "away"};
+  return {foreign.string() + ": would be removed with the folder to be replaced, but no run wrote it; move it away"};
 }
 
 OutputFolder::OutputFolder(const fs::path& target, bool force) : force_(force) {
@@ -164,12 +162,12 @@ std::string OutputFolder::leave() {
   std::error_code error;
   if (done_ || fs::is_empty(temporary_, error) || error) return "";
   done_ = true;
-  return "; what could be written lies in " + temporary_.string();
+  return "; the files that could be written are in " + temporary_.string();
 }
 
 void OutputFolder::keep(const std::string& reason, bool refused) {
   done_ = true;  // nothing is removed: hours of work may be in there
-  const std::string message = fmt::format("{}; the results lie in {}", reason, temporary_.string());
+  const std::string message = fmt::format("{}; the results are in {}", reason, temporary_.string());
   if (refused) throw OutputRefused(message);
   throw OutputError(message);
 }
@@ -185,7 +183,7 @@ void OutputFolder::commit() {
   if (!refusal.empty()) keep(refusal.reason, true);
   const std::string there = identity(target_);
   if (there.empty()) keep(fmt::format("{}: cannot be made: {}", target_.string(), error.message()), false);
-  if (there != replaced_) keep(target_.string() + ": another run has written there meanwhile", true);
+  if (there != replaced_) keep(target_.string() + ": another run has written there in the meantime", true);
   replace();
 }
 
@@ -205,7 +203,7 @@ void OutputFolder::replace() {
       const std::string reason = error.message();
       fs::rename(old, target_, error);
       keep(fmt::format("{}: cannot be replaced: {}{}", target_.string(), reason,
-                       error ? "; what was there lies in " + old.string() : ""),
+                       error ? "; the previous contents are in " + old.string() : ""),
            false);
     }
   }
@@ -219,11 +217,11 @@ void OutputFolder::put_back(const fs::path& old) {
   if (exchange(old, target_)) {
     fs::rename(old, temporary_, error);
     if (error) temporary_ = old;
-    keep(target_.string() + ": something has appeared there meanwhile", true);
+    keep(target_.string() + ": something has appeared there in the meantime", true);
   }
   done_ = true;
   throw OutputRefused(
-      fmt::format("{}: something had appeared there meanwhile, which now lies in {}; the results lie in {}",
+      fmt::format("{}: something had appeared there in the meantime and is now in {}; the results are in {}",
                   target_.string(), old.string(), target_.string()));
 }
 

@@ -26,10 +26,12 @@ namespace fs = std::filesystem;
 /// The configuration with every default.
 std::string resolved_config(const RunOutcome& outcome, const fs::path& output) {
   const RunOrigin& origin = *outcome.origin;
-  std::string head = "# Every option of this run, defaults included. `leastcost run` on this file repeats it.\n";
+  std::string head =
+      "# Every option of this run, including defaults. To repeat the run: `leastcost run` on this file.\n";
   if (!outcome.replaced.empty())
     head = fmt::format(
-        "# What was read, defaults included. Replaced by a program afterwards, and not as it stands here: {}.\n",
+        "# The configuration as read, including defaults. A program then replaced parts of it, which differ from this "
+        "file: {}.\n",
         fmt::join(outcome.replaced, ", "));
   return head + resolved_yaml(origin.config, from_output(origin.folder, output));
 }
@@ -120,8 +122,8 @@ void write_results(RunOutcome& outcome, const std::vector<std::string>& argument
 }
 
 std::filesystem::path write_run(const RunOutcome& outcome, const fs::path& folder, const WriteOptions& options) {
-  if (folder.empty()) throw OutputError("an output folder needs a name");
-  if (!outcome.origin) throw InputError("only what solve() returned can be written");
+  if (folder.empty()) throw OutputError("the output folder must have a name");
+  if (!outcome.origin) throw InputError("only a result of solve() can be written");
   OutputFolder out(folder, options.replace);
   RunOutcome timed = outcome;
   try {

@@ -10,15 +10,15 @@ void EndOptions::fields(FieldVisitor& visit) {
       {.help = "Vertex of the mesh, or point of the cloud, numbered from 0 in the order of the file.", .minimum = 0});
   visit.field("face", face, {.help = "Face of the mesh, numbered from 0 in the order of the file.", .minimum = 0});
   visit.field("barycentric", barycentric,
-              {.help = "Where on the face: three weights of its corners, with sum 1.", .minimum = 0});
+              {.help = "Position on the face: weights of its three corners, with sum 1.", .minimum = 0});
   visit.field("point", point, {.help = "Coordinates; moved to the nearest point of the manifold.", .unit = "length"});
   visit.field("lonlat", lonlat,
               {.help = "On the Earth, and on rasters with a CRS or in degrees: [longitude, latitude] on WGS84, in this "
                        "order.",
                .unit = "degrees"});
   visit.field("tolerance", tolerance,
-              {.help = "How far `point` may be moved; default: 1 % of the diameter of a mesh, a cloud or the box of a "
-                       "grid, elsewhere rounding.",
+              {.help = "Largest distance by which `point` is moved; default: 1 % of the diameter of a mesh, a cloud or "
+                       "the box of a grid, elsewhere rounding only.",
                .unit = "length",
                .minimum = 0});
 }

@@ -19,7 +19,7 @@ std::string term_key(std::size_t i) { return "terms." + std::to_string(i); }
 /// One step on the plug-in of a part. Its faults are those of `key`, within the options of the whole.
 template <class Step>
 auto on_part(const PluginChoice& choice, const std::string& key, Step step) {
-  if (!choice) throw OptionError(key, "missing: a cost, like {type: euclidean}");
+  if (!choice) throw OptionError(key, "missing: give a cost, like {type: euclidean}");
   try {
     return step(static_cast<const CostPlugin&>(*choice.plugin), *choice.options);
   } catch (const OptionError& e) {
@@ -43,7 +43,7 @@ WaitsFor waits_of_part(const PluginChoice& choice) { return choice ? waits_for<C
 }  // namespace
 
 void CostTermOptions::fields(RunVisitor& visit) {
-  visit.field("weight", weight, {.help = "What the cost is multiplied by.", .minimum = 0, .exclusive_minimum = true});
+  visit.field("weight", weight, {.help = "Factor of the cost.", .minimum = 0, .exclusive_minimum = true});
   visit.plugin("cost", cost, "cost", {.help = "The cost.", .required = true});
 }
 
@@ -55,7 +55,7 @@ void SumCostOptions::fields(RunVisitor& visit) {
 
 void ScaledCostOptions::fields(RunVisitor& visit) {
   scale.fields(visit);
-  visit.plugin("cost", cost, "cost", {.help = "The cost that is multiplied.", .required = true});
+  visit.plugin("cost", cost, "cost", {.help = "The cost to be multiplied.", .required = true});
 }
 
 Cost make_sum(const SumCostOptions& options, const BuildContext& context) {

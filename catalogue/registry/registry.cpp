@@ -85,9 +85,11 @@ KernelPlugin kernel(const char* type, const char* summary) {
 
 const auto& kernels() {
   static const std::vector<KernelPlugin> all = {
-      kernel<Linear>("linear", "H(s) = s: the plain cost. Points may slide along the path, so it certifies nothing."),
-      kernel<Square>("square", "H(s) = s^2: the smoothest start."),
-      kernel<Expm1Square>("expm1_square", "H(s) = exp(s^2) - 1: the choice of VFCS, equal spacing held most stiffly."),
+      kernel<Linear>("linear",
+                     "H(s) = s: the plain cost. Points can slide along the path, so nothing can be certified."),
+      kernel<Square>("square", "H(s) = s^2: the usual path energy; enforces equal spacing less strongly."),
+      kernel<Expm1Square>("expm1_square",
+                          "H(s) = exp(s^2) - 1: the choice of VFCS, enforces equal spacing most strongly."),
       kernel<Exp>("exp", "H(s) = exp(s)."),
       kernel<Expm1>("expm1", "H(s) = exp(s) - 1."),
       kernel<ExpSquare>("exp_square", "H(s) = exp(s^2)."),
@@ -103,12 +105,13 @@ const auto& costs() {
       plugin<CostPlugin, MetricTensorOptions>(
           "metric_tensor", "Length under a constant metric tensor M: c(a, b) = sqrt((b - a)' M (b - a)).",
           [](const MetricTensorOptions& o, O c) { return make_metric_tensor_cost(o, c.dimension); }),
-      plugin<CostPlugin, MetricFieldOptions>(
-          "metric_field",
-          "Length under a metric tensor that depends on the place: by name, formulas, a file, or curvature.",
-          [](const MetricFieldOptions& o, O c) {
-            return make_metric_field_cost(o, c.dimension, c.manifold.get(), c.folder);
-          })
+      plugin<CostPlugin, MetricFieldOptions>("metric_field",
+                                             "Length under a metric tensor that varies with position: by name, by "
+                                             "formulas, from a file, or from curvature.",
+                                             [](const MetricFieldOptions& o, O c) {
+                                               return make_metric_field_cost(o, c.dimension, c.manifold.get(),
+                                                                             c.folder);
+                                             })
           .waiting<MetricFieldOptions>(
               [](const MetricFieldOptions& o) { return o.needs_domain() ? WaitsFor::domain : WaitsFor::nothing; }),
       plugin<CostPlugin, TravelTimeOptions>(
@@ -119,11 +122,11 @@ const auto& costs() {
               [](const TravelTimeOptions& o, O c) { check_travel_time(o, c.source.has_value()); })
           .following_source(),
       plugin<CostPlugin, ClearanceLengthOptions>(
-          "clearance", "Length that counts more near obstacles, smoothly.",
+          "clearance", "Length with a weight that increases smoothly near obstacles.",
           [](const ClearanceLengthOptions& o, O c) { return make_clearance_length(o, c.dimension, c.manifold); })
           .waiting<ClearanceLengthOptions>([](const ClearanceLengthOptions&) { return WaitsFor::domain; }),
       plugin<CostPlugin, CostMapOptions>(
-          "cost_map", "Length times what a unit of it costs at a place of the plane, from a raster.",
+          "cost_map", "Length times a cost per unit of length in the plane, from a raster.",
           [](const CostMapOptions& o, O c) {
             return make_cost_map(read_raster(o.raster, c.folder, Resampling::nearest, c.note), o.interpolation,
                                  c.dimension);
@@ -131,34 +134,36 @@ const auto& costs() {
           .waiting()
           .checked_by<CostMapOptions>([](const CostMapOptions& o, O) { check(o.raster); }),
       plugin<CostPlugin, WeightedLengthOptions>(
-          "weighted_length", "Length in which every factor of the domain, or every coordinate, has a weight.",
+          "weighted_length", "Length with a weight for each factor of the domain, or for each coordinate.",
           [](const WeightedLengthOptions& o, O c) { return make_weighted_length(o, *c.manifold); })
           .waiting<WeightedLengthOptions>([](const WeightedLengthOptions&) { return WaitsFor::domain; }),
-      plugin<CostPlugin, LayersOptions>("layers",
-                                        "Length or time through layers of constant index, with refraction between.",
-                                        [](const LayersOptions& o, O c) { return make_layers_cost(o, c.dimension); }),
+      plugin<CostPlugin, LayersOptions>(
+          "layers", "Length or time through layers of constant index, with refraction at the interfaces.",
+          [](const LayersOptions& o, O c) { return make_layers_cost(o, c.dimension); }),
       plugin<CostPlugin, KineticEnergyOptions>(
-          "kinetic_energy", "Length under the kinetic energy of an arm: how it moves by itself.",
+          "kinetic_energy",
+          "Length under the kinetic energy of an arm; least-cost paths are its motions without forces.",
           [](const KineticEnergyOptions& o, O c) { return make_kinetic_energy_cost(o, c.dimension); }),
       plugin<CostPlugin, EndEffectorLengthOptions>(
-          "end_effector_length", "Length of the way of an arm's tool, and a little of that of its joints.",
+          "end_effector_length", "Length of the path of an arm's tool, plus a small part of that of its joints.",
           [](const EndEffectorLengthOptions& o, O c) { return make_end_effector_length(o, c.dimension); }),
       plugin<CostPlugin, ZermeloOptions>(
-          "zermelo", "Time of a vehicle of given speed in a wind or current, by formula or on a grid.",
+          "zermelo", "Travel time of a vehicle of given speed in wind or current, by formula or on a grid.",
           [](const ZermeloOptions& o, O c) { return make_zermelo_cost(o, c.dimension, c.folder); })
           .waiting<ZermeloOptions>(
               [](const ZermeloOptions& o) { return o.reads_file() ? WaitsFor::files : WaitsFor::nothing; })
           .checked_by<ZermeloOptions>([](const ZermeloOptions& o, O c) { check_zermelo(o, c.dimension); }),
       plugin<CostPlugin, WalkingOptions>(
           "walking",
-          "Time or energy of walking over terrain, in switchbacks where it is steep; the last of three "
-          "coordinates is height.",
+          "Time or energy of walking over terrain, with switchbacks on steep slopes; the last of three coordinates is "
+          "height.",
           [](const WalkingOptions& o, O c) { return make_walking_cost(o, c.dimension); }),
       plugin<CostPlugin, RefractiveIndexOptions>(
           "refractive_index", "Optical length under an index n(x): linear velocity, lenses, layers, powers, formulas.",
           [](const RefractiveIndexOptions& o, O c) { return make_refractive_index_cost(o, c.dimension); }),
       plugin<CostPlugin, FormulaCostOptions>(
-          "formula", "Any cost per length F(x, v) as a formula in place and direction, asymmetric ones too.",
+          "formula",
+          "Any cost per unit of length F(x, v), as a formula in position and direction; asymmetric costs are allowed.",
           [](const FormulaCostOptions& o, O c) {
             return make_formula_cost(o, c.dimension, checked_region(*c.manifold, c.source, c.target));
           })
@@ -216,7 +221,7 @@ const auto& manifolds() {
           .waiting(),
       plugin<ManifoldPlugin, SignedDistanceOptions>(
           "signed_distance",
-          "A surface as the zeros of a signed-distance grid, made from a mesh, a cloud or a formula, or read.",
+          "The zero set of a signed-distance grid, computed from a mesh, a cloud or a formula, or read from a file.",
           [](const SignedDistanceOptions& o, const BuildContext& c) {
             return make_signed_distance_manifold(o, c.folder, c.progress);
           })
@@ -224,7 +229,7 @@ const auto& manifolds() {
           .checked_by<SignedDistanceOptions>(
               [](const SignedDistanceOptions& o, const BuildContext&) { check_signed_distance(o); }),
       plugin<ManifoldPlugin, RasterOptions>(
-          "terrain", "The surface (x, y, z(x, y)) over a raster of heights; points are places (x, y) on the map.",
+          "terrain", "The surface (x, y, z(x, y)) over a raster of heights; points are map coordinates (x, y).",
           [](const RasterOptions& o, const BuildContext& c) {
             RasterGrid heights = read_raster(o, c.folder, Resampling::bilinear, c.note);
             check_heights(heights, o);
@@ -240,20 +245,20 @@ const auto& obstacles() {
   using Obstacles = std::vector<std::shared_ptr<const Obstacle>>;
   static const std::vector<ObstaclePlugin> all = {
       plugin<ObstaclePlugin, BallOptions>(
-          "ball", "A ball, in the plane a disc.",
+          "ball", "A ball; in the plane, a disc.",
           [](const BallOptions& o, const BuildContext&) { return Obstacles{make_ball(o)}; }),
       plugin<ObstaclePlugin, BoxObstacleOptions>(
-          "box", "A box with sides along the axes, in the plane a rectangle; asks for a clearance.",
+          "box", "An axis-aligned box, in the plane a rectangle; requires a clearance.",
           [](const BoxObstacleOptions& o, const BuildContext&) { return Obstacles{make_box_obstacle(o)}; }),
       plugin<ObstaclePlugin, PolygonOptions>(
-          "polygon", "A polygon in the plane, convex or not; asks for a clearance.",
+          "polygon", "A polygon in the plane, convex or not; requires a clearance.",
           [](const PolygonOptions& o, const BuildContext&) { return Obstacles{make_polygon(o)}; }),
       plugin<ObstaclePlugin, OccupancyOptions>(
-          "map", "The blocked cells of an occupancy map, as boxes in the plane; asks for a clearance.",
+          "map", "The blocked cells of an occupancy map, as boxes in the plane; requires a clearance.",
           [](const OccupancyOptions& o, const BuildContext& c) { return map_obstacles(read_map(o, c.folder)); })
           .waiting(),
       plugin<ObstaclePlugin, RasterObstacleOptions>(
-          "raster", "Cells of a raster without data, or above or below a value, as boxes; asks for a clearance.",
+          "raster", "Cells of a raster without data, or above or below a value, as boxes; requires a clearance.",
           [](const RasterObstacleOptions& o, const BuildContext& c) {
             return make_raster_obstacles(read_raster(o.raster, c.folder, Resampling::nearest, c.note), o);
           })
@@ -261,13 +266,13 @@ const auto& obstacles() {
           .checked_by<RasterObstacleOptions>(
               [](const RasterObstacleOptions& o, const BuildContext&) { check(o.raster); }),
       plugin<ObstaclePlugin, MeshObstacleOptions>(
-          "mesh", "A triangle mesh in space, solid or as a surface; asks for a clearance or a thickness.",
+          "mesh", "A triangle mesh in space, solid or as a surface; requires a clearance or a thickness.",
           [](const MeshObstacleOptions& o, const BuildContext& c) {
             return Obstacles{make_mesh_obstacle(o, c.folder)};
           })
           .waiting(),
       plugin<ObstaclePlugin, GridObstacleOptions>(
-          "distance_grid", "A signed distance on a regular grid in space; asks for a clearance or a thickness.",
+          "distance_grid", "A signed distance on a regular grid in space; requires a clearance or a thickness.",
           [](const GridObstacleOptions& o, const BuildContext& c) {
             return Obstacles{make_grid_obstacle(o, c.folder)};
           })
@@ -279,7 +284,8 @@ const auto& obstacles() {
 const auto& robots() {
   static const std::vector<RobotPlugin> all = {
       plugin<RobotPlugin, DhArmOptions>(
-          "dh_arm", "An arm of joints that turn, from a Denavit-Hartenberg table; a configuration is its angles.",
+          "dh_arm",
+          "An arm with revolute joints, from a Denavit-Hartenberg table; a configuration is its joint angles.",
           [](const DhArmOptions& o, const BuildContext&) { return make_dh_arm(o); }),
       plugin<RobotPlugin, RigidBodyOptions>(
           "rigid_body", "A body of balls and capsules, in the plane (x, y, angle) or in space (x, y, z, quaternion).",
@@ -297,9 +303,8 @@ std::vector<P> with_those_of_libraries(std::vector<P> own, std::vector<P> others
 const auto& initializers() {
   static const std::vector<InitializerPlugin> own = {
       made_of<InitializerPlugin, StraightInitializer>(
-          "straight", "The straight line between the ends, bowed out of the way where its cost is infinite."),
-      made_of<InitializerPlugin, BowInitializer, BowOptions>("bow",
-                                                             "An arc beside the straight line, to a given side."),
+          "straight", "The straight line between the ends, bent around places where its cost is infinite."),
+      made_of<InitializerPlugin, BowInitializer, BowOptions>("bow", "An arc on a given side of the straight line."),
       made_of<InitializerPlugin, DijkstraInitializer, DijkstraOptions>(
           "dijkstra", "The least-cost path along the edges of the mesh, or the neighbour graph of the cloud.")
           .needing<HasGraph>(),
@@ -307,10 +312,9 @@ const auto& initializers() {
           "plane_cut", "The closed curve in which a plane cuts the surface, for a ring.")
           .needing<IsSurface>(),
       made_of<InitializerPlugin, EikonalInitializer, EikonalOptions>(
-          "eikonal", "The way back down the field of least arrival costs over two coordinates, whatever the cost."),
+          "eikonal", "Follows the arrival-cost field back to the source, over two coordinates, for any cost."),
       made_of<InitializerPlugin, CellGraphInitializer, CellGraphOptions>(
-          "cell_graph",
-          "The least-cost path between places on the sides of the cells of a cost map (interpolation: cells)."),
+          "cell_graph", "The least-cost path between points on the cell sides of a cost map (interpolation: cells)."),
       made_of<InitializerPlugin, GridInitializer, GridOptions>(
           "grid", "A least-cost route over a regular grid in the plane or in space that keeps clear of obstacles."),
       plugin<InitializerPlugin, RrtOptions>(
@@ -322,7 +326,7 @@ const auto& initializers() {
                                                         o.points.transpose());
                                                   }),
       made_of<InitializerPlugin, CoordinateCircleInitializer, CoordinateCircleOptions>(
-          "coordinate_circle", "A ring on which one coordinate of a chart runs around.")
+          "coordinate_circle", "A ring along which one coordinate of a chart runs once or more through its period.")
           .needing<HasSeams>(),
       plugin<InitializerPlugin, FileInitializerOptions>(
           "file", "A path through the points of a text file, such as the path.csv of an earlier run.",
@@ -341,12 +345,14 @@ const auto& solvers() {
       made_of<SolverPlugin, Lbfgs, LbfgsOptions>("lbfgs", "Riemannian L-BFGS, preconditioned by the chain Hessian."),
       made_of<SolverPlugin, GradientDescent, GradientDescentOptions>("gradient_descent",
                                                                      "Riemannian steepest descent."),
-      made_of<SolverPlugin, Vfcs, VfcsOptions>("vfcs", "Algorithm 1 of VFCS as printed, its stopping rule included."),
+      made_of<SolverPlugin, Vfcs, VfcsOptions>("vfcs", "Algorithm 1 of VFCS as printed, including its stopping rule."),
       made_of<SolverPlugin, Georce, GeorceOptions>(
-          "georce", "GEORCE (arXiv 2505.05961): optimality conditions of a discrete energy in a chart, in turn."),
+          "georce",
+          "GEORCE (arXiv 2505.05961): alternates between the optimality conditions of a discrete energy in a chart."),
       made_of<SolverPlugin, StringMethod, StringMethodOptions>(
           "string", "The string method: steps normal to the path, then equal spacing; no energy."),
-      made_of<SolverPlugin, NoSolver>("none", "The first path as it is, for post-processors that find the shortest."),
+      made_of<SolverPlugin, NoSolver>("none",
+                                      "The first path unchanged, for post-processors that find the shortest one."),
   };
   static const std::vector<SolverPlugin> all = with_those_of_libraries(own, back_ends());
   return all;
@@ -357,22 +363,23 @@ const auto& post_processors() {
       made_of<PostProcessorPlugin, TracePostProcessor>("trace", "The solved path as a polyline on the mesh.")
           .needing<HasMesh>(),
       made_of<PostProcessorPlugin, StraightenPostProcessor>(
-          "straighten", "The exact locally shortest path on the mesh, of the same class as the solved one.")
+          "straighten", "The exact locally shortest path on the mesh, in the same class as the solved one.")
           .needing<HasMesh>()
           .needing<HasConstantMetric>(),
       made_of<PostProcessorPlugin, OnSurfacePostProcessor, OnSurfaceOptions>(
-          "on_surface", "The solved path as a polyline that lies on a smooth domain to a tolerance.")
+          "on_surface", "The solved path as a polyline that lies on a smooth domain within a tolerance.")
           .needing<HasLevelSet>(),
       made_of<PostProcessorPlugin, TautPostProcessor, TautOptions>(
-          "taut", "The shortest path of its class among obstacles in the plane.")
+          "taut", "The shortest path in its class among obstacles in the plane.")
           .needing<HasConstantMetric>(),
       made_of<PostProcessorPlugin, RefractPostProcessor>(
           "refract", "The least-cost path through the same layers, with Snell's law at every interface.")
           .needing<HasLayers>(),
       made_of<PostProcessorPlugin, RefractCellsPostProcessor>(
-          "refract_cells", "The locally least-cost path over the cells of a cost map, with Snell's law at every side."),
+          "refract_cells",
+          "The locally least-cost path over the cells of a cost map, with Snell's law at every cell side."),
       made_of<PostProcessorPlugin, SwitchbackPostProcessor, SwitchbackOptions>(
-          "switchbacks", "The zigzag of given width that a path of walking stands for where it is steep.")
+          "switchbacks", "The zigzag of given width that a walking path stands for on steep slopes.")
           .needing<MixesMoves>(),
   };
   return all;
@@ -389,14 +396,14 @@ PluginKind kind_of(std::string name, std::string plural, std::string summary, co
 
 const std::vector<PluginKind>& plugin_kinds() {
   static const std::vector<PluginKind> all = {
-      kind_of("manifold", "manifolds", "where points may be", manifolds()),
-      kind_of("obstacle", "obstacles", "what no path may enter", obstacles()),
-      kind_of("robot", "robots", "what moves among obstacles", robots()),
-      kind_of("cost", "costs", "what a move from a to b costs", costs()),
+      kind_of("manifold", "manifolds", "where points lie", manifolds()),
+      kind_of("obstacle", "obstacles", "regions that paths avoid", obstacles()),
+      kind_of("robot", "robots", "bodies that move among obstacles", robots()),
+      kind_of("cost", "costs", "the cost of a move from a to b", costs()),
       kind_of("kernel", "kernels", "the convex H of the energy sum H(c / s0)", kernels()),
       kind_of("initializer", "initializers", "how the first path is found", initializers()),
       kind_of("solver", "solvers", "how the path is improved", solvers()),
-      kind_of("post_processor", "post_processors", "what happens after the solve", post_processors()),
+      kind_of("post_processor", "post_processors", "steps after the solve", post_processors()),
   };
   return all;
 }

@@ -66,15 +66,16 @@ std::shared_ptr<const Walls> walls_of(FreeSpace::Obstacles obstacles, const std:
 void check_limits(const Robot& robot, const ConstraintManifold& domain) {
   const Eigen::VectorXd lower = robot.kinematics->lower(), upper = robot.kinematics->upper();
   if (lower.size() != domain.dimensions().ambient)
-    throw OptionError("robot", fmt::format("has configurations of {} numbers, the manifold has points of {}",
+    throw OptionError("robot", fmt::format("has configurations of {} coordinates, but the manifold has points of {}",
                                            lower.size(), domain.dimensions().ambient));
   if (lower.array().isInf().all() && upper.array().isInf().all()) return;
   const auto* box = find_ability<HasBox>(domain);
   for (Eigen::Index i = 0; i < lower.size(); ++i) {
     if (box != nullptr && box->box_lower()[i] >= lower[i] && box->box_upper()[i] <= upper[i]) continue;
-    throw OptionError("robot", fmt::format("coordinate {} has the limits [{:.8g}, {:.8g}] and the manifold goes beyond "
-                                           "them: give it lower: [{:.8g}] and upper: [{:.8g}], or tighter",
-                                           i, lower[i], upper[i], fmt::join(lower, ", "), fmt::join(upper, ", ")));
+    throw OptionError("robot",
+                      fmt::format("coordinate {} has the limits [{:.8g}, {:.8g}], but the manifold extends beyond "
+                                  "them: give the manifold lower: [{:.8g}] and upper: [{:.8g}], or tighter bounds",
+                                  i, lower[i], upper[i], fmt::join(lower, ", "), fmt::join(upper, ", ")));
   }
 }
 
@@ -142,7 +143,7 @@ void check_needs(const PluginChoice& choice, const PluginChoice& giver, const Co
   for_each_ability([&]<class Ability>() {
     const bool wanted = std::count(needs.begin(), needs.end(), Ability::kAbility) > 0;
     if (!wanted || !giver.provides<Ability>() || find_ability<Ability>(manifold) != nullptr) return;
-    throw OptionError(choice.path, fmt::format("'{}' needs a manifold with a {}, which this '{}' does not have",
+    throw OptionError(choice.path, fmt::format("'{}' needs a manifold with a {}, but this '{}' has none",
                                                choice.plugin->type, Ability::kAbility, giver.plugin->type));
   });
 }
@@ -306,7 +307,7 @@ void Composer::go_round_voids() {
     attempt([&] {
       const PluginEntry* eikonal = find_plugin(kind("initializer"), "eikonal");
       out_.initializer = make<std::shared_ptr<const Initializer>>(choose(*eikonal, "initializer"), context_);
-      out_.notes.emplace_back("a straight first path crosses places without data: the first path is that of eikonal");
+      out_.notes.emplace_back("the straight line crosses places without data: the first path comes from eikonal");
     });
     return;
   }
@@ -319,7 +320,8 @@ void Composer::place_obstacles() {
   FreeSpace::Obstacles all = voids_wait ? FreeSpace::Obstacles{} : voids();
   const std::size_t void_count = all.size();
   if (config_.obstacles.empty() && !voids_wait && !has_voids_ && config_.clearance > 0)
-    attempt([] { throw OptionError("clearance", "is from obstacles, and there are none: give 'obstacles'"); });
+    attempt(
+        [] { throw OptionError("clearance", "needs obstacles, but there are none: give 'obstacles', or remove it"); });
   if (config_.obstacles.empty() && !config_.robot && !voids_wait && !has_voids_) {
     obstacles_placed_ = true;
     context_.manifold = out_.problem.manifold;  // a cost map may have been waited for
@@ -339,7 +341,7 @@ void Composer::place_obstacles() {
     robot = make<std::shared_ptr<const Robot>>(config_.robot, context_);
     check_limits(*robot, *out_.problem.manifold);
     if (config_.obstacles.empty() && robot->self.empty())
-      throw OptionError("robot", "has nothing that it could touch: give 'obstacles'");
+      throw OptionError("robot", "has nothing to collide with: give 'obstacles'");
   });
   for (std::size_t i = 0; i < config_.obstacles.size(); ++i) {
     made = attempt([&] {
@@ -360,8 +362,8 @@ void Composer::place_obstacles() {
   if (robot != nullptr && !robot->whose.empty()) out_.notes.push_back("clearances are those of " + robot->whose);
   if (has_voids_ && !(config_.clearance > 0))
     out_.notes.push_back(
-        fmt::format("places without data are obstacles; the path keeps {:.6g} away from them, a tenth "
-                    "of a cell ('clearance' sets another distance)",
+        fmt::format("places without data are obstacles; the path keeps {:.6g} away from them, a tenth of a cell (to "
+                    "change this, set 'clearance')",
                     clearance_of_voids()));
   context_.manifold = out_.problem.manifold;
   for (const auto& [end, key] :

@@ -76,14 +76,15 @@ void check_latitude(const ConstraintManifold& manifold, const Eigen::VectorXd& p
   const double value = point[latitude->coordinate];
   if (find_ability<IsGeographic>(manifold) != nullptr) {
     if (std::abs(value) > latitude->pole)
-      throw OptionError(path + ".point", fmt::format("the latitude {:.9g} is beyond {:g} degrees; points here are "
-                                                     "(latitude, longitude), latitude first",
-                                                     value, latitude->pole));
+      throw OptionError(
+          path + ".point",
+          fmt::format(
+              "the latitude {:.9g} is beyond {:g} degrees; give the point as (latitude, longitude), latitude first",
+              value, latitude->pole));
   } else if (std::abs(value) > 4 * latitude->pole) {
-    throw OptionError(path + ".point",
-                      fmt::format("the latitude {:.9g} is more than a turn, and it is in radians here (a pole is at "
-                                  "pi/2): degrees? see earth (manifold: {{type: earth}})",
-                                  value));
+    throw OptionError(path + ".point", fmt::format("the latitude {:.9g} is in radians here (the pole is at pi/2) and "
+                                                   "more than a full turn; for degrees, use manifold: {{type: earth}}",
+                                                   value));
   }
 }
 
@@ -96,8 +97,8 @@ void note_latitudes(RunParts& out) {
     const double value = end->given[latitude->coordinate];
     if (std::abs(value) <= latitude->pole) continue;
     out.notes.push_back(
-        fmt::format("the latitude {:.9g} of the {} is beyond pi/2; it was taken in radians, as a way over a pole: "
-                    "degrees? see earth (manifold: {{type: earth}})",
+        fmt::format("the latitude {:.9g} of the {} is beyond pi/2; it was read in radians, as a path over a pole. For "
+                    "degrees, use manifold: {{type: earth}}",
                     value, name));
   }
 }
@@ -122,7 +123,7 @@ PlacedEnd at_point(const ConstraintManifold& manifold, const EndOptions& options
   const Eigen::VectorXd point = options.point.value_or(Eigen::VectorXd());
   if (point.size() != wanted)
     throw OptionError(path + ".point",
-                      fmt::format("{} coordinates, points of the manifold have {}", point.size(), wanted));
+                      fmt::format("has {} coordinates, but points of the manifold have {}", point.size(), wanted));
   if (!point.allFinite()) throw OptionError(path + ".point", "coordinates must be finite");
   check_latitude(manifold, point, path);
   PlacedEnd placed{point, {}, 0};
@@ -138,11 +139,11 @@ PlacedEnd at_point(const ConstraintManifold& manifold, const EndOptions& options
     if (!why.empty()) {
       const std::string which = path.substr(path.rfind('.') + 1);  // npos + 1 is 0
       throw OptionError(path + ".point",
-                        fmt::format("the {} {} (the nearest free place is {:.6g} away)", which, why, placed.moved));
+                        fmt::format("the {} {} (the nearest free point is {:.6g} away)", which, why, placed.moved));
     }
     const TwoNumbers texts = told_apart(placed.moved, tolerance, 6);
-    throw OptionError(path + ".point", fmt::format("the nearest point of the manifold is {} away, the tolerance is {} "
-                                                   "(option 'tolerance' of the end)",
+    throw OptionError(path + ".point", fmt::format("the nearest point of the manifold is {} away, but the tolerance is "
+                                                   "{}: move the point, or set 'tolerance' of the end",
                                                    texts.first, texts.second));
   }
   return placed;
@@ -157,20 +158,22 @@ EndOptions in_coordinates(EndOptions options, const ConstraintManifold& manifold
   if (earth == nullptr && cost != nullptr) earth = find_ability<IsGeographic>(*cost);
   const std::string key = path + ".lonlat";
   if (earth == nullptr)
-    throw OptionError(key,
-                      "nothing here says where on the Earth places are: the raster has no CRS that this build can read "
-                      "(GeoTIFF and .prj need GDAL); give degrees: true for one in degrees, or {point: [x, y]}");
+    throw OptionError(
+        key,
+        "cannot locate longitude and latitude: the raster has no CRS that this build can read (GeoTIFF and .prj need "
+        "GDAL). For a raster in degrees, set degrees: true; otherwise give {point: [x, y]}");
   const Eigen::Vector2d lonlat = options.lonlat->head<2>();
   if (!lonlat.allFinite() || std::abs(lonlat[1]) > 90)
-    throw OptionError(key, fmt::format("the latitude {:.9g} is beyond 90 degrees; longitude comes first here: "
-                                       "[longitude, latitude]",
-                                       lonlat[1]));
+    throw OptionError(
+        key, fmt::format("the latitude {:.9g} is beyond 90 degrees; give longitude first: [longitude, latitude]",
+                         lonlat[1]));
   options.point = earth->coordinates_of(lonlat);
   options.lonlat.reset();
   if (!options.point->allFinite())
-    throw OptionError(key, fmt::format("the CRS of the raster has no place at longitude {:.9g} and latitude {:.9g}; "
-                                       "longitude comes first here",
-                                       lonlat[0], lonlat[1]));
+    throw OptionError(
+        key,
+        fmt::format("the CRS of the raster does not cover longitude {:.9g} and latitude {:.9g}; give longitude first",
+                    lonlat[0], lonlat[1]));
   return options;
 }
 
@@ -203,10 +206,10 @@ bool are_one_place(const Problem& problem) {
 void refuse_one_place(const Problem& problem, const std::string& key) {
   if (!are_one_place(problem)) return;
   if (problem.source.u == problem.target.u)
-    throw OptionError(key, "is the same point as the source; a closed path is a ring (path.ring: true)");
+    throw OptionError(key, "is the same point as the source; for a closed path, use a ring (path.ring: true)");
   throw OptionError(key,
-                    "names the same point as the source, by other coordinates; a closed path is a ring (path.ring: "
-                    "true), which waypoints lead round the domain");
+                    "is the same point as the source, in other coordinates; for a closed path, use a ring (path.ring: "
+                    "true) with waypoints around the domain");
 }
 
 void take_cheapest_image(const RunConfig& config, const std::shared_ptr<const ConstraintManifold>& open_domain,
@@ -231,13 +234,12 @@ void take_cheapest_image(const RunConfig& config, const std::shared_ptr<const Co
   if (!best->image.way.empty()) {
     if (!std::isfinite(best->given)) return;  // as of ends at a pole, whose longitude says nothing
     out.notes.push_back(
-        fmt::format("the path goes {}: that costs about {:.9g}{}", best->image.way, best->cost, instead));
+        fmt::format("the path goes {}, which costs about {:.9g}{}", best->image.way, best->cost, instead));
     return;
   }
   out.notes.push_back(
-      fmt::format("the target was replaced by ({:.6g}), {}, another name of the same point: a path to "
-                  "it costs about {:.9g}{}{} (images tried: {}; path: "
-                  "{{target_image: given}} keeps the given one)",
+      fmt::format("the target was replaced by ({:.6g}), {}, the same point in other coordinates: a path to it costs "
+                  "about {:.9g}{}{} (images tried: {}; to keep the given one, set path: {{target_image: given}})",
                   fmt::join(best->image.u, ", "), best->image.where, best->cost, instead,
                   open_domain == problem.manifold ? "" : " without obstacles", best->tried));
 }

@@ -54,8 +54,8 @@ std::string look_elsewhere(const RunParts& parts, const Result& result, const Mo
     const double cost = cost_by(bow, parts.options.points.value_or(kFewPoints), parts, quiet);
     if (!(cost < allowed)) continue;
     return fmt::format(
-        "another way costs about {:.4g}, {:.2g} % less: 'initializer: {{type: bow, height: {:g}, angle: {:g}}}' takes "
-        "it",
+        "another path costs about {:.4g}, {:.2g} % less; to start from it, use 'initializer: {{type: bow, height: "
+        "{:g}, angle: {:g}}}'",
         cost, 100 * (1 - cost / result.curve.cost), bow.height, bow.angle);
   }
   return "";

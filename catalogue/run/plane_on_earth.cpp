@@ -23,10 +23,11 @@ void refuse_plane_on_earth(const Obstacle& obstacle, const ConstraintManifold& d
   const Eigen::VectorXd middle = x.rowwise().mean();
   const double radius = kRoom * (x.colwise() - middle).colwise().norm().maxCoeff();
   throw OptionError(
-      key, fmt::format("{} has 2 dimensions, and obstacles on the Earth stand in space, in metres from its centre: "
-                       "{{type: ball, center: [{:.0f}], radius: {:.0f}}} holds its corners, where these are latitudes "
-                       "and longitudes",
-                       obstacle.name(), fmt::join(middle, ", "), std::ceil(radius)));
+      key,
+      fmt::format(
+          "{} has 2 dimensions, but obstacles on the Earth are in space, in metres from its centre. If its corners are "
+          "latitudes and longitudes, this ball contains them: {{type: ball, center: [{:.0f}], radius: {:.0f}}}",
+          obstacle.name(), fmt::join(middle, ", "), std::ceil(radius)));
 }
 
 }  // namespace leastcost

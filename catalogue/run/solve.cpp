@@ -34,8 +34,8 @@ void compare_with_cells(RunOutcome& outcome) {
   const double cost = outcome.result.curve.cost, cells = map->cost_over_cells(outcome.result.curve.x);
   if (!std::isfinite(cost) || std::abs(cells - cost) <= kReadOtherwise * cost) return;
   outcome.parts.notes.push_back(
-      fmt::format("this path costs {:.4g} where every cell of the raster is constant, and {:.4g} as the map is "
-                  "interpolated ('interpolation: bilinear' goes through the values, 'smooth' evens them out)",
+      fmt::format("this path costs {:.4g} with constant cells, and {:.4g} with the interpolated map ('interpolation: "
+                  "bilinear' passes through the values, 'smooth' smooths them)",
                   cells, cost));
 }
 
@@ -51,17 +51,17 @@ void place_waypoints(RunOutcome& outcome) {
   try {
     outcome.waypoints = place_waypoints(parts.problem, outcome.result, parts.waypoints);
   } catch (const Error& error) {
-    parts.notes.push_back(std::string("there are no waypoints: ") + error.what());
+    parts.notes.push_back(std::string("no waypoints were written: ") + error.what());
     return;
   }
   const std::optional<Clearance>& clearance = outcome.waypoints->clearance;
   if (!outcome.waypoints->touches) return;
   const bool inside = clearance->upper < 0;
-  parts.notes.push_back("the straight moves between the waypoints touch: that from number " +
+  parts.notes.push_back("the straight moves between the waypoints are not clear: the move from waypoint " +
                         std::to_string(clearance->segment) + " comes " +
                         short_number(std::abs(inside ? clearance->upper : clearance->lower)) +
-                        (inside ? "" : " (not decided: perhaps)") + " too near to " + clearance->obstacle +
-                        "; more waypoints cut fewer corners");
+                        (inside ? "" : " (possibly)") + " too close to " + clearance->obstacle +
+                        "; use more waypoints");
 }
 
 bool same_end(const PathEnd& a, const PathEnd& b) { return a.u.size() == b.u.size() && a.u == b.u; }
@@ -95,12 +95,12 @@ std::vector<std::string> replaced_parts(const RunParts& parts, const RunParts& a
 }  // namespace
 
 RunOutcome solve(Run run, const Monitor& monitor) {
-  if (!run.origin) throw InputError("a run is made by load_run() or parse_run()");
+  if (!run.origin) throw InputError("a run must be made by load_run() or parse_run()");
   if (run.origin->pairs)
     throw InputError(
-        "the configuration has many pairs of ends (ends.pairs), and solve() finds one path: give it a "
-        "'source' and a 'target'");
-  if (!run.parts.solver || !run.parts.initializer) throw InputError("the run has no solver, or no initializer");
+        "solve() finds one path, but the configuration has many pairs of ends (ends.pairs): give a 'source' and a "
+        "'target'");
+  if (!run.parts.solver || !run.parts.initializer) throw InputError("the run has no solver or no initializer");
   const Clock::time_point start = Clock::now();
   RunOutcome outcome;
   outcome.name = std::move(run.name);

@@ -104,7 +104,7 @@ std::string side(const Eigen::VectorXd& x) {
 
 std::vector<Eigen::Vector3d> read_vectors(const Json& flat) {
   const auto numbers = flat.get<std::vector<double>>();
-  if (numbers.size() % 3 != 0) throw InputError("a list of points whose length is no multiple of 3");
+  if (numbers.size() % 3 != 0) throw InputError("a list of points whose length is not a multiple of 3");
   std::vector<Eigen::Vector3d> out;
   for (std::size_t i = 0; i < numbers.size(); i += 3) out.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
   return out;
@@ -114,10 +114,10 @@ TriangleSoup read_surface(const Json& json) {
   TriangleSoup out;
   out.vertices = read_vectors(json.at("vertices"));
   const auto corners = json.at("triangles").get<std::vector<int>>();
-  if (corners.size() % 3 != 0) throw InputError("a list of triangles whose length is no multiple of 3");
+  if (corners.size() % 3 != 0) throw InputError("a list of triangles whose length is not a multiple of 3");
   for (const int corner : corners)
     if (corner < 0 || static_cast<std::size_t>(corner) >= out.vertices.size())
-      throw InputError(fmt::format("a triangle names the vertex {} of {}", corner, out.vertices.size()));
+      throw InputError(fmt::format("a triangle refers to vertex {} of {}", corner, out.vertices.size()));
   for (std::size_t i = 0; i < corners.size(); i += 3)
     out.triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
   return out;
@@ -140,7 +140,7 @@ Points read_line(const Json& json, int dimension) {
   std::vector<double> numbers;
   for (const Json& value : json) numbers.push_back(value.is_null() ? std::nan("") : value.get<double>());
   if (numbers.size() % static_cast<std::size_t>(dimension) != 0)
-    throw InputError("a line whose length is no multiple of the dimension");
+    throw InputError("a line whose length is not a multiple of the dimension");
   return Eigen::Map<const Points>(numbers.data(), dimension, static_cast<Index>(numbers.size()) / dimension);
 }
 
@@ -162,7 +162,7 @@ Raster read_raster(const Json& json) {
     out.values.push_back(value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>());
   const bool fits = out.columns > 1 && out.rows > 1 && (out.upper.array() > out.lower.array()).all() &&
                     out.values.size() == static_cast<std::size_t>(out.columns) * static_cast<std::size_t>(out.rows);
-  if (!fits) throw InputError("a raster whose values do not fill it");
+  if (!fits) throw InputError("a raster with the wrong number of values");
   return out;
 }
 

@@ -46,8 +46,8 @@ ConfigNode* step_into(ConfigNode& node, const std::string& key, const Place& pla
   if (node.is_list()) {
     const std::optional<std::size_t> index = list_index(key);
     if (index && *index < node.items.size()) return &node.items[*index];
-    errors.error(place, "the list has " + std::to_string(node.items.size()) + " entries, counted from 0; " +
-                            in_quotes(key) + " is none of them");
+    errors.error(place, "the list has " + std::to_string(node.items.size()) + " entries, numbered from 0; " +
+                            in_quotes(key) + " is not one of them");
     return nullptr;
   }
   if (!node.is_block()) {
@@ -89,10 +89,10 @@ void apply_overrides(const std::vector<Override>& overrides, ConfigNode& root, D
 void put_option(const std::string& path, ConfigNode value, const Place& place, ConfigNode& root, Diagnostics& errors) {
   const std::vector<std::string> keys = split_path(path);
   if (!is_path(keys))
-    return errors.error(place, in_quotes(path) + " is no option: it must have the form key or block.key");
+    return errors.error(place, in_quotes(path) + " is not an option: it must have the form key or block.key");
   if (keys.size() > kMostWords)
     return errors.error(
-        place, fmt::format("{} is no option: none is named by more than {} words", in_quotes(path), kMostWords));
+        place, fmt::format("{} is not an option: no option has more than {} words", in_quotes(path), kMostWords));
   ConfigNode* node = &root;
   for (const std::string& key : keys) {
     node = step_into(*node, key, place, errors);

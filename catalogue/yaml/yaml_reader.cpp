@@ -34,7 +34,8 @@ class TreeBuilder final : public YAML::EventHandler {
   ConfigNode take() { return std::move(root_); }
 
   void OnDocumentStart(const YAML::Mark& mark) override {
-    if (documents_++ > 0) throw YAML::ParserException(mark, "a configuration is one document; here begins another");
+    if (documents_++ > 0)
+      throw YAML::ParserException(mark, "a configuration must be one document, but another one starts here");
     root_.place = place(mark, 1);
   }
   void OnDocumentEnd() override {}
@@ -99,7 +100,7 @@ class TreeBuilder final : public YAML::EventHandler {
     no_anchor(mark, anchor);
     no_tag(mark, tag);
     if (stack_.size() >= kDeepest)
-      throw YAML::ParserException(mark, fmt::format("blocks and lists in each other are at most {} deep", kDeepest));
+      throw YAML::ParserException(mark, fmt::format("blocks and lists can be nested at most {} deep", kDeepest));
     Frame frame;
     frame.node.kind = kind;
     frame.node.place = place(mark, 1);
@@ -136,7 +137,7 @@ class TreeBuilder final : public YAML::EventHandler {
     const auto [first, is_new] = frame.known.try_emplace(key.text, key.place.line);
     if (!is_new) {
       errors_.error(key.place,
-                    fmt::format("duplicate key {} (first given in line {})", in_quotes(key.text), first->second));
+                    fmt::format("duplicate key {} (first given on line {})", in_quotes(key.text), first->second));
       return;
     }
     frame.node.entries.push_back({key.text, key.place, std::move(value)});
@@ -220,7 +221,8 @@ Place place_of_byte(std::string_view text, std::size_t position) {
 /// What must hold before the parser sees the text; false when it must not.
 bool acceptable(std::string_view text, Diagnostics& errors) {
   if (text.size() > kLargestConfiguration) {
-    errors.error({}, fmt::format("a configuration has at most {} bytes, this one has more", kLargestConfiguration));
+    errors.error(
+        {}, fmt::format("a configuration can have at most {} bytes, but this one has more", kLargestConfiguration));
     return false;
   }
   const std::size_t bad = first_invalid_byte(text);
@@ -233,7 +235,7 @@ bool acceptable(std::string_view text, Diagnostics& errors) {
     const std::size_t first = text.find_first_not_of(" \r", start);
     const std::size_t end = std::min(text.find('\n', start), text.size());
     if (first != std::string_view::npos && first < end && text[first] == '\t') {
-      errors.error(place_of_byte(text, first), "a tab in the indentation; YAML wants spaces");
+      errors.error(place_of_byte(text, first), "a tab in the indentation: use spaces");
       tabs = true;
     }
     start = end + 1;

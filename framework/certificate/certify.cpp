@@ -66,7 +66,8 @@ class Certifier {
  private:
   void measure() {
     if (!std::isfinite(path_.curve.cost) || !path_.curve_costs.allFinite())
-      return fail(Failure::infinite_cost, "the delivered path costs infinitely much: it leaves the domain of the cost");
+      return fail(Failure::infinite_cost,
+                  "the delivered path has infinite cost: the cost is not defined along all of it");
     measure_residual();
     measure_clearance();
     measure_segments();
@@ -112,7 +113,8 @@ class Certifier {
     c_.residual = worst / extent();
     if (*c_.residual <= options_.residual) return;
     const TwoNumbers texts = told_apart(*c_.residual, options_.residual);
-    fail(Failure::residual, "the path leaves the domain by " + texts.first + " diameters; allowed " + texts.second);
+    fail(Failure::residual, "the largest distance of the path from the domain is " + texts.first +
+                                " diameters, more than the allowed " + texts.second);
   }
 
   /// Of the curve that is delivered, segment by segment: no number of points sees a thin obstacle between two of them.
@@ -122,7 +124,7 @@ class Certifier {
     const bool inside = c_.clearance->upper < 0;
     fail(Failure::touches, "the path comes " +
                                short_number(std::abs(inside ? c_.clearance->upper : c_.clearance->lower)) +
-                               (inside ? "" : " (not decided: perhaps)") + " too near to " + c_.clearance->obstacle +
+                               (inside ? "" : " (possibly)") + " too close to " + c_.clearance->obstacle +
                                " between points " + std::to_string(c_.clearance->segment) + " and " +
                                std::to_string(c_.clearance->segment + 1) + ", at " + point_text(c_.clearance->place));
   }
@@ -131,11 +133,11 @@ class Certifier {
     c_.spacing = spread(path_.curve.straightness ? path_.curve_costs : energy_.costs(path_.chain));
     c_.longest_segment = path_.curve_costs.maxCoeff() / path_.curve_costs.mean();
     if (!(path_.curve.cost > 0))
-      fail(Failure::costs_nothing, "the delivered path costs nothing");
+      fail(Failure::costs_nothing, "the delivered path has cost 0");
     else if (!(c_.longest_segment <= options_.longest_segment))
       fail(Failure::longest_segment,
            "the longest segment costs " + short_number(c_.longest_segment) +
-               " times the mean: the path jumps over a part of the domain (a sinkhole, VFCS Fig. 2)");
+               " times the mean: the path jumps over part of the domain (a sinkhole, VFCS Fig. 2)");
   }
 
   void measure_asymmetry() {
@@ -151,8 +153,8 @@ class Certifier {
     c_.scope = c_.global && c_.global->proved ? c_.global->scope : "local";
     if (find_ability<HasInterfaces>(*problem_.cost) != nullptr)
       fail(Failure::interfaces,
-           "the cost jumps at interfaces, which no chain of points resolves: use a post-processor that "
-           "knows them (refract, refract_cells)");
+           "the cost jumps at interfaces, which a chain of points cannot resolve: use a post-processor for interfaces "
+           "(refract, refract_cells)");
     measure_regularization();
     measure_stationarity();
     c_.index = path_index(energy_, path_.chain, options_.index_shift);
@@ -176,7 +178,7 @@ class Certifier {
     add_regularization();
     if (!(c_.estimate.error <= kWidestBar * c_.estimate.value))
       fail(Failure::error_bar, "the error bar is " + short_number(c_.estimate.error / c_.estimate.value) +
-                                   " of the cost: too few points for this path");
+                                   " of the cost, which is too large: use more points");
     compare_with_bound();
     measure_domain();
     measure_places();
@@ -188,7 +190,7 @@ class Certifier {
     if (c_.estimate.value + c_.estimate.error >= c_.global->lower_bound) return;
     const TwoNumbers texts = told_apart(c_.estimate.value, c_.global->lower_bound);
     fail(Failure::below_bound,
-         "the cost " + texts.first + " lies below " + texts.second + ", which is proved of all paths: use more points");
+         "the cost " + texts.first + " is below the proved lower bound " + texts.second + ": use more points");
   }
 
   void add_margin_bar(const Refinement& refinement) {
@@ -245,7 +247,8 @@ class Certifier {
     const GeometryError error = measure_geometry_error(problem_, path_.chain, monitor_);
     c_.geometry_error = error.value;
     if (!error.trouble.empty() && !monitor_.interrupted())
-      fail(Failure::geometry_error, "what the domain's representation costs is unknown: " + error.trouble);
+      fail(Failure::geometry_error,
+           "the cost error from the representation of the domain is unknown: " + error.trouble);
   }
 
   void measure_stationarity() {
@@ -309,9 +312,9 @@ class Certifier {
     const ChartJump jump = worst_chart_jump(problem_, path_.chain, energy_.costs(path_.chain), monitor_.deadline);
     if (jump.ratio > kChartJump)
       fail(Failure::longest_segment, "between points " + std::to_string(jump.segment) + " and " +
-                                         std::to_string(jump.segment + 1) + " the straight way in the chart costs " +
+                                         std::to_string(jump.segment + 1) + " the straight move in the chart costs " +
                                          short_number(jump.ratio) +
-                                         " times the chord: the path jumps over a part of the domain; use more points");
+                                         " times the chord: the path jumps over part of the domain; use more points");
   }
 
   /// On a curved domain with bounds that is not a chart: where the path between its points comes to rest on a bound
@@ -346,7 +349,7 @@ class Certifier {
       case IndexVerdict::saddle:
         return fail(Failure::saddle,
                     "the path is a saddle of order " + std::to_string(c_.index.saddle_order) +
-                        ": a neighbouring path costs less; `path: {escape_saddle: true}` goes on to it");
+                        ": a neighbouring path costs less; to search for it, set `path: {escape_saddle: true}`");
       case IndexVerdict::degenerate:
         // Where ways are free they cost nearly the same, and the path is the least of them nevertheless.
         if (has_free_ways() && c_.index.negatives == 0) return;
@@ -354,12 +357,13 @@ class Certifier {
                                              ": neighbouring paths cost the same to second order");
       case IndexVerdict::undecidable:
         return fail(Failure::undecidable,
-                    "whether the path is a minimum or a saddle is lost in rounding: the metric is too ill-conditioned");
+                    "rounding hides whether the path is a minimum or a saddle: the metric is too ill-conditioned");
       case IndexVerdict::not_applicable:
         if (problem_.kernel->strictly_convex())
-          return fail(Failure::index_not_applicable, "the energy of the path is not finite: no index");
+          return fail(Failure::index_not_applicable, "the path has no index: its energy is not finite");
         return fail(Failure::index_not_applicable,
-                    "the kernel is not strictly convex (H = s): points may slide along the path, no index, no spacing");
+                    "the kernel is not strictly convex (H = s): points can slide along the path, so there is no index "
+                    "and no spacing");
     }
   }
 
@@ -369,14 +373,14 @@ class Certifier {
     const double s0 = a.cost / a.segments;
     if (!std::isfinite(a.energy) || !std::isfinite(b.energy) || !(b.energy > 0))
       return fail(Failure::doubling,
-                  "the energies of the refined chains are not finite, or zero: no ratio E(2M) / E(4M)");
+                  "the ratio E(2M) / E(4M) is undefined: the energies of the refined chains are zero or not finite");
     c_.doubling = a.energy / b.energy;
     c_.doubling_expected = kernel_value(*problem_.kernel, a.cost / (a.segments * s0)) /
                            (2 * kernel_value(*problem_.kernel, b.cost / (b.segments * s0)));
     if (std::abs(*c_.doubling / *c_.doubling_expected - 1) <= options_.doubling) return;
     const TwoNumbers texts = told_apart(*c_.doubling, *c_.doubling_expected);
-    fail(Failure::doubling, "E(2M) / E(4M) is " + texts.first + " where an evenly spaced path has " + texts.second +
-                                ": the path jumps over a part of the domain (VFCS Eq. 8)");
+    fail(Failure::doubling, "E(2M) / E(4M) is " + texts.first + ", but an evenly spaced path has " + texts.second +
+                                ": the path jumps over part of the domain (VFCS Eq. 8)");
   }
 
   const Problem& problem_;

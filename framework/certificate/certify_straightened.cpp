@@ -53,11 +53,11 @@ void certify_straightened(const Problem& problem, const PostProcessed& path, con
   if (const auto* cost = find_ability<HasInterfaces>(*problem.cost))
     measure_refraction(*cost, path.curve.x, *problem.manifold, options, c);
   else if (!(*c.straightness >= -(measured ? kNearlyStraight : kStraight)))
-    c.failures.push_back({Failure::straightness, "an angle beside the path is " + short_number(-*c.straightness) +
-                                                     " below pi: it can be shortened there"});
+    c.failures.push_back({Failure::straightness, "an angle at the path is " + short_number(-*c.straightness) +
+                                                     " below pi: the path can be shortened there"});
   if (c.global && c.global->outcome == "blocked" && c.global->gap > kFarBelow) {
     const TwoNumbers texts = told_apart(c.global->lower_bound, path.curve.cost);
-    c.failures.push_back({Failure::not_global, "a path of " + texts.first + " may exist, this one costs " +
+    c.failures.push_back({Failure::not_global, "a path of cost " + texts.first + " may exist, but this one costs " +
                                                    texts.second + ": " + c.global->reason});
   }
   if (!(c.spacing <= options.spacing)) fail_spacing(c, options.spacing);

@@ -123,8 +123,7 @@ EstimatedCost estimate_from_levels(const Problem& problem, PathEnergy& energy, c
   // Bounds that contradict each other: the chords cut what the curve goes around. The curve through the finest chain
   // has a say as well: of few points the least chain may lie in a valley of its own, and bounds nothing else.
   if (e.lower && e.upper && *e.lower > std::min(*e.upper, finest_curve()) * (1 + kExact)) {
-    out.failures.push_back(
-        {Failure::bracket, "the lower bound of the cost lies above the upper one: too few points for this path"});
+    out.failures.push_back({Failure::bracket, "the lower bound of the cost is above the upper bound: use more points"});
     e.lower.reset();
   }
   const bool bracketed = e.lower && e.upper;

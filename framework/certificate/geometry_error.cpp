@@ -38,7 +38,7 @@ Solved solve_on(std::shared_ptr<const ConstraintManifold> manifold, const Proble
   pin_ends(coarse, path);
   const double cost = PathEnergy(coarse, 1, monitor.deadline).cost(path);
   if (!(cost > 0) || !std::isfinite(cost))
-    return {std::nullopt, cost > 0 ? "the chain on it costs infinitely much" : "the chain on it costs nothing"};
+    return {std::nullopt, cost > 0 ? "the chain on it has infinite cost" : "the chain on it has cost 0"};
   PathEnergy energy(coarse, cost / static_cast<double>(path.segment_count()), monitor.deadline);
   const SolveReport report = ChainNewton().solve(energy, path, monitor);
   if (report.termination != Termination::converged && report.termination != Termination::round_off)
@@ -79,7 +79,7 @@ std::shared_ptr<const ConstraintManifold> coarser(const ConstraintManifold& mani
   const auto* domain = find_ability<HasCoarserVersion>(manifold);
   if (domain == nullptr) return nullptr;
   if (deadline && !domain->has_made_coarser())
-    throw InputError("it is not made; call prepare(problem) before a search with a deadline");
+    throw InputError("it was not made in advance; call prepare(problem) before a search with a deadline");
   return domain->coarser();
 }
 

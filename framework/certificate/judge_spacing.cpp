@@ -52,8 +52,8 @@ void judge_spacing(const Problem& problem, PathEnergy& energy, const CoordinateP
   const double expected =
       std::max(options.spacing, 2 * softer_than_levels(problem, energy, chain) * second_order * ratio * ratio);
   if (!falls)
-    return c.failures.push_back(
-        {Failure::spacing, "unequal segments (" + short_number(c.spacing) + ") that do not even out at second order"});
+    return c.failures.push_back({Failure::spacing, "unequal segments (" + short_number(c.spacing) +
+                                                       ") that do not become equal at second order"});
   if (c.spacing > expected) fail_spacing(c, expected);
 }
 

@@ -100,9 +100,9 @@ class Examiner {
     const double allowed = kOfBar * estimate_.error + kOfDifference * std::abs(expected - limit) + kOfCost * c4;
     if (std::abs(*cost - expected) <= allowed) return;
     const TwoNumbers texts = told_apart(*cost, expected);
-    unresolved("a chain with " + std::to_string(segments) + " segments costs " + texts.first + " where " +
-               texts.second +
-               " follows from the others: the cost or the domain has details finer than the segments; use more points");
+    unresolved("a chain with " + std::to_string(segments) + " segments costs " + texts.first +
+               ", but the other levels imply " + texts.second +
+               ": the cost or the domain has details finer than the segments; use more points");
   }
 
   void calibrate_finest() {

@@ -158,7 +158,7 @@ void check_slopes(const SegmentCost& cost, const Kernel& kernel, const Points& x
   Points gradient(d, columns);
   const double value = energy(x), other = cost.energy_and_gradient(view(x, ring), kernel, s0, gradient);
   faults.at_most("value_and_gradient", std::abs(other - value) / std::abs(value), 1e-10,
-                 "relative difference of q between value<double> and what the gradient is computed with");
+                 "relative difference of q between value<double> and the gradient computation");
   if (!ring)
     faults.at_most("fixed_ends", gradient.col(0).cwiseAbs().maxCoeff() + gradient.rightCols(1).cwiseAbs().maxCoeff(), 0,
                    "gradient at the ends of an open path");

@@ -15,7 +15,7 @@ void check_dimension(const Eigen::VectorXd& point, Eigen::Index dimension) {
 }
 
 PointSampler of_dimension(const PointSampler& sampler, Eigen::Index dimension) {
-  if (!sampler) throw InputError("there is no sampler of points to check with");
+  if (!sampler) throw InputError("there is no sampler of points for the check");
   return [&sampler, dimension](std::mt19937_64& engine) {
     Eigen::VectorXd x = sampler(engine);
     check_dimension(x, dimension);

@@ -19,7 +19,7 @@ double total_cost(const SegmentCost& cost, const AmbientPath& path) { return seg
 
 double move_cost(const SegmentCost& cost, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   if (a.size() != cost.dim() || b.size() != cost.dim())
-    throw InputError("a move of this cost joins two points of dimension " + std::to_string(cost.dim()));
+    throw InputError("a move of this cost must join two points of dimension " + std::to_string(cost.dim()));
   Points ends(a.size(), 2);
   ends << a, b;
   double q = 0;

@@ -48,7 +48,7 @@ PathEnergy::PathEnergy(const Problem& problem, double reference_cost, Deadline d
       deadline_(deadline),
       dims_(problem.manifold->dimensions()) {
   if (!(reference_cost > 0) || !std::isfinite(reference_cost))
-    throw InputError("the reference cost is positive and finite, not " +
+    throw InputError("the reference cost must be positive and finite, not " +
                      point_text(Eigen::VectorXd::Constant(1, reference_cost)));
 }
 

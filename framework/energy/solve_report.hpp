@@ -49,7 +49,7 @@ Counters operator-(const Counters& a, const Counters& b);
 /// An unfilled report cannot be mistaken for a result.
 struct SolveReport {
   Termination termination = Termination::time_limit;  ///< what else keeps a solver from being called
-  std::string message = "there was no time to begin";
+  std::string message = "there was no time to start";
   double initial_energy = std::numeric_limits<double>::quiet_NaN();
   double final_energy = std::numeric_limits<double>::quiet_NaN();
   double cost_error = std::numeric_limits<double>::quiet_NaN();  ///< predicted relative cost error at the end

@@ -29,7 +29,7 @@ bool no_worse(PathEnergy& energy, const CoordinatePath& path, const CoordinatePa
 std::string damage(const CoordinatePath& path, const CoordinatePath& start) {
   if (path.u.rows() != start.u.rows() || path.u.cols() != start.u.cols() || path.ring != start.ring ||
       (!path.sites.empty() && path.sites.size() != static_cast<std::size_t>(path.u.cols())))
-    return "the solver returned a path of another shape";
+    return "the solver returned a path with a different number of rows or columns";
   if (!path.u.allFinite()) return "the solver returned coordinates that are not finite";
   if (!path.ring && (path.u.col(0) != start.u.col(0) || path.u.rightCols(1) != start.u.rightCols(1)))
     return "the solver moved an end of the path";
@@ -54,8 +54,9 @@ void doubt(const PathEnergy& energy, const CoordinatePath& path, SolveReport& re
   if (std::abs(value - other) <= kSame * std::max(std::abs(value), std::abs(other))) return;
   const TwoNumbers texts = told_apart(value, other, 6);
   report.termination = Termination::inconsistent;
-  report.message = "the cost contradicts itself: where its values give the energy " + texts.first +
-                   ", its gradients are those of " + texts.second + "; check_cost() looks closer";
+  report.message = "the cost is inconsistent: its values give the energy " + texts.first +
+                   ", but its gradients belong to the energy " + texts.second +
+                   "; to find the fault, call check_cost()";
 } catch (...) {  // what throws now did not while solving: the report stands
 }
 
@@ -138,7 +139,7 @@ SolveReport Solver::guarded(PathEnergy& energy, CoordinatePath& path, double& in
   } catch (const std::exception& error) {
     report.message = error.what();
   } catch (...) {
-    report.message = "an exception that is no std::exception";
+    report.message = "an exception not derived from std::exception";
   }
   report.termination = Termination::exception;
   energy.set_deadline({});

@@ -97,9 +97,9 @@ void refuse_infinite(const Problem& problem, const Points& x, const Eigen::Vecto
   while (bad < costs.size() && std::isfinite(costs[bad])) ++bad;
   if (bad == costs.size()) return;
   const std::string reason = reason_for_infinity(*problem.cost, x.col(bad), x.col((bad + 1) % x.cols()));
-  throw InitializationError("the cost of the first path is infinite on segment " + std::to_string(bad) + " of " +
+  throw InitializationError("the first path has infinite cost on segment " + std::to_string(bad) + " of " +
                             std::to_string(costs.size()) +
-                            (reason.empty() ? ": the path leaves the domain of the cost" : reason) +
+                            (reason.empty() ? ": the cost is not defined along all of it" : reason) +
                             "; give another initializer or waypoints");
 }
 

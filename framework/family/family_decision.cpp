@@ -212,11 +212,11 @@ std::vector<std::string> decide_family(std::vector<FamilyMember>& members, const
                                  [](const FamilyMember& m) { return m.result.status == Status::certified; });
   if (sure == members.end()) return {};
   const TwoNumbers costs = told_apart(members.front().rank_cost, sure->rank_cost);
-  return {"family: the least path, of cost " + costs.first + ", could be neither certified nor ruled out" +
-          (monitor.interrupted()            ? " in the time given"
-           : options.certificate.refine > 0 ? ", with more points either"
+  return {"family: the cheapest path, of cost " + costs.first + ", could be neither certified nor ruled out" +
+          (monitor.interrupted()            ? " in the available time"
+           : options.certificate.refine > 0 ? ", even with more points"
                                             : "") +
-          "; the least certified one costs " + costs.second};
+          "; the cheapest certified path costs " + costs.second};
 }
 
 }  // namespace leastcost

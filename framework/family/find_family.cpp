@@ -27,7 +27,7 @@ double rank_cost(const Problem& problem, const Result& result, const Monitor& mo
 }
 
 std::string no_time(const FamilyStart& start) {
-  return "family: there was no time for " + start.origin + ", nor for what comes after it";
+  return "family: there was no time for " + start.origin + " and the starts after it";
 }
 
 }  // namespace

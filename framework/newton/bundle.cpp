@@ -158,7 +158,8 @@ SolveReport descend_by_bundles(PathEnergy& energy, CoordinatePath& path, SolveLo
     loop.record(value, step.cost_error, (path.u - before.u).colwise().norm().maxCoeff());
     if (step.cost_error <= kKinkedTolerance)
       return loop.finish(Termination::converged,
-                         "stationary at a kink: the shortest of the gradients around it is small", value);
+                         "stationary at a kink: the shortest vector in the hull of the gradients around it is small",
+                         value);
     if (!step.lowered) return loop.finish(Termination::line_search_failed, "no bundle step lowers the energy", value);
     if (const std::optional<Termination> end = loop.must_end(path)) return loop.finish(*end, "", value);
   }

@@ -128,7 +128,7 @@ class NewtonSolve {
   SolveReport stationary_report() {
     const bool distinct = energy_.problem().kernel->strictly_convex();
     return loop_.finish(Termination::converged,
-                        distinct ? "" : "H = s has no unique minimiser: the points may slide along the path",
+                        distinct ? "" : "H = s has no unique minimiser: the points can slide along the path",
                         model_.value);
   }
 

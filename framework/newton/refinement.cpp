@@ -34,7 +34,7 @@ bool solve_level(const Problem& problem, CoordinatePath& path, const Monitor& mo
   const std::string which = "the chain with " + std::to_string(segments) + " segments ";
   const double s0 = mean_cost(problem, path, monitor);
   if (!usable(s0)) {
-    result.trouble = which + (s0 > 0 ? "costs infinitely much" : "costs nothing");
+    result.trouble = which + (s0 > 0 ? "has infinite cost" : "has cost 0");
     return false;
   }
   const FittedSolve solved = solve_fitted(problem, ChainNewton(), s0, path, monitor);
@@ -87,7 +87,7 @@ Refinement refine_levels(const Problem& problem, const CoordinatePath& chain, co
   // Energies of all levels at one s0, that of the middle level, so that they can be compared.
   const double s0 = result.levels[1].cost / result.levels[1].segments;
   if (!usable(s0)) {
-    result.trouble = "the chain with " + std::to_string(result.levels[1].segments) + " segments costs nothing";
+    result.trouble = "the chain with " + std::to_string(result.levels[1].segments) + " segments has cost 0";
     return result;
   }
   PathEnergy energy(problem, s0, monitor.deadline);

@@ -56,7 +56,7 @@ std::string why_in_clearance(const Problem& problem, const PathEnd& end) {
     if (other->u.size() == end.u.size()) size = std::max(size, other->u.cwiseAbs().maxCoeff());
   const MoveClearance here = obstacles->clearance(x, x);
   if (here.upper >= -kContact * size) return "";
-  return "lies " + short_number(-here.upper) + " too near to " + obstacles->obstacle_name(here.obstacle);
+  return "is " + short_number(-here.upper) + " too close to " + obstacles->obstacle_name(here.obstacle);
 }
 
 double contact_tolerance(const Points& x, double allowed) {

@@ -60,7 +60,7 @@ struct GlobalBound {
 
 /// How far a proof over all paths may go.
 struct GlobalBudget {
-  static constexpr std::string_view kType = "budget", kHelp = "Within a budget that is given here.";
+  static constexpr std::string_view kType = "budget", kHelp = "Within the budget given here.";
   double tolerance = 1e-9;
   std::optional<double> max_seconds = {};
   std::optional<int> max_windows = {};
@@ -70,10 +70,10 @@ struct GlobalBudget {
 };
 struct GlobalAuto {
   static constexpr std::string_view kType = "auto",
-                                    kHelp = "To the end on meshes of up to 20000 vertices, else within a budget.";
+                                    kHelp = "Without a limit on meshes of up to 20000 vertices, else within a budget.";
 };
 struct GlobalOff {
-  static constexpr std::string_view kType = "off", kHelp = "Not tried: the certificate is a local one.";
+  static constexpr std::string_view kType = "off", kHelp = "No proof: the certificate is local.";
 };
 using GlobalProof = std::variant<GlobalAuto, GlobalOff, GlobalBudget>;
 

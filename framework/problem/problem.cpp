@@ -10,7 +10,7 @@ namespace {
 
 void check_end(const PathEnd& end, const char* which, int dim) {
   if (end.u.size() != dim)
-    throw InputError(std::string(which) + ": " + std::to_string(end.u.size()) + " coordinates, the domain has " +
+    throw InputError(std::string(which) + ": " + std::to_string(end.u.size()) + " coordinates, but the domain has " +
                      std::to_string(dim));
   if (!end.u.allFinite())
     throw InputError(std::string(which) + " " + point_text(end.u, 17) + ": coordinates must be finite");
@@ -22,7 +22,7 @@ PathEnd project_end(const ConstraintManifold& manifold, const Eigen::VectorXd& p
   const Dimensions dims = manifold.dimensions();
   if (point.size() != dims.coordinate)
     throw InputError("point " + point_text(point, 17) + " has " + std::to_string(point.size()) +
-                     " coordinates, the domain has " + std::to_string(dims.coordinate));
+                     " coordinates, but the domain has " + std::to_string(dims.coordinate));
   if (!point.allFinite()) throw InputError("point " + point_text(point, 17) + ": coordinates must be finite");
   CoordinatePath path{point, {}, true};
   const Projection projection = manifold.project(path);
@@ -44,14 +44,14 @@ void check(const Problem& problem) {
     throw InputError("a problem needs a manifold, a cost and a kernel");
   const Dimensions dims = problem.manifold->dimensions();
   if (problem.cost->dim() != dims.ambient)
-    throw InputError("the cost works in " + std::to_string(problem.cost->dim()) + " dimensions, the domain lies in " +
-                     std::to_string(dims.ambient));
+    throw InputError("the cost is defined in " + std::to_string(problem.cost->dim()) +
+                     " dimensions, but the domain lies in " + std::to_string(dims.ambient));
   if (!problem.ring || problem.based) check_end(problem.source, "source", dims.coordinate);
   if (problem.ring) return;
   check_end(problem.target, "target", dims.coordinate);
   if (problem.source.u == problem.target.u && !problem.based)
     throw InputError("source and target coincide at " + point_text(problem.source.u, 17) +
-                     "; a closed path is a ring (path.ring: true)");
+                     "; for a closed path, use a ring (path.ring: true)");
 }
 
 }  // namespace leastcost

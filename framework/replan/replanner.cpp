@@ -123,16 +123,16 @@ class OneReplan {
       path.why_not = why_not(result, path.clearance);
       seconds_per_move_ = seconds_since(begin) / static_cast<double>(x.cols() - 1);
     } catch (const Interrupted&) {
-      path.why_not = "there was no time to look at it";
+      path.why_not = "there was no time to check it";
     }
   }
 
   std::string why_not(const Result& result, const std::optional<Clearance>& clearance) const {
-    if (!std::isfinite(result.curve.cost)) return "it costs infinitely much";
+    if (!std::isfinite(result.curve.cost)) return "it has infinite cost";
     const Points& x = result.curve.x;
     const double extent = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm();
     if (!clearance || clearance->lower >= -options_.certificate.clearance * extent) return "";
-    return "it comes " + short_number(std::abs(clearance->upper)) + " too near to " + clearance->obstacle;
+    return "it comes " + short_number(std::abs(clearance->upper)) + " too close to " + clearance->obstacle;
   }
 
   /// What an obstacle has moved onto is pushed out of it, without a solve, until no move touches. So is a chain whose

@@ -107,7 +107,7 @@ class ByCost {
 Eigen::VectorXd costs_asked(const WaypointOptions& options, double total, bool ring) {
   const int fewest = ring ? 3 : 2;
   if (options.count.has_value() == options.spacing.has_value())
-    throw OptionError("count", "waypoints take either a count or a spacing");
+    throw OptionError("count", "waypoints need either a count or a spacing, not both");
   if (options.count) {
     if (*options.count < fewest) throw OptionError("count", "must be at least " + std::to_string(fewest));
     const Index moves = ring ? *options.count : *options.count - 1;
@@ -115,7 +115,8 @@ Eigen::VectorXd costs_asked(const WaypointOptions& options, double total, bool r
   }
   const double spacing = *options.spacing;
   if (!(spacing > 0)) throw OptionError("spacing", "must be greater than 0");
-  if (total / spacing > kMostWaypoints) throw OptionError("spacing", "would make more than ten million waypoints");
+  if (total / spacing > kMostWaypoints)
+    throw OptionError("spacing", "would make more than ten million waypoints: give a larger spacing");
   const Index moves = std::max<Index>(1, static_cast<Index>(std::ceil(total / spacing - kNegligible)));
   Eigen::VectorXd costs(ring ? moves : moves + 1);
   for (Index i = 0; i < moves; ++i) costs[i] = spacing * static_cast<double>(i);
@@ -138,9 +139,10 @@ std::optional<double> gap_of(const Problem& problem, const Waypoints& points) {
 }  // namespace
 
 void WaypointOptions::fields(FieldVisitor& visit) {
-  visit.field("count", count, {.help = "Exactly so many, the ends included.", .minimum = 2, .maximum = kMostWaypoints});
+  visit.field("count", count,
+              {.help = "Exact number of waypoints, including the ends.", .minimum = 2, .maximum = kMostWaypoints});
   visit.field("spacing", spacing,
-              {.help = "So far apart; the last move has what is left.",
+              {.help = "Cost between waypoints; the last move has the remainder.",
                .unit = "cost",
                .minimum = 0,
                .exclusive_minimum = true});

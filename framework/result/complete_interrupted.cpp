@@ -18,7 +18,7 @@ void complete_interrupted(const Problem& problem, const FindOptions& options, Re
   check(problem);
   check(options);
   if (result.path.u.rows() != problem.manifold->dimensions().coordinate)  // (a based ring is open in its result)
-    throw InputError("the path has " + std::to_string(result.path.u.rows()) + " coordinates, the domain " +
+    throw InputError("the path has " + std::to_string(result.path.u.rows()) + " coordinates, but the domain has " +
                      std::to_string(problem.manifold->dimensions().coordinate));
   Monitor stopped;  // post-processors that improve a path step by step return at once
   stopped.stop_requested = [] { return true; };
@@ -26,7 +26,7 @@ void complete_interrupted(const Problem& problem, const FindOptions& options, Re
   try {
     PostProcessed processed = chain_as_curve(energy, result.path);
     if (const auto fault = post_process_or_say_why(problem, result.first, options, stopped, processed))
-      processed.notes.push_back("the curve stays as it was before: " + *fault);
+      processed.notes.push_back("the curve was left unchanged: " + *fault);
     deliver(processed, energy.costs(processed.chain), result);
     result.post_processed = true;
   } catch (const Interrupted&) {

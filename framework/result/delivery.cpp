@@ -42,11 +42,11 @@ std::optional<std::string> post_process_or_say_why(const Problem& problem, const
   } catch (const Interrupted&) {
     throw;
   } catch (const std::bad_alloc&) {
-    return "there is not enough memory";
+    return "not enough memory";
   } catch (const std::exception& error) {
     return error.what();
   } catch (...) {
-    return "an exception that is no std::exception";
+    return "an exception not derived from std::exception";
   }
 }
 

@@ -18,12 +18,12 @@ namespace leastcost {
 void check(const FindOptions& options) {
   static_cast<void>(checked(options.certificate, "certificate"));
   if (options.points && *options.points < 1)
-    throw InputError("a path has at least one free point, not " + std::to_string(*options.points));
+    throw InputError("a path must have at least one free point, not " + std::to_string(*options.points));
   constexpr int kMostAllowed = 100'000'000;
   if (options.points && *options.points > kMostAllowed)
-    throw InputError("a path has at most 10^8 free points, not " + std::to_string(*options.points));
+    throw InputError("a path can have at most 10^8 free points, not " + std::to_string(*options.points));
   if (options.reference_cost && !(*options.reference_cost > 0 && std::isfinite(*options.reference_cost)))
-    throw InputError("the reference cost is positive and finite, not " + short_number(*options.reference_cost, 6));
+    throw InputError("the reference cost must be positive and finite, not " + short_number(*options.reference_cost, 6));
   for (const auto& step : options.post_processors)
     if (!step) throw InputError("a post-processor is null");
 }
@@ -32,7 +32,7 @@ void refuse_one_point(const Problem& problem) {
   std::optional<PointImage> image;
   if (!ends_are_one_point(problem, &image) || image) return;
   throw InputError("source " + point_text(problem.source.u) + " and target " + point_text(problem.target.u) +
-                   " are one point of the domain; a closed path is a ring (path.ring: true)");
+                   " are the same point of the domain; for a closed path, use a ring (path.ring: true)");
 }
 
 void refuse_end_in_clearance(const Problem& problem) {
@@ -48,17 +48,17 @@ void refuse_end_in_clearance(const Problem& problem) {
 void check_path(const Problem& problem, const CoordinatePath& path, Index least, const std::string& what) {
   const Index columns = path.u.cols(), rows = problem.manifold->dimensions().coordinate;
   if (path.ring != problem.ring)
-    throw InputError(path.ring ? what + " is a ring, the problem has two ends"
-                               : what + " is open, the problem is a ring");
+    throw InputError(path.ring ? what + " is a ring, but the problem has two ends"
+                               : what + " is open, but the problem is a ring");
   if (path.u.rows() != rows || columns < least)
     throw InputError(what + " is " + std::to_string(path.u.rows()) + " x " + std::to_string(columns) +
-                     "; this problem needs " + std::to_string(rows) + " rows and at least " + std::to_string(least) +
-                     " columns");
+                     ", but this problem needs " + std::to_string(rows) + " rows and at least " +
+                     std::to_string(least) + " columns");
   if (!path.sites.empty() && path.sites.size() != static_cast<std::size_t>(columns))
     throw InputError(what + " has " + std::to_string(path.sites.size()) + " sites for " + std::to_string(columns) +
                      " columns");
   if (!path.closing.identity() && (path.closing.sign.size() != rows || path.closing.shift.size() != rows))
-    throw InputError(what + " closes by a map of another dimension");
+    throw InputError(what + " has a closing map of the wrong dimension");
   if (!path.u.allFinite()) throw InputError(what + " has coordinates that are not finite");
 }
 

@@ -152,13 +152,13 @@ std::optional<Offer> better_offer(const Problem& given, const Result& result, co
 
 std::string why(const Offer& offer, const Standing& searched) {
   const TwoNumbers costs = told_apart(offer.curve.curve.cost, searched.cost, 9);
-  std::string text = "delivered is the first path, of cost " + costs.first;
+  std::string text = "the first path is delivered; its cost is " + costs.first;
   if (offer.standing.depth < searched.depth) {
-    text += offer.standing.depth > 0 ? ", which goes less deep into obstacles" : ", which is clear of the obstacles";
-    return text + ": the path that was searched from it goes " + short_number(searched.depth) + " too far into one";
+    text += offer.standing.depth > 0 ? ", and it penetrates obstacles less" : ", and it is clear of the obstacles";
+    return text + "; the path found from it goes " + short_number(searched.depth) + " too far into one";
   }
-  return text + ": the path that was searched from it " +
-         (std::isfinite(searched.cost) ? "costs " + costs.second : std::string("is no curve on the domain"));
+  return text + "; the path found from it " +
+         (std::isfinite(searched.cost) ? "costs " + costs.second : std::string("is not a curve on the domain"));
 }
 
 /// The certificate says what is measured of the delivered path, and why the other one was refused.
@@ -166,9 +166,10 @@ void refuse(const Problem& problem, const Offer& offer, const Deadline& deadline
   Certificate refused;
   refused.failures = std::move(result.certificate.failures);
   for (CertificateFailure& failure : refused.failures)
-    failure.message = "of the path that was searched and is not delivered: " + failure.message;
+    failure.message = "of the path that was found but is not delivered: " + failure.message;
   if (result.status == Status::certified)
-    refused.failures.push_back({Failure::dearer_than_first, "the locally least path costs more than the first path"});
+    refused.failures.push_back(
+        {Failure::dearer_than_first, "the locally cheapest path costs more than the first path"});
   refused.clearance = measure_clearance(*problem.manifold, offer.curve.curve.x, offer.curve.chain.ring, deadline);
   refused.spacing = spread(offer.curve.curve_costs);
   if (std::optional<GlobalBound>& bound = result.certificate.global) {  // of all paths, so of this one too

@@ -177,15 +177,15 @@ std::optional<CheaperImage> find_cheaper_image(const Problem& problem, const Mon
 std::string cheaper_image(const Problem& problem, double cost, const Monitor& monitor) {
   std::optional<PointImage> same;
   if (ends_are_one_point(problem, &same))
-    return "the ends are one point of the domain" + (same ? ": the target is also " + named(*same) : "") +
-           "; this path is a loop from that point to itself, and staying there costs nothing";
+    return "both ends are the same point of the domain" + (same ? ": the target is also " + named(*same) : "") +
+           "; this path is a loop from that point to itself, and the cheapest path is to stay there";
   const std::vector<TriedImage> tried = other_images(problem, monitor.deadline);
   if (tried.empty()) return "";
   const auto said = [&](const PointImage& image, const std::string& start, const std::string& costs, double less) {
     const std::string there =
         image.way.empty() ? "the target is also " + named(image) + ": " + start + " to it" : start + " " + image.way;
     const TwoNumbers texts = told_apart(less, cost);
-    return there + costs + texts.first + ", this path " + texts.second +
+    return there + costs + texts.first + ", but this path costs " + texts.second +
            " (images tried: " + std::to_string(tried.size()) + ")";
   };
   if (const std::optional<CheaperImage> best = best_of(problem, tried, cost, kCoarseSaving, monitor))

@@ -23,7 +23,7 @@ FindOptions with_global_proof(const Problem& problem, const FindOptions& options
   GlobalProofStep proof;
   if (domain != nullptr) proof = domain->offered_proof(problem, asked);
   if (!proof.step) {
-    notes.push_back("certificate.global: no bound over all paths: " +
+    notes.push_back("certificate.global: there is no bound over all paths: " +
                     (domain != nullptr ? proof.why_not : std::string("no proof is known for this domain")));
     return out;
   }

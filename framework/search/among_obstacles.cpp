@@ -17,12 +17,12 @@ void judge_homotopy_class(const Search& search, Outcome& out) {
   if (obstacles == nullptr) return;
   auto& failures = result.certificate.failures;
   if (!failures.empty() && result.solve.cycling)
-    failures.push_back({Failure::active_set_cycling,
-                        "what the points keep from the obstacles and where they come to rest did not agree"});
+    failures.push_back(
+        {Failure::active_set_cycling, "the margins of the points from obstacles kept changing with the solution"});
   if (problem.ring || result.curve.least_of_class) return;
   const Points first = positions(*problem.manifold, result.first.path);
   if (!obstacles->same_class(first, result.curve.x).value_or(true))
-    failures.push_back({Failure::class_lost, "the path passes an obstacle on another side than the first path"});
+    failures.push_back({Failure::class_lost, "the path passes an obstacle on a different side from the first path"});
 }
 
 }  // namespace leastcost

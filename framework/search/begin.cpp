@@ -23,7 +23,7 @@ namespace {
 int point_count(const FindOptions& options, const FirstPath& first) {
   if (options.points) return *options.points;
   if (!first.graph_vertices)
-    throw InputError("points: auto counts the vertices of an edge path, and this domain has no graph; give a number");
+    throw InputError("points: auto counts the vertices of an edge path, but this domain has no graph; give a number");
   return std::max(8, *first.graph_vertices);
 }
 

@@ -75,8 +75,7 @@ void certify_outcome(const Search& search, Outcome& out) {
   deliver(out.curve, energy.costs(out.curve.chain), result);
   result.post_processed = true;
   if (out.curve_fault)
-    result.certificate.failures.push_back(
-        {Failure::post_process, "the curve stays as it was before: " + *out.curve_fault});
+    result.certificate.failures.push_back({Failure::post_process, "the curve was left unchanged: " + *out.curve_fault});
   if (search.options.certificate.enabled && !collapsed && !out.curve_fault) certify_delivered(search, out);
   for (const Step judge : kJudgements) judge(search, out);
   result.status = status_of(search, result, collapsed);

@@ -29,9 +29,9 @@ void refuse_dearer(const Problem& problem, const Search& search, Result& result)
   if (!are_clear(problem, result.first.path, search.options.certificate.clearance, search.monitor.deadline)) return;
   const TwoNumbers costs = told_apart(result.curve.cost, first, 9);
   result.certificate.failures.push_back(
-      {Failure::dearer_than_first,
-       "the points cost " + costs.first + ", the first path " + costs.second +
-           ": few points keep away from obstacles that their moves would touch; use more points"});
+      {Failure::dearer_than_first, "the path costs " + costs.first + ", but the first path costs " + costs.second +
+                                       ": with few points, the path must keep away from obstacles so that its moves do "
+                                       "not touch them; use more points"});
   result.status = Status::uncertified;
 }
 

@@ -57,8 +57,9 @@ void join_at_free_place(const Search&, Outcome& out) {
   out.free_segment = passage->free;
   result.path.u = passage->points;
   result.notes.push_back(
-      "collapsed: the path has come to where moves are free; delivered is the cheapest way by there, of cost " +
-      short_number(passage->cost, 6) + ", whose two parts are joined by a move that costs nothing");
+      "collapsed: the path collapsed onto places where moves cost nothing; the cheapest path through them is "
+      "delivered. It costs " +
+      short_number(passage->cost, 6) + ", and a move of cost 0 joins its two parts");
 }
 
 void judge_free_passage(const Search&, Outcome& out) {
@@ -70,8 +71,8 @@ void judge_free_passage(const Search&, Outcome& out) {
   const std::optional<FreePassage> passage = free_passage(out.solved, result.path);
   if (!passage || !(passage->cost < result.curve.cost)) return;
   const TwoNumbers texts = told_apart(passage->cost, result.curve.cost, 6);
-  result.notes.push_back("cheaper: the way by the places where moves are free costs " + texts.first + ", this path " +
-                         texts.second + ", which is the least of its neighbours only");
+  result.notes.push_back("cheaper: the path through the places where moves cost nothing costs " + texts.first +
+                         ", but this path costs " + texts.second + ", and is the cheapest only locally");
 }
 
 }  // namespace leastcost

@@ -24,7 +24,7 @@ void note_free_ways(const Search&, Outcome& out) {
   const std::optional<Regularization>& found = out.result.certificate.regularization;
   if (!found || found->free_ways.empty()) return;
   out.result.notes.push_back(found->free_ways + (out.result.certificate.certified()
-                                                     ? ": the value is certified, the path is not unique"
+                                                     ? ": the value is certified, but the path is not unique"
                                                      : ": the path is not unique"));
 }
 

@@ -154,7 +154,7 @@ bool PointDoubling::comes_no_closer() const {
 std::string PointDoubling::why_stopped() const {
   if (comes_no_closer()) {
     constexpr std::size_t kShown = 3;
-    std::string text = "more points are no help: the cost is uncertain by";
+    std::string text = "more points do not help: the cost is uncertain by";
     for (std::size_t i = trials_.size() - std::min(trials_.size(), kShown); i < trials_.size(); ++i)
       text += " " + short_number(100 * trials_[i].uncertain) + " % with " + std::to_string(trials_[i].points) +
               (i + 1 < trials_.size() ? " points," : " points. ");
@@ -163,9 +163,9 @@ std::string PointDoubling::why_stopped() const {
            "field a smaller weight";
   }
   if (given_up_ || (doublings_ < search_.options.certificate.refine && is_too_much_work()))
-    return "the search for more points stopped: it would take more than " +
+    return "the search with more points stopped: it would take more than " +
            short_number(search_.options.certificate.refine_work) +
-           " times the work of the search before it; a larger certificate.refine_work lets it go on";
+           " times the work of the search before it; to continue, increase certificate.refine_work";
   return "";
 }
 
@@ -173,7 +173,7 @@ std::vector<std::string> PointDoubling::notes_of_failure() const {
   std::vector<std::string> notes;
   const auto& failures = fine_.certificate.failures;
   if (factor_ > 1)
-    notes.push_back("with " + points_of(fine_) + " it is not certified either" +
+    notes.push_back("with " + points_of(fine_) + " the path is not certified either" +
                     (failures.empty() ? "" : ": " + failures.front().name()));
   std::string why = more_points_may_help(problem_, fine_) ? why_stopped() : "";
   if (!why.empty()) notes.push_back(std::move(why));

@@ -18,9 +18,9 @@ void set_reference_cost(const Search& search, Outcome& out) {
   result.reference_cost =
       search.options.reference_cost.value_or(result.initial_cost / static_cast<double>(result.initial.segment_count()));
   if (!(result.reference_cost > 0))
-    throw InitializationError("the first path costs nothing: there is nothing to minimise");
+    throw InitializationError("the first path has cost 0: there is nothing to minimise");
   if (!std::isfinite(result.reference_cost))
-    throw InitializationError("the first path costs infinitely much, or more than a number can say");
+    throw InitializationError("the first path has infinite cost, or its cost overflows");
 }
 
 }  // namespace leastcost

@@ -54,7 +54,7 @@ bool costs_less(const Search& search, const Outcome& before, Outcome& attempt) {
                           ? std::numeric_limits<double>::infinity()
                           : PathEnergy(attempt.solved, 1, search.monitor.deadline).cost(attempt.result.path);
   if (!(cost < before.curve.curve.cost * (1 - kWorthSaying))) return false;
-  attempt.result.notes.push_back("a search over all paths found another way, which costs " +
+  attempt.result.notes.push_back("a search over all paths found a cheaper path: it costs " +
                                  short_number(100 * (1 - cost / before.curve.curve.cost)) + " % less and is delivered");
   return true;
 }
@@ -82,8 +82,8 @@ const Retry kFromCheaperWay = {another_way_is_cheaper, from_cheaper_way, costs_l
 void note_denser_points(const Search&, Outcome& out) {
   const Index now = out.result.path.free_count();
   if (now > out.points)
-    out.result.notes.push_back("points: " + std::to_string(now) + " instead of " + std::to_string(out.points) +
-                               ", whose moves would not go between the obstacles");
+    out.result.notes.push_back("used " + std::to_string(now) + " points instead of " + std::to_string(out.points) +
+                               ": with fewer, moves between the points crossed obstacles");
 }
 
 }  // namespace leastcost

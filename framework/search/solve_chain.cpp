@@ -45,7 +45,7 @@ void leave_saddles(const Search& search, Outcome& out) {
     if (left > 0) result.notes.push_back("escape_saddle: left " + std::to_string(left) + " saddles");
     if (!energy.has_exact_hessian())
       result.notes.emplace_back(
-          "escape_saddle: a path on a polyhedron, or under H = s, has no index that could show a saddle");
+          "escape_saddle: a path on a polyhedron, or under H = s, has no index, so a saddle cannot be detected");
   });
 }
 

@@ -33,7 +33,7 @@ Result thinned(const Problem& problem, Result finer, Index factor, const Search&
   const std::string note = (finer.status == Status::certified ? "found and certified with " : "found with ") +
                            std::to_string(finer.path.free_count()) + " points; ";
   if (!are_clear(problem, path, search.options.certificate.clearance, search.monitor.deadline)) {
-    finer.notes.push_back(note + "all of them are delivered: moves between fewer might touch an obstacle");
+    finer.notes.push_back(note + "all of them are delivered: moves between fewer points might touch an obstacle");
     return finer;
   }
   finer.notes.push_back(note + "every " + (factor == 2 ? "2nd" : std::to_string(factor) + "th") +

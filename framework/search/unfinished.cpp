@@ -25,7 +25,7 @@ void leave_unfinished(const Search& search, const std::string& why, Outcome& out
   if (search.options.certificate.enabled)
     result.certificate.failures.push_back({Failure::interrupted, "there was no time for the certificate"});
   if (result.path.u.size() == 0) {
-    result.notes.push_back("interrupted before there was a path: " + why);
+    result.notes.push_back("interrupted before a path was found: " + why);
     return;
   }
   deliver_unmeasured(result);

@@ -53,7 +53,7 @@ Result with_more_points(const Problem& problem, Result found, const Search& sear
     return finer;
   }
   if (search.monitor.interrupted()) {
-    found.notes.emplace_back("there was no time to see whether more points would be certified");
+    found.notes.emplace_back("there was no time to try more points");
     return found;
   }
   add_notes(notes, found.notes);

@@ -118,7 +118,7 @@ std::optional<CellLeg> CellMap::leg(const Vector2d& a, const Vector2d& b) const 
 std::string CellMap::why_no_end(const Vector2d& place) const {
   if (leg(place, place)) return "";
   const bool outside = empty() || touched(0, place[0]).empty() || touched(1, place[1]).empty();
-  return point_text(place) + (outside ? " lies beyond the cells" : " lies in a cell without data") +
+  return point_text(place) + (outside ? " is outside the cells" : " is in a cell without data") +
          (source_.empty() ? "" : " of " + source_);
 }
 

@@ -18,13 +18,13 @@ CellMap cells_in_box(const HasCostCells& cost, const ConstraintManifold& domain)
 
 std::string why_no_cells(const Problem& problem) {
   if (find_ability<HasCostCells>(*problem.cost) == nullptr)
-    return "needs a cost map that is read as cells (interpolation: cells)";
-  if (problem.ring || problem.based) return "joins two ends, and this path is a ring";
+    return "needs a cost map that is constant in each cell (interpolation: cells)";
+  if (problem.ring || problem.based) return "joins two ends, but this path is a ring";
   const ConstraintManifold& domain = *problem.manifold;
   const Dimensions d = domain.dimensions();
   if (domain.shape() != Shape::flat || d.coordinate != 2 || d.ambient != 2 || d.tangent != 2 ||
       find_ability<HasChart>(domain) != nullptr || find_ability<ChecksMoves>(domain) != nullptr)
-    return "needs the plane, or a box of it, without obstacles";
+    return "needs the plane, or a box in it, without obstacles";
   return "";
 }
 

@@ -23,7 +23,7 @@ void check_count(int turns, Index seams, std::size_t poles) {
   while (count(most + 1) <= static_cast<double>(kMostTargetImages)) ++most;
   throw OptionError("windings", std::to_string(turns) + " turns across " + std::to_string(seams) +
                                     " seams and over the poles make more than " + std::to_string(kMostTargetImages) +
-                                    " images of the target; at most " + std::to_string(most) + " turns here");
+                                    " images of the target; use at most " + std::to_string(most) + " turns");
 }
 
 }  // namespace

@@ -121,7 +121,7 @@ std::vector<std::string> CloudGraph::notes() const {
     std::string sizes;
     for (std::size_t k = 0; k < std::min<std::size_t>(parts.size(), 5); ++k)
       sizes += (k == 0 ? "" : ", ") + std::to_string(parts[k]);
-    notes.push_back("the neighbour graph has " + std::to_string(parts.size()) + " parts, of " + sizes +
+    notes.push_back("the neighbour graph has " + std::to_string(parts.size()) + " parts with " + sizes +
                     (parts.size() > 5 ? ", ... points" : " points"));
   }
   if (long_edges_ + steep_edges_ > 0)

@@ -60,15 +60,15 @@ class RouteQuery {
       return path_along(route.nodes);
     }
     throw InitializationError("no route along the neighbour graph: " + std::to_string(route.settled) + " of " +
-                              std::to_string(part_size_) + " samples can be reached, " + why_cut_off());
+                              std::to_string(part_size_) + " samples can be reached; " + why_cut_off());
   }
 
   std::string why_cut_off() const {
     if (last_gap_)
-      return "and every way on leads over a place without a surface; " +
+      return "every continuation crosses a place without a surface; " +
              why_no_surface_at(domain_.cloud(), domain_.surface(), *last_gap_);
     return std::to_string(no_surface_) +
-           " beside them are on a border or off the surface, elsewhere the cost is infinite";
+           " next to them are on a border or off the surface, and the cost is infinite elsewhere";
   }
 
   enum class State : std::uint8_t { unknown, on_surface, none };
@@ -86,7 +86,7 @@ class RouteQuery {
       if (out.empty() || domain_.graph().component(n.index) == domain_.graph().component(out[0]))
         out.push_back(n.index);
     }
-    if (out.empty()) throw InitializationError("an end lies among points that take no part in the surface");
+    if (out.empty()) throw InitializationError("an end is among points that were excluded from the surface");
     return out;
   }
 
@@ -95,7 +95,7 @@ class RouteQuery {
     const std::int32_t a = graph.component(from[0]), b = graph.component(to[0]);
     part_size_ = graph.component_sizes()[static_cast<std::size_t>(a)];
     if (a == b) return;
-    throw InitializationError("the ends lie in different parts of the cloud, of " + std::to_string(part_size_) +
+    throw InitializationError("the ends are in different parts of the cloud, with " + std::to_string(part_size_) +
                               " and " + std::to_string(graph.component_sizes()[static_cast<std::size_t>(b)]) +
                               " points; " + how_to_join(domain_.cloud(), graph, a, b));
   }

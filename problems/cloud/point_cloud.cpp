@@ -118,7 +118,7 @@ void PointCloud::place(const PointSamples& samples) {
   const std::size_t fewest =
       std::max<std::size_t>(static_cast<std::size_t>(settings_.neighbours) + 1, 2 * kFewestForFit);
   if (all.size() < fewest)
-    throw InputError(source_ + ": " + std::to_string(all.size()) + " points, at least " + std::to_string(fewest) +
+    throw InputError(source_ + ": " + std::to_string(all.size()) + " points, but at least " + std::to_string(fewest) +
                      " are needed to fit surfaces to " + std::to_string(settings_.neighbours) + " neighbours");
   Eigen::AlignedBox3d box;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -215,7 +215,7 @@ void PointCloud::choose_radius() {
     if (noise <= kNoise || support >= kWidestRadius || next_count > PointCloud::kMostOfCloud * size()) break;
   }
   if (support > kRadius)
-    notes_.push_back("the cloud is noisy, or has sheets closer than two spacings: supports widened from " +
+    notes_.push_back("the cloud is noisy, or has sheets closer than two spacings: the radius was increased from " +
                      short_number(kRadius) + " to " + short_number(support) + " spacings (noise " +
                      short_number(noise * support) + " spacings)");
 }
@@ -267,15 +267,15 @@ void PointCloud::fit_samples(const PointSamples& samples) {
     throw InputError(source_ + ": no neighbourhood looks like a surface (the points lie on lines)");
   if (outliers > 0)
     notes_.push_back(std::to_string(outliers) + " of " + std::to_string(size()) +
-                     " points take no part in the surface: far off their neighbours, or without enough of them");
+                     " points were excluded from the surface: they are far from their neighbours, or have too few");
   if (crowded > 0)
     notes_.push_back(std::to_string(crowded) + " of " + std::to_string(size()) +
-                     " points have another sheet, or the far side of an edge, within their support: the surface is "
-                     "drawn towards it; a smaller radius keeps them apart");
+                     " points have another sheet, or the far side of an edge, within their radius, which pulls the "
+                     "surface towards it; to separate them, use a smaller radius");
   if (bent > kMuchBent * size())
     notes_.push_back(std::to_string(bent) + " of " + std::to_string(size()) +
-                     " points lie where the surface bends within half a support (thin parts, edges, noise): few paths "
-                     "through them are certified, and more samples are what helps");
+                     " points are where the surface bends within half a radius (thin parts, edges, noise): few paths "
+                     "through them can be certified; use more samples");
   choose_normals(samples, estimates);
 }
 
@@ -291,7 +291,8 @@ void PointCloud::choose_normals(const PointSamples& samples, const std::vector<E
     std::vector<double> agreement;
     for (std::size_t i = 0; i < samples_.size(); ++i) agreement.push_back(std::abs(given(i).dot(estimates[i])));
     given_normals_ = median(agreement) >= kAgreement;
-    if (!given_normals_) notes_.emplace_back("the normals in the file are noisy: estimated anew, their sides kept");
+    if (!given_normals_)
+      notes_.emplace_back("the normals in the file are noisy: they were estimated again, with the same orientation");
   }
   std::vector<Eigen::Vector3d> normals = estimates;
   if (given_normals_) {

@@ -47,16 +47,17 @@ std::string what_lies_around(const PointCloud& cloud, const CloudSurface& surfac
   const double distance = std::sqrt(nearest.squared_distance), support = cloud.radius(nearest.index);
   if (distance > support)
     return "the nearest sample is " + short_number(distance) + " away, " +
-           short_number(distance / cloud.spacing(nearest.index)) + " local spacings: a hole, or beyond the border";
+           short_number(distance / cloud.spacing(nearest.index)) +
+           " local spacings: this is a hole, or outside the border";
   if (const auto sheet = surface.other_sheet(y + cloud.centre()))
-    return "the samples there lie on two sheets, " + short_number(sheet->apart) + " spacings apart";
+    return "the samples there are on two sheets, " + short_number(sheet->apart) + " spacings apart";
   const CloudSample& sample = cloud.sample(nearest.index);
   const Around around = samples_around(cloud, y, support);
   const Vector3d along = around.mean - sample.normal.dot(around.mean) * sample.normal;
-  if (around.samples.positions.size() < kFewAround) return "too few samples are near it";
+  if (around.samples.positions.size() < kFewAround) return "there are too few samples nearby";
   if (along.norm() > kBesideSamples * support)
-    return "all samples near it lie on one side: it is beyond the border, or in a hole";
-  return "the samples there fit no one surface: noise, a sharp edge, or sheets that cross";
+    return "all samples nearby are on one side: the point is outside the border, or in a hole";
+  return "the samples there do not fit a single surface: there is noise, a sharp edge, or sheets that cross";
 }
 
 /// The first radius, from `first` on, whose surface has a point near each of these places; 0: none up to kWidest has.
@@ -89,9 +90,9 @@ double radius_that_helps(const PointCloud& cloud, const std::vector<Vector3d>& p
 std::string why_unresolved_at(const CloudSurface& surface, const Eigen::Vector3d& x) {
   const auto sheet = surface.other_sheet(x);
   if (!sheet) return "";
-  return "at " + point_text(x) + " the samples within one support lie on two sheets, " + short_number(sheet->apart) +
-         " spacings apart: the surface runs between them, or is drawn from one to the other; more samples, a "
-         "smaller radius or normals that point to opposite sides keep them apart";
+  return "at " + point_text(x) + " the samples within one radius are on two sheets, " + short_number(sheet->apart) +
+         " spacings apart, and the surface runs between them or is pulled from one to the other; to separate them, use "
+         "more samples, a smaller radius, or normals that point to opposite sides";
 }
 
 std::string why_no_surface_at(const PointCloud& cloud, const CloudSurface& surface, const Eigen::Vector3d& x) {
@@ -99,9 +100,9 @@ std::string why_no_surface_at(const PointCloud& cloud, const CloudSurface& surfa
   const std::string now = short_number(*cloud.settings().radius);
   const double radius = radius_that_helps(cloud, {x}, 1.25 * *cloud.settings().radius);
   if (radius > 0)
-    return why + "; with radius: " + short_number(radius) + " (it is " + now + ") the surface has a point near it";
+    return why + "; with radius: " + short_number(radius) + " (now " + now + ") the surface has a point nearby";
   return why + "; no radius from " + now + " to " + short_number(kWidest) +
-         " helps: the way has to go around it, by waypoints or a smaller max_edge (it is " +
+         " helps: lead the path around it with waypoints or a smaller max_edge (now " +
          short_number(cloud.settings().max_edge) + ")";
 }
 
@@ -109,11 +110,11 @@ std::string how_to_join(const PointCloud& cloud, const CloudGraph& graph, std::i
   const auto gap = graph.gap(cloud, part, other);
   if (!gap)
     return "no links up to " + short_number(CloudGraph::kWidestGap) +
-           " local spacings join them: take both ends in one part";
+           " local spacings join them: choose both ends in one part";
   const Vector3d a = cloud.sample(gap->from).position + cloud.centre();
   const Vector3d b = cloud.sample(gap->to).position + cloud.centre();
-  const std::string what = "without samples between them is a gap of " + short_number((b - a).norm()) + ", " +
-                           short_number(gap->spacings) + " local spacings, beside " + point_text(a);
+  const std::string what = "the gap between them is " + short_number((b - a).norm()) + ", " +
+                           short_number(gap->spacings) + " local spacings, near " + point_text(a);
   std::vector<Vector3d> places;
   const int parts = 2 * static_cast<int>(std::ceil(gap->spacings));
   for (int k = 1; k < parts; ++k) places.emplace_back(a + k * (b - a) / parts);
@@ -121,9 +122,8 @@ std::string how_to_join(const PointCloud& cloud, const CloudGraph& graph, std::i
   const double radius = radius_that_helps(cloud, places, first);
   if (radius > 0)
     return what + "; `max_edge: " + short_number(std::ceil(1.05 * gap->spacings)) +
-           "` with `radius: " + short_number(radius) + "` lays a surface over it";
-  return what + ", and no radius up to " + short_number(kWidest) +
-         " lays a surface over it: take both ends in one part";
+           "` with `radius: " + short_number(radius) + "` closes it";
+  return what + ", and no radius up to " + short_number(kWidest) + " closes it: choose both ends in one part";
 }
 
 }  // namespace leastcost

@@ -113,8 +113,7 @@ class CellCost final : public SegmentCostOf<CellCostFunction>,
 
 std::shared_ptr<const SegmentCost> make_cell_cost(const RasterGrid& values, int dim) {
   if (dim != 2)
-    throw OptionError("interpolation",
-                      "'cells' is for the plane; over it, in space, a cost map is read as 'smooth' or 'bilinear'");
+    throw OptionError("interpolation", "'cells' works in the plane only; in space, use 'smooth' or 'bilinear'");
   return std::make_shared<const CellCost>(values);
 }
 

@@ -118,9 +118,9 @@ struct ClearanceLength {
 }  // namespace
 
 void ClearanceLengthOptions::fields(FieldVisitor& visit) {
-  visit.field("weight", weight, {.help = "What length counts in addition where an obstacle is touched.", .minimum = 0});
+  visit.field("weight", weight, {.help = "Extra cost per unit of length in contact with an obstacle.", .minimum = 0});
   visit.field("reach", reach,
-              {.help = "Distance, beyond the clearance, from which on an obstacle does not matter.",
+              {.help = "Distance, beyond the clearance, at which the extra cost of an obstacle ends.",
                .unit = "length",
                .minimum = 0,
                .exclusive_minimum = true,
@@ -134,7 +134,7 @@ std::shared_ptr<const SegmentCost> make_clearance_length(const ClearanceLengthOp
   if (!(options.reach > 0) || !std::isfinite(options.reach))
     throw OptionError("reach", "must be a number greater than 0");
   if (walls->dimension() != dim)
-    throw InputError("the walls have " + std::to_string(walls->dimension()) + " dimensions, the space has " +
+    throw InputError("the obstacles have " + std::to_string(walls->dimension()) + " dimensions, but the space has " +
                      std::to_string(dim));
   const Softness softness(options, std::move(walls));
   if (dim == 2) return make_segment_cost(ClearanceLength<2>{softness});
@@ -145,7 +145,7 @@ std::shared_ptr<const SegmentCost> make_clearance_length(const ClearanceLengthOp
 std::shared_ptr<const SegmentCost> make_clearance_length(const ClearanceLengthOptions& options, int dim,
                                                          const std::shared_ptr<const ConstraintManifold>& domain) {
   const auto* walled = domain != nullptr ? find_ability<HasWalls>(*domain) : nullptr;
-  if (walled == nullptr) throw OptionError("type", "'clearance' is from obstacles, and there are none");
+  if (walled == nullptr) throw OptionError("type", "'clearance' needs obstacles, but there are none");
   return make_clearance_length(options, dim, std::shared_ptr<const Walls>(domain, &walled->walls()));
 }
 

@@ -201,24 +201,22 @@ void check_part(const SegmentCost& cost, const std::string& key) {
   if (find_ability<HasInterfaces>(cost) != nullptr)
     throw OptionError(
         key,
-        "jumps at interfaces, which a sum or a multiple would hide from the path ('layers', or a cost map "
-        "as 'cells'): name it as the cost itself, or use smooth layers ('refractive_index'), or "
-        "'interpolation: smooth'");
+        "jumps at interfaces ('layers', or a cost map as 'cells'), which cannot be in a sum or a multiple: use it as "
+        "the cost itself, or use smooth layers ('refractive_index') or 'interpolation: smooth'");
   if (find_ability<Regularized>(cost) != nullptr)
-    throw OptionError(key,
-                      "stands for a law with kinks and its hull ('walking'), and the hull of a sum or a multiple "
-                      "is another: name it as the cost itself");
+    throw OptionError(
+        key, "is the hull of a law ('walking'), which cannot be in a sum or a multiple: use it as the cost itself");
 }
 
 void check_terms(const Terms& terms) {
-  if (terms.empty()) throw OptionError("terms", "a sum has one term at least");
+  if (terms.empty()) throw OptionError("terms", "a sum must have at least one term");
   for (std::size_t k = 0; k < terms.size(); ++k) {
     const double weight = terms[k].weight;
     if (!(weight > 0) || !std::isfinite(weight))
       throw OptionError("terms." + std::to_string(k) + ".weight", "must be a number greater than 0");
     check_part(*terms[k].cost, "terms." + std::to_string(k) + ".cost");
     if (terms[k].cost->dim() != terms.front().cost->dim())
-      throw OptionError("terms." + std::to_string(k), "has another dimension than the first");
+      throw OptionError("terms." + std::to_string(k), "has a different dimension than the first");
   }
 }
 
@@ -371,7 +369,7 @@ class ScaledOnData final : public ScaledCost, public FollowsDomain {
 
 void ScaleOptions::fields(FieldVisitor& visit) {
   visit.field("by", by, {.help = "f(x) > 0 in the coordinates, like \"1 + x^2\".", .required = true});
-  visit.field("parameters", parameters, {.help = "Numbers that the formula may name, like {a: 2, b: 1}."});
+  visit.field("parameters", parameters, {.help = "Constants that the formula can use, like {a: 2, b: 1}."});
 }
 
 std::shared_ptr<const SegmentCost> make_sum_cost(std::vector<WeightedCost> terms) {

@@ -119,10 +119,9 @@ void check_positive(const RasterGrid& values) {
   for (int row = values.rows - 1; row >= 0; --row)
     for (int column = 0; column < values.columns; ++column)
       if (values.value(row, column) <= 0)
-        throw OptionError("file", values.name_of(row, column) + ": the cost of a unit of length is " +
+        throw OptionError("file", values.name_of(row, column) + ": the cost per unit of length is " +
                                       short_number(values.value(row, column), 9) +
-                                      "; it must be greater than 0. Where this value means that there are no data: "
-                                      "nodata: " +
+                                      "; it must be greater than 0. If this value marks missing data, set nodata: " +
                                       short_number(values.value(row, column), 9));
 }
 
@@ -138,18 +137,17 @@ Words<CostMapInterpolation> words(CostMapInterpolation) {
 
 void CostMapOptions::fields(FieldVisitor& visit) {
   raster.fields(visit);
-  visit.choice(
-      "interpolation", interpolation,
-      {.help = "cells: constant in each cell. bilinear: through the values, with kinks where cells meet. smooth: the "
-               "bicubic spline that has them as coefficients, without kinks, and smoother than they are. auto: cells "
-               "for a path between two ends in the plane without obstacles, unless a solver, a post-processor or a "
-               "clearance is asked for; smooth elsewhere."});
+  visit.choice("interpolation", interpolation,
+               {.help = "cells: constant in each cell. bilinear: through the values, with kinks between cells. smooth: "
+                        "the bicubic spline with the values as coefficients, without kinks and smoother than the "
+                        "values. auto: cells for a path between two ends in the plane without obstacles, unless a "
+                        "solver, a post-processor or a clearance is given; otherwise smooth."});
 }
 
 std::shared_ptr<const SegmentCost> make_cost_map(const RasterGrid& values, CostMapInterpolation interpolation,
                                                  int dim) {
   if (dim != 2 && dim != 3)
-    throw OptionError("type", "'cost_map' lives in the plane and over it, in space; these points have " +
+    throw OptionError("type", "'cost_map' needs points in the plane or in space, but these points have " +
                                   std::to_string(dim) + " coordinates");
   check_positive(values);
   if (interpolation == CostMapInterpolation::cells) return make_cell_cost(values, dim);

@@ -113,14 +113,14 @@ class EndEffectorLengthCost final : public SegmentCostOf<EndEffectorLength>, pub
 void arm_joints::Table::fields(FieldVisitor& visit) {
   visit.choice("convention", convention,
                {.help = "standard: joint i turns about z of frame i - 1; modified (Craig): about z of frame i."});
-  visit.field("rows", rows, {.help = "For each joint [a, alpha, d, offset of the angle].", .required = true});
+  visit.field("rows", rows, {.help = "One row per joint: [a, alpha, d, offset of the angle].", .required = true});
 }
 
 void EndEffectorLengthOptions::fields(FieldVisitor& visit) {
-  visit.variant("model", model, {.help = "Which arm."});
-  visit.field("tool", tool, {.help = "Where the tool is, in the frame of the last row.", .unit = "length"});
+  visit.variant("model", model, {.help = "The arm: a named model, or a table."});
+  visit.field("tool", tool, {.help = "Position of the tool in the frame of the last row.", .unit = "length"});
   visit.field("joint_weight", joint_weight,
-              {.help = "What a turn of the joints counts beside the way of the tool.",
+              {.help = "Weight of joint rotation relative to the path of the tool.",
                .unit = "length per rad",
                .minimum = 0,
                .exclusive_minimum = true});
@@ -134,14 +134,13 @@ std::shared_ptr<const SegmentCost> make_end_effector_length(const EndEffectorLen
     throw OptionError("model." + error.key(), error.what());
   }
   if (cost.table.rows.rows() != dim)
-    throw OptionError("model", "has " + std::to_string(cost.table.rows.rows()) + " joints, the domain has points of " +
-                                   std::to_string(dim) + " numbers");
+    throw OptionError("model", "has " + std::to_string(cost.table.rows.rows()) +
+                                   " joints, but points of the domain have " + std::to_string(dim) + " coordinates");
   if (options.tool.size() != 3 || !options.tool.allFinite())
     throw OptionError("tool", "must be a point in the frame of the last row, three finite numbers");
   if (!(options.joint_weight > 0) || !std::isfinite(options.joint_weight))
     throw OptionError("joint_weight",
-                      "must be greater than 0: a motion that leaves the tool where it is would cost "
-                      "nothing");
+                      "must be greater than 0, or motions that do not move the tool would cost nothing");
   cost.tool = options.tool;
   cost.weight = options.joint_weight;
   return std::make_shared<const EndEffectorLengthCost>(std::move(cost), dim);

@@ -18,7 +18,7 @@ namespace arm_joints {
 /// A user's own.
 struct Table {
   static constexpr std::string_view kType = "table";
-  static constexpr std::string_view kHelp = "A Denavit-Hartenberg table of joints that turn.";
+  static constexpr std::string_view kHelp = "A Denavit-Hartenberg table of revolute joints.";
   DhConvention convention = DhConvention::standard;
   Eigen::MatrixXd rows = {};
   void fields(FieldVisitor& visit);

@@ -28,15 +28,15 @@ typename FlowGrid<D>::Axis axis_of(Eigen::VectorXd at, std::size_t k, const std:
     if (nodes.empty() || x - nodes.back() > room) nodes.push_back(x);
   const auto count = static_cast<Eigen::Index>(nodes.size());
   if (count < FlowGrid<D>::kFewest)
-    refuse("the grid has " + std::to_string(count) + " nodes, and needs at least " +
+    refuse("the grid has " + std::to_string(count) + " nodes, but needs at least " +
            std::to_string(FlowGrid<D>::kFewest));
   typename FlowGrid<D>::Axis axis{nodes.front(), (nodes.back() - nodes.front()) / static_cast<double>(count - 1),
                                   count};
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (std::abs(nodes[i] - axis.first - axis.step * static_cast<double>(i)) <= kSameStep * axis.step) continue;
     std::ostringstream out;
-    out << "the nodes of a regular grid have equal steps; here " << count << " nodes from " << nodes.front() << " to "
-        << nodes.back() << " have one at " << nodes[i];
+    out << "the nodes of a regular grid must have equal steps, but " << count << " nodes from " << nodes.front()
+        << " to " << nodes.back() << " include one at " << nodes[i];
     refuse(out.str());
   }
   return axis;
@@ -54,7 +54,7 @@ FlowGrid<D> flow_grid(const Eigen::MatrixXd& rows, const std::string& file) {
   }
   if (nodes != rows.rows())
     throw InputError(file + ": a grid of " + std::to_string(nodes) +
-                     " nodes has as many rows, each node once; here are " + std::to_string(rows.rows()));
+                     " nodes must have one row per node; the number of rows is " + std::to_string(rows.rows()));
   Points values(D, nodes);
   std::vector<bool> given(static_cast<std::size_t>(nodes), false);
   for (Eigen::Index row = 0; row < nodes; ++row) {

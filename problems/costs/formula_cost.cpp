@@ -167,10 +167,11 @@ void FormulaCostOptions::fields(FieldVisitor& visit) {
               {.help = "F(x, v) > 0 of degree 1 in v, like \"sqrt(vx^2 + vy^2) * (1 + x^2)\"; in more than three "
                        "dimensions in x0, x1, ... and v0, v1, ...",
                .required = true});
-  visit.field("parameters", parameters, {.help = "Numbers that the formula may name, like {a: 2, b: 1}."});
-  visit.field("convexify", convexify,
-              {.help = "In the plane: the convex hull of F in v, where F is not convex: what zigzags make of it."});
-  visit.field("unit", unit, {.help = "What the cost is measured in, in words."});
+  visit.field("parameters", parameters, {.help = "Constants that the formula can use, like {a: 2, b: 1}."});
+  visit.field(
+      "convexify", convexify,
+      {.help = "In the plane: replaces F by its convex hull in v where F is not convex; zigzags attain the hull."});
+  visit.field("unit", unit, {.help = "Unit of the cost, as free text."});
 }
 
 std::optional<CheckedRegion> checked_region(const ConstraintManifold& domain,
@@ -188,9 +189,10 @@ std::optional<CheckedRegion> checked_region(const ConstraintManifold& domain,
 
 std::shared_ptr<const SegmentCost> make_formula_cost(const FormulaCostOptions& options, int dim,
                                                      const std::optional<CheckedRegion>& region) {
-  if (dim < 1 || dim > kMaxDimension) throw OptionError("lagrangian", "the space has 1 to 64 dimensions");
+  if (dim < 1 || dim > kMaxDimension) throw OptionError("lagrangian", "the space must have 1 to 64 dimensions");
   if (options.convexify && dim != 2)
-    throw OptionError("convexify", "is for the plane; this space has " + std::to_string(dim) + " dimensions");
+    throw OptionError("convexify",
+                      "works in the plane only, but this space has " + std::to_string(dim) + " dimensions");
   std::vector<std::string> names = coordinate_names(dim);
   const std::vector<std::string> velocities = velocity_names(dim);
   names.insert(names.end(), velocities.begin(), velocities.end());
@@ -201,8 +203,8 @@ std::shared_ptr<const SegmentCost> make_formula_cost(const FormulaCostOptions& o
   const bool hull = options.convexify && !check.convex;
   if (hull)
     check.note +=
-        "; it is not convex there, and its convex hull takes its place: where a path goes between the two "
-        "directions of a zigzag its value holds and the path is not unique";
+        "; it is not convex there, so its convex hull is used. Where a path runs between the two directions of a "
+        "zigzag, its value holds, but the path is not unique";
   const bool metric = form.kind == LagrangianForm::Kind::root && !hull;
   const CostTraits says{
       .unit = options.unit, .symmetric = form.parity == LagrangianForm::Parity::even, .quadratic_at_rest = metric};

@@ -246,7 +246,7 @@ void check_moves_mass(const KineticEnergy& cost) {
     }
     if (!(most > 0))
       throw OptionError("links", "nothing that joint " + std::to_string(k + 1) +
-                                     " moves has a mass or an inertia: its motion would cost nothing");
+                                     " moves has a mass or an inertia, so its motion would cost nothing");
   }
 }
 
@@ -260,23 +260,24 @@ class KineticEnergyCost final : public SegmentCostOf<KineticEnergy>, public Star
 void arm_inertia::Table::fields(FieldVisitor& visit) {
   visit.choice("convention", convention,
                {.help = "standard: joint i turns about z of frame i - 1; modified (Craig): about z of frame i."});
-  visit.field("rows", rows, {.help = "For each joint [a, alpha, d, offset of the angle].", .required = true});
-  visit.field(
-      "links", links,
-      {.help = "For each joint, of what it moves, in the frame of its row: [mass, centre x, y, z, inertia about "
-               "the centre xx, yy, zz, xy, xz, yz].",
-       .required = true});
+  visit.field("rows", rows, {.help = "One row per joint: [a, alpha, d, offset of the angle].", .required = true});
+  visit.field("links", links,
+              {.help = "One row per joint, for its link, in the frame of the joint's row: [mass, centre x, y, z, "
+                       "inertia about the centre xx, yy, zz, xy, xz, yz].",
+               .required = true});
 }
 
-void KineticEnergyOptions::fields(FieldVisitor& visit) { visit.variant("model", model, {.help = "Which arm."}); }
+void KineticEnergyOptions::fields(FieldVisitor& visit) {
+  visit.variant("model", model, {.help = "The arm: a named model, or a table."});
+}
 
 std::shared_ptr<const SegmentCost> make_kinetic_energy_cost(const KineticEnergyOptions& options, int dim) {
   KineticEnergy cost;
   try {
     cost.arm = std::visit(MovingArmOf{}, options.model);
     if (cost.arm.table.rows.rows() != dim)
-      throw OptionError("", "has " + std::to_string(cost.arm.table.rows.rows()) + " joints, the domain has points of " +
-                                std::to_string(dim) + " numbers");
+      throw OptionError("", "has " + std::to_string(cost.arm.table.rows.rows()) +
+                                " joints, but points of the domain have " + std::to_string(dim) + " coordinates");
     check_moves_mass(cost);
   } catch (const OptionError& error) {
     throw OptionError(error.key().empty() ? "model" : "model." + error.key(), error.what());

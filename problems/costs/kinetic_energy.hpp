@@ -30,7 +30,8 @@ struct Ur5 {
 /// A user's own.
 struct Table {
   static constexpr std::string_view kType = "table";
-  static constexpr std::string_view kHelp = "A Denavit-Hartenberg table of joints that turn, with masses of its links.";
+  static constexpr std::string_view kHelp =
+      "A Denavit-Hartenberg table of revolute joints, with the masses of the links.";
   DhConvention convention = DhConvention::standard;
   Eigen::MatrixXd rows = {};
   Eigen::MatrixXd links = {};

@@ -57,8 +57,8 @@ struct LayersFunction {
   }
 
   std::string why_infinite(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
-    return stack.layer_of(a) && stack.layer_of(b) ? "interfaces of the layers cross on the way"
-                                                  : "there is no layer: interfaces have crossed";
+    return stack.layer_of(a) && stack.layer_of(b) ? "the interfaces of the layers cross on this move"
+                                                  : "there is no layer here: the interfaces have crossed";
   }
 
  private:
@@ -93,22 +93,22 @@ Eigen::MatrixXd normals_of(const LayersOptions& options, int dim) {
   if (!options.normals) return Eigen::VectorXd::Unit(dim, dim - 1).replicate(1, count);
   const Eigen::MatrixXd& given = *options.normals;
   if (given.cols() != dim)
-    throw OptionError("normals", "has rows of " + std::to_string(given.cols()) + " numbers, the space has dimension " +
-                                     std::to_string(dim));
+    throw OptionError("normals", "has rows of " + std::to_string(given.cols()) +
+                                     " numbers, but the space has dimension " + std::to_string(dim));
   if (given.rows() == 1) return given.transpose().replicate(1, count);
   if (given.rows() == count) return given.transpose();
   throw OptionError("normals", "has " + std::to_string(given.rows()) + " rows: give one for all interfaces, or " +
-                                   std::to_string(count) + ", one each");
+                                   std::to_string(count) + ", one for each");
 }
 
 Eigen::VectorXd indices_of(const LayersOptions& options) {
   if (options.speeds.has_value() == options.indices.has_value())
-    throw OptionError("speeds", "give either 'speeds' or 'indices', one number for each layer from the lowest on");
+    throw OptionError("speeds", "give either 'speeds' or 'indices', one number for each layer, lowest first");
   if (options.indices) return *options.indices;
   const Eigen::VectorXd& speeds = *options.speeds;
   if (speeds.size() != options.interfaces.size() + 1)
-    throw OptionError("speeds", "has " + std::to_string(speeds.size()) + " numbers, and " +
-                                    std::to_string(options.interfaces.size()) + " interfaces lie between " +
+    throw OptionError("speeds", "has " + std::to_string(speeds.size()) + " numbers, but " +
+                                    std::to_string(options.interfaces.size()) + " interfaces separate " +
                                     std::to_string(options.interfaces.size() + 1) + " layers");
   for (Index i = 0; i < speeds.size(); ++i)
     if (!(speeds[i] > 0) || !std::isfinite(speeds[i]))
@@ -124,22 +124,22 @@ std::vector<Crossing> LayersCost::crossings(const Points& polyline, const Constr
 
 void LayersOptions::fields(FieldVisitor& visit) {
   visit.field("interfaces", interfaces,
-              {.help = "Where the layers meet, from the lowest on: normal . x = this number (heights, where the normal "
-                       "is the last axis).",
+              {.help = "Positions of the interfaces, lowest first: normal . x = this number (heights, if the normal is "
+                       "the last axis).",
                .unit = "length",
                .required = true});
   visit.field("speeds", speeds,
-              {.help = "Speed in each layer, from the lowest on; one more than interfaces.", .unit = "length/s"});
+              {.help = "Speed in each layer, lowest first; one more than interfaces.", .unit = "length/s"});
   visit.field("indices", indices,
-              {.help = "Instead of speeds: cost of a unit of length in each layer (refractive index)."});
+              {.help = "Instead of speeds: cost per unit of length in each layer (refractive index)."});
   visit.field("normals", normals,
-              {.help = "Upward normals of the interfaces, one row for all or one each (layers that dip); default: the "
-                       "last axis."});
+              {.help = "Upward normals of the interfaces, one row for all or one for each (dipping layers); default: "
+                       "the last axis."});
 }
 
 std::shared_ptr<const LayersCost> make_layers_cost(const LayersOptions& options, int dim) {
-  if (dim < 2) throw OptionError("interfaces", "layers need the plane, or a space of more dimensions");
-  if (options.interfaces.size() == 0) throw OptionError("interfaces", "missing: layers have at least one interface");
+  if (dim < 2) throw OptionError("interfaces", "layers need a space of at least two dimensions");
+  if (options.interfaces.size() == 0) throw OptionError("interfaces", "missing: give at least one interface");
   const Eigen::VectorXd indices = indices_of(options);
   LayerStack stack(normals_of(options, dim), options.interfaces, indices);
   const std::string unit = options.speeds ? "s" : "length";

@@ -125,13 +125,13 @@ struct MetricField {
     std::ostringstream out;
     const Eigen::IOFormat row(6, Eigen::DontAlignCols, ", ", ", ", "", "", "(", ")");
     if (!Field::inside(x)) {
-      out << x.format(row) << " lies outside the domain of the metric";
+      out << x.format(row) << " is outside the domain of the metric";
     } else if (!t.allFinite()) {
       out << "at " << x.format(row) << " the tensor is not finite";
     } else if (!is_root && x.allFinite()) {
       const Eigen::VectorXd values = symmetric_eigenvalues(t);
       if (values[0] > 0) return "";
-      out << "at " << x.format(row) << " the tensor is not positive definite, its eigenvalues are "
+      out << "at " << x.format(row) << " the tensor is not positive definite: its eigenvalues are "
           << values.format(row);
     }
     return out.str();
@@ -259,8 +259,8 @@ class MetricOnData final : public MetricFieldCost<SampledTensors>, public Follow
 template <class Field>
 std::shared_ptr<const SegmentCost> lifted(Field field, const MetricFieldOptions& o, int dim) {
   if (dim != Field::dim)
-    throw OptionError("field", "this metric lives in dimension " + std::to_string(Field::dim) +
-                                   ", the ambient space has " + std::to_string(dim));
+    throw OptionError("field", "this metric has dimension " + std::to_string(Field::dim) +
+                                   ", but the ambient space has " + std::to_string(dim));
   return std::make_shared<MetricByFormula<Field>>(
       MetricField<Field>{std::move(field), o.reading == TensorReading::root, o.averages()});
 }
@@ -272,7 +272,7 @@ std::shared_ptr<const SegmentCost> by_formulas(const metric::Formula& formula, c
   if (given != kEntries)
     throw OptionError("field.entries", "a symmetric " + std::to_string(D) + " x " + std::to_string(D) + " tensor has " +
                                            std::to_string(kEntries) +
-                                           " entries on and above the diagonal, row by row; these are " +
+                                           " entries on and above the diagonal, row by row, not " +
                                            std::to_string(given));
   return lifted(
       FormulaTensor<D>{formulas_of_option("field.entries", formula.entries, coordinate_names(D), formula.parameters)},
@@ -293,7 +293,7 @@ struct Maker {
   Made operator()(const metric::Formula& formula) const {
     if (dim == 2) return by_formulas<2>(formula, options);
     if (dim == 3) return by_formulas<3>(formula, options);
-    throw OptionError("field", "formulas describe metrics of spaces of dimension 2 and 3, not " + std::to_string(dim));
+    throw OptionError("field", "formulas describe metrics in dimension 2 and 3, not " + std::to_string(dim));
   }
   Made operator()(const TensorFileOptions&) const { return std::make_shared<MetricOnData>(options, domain, folder); }
   Made operator()(const CurvatureMetricOptions&) const {
@@ -307,7 +307,7 @@ void metric::Formula::fields(FieldVisitor& visit) {
   visit.field(
       "entries", entries,
       {.help = "Entries on and above the diagonal, row by row, like [\"1 + x^2\", \"0\", \"1\"].", .required = true});
-  visit.field("parameters", parameters, {.help = "Numbers that the formulas may name, like {a: 2, b: 1}."});
+  visit.field("parameters", parameters, {.help = "Constants that the formulas can use, like {a: 2, b: 1}."});
 }
 
 Words<TensorReading> words(TensorReading) {
@@ -323,14 +323,14 @@ Words<TensorRule> words(TensorRule) {
 }
 
 void MetricFieldOptions::fields(FieldVisitor& visit) {
-  visit.variant("field", field, {.help = "The tensor T(x): a name, or formulas in the coordinates.", .required = true});
+  visit.variant("field", field,
+                {.help = "The tensor T(x): by name, or as formulas in the coordinates.", .required = true});
   visit.choice("reading", reading,
                {.help = "T is the metric, c = sqrt(d' T d) (VFCS Eq. 1), or a root of it, c = |T d| (VFCS Sec. 4.5)."});
   visit.choice(
       "rule", rule,
-      {.help =
-           "T in the middle of a segment, or the mean of its ends (VFCS Sec. 4.5). auto: the mean for tensors given "
-           "on data, because the ends lie on the surface and the middle does not; else the middle."});
+      {.help = "midpoint: T at the middle of a segment. average: the mean of T at its ends (VFCS Sec. 4.5). auto: "
+               "average for tensors given on data, whose midpoints are off the surface; otherwise midpoint."});
 }
 
 bool MetricFieldOptions::needs_domain() const {

@@ -58,14 +58,15 @@ class MetricTensorCost final : public SegmentCostOf<MetricTensor<D>, ConstantMet
 
 void check_matrix(const Eigen::MatrixXd& m, int dim) {
   const std::string size = std::to_string(m.rows()) + " x " + std::to_string(m.cols());
-  if (m.size() == 0) throw OptionError("matrix", "a metric tensor needs its matrix, " + std::to_string(dim) + " rows");
+  if (m.size() == 0) throw OptionError("matrix", "a metric tensor needs a matrix of " + std::to_string(dim) + " rows");
   if (m.rows() != dim || m.cols() != dim)
-    throw OptionError("matrix", "the matrix is " + size + ", the ambient space has dimension " + std::to_string(dim));
+    throw OptionError("matrix",
+                      "the matrix is " + size + ", but the ambient space has dimension " + std::to_string(dim));
   if (!m.allFinite()) throw OptionError("matrix", "entries must be finite");
   if ((m - m.transpose()).cwiseAbs().maxCoeff() > 1e-12 * m.cwiseAbs().maxCoeff())
-    throw OptionError("matrix", "a metric tensor is symmetric; this matrix is not");
+    throw OptionError("matrix", "a metric tensor must be symmetric, but this matrix is not");
   if (m.llt().info() != Eigen::Success)
-    throw OptionError("matrix", "a metric tensor is positive definite; this matrix is not");
+    throw OptionError("matrix", "a metric tensor must be positive definite, but this matrix is not");
 }
 
 }  // namespace

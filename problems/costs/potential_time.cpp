@@ -119,7 +119,7 @@ struct PotentialChute {
       return out.str();
     }
     if (!(speed<double>(Point<double, D>(a)) + speed<double>(Point<double, D>(b)) > 0))
-      out << "the bead is at rest at both " << a.format(row) << " and " << b.format(row) << ", and does not start";
+      out << "the bead is at rest at both " << a.format(row) << " and " << b.format(row) << " and cannot start";
     return out.str();
   }
 

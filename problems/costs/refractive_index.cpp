@@ -56,7 +56,7 @@ struct LuneburgIndex {
   double radius;
   std::vector<double> center;
   std::string unit() const { return "optical length"; }
-  std::string outside() const { return "is beyond sqrt 2 radii from the centre of the lens, where there is no n"; }
+  std::string outside() const { return "n is not defined beyond sqrt 2 radii from the centre of the lens"; }
   template <class S>
   S operator()(std::span<const S> x) const {
     return sqrt(S(S(2.0) - squared_radius(x, center, radius)));
@@ -115,7 +115,7 @@ struct PowerIndex {
 struct FormulaIndex {
   Formula formula;
   std::string unit() const { return "optical length"; }
-  std::string outside() const { return "the formula of n gives no positive number"; }
+  std::string outside() const { return "the formula of n is not positive"; }
   template <class S>
   S operator()(std::span<const S> x) const {
     return formula(x);
@@ -198,7 +198,7 @@ std::vector<double> of_dimension(const char* option, const Eigen::VectorXd& x, i
                                  const Eigen::VectorXd& otherwise) {
   if (x.size() == 0) return list(otherwise);
   if (x.size() != dim)
-    throw OptionError(key(option), "has " + std::to_string(x.size()) + " numbers; the space has " +
+    throw OptionError(key(option), "has " + std::to_string(x.size()) + " numbers, but the space has " +
                                        std::to_string(dim) + " coordinates");
   if (!x.allFinite()) throw OptionError(key(option), "must be finite");
   return list(x);
@@ -224,10 +224,10 @@ struct IndexMaker {
   }
   AnyIndex operator()(const refraction::SmoothLayers& o) const {
     require_positive("width", o.width);
-    if (o.boundaries.size() == 0) throw OptionError(key("boundaries"), "missing: give one boundary at least");
+    if (o.boundaries.size() == 0) throw OptionError(key("boundaries"), "missing: give at least one boundary");
     if (o.values.size() != o.boundaries.size() + 1)
-      throw OptionError(key("values"), "has " + std::to_string(o.values.size()) + " numbers; " +
-                                           std::to_string(o.boundaries.size()) + " boundaries have " +
+      throw OptionError(key("values"), "has " + std::to_string(o.values.size()) + " numbers, but " +
+                                           std::to_string(o.boundaries.size()) + " boundaries separate " +
                                            std::to_string(o.boundaries.size() + 1) + " layers");
     for (Eigen::Index i = 0; i + 1 < o.boundaries.size(); ++i)
       if (!(o.boundaries[i] < o.boundaries[i + 1])) throw OptionError(key("boundaries"), "must increase");
@@ -264,49 +264,51 @@ Words<refraction::LayerValues> refraction::words(LayerValues) {
 void refraction::LinearVelocity::fields(FieldVisitor& visit) {
   visit.field("speed", speed, {.help = "Speed at the origin.", .unit = "length/time"});
   visit.field("gradient", gradient,
-              {.help = "Of the speed, one number per coordinate.", .unit = "1/time", .required = true});
+              {.help = "Gradient of the speed, one number per coordinate.", .unit = "1/time", .required = true});
 }
 
 void refraction::Luneburg::fields(FieldVisitor& visit) {
-  visit.field("radius", radius, {.help = "Where n = 1.", .unit = "length", .minimum = 0, .exclusive_minimum = true});
+  visit.field("radius", radius,
+              {.help = "Radius at which n = 1.", .unit = "length", .minimum = 0, .exclusive_minimum = true});
   visit.field("center", center, {.help = "Centre of the lens; default: the origin.", .unit = "length"});
 }
 
 void refraction::MaxwellFisheye::fields(FieldVisitor& visit) {
   visit.field("peak", peak, {.help = "n at the centre.", .minimum = 0, .exclusive_minimum = true});
-  visit.field("radius", radius,
-              {.help = "Where n is half as large.", .unit = "length", .minimum = 0, .exclusive_minimum = true});
+  visit.field(
+      "radius", radius,
+      {.help = "Radius at which n is half its peak.", .unit = "length", .minimum = 0, .exclusive_minimum = true});
   visit.field("center", center, {.help = "Centre of the lens; default: the origin.", .unit = "length"});
 }
 
 void refraction::SmoothLayers::fields(FieldVisitor& visit) {
   visit.field("boundaries", boundaries,
-              {.help = "Where one layer ends and the next begins, along the normal, increasing.",
+              {.help = "Positions along the normal where one layer ends and the next begins, increasing.",
                .unit = "length",
                .required = true});
   visit.field("values", values,
-              {.help = "Of the layers, one more than there are boundaries.",
+              {.help = "Values in the layers, one more than boundaries.",
                .minimum = 0,
                .exclusive_minimum = true,
                .required = true});
   visit.choice("values_are", values_are, {.help = "Whether the values are indices n, or speeds 1 / n."});
   visit.field("width", width,
-              {.help = "Half of the range in which a step takes 76 % of its height: (1 + tanh(d / width)) / 2.",
+              {.help = "Half the range over which a step covers 76 % of its height: (1 + tanh(d / width)) / 2.",
                .unit = "length",
                .minimum = 0,
                .exclusive_minimum = true,
                .required = true});
-  visit.field("normal", normal, {.help = "Across the layers; default: along the last coordinate."});
+  visit.field("normal", normal, {.help = "Normal of the layers; default: along the last coordinate."});
 }
 
 void refraction::PowerLaw::fields(FieldVisitor& visit) {
-  visit.field("exponent", exponent, {.help = "k of n = y^k.", .required = true});
+  visit.field("exponent", exponent, {.help = "The exponent k in n = y^k.", .required = true});
   visit.field("level", level, {.help = "Value of the last coordinate where y is 0.", .unit = "length"});
 }
 
 void refraction::Formula::fields(FieldVisitor& visit) {
   visit.field("n", n, {.help = "n(x) > 0, like \"1 + 2 * exp(-x^2 - y^2)\".", .required = true});
-  visit.field("parameters", parameters, {.help = "Numbers that the formula may name, like {a: 2, b: 1}."});
+  visit.field("parameters", parameters, {.help = "Constants that the formula can use, like {a: 2, b: 1}."});
 }
 
 void RefractiveIndexOptions::fields(FieldVisitor& visit) {
@@ -314,7 +316,7 @@ void RefractiveIndexOptions::fields(FieldVisitor& visit) {
 }
 
 std::shared_ptr<const SegmentCost> make_refractive_index_cost(const RefractiveIndexOptions& options, int dim) {
-  if (dim < 1) throw OptionError("index", "light moves in R^d, d at least 1");
+  if (dim < 1) throw OptionError("index", "the space must have at least one dimension");
   NamedIndex n{std::visit(IndexMaker{dim}, options.index)};
   if (dim == 2) return with_index<2>(std::move(n), dim);
   if (dim == 3) return with_index<3>(std::move(n), dim);

@@ -43,7 +43,8 @@ void TensorFileOptions::fields(FieldVisitor& visit) {
              {.help = "Text file with one row per vertex, face or point, in the order of the manifold's file: xx xy xz "
                       "yy yz zz, the entries of a symmetric positive definite tensor of R^3.",
               .required = true});
-  visit.choice("on", on, {.help = "What the rows belong to; auto: the vertices of a mesh, the points of a cloud."});
+  visit.choice("on", on,
+               {.help = "Elements to which the rows belong; auto: the vertices of a mesh, the points of a cloud."});
 }
 
 void CurvatureMetricOptions::fields(FieldVisitor& visit) {
@@ -55,13 +56,12 @@ void CurvatureMetricOptions::fields(FieldVisitor& visit) {
        .minimum = 0,
        .exclusive_minimum = true,
        .required = true});
-  visit.field_or_zero(
-      "radius", radius,
-      {.help = "Radius of the quadratic fits that measure the curvatures; 0: 2.5 on a mesh, on a cloud that of its "
-               "surface. A larger one averages noise and creases.",
-       .unit = "local spacings",
-       .minimum = 0,
-       .maximum = 100});
+  visit.field_or_zero("radius", radius,
+                      {.help = "Radius of the quadratic fits that measure the curvatures; 0: 2.5 on a mesh, the radius "
+                               "of the surface fit on a cloud. A larger radius averages over noise and creases.",
+                       .unit = "local spacings",
+                       .minimum = 0,
+                       .maximum = 100});
 }
 
 std::shared_ptr<const TensorSamples> tensors_from_file(const TensorFileOptions& options,
@@ -71,8 +71,9 @@ std::shared_ptr<const TensorSamples> tensors_from_file(const TensorFileOptions& 
   const std::filesystem::path file = folder / options.file;
   const std::vector<Eigen::Matrix3d> rows = read_tensors(file);
   if (rows.size() != static_cast<std::size_t>(samples.count_in_file))
-    throw InputError(file.string() + ": " + std::to_string(rows.size()) + " tensors, the file of the manifold has " +
-                     std::to_string(samples.count_in_file) + " " + samples.what);
+    throw InputError(file.string() + ": " + std::to_string(rows.size()) +
+                     " tensors, but the file of the manifold has " + std::to_string(samples.count_in_file) + " " +
+                     samples.what);
   std::vector<Eigen::Matrix3d> tensors;
   tensors.reserve(samples.in_file.size());
   for (const std::int32_t number : samples.in_file) tensors.push_back(rows[static_cast<std::size_t>(number)]);

@@ -22,7 +22,7 @@ Words<TensorPlace> words(TensorPlace);
 /// Tensors given by a file, one row per vertex, face or point.
 struct TensorFileOptions {
   static constexpr std::string_view kType = "file";
-  static constexpr std::string_view kHelp = "Tensors given on a mesh or a point cloud, by a file.";
+  static constexpr std::string_view kHelp = "Tensors on a mesh or a point cloud, from a file.";
   std::string file = {};
   TensorPlace on = TensorPlace::automatic;
   void fields(FieldVisitor& visit);
@@ -32,8 +32,8 @@ struct TensorFileOptions {
 struct CurvatureMetricOptions {
   static constexpr std::string_view kType = "curvature";
   static constexpr std::string_view kHelp =
-      "Of a mesh or a point cloud: ds^2 = |dx|^2 + weight^2 |dn|^2, n the normal "
-      "(isophotic). Crossing a feature costs more than following it.";
+      "For a mesh or a point cloud: ds^2 = |dx|^2 + weight^2 |dn|^2 with the normal n (isophotic). Crossing a feature "
+      "costs more than following it.";
   double weight = 0;  ///< length; must be positive
   /// Of the fits, local spacings; else 2.5 on a mesh, the radius of the surface fit on a cloud.
   std::optional<double> radius = {};

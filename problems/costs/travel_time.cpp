@@ -40,7 +40,7 @@ struct TravelTimeBase {
     if (highest < energy.level) return "";
     std::ostringstream out;
     out << "the height " << highest << (highest > energy.level ? " is above" : " is that of") << " the energy level "
-        << energy.level << ", the greatest height that the bead can reach";
+        << energy.level << ", the largest height that the bead can reach";
     return out.str();
   }
 };
@@ -162,40 +162,39 @@ void TravelTimeOptions::fields(FieldVisitor& visit) {
                .exclusive_minimum = true});
   visit.field("start_speed", start_speed, {.help = "Speed at the source.", .unit = "length/s", .minimum = 0});
   visit.field("level", level,
-              {.help = "Height at which the bead is at rest, in a potential its energy; default: that of the source "
-                       "with the start speed. A ring has no source and must state it.",
+              {.help = "Height at which the bead is at rest, or its energy in a potential; default: from the source "
+                       "and the start speed. Required for a ring, which has no source.",
                .unit = "length, in a potential length^2/s^2"});
   visit.field(
       "potential", potential,
       {.help = "Instead of gravity: the potential energy per mass as a formula in the coordinates, like \"(x^2 + "
                "y^2) / 2\".",
        .unit = "length^2/s^2"});
-  visit.field("parameters", parameters, {.help = "Numbers that the potential may name, like {k: 2}."});
+  visit.field("parameters", parameters, {.help = "Constants that the potential can use, like {k: 2}."});
 }
 
 void check_travel_time(const TravelTimeOptions& options, bool has_source) {
   if (options.level && options.start_speed > 0)
-    throw OptionError("start_speed",
-                      "the energy level follows from the start speed: give one of start_speed and level");
+    throw OptionError("start_speed", "the start speed determines the energy level: give either start_speed or level");
   if (options.level && !std::isfinite(*options.level)) throw OptionError("level", "must be finite");
   if (!options.level && !has_source)
-    throw OptionError("level", "a ring has no source: state the energy level (a height)");
+    throw OptionError("level", "a ring has no source: give the energy level (a height)");
   if (!options.potential) {
-    if (!options.parameters.empty()) throw OptionError("parameters", "are numbers of a potential, and there is none");
+    if (!options.parameters.empty()) throw OptionError("parameters", "are constants of a potential, but there is none");
     return;
   }
   if (options.gravity != TravelTimeOptions{}.gravity)
-    throw OptionError("gravity", "give one of gravity and potential: put gravity into the potential, like \"9.8 * y\"");
-  if (options.rule != TravelTimeRule::chute)
-    throw OptionError("rule", "in a potential it is chute: a bead at rest has no time by the speed in the middle");
+    throw OptionError("gravity",
+                      "give either gravity or potential: gravity can be part of the potential, like \"9.8 * y\"");
+  if (options.rule != TravelTimeRule::chute) throw OptionError("rule", "must be chute in a potential");
 }
 
 std::shared_ptr<const SegmentCost> make_travel_time_cost(const TravelTimeOptions& options, int dim,
                                                          const std::optional<Eigen::VectorXd>& source) {
   check_travel_time(options, source.has_value());
-  if (dim < 1) throw OptionError("dimension", "a path falls in R^d, d at least 1");
+  if (dim < 1) throw OptionError("dimension", "the space must have at least one dimension");
   if (source && source->size() != dim)
-    throw InputError("the source has " + std::to_string(source->size()) + " coordinates, the space has " +
+    throw InputError("the source has " + std::to_string(source->size()) + " coordinates, but the space has " +
                      std::to_string(dim));
   if (options.potential)
     return make_potential_time_cost({*options.potential, options.parameters, options.start_speed, options.level}, dim,
@@ -208,7 +207,7 @@ std::shared_ptr<const SegmentCost> make_travel_time_cost(const TravelTimeOptions
     case TravelTimeRule::chute: return make_rule<Chute>(energy, dim);
     case TravelTimeRule::midpoint: return make_rule<Midpoint>(energy, dim);
   }
-  throw OptionError("rule", "is no rule of travel_time");
+  throw OptionError("rule", "is not a rule of travel_time");
 }
 
 }  // namespace leastcost

@@ -182,18 +182,19 @@ Words<MapLength> words(MapLength) {
 }
 
 void walking::Tobler::fields(FieldVisitor& visit) {
-  visit.field(
-      "speed_factor", speed_factor,
-      {.help = "Of the speed: 0.6 off paths, 1.25 on horseback (Tobler).", .minimum = 0, .exclusive_minimum = true});
+  visit.field("speed_factor", speed_factor,
+              {.help = "Factor of the speed: 0.6 off paths, 1.25 on horseback (Tobler).",
+               .minimum = 0,
+               .exclusive_minimum = true});
   visit.choice("unit", unit, {.help = "The unit of time."});
 }
 
 void WalkingOptions::fields(FieldVisitor& visit) {
-  visit.variant("law", law, {.help = "What walking costs at a slope, and in what unit."});
+  visit.variant("law", law, {.help = "Cost of walking as a function of slope, with its unit."});
   visit.choice("length", length, {.help = "The unit of the coordinates, height included."});
   visit.field("rounding", rounding,
-              {.help = "Slopes over which the kink of Tobler's law at -0.05 is rounded, to both sides, and over which "
-                       "laws go over into their hull. What that costs is in the error bar; more asks for fewer points.",
+              {.help = "Range of slope, to both sides, over which the kink of Tobler's law at -0.05 and the corners of "
+                       "the hull are rounded. The error bar includes the effect; a larger range needs fewer points.",
                .unit = "slope",
                .minimum = 0,
                .maximum = -ToblerPace::kFastest,
@@ -202,9 +203,8 @@ void WalkingOptions::fields(FieldVisitor& visit) {
 
 std::shared_ptr<const WalkingCost> make_walking_cost(const WalkingOptions& options, int dim) {
   if (dim != 3)
-    throw OptionError("type",
-                      "'walking' is over terrain in three dimensions, the last of which is height; this space has " +
-                          std::to_string(dim));
+    throw OptionError("type", "'walking' needs three dimensions, the last of which is height, but this space has " +
+                                  std::to_string(dim));
   if (!(options.rounding > 0 && options.rounding < -ToblerPace::kFastest))
     throw OptionError("rounding", "must be greater than 0 and less than 0.05, so that level ground is exact");
   return std::visit(LawMaker{options.length == MapLength::metres ? 1 : kMetres, options.rounding}, options.law);

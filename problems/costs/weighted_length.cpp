@@ -56,8 +56,8 @@ class WeightedLengthCost final : public SegmentCostOf<WeightedLength<D>, Constan
 void check_weights(const Eigen::VectorXd& weights) {
   for (Index i = 0; i < weights.size(); ++i)
     if (!(weights[i] > 0) || !std::isfinite(weights[i]))
-      throw OptionError("weights", "number " + std::to_string(i + 1) +
-                                       " must be greater than 0: a way that costs nothing has no least-cost path");
+      throw OptionError("weights",
+                        "number " + std::to_string(i + 1) + " must be greater than 0, or paths could cost nothing");
 }
 
 /// The weights of all coordinates.
@@ -84,8 +84,8 @@ Eigen::VectorXd of_coordinates(const Eigen::VectorXd& weights, const ConstraintM
 
 void WeightedLengthOptions::fields(FieldVisitor& visit) {
   visit.field("weights", weights,
-              {.help = "One per factor of the domain (se2, se3: of the place, then of the turn, in length per radian), "
-                       "or one per coordinate.",
+              {.help = "One per factor of the domain (se2, se3: position, then rotation, in length per radian), or one "
+                       "per coordinate.",
                .minimum = 0,
                .exclusive_minimum = true,
                .required = true});

@@ -114,9 +114,9 @@ struct Zermelo {
     if (!w.allFinite())
       out << "the flow is not finite";
     else if (!(v > 0))
-      out << "the speed of the vehicle is " << v << ", and has to be greater than 0";
+      out << "the speed of the vehicle is " << v << "; it must be greater than 0";
     else
-      out << "the flow has the speed " << w.norm() << " and the vehicle " << v << ": it can move only within "
+      out << "the flow has speed " << w.norm() << " and the vehicle " << v << ": it can move only within "
           << std::asin(std::min(1.0, v / w.norm())) * 180 / std::numbers::pi
           << " degrees of the direction of the flow, " << row_text(w.normalized());
     return out.str();
@@ -146,7 +146,7 @@ struct Zermelo {
   }
   std::string no_value(const Point<double, dim>& x) const {
     if constexpr (requires { flow.contains(x); })
-      return flow.contains(x) ? "a node of the grid beside it has no value" : "it lies outside the grid";
+      return flow.contains(x) ? "a neighbouring node of the grid has no value" : "the point is outside the grid";
     else
       return "";
   }
@@ -194,8 +194,9 @@ VehicleSpeed speed_of(const ZermeloOptions& options, int dim) {
 
 void check_count(std::size_t given, const char* what, int dim, const std::string& instead = "") {
   if (given == static_cast<std::size_t>(dim)) return;
-  throw OptionError("flow.velocity", "the space has " + std::to_string(dim) + " coordinates, and a velocity as many " +
-                                         what + "; here are " + std::to_string(given) + instead);
+  throw OptionError("flow.velocity", "the space has " + std::to_string(dim) +
+                                         " coordinates, so a velocity has as many " + what + ", not " +
+                                         std::to_string(given) + instead);
 }
 
 /// What two numbers in space are meant to be.
@@ -277,24 +278,24 @@ void flow::Grid::fields(FieldVisitor& visit) {
 
 void ZermeloOptions::fields(FieldVisitor& visit) {
   visit.field("speed", speed,
-              {.help = "Of the vehicle through the air or water: a number, or a formula in the coordinates.",
+              {.help = "Speed of the vehicle through the air or water: a number, or a formula in the coordinates.",
                .unit = "length/time",
                .required = true});
   visit.variant("flow", flow, {.help = "The velocity of the wind or current.", .required = true});
-  visit.field("parameters", parameters, {.help = "Numbers that the formulas may name, like {a: 2, b: 1}."});
-  visit.field("unit", unit, {.help = "The unit of time that follows from those of length and speed."});
+  visit.field("parameters", parameters, {.help = "Constants that the formulas can use, like {a: 2, b: 1}."});
+  visit.field("unit", unit, {.help = "Unit of time, which follows from the units of length and speed."});
 }
 
 void check_zermelo(const ZermeloOptions& options, int dim) {
   if (dim != 2 && dim != 3)
-    throw OptionError("type", "flows are those of spaces of dimension 2 and 3, not " + std::to_string(dim));
+    throw OptionError("type", "a flow needs a space of dimension 2 or 3, not " + std::to_string(dim));
   speed_of(options, dim);
   if (const auto* uniform = std::get_if<flow::Uniform>(&options.flow)) {
     check_count(static_cast<std::size_t>(uniform->velocity.size()), "numbers", dim,
                 as_east_north(uniform->velocity, dim));
     if (!uniform->velocity.allFinite()) throw OptionError("flow.velocity", "must be finite");
   } else if (const auto* turned = std::get_if<flow::EastNorth>(&options.flow)) {
-    if (dim != 3) throw OptionError("flow.type", "east_north is for the Earth, whose places lie in space");
+    if (dim != 3) throw OptionError("flow.type", "east_north works on the Earth only");
     if (turned->velocity.size() != 2 || !turned->velocity.allFinite())
       throw OptionError("flow.velocity", "must have two finite numbers, east and north");
   } else if (const auto* formula = std::get_if<flow::Formula>(&options.flow)) {

@@ -42,7 +42,7 @@ struct Grid {
 
 struct EastNorth {
   static constexpr std::string_view kType = "east_north";
-  static constexpr std::string_view kHelp = "On the Earth: so much to the east and so much to the north everywhere.";
+  static constexpr std::string_view kHelp = "On the Earth: the same velocity to the east and to the north everywhere.";
   Eigen::VectorXd velocity = {};  ///< east, north
   void fields(FieldVisitor& visit);
 };

@@ -72,7 +72,7 @@ void check(const DistanceGridSettings& s) {
   if (!good(s.cell)) throw OptionError("cell", "must be positive and finite");
   if (!good(s.accuracy)) throw OptionError("accuracy", "must be positive and finite");
   if (s.offset != 0 && !good(s.offset)) throw OptionError("offset", "must be positive and finite");
-  if (s.cell && s.accuracy) throw OptionError("accuracy", "give either the cell or the accuracy, not both");
+  if (s.cell && s.accuracy) throw OptionError("accuracy", "give either cell or accuracy, not both");
   if (s.margin < 1) throw OptionError("margin", "must be at least 1 cell");
 }
 
@@ -111,7 +111,7 @@ Sampled sample_to_accuracy(const DistanceSource& source, const Eigen::AlignedBox
     try {
       grid_around(box, cell, s.margin, s.memory);
     } catch (const InputError& error) {
-      throw InputError("the accuracy of " + short_number(accuracy) + " is out of reach: a cell of " +
+      throw InputError("the accuracy of " + short_number(accuracy) + " cannot be reached: a cell of " +
                        short_number(last_cell) + " gives " + short_number(miss) + " (worst at " +
                        point_text(sampled.misses.worst_at) + "), and " + error.what());
     }
@@ -144,11 +144,12 @@ SampledDistance build_distance_grid(const DistanceSource& source, const Distance
                       : settings.offset > 0 ? std::min(size / kCells, settings.offset / kOffsetCells)
                                             : size / kCells;
   if (cell > kLargest * size)
-    throw OptionError("cell", "a cell of " + short_number(cell) + " is more than a quarter of the surface, which is " +
-                                  short_number(size) + " long");
+    throw OptionError("cell", "a cell of " + short_number(cell) +
+                                  " is more than a quarter of the length of the surface, " + short_number(size) +
+                                  "; use a smaller one");
   if (settings.offset > 0 && settings.offset < kOffsetCells * cell * (1 - 1e-9))
     throw OptionError("offset", "must be at least 3 cells (" + short_number(kOffsetCells * cell) +
-                                    "), or the kink of an unsigned distance at the surface spoils the grid");
+                                    "), because an unsigned distance has a kink at the surface");
   Sampled sampled = settings.accuracy ? sample_to_accuracy(source, box, settings, *settings.accuracy, progress)
                                       : sample(source, box, settings, cell, progress);
   const Misses& m = sampled.misses;
@@ -157,17 +158,17 @@ SampledDistance build_distance_grid(const DistanceSource& source, const Distance
   if (static_cast<double>(m.lost) > kMostLost * static_cast<double>(m.places))
     throw InputError("a cell of " + short_number(used) + " is too large for this surface: " + std::to_string(m.lost) +
                      " of " + std::to_string(m.places) +
-                     " places on it are more than a quarter of a cell from the surface of the grid, the worst " +
+                     " points on it are more than a quarter of a cell from the surface of the grid, the worst at " +
                      point_text(m.worst_at) +
-                     " (sheets thinner than a cell merge or vanish, as do parts inside others): a smaller cell");
+                     " (sheets thinner than a cell, and parts inside others, merge or vanish): use a smaller cell");
   SampledDistance result{std::move(sampled.grid), settings.offset, m.worst, m.mean, source.notes()};
   result.notes.push_back("distance grid: " + text(result.grid.shape()) + "; its surface is within " +
-                         short_number(m.worst) + " (mean " + short_number(m.mean) +
-                         ") of the one it was made from, at " + std::to_string(m.places) + " places");
+                         short_number(m.worst) + " (mean " + short_number(m.mean) + ") of its source, measured at " +
+                         std::to_string(m.places) + " points");
   if (m.lost > 0)
     result.notes.push_back(std::to_string(m.lost) +
-                           " of these places are more than a quarter of a cell off, the worst " +
-                           point_text(m.worst_at) + ": something there is thinner than a cell");
+                           " of these points are more than a quarter of a cell off, the worst at " +
+                           point_text(m.worst_at) + ": the surface has details thinner than a cell there");
   return result;
 }
 

@@ -97,11 +97,10 @@ class CloudDistance final : public DistanceSource {
   std::string no_sides(const Vector3d& x) const {
     std::ostringstream out;
     out.precision(6);
-    out << "the surface of the cloud has no inside: from both its sides one gets to (" << x[0] << ", " << x[1] << ", "
+    out << "the surface of the cloud has no inside: both its sides are connected to (" << x[0] << ", " << x[1] << ", "
         << x[2]
-        << ") without crossing it (a partial scan, holes wider than the supports, normals that disagree); ask for the "
-           "surface at a distance from "
-           "it (sign: unsigned, offset)";
+        << ") without crossing it. Causes are a partial scan, holes wider than the radius, or normals that disagree. "
+           "Use the surface at a distance from it (sign: unsigned, offset)";
     return out.str();
   }
 

@@ -20,13 +20,13 @@ DistanceGrid::DistanceGrid(const GridShape& shape, std::vector<double> values)
       rows_(static_cast<std::size_t>(shape.count[1]) + 2) {
   if (*std::min_element(shape.count.begin(), shape.count.end()) < GridShape::kFewest)
     throw InputError("a distance grid needs at least " + std::to_string(GridShape::kFewest) +
-                     " nodes along every axis, this one has " + std::to_string(shape.count[0]) + " x " +
+                     " nodes along every axis, but this one has " + std::to_string(shape.count[0]) + " x " +
                      std::to_string(shape.count[1]) + " x " + std::to_string(shape.count[2]));
   if (values.size() != shape.nodes())
     throw InputError(std::to_string(values.size()) + " values for a grid of " + std::to_string(shape.nodes()) +
                      " nodes");
   if (!std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }))
-    throw InputError("a distance grid with a value that is not finite");
+    throw InputError("a distance grid has a value that is not finite");
   coefficients_.resize(row_ * rows_ * (static_cast<std::size_t>(shape.count[2]) + 2));
   for (int k = 0; k < shape.count[2]; ++k)
     for (int j = 0; j < shape.count[1]; ++j)

@@ -45,7 +45,7 @@ std::string too_large(const Eigen::AlignedBox3d& box, double cell, int margin, d
   if (std::isfinite(fitting))
     out << ": a cell of " << fitting << " fits";
   else
-    out << ", which is too little for any grid";
+    out << ", which is too small for any grid";
   return out.str();
 }
 
@@ -68,7 +68,7 @@ GridShape every_second(const GridShape& shape) {
   half.cell *= 2;
   for (int& count : half.count) count = (count + 1) / 2;
   if (*std::min_element(half.count.begin(), half.count.end()) < GridShape::kFewest)
-    throw InputError("the distance grid is too small for a coarser version of it: " + text(shape));
+    throw InputError("the distance grid is too small for a coarser version: " + text(shape));
   return half;
 }
 

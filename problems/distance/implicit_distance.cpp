@@ -140,7 +140,7 @@ class ImplicitDistance final : public DistanceSource {
     if (!any)
       throw InputError("no zero of f near a node of the grid: " + text(field.shape) + " from " +
                        point_text(field.shape.origin) + " to " + point_text(field.shape.upper()) +
-                       " (the surface lies outside the box, or between the nodes: a smaller cell)");
+                       " (the surface is outside the box, or between the nodes: use a larger box or a smaller cell)");
   }
 
   void refine(FootPointGrid& field, double exact, const BuildProgress& progress) const {
@@ -161,11 +161,11 @@ class ImplicitDistance final : public DistanceSource {
           if (signs[here] > 0) continue;
           if (signs[here] == 0)
             throw InputError("f has no finite value at " + point_text(shape.node(i, j, k)) +
-                             ", a node of the grid: a smaller box");
+                             ", a node of the grid: use a smaller box");
           for_neighbours(shape, {i, j, k}, [&](std::size_t next, const std::array<int, 3>&) {
             if (signs[next] > 0 && same_side(distance[here], distance[next], kSlack * shape.cell))
               throw InputError("f changes its sign near " + point_text(shape.node(i, j, k)) +
-                               " without a zero there: a pole, a fold, or too large a cell");
+                               " without a zero there: f has a pole or a fold, or the cell is too large");
           });
         }
   }

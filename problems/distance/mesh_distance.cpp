@@ -30,21 +30,20 @@ Vector3d on_border(const TriangleMesh& mesh) {
   return mesh.position(0);
 }
 
-constexpr const char* kUnsigned = "; close it, or ask for the surface at a distance from it (sign: unsigned, offset)";
+constexpr const char* kUnsigned = "; close it, or use the surface at a distance from it (sign: unsigned, offset)";
 
 /// Throws where there is no inside; else the orientation.
 FaceOrientation oriented(const TriangleMesh& mesh) {
   const MeshReport report = inspect(mesh);
   if (report.border_edges > 0)
-    throw InputError(
-        mesh.source() + ": the mesh is open, so that it has no inside: " + std::to_string(report.border_edges) +
-        " border edges in " + std::to_string(report.boundary_loops) + " loops, one at " + point_text(on_border(mesh)) +
-        ". `weld: true` joins vertices at equal positions, `weld: 1e-6` those that are no farther apart, "
-        "in length units; a hole has to be closed, or ask for the surface at a distance from it (sign: "
-        "unsigned, offset)");
+    throw InputError(mesh.source() + ": the mesh is open, so it has no inside: " + std::to_string(report.border_edges) +
+                     " border edges in " + std::to_string(report.boundary_loops) + " loops, one at " +
+                     point_text(on_border(mesh)) +
+                     ". `weld: true` merges vertices at equal positions, `weld: 1e-6` those no farther apart, in "
+                     "length units. Close holes, or use the surface at a distance from it (sign: unsigned, offset)");
   FaceOrientation orientation = orient_faces(mesh);
   if (orientation.one_sided)
-    throw InputError(mesh.source() + ": the surface is one-sided, so that it has no inside (seen at face " +
+    throw InputError(mesh.source() + ": the surface is one-sided, so it has no inside (seen at face " +
                      std::to_string(mesh.file_face(*orientation.one_sided)) + ")" + kUnsigned);
   return orientation;
 }
@@ -89,7 +88,7 @@ class MeshDistance final : public DistanceSource {
     std::ostringstream out;
     out.precision(3);
     out << source_ << ": the mesh has no clear inside: its winding number at " << point_text(x) << " is " << w
-        << ", which is no integer (edges with an odd number of faces?)" << kUnsigned;
+        << ", which is not an integer (edges with an odd number of faces?)" << kUnsigned;
     return out.str();
   }
 

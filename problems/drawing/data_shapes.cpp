@@ -17,7 +17,7 @@ TriangleSoup data_surface(TriangleSoup all, const Points& focus, std::vector<std
   TriangleSoup out = thinned(std::move(all), focus, kMostTriangles);
   if (out.triangles.size() < given)
     notes.push_back("drawn with " + std::to_string(out.triangles.size()) + " triangles instead of " +
-                    std::to_string(given) + ", with all near the path");
+                    std::to_string(given) + ", including all near the path");
   return out;
 }
 

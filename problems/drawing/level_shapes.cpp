@@ -81,7 +81,7 @@ std::vector<std::vector<int>> links_of(const LevelSamples& samples, const LevelS
 TriangleSoup level_surface(const ConstraintManifold& manifold, const ConstraintFunction& function,
                            const Surroundings& path, const Surroundings* whole, std::vector<std::string>& notes) {
   const LevelRegion region = whole != nullptr ? LevelRegion{*whole, true} : level_region(function, path);
-  if (!region.whole) notes.emplace_back("the surface goes on beyond the part that is drawn");
+  if (!region.whole) notes.emplace_back("the surface extends beyond the part that is drawn");
   const LevelSamples samples(function, region.box, kCellsInSpace);
   LevelSamples::Net net = samples.net();
   const std::vector<char> keep = settle(manifold, net.points, 1.8 * samples.cell());

@@ -83,8 +83,8 @@ void ExactSearch::use(Landmarks landmarks) {
   const TriangleMesh& mesh = tables_->edges.mesh();
   if (landmarks.made_for() != fingerprint(mesh))
     throw InputError(mesh.source() +
-                     ": these landmarks were made for another mesh or other positions of it, and their distances are "
-                     "no bounds here; make them anew (make_landmarks)");
+                     ": these landmarks were made for another mesh, or for other positions of it, so their distances "
+                     "are not bounds here; make them again (make_landmarks)");
   tables_->landmarks = std::move(landmarks);
 }
 
@@ -132,8 +132,8 @@ ExactResult ExactSearch::shortest(const SurfacePoint& source, const SurfacePoint
       return true;
     }
     result.outcome = ExactOutcome::blocked;
-    result.reason = run.blocked() ? "a shorter path could cross a face without height"
-                                  : "what rounding leaves open is more than the tolerance";
+    result.reason = run.blocked() ? "a shorter path could cross a degenerate face"
+                                  : "the rounding error is larger than the tolerance";
     return false;
   };
 
@@ -158,7 +158,7 @@ ExactDistances ExactSearch::distances(const SurfacePoint& source, Workspace& wor
 
 ExactDistances ExactSearch::distances(std::span<const SurfacePoint> sources, Workspace& workspace,
                                       const ExactOptions& options) const {
-  if (sources.empty()) throw InputError("distances start somewhere: give one source at least");
+  if (sources.empty()) throw InputError("distances need at least one source");
   const HalfEdges& edges = tables_->edges;
   std::vector<EndPoint> from;
   from.reserve(sources.size());

@@ -26,7 +26,7 @@ constexpr std::uint32_t kVersion = 1;
 constexpr std::uint32_t kPrecision = sizeof(float);
 constexpr std::uint64_t kMostLandmarks = 1U << 16;
 constexpr std::uint64_t kMostVertices = 1U << 31;
-static_assert(std::endian::native == std::endian::little, "an index is written as it lies in memory");
+static_assert(std::endian::native == std::endian::little, "an index is written as it is in memory");
 
 std::uint64_t checksum(std::span<const char> bytes) {
   constexpr std::uint64_t kOffset = 14695981039346656037ULL, kPrime = 1099511628211ULL;
@@ -54,7 +54,7 @@ class Bytes {
 
   template <class T>
   std::vector<T> take(std::uint64_t count) {
-    if (count > left_.size() / sizeof(T)) throw InputError(name_ + ": the index is cut off; make it anew");
+    if (count > left_.size() / sizeof(T)) throw InputError(name_ + ": the index is truncated; make it again");
     std::vector<T> values(static_cast<std::size_t>(count));
     if (count > 0) std::memcpy(values.data(), left_.data(), values.size() * sizeof(T));
     left_ = left_.subspan(values.size() * sizeof(T));
@@ -87,7 +87,7 @@ void write_landmarks(const Landmarks& landmarks, const std::filesystem::path& fi
   std::filesystem::path beside = file;  // a name of its own: nothing that is there is written over
   beside += "." + std::to_string(std::random_device{}()) + ".part";
   std::error_code failed;
-  if (std::filesystem::exists(beside, failed)) throw InputError(beside.string() + ": is there already");
+  if (std::filesystem::exists(beside, failed)) throw InputError(beside.string() + ": already exists");
   {
     std::ofstream stream(beside, std::ios::binary);
     stream.write(out.data(), static_cast<std::streamsize>(out.size()));
@@ -106,29 +106,29 @@ Landmarks read_landmarks(const std::filesystem::path& file, std::uint64_t made_f
   const std::vector<char> all{std::istreambuf_iterator<char>(stream), {}};
   const std::size_t sealed = sizeof(std::uint64_t);
   if (all.size() < kMagic.size() + sealed || std::string_view(all.data(), kMagic.size()) != kMagic)
-    throw InputError(name + ": this is no index of landmarks, which begins with " + std::string(kMagic));
+    throw InputError(name + ": not an index of landmarks, which begins with " + std::string(kMagic));
   const std::span<const char> body(all.data(), all.size() - sealed);
   Bytes bytes(body.subspan(kMagic.size()), name);
   const auto version = bytes.take<std::uint32_t>(), precision = bytes.take<std::uint32_t>();
   if (version != kVersion || precision != kPrecision)
     throw InputError(name + ": the index has version " + std::to_string(version) + " and distances of " +
-                     std::to_string(precision) + " bytes, and this program reads version " + std::to_string(kVersion) +
-                     " with " + std::to_string(kPrecision) + "; make it anew");
+                     std::to_string(precision) + " bytes, but this program reads version " + std::to_string(kVersion) +
+                     " with " + std::to_string(kPrecision) + "; make it again");
   std::uint64_t seal = 0;
   std::memcpy(&seal, all.data() + body.size(), sealed);
-  if (seal != checksum(body)) throw InputError(name + ": the index is cut off or was changed; make it anew");
+  if (seal != checksum(body)) throw InputError(name + ": the index is truncated or was changed; make it again");
   const auto wanted = bytes.take<std::uint64_t>(), vertices = bytes.take<std::uint64_t>();
   if (wanted != made_for)
     throw InputError(name +
-                     ": this index was made for another mesh, other positions of it or another metric, and its "
-                     "distances are no bounds here; make it anew");
+                     ": this index was made for another mesh, other positions of it or another metric, so its "
+                     "distances are not bounds here; make it again");
   const auto count = bytes.take<std::uint64_t>();
   if (count > kMostLandmarks || vertices > kMostVertices)
-    throw InputError(name + ": the index is not one of this program");
+    throw InputError(name + ": the index was not made by this program");
   std::vector<std::int32_t> of = bytes.take<std::int32_t>(count);
   std::vector<double> widths = bytes.take<double>(count);
   std::vector<float> distances = bytes.take<float>(count * vertices);
-  if (!bytes.empty()) throw InputError(name + ": the index is longer than it says; make it anew");
+  if (!bytes.empty()) throw InputError(name + ": the index is longer than its header says; make it again");
   return {wanted, static_cast<std::size_t>(vertices), std::move(of), std::move(widths), std::move(distances)};
 }
 

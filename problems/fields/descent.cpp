@@ -122,7 +122,7 @@ Descent descend(const TriangleMesh& mesh, std::span<const double> values, const 
                 const SurfacePoint& source) {
   if (values.size() != slot(mesh.vertex_count()))
     throw InputError("descent: " + std::to_string(values.size()) + " values for " +
-                     std::to_string(mesh.vertex_count()) + " vertices; one per vertex is needed");
+                     std::to_string(mesh.vertex_count()) + " vertices; give one per vertex");
   const Tracer tracer(mesh, values);
   const Place goal = place_of(mesh, source);
   Place here = place_of(mesh, start);

@@ -25,7 +25,7 @@ constexpr double kLeastReach = 1.0 / 400;
 constexpr double kShift = 1e-9;
 
 void throw_if_stopped(const HeatOptions& options) {
-  if (options.stop && options.stop()) throw Interrupted("heat distances: stopped while the systems were made");
+  if (options.stop && options.stop()) throw Interrupted("heat distances: stopped while the systems were set up");
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ struct HeatDistances::Systems {
 };
 
 HeatDistances::HeatDistances(const TriangleMesh& mesh, const HeatOptions& options) {
-  if (!(options.time > 0)) throw OptionError("time", "is " + short_number(options.time) + ", must be above 0");
+  if (!(options.time > 0)) throw OptionError("time", "is " + short_number(options.time) + ", but must be above 0");
   auto systems = std::make_unique<Systems>(mesh);
   IntrinsicMesh& intrinsic = systems->intrinsic;
   if (options.delaunay) systems->flips = intrinsic.make_delaunay(options.stop);

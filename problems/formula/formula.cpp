@@ -14,10 +14,11 @@ void check_parameters(const FormulaNames& names) {
   for (const auto& [name, value] : names.parameters) {
     const std::string key = "parameters." + name;
     if (!is_formula_name(name))
-      throw OptionError(key, "a parameter has a name of letters, digits and _, not a digit first");
-    if (is_formula_word(name)) throw OptionError(key, "'" + name + "' is a function or constant of formulas already");
+      throw OptionError(
+          key, "the name of a parameter must have letters, digits and _ only, and must not begin with a digit");
+    if (is_formula_word(name)) throw OptionError(key, "'" + name + "' is already a function or constant of formulas");
     if (std::count(names.variables.begin(), names.variables.end(), name) > 0)
-      throw OptionError(key, "'" + name + "' is a variable of the formula already");
+      throw OptionError(key, "'" + name + "' is already a variable of the formula");
     if (!std::isfinite(value)) throw OptionError(key, "a parameter must be finite");
   }
 }

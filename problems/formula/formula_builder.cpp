@@ -133,10 +133,10 @@ FormulaProgram FormulaBuilder::compile(const std::vector<Node>& outputs) const {
   }
   if (used > FormulaProgram::kMaxRegisters)
     throw InputError("a formula needs " + std::to_string(used) +
-                     " variables and intermediate values at the same time; the most is " +
+                     " variables and intermediate values at the same time; the limit is " +
                      std::to_string(FormulaProgram::kMaxRegisters));
   if (steps.size() > FormulaProgram::kMaxSteps)
-    throw InputError("a formula needs " + std::to_string(steps.size()) + " operations; the most is " +
+    throw InputError("a formula needs " + std::to_string(steps.size()) + " operations; the limit is " +
                      std::to_string(FormulaProgram::kMaxSteps));
   std::vector<std::uint8_t> where;
   where.reserve(outputs.size());

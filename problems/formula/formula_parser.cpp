@@ -68,8 +68,8 @@ class Parser {
     if (at_end()) fail(0, "the formula is empty");
     const Node node = sum();
     if (at_end()) return node;
-    if (text_[at_] == ')') fail(at_, "this ')' closes nothing");
-    if (text_[at_] == '=') fail(at_, "found '=': write an equation a = b as a - (b), which is 0 where it holds");
+    if (text_[at_] == ')') fail(at_, "this ')' has no matching '('");
+    if (text_[at_] == '=') fail(at_, "found '=': write an equation a = b as a - (b)");
     fail(at_, "found " + found() + " where an operator (+ - * / ^) or the end was expected");
   }
 
@@ -128,7 +128,7 @@ class Parser {
     Node node = sign();
     for (;;) {
       const std::size_t here = at_;
-      if (peek() == '*' && text_.substr(at_, 2) == "**") fail(at_, "found '**': a power is written x^y");
+      if (peek() == '*' && text_.substr(at_, 2) == "**") fail(at_, "found '**': write a power as x^y");
       if (take('*'))
         node = apply(FormulaOp::multiply, node, sign(), here);
       else if (take('/'))
@@ -187,7 +187,7 @@ class Parser {
     if (error != std::errc() || !std::isfinite(value)) fail(at_, "this number does not fit double precision");
     at_ += static_cast<std::size_t>(end - begin);
     const std::string digits(begin, end);
-    if (peek() == '.') fail(at_, "a number has one decimal point");
+    if (peek() == '.') fail(at_, "a number can have only one decimal point");
     if (is_letter(peek()))
       fail(at_, "found " + found() + " right after a number: write a product as " + digits + "*" +
                     found().substr(1, found().size() - 2));
@@ -214,7 +214,7 @@ class Parser {
       node = builder_.constant(std::numbers::e);
     else
       unknown(word, begin);
-    if (peek() == '(') fail(begin, "'" + word + "' is not a function; a product is written " + word + "*(..)");
+    if (peek() == '(') fail(begin, "'" + word + "' is not a function; write a product as " + word + "*(..)");
     return node;
   }
 
@@ -250,7 +250,7 @@ class Parser {
       least = distance;
       hint = " (did you mean '" + candidate + "'?)";
     }
-    std::string known = "; known are " + listed(names_.variables);
+    std::string known = "; known names are " + listed(names_.variables);
     if (!parameters.empty()) known += ", the parameters " + listed(parameters);
     fail(position, "unknown name '" + word + "'" + hint + known + ", pi, e and the functions");
   }

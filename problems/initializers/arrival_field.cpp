@@ -138,7 +138,8 @@ void ArrivalField::work_off(Queue& queue, bool leaping, const std::function<bool
   constexpr int kNodesPerLook = 256;
   double least_at_target = kNever;
   for (int steps = 1; !queue.empty(); ++steps) {
-    if (steps % kNodesPerLook == 0 && stop()) throw Interrupted("eikonal: interrupted while costs spread");
+    if (steps % kNodesPerLook == 0 && stop())
+      throw Interrupted("eikonal: interrupted while the arrival costs were computed");
     const auto [c, node] = queue.pop();
     if (c > arrivals_[static_cast<std::size_t>(node)].cost) continue;
     if (c > least_at_target) return;

@@ -11,7 +11,7 @@ namespace {
 
 InitializationError lost() {
   return InitializationError(
-      "eikonal: the target is reached, but the way back is lost between the nodes: more cells may show it");
+      "eikonal: the target was reached, but the way back is lost between the nodes: use more cells");
 }
 
 }  // namespace

@@ -28,14 +28,15 @@ Eigen::VectorXd across(const Eigen::VectorXd& line, double angle) {
 
 void BowOptions::fields(FieldVisitor& visit) {
   visit.field("height", height,
-              {.help = "Height of the arc over the distance of the ends; 0.5 is nearly a half circle.", .minimum = 0});
-  visit.field("angle", angle, {.help = "To which side, about the straight line.", .unit = "degrees"});
+              {.help = "Height of the arc, relative to the distance between the ends; 0.5 is nearly a half circle.",
+               .minimum = 0});
+  visit.field("angle", angle, {.help = "Side of the arc, as an angle about the straight line.", .unit = "degrees"});
 }
 
 FirstPath BowInitializer::first_path(const Problem& problem, const Monitor& monitor) const {
   if (problem.ring) throw InitializationError("a ring has no ends to join: give waypoints");
   const Eigen::VectorXd &a = problem.source.u, &b = problem.target.u;
-  if (a.size() < 2) throw InitializationError("on a line there is nowhere to bow to");
+  if (a.size() < 2) throw InitializationError("a path on a line cannot bow");
   const Eigen::VectorXd sag = options_.height * (b - a).norm() * across(b - a, options_.angle * std::numbers::pi / 180);
   FirstPath first;
   first.path.u.resize(a.size(), kSegments + 1);

@@ -27,12 +27,11 @@ int side_points_for(const CellMap& map) {
 }  // namespace
 
 void CellGraphOptions::fields(FieldVisitor& visit) {
-  visit.field(
-      "side_points", side_points,
-      {.help = "Places on each side of a cell, beside its corners: more see more ways, and take longer. Without "
-               "it 3, and 1 where the raster has more than 300,000 cells.",
-       .minimum = 0,
-       .maximum = 63});
+  visit.field("side_points", side_points,
+              {.help = "Points on each side of a cell, in addition to its corners; more points find more paths and "
+                       "take longer. Default: 3, or 1 if the raster has more than 300,000 cells.",
+               .minimum = 0,
+               .maximum = 63});
 }
 
 FirstPath CellGraphInitializer::first_path(const Problem& problem, const Monitor& monitor) const {
@@ -41,13 +40,13 @@ FirstPath CellGraphInitializer::first_path(const Problem& problem, const Monitor
   if (SideNodes::count_for(map, side_points) > kMostPlaces)
     throw InputError("cell_graph: " + std::to_string(map.rows()) + " x " + std::to_string(map.columns()) +
                      " cells are too many for " + std::to_string(side_points) +
-                     " places on each side: give fewer (initializer: {type: cell_graph, side_points: 0}), or a box "
+                     " points on each side: give fewer (initializer: {type: cell_graph, side_points: 0}), or a box "
                      "around the ends (manifold: {type: euclidean, lower: [..], upper: [..]})");
   const CellPath found = least_cell_path(map, problem.source.u, problem.target.u, side_points, [&monitor] {
     if (monitor.cancelled()) throw Interrupted("while the cells were searched");
     look_at_clock(monitor.deadline);
   });
-  if (found.empty()) throw InitializationError("cells without data part the ends: no path leads from one to the other");
+  if (found.empty()) throw InitializationError("cells without data separate the ends: there is no path between them");
   FirstPath first;
   const CellPath path = beside_sides(map, found);  // along a side of the domain's box too only cells in it count
   first.path.u.resize(2, static_cast<Index>(path.size()));

@@ -17,16 +17,16 @@ constexpr int kPointsPerTurn = 64, kMostTurns = 1000;
 Index seam_of(const std::vector<Seam>& seams, int coordinate) {
   for (std::size_t s = 0; s < seams.size(); ++s)
     if (seams[s].coordinate == coordinate) return static_cast<Index>(s);
-  throw OptionError("coordinate", "coordinate " + std::to_string(coordinate) + " of this chart does not come back");
+  throw OptionError("coordinate", "coordinate " + std::to_string(coordinate) + " of this chart is not periodic");
 }
 
 }  // namespace
 
 void CoordinateCircleOptions::fields(FieldVisitor& visit) {
-  visit.field("coordinate", coordinate, {.help = "The coordinate that runs around, from 0.", .minimum = 0});
+  visit.field("coordinate", coordinate, {.help = "The coordinate that varies, numbered from 0.", .minimum = 0});
   visit.field("through", through,
               {.help = "A point of the circle, in the coordinates of the chart.", .required = true});
-  visit.field("turns", turns, {.help = "How many times it runs around.", .minimum = 1, .maximum = kMostTurns});
+  visit.field("turns", turns, {.help = "Number of turns.", .minimum = 1, .maximum = kMostTurns});
 }
 
 CoordinateCircleInitializer::CoordinateCircleInitializer(CoordinateCircleOptions options)
@@ -37,12 +37,12 @@ CoordinateCircleInitializer::CoordinateCircleInitializer(CoordinateCircleOptions
 
 FirstPath CoordinateCircleInitializer::first_path(const Problem& problem, const Monitor&) const {
   const auto* domain = find_ability<HasSeams>(*problem.manifold);
-  if (!problem.ring) throw InitializationError("a coordinate circle is a ring (path.ring: true)");
+  if (!problem.ring) throw InitializationError("a coordinate circle is a ring: use path.ring: true");
   if (domain == nullptr) throw InitializationError("a coordinate circle needs a chart with seams");
   const int d = problem.manifold->dimensions().coordinate;
   if (options_.through.size() != d)
     throw OptionError("through",
-                      std::to_string(options_.through.size()) + " coordinates, the chart has " + std::to_string(d));
+                      std::to_string(options_.through.size()) + " coordinates, but the chart has " + std::to_string(d));
   const Index seam = seam_of(domain->seams(), options_.coordinate);
   Eigen::VectorXi windings = Eigen::VectorXi::Zero(static_cast<Index>(domain->seams().size()));
   windings[seam] = options_.turns;
@@ -55,8 +55,8 @@ FirstPath CoordinateCircleInitializer::first_path(const Problem& problem, const 
   end[options_.coordinate] += step * static_cast<double>(count);
   if ((first.path.column(count) - end).norm() > 1e-9 * (1 + end.norm()))
     throw InitializationError(
-        "the circle does not close: crossing the seam turns another coordinate over; start where that one is 0, or "
-        "take an even number of turns");
+        "the circle does not close: crossing the seam reverses another coordinate; start where that one is 0, or use "
+        "an even number of turns");
   return first;
 }
 

@@ -24,14 +24,13 @@ FirstPath by_length(const Problem& problem, const DijkstraOptions& options, Rout
                     const Monitor& monitor) {
   const auto* domain = find_ability<HasMesh>(*problem.manifold);
   if (domain == nullptr)
-    throw InputError(
-        "dijkstra with more than one route, diagonals or landmarks needs a mesh; leave them out elsewhere");
+    throw InputError("dijkstra with more than one route, diagonals or landmarks needs a mesh; remove them elsewhere");
   const TriangleMesh& mesh = domain->mesh();
   const std::optional<MetricRoot> metric = constant_metric(problem);
   if (!metric)
     throw InputError(
-        "dijkstra with more than one route, diagonals or landmarks measures lengths, which needs a cost with a "
-        "constant metric (euclidean, metric_tensor); leave them out");
+        "dijkstra with more than one route, diagonals or landmarks needs a cost with a constant metric (euclidean, "
+        "metric_tensor); remove them");
   const SurfacePoint source = point_on_face(mesh, problem.source.site, in_space(problem.source.u));
   const SurfacePoint target = point_on_face(mesh, problem.target.site, in_space(problem.target.u));
   const StopPredicate stop = [&monitor] { return monitor.interrupted(); };
@@ -89,17 +88,18 @@ void DijkstraOptions::fields(FieldVisitor& visit) {
                .minimum = 1,
                .maximum = 2});
   visit.field("rank", rank,
-              {.help = "k: the k-th of routes that keep away from each other, for another class of paths.",
+              {.help = "k: the k-th of several routes that avoid each other, for another class of paths.",
                .minimum = 1,
                .maximum = 32});
   visit.field("diagonals", diagonals,
-              {.help = "Also moves from a vertex of a mesh straight across an edge to the vertex opposite, for costs "
-                       "with a constant metric: more often the class of the shortest path."});
-  visit.field("landmarks", landmarks,
-              {.help = "Vertices of a mesh whose distances to all others are made once and aim every later search, for "
-                       "costs with a constant metric: quicker for many pairs on a large mesh, for 4 bytes each.",
-               .minimum = 0,
-               .maximum = 256});
+              {.help = "Also use moves from a mesh vertex across an edge to the opposite vertex, for costs with a "
+                       "constant metric. The path is then more often in the class of the shortest one."});
+  visit.field(
+      "landmarks", landmarks,
+      {.help = "Number of mesh vertices whose distances to all others are computed once, to guide every later search, "
+               "for costs with a constant metric. Faster for many pairs on a large mesh; each distance takes 4 bytes.",
+       .minimum = 0,
+       .maximum = 256});
 }
 
 DijkstraInitializer::DijkstraInitializer(DijkstraOptions options)
@@ -108,10 +108,8 @@ DijkstraInitializer::DijkstraInitializer(DijkstraOptions options)
 FirstPath DijkstraInitializer::first_path(const Problem& problem, const Monitor& monitor) const {
   if (problem.ring) throw InitializationError("a ring has no ends to join: give waypoints");
   const bool lengths = options_.routes > 1 || options_.diagonals || options_.landmarks > 0;
-  if (options_.rank > 1 && options_.routes > 1)
-    throw OptionError("rank", "goes with routes: 1; the best of two routes has no second best");
-  if (options_.rank > 1 && lengths)
-    throw OptionError("rank", "goes without diagonals and landmarks: routes keep away from each other by their cost");
+  if (options_.rank > 1 && options_.routes > 1) throw OptionError("rank", "needs routes: 1");
+  if (options_.rank > 1 && lengths) throw OptionError("rank", "works without diagonals and landmarks only");
   const auto* domain = find_ability<HasGraph>(*problem.manifold);
   if (domain == nullptr) throw InputError("initializer dijkstra needs a domain with a graph: a mesh or a point cloud");
   if (lengths) return by_length(problem, options_, *keeper_, monitor);

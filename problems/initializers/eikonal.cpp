@@ -63,15 +63,14 @@ int cells_for(const LatticeBox& box, const Problem& problem, bool obstacles) {
 CoordinatePath way_of(const ArrivalField& field, const Problem& problem) {
   if (!field.arrival_cost())
     throw InitializationError("eikonal: " + lattice_in_words(field.lattice()) +
-                              ": no way arrives at the target. More cells may find a narrower one, a wider box "
-                              "(lower, upper) one around");
+                              ": no path reaches the target. Use more cells to find a narrower passage, or a wider box "
+                              "(lower, upper) to find a way around");
   const std::vector<Eigen::Vector2d> way = field.way();
   CoordinatePath path{Points(2, static_cast<Index>(way.size())), {}, false};
   for (std::size_t k = 0; k < way.size(); ++k) path.u.col(static_cast<Index>(k)) = way[k];
   if (!std::isfinite(PathEnergy(problem, 1).cost(path)))
-    throw InitializationError(
-        "eikonal: " + lattice_in_words(field.lattice()) +
-        ": the way found passes places without a cost between the nodes. More cells may see them");
+    throw InitializationError("eikonal: " + lattice_in_words(field.lattice()) +
+                              ": the path found crosses places with infinite cost between the nodes. Use more cells");
   return path;
 }
 
@@ -114,19 +113,18 @@ FirstPath among_obstacles(const Problem& problem, const Monitor& monitor, const 
 
 void EikonalOptions::fields(FieldVisitor& visit) {
   visit.field("cells", cells,
-              {.help = "Cells along the longest side of the box; default: those of a raster of costs, or a multiple, "
-                       "but no more than a field in a fraction of a second has; 100 without one.",
+              {.help = "Number of cells along the longest side of the box. Default: as in the cost raster, or a "
+                       "multiple, limited so that the field takes a fraction of a second; 100 without a raster.",
                .minimum = kFewestCells,
                .maximum = kMostCells});
-  visit.field(
-      "lower", lower,
-      {.help = "Lower corner of the box of coordinates that is searched; default: that of the domain, and where "
-               "it has none the ends with as much around them as they are apart."});
+  visit.field("lower", lower,
+              {.help = "Lower corner of the searched box of coordinates. Default: that of the domain; if it has none, "
+                       "a box around the ends with their distance as margin."});
   visit.field("upper", upper, {.help = "Upper corner of that box."});
   visit.field(
       "fallback", fallback,
-      {.help = "Where no way is found, the straight line, or among obstacles a grid in the plane or edges of the "
-               "domain; without obstacles the line too where it costs no more. On where eikonal is the default."});
+      {.help = "If no path is found, use the straight line, or, among obstacles, a grid in the plane or the edges of "
+               "the domain. Without obstacles, also use the line if it costs no more. On if eikonal is the default."});
 }
 
 EikonalInitializer::EikonalInitializer(const EikonalOptions& options) : options_(checked(options)) {
@@ -162,14 +160,14 @@ FirstPath EikonalInitializer::down_the_field(const Problem& problem, const Monit
   const ConstraintManifold& domain = *problem.manifold;
   if (domain.dimensions().coordinate != 2 || domain.shape() == Shape::polyhedral)
     throw InitializationError(
-        "eikonal works where two coordinates name a point: the plane, charts, terrain; on a mesh or a cloud use "
-        "dijkstra, elsewhere rrt");
+        "eikonal needs points with two coordinates (the plane, charts, terrain); on a mesh or a cloud use dijkstra, "
+        "elsewhere rrt");
   const MoveCheck moves(problem);
   LatticeBox box = LatticeBox::of(problem, options_.lower, options_.upper);
   close_by_raster(box, problem);
   for (const PathEnd* end : {&problem.source, &problem.target})
     if ((end->u.array() < box.lower.array()).any() || (end->u.array() > box.upper.array()).any())
-      throw InitializationError("eikonal: an end lies outside the box that is searched: widen lower and upper");
+      throw InitializationError("eikonal: an end is outside the searched box: widen lower and upper");
   const int cells = options_.cells.value_or(cells_for(box, problem, moves.among_obstacles()));
   const auto search = [&](int count, const ArrivalField::Way& how) {
     const ArrivalField field(problem, moves, box, count, how, [&monitor] { return monitor.interrupted(); });

@@ -51,21 +51,21 @@ double most_cells(const LatticeBox& box, double resolution) {
 }  // namespace
 
 void GridOptions::fields(FieldVisitor& visit) {
-  visit.field("resolution", resolution,
-              {.help = "Side of a cell of the first grid; default: a 64th of the longest side of the box, in space a "
-                       "32nd.",
-               .unit = "length",
-               .minimum = 0,
-               .exclusive_minimum = true});
+  visit.field(
+      "resolution", resolution,
+      {.help = "Side length of a cell of the first grid; default: 1/64 of the longest side of the box, in space 1/32.",
+       .unit = "length",
+       .minimum = 0,
+       .exclusive_minimum = true});
   visit.field("lower", lower,
-              {.help = "Lower corner of the box that is searched; default: that of the domain, and where it has none "
-                       "the ends with as much around them as they are apart.",
+              {.help = "Lower corner of the searched box. Default: that of the domain; if it has none, a box around "
+                       "the ends with their distance as margin.",
                .unit = "length"});
   visit.field("upper", upper, {.help = "Upper corner of that box.", .unit = "length"});
   visit.field("refinements", refinements,
-              {.help = "How often the cells are halved where the grid has no passage.", .minimum = 0, .maximum = 20});
-  visit.field("shortcuts", shortcuts, {.help = "Leaves out points of the route that a straight move can do without."});
-  visit.field("trees", trees, {.help = "Where no grid has a passage random trees look for one, as rrt."});
+              {.help = "How often the cells are halved if the grid has no passage.", .minimum = 0, .maximum = 20});
+  visit.field("shortcuts", shortcuts, {.help = "Removes points of the route that a straight move can skip."});
+  visit.field("trees", trees, {.help = "If no grid has a passage, random trees search for one, as in rrt."});
 }
 
 GridInitializer::GridInitializer(const GridOptions& options) : options_(checked(options)) {
@@ -99,7 +99,7 @@ FirstPath GridInitializer::first_path(const Problem& problem, const Monitor& mon
   }
   const std::string none = "grid: no passage at this resolution: " + tried;
   if (!options_.trees)
-    throw InitializationError(none + ". A smaller resolution, or more refinements, may find a narrower one");
+    throw InitializationError(none + ". Use a smaller resolution, or more refinements, to find a narrower one");
   try {
     FirstPath first = RrtInitializer().first_path(problem, monitor);
     first.notes.insert(first.notes.begin(), none);

@@ -35,7 +35,7 @@ Points kept_directions(const Problem& problem) {
   Eigen::Vector3d normal = mean_normal(problem);
   normal -= normal.dot(kept.col(0)) * Eigen::Vector3d(kept.col(0));
   if (normal.norm() < 1e-6)
-    throw InitializationError("there is no mirror: the line between the ends is normal to the surface");
+    throw InitializationError("the path cannot be mirrored: the line between the ends is normal to the surface");
   kept.conservativeResize(Eigen::NoChange, 2);
   kept.col(1) = normal.normalized();
   return kept;
@@ -48,13 +48,13 @@ double longest_move(const Points& u) {
 }  // namespace
 
 MirroredInitializer::MirroredInitializer(std::shared_ptr<const Initializer> original) : original_(std::move(original)) {
-  if (!original_) throw InputError("there is no initializer to mirror");
+  if (!original_) throw InputError("mirrored needs an initializer");
 }
 
 FirstPath MirroredInitializer::first_path(const Problem& problem, const Monitor& monitor) const {
-  if (problem.ring) throw InitializationError("a ring has no ends to mirror it at");
+  if (problem.ring) throw InitializationError("a ring has no ends and cannot be mirrored");
   if (problem.source.u == problem.target.u)
-    throw InitializationError("a loop has no line between its ends to mirror it at");
+    throw InitializationError("a loop has no line between its ends and cannot be mirrored");
   FirstPath first = original_->first_path(problem, monitor);
   Points& u = first.path.u;
   if (u.rows() != problem.source.u.size() || u.cols() < 2)

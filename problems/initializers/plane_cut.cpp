@@ -16,7 +16,7 @@ namespace leastcost {
 namespace {
 
 Eigen::Vector3d three_numbers(const Eigen::VectorXd& v, const char* key) {
-  if (v.size() != 3) throw OptionError(key, "three coordinates are needed: the plane cuts a surface in R^3");
+  if (v.size() != 3) throw OptionError(key, "must have three coordinates");
   if (!v.allFinite()) throw OptionError(key, "coordinates must be finite");
   return v;
 }
@@ -39,7 +39,7 @@ std::string number_of_curves(int count) {
 std::string failure(const TriangleMesh& mesh, const SectionCurves& curves, const Eigen::Vector3d& point,
                     const Eigen::Vector3d& normal) {
   if (curves.at_border + curves.at_edge > 0) {
-    std::string text = "the plane cuts the mesh in no closed curve: ";
+    std::string text = "the plane does not cut the mesh in a closed curve: ";
     if (curves.at_border > 0) text += number_of_curves(curves.at_border) + " at the border of the mesh";
     if (curves.at_border > 0 && curves.at_edge > 0) text += " and ";
     if (curves.at_edge > 0) text += number_of_curves(curves.at_edge) + " at an edge with three or more faces";
@@ -51,7 +51,7 @@ std::string failure(const TriangleMesh& mesh, const SectionCurves& curves, const
     lowest = std::min(lowest, height);
     highest = std::max(highest, height);
   }
-  if (lowest < 0 && highest > 0) return "the plane passes between the parts of the mesh and cuts none of them";
+  if (lowest < 0 && highest > 0) return "the plane passes between the parts of the mesh without cutting any";
   const double gap = std::max(lowest, -highest);
   if (gap > 0) return "the plane misses the mesh by " + short_number(gap) + " (length units)";
   return "the plane touches the mesh and does not cut it";
@@ -60,13 +60,11 @@ std::string failure(const TriangleMesh& mesh, const SectionCurves& curves, const
 }  // namespace
 
 void PlaneCutOptions::fields(FieldVisitor& visit) {
-  visit.field(
-      "point", point,
-      {.help =
-           "A point of the plane; of several closed curves the nearest to it is taken (on a smooth surface: one that "
-           "is near).",
-       .unit = "length",
-       .required = true});
+  visit.field("point", point,
+              {.help = "A point of the plane. Of several closed curves, the nearest to it is taken (on a smooth "
+                       "surface: one nearby).",
+               .unit = "length",
+               .required = true});
   visit.field("normal", normal, {.help = "Normal of the plane, of any length.", .required = true});
 }
 
@@ -82,7 +80,7 @@ FirstPath PlaneCutInitializer::first_path(const Problem& problem, const Monitor&
   if (!surface || domain.shape() == Shape::flat)
     throw InputError("initializer plane_cut needs a surface in R^3: a mesh, a chart, a level set or a point cloud");
   if (!problem.ring)
-    throw InitializationError("a plane cut is a closed curve and this path has two ends: use path.ring: true");
+    throw InitializationError("a plane cut is a closed curve, but this path has two ends: use path.ring: true");
   if (domain.shape() == Shape::smooth) {
     FirstPath first;
     first.path = smooth_section(domain, point_, normal_, monitor.deadline);

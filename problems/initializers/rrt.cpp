@@ -24,9 +24,9 @@ std::string failure(const RandomTrees& trees, const RrtOptions& options, double 
   out.precision(3);
   out << "rrt: " << (interrupted ? "interrupted" : "no path") << " after " << trees.size() << " nodes and "
       << trees.samples() << " samples; the trees from both ends came within "
-      << std::min(trees.least_distance(), distance) << ", the ends are " << distance << " apart";
+      << std::min(trees.least_distance(), distance) << ", but the ends are " << distance << " apart";
   if (!interrupted)
-    out << ". The ends may lie on different parts of the domain; otherwise try a smaller step, more than max_nodes: "
+    out << ". The ends may be on different parts of the domain; otherwise try a smaller step, more than max_nodes: "
         << options.max_nodes << ", or a larger reach";
   return out.str();
 }
@@ -78,13 +78,13 @@ RrtInitializer::RrtInitializer(const RrtOptions& options, int run_seed) : option
 FirstPath RrtInitializer::first_path(const Problem& problem, const Monitor& monitor) const {
   if (problem.ring) throw InitializationError("a ring has no ends to join: give waypoints");
   if (problem.manifold->shape() == Shape::polyhedral)
-    throw InitializationError("rrt works on smooth domains; a mesh has edges: use dijkstra");
+    throw InitializationError("rrt works on smooth domains, but a mesh has edges: use dijkstra");
   if (find_ability<HasChart>(*problem.manifold) != nullptr)
     throw InitializationError(
-        "rrt works in the space around a domain; a chart has none: use straight, bow or waypoints");
+        "rrt works in the space around a domain, but a chart has none: use straight, bow or waypoints");
   const double distance = (problem.target.u - problem.source.u).norm();
   if (!std::isfinite(distance * distance))
-    throw InitializationError("rrt: the distance of the ends is more than its square can say as a number");
+    throw InitializationError("rrt: the distance between the ends is too large: its square overflows");
   RandomTrees trees(problem, options_, static_cast<std::uint64_t>(*options_.seed));
   const std::optional<std::vector<Eigen::VectorXd>> nodes = trees.joined(options_.max_nodes, monitor);
   if (!nodes) {

@@ -6,24 +6,28 @@ namespace leastcost {
 
 void RrtOptions::fields(FieldVisitor& visit) {
   visit.field("step", step,
-              {.help = "Length of an edge of the tree; default: a sixteenth of the distance of the ends.",
+              {.help = "Length of an edge of the tree; default: 1/16 of the distance between the ends.",
                .unit = "length",
                .minimum = 0,
                .exclusive_minimum = true});
-  visit.field(
-      "shell", shell,
-      {.help = "How far nodes may be off the domain; default: a quarter of the step.", .unit = "length", .minimum = 0});
-  visit.field("goal_bias", goal_bias, {.help = "Share of samples that are the other end.", .minimum = 0, .maximum = 1});
+  visit.field("shell", shell,
+              {.help = "Largest distance of a node from the domain; default: a quarter of the step.",
+               .unit = "length",
+               .minimum = 0});
+  visit.field("goal_bias", goal_bias,
+              {.help = "Share of samples placed at the other end.", .minimum = 0, .maximum = 1});
   visit.field("reach", reach,
-              {.help = "How far beyond the tree samples are taken, in distances of the ends.",
+              {.help = "How far beyond the tree samples are taken, in units of the distance between the ends.",
                .minimum = 0,
                .exclusive_minimum = true});
-  visit.field("max_nodes", max_nodes, {.help = "Nodes of both trees after which the search gives up.", .minimum = 1});
-  visit.field("shortcuts", shortcuts, {.help = "Random shortcuts that are tried on the path found.", .minimum = 0});
-  visit.field("paths", paths,
-              {.help = "How many paths are looked for, of which the shortest is taken; default: 8 among obstacles in "
-                       "space, else 1.",
-               .minimum = 1});
+  visit.field("max_nodes", max_nodes,
+              {.help = "Number of nodes in both trees at which the search gives up.", .minimum = 1});
+  visit.field("shortcuts", shortcuts, {.help = "Number of random shortcuts tried on the path found.", .minimum = 0});
+  visit.field(
+      "paths", paths,
+      {.help =
+           "Number of paths to find, of which the shortest is taken; default: 8 among obstacles in space, otherwise 1.",
+       .minimum = 1});
   visit.field("seed", seed, {.help = "Seed of the samples; default: the seed of the run.", .minimum = 0});
 }
 

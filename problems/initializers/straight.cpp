@@ -51,13 +51,13 @@ CoordinatePath find_finite(const Problem& problem) {
       }
   const bool flat = problem.manifold->shape() == Shape::flat;
   if (flat && !std::isfinite(problem.cost->line_element(problem.target.u, problem.target.u - problem.source.u)))
-    throw InitializationError("the target lies outside the domain of the cost: every move to it costs infinitely much" +
+    throw InitializationError("the cost is not defined at the target: every move to it has infinite cost" +
                               reason_for_infinity(*problem.cost, problem.source.u, problem.target.u));
   const std::string reason = reason_on(problem, line);
   throw InitializationError(
-      "the cost is infinite on the straight line between the ends and on every bow around it (in all coordinate "
-      "directions, up to the distance of the ends)" +
-      (reason.empty() ? ": an end may lie outside the domain of the cost; otherwise give waypoints"
+      "the cost is infinite on the straight line between the ends, and on bows around it in all coordinate directions, "
+      "up to the distance between the ends" +
+      (reason.empty() ? ": the cost may not be defined at an end; otherwise give waypoints"
                       : reason + "; give waypoints around such places"));
 }
 

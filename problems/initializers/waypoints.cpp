@@ -41,7 +41,7 @@ CoordinatePath stops(const Problem& problem, const Points& waypoints, const Moni
   const Projection projection = project(*problem.manifold, path, monitor.deadline);
   if (!projection.failed.empty())
     throw InitializationError("waypoint " + std::to_string(projection.failed.front()) +
-                              " (counted from 0) has no nearest point on the domain");
+                              " (numbered from 0) has no nearest point on the domain");
   CoordinatePath all{Points(waypoints.rows(), waypoints.cols() + (problem.ring ? 1 : 2)), {}, false};
   if (problem.ring)
     all.u << path.u, path.u.col(0);
@@ -92,7 +92,7 @@ void WaypointsOptions::fields(FieldVisitor& visit) {
 
 void FileInitializerOptions::fields(FieldVisitor& visit) {
   visit.file("file", file,
-             {.help = "Text file with one point per row (the path.csv of an earlier run works).", .required = true});
+             {.help = "Text file with one point per row, such as the path.csv of an earlier run.", .required = true});
 }
 
 WaypointsInitializer::WaypointsInitializer(Points waypoints) : waypoints_(std::move(waypoints)) {
@@ -103,7 +103,7 @@ WaypointsInitializer::WaypointsInitializer(Points waypoints) : waypoints_(std::m
 FirstPath WaypointsInitializer::first_path(const Problem& problem, const Monitor& monitor) const {
   if (waypoints_.rows() != problem.manifold->dimensions().coordinate)
     throw OptionError("points", "waypoints have " + std::to_string(waypoints_.rows()) +
-                                    " coordinates, the domain has " +
+                                    " coordinates, but the domain has " +
                                     std::to_string(problem.manifold->dimensions().coordinate));
   if (problem.ring && waypoints_.cols() < 3) throw OptionError("points", "a ring needs at least 3 waypoints");
   FirstPath first;

@@ -18,15 +18,15 @@ constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();  ///< 
 
 void check_sizes(const Eigen::MatrixXd& normals, const Eigen::VectorXd& offsets, const Eigen::VectorXd& indices) {
   const auto count = [](Eigen::Index n) { return std::to_string(n); };
-  if (offsets.size() == 0) throw OptionError("interfaces", "missing: layers have at least one interface");
+  if (offsets.size() == 0) throw OptionError("interfaces", "missing: give at least one interface");
   if (!offsets.allFinite()) throw OptionError("interfaces", "must be finite numbers");
   if (indices.size() != offsets.size() + 1)
-    throw OptionError("indices", "has " + count(indices.size()) + " numbers, and " + count(offsets.size()) +
-                                     " interfaces lie between " + count(offsets.size() + 1) + " layers");
+    throw OptionError("indices", "has " + count(indices.size()) + " numbers, but " + count(offsets.size()) +
+                                     " interfaces separate " + count(offsets.size() + 1) + " layers");
   for (Eigen::Index i = 0; i < indices.size(); ++i)
     if (!(indices[i] > 0) || !std::isfinite(indices[i]))
       throw OptionError("indices", "number " + count(i + 1) + " must be greater than 0, and finite");
-  if (normals.rows() < 2) throw OptionError("normals", "layers need the plane, or a space of more dimensions");
+  if (normals.rows() < 2) throw OptionError("normals", "layers need a space of at least two dimensions");
   if (normals.cols() != offsets.size())
     throw OptionError("normals", "there are " + count(normals.cols()) + " for " + count(offsets.size()) +
                                      " interfaces: give one for all, or one each");
@@ -36,7 +36,8 @@ void check_sizes(const Eigen::MatrixXd& normals, const Eigen::VectorXd& offsets,
 void check_order(const Eigen::VectorXd& offsets) {
   for (Eigen::Index k = 1; k < offsets.size(); ++k)
     if (!(offsets[k] > offsets[k - 1]))
-      throw OptionError("interfaces", "must rise: number " + std::to_string(k + 1) + " is not above the one before");
+      throw OptionError("interfaces",
+                        "must increase: number " + std::to_string(k + 1) + " is not above the previous one");
 }
 
 }  // namespace

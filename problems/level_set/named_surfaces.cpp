@@ -105,7 +105,7 @@ std::shared_ptr<const ConstraintFunction> make_sphere_function(int dimension, do
 
 std::shared_ptr<const ConstraintFunction> make_ellipsoid_function(const Eigen::VectorXd& axes) {
   if (axes.size() != 3)
-    throw OptionError("axes", std::to_string(axes.size()) + " numbers; an ellipsoid has three half axes, [a, b, c]");
+    throw OptionError("axes", std::to_string(axes.size()) + " numbers; give three semi-axes, [a, b, c]");
   for (const double axis : axes) check_positive(axis, "axes");
   return make_constraint_function(Ellipsoid{axes.cwiseInverse()});
 }
@@ -114,7 +114,7 @@ std::shared_ptr<const ConstraintFunction> make_torus_function(double major_radiu
   check_positive(minor_radius, "minor_radius");
   check_positive(major_radius, "major_radius");
   if (!(minor_radius < major_radius))
-    throw OptionError("minor_radius", "must be smaller than major_radius, or the torus runs through itself");
+    throw OptionError("minor_radius", "must be smaller than major_radius, or the torus intersects itself");
   return make_constraint_function(Torus{major_radius, minor_radius});
 }
 

@@ -161,7 +161,7 @@ int BoundedLevelSet::active_bounds(const CoordinatePath& path, Index column, Eig
 std::string BoundedLevelSet::why_not_projected(const Eigen::VectorXd& x) const {
   Eigen::VectorXd on = x;
   if (LevelSet::project_point(on))
-    return "the nearest point of the whole set lies outside the box, and none was found inside";
+    return "the nearest point of the whole set is outside the box, and none was found inside";
   return LevelSet::why_not_projected(x);
 }
 

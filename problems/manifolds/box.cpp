@@ -15,8 +15,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 void check_side(const std::optional<Eigen::VectorXd>& side, const char* key, int dimension) {
   if (!side) return;
   if (side->size() != dimension)
-    throw OptionError(key,
-                      std::to_string(side->size()) + " numbers, the space has dimension " + std::to_string(dimension));
+    throw OptionError(
+        key, std::to_string(side->size()) + " numbers, but the space has dimension " + std::to_string(dimension));
   if (side->array().isNaN().any()) throw OptionError(key, "numbers must not be NaN");
 }
 

@@ -35,26 +35,27 @@ class RotationSet final : public LevelSet, public HasImages, public HasBlocks, p
 using LevelSetPtr = std::shared_ptr<const LevelSet>;
 
 LevelSetPtr from_equations(const ConstraintManifoldOptions& o) {
-  if (!o.dimension) throw OptionError("dimension", "equations need the dimension n of their space");
+  if (!o.dimension) throw OptionError("dimension", "give the dimension n of the space of the equations");
   const int n = *o.dimension;
   if (n < 2 || n > kMaxDimension)
     throw OptionError("dimension", "must be between 2 and " + std::to_string(kMaxDimension));
   if (static_cast<int>(o.equations.size()) >= n)
     throw OptionError("equations", std::to_string(o.equations.size()) + " equations in R^" + std::to_string(n) +
-                                       " leave no room to move: give fewer");
+                                       " leave only isolated points: give fewer");
   return std::make_shared<LevelSet>(
       make_formula_constraint(formulas_of_option("equations", o.equations, numbered_names("x", n), o.parameters)));
 }
 
 LevelSetPtr named(const constraint::Rotations& rotations, std::optional<int> dimension) {
-  if (dimension.value_or(4) != 4) throw OptionError("dimension", "quaternions have 4 coordinates");
+  if (dimension.value_or(4) != 4) throw OptionError("dimension", "must be 4 for quaternions");
   return std::make_shared<RotationSet>(rotations.nearest_image);
 }
 
 LevelSetPtr named(const constraint::Sphere& sphere, std::optional<int> dimension) {
   const int n = dimension.value_or(0);
   if (n < 2 || n > kMaxDimension)
-    throw OptionError("dimension", "a sphere needs the dimension of its space, 2 to " + std::to_string(kMaxDimension));
+    throw OptionError("dimension",
+                      "give the dimension of the space of the sphere, 2 to " + std::to_string(kMaxDimension));
   try {
     return std::make_shared<LevelSet>(make_sphere_function(n, sphere.radius));
   } catch (const OptionError& error) {
@@ -71,7 +72,7 @@ void Sphere::fields(FieldVisitor& visit) {
 }
 void Rotations::fields(FieldVisitor& visit) {
   visit.field("nearest_image", nearest_image,
-              {.help = "Takes, of the two quaternions of the target, the one to which a path is cheaper."});
+              {.help = "Of the two quaternions of the target, take the one with the cheaper path."});
 }
 
 }  // namespace constraint
@@ -79,9 +80,9 @@ void Rotations::fields(FieldVisitor& visit) {
 void ConstraintManifoldOptions::fields(FieldVisitor& visit) {
   visit.field("dimension", dimension, {.help = "Dimension n of the space.", .minimum = 2, .maximum = kMaxDimension});
   visit.field("equations", equations,
-              {.help = "Formulas in x0 .. x{n-1} that vanish on the set, fewer than n of them."});
-  visit.field("parameters", parameters, {.help = "Numbers by name that the equations use."});
-  visit.variant("set", set, {.help = "A set with a name, instead of equations."});
+              {.help = "Formulas in x0 .. x{n-1} that are zero on the set, fewer than n of them."});
+  visit.field("parameters", parameters, {.help = "Constants that the equations use, by name."});
+  visit.variant("set", set, {.help = "A named set, instead of equations."});
 }
 
 std::shared_ptr<const LevelSet> make_constraint_manifold(const ConstraintManifoldOptions& o) {
@@ -89,7 +90,8 @@ std::shared_ptr<const LevelSet> make_constraint_manifold(const ConstraintManifol
     throw OptionError("equations", "missing: give equations, like [\"x^2 + y^2 - 1\"], or a set");
   if (!o.equations.empty() && o.set) throw OptionError("equations", "give either equations or a set, not both");
   if (!o.set) return from_equations(o);
-  if (!o.parameters.empty()) throw OptionError("parameters", "parameters are for equations; the set has none");
+  if (!o.parameters.empty())
+    throw OptionError("parameters", "parameters are for equations, but the set has none: remove them");
   return std::visit([&](const auto& set) { return named(set, o.dimension); }, *o.set);
 }
 

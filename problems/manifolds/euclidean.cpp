@@ -22,7 +22,7 @@ const BoxOptions& checked(const BoxOptions& box, int dimension) {
   for (const auto& [key, side] : {std::pair{"lower", &box.lower}, std::pair{"upper", &box.upper}}) {
     const Index given = *side ? (*side)->size() : dimension;
     if (given == dimension) continue;
-    std::string message = std::to_string(given) + " numbers, the space has dimension " + std::to_string(dimension);
+    std::string message = std::to_string(given) + " numbers, but the space has dimension " + std::to_string(dimension);
     if (given >= 1 && given <= kMaxDimension) message += "; write `dimension: " + std::to_string(given) + "` for it";
     throw OptionError(key, message);
   }

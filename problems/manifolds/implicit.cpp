@@ -35,19 +35,18 @@ void Sphere::fields(FieldVisitor& visit) { length_field(visit, "radius", radius,
 void Ellipsoid::fields(FieldVisitor& visit) {
   visit.field(
       "axes", axes,
-      {.help = "Half axes [a, b, c].", .unit = "length", .minimum = 0, .exclusive_minimum = true, .required = true});
+      {.help = "Semi-axes [a, b, c].", .unit = "length", .minimum = 0, .exclusive_minimum = true, .required = true});
 }
 void Torus::fields(FieldVisitor& visit) {
-  length_field(visit, "major_radius", major_radius, "Radius of the circle in the middle of the tube.");
+  length_field(visit, "major_radius", major_radius, "Radius of the centre line of the tube.");
   length_field(visit, "minor_radius", minor_radius, "Radius of the tube, smaller than major_radius.");
 }
 void Gyroid::fields(FieldVisitor& visit) { length_field(visit, "period", period, "Period along each coordinate."); }
 void Formula::fields(FieldVisitor& visit) {
-  visit.field("f", f,
-              {.help = "Formula that vanishes on the surface, with a gradient that does not.", .required = true});
+  visit.field("f", f, {.help = "Formula that is zero on the surface, with a gradient that is not.", .required = true});
   visit.field("dimension", dimension,
               {.help = "3: a surface in x, y, z. 2: a curve in x, y.", .minimum = 2, .maximum = 3});
-  visit.field("parameters", parameters, {.help = "Numbers by name that the formula uses."});
+  visit.field("parameters", parameters, {.help = "Constants that the formula uses, by name."});
 }
 
 }  // namespace implicit

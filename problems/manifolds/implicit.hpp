@@ -47,7 +47,7 @@ struct Genus2 {
 
 struct Gyroid {
   static constexpr std::string_view kType = "gyroid";
-  static constexpr std::string_view kHelp = "sin x cos y + sin y cos z + sin z cos x = 0, repeated in all directions.";
+  static constexpr std::string_view kHelp = "sin x cos y + sin y cos z + sin z cos x = 0, periodic in all directions.";
   double period = 2 * std::numbers::pi;
   void fields(FieldVisitor& visit);
 };

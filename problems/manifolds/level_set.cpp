@@ -144,10 +144,11 @@ auto with_sizes(const ConstraintFunction& function, Work work) {
 Dimensions dimensions_of(const ConstraintFunction& function) {
   const int n = function.inputs(), k = function.outputs();
   if (n > kMaxDimension)
-    throw InputError("a level set in R^" + std::to_string(n) + ": the most is R^" + std::to_string(kMaxDimension));
+    throw InputError("a level set in R^" + std::to_string(n) + ": the limit is R^" + std::to_string(kMaxDimension));
   if (k < 1 || k >= n)
-    throw InputError(std::to_string(k) + " equations in R^" + std::to_string(n) +
-                     " leave no room to move: a level set needs at least one equation and fewer than coordinates");
+    throw InputError(
+        std::to_string(k) + " equations in R^" + std::to_string(n) +
+        " leave only isolated points: a level set needs at least one equation, and fewer than coordinates");
   return {n, n, n - k};
 }
 
@@ -174,9 +175,9 @@ std::string LevelSet::why_not_projected(const Eigen::VectorXd& x) const {
   const std::string where = last == x ? "there" : "at " + point_text(last) + ", where the search from there ended";
   switch (outcome) {
     case Outcome::found: return "the equations have a solution near it";
-    case Outcome::not_finite: return "the equations have no finite value there";
+    case Outcome::not_finite: return "the equations are not finite there";
     case Outcome::singular:
-      return "the gradients of the equations vanish or depend on each other " + where +
+      return "the gradients of the equations are zero or linearly dependent " + where +
              ": a singular point, a centre, or an extremum (the set may be empty)";
     case Outcome::stalled: break;
   }

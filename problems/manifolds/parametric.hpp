@@ -41,7 +41,7 @@ struct Sphere {
 struct Ellipsoid {
   static constexpr std::string_view kType = "ellipsoid";
   static constexpr std::string_view kHelp =
-      "u: longitude, v: latitude on the unit sphere that is stretched (reduced latitude).";
+      "u: longitude, v: reduced latitude (that of the unit sphere before stretching).";
   Eigen::VectorXd axes = Eigen::Vector3d(3, 2, 1);  ///< along x, y, z
   void fields(FieldVisitor& visit);
 };
@@ -90,14 +90,14 @@ struct Hyperboloid {
 
 struct KleinBottle {
   static constexpr std::string_view kType = "klein_bottle";
-  static constexpr std::string_view kHelp = "VFCS Eq. (17), mended; crossing u = 2 pi turns v over.";
+  static constexpr std::string_view kHelp = "VFCS Eq. (17), corrected; crossing u = 2 pi reverses the sign of v.";
   double major_radius = 2, minor_radius = 1;
   void fields(FieldVisitor& visit);
 };
 
 struct MoebiusStrip {
   static constexpr std::string_view kType = "moebius_strip";
-  static constexpr std::string_view kHelp = "VFCS Eq. (18); crossing u = pi turns v over.";
+  static constexpr std::string_view kHelp = "VFCS Eq. (18); crossing u = pi reverses the sign of v.";
   double half_width = 0.5;
   void fields(FieldVisitor& visit);
 };

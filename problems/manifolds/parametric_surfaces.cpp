@@ -77,8 +77,8 @@ void check_seams(const ChartMap& map, const std::vector<Seam>& seams) {
       const Eigen::Vector3d x = map.position(u), y = map.position(image.apply(u));
       if (!x.allFinite() || !y.allFinite() || (x - y).norm() <= kSame * (1 + x.norm())) continue;
       const char* key = seams[s].coordinate == 0 ? "surface.period_u" : "surface.period_v";
-      throw OptionError(key, "the formulas do not come back after this period" +
-                                 std::string(seams[s].flipped ? " with v turned over" : "") + ": (u, v) = " +
+      throw OptionError(key, "the formulas do not repeat after this period" +
+                                 std::string(seams[s].flipped ? " with the sign of v reversed" : "") + ": (u, v) = " +
                                  point_text(u) + " and its image are " + short_number((x - y).norm()) + " apart");
     }
   }
@@ -91,7 +91,7 @@ Parts parts_of(const parametric::Formula& o) {
   if (o.period_u) seams.push_back({0, *o.period_u, o.twisted ? std::optional(1) : std::nullopt});
   if (o.period_v) seams.push_back({1, *o.period_v, {}});
   if (o.twisted && !o.period_u)
-    throw OptionError("surface.twisted", "turns v over where u comes back: it needs period_u");
+    throw OptionError("surface.twisted", "needs period_u: v changes sign after a period of u");
   const auto read = [&o](const char* key, const std::string& text) {  // each alone first: the error names its key
     formulas_of_option(std::string("surface.") + key, {text}, {"u", "v"}, o.parameters);
   };
@@ -110,7 +110,7 @@ Parts parts_of(const parametric::Sphere& o) {
 }
 Parts parts_of(const parametric::Ellipsoid& o) {
   if (o.axes.size() != 3 || !(o.axes.array() > 0).all())
-    throw OptionError("surface.axes", "an ellipsoid has three positive half axes");
+    throw OptionError("surface.axes", "must be three positive semi-axes");
   return {make_chart_map(chart::Ellipsoid{o.axes[0], o.axes[1], o.axes[2]}), {kAround}, kTwoPoles};
 }
 Parts parts_of(const parametric::Torus& o) {
@@ -146,8 +146,9 @@ Box box_of(const ParametricOptions& o, const Parts& parts) {
 }
 
 void tube(FieldVisitor& visit, double& major_radius, double& minor_radius) {
-  length_field(visit, "major_radius", major_radius, "From the axis to the middle of the tube (a of VFCS Eq. 17).");
-  length_field(visit, "minor_radius", minor_radius, "Of the tube (b of VFCS Eq. 17).");
+  length_field(visit, "major_radius", major_radius,
+               "Distance from the axis to the centre of the tube (a of VFCS Eq. 17).");
+  length_field(visit, "minor_radius", minor_radius, "Radius of the tube (b of VFCS Eq. 17).");
 }
 
 }  // namespace
@@ -157,13 +158,13 @@ namespace parametric {
 void Sphere::fields(FieldVisitor& visit) { length_field(visit, "radius", radius, "Radius."); }
 void Ellipsoid::fields(FieldVisitor& visit) {
   visit.field("axes", axes,
-              {.help = "Half axes along x, y, z.", .unit = "length", .minimum = 0, .exclusive_minimum = true});
+              {.help = "Semi-axes along x, y, z.", .unit = "length", .minimum = 0, .exclusive_minimum = true});
 }
 void Torus::fields(FieldVisitor& visit) { tube(visit, major_radius, minor_radius); }
 void Cylinder::fields(FieldVisitor& visit) { length_field(visit, "radius", radius, "Radius."); }
 void Cone::fields(FieldVisitor& visit) {
   visit.field("half_angle", half_angle,
-              {.help = "Between axis and ruling.",
+              {.help = "Angle between the axis and a ruling.",
                .unit = "radians",
                .minimum = 0,
                .maximum = kPi / 2,
@@ -181,22 +182,25 @@ void KleinBottle::fields(FieldVisitor& visit) { tube(visit, major_radius, minor_
 void MoebiusStrip::fields(FieldVisitor& visit) {
   length_field(visit, "half_width", half_width, "The strip is -half_width <= v <= half_width.");
 }
-void Spiral::fields(FieldVisitor& visit) { visit.field("pitch", pitch, {.help = "a of z = a v.", .unit = "length"}); }
+void Spiral::fields(FieldVisitor& visit) {
+  visit.field("pitch", pitch, {.help = "The constant a in z = a v.", .unit = "length"});
+}
 void Formula::fields(FieldVisitor& visit) {
   visit.field("x", x, {.help = "x(u, v), like (2 + cos(v)) * cos(u).", .required = true});
   visit.field("y", y, {.help = "y(u, v).", .required = true});
   visit.field("z", z, {.help = "z(u, v).", .required = true});
-  visit.field("parameters", parameters, {.help = "Numbers that the formulas may name, like {a: 2, b: 1}."});
+  visit.field("parameters", parameters, {.help = "Constants that the formulas can use, like {a: 2, b: 1}."});
   visit.field_or_zero("period_u", period_u, {.help = "Period of u; 0: not periodic.", .minimum = 0});
   visit.field_or_zero("period_v", period_v, {.help = "Period of v; 0: not periodic.", .minimum = 0});
-  visit.field("twisted", twisted, {.help = "Whether v changes sign where u comes back (Moebius strip, Klein bottle)."});
+  visit.field("twisted", twisted,
+              {.help = "Whether v changes sign when u completes a period (Moebius strip, Klein bottle)."});
 }
 
 }  // namespace parametric
 
 void ParametricOptions::fields(FieldVisitor& visit) {
   visit.variant("surface", surface,
-                {.help = "The surface: a name with its measures, or formulas in u and v.", .required = true});
+                {.help = "The surface: a named one with its dimensions, or formulas in u and v.", .required = true});
   box.fields(visit);
 }
 

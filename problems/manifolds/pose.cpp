@@ -26,9 +26,9 @@ std::vector<std::string> names_of_pose(int place_size) {
 
 void PoseOptions::fields(FieldVisitor& visit) {
   visit.field("lower", box.lower,
-              {.help = "Lower corner of a box that the place stays in; default: unbounded.", .unit = "length"});
+              {.help = "Lower corner of a box for the position; default: unbounded.", .unit = "length"});
   visit.field("upper", box.upper,
-              {.help = "Upper corner of a box that the place stays in; default: unbounded.", .unit = "length"});
+              {.help = "Upper corner of a box for the position; default: unbounded.", .unit = "length"});
 }
 
 PoseManifold::PoseManifold(int place_size, const PoseOptions& options)

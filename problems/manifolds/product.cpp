@@ -21,15 +21,15 @@ constexpr double kNoBound = std::numeric_limits<double>::infinity();
 std::string why_no_factor(const ConstraintManifold* domain) {
   if (domain == nullptr) return "is missing";
   if (find_ability<HasChart>(*domain) != nullptr)
-    return "is a chart: its coordinates are no places in a space; give the surface by an equation";
+    return "is a chart, and its coordinates are not positions in a space; give the surface by an equation";
   if (domain->shape() == Shape::polyhedral || find_ability<HasPieces>(*domain) != nullptr)
-    return "is made of flat pieces (a mesh, a map), and a point of a product does not say on which of them it lies";
+    return "is made of flat pieces (a mesh, a map), and a point of a product does not determine its piece";
   if (find_ability<HasCoarserVersion>(*domain) != nullptr || find_ability<HasUnresolvedPlaces>(*domain) != nullptr)
-    return "is made from data, and a product could not tell what they cost the path";
+    return "is made from data, and a product cannot estimate its effect on the cost";
   if (find_ability<ChecksMoves>(*domain) != nullptr)
-    return "has obstacles: give the product without them, and put them around it";
+    return "has obstacles: give the product without them, and add them to the product";
   const Dimensions d = domain->dimensions();
-  if (d.coordinate < 1 || d.coordinate != d.ambient) return "has other coordinates than those of its space";
+  if (d.coordinate < 1 || d.coordinate != d.ambient) return "has coordinates other than those of its space";
   return "";
 }
 
@@ -51,11 +51,11 @@ const HasBounds* bounds_of_factor(const ConstraintManifold& domain) {
 
 void check_names(const std::vector<std::string>& names, int count) {
   if (static_cast<int>(names.size()) != count)
-    throw InputError("the product has " + std::to_string(count) + " coordinates, and " + std::to_string(names.size()) +
+    throw InputError("the product has " + std::to_string(count) + " coordinates, but " + std::to_string(names.size()) +
                      " names were given");
   for (const std::string& name : names)
     if (name.empty() || std::count(names.begin(), names.end(), name) > 1)
-      throw InputError("the coordinates of a product need names that differ; '" + name + "' does not");
+      throw InputError("the coordinates of a product need different names, but '" + name + "' appears twice");
 }
 
 /// What a point may also be called, and how far that is from a reference.
@@ -89,7 +89,7 @@ std::vector<NamedPoint> joined(const std::vector<NamedPoint>& before, const std:
 
 ProductManifold::ProductManifold(Factors factors, std::vector<std::string> names)
     : factors_(std::move(factors)), names_(std::move(names)) {
-  if (factors_.empty()) throw InputError("a product needs factors: give at least one domain");
+  if (factors_.empty()) throw InputError("a product needs at least one factor");
   for (std::size_t i = 0; i < factors_.size(); ++i) {
     const std::string why = why_no_factor(factors_[i].get());
     if (!why.empty()) throw InputError("factor " + std::to_string(i + 1) + " of the product " + why);
@@ -104,7 +104,7 @@ ProductManifold::ProductManifold(Factors factors, std::vector<std::string> names
   }
   dimensions_.ambient = dimensions_.coordinate;
   if (dimensions_.coordinate > kMaxDimension)
-    throw InputError("the product has " + std::to_string(dimensions_.coordinate) + " coordinates, the most is " +
+    throw InputError("the product has " + std::to_string(dimensions_.coordinate) + " coordinates; the limit is " +
                      std::to_string(kMaxDimension));
   if (names_.empty()) names_ = leastcost::coordinate_names(dimensions_.coordinate);
   check_names(names_, dimensions_.coordinate);

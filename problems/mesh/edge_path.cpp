@@ -8,10 +8,10 @@ std::string EdgePath::failure() const {
   switch (outcome) {
     case EdgePathOutcome::found: return {};
     case EdgePathOutcome::different_components:
-      return "the ends lie in different parts of the mesh, of " + std::to_string(source_component_size) + " and " +
+      return "the ends are in different parts of the mesh, with " + std::to_string(source_component_size) + " and " +
              std::to_string(target_component_size) +
-             " vertices (`weld: true` joins vertices at equal positions, `weld: 1e-6` those that are no farther apart, "
-             "in length units; `leastcost doctor` names the parts and the distance)";
+             " vertices (`weld: true` merges vertices at equal positions, `weld: 1e-6` those no farther apart, in "
+             "length units; `leastcost doctor` lists the parts and the distance)";
     case EdgePathOutcome::no_finite_route:
       return "the cost is infinite on every route along the edges (" + std::to_string(settled) + " of " +
              std::to_string(source_component_size) + " vertices can be reached)";

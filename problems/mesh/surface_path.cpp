@@ -24,7 +24,7 @@ bool has_corner(const TriangleMesh& mesh, std::int32_t f, std::int32_t v) {
 
 [[noreturn]] void no_common_face(const TriangleMesh& mesh, const std::string& a, std::int32_t b) {
   throw InputError("path along edges: " + a + " and vertex " + std::to_string(mesh.file_vertex(b)) +
-                   " share no face; consecutive vertices must be joined by an edge");
+                   " share no face; an edge must join consecutive vertices");
 }
 
 std::int32_t face_with(const TriangleMesh& mesh, std::int32_t a, std::int32_t b) {
@@ -107,7 +107,7 @@ std::int32_t vertex_at(const TriangleMesh& mesh, const SurfacePoint& p) {
 
 SurfacePoint point_on_face(const TriangleMesh& mesh, std::int32_t f, const Eigen::Vector3d& p) {
   if (f < 0 || f >= mesh.face_count())
-    throw InputError("a point of the path lies on face " + std::to_string(f) + ", and the mesh has " +
+    throw InputError("a point of the path lies on face " + std::to_string(f) + ", but the mesh has " +
                      std::to_string(mesh.face_count()) + ": project it (project_end) first");
   std::array<Eigen::Vector3d, 3> x;
   for (std::size_t k = 0; k < 3; ++k) x[k] = mesh.position(mesh.face(f)[k]);

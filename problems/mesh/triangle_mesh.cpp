@@ -64,7 +64,7 @@ Eigen::Vector3d TriangleMesh::smooth_normal(const SurfacePoint& p) const {
 
 std::int32_t TriangleMesh::vertex_of_file(std::int32_t v) const {
   if (v < 0 || v >= file_vertex_count()) {
-    fail(source_, "vertex " + std::to_string(v) + " does not exist, the file has vertices 0 to " +
+    fail(source_, "vertex " + std::to_string(v) + " does not exist; the file has vertices 0 to " +
                       std::to_string(file_vertex_count() - 1));
   }
   return vertex_of_file_[static_cast<std::size_t>(v)];
@@ -75,9 +75,8 @@ SurfacePoint TriangleMesh::locate(std::int32_t file_face, const Eigen::Vector3d&
     const std::size_t p = static_cast<std::size_t>(file_face);
     const std::int32_t count = base_begin_[p + 1] - base_begin_[p];
     if (count > 1) {
-      fail(source_,
-           "face " + std::to_string(file_face) + " is a polygon that was cut into " + std::to_string(count) +
-               " triangles, so barycentric coordinates alone name no point of it; give a vertex or a position");
+      fail(source_, "face " + std::to_string(file_face) + " is a polygon that was cut into " + std::to_string(count) +
+                        " triangles, so barycentric coordinates are ambiguous; give a vertex or a position");
     }
   }
   return locate(FilePoint{file_face, 0, {-1, -1, -1}, barycentric});
@@ -86,13 +85,13 @@ SurfacePoint TriangleMesh::locate(std::int32_t file_face, const Eigen::Vector3d&
 SurfacePoint TriangleMesh::locate(const FilePoint& p) const {
   const std::string name = "face " + std::to_string(p.face);
   if (p.face < 0 || p.face >= file_face_count()) {
-    fail(source_, name + " does not exist, the file has faces 0 to " + std::to_string(file_face_count() - 1));
+    fail(source_, name + " does not exist; the file has faces 0 to " + std::to_string(file_face_count() - 1));
   }
   const std::int32_t first = base_begin_[static_cast<std::size_t>(p.face)];
   const std::int32_t count = base_begin_[static_cast<std::size_t>(p.face) + 1] - first;
   if (count == 0) fail(source_, name + " is degenerate (fewer than three different corners) and was left out");
   if (p.fan < 0 || p.fan >= count) {
-    fail(source_, name + " has " + std::to_string(count) + " triangles, there is no number " + std::to_string(p.fan));
+    fail(source_, name + " has " + std::to_string(count) + " triangles; there is no number " + std::to_string(p.fan));
   }
   const Eigen::Vector3d& b = p.barycentric;
   if (!b.allFinite() || b.minCoeff() < -kBarycentricSlack || std::abs(b.sum() - 1) > kBarycentricSlack) {

@@ -38,7 +38,7 @@ void check_positions(const PolygonSoup& soup) {
     if (soup.positions[v].allFinite() && soup.positions[v].cwiseAbs().maxCoeff() <= kMaxCoordinate) continue;
     throw InputError(
         place(soup) + "vertex " + std::to_string(v) +
-        " has a coordinate that is not finite or beyond 1e75; finite coordinates in sensible units are needed");
+        " has a coordinate that is not finite or is beyond 1e75; use finite coordinates in sensible units");
   }
 }
 
@@ -108,7 +108,7 @@ class PolygonCutter {
   void note(std::vector<std::string>& notes) const {
     if (polygons_ > 0) notes.push_back(counted(polygons_, "polygon") + " cut into " + counted(made_, "triangle"));
     if (crossing_ > 0)
-      notes.push_back(counted(crossing_, "polygon") + " crossed themselves, so some triangles overlap");
+      notes.push_back(counted(crossing_, "polygon") + " intersected themselves, so some triangles overlap");
   }
 
  private:
@@ -223,7 +223,8 @@ void TriangleMesh::number_vertices(const PolygonSoup& soup, const std::vector<st
   if (merged > 0)
     notes_.push_back(std::to_string(merged) + " vertices merged into others " +
                      (farthest > 0 ? "up to " + short_number(farthest) + " away" : "at the same position"));
-  if (unused > 0) notes_.push_back(std::to_string(unused) + " vertices of the file are in no face and were left out");
+  if (unused > 0)
+    notes_.push_back(std::to_string(unused) + " vertices of the file are not in any face and were left out");
 }
 
 void TriangleMesh::subdivide_once() {

@@ -9,8 +9,8 @@ namespace leastcost {
 /// The option of everything that reads a mesh: `weld: true`, or the distance of MeshOptions::weld_within.
 inline void visit_weld(FieldVisitor& visit, bool& weld, double& within) {
   visit.switch_or_number("weld", weld, within,
-                         {.help = "true: merges vertices with exactly equal positions (STL always is); a number: those "
-                                  "that are no farther apart, in length units of the file.",
+                         {.help = "true: merges vertices with exactly equal positions (always done for STL). A number: "
+                                  "merges vertices no farther apart than this, in length units of the file.",
                           .minimum = 0,
                           .exclusive_minimum = true});
 }

@@ -122,7 +122,7 @@ class BoxObstacle final : public Obstacle, public MeetsTriangles {
 }  // namespace
 
 void BoxObstacleOptions::fields(FieldVisitor& visit) {
-  visit.field("lower", lower, {.help = "Corner with the least coordinates.", .unit = "length", .required = true});
+  visit.field("lower", lower, {.help = "Corner with the smallest coordinates.", .unit = "length", .required = true});
   visit.field("upper", upper, {.help = "Corner with the largest coordinates.", .unit = "length", .required = true});
 }
 
@@ -133,7 +133,7 @@ std::shared_ptr<const Obstacle> make_box_obstacle(const BoxObstacleOptions& opti
     throw OptionError("upper", "must have as many coordinates as lower (" + std::to_string(options.lower.size()) +
                                    "), all of them finite");
   if (!(options.lower.array() <= options.upper.array()).all())
-    throw OptionError("upper", "must be at least lower in every coordinate");
+    throw OptionError("upper", "must not be below lower in any coordinate");
   return std::make_shared<BoxObstacle>(options, look);
 }
 

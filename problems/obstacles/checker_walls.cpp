@@ -29,7 +29,7 @@ void require_number(const char* key, double value, bool positive) {
 class DistanceWalls final : public Walls {
  public:
   DistanceWalls(Eigen::Index dimension, DistanceChecker checker) : dimension_(dimension), checker_(std::move(checker)) {
-    if (!checker_.distance) throw OptionError("distance", "a checker needs its function");
+    if (!checker_.distance) throw OptionError("distance", "a checker needs a function");
     require_number("lipschitz", checker_.lipschitz, true);
     require_number("curvature", checker_.curvature, false);
     require_number("clearance", checker_.clearance, false);
@@ -119,7 +119,7 @@ class DistanceWalls final : public Walls {
 class FreeWalls final : public Walls {
  public:
   FreeWalls(Eigen::Index dimension, FreeChecker checker) : dimension_(dimension), checker_(std::move(checker)) {
-    if (!checker_.is_free) throw OptionError("is_free", "a checker needs its function");
+    if (!checker_.is_free) throw OptionError("is_free", "a checker needs a function");
     require_number("resolution", checker_.resolution, true);
     require_number("size", checker_.size, true);
   }

@@ -76,7 +76,7 @@ std::vector<std::shared_ptr<const Obstacle>> make_face_obstacles(const TriangleM
     if (!(normal.norm() > 0) || !known.insert({vertices[0], vertices[1], vertices[2]}).second) continue;
     all.push_back(std::make_shared<FaceObstacle>("face " + std::to_string(f) + " of " + file, corners, normal, radius));
   }
-  if (all.empty()) throw InputError(mesh.source() + ": no face of it has an area");
+  if (all.empty()) throw InputError(mesh.source() + ": none of its faces has an area");
   return all;
 }
 

@@ -122,11 +122,11 @@ FreeSpace::FreeSpace(std::shared_ptr<const ConstraintManifold> domain, std::shar
       chart_(find_ability<HasChart>(*domain_)),
       flat_(chart_ == nullptr && domain_->shape() == Shape::flat) {
   if (domain_->shape() == Shape::polyhedral)
-    throw InputError("obstacles stand in a flat or a smooth domain; this one is made of flat pieces");
+    throw InputError("obstacles need a flat or a smooth domain, but this one is made of flat pieces");
   if (find_ability<HasCoarserVersion>(*domain_) != nullptr)
-    throw InputError("obstacles stand in a domain that is given exactly; this one is made from data");
+    throw InputError("obstacles need a domain that is given exactly, but this one is made from data");
   if (walls_->dimension() != domain_->dimensions().ambient)
-    throw InputError("the walls have " + std::to_string(walls_->dimension()) + " dimensions, the domain has " +
+    throw InputError("the obstacles have " + std::to_string(walls_->dimension()) + " dimensions, but the domain has " +
                      std::to_string(domain_->dimensions().ambient));
 }
 

@@ -38,10 +38,10 @@ class GridObstacle final : public Obstacle {
         upper_[i] = std::nextafter(upper_[i], lower_[i]);
     const GridBounds known = bounds_above(grid_, deepest_);
     const double border = least_on_border(grid_);
-    if (!(known.slope > 0)) throw InputError(name_ + ": its values are nowhere above half a cell within the obstacle");
+    if (!(known.slope > 0)) throw InputError(name_ + ": all its values are more than half a cell inside the obstacle");
     if (!(border > 0))
-      throw InputError(name_ + ": on the border of the grid its values may be as low as " + short_number(border) +
-                       ", so that the obstacle would go on beyond it; make a grid with a wider margin");
+      throw InputError(name_ + ": on the border of the grid its values can be as low as " + short_number(border) +
+                       ", so the obstacle would extend beyond it; make a grid with a wider margin");
     slope_ = kOfBounds * known.slope;
     bend_ = kOfBounds * known.bend / slope_;
     bend_beyond_ = bend_ + slope_ / border;
@@ -125,10 +125,13 @@ class GridObstacle final : public Obstacle {
 void GridObstacleOptions::fields(FieldVisitor& visit) {
   visit.file(
       "file", file,
-      {.help = "Signed distances, negative within the obstacle, in the text format of SDFGen.", .required = true});
+      {.help = "Signed distances, negative inside the obstacle, in the text format of SDFGen.", .required = true});
   visit.field("radius", radius, {.help = "Thickness around the obstacle.", .unit = "length", .minimum = 0});
   visit.field("memory_limit", memory_limit,
-              {.help = "More than this is refused.", .unit = "GiB", .minimum = 0, .exclusive_minimum = true});
+              {.help = "Limit on the memory for the grid; a grid that needs more is refused.",
+               .unit = "GiB",
+               .minimum = 0,
+               .exclusive_minimum = true});
 }
 
 std::shared_ptr<const Obstacle> make_grid_obstacle(DistanceGrid grid, double radius, const std::string& name) {

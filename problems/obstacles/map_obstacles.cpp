@@ -35,9 +35,10 @@ std::vector<std::shared_ptr<const Obstacle>> map_obstacles(const OccupancyGrid& 
     add_cells(grid, BoxLook{}.name, all);
   } else {
     add_cells(part_of_map(grid, false), BoxLook{}.name, all);
-    add_cells(part_of_map(grid, true), "the unknown cells (`unknown: free` of the map lets paths enter them)", all);
+    add_cells(part_of_map(grid, true), "the unknown cells (to let paths enter them, set `unknown: free` of the map)",
+              all);
   }
-  if (all.empty()) throw InputError(grid.source + ": the map has no blocked cell beside a free one");
+  if (all.empty()) throw InputError(grid.source + ": the map has no blocked cell next to a free one");
   return all;
 }
 

@@ -35,11 +35,10 @@ std::string why_hollow(const TriangleMesh& mesh, const FaceOrientation& orientat
   const MeshReport report = inspect(mesh);
   if (report.border_edges > 0)
     return "it is open, with " + std::to_string(report.border_edges) +
-           " border edges (`weld: true` joins vertices at equal positions, `weld: 1e-6` those that are no farther "
-           "apart)";
+           " border edges (`weld: true` merges vertices at equal positions, `weld: 1e-6` those no farther apart)";
   if (report.non_manifold_edges > 0)
     return "it has " + std::to_string(report.non_manifold_edges) + " edges with more than two faces";
-  if (orientation.one_sided) return "it has one side only";
+  if (orientation.one_sided) return "it is one-sided";
   return "";
 }
 
@@ -59,7 +58,7 @@ class MeshObstacle final : public Obstacle, public MeetsTriangles {
     if (why.empty())
       winding_.emplace(mesh, orientation.turned);
     else if (inside == MeshInside::solid)
-      throw InputError(mesh.source() + ": the mesh has no inside: " + why + "; take it as a surface (inside: surface)");
+      throw InputError(mesh.source() + ": the mesh has no inside: " + why + "; use it as a surface (inside: surface)");
   }
 
   std::string name() const override { return name_; }
@@ -132,12 +131,12 @@ void MeshObstacleOptions::fields(FieldVisitor& visit) {
   visit.file("file", file, {.help = "Mesh file: OBJ, OFF, PLY or STL.", .required = true});
   visit_weld(visit, weld, weld_within);
   visit.choice("inside", inside,
-               {.help = "solid: what the mesh encloses is in it; surface: only its faces are, so that a path may be "
-                        "within it; auto: solid where it is closed."});
+               {.help = "solid: the enclosed volume is part of the obstacle. surface: only the faces are, so a path "
+                        "can run inside. auto: solid if the mesh is closed."});
   visit.field("radius", radius, {.help = "Thickness around the mesh.", .unit = "length", .minimum = 0});
-  visit.field("scale", scale, {.help = "Applied first.", .minimum = 0, .exclusive_minimum = true});
-  visit.field("rotation", rotation, {.help = "Applied second: the axis times the angle.", .unit = "rad"});
-  visit.field("translation", translation, {.help = "Applied last.", .unit = "length"});
+  visit.field("scale", scale, {.help = "Scale factor, applied first.", .minimum = 0, .exclusive_minimum = true});
+  visit.field("rotation", rotation, {.help = "Rotation vector, axis times angle, applied second.", .unit = "rad"});
+  visit.field("translation", translation, {.help = "Translation, applied last.", .unit = "length"});
 }
 
 std::shared_ptr<const Obstacle> make_mesh_obstacle(const TriangleMesh& mesh, MeshInside inside, double radius) {

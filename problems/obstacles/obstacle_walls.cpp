@@ -29,10 +29,10 @@ void check(Eigen::Index dimension, const ObstacleWalls::Obstacles& obstacles, do
     const Obstacle& obstacle = *obstacles[i];
     if (obstacle.core_bounds().dim() != dimension)
       throw OptionError(std::to_string(i), obstacle.name() + " has " + std::to_string(obstacle.core_bounds().dim()) +
-                                               " dimensions, the domain has " + std::to_string(dimension));
+                                               " dimensions, but the domain has " + std::to_string(dimension));
     if (!(obstacle.radius() + clearance > 0))
-      throw OptionError("clearance", "must be greater than 0 beside sharp corners (" + obstacle.name() +
-                                         "): at them no point of a chain may be, only the segment between two");
+      throw OptionError("clearance", "must be greater than 0 with sharp corners (" + obstacle.name() +
+                                         "): the path bends there only between its points");
   }
 }
 

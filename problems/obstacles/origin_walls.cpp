@@ -48,7 +48,7 @@ void OriginWalls::draw(const DrawnPaths& paths, Drawing& out) const {
     outline.bottomRows(1).setZero();
     out.curves.push_back(std::move(outline));
   }
-  out.notes.emplace_back("obstacles act on the place alone, without height or turn, and are not drawn here");
+  out.notes.emplace_back("obstacles depend on position only, not on height or angle, and are not drawn here");
 }
 
 }  // namespace leastcost

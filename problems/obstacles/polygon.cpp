@@ -133,7 +133,7 @@ void refuse_crossing(const Corners& corners) {
     for (Eigen::Index j = i + 2; j < m; ++j)
       if (!(i == 0 && j == m - 1) && meet(corner(i), corner(i + 1), corner(j), corner(j + 1), t))
         throw OptionError("corners", "the edges after corners " + std::to_string(i) + " and " + std::to_string(j) +
-                                         " cross, so there is no inside");
+                                         " cross, so the polygon has no inside");
   }
 }
 

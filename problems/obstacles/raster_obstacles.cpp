@@ -37,8 +37,8 @@ void add_boxes(const OccupancyGrid& grid, const Eigen::Vector2d& lower, const Ei
 
 void RasterObstacleOptions::fields(FieldVisitor& visit) {
   raster.fields(visit);
-  visit.field("above", above, {.help = "Cells with a larger value are obstacles, too."});
-  visit.field("below", below, {.help = "Cells with a smaller value are obstacles, too."});
+  visit.field("above", above, {.help = "Cells with a larger value are also obstacles."});
+  visit.field("below", below, {.help = "Cells with a smaller value are also obstacles."});
 }
 
 std::vector<std::shared_ptr<const Obstacle>> void_obstacles(const RasterPatches& patches, bool drawn) {
@@ -58,7 +58,7 @@ std::vector<std::shared_ptr<const Obstacle>> make_raster_obstacles(const RasterG
   if (options.above || options.below)
     add_boxes(grid_of(raster.rows, raster.columns, forbidden), raster.corner, raster.cell, true, all);
   if (all.empty())
-    throw InputError(raster.source + ": no cell of the raster is an obstacle: none without data" +
+    throw InputError(raster.source + ": no cell of the raster is an obstacle: there is none without data" +
                      (options.above ? ", none above " + short_number(*options.above, 9) : "") +
                      (options.below ? ", none below " + short_number(*options.below, 9) : ""));
   return all;

@@ -17,23 +17,24 @@ Words<UnknownCells> words(UnknownCells) {
 
 void OccupancyOptions::fields(FieldVisitor& visit) {
   visit.file("file", file,
-             {.help = "Map: Moving AI (.map), an image (.png, .pgm), or a map_server YAML (.yaml), which brings cell, "
-                      "origin, negate and the thresholds itself.",
+             {.help = "Map: Moving AI (.map), an image (.png, .pgm), or a map_server YAML (.yaml), which sets cell, "
+                      "origin, negate and the thresholds.",
               .required = true});
-  visit.field("cell", cell, {.help = "Side of a cell.", .unit = "length", .minimum = 0, .exclusive_minimum = true});
+  visit.field("cell", cell,
+              {.help = "Side length of a cell.", .unit = "length", .minimum = 0, .exclusive_minimum = true});
   visit.field("origin", origin,
-              {.help = "Place of the map's lower corner. In a Moving AI map x is the column and y the row of the file, "
-                       "downwards; an image is seen with y upwards.",
+              {.help = "Position of the map's lower corner. In a Moving AI map x is the column and y the row, counted "
+                       "downwards; in an image y points up.",
                .unit = "length"});
-  visit.field("negate", negate, {.help = "White is blocked, not black."});
+  visit.field("negate", negate, {.help = "White cells are blocked instead of black ones."});
   visit.field(
       "occupied_thresh", occupied_thresh,
       {.help = "Cells with an occupancy (blackness, 0 to 1) above it are blocked.", .minimum = 0, .maximum = 1});
   visit.field("free_thresh", free_thresh,
-              {.help = "Cells with an occupancy below it are free; between the two it is unknown.",
+              {.help = "Cells with an occupancy below it are free; between the two thresholds they are unknown.",
                .minimum = 0,
                .maximum = 1});
-  visit.choice("unknown", unknown, {.help = "What cells are of which the map does not know."});
+  visit.choice("unknown", unknown, {.help = "How unknown cells are treated."});
 }
 
 OccupancyGrid placed_grid(const OccupancyOptions& options) {

@@ -207,8 +207,8 @@ GlobalBound blocked(std::string reason) {
 }
 
 std::string why_nothing_proved(const BracketInBox& bracket) {
-  if (bracket.stopped && bracket.grids == 0) return "its time was up before the first grid was done";
-  return "nothing is proved on these grids: the ends are too near to each other or to where the cost is singular";
+  if (bracket.stopped && bracket.grids == 0) return "the time was used up before the first grid was finished";
+  return "nothing is proved on these grids: the ends are too close to each other or to a singularity of the cost";
 }
 
 /// What the smooth curve through the points costs, or the moves between them where that curve meets an obstacle or
@@ -282,17 +282,17 @@ BracketInBox bracket_of(const Problem& problem, const CostInCells& cost, double 
 
 std::string why_no_bracket(const Problem& problem) {
   const ConstraintManifold& domain = *problem.manifold;
-  if (problem.ring || problem.based) return "a bracket is of the cost between two ends, and a ring has none";
+  if (problem.ring || problem.based) return "a bracket needs two ends, but a ring has none";
   const bool flat = domain.shape() == Shape::flat || find_ability<HasWalls>(domain) != nullptr;
   if (!(flat && (dimension_of(problem) == 2 || dimension_of(problem) == 3)) && !has_plain_coordinates(domain))
-    return "a bracket needs the plane or space, a flat domain with two or three coordinates, or terrain";
+    return "a bracket needs a flat domain with two or three coordinates, or terrain";
   if (find_ability<ChecksMoves>(domain) != nullptr && walls_in_place(domain) == nullptr)
-    return "a bracket needs obstacles that stand in the plane or in space itself: balls, boxes, polygons, maps, meshes";
-  if (box_of(domain).isEmpty()) return "a bracket speaks of the paths in a box: give the manifold finite bounds";
+    return "a bracket needs obstacles in the plane or space itself: balls, boxes, polygons, maps, meshes";
+  if (box_of(domain).isEmpty()) return "a bracket needs a box: give the manifold finite bounds";
   const CostInCells cost = in_cells(problem);
   if (cost.space != nullptr && !looks_isotropic(*problem.cost, box_of(domain)))
-    return "a bracket in space needs a cost that is the same in all directions";
-  if (!cost) return "a bracket in space needs a cost by formula: bounds of a black box would prove nothing";
+    return "a bracket in space needs an isotropic cost";
+  if (!cost) return "a bracket in space needs a cost given by a formula";
   return "";
 }
 
@@ -311,13 +311,13 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
   for (const bool is_source : {true, false}) {
     if (cost.is_known_at(is_source ? problem.source.u : problem.target.u)) continue;
     current.curve.global =
-        blocked(std::string("the cost has no finite bounds beside the ") + (is_source ? "source" : "target"));
+        blocked(std::string("the cost has no finite bounds near the ") + (is_source ? "source" : "target"));
     return current;
   }
   const Eigen::AlignedBoxXd box = box_of(*problem.manifold);
   const double upper = cost_of_feasible(problem, cost, current.chain.u, box);
   if (!std::isfinite(upper)) {
-    current.curve.global = blocked("the path passes between its points where the cost has no finite bounds");
+    current.curve.global = blocked("between its points, the path crosses places where the cost has no finite bounds");
     return current;
   }
 

@@ -43,9 +43,9 @@ PostProcessed CellBoundPostProcessor::apply(const Problem& problem, const FirstP
     if (found.stopped) return current;
     const auto places = static_cast<long>(SideNodes::count_for(map, 3)) + 1;
     current.notes.push_back(
-        "cell_bound: nothing is known of paths by other cells, for the raster is large: 'certificate: {global: "
-        "{tolerance: 0.01, max_windows: " +
-        std::to_string(places) + "}}' takes the time for a bound");
+        "cell_bound: no bound over paths through other cells was computed, because the raster is large; for a bound, "
+        "set 'certificate: {global: {tolerance: 0.01, max_windows: " +
+        std::to_string(places) + "}}'");
     return current;
   }
   GlobalBound& global = current.curve.global.emplace();
@@ -60,7 +60,7 @@ PostProcessed CellBoundPostProcessor::apply(const Problem& problem, const FirstP
   global.seconds = std::chrono::duration<double>(Monitor::Clock::now() - begin).count();
   if (global.gap > kWorthSaying)
     current.notes.push_back("cell_bound: no path over the cells costs less than " + short_number(found.lower, 6) +
-                            ", this one at most " + short_number(100 * global.gap / (1 - global.gap), 2) +
+                            "; this one costs at most " + short_number(100 * global.gap / (1 - global.gap), 2) +
                             " % more than the least");
   return current;
 }

@@ -66,7 +66,8 @@ PostProcessed FastestRefractionPostProcessor::apply(const Problem& problem, cons
   const bool improved = found.best && found.best->cost < before * (1 - kSameCost);
   if (improved) {
     deliver_ray(stack, *found.best, word_bound(stack, *found.best, found.best->cost), current);
-    current.notes.push_back("fastest_refraction: the cheapest path of all passes the layers " + text(found.best->word));
+    current.notes.push_back("fastest_refraction: the cheapest of all paths passes the layers " +
+                            text(found.best->word));
   }
   if (!current.curve.least_of_class) return current;  // nothing could be delivered that a bound is about
   GlobalBound& global = current.curve.global.emplace();
@@ -79,7 +80,7 @@ PostProcessed FastestRefractionPostProcessor::apply(const Problem& problem, cons
   global.steps = found.words;
   global.bound = "snell";
   if (found.finished && !global.proved)
-    global.reason = "a path that would be cheaper leaves the box, or passes where interfaces have crossed";
+    global.reason = "a cheaper candidate leaves the box, or passes a place where interfaces have crossed";
   return current;
 }
 

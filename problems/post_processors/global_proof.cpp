@@ -35,11 +35,11 @@ GlobalProofStep made(const GlobalProof& proof) {
 
 GlobalProofStep global_proof(const Problem& problem, const GlobalProof& proof) {
   if (problem.ring || problem.based)
-    return {nullptr, nullptr, "a proof over all paths is of those between two ends, and a ring has none"};
+    return {nullptr, nullptr, "a proof over all paths needs two ends, but a ring has none"};
   const bool constant = find_ability<HasConstantMetric>(*problem.cost) != nullptr;
   if (find_ability<HasMesh>(*problem.manifold) != nullptr) {
     if (constant) return made<ShortestPostProcessor, StraightenPostProcessor>(proof);
-    return {nullptr, nullptr, "on a mesh all paths are searched under a cost with a constant metric only"};
+    return {nullptr, nullptr, "on a mesh, a proof over all paths needs a cost with a constant metric"};
   }
   if (why_no_refraction(problem).empty()) return made<FastestRefractionPostProcessor, RefractPostProcessor>(proof);
   if (why_no_cells(problem).empty()) return made<CellBoundPostProcessor, RefractCellsPostProcessor>(proof);

@@ -110,7 +110,7 @@ double extent(const Points& u) { return (u.rowwise().maxCoeff() - u.rowwise().mi
 
 void OnSurfaceOptions::fields(FieldVisitor& visit) {
   visit.field("tolerance", tolerance,
-              {.help = "How far the delivered curve may be off the domain; default: 1e-6 of its extent.",
+              {.help = "Largest distance of the delivered curve from the domain; default: 1e-6 of its extent.",
                .unit = "length",
                .minimum = 0,
                .exclusive_minimum = true});
@@ -124,7 +124,7 @@ PostProcessed OnSurfacePostProcessor::apply(const Problem& problem, const FirstP
                                             const Monitor& monitor) const {
   const ConstraintManifold& manifold = *problem.manifold;
   if (manifold.shape() != Shape::smooth || manifold.dimensions().coordinate != manifold.dimensions().ambient)
-    throw InputError("on_surface needs a smooth domain that is given in its ambient space (implicit, constraint)");
+    throw InputError("on_surface needs a smooth domain in its ambient space (implicit, constraint)");
   const Points& u = current.chain.u;
   const Index segments = current.chain.segment_count();
   // A ring that has collapsed has no extent; that of the first path says what is small.
@@ -150,7 +150,7 @@ PostProcessed OnSurfacePostProcessor::apply(const Problem& problem, const FirstP
   }
   if (refiner.given_up() > 0) {
     std::ostringstream note;
-    note << "on_surface: " << refiner.given_up() << " segments stay further off the domain than " << tolerance;
+    note << "on_surface: " << refiner.given_up() << " segments remain farther from the domain than " << tolerance;
     current.notes.push_back(note.str());
   }
   return current;

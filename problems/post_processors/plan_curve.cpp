@@ -49,11 +49,10 @@ std::string why_no_walls(const Problem& problem) {
   const auto* domain = find_ability<HasWalls>(manifold);
   const Dimensions d = manifold.dimensions();
   const bool flat = d.coordinate == d.ambient && d.tangent == d.ambient && find_ability<HasChart>(manifold) == nullptr;
-  if (domain == nullptr || !flat || d.ambient < 2 || d.ambient > 3)
-    return "needs the plane or space with obstacles in it";
+  if (domain == nullptr || !flat || d.ambient < 2 || d.ambient > 3) return "needs the plane or space with obstacles";
   if (d.ambient == 2 && !domain->walls().rounds(Eigen::AlignedBox2d()))
     return "in the plane needs obstacles that are balls, boxes, polygons or maps";
-  if (problem.ring) return "joins two ends, and this path is a ring";
+  if (problem.ring) return "joins two ends, but this path is a ring";
   return "";
 }
 
@@ -67,7 +66,7 @@ std::optional<double> unit_of_length(const Problem& problem) {
   return std::sqrt(metric(0, 0));
 }
 
-constexpr const char* kNeedsLength = "needs a cost that is the length, or a multiple of it, in all directions";
+constexpr const char* kNeedsLength = "needs a cost that is the length or a multiple of it";
 
 }  // namespace
 

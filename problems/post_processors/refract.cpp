@@ -51,8 +51,8 @@ PostProcessed RefractPostProcessor::apply(const Problem& problem, const FirstPat
       best = std::move(solved);
   if (!best) {
     current.notes.emplace_back(
-        "refract: the least path through the layers of the first path would leave the domain, or pass where "
-        "interfaces have crossed; the chain stays");
+        "refract: the least-cost path through the layers of the first path would leave the domain or pass a place "
+        "where interfaces have crossed; the chain is kept");
     return current;
   }
   deliver_ray(stack, *best, word_bound(stack, *best, best->cost), current);

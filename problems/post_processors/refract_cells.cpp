@@ -50,12 +50,11 @@ PostProcessed RefractCellsPostProcessor::apply(const Problem& problem, const Fir
     if (!best || found.cost < best->cost) best = std::move(found);
   }
   if (!best) {
-    current.notes.emplace_back("refract_cells: the first path passes cells without data; the chain stays");
+    current.notes.emplace_back("refract_cells: the first path crosses cells without data; the chain is kept");
     return current;
   }
   deliver_in_cells(map, *best, current);
-  if (!best->finished)
-    current.notes.emplace_back("refract_cells: it has stopped before every corner was on its cheaper side");
+  if (!best->finished) current.notes.emplace_back("refract_cells: stopped before every corner was on its cheaper side");
   return current;
 }
 

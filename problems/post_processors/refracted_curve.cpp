@@ -49,13 +49,13 @@ Points spaced_by_cost(const Points& x, const Eigen::VectorXd& legs, Index column
 std::string why_no_refraction(const Problem& problem) {
   const auto* cost = find_ability<HasLayers>(*problem.cost);
   if (cost == nullptr) return "needs a cost with layers";
-  if (problem.ring || problem.based) return "joins two ends, and this path is a ring";
+  if (problem.ring || problem.based) return "joins two ends, but this path is a ring";
   const ConstraintManifold& manifold = *problem.manifold;
   const Dimensions d = manifold.dimensions();
   const bool free = manifold.shape() == Shape::flat && d.coordinate == d.ambient && d.tangent == d.ambient &&
                     find_ability<HasChart>(manifold) == nullptr && find_ability<ChecksMoves>(manifold) == nullptr;
   if (!free || d.ambient != cost->layers().dimension())
-    return "needs the plane or space, or a box of it, without obstacles";
+    return "needs the plane or space, or a box in it, without obstacles";
   return "";
 }
 

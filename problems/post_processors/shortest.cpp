@@ -49,12 +49,13 @@ bool is_too_long(double seconds, const Deadline& end) {
 std::string reason_of(const ExactResult& found, const GlobalBudget& budget) {
   if (found.outcome != ExactOutcome::bounded) return found.reason;
   if (found.out_of_memory)
-    return "the windows would take more than 1.8 GB of memory (certificate: {global: {max_windows: ..}} above " +
-           std::to_string(kMostWindows) + " lets them take more)";
+    return "the windows would take more than 1.8 GB of memory (to allow more, set certificate: {global: {max_windows: "
+           "..}} above " +
+           std::to_string(kMostWindows) + ")";
   if (found.windows > *budget.max_windows)
-    return "its budget of " + std::to_string(*budget.max_windows) +
-           " windows is spent (certificate: {global: {max_windows: ..}} raises it)";
-  return "its time is spent (max_seconds raises it)";
+    return "the budget of " + std::to_string(*budget.max_windows) +
+           " windows is used up (to raise it, set certificate: {global: {max_windows: ..}})";
+  return "the time is used up (to continue, increase max_seconds)";
 }
 
 /// The path becomes the curve that is delivered, with the chain's points on it.
@@ -94,8 +95,8 @@ PostProcessed ShortestPostProcessor::apply(const Problem& problem, const FirstPa
                                            const Monitor& monitor) const {
   const TriangleMesh& mesh = mesh_of(problem, "post-processor shortest").mesh();
   const std::optional<MetricRoot> metric = constant_metric(problem);
-  if (!metric) throw InputError("shortest needs a cost that is a length in one metric: it unfolds the mesh");
-  if (current.chain.ring || problem.based) throw InputError("shortest joins two ends, and this path is a ring");
+  if (!metric) throw InputError("shortest unfolds the mesh, which needs a cost with a constant metric");
+  if (current.chain.ring || problem.based) throw InputError("shortest joins two ends, but this path is a ring");
   if (std::holds_alternative<GlobalOff>(proof_) || !current.curve.straightness || monitor.interrupted()) return current;
   const auto begin = Monitor::Clock::now();
   const GlobalBudget budget = budget_of(proof_, mesh);
@@ -103,7 +104,7 @@ PostProcessed ShortestPostProcessor::apply(const Problem& problem, const FirstPa
   options.stop = stop_of_search(budget, monitor);
   const double faces = mesh.face_count(), tables = faces * (kTables + (*metric ? kMetricMesh : 0));
   if (!keeper_->holds(problem, *metric) && is_too_long(tables, end_of_search(budget, monitor))) {
-    current.notes.emplace_back("shortest: no time was left for the tables of a proof; a larger max_seconds gives it");
+    current.notes.emplace_back("shortest: there was no time left for the tables of a proof; increase max_seconds");
     return current;
   }
   const std::shared_ptr<KeptSearch> kept = keeper_->search_for(problem, mesh, *metric, budget, options.stop);
@@ -126,8 +127,10 @@ PostProcessed ShortestPostProcessor::apply(const Problem& problem, const FirstPa
   const double before = current.curve.cost;
   if (found.length < before * (1 - budget.tolerance)) {
     deliver_path(problem, mesh, turned ? turned->back(std::move(found.path)) : found.path, *metric, current);
-    current.notes.push_back("shortest: the straightened path was longer than the least one found by " +
-                            short_number(100 * (before / current.curve.cost - 1)) + " %, which is delivered");
+    current.notes.push_back(
+        "shortest: a shorter path than the straightened one was found and is delivered; the straightened one was "
+        "longer by " +
+        short_number(100 * (before / current.curve.cost - 1)) + " %");
   }
   GlobalBound& global = current.curve.global.emplace();
   global.proved = found.is_proved();

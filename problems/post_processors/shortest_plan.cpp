@@ -69,11 +69,12 @@ PostProcessed ShortestPlanPostProcessor::apply(const Problem& problem, const Fir
     const auto path = around(walls, source, target, found.bends, monitor.deadline);
     if (path && path->least < before && deliver_plan(problem, walls, unit, *path, monitor, current)) {
       global.proved = path->least - found.lower_bound <= budget.tolerance * path->least + 2 * found.rounding;
-      current.notes.push_back("shortest_plan: the path pulled tight was longer than the one found by " +
-                              short_number(100 * (before / path->least - 1)) + " %, which is delivered");
+      current.notes.push_back(
+          "shortest_plan: a shorter path than the taut one was found and is delivered; the taut one was longer by " +
+          short_number(100 * (before / path->least - 1)) + " %");
     }
     global.outcome = global.proved ? "improved" : "blocked";
-    if (!global.proved) global.reason = "a path that would be shorter cannot be told from one that touches an obstacle";
+    if (!global.proved) global.reason = "rounding hides whether a shorter candidate touches an obstacle";
   }
   global.scope = "global";
   global.counts = "tangents";

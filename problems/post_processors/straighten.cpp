@@ -44,7 +44,7 @@ Outcome straighten_open(const TriangleMesh& mesh, const SurfacePath& first, cons
   const double nothing = based ? kNothing * path_length(first, options.metric) : 0;
   if (based && b.final_length <= nothing) {
     if (a.final_length <= nothing) return {std::move(b.path), b.finished, true};
-    return {std::move(a.path), a.finished, false, "straighten: the solved loop contracts; the first one is taken"};
+    return {std::move(a.path), a.finished, false, "straighten: the solved loop contracts; the first loop is used"};
   }
   if (based && a.final_length <= nothing) return {std::move(b.path), b.finished};
   if (a.final_length < b.final_length)
@@ -58,7 +58,7 @@ Outcome straighten_closed(const TriangleMesh& mesh, const SurfacePath& first, co
                           const StraightenOptions& options) {
   StraightenedRing a = straighten_ring(mesh, first, options), b = straighten_ring(mesh, solved, options);
   if (!a.collapsed && b.collapsed)
-    return {std::move(a.path), a.finished, false, "straighten: the solved ring contracts; the first one is taken"};
+    return {std::move(a.path), a.finished, false, "straighten: the solved ring contracts; the first ring is used"};
   if (!a.collapsed && a.final_length < b.final_length)
     return {std::move(a.path), a.finished, false, "straighten: the first ring gave a shorter ring than the solved one"};
   return {std::move(b.path), b.finished, b.collapsed};

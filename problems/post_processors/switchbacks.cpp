@@ -47,8 +47,7 @@ class Zigzag {
   Zigzag(const Problem& problem, const CoordinatePath& chain, double width)
       : manifold_(*problem.manifold), chain_(chain), width_(width) {
     const auto* mixes = find_ability<MixesMoves>(*problem.cost);
-    if (mixes == nullptr)
-      throw InputError("switchbacks are drawn where the cost is a hull, as 'walking' is; this one is none");
+    if (mixes == nullptr) throw InputError("switchbacks need a cost that is a hull, such as 'walking'");
     if (manifold_.shape() == Shape::polyhedral) throw InputError("switchbacks are not drawn on meshes");
     find_legs(*mixes);
   }
@@ -129,7 +128,7 @@ class Zigzag {
     const double count = std::max(1.0, std::ceil(reach.back() / width_));
     if (!(count * 4 * kPiecesOfLeg < static_cast<double>(kMostCorners)))
       throw InputError("switchbacks of width " + short_number(width_) + " would have more than " +
-                       std::to_string(kMostCorners) + " points; give a greater width");
+                       std::to_string(kMostCorners) + " points; give a larger width");
     const auto at = [&](double r) {
       const auto above = std::upper_bound(reach.begin() + 1, reach.end() - 1, r);
       const double low = *(above - 1), step = *above - low;
@@ -181,7 +180,7 @@ Eigen::VectorXd costs_between(const std::vector<ZigzagPlace>& places, const Eige
 
 void SwitchbackOptions::fields(FieldVisitor& visit) {
   visit.field("width", width,
-              {.help = "How far the legs go to both sides of the path together, at most.",
+              {.help = "Largest total width of the zigzag across the path.",
                .unit = "length",
                .minimum = 0,
                .exclusive_minimum = true,
@@ -198,14 +197,12 @@ PostProcessed SwitchbackPostProcessor::apply(const Problem& problem, const First
   const Zigzag zigzag(problem, current.chain, width_);
   const auto [places, teeth] = zigzag.line();
   if (teeth == 0) {
-    current.notes.emplace_back("switchbacks: nowhere is the path so steep");
+    current.notes.emplace_back("switchbacks: none, because the path is nowhere steep enough");
     return current;
   }
   const std::optional<Points> x = zigzag.positions(places);
   if (!x) {
-    current.notes.emplace_back(
-        "switchbacks: beside the path there is a place without a point of the domain; give a "
-        "smaller width");
+    current.notes.emplace_back("switchbacks: the zigzag would leave the domain; give a smaller width");
     return current;
   }
   const Eigen::VectorXd pieces = segment_costs(*problem.cost, {{x->data(), x->rows(), x->cols()}, {}, false});
@@ -215,7 +212,7 @@ PostProcessed SwitchbackPostProcessor::apply(const Problem& problem, const First
   current.curve_costs = costs_between(places, pieces, current.chain.segment_count());
   std::ostringstream note;
   note << "switchbacks: " << teeth << " to each side, drawn as the curve; they cost " << current.curve.cost / before - 1
-       << " (relative) more than the path that they stand for";
+       << " (relative) more than the path that they replace";
   current.notes.push_back(note.str());
   return current;
 }

@@ -38,7 +38,7 @@ std::optional<TightPath> shorter(std::optional<TightPath> a, std::optional<Tight
 
 void TautOptions::fields(FieldVisitor& visit) {
   visit.field("excess", excess,
-              {.help = "By which part of its length the polyline around round corners may be longer than the curve.",
+              {.help = "Largest relative excess of the polyline's length over the curve's, at round corners.",
                .minimum = kLeastExcess,
                .maximum = kMostExcess});
 }
@@ -54,11 +54,11 @@ PostProcessed TautPostProcessor::apply(const Problem& problem, const FirstPath& 
     best = shorter(std::move(best), tight(walls, current.chain.u, options_.excess, monitor));
   if (!best)
     current.notes.emplace_back(
-        "taut: neither the first path nor the solved one could be pulled tight; it stays (in space obstacles must be "
-        "convex)");
+        "taut: neither the first path nor the solved one could be pulled tight; the solved one is kept (in space, "
+        "obstacles must be convex)");
   else if (!deliver_plan(problem, walls, unit, *best, monitor, current))
     current.notes.emplace_back(
-        "taut: the path pulled tight, or the polyline around it, would leave the domain; the solved one stays");
+        "taut: the taut path, or the polyline around it, would leave the domain; the solved one is kept");
   return current;
 }
 

@@ -103,7 +103,7 @@ PostProcessed TracePostProcessor::apply(const Problem& problem, const FirstPath&
     current.chain.ring = ring;
     pin_ends(problem, current.chain);
     current.notes.emplace_back(
-        "trace: the solved path slid onto another component of the mesh; the first path is taken");
+        "trace: the solved path slid onto another component of the mesh; the first path is used");
   }
   if (ring) points.push_back(points.front());
   TracedPath traced = trace_chain(mesh, points, monitor.deadline);

@@ -29,7 +29,7 @@ void from_degrees(RasterGrid& raster) {
       raster.corner + 0.5 * raster.cell.cwiseProduct(Eigen::Vector2d(raster.columns, raster.rows));
   constexpr double kSteepest = 89;  // where a plane no longer means anything
   if (!(std::abs(middle[1]) <= kSteepest) || !(std::abs(middle[0]) <= 540))
-    throw OptionError("degrees", raster.source + ": its middle would be at longitude " + short_number(middle[0], 9) +
+    throw OptionError("degrees", raster.source + ": the centre would be at longitude " + short_number(middle[0], 9) +
                                      " and latitude " + short_number(middle[1], 9));
   const RasterDegrees degrees{raster.corner, metres_per_degree(middle[1])};
   raster.cell = raster.cell.cwiseProduct(degrees.per_degree);
@@ -55,7 +55,7 @@ std::string digits(double value) {
       static_cast<int>(std::find(raster.values.begin(), raster.values.end(), value) - raster.values.begin());
   const std::string raw = digits(value / options.value_scale);
   throw OptionError("nodata", raster.name_of(at / raster.columns, at % raster.columns) + " has the value " + raw +
-                                  ", " + why + "; if it means no data, write nodata: " + raw);
+                                  ", " + why + "; if it marks missing data, set nodata: " + raw);
 }
 
 /// The least and the greatest value, and those next to them.
@@ -88,7 +88,7 @@ Extremes extremes_of(const std::vector<double>& values) {
 void check_magnitude(const RasterGrid& raster, const RasterOptions& options) {
   constexpr double kFill = 1e30;
   for (const double value : raster.values)
-    if (std::abs(value) >= kFill) refuse_fill(raster, value, options, "which no height and no cost is");
+    if (std::abs(value) >= kFill) refuse_fill(raster, value, options, "which is too large for a height or a cost");
 }
 
 }  // namespace
@@ -103,10 +103,10 @@ void check_heights(const RasterGrid& raster, const RasterOptions& options) {
   if (may_be_degrees && e.second_greatest - e.second_least > kSteep * wide)
     throw OptionError("degrees", raster.source + ": heights differ by " + digits(e.second_greatest - e.second_least) +
                                      " on a raster that is " + digits(wide) +
-                                     " across; if its cells are in degrees of longitude and latitude, write degrees: "
-                                     "true; if not, give their sides (cell)");
+                                     " across; if its cells are in degrees of longitude and latitude, set degrees: "
+                                     "true; if not, give their side lengths (cell)");
   if (options.nodata) return;
-  const std::string why = " from the next one, more than the raster is wide (" + digits(wide) + ")";
+  const std::string why = " from the next one, more than the width of the raster (" + digits(wide) + ")";
   if (std::isfinite(e.second_least) && e.second_least - e.least > wide)
     refuse_fill(raster, e.least, options, "a height " + digits(e.second_least - e.least) + why);
   if (std::isfinite(e.second_greatest) && e.greatest - e.second_greatest > wide)
@@ -120,23 +120,24 @@ std::string RasterGrid::name_of(int row, int column) const {
 void RasterOptions::fields(FieldVisitor& visit) {
   visit.file("file", file,
              {.help = "Raster: an ESRI ASCII grid (.asc), a table of numbers whose first line is the northernmost row "
-                      "(.csv), or, in builds with GDAL, what GDAL reads (.tif).",
+                      "(.csv), or, in builds with GDAL, any raster that GDAL reads (.tif).",
               .required = true});
-  visit.field("cell", cell,
-              {.help = "Side of a cell, [25], or those along x and y, [25, 30]; default: that of the file, or [1].",
-               .unit = "length",
-               .minimum = 0,
-               .exclusive_minimum = true});
-  visit.field("origin", origin,
-              {.help = "Place (x, y) of the lower left corner of the raster; default: that of the file, or (0, 0).",
-               .unit = "length"});
-  visit.field("nodata", nodata, {.help = "Value that means no data; default: that of the file."});
-  visit.field("value_scale", value_scale, {.help = "What values are multiplied by: 0.3048 takes feet to metres."});
   visit.field(
-      "degrees", degrees,
-      {.help = "cell and origin, of the file or given here, are longitude and latitude in degrees. Places are "
-               "then metres east and north of the lower left corner, on WGS84, true in the raster's middle. Default: "
-               "whether the file says so (its CRS, or the .prj beside it)."});
+      "cell", cell,
+      {.help = "Side length of a cell, [25], or lengths along x and y, [25, 30]; default: from the file, or [1].",
+       .unit = "length",
+       .minimum = 0,
+       .exclusive_minimum = true});
+  visit.field("origin", origin,
+              {.help = "Position (x, y) of the lower left corner of the raster; default: from the file, or (0, 0).",
+               .unit = "length"});
+  visit.field("nodata", nodata, {.help = "Value that marks missing data; default: from the file."});
+  visit.field("value_scale", value_scale,
+              {.help = "Factor by which values are multiplied: 0.3048 converts feet to metres."});
+  visit.field("degrees", degrees,
+              {.help = "Whether cell and origin, from the file or given here, are longitude and latitude in degrees. "
+                       "Points are then metres east and north of the lower left corner, on WGS84, exact at the "
+                       "raster's centre. Default: from the CRS of the file, or the .prj beside it."});
 }
 
 void check(const RasterOptions& o) {
@@ -165,7 +166,7 @@ RasterGrid placed(RasterFile file, const RasterOptions& options) {
   check_magnitude(raster, options);
   if (!any) throw InputError(raster.source + ": no cell of the raster has data");
   if (!raster.place(raster.rows, raster.columns).allFinite())
-    throw InputError(raster.source + ": the raster reaches beyond the largest numbers");
+    throw InputError(raster.source + ": the extent of the raster overflows");
   if (options.cell && options.origin) raster.crs.reset();  // what the file says of its place is replaced
   if (options.degrees || (raster.crs && raster.crs->geographic)) from_degrees(raster);
   return raster;

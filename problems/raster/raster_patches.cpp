@@ -36,7 +36,7 @@ RasterPatches::RasterPatches(const RasterGrid& raster, int reach, int fewest)
           known_[index(r, c)] = false;
     }
   if (std::find(known_.begin(), known_.end(), true) == known_.end())
-    throw InputError(source_ + ": there is no place with data all around it");
+    throw InputError(source_ + ": no point has data on all sides");
 }
 
 std::optional<RasterPatch> RasterPatches::at(double column, double row) const {
@@ -52,13 +52,13 @@ std::optional<RasterPatch> RasterPatches::at(double column, double row) const {
 std::string RasterPatches::why_unknown(double x, double y) const {
   const Eigen::Vector2d place(x, y), cells = in_cells(x, y);
   if (!inside(cells[0], cells[1]))
-    return point_text(place, 9) + " lies outside of the values of " + source_ + ", which go from " +
+    return point_text(place, 9) + " is outside the values of " + source_ + ", which extend from " +
            point_text(lower_, 9) + " to " + point_text(upper(), 9);
   if (at(cells[0], cells[1])) return "";
   const int row = std::min(static_cast<int>(cells[1]), rows_ - 1),
             column = std::min(static_cast<int>(cells[0]), columns_ - 1);
-  return "beside " + point_text(place, 9) + ", at row " + std::to_string(rows_ - row) + ", column " +
-         std::to_string(column) + " of " + source_ + " (from 0), there are no data";
+  return "near " + point_text(place, 9) + ", at row " + std::to_string(rows_ - row) + ", column " +
+         std::to_string(column) + " of " + source_ + " (from 0), there is no data";
 }
 
 }  // namespace leastcost

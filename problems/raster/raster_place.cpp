@@ -27,8 +27,8 @@ std::string RasterGrid::place_note() const {
   std::snprintf(at.data(), at.size(), "longitude %.9g and latitude %.9g", degrees->corner[0], degrees->corner[1]);
   const std::string why =
       crs ? source + " is in degrees" + (crs->name.empty() ? "" : " (" + crs->name + ")") + ": " : "";
-  return why + "places are metres east and north of " + at.data() +
-         ", on a plane that is true in the middle; ends may be given as {lonlat: [longitude, latitude]}";
+  return why + "points are in metres east and north of " + at.data() +
+         ", on a plane that is exact at the centre; ends can be given as {lonlat: [longitude, latitude]}";
 }
 
 }  // namespace leastcost

@@ -39,8 +39,9 @@ RasterGrid upright_grid(const RasterGrid& file, const RasterFile::Affine& to_pla
   const Vector2d middle = to_place.col(2) + sides * Vector2d(0.5 * file.columns, 0.5 * file.rows);
   const Vector2d counts = (far.cwiseQuotient(out.cell).array() - kRounding).ceil().max(1);
   if (!(counts.prod() <= static_cast<double>(RasterGrid::kMostCells)))
-    throw InputError(file.source + ": the raster is rotated, and turned it has " + short_number(counts.prod(), 3) +
-                     " cells; at most " + std::to_string(RasterGrid::kMostCells) + " are read");
+    throw InputError(file.source + ": the raster is rotated; read along the axes it would have " +
+                     short_number(counts.prod(), 3) + " cells, but at most " + std::to_string(RasterGrid::kMostCells) +
+                     " can be read");
   out.columns = static_cast<int>(counts[0]);
   out.rows = static_cast<int>(counts[1]);
   out.corner = middle - 0.5 * counts.cwiseProduct(out.cell);
@@ -78,9 +79,9 @@ std::string note_of(const RasterGrid& file, const RasterFile::Affine& to_place, 
   const double degrees = std::atan2(to_place(1, 0), to_place(0, 0)) * 180 / std::numbers::pi;
   return file.source + " is rotated by " + short_number(degrees, 3) + " degrees: it is read on " +
          std::to_string(out.columns) + " x " + std::to_string(out.rows) + " cells along the axes, " +
-         (resampling == Resampling::nearest ? "each with the value of the file's cell in which its middle lies"
+         (resampling == Resampling::nearest ? "each with the value of the file's cell at its centre"
                                             : "with values interpolated between the file's") +
-         "; what lies outside of the file has no data";
+         "; cells outside the file have no data";
 }
 
 }  // namespace
@@ -92,7 +93,7 @@ RasterGrid placed_upright(RasterFile file, const RasterOptions& options, Resampl
   if (options.cell && options.origin) return placed(std::move(file), options);
   if (options.cell || options.origin)
     throw OptionError(options.cell ? "cell" : "origin",
-                      file.raster.source + " is rotated: cell and origin replace its place together, or not at all");
+                      file.raster.source + " is rotated: give both cell and origin, or neither");
   // As if it were upright, about its middle: what cannot be is found before values are mixed.
   file.raster.cell << sides.col(0).norm(), sides.col(1).norm();
   const Vector2d half(0.5 * file.raster.columns, 0.5 * file.raster.rows);

@@ -53,7 +53,7 @@ class CsvRows {
       return scanner_.parse_number(field, "a number");
     } catch (const InputError&) {  // the scanner does not know the line
       fail("expected a number or an empty field, found " + printable(field) +
-           "; a raster is a table of numbers alone, without a header");
+           "; a raster is a table of numbers without a header");
     }
   }
 
@@ -73,11 +73,11 @@ RasterFile read_csv_raster(std::string_view text, const std::string& file) {
   while (lines.next(row)) {
     if (raster.rows == 0) raster.columns = static_cast<int>(row.size());
     if (row.size() != static_cast<std::size_t>(raster.columns))
-      lines.fail(std::to_string(row.size()) + " values, the rows before have " + std::to_string(raster.columns));
+      lines.fail(std::to_string(row.size()) + " values, but the rows before have " + std::to_string(raster.columns));
     check_raster_size(++raster.rows, raster.columns, file);
     top_down.insert(top_down.end(), row.begin(), row.end());
   }
-  if (raster.rows == 0) throw InputError(file + ": holds no values");
+  if (raster.rows == 0) throw InputError(file + ": has no values");
   raster.values.reserve(top_down.size());
   for (int r = raster.rows - 1; r >= 0; --r) {
     const auto begin = top_down.begin() + static_cast<std::ptrdiff_t>(raster.index(r, 0));

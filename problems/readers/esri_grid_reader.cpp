@@ -139,7 +139,7 @@ void check_raster_size(std::int64_t rows, std::int64_t columns, const std::strin
   const auto fits = [](std::int64_t n) { return n >= 1 && n <= RasterGrid::kMostCells; };
   if (fits(rows) && fits(columns) && rows * columns <= RasterGrid::kMostCells) return;
   throw InputError(place + ": a raster of " + std::to_string(rows) + " x " + std::to_string(columns) +
-                   " cells; at least one and at most " + std::to_string(RasterGrid::kMostCells) + " are read");
+                   " cells; at least one and at most " + std::to_string(RasterGrid::kMostCells) + " can be read");
 }
 
 }  // namespace leastcost

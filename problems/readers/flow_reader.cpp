@@ -110,7 +110,7 @@ Eigen::MatrixXd read_flow(const std::filesystem::path& file, int dimension) {
     }
     append_row(words, columns, place, values);
   }
-  if (values.empty()) throw InputError(file.string() + ": holds no rows");
+  if (values.empty()) throw InputError(file.string() + ": has no rows");
   const auto width = static_cast<Eigen::Index>(columns.count());
   return Eigen::Map<const Eigen::MatrixXd>(values.data(), width, static_cast<Eigen::Index>(values.size()) / width)
       .transpose();

@@ -43,15 +43,14 @@ PolygonSoup read_mesh(const std::filesystem::path& file) {
       std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& f) { return extension == f.extension; });
   if (format == kFormats.end()) {
     throw InputError(name + ": unknown mesh format " + printable(extension) +
-                     "; meshes are read from .obj, .off, .ply and .stl files");
+                     "; a mesh must be a .obj, .off, .ply or .stl file");
   }
   const std::string content = read_content(file);
   if (content.empty()) throw InputError(name + ": the file is empty");
   if (!(extension == ".stl" && is_binary_stl(content))) {
     const std::string looks_like = format_by_content(content, name);
     if (!looks_like.empty() && looks_like != extension) {
-      throw InputError(name + ":1: the content is that of a " + looks_like +
-                       " file; rename it so that the extension says so");
+      throw InputError(name + ":1: the content is that of a " + looks_like + " file; rename it to match");
     }
   }
   PolygonSoup soup = format->read(content, name);

@@ -53,7 +53,7 @@ OccupancyGrid read_moving_ai(std::string_view text, const std::string& file, con
     for (int column = 0; column < grid.columns; ++column) {
       const char cell = cells[static_cast<std::size_t>(column)];
       if (kBlocked.find(cell) == std::string_view::npos && kFree.find(cell) == std::string_view::npos)
-        scanner.fail("cell " + std::to_string(column) + " is " + printable({&cell, 1}) + ", which is none of " +
+        scanner.fail("cell " + std::to_string(column) + " is " + printable({&cell, 1}) + ", which is not one of " +
                      std::string(kFree) + " (free) and " + std::string(kBlocked) + " (blocked)");
       grid.blocked[grid.index(row, column)] = kBlocked.find(cell) != std::string_view::npos;
     }
@@ -66,7 +66,7 @@ void check_map_size(std::int64_t rows, std::int64_t columns, const std::string& 
   const auto fits = [](std::int64_t n) { return n >= 1 && n <= OccupancyGrid::kMostCells; };
   if (fits(rows) && fits(columns) && rows * columns <= OccupancyGrid::kMostCells) return;
   throw InputError(place + ": a map of " + std::to_string(rows) + " x " + std::to_string(columns) +
-                   " cells; at least one and at most " + std::to_string(OccupancyGrid::kMostCells) + " are read");
+                   " cells; at least one and at most " + std::to_string(OccupancyGrid::kMostCells) + " can be read");
 }
 
 }  // namespace leastcost

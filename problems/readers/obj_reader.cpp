@@ -44,7 +44,7 @@ class ObjReader {
     for (const Numbering* n : {&vertices_, &textures_, &normals_}) {
       if (n->highest <= n->count) continue;
       scanner_.fail_at(n->highest_line, std::string("there is no ") + n->name + " " + std::to_string(n->highest) +
-                                            ", the file has " + std::to_string(n->count));
+                                            "; the file has " + std::to_string(n->count));
     }
     return std::move(soup_);
   }
@@ -73,14 +73,15 @@ class ObjReader {
   }
 
   void read_vertex() {
-    if (soup_.positions.size() >= kMaxElements) scanner_.fail("more vertices than 32-bit numbers can name");
+    if (soup_.positions.size() >= kMaxElements) scanner_.fail("more vertices than 32-bit numbers can count");
     Eigen::Vector3d position;
     for (int k = 0; k < 3; ++k) position[k] = scanner_.number("a coordinate of a vertex (3 numbers)");
     // Then a weight, which polygons do not use, or a colour.
     int more = 0;
     for (; !scanner_.at_line_end(); ++more) scanner_.number("a weight or colour of a vertex");
     if (more != 0 && more != 1 && more != 3 && more != 4) {
-      scanner_.fail("a vertex has 3 numbers, 4 with a weight, 6 or 7 with a colour; found " + std::to_string(3 + more));
+      scanner_.fail("a vertex must have 3 numbers, 4 with a weight, or 6 or 7 with a colour; found " +
+                    std::to_string(3 + more));
     }
     soup_.positions.push_back(position);
     ++vertices_.count;
@@ -91,7 +92,7 @@ class ObjReader {
     while (!scanner_.at_line_end()) read_corner(scanner_.token());
     const std::size_t corners = soup_.corners.size() - first;
     if (corners < 3) scanner_.fail("a face needs at least 3 corners, found " + std::to_string(corners));
-    if (soup_.corners.size() > kMaxElements) scanner_.fail("more corners than 32-bit numbers can name");
+    if (soup_.corners.size() > kMaxElements) scanner_.fail("more corners than 32-bit numbers can count");
     soup_.polygon_begin.push_back(static_cast<std::int32_t>(soup_.corners.size()));
   }
 

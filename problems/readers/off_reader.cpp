@@ -76,7 +76,7 @@ void read_face(TextScanner& scanner, PolygonSoup& soup) {
   for (std::int64_t k = 0; k < corners; ++k) {
     const std::int64_t vertex = scanner.integer("a vertex number of a face");
     if (vertex < 0 || vertex >= static_cast<std::int64_t>(soup.positions.size())) {
-      scanner.fail("there is no vertex " + std::to_string(vertex) + ", the file has " +
+      scanner.fail("there is no vertex " + std::to_string(vertex) + "; the file has " +
                    std::to_string(soup.positions.size()) + " vertices numbered from 0");
     }
     soup.corners.push_back(static_cast<std::int32_t>(vertex));
@@ -84,7 +84,7 @@ void read_face(TextScanner& scanner, PolygonSoup& soup) {
   int colour = 0;
   for (; !scanner.at_line_end(); ++colour) scanner.number("a colour of a face");
   if (colour > 4) scanner.fail("a face colour has at most 4 numbers, found " + std::to_string(colour));
-  if (soup.corners.size() > kMaxElements) scanner.fail("more corners than 32-bit numbers can name");
+  if (soup.corners.size() > kMaxElements) scanner.fail("more corners than 32-bit numbers can count");
   soup.polygon_begin.push_back(static_cast<std::int32_t>(soup.corners.size()));
 }
 

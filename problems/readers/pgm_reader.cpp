@@ -37,7 +37,7 @@ void read_binary(std::string_view bytes, std::size_t start, const TextScanner& s
   const bool wide = image.maximum > 255;
   if (reader.bytes_left() < image.values.size() * (wide ? 2 : 1))
     reader.fail(std::to_string(image.values.size()) + " pixels of " + (wide ? "two bytes" : "one byte") +
-                " were announced, " + std::to_string(reader.bytes_left()) + " bytes are left");
+                " are announced, but " + std::to_string(reader.bytes_left()) + " bytes are left");
   for (std::uint16_t& value : image.values) {
     value = wide ? reader.read<std::uint16_t>("a pixel") : reader.read<std::uint8_t>("a pixel");
     check_value(scanner, value, image.maximum);
@@ -59,7 +59,7 @@ GreyImage read_pgm(std::string_view bytes, const std::string& file) {
   if (maximum < 1 || maximum > kWhitest)
     scanner.fail("the largest value must be between 1 and 65535, not " + std::to_string(maximum));
   if (static_cast<std::int64_t>(scanner.bytes_left()) < rows * columns)
-    scanner.fail(std::to_string(rows * columns) + " pixels were announced, " + std::to_string(scanner.bytes_left()) +
+    scanner.fail(std::to_string(rows * columns) + " pixels are announced, but " + std::to_string(scanner.bytes_left()) +
                  " bytes are left");
   image.rows = static_cast<int>(rows);
   image.columns = static_cast<int>(columns);

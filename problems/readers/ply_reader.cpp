@@ -97,13 +97,13 @@ class PlyBody {
       for (std::int64_t k = 0; k < count; ++k) {
         const std::int64_t vertex = values_.integer(p.type, "a vertex number of a face");
         if (vertex < 0 || vertex >= vertex_count_) {
-          values_.fail("there is no vertex " + std::to_string(vertex) + ", the file has " +
+          values_.fail("there is no vertex " + std::to_string(vertex) + "; the file has " +
                        std::to_string(vertex_count_) + " vertices numbered from 0");
         }
         soup_.corners.push_back(static_cast<std::int32_t>(vertex));
       }
     }
-    if (soup_.corners.size() > kMaxElements) values_.fail("more corners than 32-bit numbers can name");
+    if (soup_.corners.size() > kMaxElements) values_.fail("more corners than 32-bit numbers can count");
     soup_.polygon_begin.push_back(static_cast<std::int32_t>(soup_.corners.size()));
   }
 

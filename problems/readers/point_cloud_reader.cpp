@@ -55,10 +55,10 @@ PointSamples read_xyz(const std::string& content, const std::string& file) {
       scanner.fail(std::to_string(count) + (count == 1 ? " value" : " values") + "; a row is x y z or x y z nx ny nz");
     if (columns == 0) columns = count;
     if (count != columns)
-      scanner.fail(std::to_string(count) + " values where the first row has " + std::to_string(columns));
+      scanner.fail(std::to_string(count) + " values, but the first row has " + std::to_string(columns));
     samples.positions.emplace_back(row[0], row[1], row[2]);
     if (count == 6) samples.normals.emplace_back(row[3], row[4], row[5]);
-    if (samples.positions.size() > kMaxElements) scanner.fail("more points than 32-bit numbers can name");
+    if (samples.positions.size() > kMaxElements) scanner.fail("more points than 32-bit numbers can count");
   }
   return samples;
 }
@@ -167,7 +167,7 @@ void remove_duplicates(PointSamples& samples) {
   samples.positions.resize(kept);
   if (!samples.normals.empty()) samples.normals.resize(kept);
   samples.notes.push_back(std::to_string(n - kept) + " of " + std::to_string(n) +
-                          " points removed: they repeat an earlier point exactly");
+                          " points removed: exact duplicates of earlier points");
 }
 
 }  // namespace
@@ -178,7 +178,7 @@ PointSamples read_point_cloud(const std::filesystem::path& file) {
   const bool ply = extension == ".ply";
   if (!ply && std::count(kTextExtensions.begin(), kTextExtensions.end(), extension) == 0)
     throw InputError(name + ": unknown point cloud format " + printable(extension) +
-                     "; clouds are read from .ply, .xyz, .txt, .csv and .asc files");
+                     "; a cloud must be a .ply, .xyz, .txt, .csv or .asc file");
   const std::string content = read_content(file);
   PointSamples samples = ply ? read_ply_points(content, name) : read_xyz(content, name);
   if (samples.positions.empty()) throw InputError(name + ": no points");

@@ -23,7 +23,7 @@ GridShape read_grid_header(TextScanner& scanner, double memory) {
     constexpr std::int64_t kMost = 1 << 20;
     if (n < GridShape::kFewest || n > kMost)
       scanner.fail(std::to_string(n) + " nodes along an axis; a cubic needs at least " +
-                   std::to_string(GridShape::kFewest) + ", and the most are " + std::to_string(kMost));
+                   std::to_string(GridShape::kFewest) + ", and the limit is " + std::to_string(kMost));
     count = static_cast<int>(n);
     nodes *= static_cast<double>(n);
   }

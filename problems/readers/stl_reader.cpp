@@ -42,7 +42,7 @@ PolygonSoup share_vertices(const std::vector<Eigen::Vector3d>& corners) {
 PolygonSoup read_binary(std::string_view content, const std::string& file) {
   ByteReader reader(content, kHeaderBytes, file, std::endian::little);
   const std::size_t count = reader.read<std::uint32_t>("the number of triangles");
-  if (count > kMaxElements / 3) reader.fail("more triangles than 32-bit numbers can name");
+  if (count > kMaxElements / 3) reader.fail("more triangles than 32-bit numbers can count");
   std::vector<Eigen::Vector3d> corners;
   corners.reserve(3 * count);
   for (std::size_t f = 0; f < count; ++f) {
@@ -109,7 +109,7 @@ PolygonSoup read_text(std::string_view content, const std::string& file) {
       if (!same_word(token, "facet"))
         scanner.fail("expected 'facet normal x y z' or 'endsolid', found " + printable(token));
       read_facet(scanner, corners);
-      if (corners.size() > kMaxElements - 3) scanner.fail("more triangles than 32-bit numbers can name");
+      if (corners.size() > kMaxElements - 3) scanner.fail("more triangles than 32-bit numbers can count");
     }
   }
   return share_vertices(corners);
@@ -129,9 +129,8 @@ PolygonSoup read_stl(std::string_view content, const std::string& file) {
   TextScanner scanner(content, file, {0, false});
   if (scanner.next_line() && same_word(scanner.token(), "solid")) return read_text(content, file);
   throw InputError(file + ": " + std::to_string(content.size()) +
-                   " bytes are neither a text STL file (which begins with 'solid') nor a binary one (84 bytes and 50 "
-                   "for each of the "
-                   "triangles that bytes 80 to 83 count)");
+                   " bytes are neither a text STL file (which begins with 'solid') nor a binary one (84 bytes plus 50 "
+                   "per triangle, counted in bytes 80 to 83)");
 }
 
 }  // namespace leastcost

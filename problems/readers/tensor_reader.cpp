@@ -19,10 +19,10 @@ void check(const Eigen::Matrix3d& tensor, const TextScanner& scanner) {
   const Eigen::VectorXd values = symmetric_eigenvalues(tensor);
   if (values[0] > kSmallest * values[2]) return;
   std::ostringstream message;
-  message << "a tensor is positive definite; the eigenvalues of this one are " << values[0] << ", " << values[1] << ", "
-          << values[2];
+  message << "a tensor must be positive definite, but the eigenvalues of this one are " << values[0] << ", "
+          << values[1] << ", " << values[2];
   if (values[0] >= -kSmallest * values[2] && values[1] > 0)
-    message << " (a tensor of the tangent plane becomes positive definite when n n' is added, n the unit normal)";
+    message << " (to make a tensor of the tangent plane positive definite, add n n' with the unit normal n)";
   scanner.fail(message.str());
 }
 
@@ -41,7 +41,7 @@ std::vector<Eigen::Matrix3d> read_tensors(const std::filesystem::path& file) {
     check(t, scanner);
     tensors.push_back(t);
   }
-  if (tensors.empty()) throw InputError(file.string() + ": holds no tensors");
+  if (tensors.empty()) throw InputError(file.string() + ": has no tensors");
   return tensors;
 }
 

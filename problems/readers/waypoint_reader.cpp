@@ -53,7 +53,7 @@ std::vector<std::size_t> pick_columns(const std::vector<std::string>& header, co
 Eigen::MatrixXd read_waypoints(const std::filesystem::path& file, const std::vector<std::string>& names) {
   std::ifstream in(file);
   if (!in) throw InputError(file.string() + ": cannot be opened");
-  if (names.empty()) throw InputError(file.string() + ": the coordinates of its points have no names");
+  if (names.empty()) throw InputError(file.string() + ": the columns of coordinates have no names");
   std::vector<std::size_t> columns = pick_columns({}, names);
   std::vector<double> values;
   std::string line;
@@ -68,14 +68,14 @@ Eigen::MatrixXd read_waypoints(const std::filesystem::path& file, const std::vec
     const std::string place = file.string() + ":" + std::to_string(row) + ": ";
     for (const std::size_t column : columns) {
       if (column >= words.size())
-        throw InputError(place + std::to_string(words.size()) + " columns, a point has " +
+        throw InputError(place + std::to_string(words.size()) + " columns, but a point has " +
                          std::to_string(names.size()) + " coordinates");
       const std::optional<double> value = number(words[column]);
       if (!value) throw InputError(place + "'" + words[column] + "' is not a finite number");
       values.push_back(*value);
     }
   }
-  if (values.empty()) throw InputError(file.string() + ": holds no points");
+  if (values.empty()) throw InputError(file.string() + ": has no points");
   const auto rows = static_cast<Eigen::Index>(names.size());
   return Eigen::Map<const Eigen::MatrixXd>(values.data(), rows, static_cast<Eigen::Index>(values.size()) / rows);
 }

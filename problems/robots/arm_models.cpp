@@ -120,14 +120,14 @@ ArmModel model_of(const arm_model::Table& given) {
   if (given.shape.rows() == 0 || given.shape.cols() != 8)
     throw OptionError("shape", "must be rows of 8 numbers: the link, both ends of a segment and a radius");
   for (const auto& row : given.shape.rowwise()) {
-    if (!whole(row[0])) throw OptionError("shape", "begins with the number of a link in every row");
+    if (!whole(row[0])) throw OptionError("shape", "must begin with a link number in every row");
     arm.shape.capsules.push_back(
         {static_cast<int>(row[0]), row.segment<3>(1).transpose(), row.segment<3>(4).transpose(), row[7]});
   }
   if (!given.self) return arm;
-  if (given.self->cols() != 2) throw OptionError("self", "must be rows of two numbers of capsules");
+  if (given.self->cols() != 2) throw OptionError("self", "must be rows of two capsule numbers");
   for (const auto& row : given.self->rowwise()) {
-    if (!whole(row[0]) || !whole(row[1])) throw OptionError("self", "must be rows of two numbers of capsules");
+    if (!whole(row[0]) || !whole(row[1])) throw OptionError("self", "must be rows of two capsule numbers");
     arm.shape.self.emplace_back(static_cast<int>(row[0]), static_cast<int>(row[1]));
   }
   return arm;
@@ -144,9 +144,9 @@ std::shared_ptr<const Robot> made(ArmModel arm, const Vector3d& base) {
 void arm_model::Table::fields(FieldVisitor& visit) {
   visit.choice("convention", convention,
                {.help = "standard: joint i turns about z of frame i - 1; modified (Craig): about z of frame i."});
-  visit.field("rows", rows, {.help = "For each joint [a, alpha, d, offset of the angle].", .required = true});
-  visit.field("lower", lower, {.help = "Least angle of each joint; default: none.", .unit = "rad"});
-  visit.field("upper", upper, {.help = "Largest angle of each joint; default: none.", .unit = "rad"});
+  visit.field("rows", rows, {.help = "One row per joint: [a, alpha, d, offset of the angle].", .required = true});
+  visit.field("lower", lower, {.help = "Smallest angle of each joint; default: no limit.", .unit = "rad"});
+  visit.field("upper", upper, {.help = "Largest angle of each joint; default: no limit.", .unit = "rad"});
   visit.field(
       "shape", shape,
       {.help = "Capsules [link, x1, y1, z1, x2, y2, z2, radius] in the frame of their link; link 0 is the base, "
@@ -158,8 +158,8 @@ void arm_model::Table::fields(FieldVisitor& visit) {
 }
 
 void DhArmOptions::fields(FieldVisitor& visit) {
-  visit.variant("model", model, {.help = "Which arm."});
-  visit.field("base", base, {.help = "Where the base stands; z of its frame is up.", .unit = "length"});
+  visit.variant("model", model, {.help = "The arm: a named model, or a table."});
+  visit.field("base", base, {.help = "Position of the base; the z axis of its frame points up.", .unit = "length"});
 }
 
 DhTable joints_of(const ArmModelOptions& model) {

@@ -38,7 +38,7 @@ struct Ur5 {
 struct Table {
   static constexpr std::string_view kType = "table";
   static constexpr std::string_view kHelp =
-      "A Denavit-Hartenberg table of joints that turn, with capsules on its links.";
+      "A Denavit-Hartenberg table of revolute joints, with capsules on the links.";
   DhConvention convention = DhConvention::standard;
   Eigen::MatrixXd rows = {};
   std::optional<Eigen::VectorXd> lower = {}, upper = {};

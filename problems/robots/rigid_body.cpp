@@ -134,13 +134,12 @@ SpatialBody::Vector SpatialBody::lower() const { return Vector::Constant(7, -kUn
 SpatialBody::Vector SpatialBody::upper() const { return Vector::Constant(7, kUnlimited); }
 
 void RigidBodyOptions::fields(FieldVisitor& visit) {
-  visit.field(
-      "shape", shape,
-      {.help = "Capsules in the body's own coordinates, one a row; a ball where both ends are one point. In the "
-               "plane [x1, y1, x2, y2, radius], a configuration being (x, y, angle); in space [x1, y1, z1, x2, "
-               "y2, z2, radius], a configuration being (x, y, z, qw, qx, qy, qz).",
-       .unit = "length",
-       .required = true});
+  visit.field("shape", shape,
+              {.help = "Capsules in body coordinates, one per row; equal ends make a ball. In the plane: [x1, y1, x2, "
+                       "y2, radius], with configurations (x, y, angle). In space: [x1, y1, z1, x2, y2, z2, radius], "
+                       "with configurations (x, y, z, qw, qx, qy, qz).",
+               .unit = "length",
+               .required = true});
 }
 
 std::shared_ptr<const Robot> make_rigid_body(const RigidBodyOptions& options) {

@@ -16,7 +16,7 @@ template <class Corners>
 void check_part(const Robot& robot, const std::string& name, int link, double radius, const Corners& corners) {
   const auto refuse = [&](const std::string& why) { throw OptionError("shape", name + " " + why); };
   if (link < 0 || link >= robot.kinematics->link_count())
-    refuse("is on link " + std::to_string(link) + "; the links are numbered from 0 to " +
+    refuse("is on link " + std::to_string(link) + "; links are numbered from 0 to " +
            std::to_string(robot.kinematics->link_count() - 1));
   for (const Eigen::Vector3d& corner : corners)
     if (!corner.allFinite()) refuse("must have finite coordinates");
@@ -30,9 +30,9 @@ void check_pair(const Robot& robot, std::size_t k) {
   };
   const int count = static_cast<int>(robot.capsules.size());
   if (i < 0 || j < 0 || i >= count || j >= count)
-    refuse("names a capsule that is not there; they are numbered from 0 to " + std::to_string(count - 1));
+    refuse("names a capsule that does not exist; capsules are numbered from 0 to " + std::to_string(count - 1));
   if (robot.capsules[static_cast<std::size_t>(i)].link == robot.capsules[static_cast<std::size_t>(j)].link)
-    refuse("names two capsules of one link, which cannot move against each other");
+    refuse("names two capsules of one link, which do not move relative to each other");
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ std::shared_ptr<const Robot> make_robot(Robot robot) {
                std::array{capsule.from, capsule.to});
   }
   if (!robot.plates.empty() && robot.kinematics->space() != 3)
-    throw OptionError("shape", "triangles are parts of robots in space, this one is in the plane");
+    throw OptionError("shape", "triangles need a robot in space, but this one is in the plane");
   for (std::size_t i = 0; i < robot.plates.size(); ++i) {
     const Plate& plate = robot.plates[i];
     check_part(robot, "triangle " + std::to_string(i), plate.link, plate.radius, plate.corners);

@@ -184,12 +184,13 @@ void RobotWalls::add_obstacles(Obstacles obstacles, double clearance) {
     const Obstacle::Box core = obstacles_[i]->core_bounds();
     if (core.dim() != space)
       throw OptionError(std::to_string(i), obstacles_[i]->name() + " has " + std::to_string(core.dim()) +
-                                               " dimensions, the workspace of the robot has " + std::to_string(space));
+                                               " dimensions, but the workspace of the robot has " +
+                                               std::to_string(space));
     if (!robot_->plates.empty()) {
       for_plates_.push_back(find_ability<MeetsTriangles>(*obstacles_[i]));
       if (for_plates_.back() == nullptr)
         throw OptionError(std::to_string(i),
-                          obstacles_[i]->name() + " does not know its distance from triangles, which the robot has");
+                          obstacles_[i]->name() + " has no distance to triangles, which the robot has");
     }
     CoreBox box{Vector3d::Zero(), Vector3d::Zero()};
     box.lower.head(space) = core.min();
@@ -554,7 +555,7 @@ std::shared_ptr<const Walls> RobotWalls::remembering() const {
 }
 
 void RobotWalls::draw(const DrawnPaths&, Drawing& out) const {
-  out.notes.emplace_back("this is the space of configurations; the robot and its obstacles are drawn beside it");
+  out.notes.emplace_back("this is the configuration space; the robot and its obstacles are drawn next to it");
 }
 
 std::optional<PoseStrip> RobotWalls::pose_strip(const Points& configurations) const {

@@ -53,7 +53,7 @@ class Follower {
       ring.push_back(next.u);
       now = std::move(next);
     }
-    throw InitializationError("the plane's curve does not come back: after length " + short_number(length, 6) +
+    throw InitializationError("the plane's curve does not close: after length " + short_number(length, 6) +
                               " it is at " + point_text(now.x));
   }
 
@@ -134,7 +134,7 @@ class Follower {
     const double beyond = (last.u - path.closing.apply(start.u)).norm();
     const double before = (last.u - ring.back()).norm();
     if (chart_ != nullptr && beyond > 2 * before)
-      throw InitializationError("the plane's curve goes around a pole of the chart: its coordinates do not come back");
+      throw InitializationError("the plane's curve goes around a pole of the chart: its coordinates do not close");
     return path;
   }
 

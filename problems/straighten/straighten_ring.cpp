@@ -164,7 +164,7 @@ class RingStraightener {
     if (last == first) return doors;
     for (std::int32_t h = 3 * last; h < 3 * last + 3; ++h)
       if (mesh().across(h) >= 0 && mesh().across(h) / 3 == first && on_door(mesh(), base, h)) return {Door{h}};
-    throw InputError("straightening: the ring is not closed where it begins");
+    throw InputError("straightening: the ring does not end where it begins");
   }
 
   StringPuller puller_;

@@ -50,8 +50,7 @@ void throw_non_manifold(const TriangleMesh& mesh, std::int32_t halfedge) {
   throw InputError(
       "straightening: the edge from " + vertex_name(mesh, mesh.tail(halfedge)) + " to " +
       vertex_name(mesh, mesh.head(halfedge)) +
-      " has three or more faces, so the surface has no unfolding there; remove the extra faces, or use the "
-      "path without straightening it");
+      " has three or more faces and cannot be unfolded; remove the extra faces, or use the path without straightening");
 }
 
 double TautString::length() const {
@@ -157,7 +156,7 @@ std::int32_t StringPuller::shared_vertex(std::int32_t f, std::int32_t g, const E
     for (std::int32_t k = 3 * g; k < 3 * g + 3; ++k)
       if (same_edge(*mesh_, h, k)) throw_non_manifold(*mesh_, h);
   throw InputError("straightening: the path jumps from face " + std::to_string(mesh_->file_face(f)) + " to face " +
-                   std::to_string(mesh_->file_face(g)) + ", which have no point in common there");
+                   std::to_string(mesh_->file_face(g)) + ", which have no common point there");
 }
 
 TautString StringPuller::from_path(const SurfacePath& path) {

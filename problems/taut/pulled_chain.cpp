@@ -53,10 +53,11 @@ PulledChain::PulledChain(const ConstraintManifold& domain, const Walls& walls, M
       kept_(kept) {
   const Index d = start.rows();
   if (walls.dimension() != d || domain.dimensions().coordinate != d || metric_.rows() != d || metric_.cols() != d)
-    throw InputError("a chain, its domain, walls and metric are of one dimension");
+    throw InputError("a chain, its domain, obstacles and metric must have the same dimension");
   if (domain.shape() != Shape::flat || find_ability<HasChart>(domain) != nullptr)
-    throw InputError("a chain is pulled in a flat domain without a chart");
-  if (start.cols() < 2 || !(unit_ > 0)) throw InputError("a chain that is pulled has two vertices and some length");
+    throw InputError("a chain can be pulled only in a flat domain without a chart");
+  if (start.cols() < 2 || !(unit_ > 0))
+    throw InputError("a chain that is pulled needs two vertices and a length above 0");
   take(std::move(start));
 }
 

@@ -277,7 +277,7 @@ class Search {
 
 TangentSearchResult shorter_tangent_path(const Walls& walls, const Point2& source, const Point2& target, double upper,
                                          const TangentSearchOptions& options) {
-  if (source == target) throw InputError("a path between ends that are one point has no length");
+  if (source == target) throw InputError("a path between equal ends has no length");
   return Search(walls, source, target, upper, options).run();
 }
 

@@ -41,8 +41,8 @@ Ceres::Ceres(CeresOptions options) : options_(checked(options)) {}
 std::optional<std::string> Ceres::cannot_solve(const PathEnergy& energy, const CoordinatePath& path) const {
   const Index variables = energy.problem().manifold->dimensions().tangent * path.free_count();
   if (options_.algorithm == CeresAlgorithm::bfgs && variables > kMostForBfgs)
-    return "ceres bfgs keeps a dense matrix: at most " + std::to_string(kMostForBfgs) + " variables, this path has " +
-           std::to_string(variables) + "; lbfgs has no such limit";
+    return "ceres bfgs keeps a dense matrix: at most " + std::to_string(kMostForBfgs) +
+           " variables, but this path has " + std::to_string(variables) + "; lbfgs has no such limit";
   return std::nullopt;
 }
 
@@ -58,7 +58,7 @@ SolveReport Ceres::do_solve(PathEnergy& energy, CoordinatePath& path, const Moni
     case CeresAlgorithm::ncg:
       return solve_by_line_search(energy, path, ceres::NONLINEAR_CONJUGATE_GRADIENT, options_.rounds, monitor);
   }
-  throw OptionError("algorithm", "is no algorithm of ceres");
+  throw OptionError("algorithm", "is not an algorithm of ceres");
 }
 
 std::string ceres_version() { return CERES_VERSION_STRING; }

@@ -44,7 +44,7 @@ Method method(NloptAlgorithm algorithm) {
     case NloptAlgorithm::sbplx: return {nlopt::LN_SBPLX, false, 100};
     case NloptAlgorithm::praxis: return {nlopt::LN_PRAXIS, false, 100};
   }
-  throw OptionError("algorithm", "is no algorithm of nlopt");
+  throw OptionError("algorithm", "is not an algorithm of nlopt");
 }
 
 std::string outcome(nlopt::result result) {
@@ -134,9 +134,8 @@ std::optional<std::string> Nlopt::cannot_solve(const PathEnergy& energy, const C
   const Index variables = energy.problem().manifold->dimensions().tangent * path.free_count();
   if (variables <= m.most_variables) return std::nullopt;
   return "nlopt " + std::string(word_of(options_.algorithm)) + " is for at most " + std::to_string(m.most_variables) +
-         " variables, this path has " + std::to_string(variables) +
-         (m.gradient ? ": its time grows with the cube of them"
-                     : ": it needs no gradients and many evaluations instead");
+         " variables, but this path has " + std::to_string(variables) +
+         (m.gradient ? ": its time grows with the cube of them" : ": without gradients it needs many evaluations");
 }
 
 SolveReport Nlopt::do_solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const {

@@ -38,7 +38,7 @@ TEST_CASE("config: points of a cloud have numbers, faces it has none") {
   };
   CHECK(errors("{vertex: 3}").find("has no") == std::string::npos);
   CHECK(errors("{face: 3, barycentric: [1, 0, 0]}")
-            .find("'point_cloud' has no faces; an end on it is {point: [..]} or {vertex: ..,") != std::string::npos);
+            .find("'point_cloud' has no faces: give the end as {point: [..]} or {vertex: ..,") != std::string::npos);
 }
 
 }  // namespace leastcost::test

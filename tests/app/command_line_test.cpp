@@ -256,8 +256,8 @@ TEST_CASE("command line: an end on the side of an obstacle is as much too near a
     config.replace(config.find('X'), 1, x);
     return call({"run", write_text(dir / "end.yaml", config), "-n"}).err;
   };
-  CHECK_THAT(refusal("3"), Contains("it lies 0.001 too near to the polygon"));
-  CHECK_THAT(refusal("3.25"), Contains("it lies 0.251 too near to the polygon"));
+  CHECK_THAT(refusal("3"), Contains("it is 0.001 too close to the polygon"));
+  CHECK_THAT(refusal("3.25"), Contains("it is 0.251 too close to the polygon"));
 }
 
 TEST_CASE("command line: an end in unknown cells of a map is refused as one, with the option that lets it be there") {
@@ -270,11 +270,11 @@ TEST_CASE("command line: an end in unknown cells of a map is refused as one, wit
                                                 "{point: [" +
                                                 x + ", 0.5]}}\npath: {points: 5}\n")});
   };
-  CHECK_THAT(run_to("1.5", "").err, Contains("the target lies in unknown cells of") &&
+  CHECK_THAT(run_to("1.5", "").err, Contains("the target is in unknown cells of") &&
                                         Contains("`unknown: free` of the map") && Contains("is 0.5 away"));
   CHECK(run_to("1.5", ", unknown: free").exit == 0);
-  CHECK_THAT(run_to("2.5", "").err, Contains("the target lies in blocked cells of"));
-  CHECK_THAT(run_to("3.5", "").err, Contains("the target lies outside of"));
+  CHECK_THAT(run_to("2.5", "").err, Contains("the target is in blocked cells of"));
+  CHECK_THAT(run_to("3.5", "").err, Contains("the target is outside"));
 }
 
 TEST_CASE("command line: doctor") {

@@ -52,7 +52,7 @@ TEST_CASE("config errors: missing keys stand at their block") {
   CHECK_THAT(errors_of("manifold: euclidean\n"), Contains("a.yaml:1:1: error: missing key 'cost': "));
   CHECK_THAT(errors_of("manifold: euclidean\n"), Contains("missing key 'ends': the source and target of the path"));
   CHECK_THAT(errors_of("manifold: euclidean\ncost: euclidean\nends:\n  source: {point: [0, 0]}\n"),
-             Contains("a.yaml:3:1: error: missing key 'target' in ends: Where the path ends.\n"));
+             Contains("a.yaml:3:1: error: missing key 'target' in ends: End of the path.\n"));
 }
 
 TEST_CASE("config errors: all of them, in the order of the file") {
@@ -74,7 +74,7 @@ nmae: x
             "a.yaml:2:46: error: 'rule' in cost must be one of: chute, midpoint; found 'chut' (did you mean 'chute'?)",
             "a.yaml:4:23: error: 'point' in ends.source has an entry that must be a number, .inf or -.inf (found 'x')",
             "a.yaml:5:3: error: 'target' in ends must have exactly one of: vertex; face and barycentric; point; lonlat",
-            "a.yaml:5:35: error: 'euclidean' has no vertices; an end on it is {point: [..]}",
+            "a.yaml:5:35: error: 'euclidean' has no vertices: give the end as {point: [..]}",
             "a.yaml:6:16: error: 'points' in path must be at least 1 and at most 10000000 (found '0')",
             "a.yaml:6:19: error: unknown key 'rng' in path (did you mean 'ring'?)",
             "a.yaml:7:1: error: unknown key 'nmae' (did you mean 'name'?)"});
@@ -132,14 +132,14 @@ TEST_CASE("config errors: what constructors refuse stands at its option") {
   const std::string ends = "\nends: {source: {point: [0, 0]}, target: {point: [1, 1]}}\n";
   const std::string box =
       errors_of("manifold: {type: euclidean, dimension: 2, lower: [0, 0, 0]}\ncost: euclidean" + ends);
-  CHECK_THAT(box, Contains("a.yaml:1:50: error: 'lower' in manifold: 3 numbers, the space has dimension 2; write "
+  CHECK_THAT(box, Contains("a.yaml:1:50: error: 'lower' in manifold: 3 numbers, but the space has dimension 2; write "
                            "`dimension: 3` for it\n"));
   const std::string indefinite =
       errors_of("manifold: euclidean\ncost: {type: metric_tensor, matrix: [[1, 0], [0, -1]]}" + ends);
   CHECK_THAT(indefinite, Contains("a.yaml:2:37: error: 'matrix' in cost: "));
   CHECK_THAT(
       errors_of("manifold: euclidean\ncost: euclidean\nends: {source: {point: [0, 0, 0]}, target: {point: [1, 1]}}\n"),
-      Contains("a.yaml:3:24: error: 'point' in ends.source: 3 coordinates, points of the manifold have 2\n"));
+      Contains("a.yaml:3:24: error: 'point' in ends.source: has 3 coordinates, but points of the manifold have 2\n"));
   CHECK_THAT(
       errors_of("manifold: euclidean\ncost: euclidean\nends: {source: {point: [1, 1]}, target: {point: [1, 1]}}\n"),
       Contains("'target' in ends: is the same point as the source"));
@@ -151,39 +151,37 @@ TEST_CASE("config errors: parts that do not fit each other") {
   CHECK(errors_of(mesh + "cost: euclidean\n" + vertices) == "");
   CHECK_THAT(
       errors_of(mesh + "cost: travel_time\npost_process: [trace, straighten]\n" + vertices),
-      Contains(
-          "a.yaml:3:23: error: 'straighten' needs a cost with a constant metric, which 'travel_time' does not have\n"));
+      Contains("a.yaml:3:23: error: 'straighten' needs a cost with a constant metric, but 'travel_time' has none\n"));
   CHECK_THAT(errors_of(kPlane + "post_process: [trace]\n"),
-             Contains("'trace' needs a manifold with a mesh, which 'euclidean' does not have"));
-  CHECK_THAT(
-      errors_of(kPlane + "initializer: dijkstra\n"),
-      Contains("a.yaml:6:14: error: 'dijkstra' needs a manifold with a graph, which 'euclidean' does not have\n"));
+             Contains("'trace' needs a manifold with a mesh, but 'euclidean' has none"));
+  CHECK_THAT(errors_of(kPlane + "initializer: dijkstra\n"),
+             Contains("a.yaml:6:14: error: 'dijkstra' needs a manifold with a graph, but 'euclidean' has none\n"));
   CHECK_THAT(errors_of("manifold: euclidean\ncost: euclidean\n" + vertices),
-             Contains("a.yaml:3:25: error: 'euclidean' has no vertices; an end on it is {point: [..]}\n"));
+             Contains("a.yaml:3:25: error: 'euclidean' has no vertices: give the end as {point: [..]}\n"));
   CHECK_THAT(errors_of(kPlane + "path: {points: auto}\n"),
              Contains("'auto' takes the number of points from the first path"));
   CHECK_THAT(errors_of(kPlane + "path: {ring: true}\n"),
-             Contains("a ring (path.ring: true) has no ends: remove one of the two"));
+             Contains("a ring (path.ring: true) has no target: remove one of the two"));
   const std::string ring = "manifold: euclidean\ncost: euclidean\npath: {ring: true}\n";
   const std::string based =
       "manifold: {type: parametric, surface: torus}\ncost: euclidean\npath: {ring: true}\n"
       "initializer: {type: coordinate_circle, through: [0, 3]}\n";
   CHECK(errors_of(based + "ends: {source: {point: [0, 3]}}\n") == "");
   CHECK_THAT(errors_of(based + "ends: {source: {point: [0, 3]}, target: {point: [1, 3]}}\n"),
-             Contains("the source alone is a fixed point of the ring"));
+             Contains("a source alone is a fixed point of the ring"));
   CHECK_THAT(errors_of(based + "ends: {source: {point: [0, 3, 1]}}\n"), Contains("3 coordinates"));
   CHECK_THAT(errors_of(based + "family: {windings: 1, bows: 2}\n"),
-             Contains("'windings' lists images of the target, and a ring has none") &&
-                 Contains("'bows' bows the line between two ends, and a ring has none"));
+             Contains("'windings' tries images of the target, but a ring has none") &&
+                 Contains("'bows' bows the line between two ends, but a ring has none"));
   CHECK_THAT(errors_of(based + "family: {initializers: [straight]}\n"), Contains("'straight' joins two ends"));
   CHECK_THAT(errors_of("manifold: {type: parametric, surface: torus}\ncost: euclidean\npath: {ring: true}\n"),
-             Contains("it needs an initializer: plane_cut, waypoints, coordinate_circle or file"));
+             Contains("give an initializer: plane_cut, waypoints, coordinate_circle or file"));
   CHECK_THAT(errors_of(kPlane + "family: {routes: 3}\n"), Contains("'routes' needs a manifold with a graph"));
   CHECK_THAT(errors_of(based + "family: {routes: 3, mirrored: true}\n"),
-             Contains("'routes' lists routes between two ends") && Contains("'mirrored' mirrors a path at its ends"));
+             Contains("'routes' tries routes between two ends") && Contains("'mirrored' mirrors a path at its ends"));
   CHECK_THAT(errors_of(kPlane + "family: {windings: 1}\n"), Contains("'windings' needs a manifold with a chart"));
-  CHECK_THAT(errors_of(ring), Contains("it needs an initializer: waypoints or file"));
-  CHECK_THAT(errors_of(ring + "initializer: straight\n"), Contains("'straight' joins two ends and a ring has none"));
+  CHECK_THAT(errors_of(ring), Contains("give an initializer: waypoints or file"));
+  CHECK_THAT(errors_of(ring + "initializer: straight\n"), Contains("'straight' joins two ends, but a ring has none"));
   CHECK(errors_of(ring + "initializer: {type: waypoints, points: [[1, 0], [0, 1], [-1, -1]]}\n") == "");
   CHECK(errors_of(mesh + "cost: euclidean\npath: {ring: true}\npost_process: [straighten]\n"
                          "initializer: {type: plane_cut, point: [0, 0, 0], normal: [0, 0, 1]}\n") == "");
@@ -194,9 +192,9 @@ TEST_CASE("config errors: parts that do not fit each other") {
       "cost: euclidean\npath: {ring: true}\n"
       "initializer: {type: plane_cut, point: [0, 0, 0], normal: [0, 0, 1]}\nmanifold: ";
   CHECK_THAT(errors_of(cut + "{type: implicit, surface: paper_curve}\n"),
-             Contains("needs a manifold with a surface, which this 'implicit' does not have"));
+             Contains("needs a manifold with a surface, but this 'implicit' has none"));
   CHECK_THAT(errors_of(cut + "{type: constraint, dimension: 4, set: sphere}\n"),
-             Contains("needs a manifold with a surface, which this 'constraint' does not have"));
+             Contains("needs a manifold with a surface, but this 'constraint' has none"));
   CHECK(errors_of(cut + "{type: constraint, dimension: 3, set: sphere}\n") == "");
   CHECK(errors_of(cut + "{type: implicit, surface: sphere}\n") == "");
 }
@@ -220,16 +218,16 @@ TEST_CASE("config errors: layers, and refraction where it cannot be") {
   CHECK(errors_of(plane + ends + layers) == "");
   CHECK(errors_of(plane + ends + layers + refract) == "");
   CHECK_THAT(errors_of(plane + ends + "cost: {type: layers, interfaces: [0], speeds: [2, 1, 1]}\n"),
-             Contains("has 3 numbers, and 1 interfaces lie between 2 layers"));
+             Contains("has 3 numbers, but 1 interfaces separate 2 layers"));
   CHECK_THAT(errors_of(plane + ends + "cost: {type: layers, interfaces: [0]}\n"),
              Contains("give either 'speeds' or 'indices'"));
   CHECK_THAT(errors_of(plane + ends + "cost: {type: layers, interfaces: [1, 0], speeds: [1, 2, 3]}\n"),
-             Contains("must rise: number 2 is not above the one before"));
+             Contains("must increase: number 2 is not above the previous one"));
   CHECK_THAT(errors_of(plane + ends + "cost: euclidean\n" + refract),
-             Contains("'refract' needs a cost with a stack of layers, which 'euclidean' does not have"));
+             Contains("'refract' needs a cost with a stack of layers, but 'euclidean' has none"));
   CHECK_THAT(
       errors_of(plane + ends + layers + refract + "obstacles: [{type: ball, center: [9, 9], radius: 1}]\n"),
-      Contains("'refract' joins two ends in R^d or a box of it (euclidean), without obstacles, robots and rings"));
+      Contains("'refract' works for paths between two ends in R^d or a box (euclidean), without obstacles or robots"));
 }
 
 TEST_CASE("config errors: cells of a cost map where they cannot be") {
@@ -242,7 +240,7 @@ TEST_CASE("config errors: cells of a cost map where they cannot be") {
   CHECK(errors_of(plane + ends + map("cells")) == "");
   CHECK(errors_of(plane + ends + map("cells") + "post_process: [refract_cells]\n") == "");
   CHECK_THAT(errors_of(plane + ends + map("cells") + ball),
-             Contains("'cells' joins two ends in the plane or a box of it (euclidean), without obstacles"));
+             Contains("'cells' works for paths between two ends in the plane or a box (euclidean), without obstacles"));
   CHECK(errors_of(plane + ends + map("smooth") + ball) == "");  // as it says
   CHECK_THAT(errors_of(plane + ends + map("smooth") + "post_process: [refract_cells]\n"),
              Contains("'refract_cells' needs a cost map that is constant in each cell"));
@@ -267,9 +265,10 @@ TEST_CASE("config errors: taut where paths cannot be pulled tight") {
   CHECK(errors_of(plan(plane, "euclidean", disc)) == "");
   CHECK(errors_of(plan("{type: euclidean, dimension: 3}", "euclidean",
                        "[{type: ball, center: [0, 0, 0], radius: 1}]")) == "");
-  CHECK_THAT(errors_of(plan(plane, "euclidean", "[]")), Contains("'taut' needs obstacles to pull the path around"));
+  CHECK_THAT(errors_of(plan(plane, "euclidean", "[]")),
+             Contains("'taut' needs obstacles around which to pull the path"));
   CHECK_THAT(errors_of(plan(plane, "{type: clearance, weight: 1, reach: 1}", disc)),
-             Contains("'taut' needs a cost that is a length, which 'clearance' is not"));
+             Contains("'taut' needs a cost with a constant metric, but 'clearance' has none"));
   CHECK_THAT(
       errors_of(plan("{type: se2, lower: [-3, -3], upper: [3, 3]}", "{type: weighted_length, weights: [1, 1]}", disc)),
       Contains("'taut' works in the plane and in space"));
@@ -277,7 +276,7 @@ TEST_CASE("config errors: taut where paths cannot be pulled tight") {
                        "\ncost: euclidean\npath: {ring: true, points: 20}\npost_process: [taut]\n"
                        "initializer: {type: waypoints, points: [[0, 2], [2, 0], [0, -2]]}\nobstacles: " +
                        disc + "\n"),
-             Contains("'taut' joins two ends, and a ring has none"));
+             Contains("'taut' joins two ends, but a ring has none"));
 }
 
 TEST_CASE("config errors: ends") {
@@ -289,12 +288,12 @@ TEST_CASE("config errors: ends") {
   CHECK(source("{face: 0, barycentric: [0.2, 0.3, 0.5]}") == "");
   CHECK(source("{point: [0, 0, 0], tolerance: 1}") == "");
   CHECK_THAT(source("{vertex: -3}"), Contains("'vertex' in ends.source must be at least 0 (found '-3')"));
-  CHECK_THAT(source("{face: 0}"), Contains("needs both face and barycentric"));
-  CHECK_THAT(source("{barycentric: [1, 0, 0]}"), Contains("needs both face and barycentric"));
+  CHECK_THAT(source("{face: 0}"), Contains("must have both face and barycentric"));
+  CHECK_THAT(source("{barycentric: [1, 0, 0]}"), Contains("must have both face and barycentric"));
   CHECK_THAT(source("{face: 0, barycentric: [1, 0]}"), Contains("must have three numbers"));
   CHECK_THAT(source("{vertex: 0, point: [0, 0, 0]}"), Contains("must have exactly one of"));
   CHECK_THAT(source("{}"), Contains("must have exactly one of"));
-  CHECK_THAT(source("{vertex: 0, tolerance: 1}"), Contains("is for an end given as a point"));
+  CHECK_THAT(source("{vertex: 0, tolerance: 1}"), Contains("is only for an end given as a point"));
   CHECK_THAT(source("3"), Contains("'ends.source' must be a block of keys (found '3')"));
 }
 

@@ -150,7 +150,7 @@ TEST_CASE(
     CHECK(other.result.curve.cost == Approx(between).epsilon(1e-6));
     REQUIRE_FALSE(other.parts.notes.empty());
     CHECK_THAT(other.parts.notes.front(), Catch::Contains("interpolation: smooth"));
-    CHECK((other.parts.notes.front().find("a solver is asked for") != std::string::npos) == (more != ball));
+    CHECK((other.parts.notes.front().find("a solver is given") != std::string::npos) == (more != ball));
   }
   // A clearance is one from places without data, which are obstacles of the smooth surface.
   std::ofstream hole(dir / "hole.csv");
@@ -163,7 +163,7 @@ TEST_CASE(
       "ends: {source: {point: [1, 3]}, target: {point: [11, 6]}}\npath: {points: 40}\n");
   CHECK(kept.result.status == Status::certified);
   CHECK(kept.result.certificate.clearance->lower >= -1e-6);
-  CHECK_THAT(kept.parts.notes.front(), Catch::Contains("a clearance is asked for"));
+  CHECK_THAT(kept.parts.notes.front(), Catch::Contains("a clearance is given"));
 
   const std::string file = (dir / "a.yaml").string();
   std::ofstream(file) << text("");
@@ -193,7 +193,7 @@ TEST_CASE("default initializer: where it is the straight line, a cheaper way bes
   const RunOutcome through = solve(parse_run(text, "a.yaml", dir.path()));
   REQUIRE_FALSE(through.parts.notes.empty());
   const std::string note = through.parts.notes.back();
-  REQUIRE_THAT(note, Catch::Contains("another way costs about"));
+  REQUIRE_THAT(note, Catch::Contains("another path costs about"));
   const auto begin = note.find('\'') + 1;
   const std::string remedy = note.substr(begin, note.find('\'', begin) - begin) + "\n";
   const RunOutcome around = solve(parse_run(text + remedy, "a.yaml", dir.path()));
@@ -204,7 +204,7 @@ TEST_CASE("default initializer: where it is the straight line, a cheaper way bes
       "manifold: {type: euclidean, dimension: 3}\ncost: {type: refractive_index, index: {type: linear_velocity, "
       "speed: 1, gradient: [0, 0, 0.2]}}\nends: {source: {point: [0, 0, 0]}, target: {point: [1, 0, 2]}}\n",
       "a.yaml", dir.path()));
-  for (const std::string& word : even.parts.notes) CHECK_THAT(word, !Catch::Contains("another way"));
+  for (const std::string& word : even.parts.notes) CHECK_THAT(word, !Catch::Contains("another path costs"));
 }
 
 }  // namespace leastcost::test

@@ -63,7 +63,7 @@ TEST_CASE("run: a soup whose corners are off by rounding is joined by the weld t
   };
   const Called loose = run("true");
   CHECK(loose.exit == 6);
-  CHECK_THAT(loose.out + loose.err, Contains("`weld: 1e-6` those that are no farther apart"));
+  CHECK_THAT(loose.out + loose.err, Contains("`weld: 1e-6` those no farther apart"));
   const Called joined = run("1e-6");
   CHECK(joined.exit == 0);
   CHECK(Json::parse(joined.out)["global"]["seconds"].get<double>() > 0);

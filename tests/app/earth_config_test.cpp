@@ -114,7 +114,8 @@ TEST_CASE("degrees: a latitude beyond a pole is an error on the Earth, and met w
   CHECK_THAT(errors_of(on_earth("[-0.1, 51.5]", "[139.7, 35.7]")),
              Contains("'point' in ends.target") && Contains("the latitude 139.7 is beyond 90 degrees") &&
                  Contains("(latitude, longitude)"));
-  CHECK_THAT(errors_of(on_sphere("[-0.1, 51.5]", "[139.7, 35.7]")), Contains("degrees? see earth"));
+  CHECK_THAT(errors_of(on_sphere("[-0.1, 51.5]", "[139.7, 35.7]")),
+             Contains("for degrees, use manifold: {type: earth}"));
   CHECK(errors_of(on_sphere("[-0.1, 0.5]", "[1, 3]")) == "");
   const Run run = parse_run(on_sphere("[-0.1, 0.5]", "[1, 3]"), "a.yaml");
   bool said = false;
@@ -137,7 +138,7 @@ TEST_CASE("the Earth: longitudes of both conventions, across the date line, roun
                                   "initializer: {type: waypoints, points: [[0, 120], [0, -120]]}\n"
                                   "certificate: {enabled: false}\n");
   CHECK(round.parts.problem.target.u[1] == 380);
-  CHECK_THAT(errors_of(on_earth("[10, 0]", "[10, 360]")), Contains("names the same point as the source"));
+  CHECK_THAT(errors_of(on_earth("[10, 0]", "[10, 360]")), Contains("is the same point as the source"));
 }
 
 TEST_CASE("the Earth: a current to the east and north, by the flow that the refusal names") {

@@ -209,7 +209,7 @@ TEST_CASE("GDAL: what it cannot read is an error with the name of the file") {
   const ScratchDir dir;
   std::ofstream(dir / "a.tif") << "no raster";
   CHECK_THROWS_WITH(read_gdal_raster(dir / "a.tif"), Catch::Contains("a.tif: cannot be read as a raster"));
-  CHECK_THROWS_WITH(read_gdal_raster(dir / "b.tif"), Catch::Contains("b.tif: there is no such file"));
+  CHECK_THROWS_WITH(read_gdal_raster(dir / "b.tif"), Catch::Contains("b.tif: no such file"));
 }
 
 TEST_CASE("GDAL: a TIFF of the data set without georeference is placed by options") {

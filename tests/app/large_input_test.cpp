@@ -64,9 +64,9 @@ TEST_CASE("large inputs: an override is named by its beginning, and no option is
   within(2, [&] {
     const std::string errors = errors_of(kPlane, {dots + "=1"});
     CHECK(errors.size() < kShort);
-    CHECK_THAT(errors, Contains("none is named by more than 16 words"));
+    CHECK_THAT(errors, Contains("no option has more than 16 words"));
   });
-  CHECK_THAT(errors_of(kPlane, {"name=" + std::string(100'000, '/')}), Contains("'name' becomes a folder"));
+  CHECK_THAT(errors_of(kPlane, {"name=" + std::string(100'000, '/')}), Contains("'name' is used as a folder name"));
 }
 
 TEST_CASE("large inputs: what is nested too deep is said with the limit") {
@@ -132,7 +132,8 @@ TEST_CASE("large inputs: the report of many rows shows the first ones and counts
   });
   const std::string page = content(dir / "report.html");
   CHECK(page.size() < 20'000'000);
-  CHECK_THAT(page, Contains("are the first 500 of 20000; runs.csv has all") && Contains("20000 solves"));
+  CHECK_THAT(page, Contains("only the first 500 of 20000 problems are shown one by one; runs.csv has all") &&
+                       Contains("20000 solves"));
 }
 
 TEST_CASE("large inputs: points that the memory cannot hold are an error with both sizes") {

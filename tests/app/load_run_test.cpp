@@ -152,7 +152,7 @@ TEST_CASE("load_run: what is replaced in memory is solved, and said in the files
   CHECK(result["solver"]["name"] == "gradient_descent");
   CHECK(result["ends"]["target"]["placed"] == Json{6, 8});
   CHECK(result["notes"].dump().find("cost: replaced after the configuration was read") != std::string::npos);
-  CHECK_THAT(content(folder / "config.resolved.yaml"), Contains("not as it stands here: cost, ends, solver"));
+  CHECK_THAT(content(folder / "config.resolved.yaml"), Contains("which differ from this file: cost, ends, solver"));
   // The run itself is as it was: solved again, it gives the same.
   CHECK(solve(run).result.curve.cost == outcome.result.curve.cost);
 }

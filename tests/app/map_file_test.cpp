@@ -72,8 +72,8 @@ TEST_CASE("map files: PNG") {
   flipped[45] = static_cast<char>(flipped[45] ^ 1);
   CHECK_THROWS_AS(read_png(flipped, "a.png"), InputError);
   CHECK_THROWS_WITH(read_png(text_of(kVast), "a.png"),
-                    "a.png: no PNG image that can be read: 121000000 pixels were "
-                    "announced, which do not fit into the 56 bytes of the file");
+                    "a.png: not a readable PNG image: 121000000 pixels are "
+                    "announced, which do not fit in the 56 bytes of the file");
 }
 
 TEST_CASE("map files: a map_server YAML brings everything") {
@@ -117,7 +117,8 @@ TEST_CASE("map files: kinds are told apart by their extension") {
   write_file(folder / "a.pgm", "P2 1 1 255\n255\n");
   CHECK(map_refusal(folder.path(), "a.map") == "accepted");
   CHECK(map_refusal(folder.path(), "a.pgm") == "accepted");
-  CHECK_THAT(map_refusal(folder.path(), "a.txt"), Catch::Contains("maps are .map (Moving AI), .png, .pgm and .yaml"));
+  CHECK_THAT(map_refusal(folder.path(), "a.txt"),
+             Catch::Contains("a map must be a .map (Moving AI), .png, .pgm or .yaml"));
   if (const auto maze = data_file("planning/ompl_maze_normal.png")) {
     OccupancyOptions options;
     options.file = maze->string();

@@ -61,21 +61,21 @@ TEST_CASE("tensors on data in a configuration: what does not fit the domain") {
              Contains("a.yaml:4:17: error: 'type' in cost.field: tensors given on data need a mesh or a point cloud"));
   CHECK_THAT(with("{type: file, file: tensors.txt, on: points}", 5), Contains("a mesh has vertices and faces"));
   CHECK_THAT(with("{type: file, file: tensors.txt}", 4),
-             Contains("4 tensors, the file of the manifold has 5 vertices"));
+             Contains("4 tensors, but the file of the manifold has 5 vertices"));
   CHECK_THAT(with("{type: file, file: tensors.txt, on: faces}", 5),
-             Contains("5 tensors, the file of the manifold has 4 faces"));
-  CHECK_THAT(with("{type: file, file: tensors.txt}", 0), Contains("holds no tensors"));
+             Contains("5 tensors, but the file of the manifold has 4 faces"));
+  CHECK_THAT(with("{type: file, file: tensors.txt}", 0), Contains("has no tensors"));
   CHECK_THAT(with("{type: file, file: none.txt}", 5), Contains("none.txt: no such file"));
 }
 
 TEST_CASE("tensors on data in a configuration: no straightening under a metric that changes") {
   CHECK_THAT(with("{type: curvature, weight: 1}", 0, "post_process: [trace, straighten]\n"),
-             Contains("'straighten' needs a cost with a constant metric, which 'metric_field' does not have"));
+             Contains("'straighten' needs a cost with a constant metric, but 'metric_field' has none"));
 }
 
 TEST_CASE("a metric that is none: told with its place") {
   CHECK_THAT(with("{type: formula, entries: [x, \"0\", \"0\", \"1\", \"0\", \"1\"]}", 0),
-             Contains("at (-1, 1, 0) the tensor is not positive definite, its eigenvalues are (-1, 1, 1)"));
+             Contains("at (-1, 1, 0) the tensor is not positive definite: its eigenvalues are (-1, 1, 1)"));
 }
 
 }  // namespace leastcost::test

@@ -96,7 +96,7 @@ TEST_CASE("output folder: --force replaces only what is ours") {
 TEST_CASE("output folder: what appeared while it was written is not replaced, and nothing is lost") {
   const ScratchDir dir;
   const auto kept = [](const std::string& message) {
-    const std::string marker = "the results lie in ";
+    const std::string marker = "the results are in ";
     REQUIRE(message.find(marker) != std::string::npos);
     return fs::path(message.substr(message.find(marker) + marker.size()));
   };
@@ -185,7 +185,7 @@ TEST_CASE("output folder: what could be written stays when the rest cannot") {
     folder.write("path.csv", "1,2,3");
     CHECK_THROWS_AS(folder.write("no/such/place", "x"), OutputError);
     const std::string where = folder.leave();
-    const std::string before = "; what could be written lies in ";
+    const std::string before = "; the files that could be written are in ";
     REQUIRE(where.rfind(before, 0) == 0);
     left = where.substr(before.size());
   }

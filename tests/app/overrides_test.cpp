@@ -31,7 +31,7 @@ TEST_CASE("override: positions in a list") {
   CHECK_THAT(resolved_yaml(loaded.config), Contains("points: [[1, 1], [5, 2]]"));
   CHECK_THAT(
       errors_of(kPlane + "post_process: []\n", {"post_process.0=trace"}),
-      Contains("--set post_process.0=trace: error: the list has 0 entries, counted from 0; '0' is none of them\n"));
+      Contains("--set post_process.0=trace: error: the list has 0 entries, numbered from 0; '0' is not one of them\n"));
 }
 
 TEST_CASE("override: errors show the argument in the place of the position") {
@@ -39,7 +39,7 @@ TEST_CASE("override: errors show the argument in the place of the position") {
         "--set path.points=many: error: 'points' in path must be a whole number or auto (found 'many')\n");
   CHECK(errors_of(kPlane, {"solver.type=newton", "solver.max_itr=5"}) ==
         "--set solver.max_itr=5: error: unknown key 'max_itr' in solver (did you mean 'max_iterations'?)\n");
-  CHECK(errors_of(kPlane, {"seed="}) == "--set seed=: error: 'seed' has no value: leave the key out for the default\n");
+  CHECK(errors_of(kPlane, {"seed="}) == "--set seed=: error: 'seed' has no value: remove the key to use the default\n");
   for (const char* bad : {"seed", "=3", "a..b=1", ".a=1", "a b=1"}) {
     CAPTURE(bad);
     CHECK_THAT(errors_of(kPlane, {bad}), Contains("must have the form key=value or block.key=value"));

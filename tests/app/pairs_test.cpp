@@ -119,15 +119,15 @@ TEST_CASE("pairs of vertices: a line each, in order, the wrong ones by their num
   is_wrong(2, 6, "bad_pair", "target: '-1' is negative");
   is_wrong(3, 7, "bad_pair", "the mesh has vertices 0 to 6, not 7");
   is_wrong(4, 8, "bad_pair", "is too large for a vertex");
-  is_wrong(5, 9, "bad_pair", "'1.5' is no number of a vertex");
-  is_wrong(6, 10, "bad_pair", "'nan' is no number of a vertex");
-  is_wrong(7, 11, "bad_pair", "'1e400' is no number of a vertex");
+  is_wrong(5, 9, "bad_pair", "'1.5' is not a vertex number");
+  is_wrong(6, 10, "bad_pair", "'nan' is not a vertex number");
+  is_wrong(7, 11, "bad_pair", "'1e400' is not a vertex number");
   is_wrong(8, 12, "bad_pair", "target: is empty");
-  is_wrong(9, 13, "bad_pair", "2 cells, the header has 3");
-  is_wrong(10, 14, "bad_pair", "4 cells, the header has 3");
+  is_wrong(9, 13, "bad_pair", "2 cells, but the header has 3");
+  is_wrong(10, 14, "bad_pair", "4 cells, but the header has 3");
   is_wrong(11, 15, "bad_pair", "a quote is not closed");
   is_wrong(13, 17, "no_path", "");
-  is_wrong(15, 19, "bad_pair", "is no number of a vertex");
+  is_wrong(15, 19, "bad_pair", "is not a vertex number");
 
   const Json result = Json::parse(content(dir / "out/result.json"));
   CHECK(result["status"] == "failed");
@@ -160,7 +160,7 @@ TEST_CASE("pairs of points: among obstacles as long as the tangents and the arc 
   CHECK(lines[3]["outcome"] == "bad_pair");
   CHECK_THAT(lines[3]["message"].get<std::string>(), Contains("source: end_in_clearance"));
   CHECK_THAT(lines[5]["message"].get<std::string>(), Contains("source_x: 'inf' is not finite"));
-  CHECK_THAT(lines[6]["message"].get<std::string>(), Contains("target_x: '1e400' is no number that can be held"));
+  CHECK_THAT(lines[6]["message"].get<std::string>(), Contains("target_x: '1e400' is not a number, or overflows"));
 }
 
 TEST_CASE("pairs of points: a place with itself costs nothing, where it may be at all") {
@@ -281,8 +281,9 @@ TEST_CASE("pairs: threads, and what was cut off and is resumed, give the same li
     CHECK(content(log).size() >= text.size() / 2);
   };
   refused(kAroundDisc + "clearance: 0.1\n", pairs, "the options have changed");
-  refused(kAroundDisc, pairs + "0,2,2,0\n", "a file that it is made from has changed");
-  CHECK_THAT(run_pairs_of(dir, kAroundDisc, pairs).err, Contains("--resume goes on with the run of many pairs in it"));
+  refused(kAroundDisc, pairs + "0,2,2,0\n", "one of its input files has changed");
+  CHECK_THAT(run_pairs_of(dir, kAroundDisc, pairs).err,
+             Contains("use --resume to continue the run of many pairs in it"));
   put(log, text.substr(0, text.size() / 2) + "\nno json\n");
   const Called broken = run_pairs_of(dir, kAroundDisc, pairs, {"--resume"});
   CHECK(broken.exit == 4);
@@ -303,7 +304,7 @@ TEST_CASE("pairs: on standard output as lines, as one object, or in words, exit 
   CHECK(run_pairs_of(dir, kAroundDisc + "certificate: {enabled: false}\n", kInPlane + "-2,0,2,0\n", {"--force"}).exit ==
         5);
   CHECK_THAT(run_pairs_of(dir, kAroundDisc, kInPlane + "-2,0,2,0\nx,0,0,0\n", {"-n"}).out,
-             Contains("2 of points, 1 of them cannot be read (line 3: source_x: 'x'"));
+             Contains("2 of points, 1 of them invalid (line 3: source_x: 'x'"));
   const Called report = call({"report", (dir / "out").string()});
   CHECK(report.exit == 4);
   CHECK_THAT(report.err, Contains("a run of many pairs has no report"));
@@ -321,7 +322,7 @@ TEST_CASE("pairs: on standard output as lines, as one object, or in words, exit 
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Called called = call(arguments);
     CHECK(called.exit == 2);
-    CHECK_THAT(called.err, Contains("are for a run of many pairs of ends"));
+    CHECK_THAT(called.err, Contains("are for runs of many pairs of ends"));
   }
 }
 
@@ -336,18 +337,18 @@ TEST_CASE("pairs: a file that is none is an error of the input, with what would 
     CHECK_FALSE(fs::exists(dir / "out"));
   };
   refused(kAroundDisc, "",
-          "is empty; its first line names the columns: 'source_x,source_y,target_x,target_y' for points");
+          "is empty; the first line must name the columns: 'source_x,source_y,target_x,target_y' for points");
   refused(kAroundDisc, "\n\r\n", "is empty");
-  refused(kAroundDisc, kInPlane, "holds no pairs");
+  refused(kAroundDisc, kInPlane, "has a header but no pairs");
   refused(kAroundDisc, "source_x,source_y,target_x\n0,0,1\n", "pairs.csv:1: the column 'target_y' is missing");
-  refused(kAroundDisc, "source,target\n0,1\n", "this domain has none; wanted: 'source_x,");
-  refused(kAroundDisc, "0,0,1,1\n", "the header names no ends");
+  refused(kAroundDisc, "source,target\n0,1\n", "this domain has none; expected: 'source_x,");
+  refused(kAroundDisc, "0,0,1,1\n", "the header has no ends");
   refused(kAroundDisc, "source_x,source_y,target_x,target_x,target_y\n0,0,1,1,1\n",
-          "two columns are called 'target_x'");
+          "two columns have the name 'target_x'");
   refused(kAroundDisc, "\"source_x,source_y\n0,0\n", "a quote is not closed");
-  refused(
-      kOnSquare, "source\n1\n",
-      "the column 'target' is missing; wanted: 'source,target' for vertices, or 'source_x,source_y,source_z,target_x");
+  refused(kOnSquare, "source\n1\n",
+          "the column 'target' is missing; expected: 'source,target' for vertices, or "
+          "'source_x,source_y,source_z,target_x");
   refused(kOnSquare, "source,target,source_x\n0,1,1\n", "both as vertices and as points");
   refused(kOnSquare, std::string(2 << 20, 'x') + "\n0,1\n", "more than a million bytes");
   fs::remove(dir / "pairs.csv");
@@ -369,13 +370,13 @@ TEST_CASE("pairs: a line of any length costs no more memory than the longest one
 TEST_CASE("pairs in a configuration: instead of two ends, and not with what only one path has") {
   const std::string many = "manifold: euclidean\ncost: euclidean\nends: {pairs: p.csv}\n";
   CHECK(errors_of(many) == "");
-  CHECK_THAT(errors_of(many, {"ends.source.point=[0, 0]"}), Contains("either 'pairs', or a 'source' and a 'target'"));
+  CHECK_THAT(errors_of(many, {"ends.source.point=[0, 0]"}), Contains("give either 'pairs' or 'source' and 'target'"));
   CHECK_THAT(errors_of(many + "path: {ring: true}\ninitializer: {type: waypoints, points: [[0, 1], [1, 0], [1, 1]]}\n"),
              Contains("a.yaml:3:15: error: a ring (path.ring: true) has no ends"));
-  CHECK_THAT(errors_of(many + "output: {waypoints: {count: 5}}\n"), Contains("waypoints are for a run of one path"));
-  CHECK_THAT(errors_of(many + "output: {files: [result]}\n"), Contains("'files' is for a run of one path"));
-  CHECK_THAT(errors_of(kPlane + "output: {pair_points: true}\n"), Contains("is for many pairs of ends"));
-  CHECK_THAT(errors_of(kPlane, {"ends.tolerance=1"}), Contains("is for the points of pairs"));
+  CHECK_THAT(errors_of(many + "output: {waypoints: {count: 5}}\n"), Contains("waypoints are for runs of one path"));
+  CHECK_THAT(errors_of(many + "output: {files: [result]}\n"), Contains("'files' is for runs of one path"));
+  CHECK_THAT(errors_of(kPlane + "output: {pair_points: true}\n"), Contains("needs many pairs of ends"));
+  CHECK_THAT(errors_of(kPlane, {"ends.tolerance=1"}), Contains("is only for pairs"));
   CHECK_THAT(errors_of("manifold: euclidean\ncost: euclidean\nends: {target: {point: [1, 1]}}\n"),
              Contains("missing key 'source' in ends"));
   const ScratchDir dir;
@@ -462,7 +463,7 @@ TEST_CASE("pairs: told to stop, the program says how to go on, and does") {
     std::this_thread::sleep_for(kPause);
   ::kill(child.pid, SIGINT);
   CHECK(child.wait() == 130);
-  CHECK_THAT(content(child.err), Contains("the same command with --resume goes on"));
+  CHECK_THAT(content(child.err), Contains("to continue, add --resume to the same command"));
   std::vector<Json> lines = lines_of(dir / "out");
   const Json result = Json::parse(content(dir / "out/result.json"));
   CHECK(result["status"] == "interrupted");

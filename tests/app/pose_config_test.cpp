@@ -44,7 +44,7 @@ TEST_CASE("poses: a path goes to the name of the target to which it is cheapest,
   const RunOutcome room =
       solved_poses(poses_between("se3", "[0, 0, 0, 1, 0, 0, 0]", "[1, 2, -1, -0.5403023, 0, -0.8414710, 0]"));
   CHECK(value_of(room) == Approx(std::hypot(std::sqrt(6.0), 1)).epsilon(1e-6));
-  CHECK(is_noted(room, "-q, another name of the same point"));
+  CHECK(is_noted(room, "-q, the same point in other coordinates"));
   // Whichever first path it has.
   const RunOutcome tree =
       solved_poses(poses_between("se2", "[0, 0, 3]", "[1, 1, -3]", "initializer: rrt\nsolver: lbfgs\n"));
@@ -80,19 +80,19 @@ TEST_CASE("poses: what is no pose, no box, no weight and no obstacle of theirs i
   CHECK_THAT(errors_of(poses_between("se3", "[0, 0, 0, 0, 0, 0, 0]", "[1, 2, -1, 1, 0, 0, 0]")),
              Contains("'point' in ends.source") && Contains("factor 2 of the product has none"));
   CHECK_THAT(errors_of(poses_between("se2", "[0, 0]", "[1, 2, 3]")),
-             Contains("'point' in ends.source") && Contains("2 coordinates, points of the manifold have 3"));
+             Contains("'point' in ends.source") && Contains("has 2 coordinates, but points of the manifold have 3"));
   CHECK(errors_of(poses_between("se2", "[1, 1, 0.5]", "[1, 1, 6.783185307179586]")) == "");  // a loop, one turn
   CHECK_THAT(errors_of(poses_between("se3", "[0, 0, 0, 1, 0, 0, 0]", "[0, 0, 0, -1, 0, 0, 0]")),
-             Contains("names the same point as the source, by other coordinates"));
+             Contains("is the same point as the source, in other coordinates"));
   CHECK_THAT(errors_of(poses_between("se2, lower: [0, 0, 0]", "[1, 1, 0]", "[2, 2, 0]")),
-             Contains("'lower' in manifold: 3 numbers, the space has dimension 2"));
+             Contains("'lower' in manifold: 3 numbers, but the space has dimension 2"));
   CHECK_THAT(errors_of(poses_between("se2", "[0, 0, 0]", "[2, 2, 0]"), {"cost.weights=[1, 2, 3, 4]"}),
              Contains("'weights' in cost: has 4 numbers; give 2, one per factor of the domain, or 3"));
   CHECK_THAT(errors_of(poses_between("se2", "[0, 0, 0]", "[2, 2, 0]"), {"cost.weights=[1, 0]"}),
              Contains("'weights' in cost"));
   CHECK_THAT(errors_of(poses_between("se2", "[-2, 0, 0]", "[2, 0, 0]",
                                      "obstacles: [{type: ball, center: [0, 0, 0], radius: 1}]\n")),
-             Contains("in obstacles: ") && Contains("has 3 dimensions, the domain has 2"));
+             Contains("in obstacles: ") && Contains("has 3 dimensions, but the domain has 2"));
   CHECK_THAT(errors_of(poses_between("se2", "[0.5, 0, 3]", "[2, 0, 0]",
                                      "obstacles: [{type: ball, center: [0, 0], radius: 1}]\n")),
              Contains("end_in_clearance"));

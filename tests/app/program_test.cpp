@@ -80,11 +80,12 @@ TEST_CASE("program: a full disk loses neither the result nor the folder that was
       dir, {"run", plane(dir), "-o", (dir / "out").string(), "--force", "--set", "path.points=200"}, file_limit(8000));
   CHECK(child.wait() == 8);
   CHECK_THAT(content(child.out), Contains("certified"));
-  CHECK_THAT(content(child.err), Contains("the results are not in their place: ") && Contains("File too large"));
+  CHECK_THAT(content(child.err),
+             Contains("the results are not in the requested folder: ") && Contains("File too large"));
   CHECK(content(dir / "out/result.json") == before);
   const std::vector<fs::path> kept = beside(dir, "out");
   REQUIRE(kept.size() == 1);
-  CHECK_THAT(content(child.err), Contains("what could be written lies in " + kept[0].string()));
+  CHECK_THAT(content(child.err), Contains("the files that could be written are in " + kept[0].string()));
   CHECK_THAT(content(kept[0] / "result.json"), Contains("\"status\": \"certified\""));
   for (const auto& entry : fs::directory_iterator(kept[0])) CHECK(entry.file_size() < 8000);  // nothing half-written
 }
@@ -193,7 +194,7 @@ TEST_CASE("program: of two runs into one place one is in it, and the other besid
   CHECK(std::max(first_exit, second_exit) == 130);
   const std::vector<fs::path> kept = beside(dir, "out");
   REQUIRE(kept.size() == 1);
-  CHECK_THAT(content(first_exit == 8 ? one.err : two.err), Contains("the results lie in " + kept[0].string()));
+  CHECK_THAT(content(first_exit == 8 ? one.err : two.err), Contains("the results are in " + kept[0].string()));
   for (const fs::path& place : {fs::path(out), kept[0]}) CHECK(fs::exists(place / "report.html"));
 }
 

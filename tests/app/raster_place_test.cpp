@@ -117,7 +117,7 @@ TEST_CASE("longitude and latitude where nothing is known of the Earth are refuse
   CHECK_THAT(refusal_of_run(
                  "manifold: earth\ncost: euclidean\nends: {source: {lonlat: [47, 147]}, target: {lonlat: [8, 47]}}\n",
                  dir.path()),
-             Contains("longitude comes first"));
+             Contains("give longitude first"));
 }
 
 }  // namespace leastcost::test

@@ -53,14 +53,14 @@ TEST_CASE("robot: it and its obstacles are read, and the first path is one that 
 
 TEST_CASE("robot: its obstacles are of the workspace, its domain of its configurations") {
   CHECK_THAT(errors_of(replaced(kBody, "[2, 0.5]", "[2, 0.5, 0]")),
-             Contains("a.yaml:7:13") && Contains("has 3 dimensions, the workspace of the robot has 2"));
+             Contains("a.yaml:7:13") && Contains("has 3 dimensions, but the workspace of the robot has 2"));
   CHECK_THAT(errors_of(replaced(kBody, "dimension: 3", "dimension: 2").replace(0, 0, "")),
-             Contains("has configurations of 3 numbers, the manifold has points of 2"));
+             Contains("has configurations of 3 coordinates, but the manifold has points of 2"));
   CHECK_THAT(errors_of(replaced(kArm, "[2.8973, 1.7628", "[2.8973, 2")),
-             Contains("'robot': coordinate 1 has the limits [-1.7628, 1.7628] and the manifold goes beyond them"));
+             Contains("'robot': coordinate 1 has the limits [-1.7628, 1.7628], but the manifold extends beyond them"));
   CHECK_THAT(errors_of(replaced(kBody, "obstacles: [{type: ball, center: [2, 0.5], radius: 0.3}]\n", "")),
-             Contains("'robot': has nothing that it could touch: give 'obstacles'"));
-  CHECK_THAT(errors_of(kArm + "clearance: 0.1\n"), Contains("is from obstacles, and there are none"));
+             Contains("'robot': has nothing to collide with: give 'obstacles'"));
+  CHECK_THAT(errors_of(kArm + "clearance: 0.1\n"), Contains("needs obstacles, but there are none"));
 }
 
 TEST_CASE("robot: its options are named where they are wrong") {
@@ -68,7 +68,7 @@ TEST_CASE("robot: its options are named where they are wrong") {
   CHECK_THAT(errors_of(replaced(kBody, "0.5, 0, 0.1]]", "0.5, 0, -0.1]]")),
              Contains("'shape' in robot: capsule 0 must have a radius greater than 0"));
   CHECK_THAT(errors_of(replaced(kBody, "[2, 0.5]", "[0.2, 0.1]")),
-             Contains("end_in_clearance: it lies") && Contains("too near to the body and the ball at (0.2, 0.1)"));
+             Contains("end_in_clearance: it is") && Contains("too close to the body and the ball at (0.2, 0.1)"));
 }
 
 }  // namespace leastcost::test

@@ -297,7 +297,7 @@ TEST_CASE("run: instead of a path that costs infinitely much the first path is d
   CHECK(outcome.output_error == "");
   CHECK(outcome.result.status == Status::uncertified);
   const std::string summary = app::summary_text(outcome, true);
-  CHECK_THAT(summary, Contains("cost        5 length") && Contains("delivered is the first path, of cost 5") &&
+  CHECK_THAT(summary, Contains("cost        5 length") && Contains("the first path is delivered; its cost is 5") &&
                           Contains("infinite_cost") && !Contains("+-") && !Contains("nan"));
   const Json result = result_of(dir / "out");
   CHECK(result["cost"]["value"] == 5);
@@ -344,12 +344,12 @@ TEST_CASE("run: ends are placed or refused with their position") {
   CHECK(source("{vertex: 1}") == "moved 0.000000");
   CHECK(source("{point: [0, 0, 1.01]}") == "moved 0.010000");
   CHECK_THAT(source("{point: [0, 0, 2]}"), Contains("m.yaml:4:19: error: 'point' in ends.source: the nearest point of "
-                                                    "the manifold is 1 away, the tolerance is 0.03"));
+                                                    "the manifold is 1 away, but the tolerance is 0.03"));
   CHECK(source("{point: [0, 0, 2], tolerance: 1}") == "moved 1.000000");
   CHECK_THAT(source("{vertex: 5}"),
              Contains("m.yaml:4:20: error: 'vertex' in ends.source: the mesh has vertices 0 to 4, not 5"));
   CHECK_THAT(source("{face: 4, barycentric: [1, 0, 0]}"), Contains("the mesh has faces 0 to 3, not 4"));
-  CHECK_THAT(source("{face: 0, barycentric: [1, 1, 0]}"), Contains("must have the sum 1, not 2"));
+  CHECK_THAT(source("{face: 0, barycentric: [1, 1, 0]}"), Contains("must have sum 1, not 2"));
   CHECK_THAT(source("{vertex: 3}"), Contains("is the same point as the source"));
 }
 

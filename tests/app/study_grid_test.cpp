@@ -154,7 +154,7 @@ TEST_CASE("study errors: those of a problem's file are named at its place in the
   CHECK_THROWS_WITH(app::load_grid(dir / "study.yaml", {}),
                     Contains("study.yaml:1:21: error: ") && Contains("run.yaml:2:1: YAML"));
   std::ofstream(dir / "run.yaml") << "problems: []\n";
-  CHECK_THROWS_WITH(app::load_grid(dir / "study.yaml", {}), Contains("makes this a study"));
+  CHECK_THROWS_WITH(app::load_grid(dir / "study.yaml", {}), Contains("so it is a study"));
 }
 
 TEST_CASE("study facts: options and data count, names and places do not") {

@@ -87,7 +87,7 @@ TEST_CASE("study program: Ctrl-C for the whole group ends it with the journal ke
   ::kill(-pid, SIGINT);
   CHECK(wait_for(pid) == 130);
   CHECK(first_cell_done(dir));
-  CHECK_THAT(content(dir / "stderr"), Contains("interrupted: 1 results are in") && Contains("--resume goes on"));
+  CHECK_THAT(content(dir / "stderr"), Contains("interrupted: 1 results are in") && Contains("add --resume"));
   CHECK(wait_for(start_study(dir, {"--resume", "--timeout", "0.1"})) == 2);  // another study
   CHECK_THAT(content(dir / "stderr"), Contains("belongs to another study"));
 }

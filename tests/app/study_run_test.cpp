@@ -230,7 +230,7 @@ TEST_CASE("study: a folder is not resumed by another study, shard or process, no
   const ScratchDir dir;
   app::StudyRequest request = request_in(dir, "a");
   app::run_study(request);
-  CHECK_THROWS_WITH(app::run_study(request), Contains("is not empty") && Contains("--resume goes on"));
+  CHECK_THROWS_WITH(app::run_study(request), Contains("is not empty") && Contains("use --resume to continue"));
   request.resume = true;
   app::StudyRequest changed = request;
   changed.overrides = {set_option("set.certificate.spacing=0.3")};

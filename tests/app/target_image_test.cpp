@@ -53,7 +53,7 @@ TEST_CASE("a target that states a winding keeps it, and so does a given one, the
 }
 
 TEST_CASE("a target that names the source by other coordinates is an error, unless it states a winding") {
-  const char* same = "names the same point as the source, by other coordinates";
+  const char* same = "is the same point as the source, in other coordinates";
   CHECK_THAT(errors_of(with_ends("sphere", "[0.3, 1.5707963267948966]", "[1.2, 1.5707963267948966]")),
              Contains("a.yaml:5:3: error: 'target' in ends: ") && Contains(same));
   CHECK_THAT(errors_of(with_ends("sphere", "[0.3, 0.4]", "[3.4415926535897932, 2.7415926535897932]")), Contains(same));
@@ -62,7 +62,7 @@ TEST_CASE("a target that names the source by other coordinates is an error, unle
              Contains(same));
   const std::string loop = with_ends("cylinder", "[0, 0]", "[6.283185307179586, 0]");
   CHECK(errors_of(loop) == "");
-  CHECK(has_note(solved_image(loop), "the ends are one point of the domain"));
+  CHECK(has_note(solved_image(loop), "both ends are the same point of the domain"));
 }
 
 }  // namespace leastcost::test

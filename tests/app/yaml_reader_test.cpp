@@ -56,12 +56,13 @@ TEST_CASE("yaml: a tree with places") {
 
 TEST_CASE("yaml: duplicate keys are errors at the second one") {
   CHECK(yaml_errors("a: 1\nb: 2\na: 3\n") ==
-        "a.yaml:3:1: error: duplicate key 'a' (first given in line 1)\n    3 | a: 3\n      | ^\n");
+        "a.yaml:3:1: error: duplicate key 'a' (first given on line 1)\n    3 | a: 3\n      | ^\n");
   CHECK_THAT(yaml_errors("s: {type: x, type: y}\n"), Contains("a.yaml:1:14: error: duplicate key 'type'"));
 }
 
 TEST_CASE("yaml: one document only") {
-  CHECK_THAT(yaml_errors("a: 1\n---\nb: 2\n"), Contains("a configuration is one document; here begins another"));
+  CHECK_THAT(yaml_errors("a: 1\n---\nb: 2\n"),
+             Contains("a configuration must be one document, but another one starts here"));
   CHECK(yaml_errors("---\na: 1\n") == "");
   CHECK(yaml_errors("---\na: 1\n...\n") == "");
 }
@@ -87,7 +88,7 @@ TEST_CASE("yaml: an alias bomb is a list of errors, not of gigabytes") {
 
 TEST_CASE("yaml: tabs, encodings and sizes") {
   CHECK(yaml_errors("a:\n\tb: 1\n") ==
-        "a.yaml:2:1: error: a tab in the indentation; YAML wants spaces\n    2 | \tb: 1\n      | ^\n");
+        "a.yaml:2:1: error: a tab in the indentation: use spaces\n    2 | \tb: 1\n      | ^\n");
   CHECK(yaml_errors("a: 1\t# a tab after a value is fine\n") == "");
   CHECK_THAT(yaml_errors(std::string("a: b\0c\n", 7)), Contains("a.yaml:1:5: error: not UTF-8 text"));
   CHECK_THAT(yaml_errors("a: \xff\xfe\n"), Contains("a.yaml:1:4: error: not UTF-8 text"));
@@ -97,7 +98,7 @@ TEST_CASE("yaml: tabs, encodings and sizes") {
              "a: 1\n")
             .find("a") != nullptr);
   CHECK(tree("a: 1\r\nb: 2\r\n").find("b")->value.text == "2");
-  CHECK_THAT(yaml_errors(std::string((1 << 20) + 1, '#')), Contains("a configuration has at most 1048576 bytes"));
+  CHECK_THAT(yaml_errors(std::string((1 << 20) + 1, '#')), Contains("a configuration can have at most 1048576 bytes"));
 }
 
 TEST_CASE("yaml: broken texts give one error with a place") {
@@ -110,7 +111,7 @@ TEST_CASE("yaml: broken texts give one error with a place") {
   CHECK_THAT(errors_of("# only a comment\n"), Contains("found nothing"));
   CHECK_THAT(errors_of("- a\n- b\n"), Contains("found a list"));
   CHECK_THAT(errors_of(kPlane + "kernel:\n"),
-             Contains("a.yaml:6:1: error: 'kernel' has no value: leave the key out for the default"));
+             Contains("a.yaml:6:1: error: 'kernel' has no value: remove the key to use the default"));
 }
 
 TEST_CASE("yaml: nesting without end is an error") {

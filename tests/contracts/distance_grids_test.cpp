@@ -109,7 +109,7 @@ TEST_CASE("signed distance: where there is no projection, the reason is given") 
     }
   };
   CHECK(refusal({2.5, 0, 0.3}) == "accepted");
-  CHECK_THAT(refusal({50, 0, 0}), Catch::Contains("outside the grid, which goes from (-4.8"));
+  CHECK_THAT(refusal({50, 0, 0}), Catch::Contains("outside the grid, which extends from (-4.8"));
 }
 
 TEST_CASE("signed distance: read from a file, the same as made") {

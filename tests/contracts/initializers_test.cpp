@@ -108,7 +108,7 @@ TEST_CASE("initializer contract: cell_graph", "[contract]") {
   for (const int points : {0, 3}) check_initializer_contract(CellGraphInitializer({points}), problem);
   Problem within = problem;
   within.target.u = raster.place(4, 4);
-  CHECK_THROWS_WITH(CellGraphInitializer().first_path(within, {}), Catch::Contains("lies in a cell without data"));
+  CHECK_THROWS_WITH(CellGraphInitializer().first_path(within, {}), Catch::Contains("is in a cell without data"));
 }
 
 TEST_CASE("initializer contract: coordinate_circle", "[contract]") {

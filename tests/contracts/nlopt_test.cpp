@@ -61,7 +61,7 @@ TEST_CASE("nlopt: dense methods are refused above a stated size", "[contract]") 
   path.u.conservativeResize(2, 300);  // 596 variables
   const std::optional<std::string> reason = nlopt_solver(slsqp)(0, 10)->cannot_solve(energy_at_mean(p), path);
   REQUIRE(reason);
-  CHECK(reason->find("at most 500 variables, this path has 596") != std::string::npos);
+  CHECK(reason->find("at most 500 variables, but this path has 596") != std::string::npos);
   CHECK_FALSE(nlopt_solver(lbfgs)(0, 10)->cannot_solve(energy_at_mean(p), path));
 }
 

@@ -205,7 +205,7 @@ TEST_CASE("post_processor contract: shortest leaves a class that is not the best
   CHECK(made.curve.cost <= shortest * (1 + 1e-12));
   CHECK(made.curve.straightness.value() >= -1e-7);
   REQUIRE(made.notes.size() == longer.notes.size() + 1);
-  CHECK_THAT(made.notes.back(), Catch::Contains("was longer than the least one found"));
+  CHECK_THAT(made.notes.back(), Catch::Contains("a shorter path than the straightened one was found"));
 }
 
 /// The curve joins the ends clear of the obstacles, the chain lies on it with as many points as before.
@@ -264,7 +264,7 @@ TEST_CASE("post_processor contract: refract_cells", "[contract]") {
   CHECK(bounded.curve.x == made.curve.x);
   const Problem other = between(space(2), make_euclidean_cost(2), problem.source.u, problem.target.u);
   CHECK_THROWS_WITH(RefractCellsPostProcessor().apply(other, first, chain, {}),
-                    Catch::Contains("refract_cells needs a cost map that is read as cells"));
+                    Catch::Contains("refract_cells needs a cost map that is constant in each cell"));
 }
 
 TEST_CASE("post_processor contract: refract", "[contract]") {

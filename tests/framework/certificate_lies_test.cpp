@@ -69,7 +69,7 @@ TEST_CASE("a path of which a proof knows that a far shorter one may exist is not
   path.curve.cost = 3 * std::sqrt(2.0);
   path.curve.straightness = 0;
   GlobalBound& global = path.curve.global.emplace();
-  global.reason = "a shorter path could cross a face without height";
+  global.reason = "a shorter path could cross a degenerate face";
   global.lower_bound = 2;
   global.gap = 1 - 2 / path.curve.cost;
   for (const std::string outcome : {"blocked", "bounded"}) {

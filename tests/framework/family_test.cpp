@@ -138,7 +138,7 @@ TEST_CASE("family: a cheaper path that stays undecided comes first, and is not c
   REQUIRE(family.notes.size() == 1);
   CHECK_THAT(family.notes[0], Catch::Contains("neither certified nor ruled out"));
   REQUIRE(!first.result.notes.empty());
-  CHECK_THAT(first.result.notes.back(), Catch::Contains("points it is not certified either: "));
+  CHECK_THAT(first.result.notes.back(), Catch::Contains("points the path is not certified either: "));
 }
 
 TEST_CASE("family: the least path is proved, the others are not asked", "[framework]") {

@@ -56,7 +56,7 @@ WaypointsInitializer above(double y = 2.5) { return WaypointsInitializer(Vector2
 
 bool says_first(const Result& result) {
   return std::any_of(result.notes.begin(), result.notes.end(), [](const std::string& note) {
-    return note.find("delivered is the first path") != std::string::npos;
+    return note.find("the first path is delivered") != std::string::npos;
   });
 }
 

@@ -27,7 +27,7 @@ Problem on_surface(const parametric::Surface& surface, const Vector2d& source, c
 /// What a search from the straight line says of other images; empty: nothing.
 std::string said_of(const Problem& problem) {
   for (const std::string& note : find(problem, 31).notes)
-    if (note.find("the target is also") != std::string::npos || note.find("one point") != std::string::npos)
+    if (note.find("the target is also") != std::string::npos || note.find("the same point") != std::string::npos)
       return note;
   return "";
 }
@@ -109,11 +109,11 @@ TEST_CASE("a path to the cheapest image says nothing", "[framework]") {
 
 TEST_CASE("ends that are one point: an error at a pole, a loop that is named across a seam", "[framework]") {
   CHECK_THROWS_WITH(find(on_surface(parametric::Sphere{}, {0.3, kPi / 2}, {1.2, kPi / 2}), 15),
-                    Contains("are one point"));
-  CHECK_THROWS_WITH(find(on_surface(parametric::Cone{}, {0, 0}, {1, 0}), 15), Contains("are one point"));
+                    Contains("are the same point"));
+  CHECK_THROWS_WITH(find(on_surface(parametric::Cone{}, {0, 0}, {1, 0}), 15), Contains("are the same point"));
   const Result loop = find(on_surface(parametric::Cylinder{}, {0, 0}, {2 * kPi, 0}), 31);
   CHECK(loop.curve.cost == Approx(2 * kPi).epsilon(0.01));  // the winding that was asked for stays
-  CHECK_THAT(loop.notes.back(), Contains("the ends are one point of the domain") && Contains("winding (-1)"));
+  CHECK_THAT(loop.notes.back(), Contains("both ends are the same point of the domain") && Contains("winding (-1)"));
   CHECK(ends_are_one_point(on_surface(parametric::Sphere{}, {0.3, 0.4}, {0.3 + kPi, kPi - 0.4})));
   CHECK(ends_are_one_point(on_surface(parametric::Torus{}, {0.3, 0.4}, {0.3 - 6 * kPi, 0.4 + 4 * kPi})));
   CHECK(ends_are_one_point(on_surface(parametric::KleinBottle{}, {0.3, 0.4}, {0.3 + 2 * kPi, -0.4})));
@@ -133,7 +133,7 @@ TEST_CASE("a rotation whose other quaternion is nearer is named, and -q of the s
   };
   CHECK_THAT(note_to(far), Contains("(0.8, -0.6, -0, -0), -q"));
   CHECK(note_to(-far) == "");
-  CHECK_THAT(note_to(-q), Contains("the ends are one point of the domain"));
+  CHECK_THAT(note_to(-q), Contains("both ends are the same point of the domain"));
 }
 
 TEST_CASE("so many images that nobody waits for them are refused by their number", "[framework]") {

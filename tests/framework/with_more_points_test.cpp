@@ -74,7 +74,7 @@ TEST_CASE("refine: where the doublings do not suffice the path stays as it came,
   CHECK(once.status == Status::uncertified);
   CHECK(once.path.u == coarse.path.u);
   CHECK(failures(once.certificate) == failures(coarse.certificate));
-  CHECK(has_note(once, "with 51 points it is not certified either"));
+  CHECK(has_note(once, "with 51 points the path is not certified either"));
   CHECK_FALSE(has_note(coarse, "not certified either"));
 }
 
@@ -125,7 +125,7 @@ TEST_CASE("refine: where more points bring the value no closer it ends, and says
   CHECK(result.status == Status::uncertified);
   CHECK(doublings > 1);
   CHECK(doublings < 6);
-  CHECK(has_note(result, "more points are no help: the cost is uncertain by "));
+  CHECK(has_note(result, "more points do not help: the cost is uncertain by "));
   CHECK(has_note(result, "smooth the data or the field, or give the field a smaller weight"));
   CHECK(find_refined(over_ripples(300, "0.001"), 5, 6).status == Status::certified);
   CHECK(find_refined(over_ripples(1), 5, 6).status == Status::certified);
@@ -138,7 +138,7 @@ TEST_CASE("refine: the doublings take a part of the first search's work, which a
   const Result stopped = find_path(problem, StraightInitializer(), Newton(), options);
   CAPTURE(failures(stopped.certificate), stopped.notes);
   CHECK(stopped.status == Status::uncertified);
-  CHECK(has_note(stopped, "a larger certificate.refine_work lets it go on"));
+  CHECK(has_note(stopped, "to continue, increase certificate.refine_work"));
   options.certificate.refine_work = 30;
   CHECK(find_path(problem, StraightInitializer(), Newton(), options).status == Status::certified);
 }

@@ -88,7 +88,7 @@ TEST_CASE("ompl constraint: plans on surfaces stay on them, and are polished the
   if (name == "sphere")  // a great circle
     CHECK(ours.result.certificate.estimate.value == Approx(std::acos(from.dot(to))).epsilon(1e-6));
   CHECK_THROWS_AS(polish(plan), InputError);
-  CHECK_THROWS_WITH(polish(plan), Catch::Contains("the space is constrained: say which domain its states are on"));
+  CHECK_THROWS_WITH(polish(plan), Catch::Contains("the space is constrained: give the domain of its states"));
 }
 
 TEST_CASE("ompl constraint: places without a nearest point, and far ones") {
@@ -110,7 +110,7 @@ TEST_CASE("ompl constraint: what is no constraint is refused") {
   CHECK_THROWS_AS(make_constraint(std::make_shared<EuclideanManifold>(EuclideanManifoldOptions{.dimension = 3})),
                   InputError);
   CHECK_THROWS_WITH(make_constraint(std::make_shared<EuclideanManifold>(EuclideanManifoldOptions{.dimension = 3})),
-                    Catch::Contains("this domain fills its space of 3 dimensions: it is no constraint"));
+                    Catch::Contains("this domain fills its space of 3 dimensions, so it needs no constraint"));
 }
 
 }  // namespace leastcost::test

@@ -28,7 +28,7 @@ TEST_CASE("ompl objective: parts that do not fit") {
   const PlannerSpace space = open_space(square());
   CHECK_THROWS_AS(make_objective(space, make_euclidean_cost(3)), InputError);
   CHECK_THROWS_WITH(make_objective(space, make_euclidean_cost(3)),
-                    Catch::Contains("the cost has 3 dimensions, states of the space have 2"));
+                    Catch::Contains("the cost has 3 dimensions, but states of the space have 2"));
   CHECK_THROWS_AS(make_objective(space, nullptr), InputError);
   CHECK_THROWS_AS(make_objective(nullptr, make_euclidean_cost(2)), InputError);
 }

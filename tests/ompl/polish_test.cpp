@@ -100,7 +100,7 @@ TEST_CASE("polish: around a disc, by what is known of it") {
     const Polished ours = polish(plan);
     CHECK(ours.outcome == PolishOutcome::tightened);
     CHECK_FALSE(ours.certified());
-    CHECK_THAT(ours.why, Catch::Contains("only yes or no is known"));
+    CHECK_THAT(ours.why, Catch::Contains("only valid or invalid"));
     REQUIRE(ours.clearance);
     CHECK_FALSE(ours.clearance->proved);
     CHECK(ours.cost == Approx(kAroundOne).epsilon(2e-3));
@@ -301,7 +301,7 @@ TEST_CASE("polish: what cannot be improved comes back as it was given") {
   CHECK_FALSE(ours.why.empty());
   const Polished nothing = polish(path_through(space, Points::Ones(2, 3)));
   CHECK(nothing.outcome == PolishOutcome::given);
-  CHECK(nothing.why == "the given path costs nothing");
+  CHECK(nothing.why == "the given path has cost 0");
   CHECK(polish(path_through(space, Points::Zero(2, 2))).outcome == PolishOutcome::given);
 }
 
@@ -320,16 +320,16 @@ TEST_CASE("polish: no time: the given path, valid and at most as dear") {
 TEST_CASE("polish: a path that is none is refused by its state") {
   const PlannerSpace space = among(square(), kOneDisc);
   CHECK_THROWS_AS(polish(PlannerPath(space)), InputError);
-  CHECK_THROWS_WITH(polish(PlannerPath(space)), Catch::Contains("at least two states, and this one 0"));
+  CHECK_THROWS_WITH(polish(PlannerPath(space)), Catch::Contains("at least two states, but this one has 0"));
   CHECK_THROWS_WITH(polish(path_through(space, Points::Ones(2, 1))),
-                    Catch::Contains("at least two states, and this one 1"));
+                    Catch::Contains("at least two states, but this one has 1"));
   Points through = detour();
   through.col(2) << 5, 5.5;
   CHECK_THROWS_AS(polish(path_through(space, through)), InputError);
   CHECK_THROWS_WITH(polish(path_through(space, through)),
                     Catch::Contains("state 2 of the path, (5, 5.5), is not valid"));
   through.col(2) << 5, 12;
-  CHECK_THROWS_WITH(polish(path_through(space, through)), Catch::Contains("beyond the bounds of the space"));
+  CHECK_THROWS_WITH(polish(path_through(space, through)), Catch::Contains("outside the bounds of the space"));
 }
 
 TEST_CASE("polish: parts that do not fit") {

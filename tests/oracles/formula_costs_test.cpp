@@ -131,10 +131,10 @@ TEST_CASE("in space, and in five dimensions", "[oracle]") {
 }
 
 TEST_CASE("what is no cost per length is refused, with what would be right", "[oracle]") {
-  CHECK(says(refusal("vx^2 + vy^2"), "take its root"));
+  CHECK(says(refusal("vx^2 + vy^2"), "use its root"));
   CHECK(says(refusal("vx^2 + vy^2 + vx*vy*cos(x)"), "lagrangian: F(x, 2 v) = 4 F(x, v)"));
   CHECK(says(refusal("(vx^2 + vy^2)^0.75"), "degree 1.5"));
-  CHECK(says(refusal("sqrt(vx^2 + vy^2) + 1"), "no power of l"));
+  CHECK(says(refusal("sqrt(vx^2 + vy^2) + 1"), "not a power of l"));
   CHECK(says(refusal("1 + x^2"), "degree 0"));
   CHECK(says(refusal("sqrt(vx^2 + vy^2) - 2*vx"), "must be positive for every v"));
   CHECK(says(refusal("sqrt(vx^2 + vy^2) * (1 + 2*(x > 3))"), "character"));
@@ -144,10 +144,10 @@ TEST_CASE("what is no cost per length is refused, with what would be right", "[o
                      region(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 1)), 3),
              "strictly convex across v"));
   CHECK(says(refusal("sqrt(vx^2 + vy^2)", region(Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones()), 3, true),
-             "convexify: is for the plane"));
+             "convexify: works in the plane only"));
   CHECK(refusal("sqrt(vx^2 + vy^2) + 0.9*vx").empty());
   // Not everywhere in the region: a place where a formula has no value lies outside its domain.
-  CHECK(says(note_of(*lagrangian("sqrt(vx^2 + vy^2) / sqrt(y)")), "it is not defined in all of that box"));
+  CHECK(says(note_of(*lagrangian("sqrt(vx^2 + vy^2) / sqrt(y)")), "it is not defined everywhere in that box"));
 }
 
 TEST_CASE("homogeneous in a way that its words do not show: measured, and said to be sampled", "[oracle]") {
@@ -171,7 +171,7 @@ TEST_CASE("the hull of a cost that is not convex: what zigzags make of it", "[or
   for (int i = 0; i < 60; ++i) (defect((low + high) / 2) > 0 ? low : high) = (low + high) / 2;
   const double per_component = g(low) * std::cos(low) - slope(low) * std::sin(low);
   const auto cost = lagrangian("sqrt(vx^2 + vy^2) * (1 + 0.8 * (2*vx*vy / (vx^2 + vy^2))^2)", kSquare, 2, true);
-  CHECK(says(note_of(*cost), "convex hull takes its place"));
+  CHECK(says(note_of(*cost), "convex hull is used"));
   const Eigen::Vector2d a(0, 0);
   const auto at = [&](double t) { return Eigen::Vector2d(std::cos(t), std::sin(t)); };
   for (const double t : {0.4, 0.7, std::numbers::pi / 4, 1.0})  // linear over the gap

@@ -157,7 +157,7 @@ TEST_CASE("refract says what it needs", "[oracle]") {
   };
   const Eigen::Vector2d a(0, 1), b(2, 1);
   CHECK(reason(between(space(2), make_euclidean_cost(2), a, b)) == "refract needs a cost with layers");
-  CHECK(reason(closed(space(2), two_layers())) == "refract joins two ends, and this path is a ring");
+  CHECK(reason(closed(space(2), two_layers())) == "refract joins two ends, but this path is a ring");
   CHECK(reason(between(space(2), two_layers(), a, b)).empty());
 }
 

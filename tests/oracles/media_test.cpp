@@ -149,7 +149,8 @@ TEST_CASE("D4: a catenary that Goldschmidt's solution undercuts is certified, an
   const Result dear = find(between(domain, cost, Eigen::Vector2d(-0.6, 1), Eigen::Vector2d(0.6, 1)), 40);
   check_covered(dear, 1.1140277, 1e-6);
   CHECK(dear.certificate.scope == "local");
-  CHECK(has_note(dear, "cheaper: the way by the places where moves are free costs 1, this path 1.11"));
+  CHECK(has_note(dear,
+                 "cheaper: the path through the places where moves cost nothing costs 1, but this path costs 1.11"));
   const Result cheap = find(between(domain, cost, Eigen::Vector2d(-0.5, 1), Eigen::Vector2d(0.5, 1)), 40);
   CHECK_FALSE(has_note(cheap, "cheaper"));
   // A box that ends above y = 0 does not let it through.
@@ -167,7 +168,7 @@ TEST_CASE("D4: past a / y0 = 0.6627 the catenary collapses, with and without a b
   CAPTURE(a, height, bounded, name(result.solve.termination), result.curve.cost);
   REQUIRE(result.status == Status::collapsed);
   CHECK(result.curve.cost == Approx((1 + height * height) / 2).epsilon(1e-12));
-  CHECK(has_note(result, "collapsed: the path has come to where moves are free"));
+  CHECK(has_note(result, "collapsed: the path collapsed onto places where moves cost nothing"));
   // Straight down, free along y = 0, straight up; equal costs, but for the move that is free.
   Index free = 0;
   CHECK(result.costs.minCoeff(&free) == 0);

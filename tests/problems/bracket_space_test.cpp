@@ -207,7 +207,7 @@ TEST_CASE("bracket in space: nothing is proved of what is not known") {
   const AlignedBox3d around(Vector3d(-1, -1, -1), Vector3d(1, 1, 1));
   const Vector3d s(-0.5, 0, 0), t(0.5, 0.1, 0);
   const SpaceBracketOptions coarse{.cells = 24, .max_cells = 24};
-  // Not the same in all directions, but by formula: the bound is of the cheaper direction, and holds.
+  // Not the isotropic cost, but by formula: the bound is of the cheaper direction, and holds.
   const auto metric = [](const std::string& xy, const std::string& yy) {
     return space_density_of(make_metric_field_cost({.field = metric::Formula{{"1", xy, "0", yy, "0", "9"}, {}}}, 3));
   };
@@ -326,7 +326,7 @@ TEST_CASE("bracket in space: blocked, with a reason") {
     return bound.reason;
   };
   const auto stretched = make_metric_field_cost({.field = metric::Formula{{"1", "0", "0", "2", "0", "1"}, {}}}, 3);
-  CHECK_THAT(reason(in_space(box, stretched, {-1, 0, 0}, {1, 0.5, 0})), Catch::Contains("same in all directions"));
+  CHECK_THAT(reason(in_space(box, stretched, {-1, 0, 0}, {1, 0.5, 0})), Catch::Contains("isotropic cost"));
   Problem open = in_space(box, isotropic_cost("1 + x^2"), {-1, 0, 0}, {1, 0.5, 0});
   open.manifold = std::make_shared<EuclideanManifold>(EuclideanManifoldOptions{3, {}});
   CHECK_THAT(reason(open), Catch::Contains("finite bounds"));

@@ -198,7 +198,7 @@ TEST_CASE("cells: a cost map has them, in the plane") {
   REQUIRE(std::isfinite(exact));
   CHECK(find_ability<HasRasterCells>(*cost)->cost_over_cells(curve) == exact);
   CHECK_THROWS_WITH(make_cost_map(raster, CostMapInterpolation::cells, 3),
-                    Catch::Contains("read as 'smooth' or 'bilinear'"));
+                    Catch::Contains("use 'smooth' or 'bilinear'"));
 }
 
 namespace {

@@ -143,7 +143,7 @@ TEST_CASE("checker walls: what they do not know is not clear, and faults have na
   CHECK(walls->room(Vector2d(-1, 0), Vector2d(1, 0), 1) == 0);
   CHECK(std::isnan(walls->clearance(Vector2d(-1, 0), Vector2d(1, 0)).lower));
   CHECK(std::isnan(walls->clearance(Vector2d(1, 0), Vector2d(1, 0)).lower));
-  CHECK_THROWS_WITH(make_checker_walls(2, DistanceChecker{}), Catch::Contains("needs its function"));
+  CHECK_THROWS_WITH(make_checker_walls(2, DistanceChecker{}), Catch::Contains("needs a function"));
   blind.lipschitz = 0;
   CHECK_THROWS_WITH(make_checker_walls(2, blind), Catch::Contains("greater than 0"));
   FreeChecker coarse;

@@ -97,7 +97,7 @@ TEST_CASE("clearance length: around a disc it is the ray that shooting finds") {
 TEST_CASE("clearance length: asks for obstacles") {
   const std::shared_ptr<const ConstraintManifold> plane =
       std::make_shared<const EuclideanManifold>(EuclideanManifoldOptions{});
-  CHECK_THROWS_WITH(make_clearance_length({1, 1}, 2, plane), Catch::Contains("from obstacles"));
+  CHECK_THROWS_WITH(make_clearance_length({1, 1}, 2, plane), Catch::Contains("needs obstacles"));
   const auto walls =
       std::make_shared<const ObstacleWalls>(2, ObstacleWalls::Obstacles{make_ball({Vector2d(0, 0), 1})}, 0.0);
   CHECK_THROWS_AS(make_clearance_length({1, 0}, 2, walls), OptionError);

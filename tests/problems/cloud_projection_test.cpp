@@ -131,7 +131,7 @@ TEST_CASE("ends in different parts of a cloud: the gap is said, and the options 
   const Vector3d a(0.6, 0, 0.8), b(0.6, 0, -0.8);
   const std::string why = why_no_route(samples, {}, a, b);
   CAPTURE(why);
-  REQUIRE_THAT(why, Contains("different parts of the cloud") && Contains("local spacings, beside"));
+  REQUIRE_THAT(why, Contains("different parts of the cloud") && Contains("local spacings, near"));
   const PointCloudSettings wider{.radius = number_after(why, "radius"), .max_edge = number_after(why, "max_edge")};
   const Result result = solved(samples, wider, a, b);
   CHECK(result.status == Status::certified);
@@ -143,13 +143,13 @@ TEST_CASE("a part of a cloud that is cut by a gap without a surface: the radius 
   const Vector3d a(0.6, 0, 0.8), b(0.6, 0, -0.8);
   const std::string why = why_no_route(samples, {.max_edge = 9}, a, b);
   CAPTURE(why);
-  REQUIRE_THAT(why, Contains("every way on leads over a place without a surface"));
+  REQUIRE_THAT(why, Contains("every continuation crosses a place without a surface"));
   CHECK(why_no_route(samples, {.radius = number_after(why, "with radius"), .max_edge = 9}, a, b) == "a route");
 }
 
 TEST_CASE("parts of a cloud that are too far apart: no remedy is named") {
   const std::string why = why_no_route(two_caps(20 * kSpacing), {}, Vector3d(0, 0, 1), Vector3d(0, 0, -1));
-  CHECK_THAT(why, Contains("take both ends in one part") && !Contains("radius: "));
+  CHECK_THAT(why, Contains("choose both ends in one part") && !Contains("radius: "));
 }
 
 TEST_CASE("a cloud says why it has no surface: a hole, with the radius that spans it") {
@@ -163,12 +163,12 @@ TEST_CASE("a cloud says why it has no surface: beyond the border, with the radiu
   const double below = -0.06;  // a spacing
   const Vector3d x(std::sqrt(1 - below * below), 0, below);
   const std::string why = reason_and_cure(open_sphere(3000, 0, true), x);
-  CHECK_THAT(why, Contains("beyond the border") && Contains("with radius: "));
+  CHECK_THAT(why, Contains("outside the border") && Contains("with radius: "));
 }
 
 TEST_CASE("a cloud says why it has no surface: far beyond the border no radius helps, and that is said") {
   CHECK_THAT(reason_and_cure(open_sphere(3000, 0, true), Vector3d(0, 0, -1)),
-             Contains("beyond the border") && Contains("waypoints"));
+             Contains("outside the border") && Contains("waypoints"));
 }
 
 }  // namespace leastcost::test

@@ -127,7 +127,7 @@ TEST_CASE("distance of a mesh: what has no inside is refused with the place, or 
     add_polygon(apart, {n - 3, n - 2, n - 1});
   }
   CHECK_THAT(refusal_of([&] { mesh_source(apart); }),
-             Catch::Contains("`weld: true` joins vertices at equal positions"));
+             Catch::Contains("`weld: true` merges vertices at equal positions"));
   CHECK_NOTHROW(make_mesh_distance(TriangleMesh(apart, {true}), true));
   CHECK_THAT(refusal_of([&] { mesh_source(grid(12, 12, Closing::kTwisted, true)); }), Catch::Contains("one-sided"));
   const SampledDistance around = build_distance_grid(*mesh_source(open, false), {.cell = 0.08, .offset = 0.3});
@@ -209,7 +209,7 @@ TEST_CASE("building a grid: the miss is measured, and an accuracy is reached") {
     CHECK(built.grid.shape().cell > 0.03 * scale);  // not far more than needed: 0.1 gives 1.6e-6
   }
   CHECK_THAT(refusal_of([] { build_distance_grid(*implicit_sphere(), {.accuracy = 1e-9, .memory = 1e7}); }),
-             Catch::Contains("out of reach") && Catch::Contains("memory limit"));
+             Catch::Contains("cannot be reached") && Catch::Contains("memory limit"));
 }
 
 TEST_CASE("building a grid: sheets thinner than a cell are noticed, as is a cell larger than the model") {

@@ -111,7 +111,7 @@ TEST_CASE("eikonal: among obstacles, thin walls too") {
   const auto closed_wall = make_box_obstacle({Vector2d(0.005, -1.1), Vector2d(0.006, 1.1)});
   const auto halves = std::make_shared<const FreeSpace>(square(1), FreeSpace::Obstacles{closed_wall}, 0.001);
   const Problem blocked = between(halves, make_euclidean_cost(2), Vector2d(-0.8, -0.5), Vector2d(0.7, -0.2));
-  CHECK_THROWS_WITH(EikonalInitializer().first_path(blocked, {}), Catch::Contains("no way arrives at the target"));
+  CHECK_THROWS_WITH(EikonalInitializer().first_path(blocked, {}), Catch::Contains("no path reaches the target"));
 }
 
 TEST_CASE("eikonal: in a chart") {
@@ -138,7 +138,7 @@ TEST_CASE("eikonal: what it does not do is said") {
   const Problem plane = between(space(2), make_euclidean_cost(2), Vector2d(0, 0), Vector2d(1, 0));
   CHECK_THROWS_WITH(EikonalInitializer(options).first_path(plane, {}), Catch::Contains("greater than lower"));
   options.upper = Vector2d(3, 3);
-  CHECK_THROWS_WITH(EikonalInitializer(options).first_path(plane, {}), Catch::Contains("outside the box"));
+  CHECK_THROWS_WITH(EikonalInitializer(options).first_path(plane, {}), Catch::Contains("outside the searched box"));
 }
 
 }  // namespace leastcost::test

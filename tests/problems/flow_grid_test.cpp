@@ -128,14 +128,14 @@ TEST_CASE("flow files: what they may say") {
 }
 
 TEST_CASE("flow files: what is wrong is named, with its place") {
-  CHECK(refused_flow("") == "flow.csv: holds no rows");
+  CHECK(refused_flow("") == "flow.csv: has no rows");
   CHECK(refused_flow("x,y,u\n0,0,1\n").find("flow.csv:1: the columns of a flow are x, y, u, v; there is no 'v'") == 0);
   CHECK(refused_flow("0,0,1\n").find("flow.csv:1: has 3 columns; 'v' is number 4") == 0);
   CHECK(refused_flow("0,0,1,1\n0,1,fast,1\n").find("flow.csv:2: 'fast' stands where the number u should be") == 0);
   CHECK(refused_flow("0,0,1,1\n,1,1,1\n").find("flow.csv:2: nothing stands where the number x should be") == 0);
   CHECK(refused_flow("0,0,1,1\n0,1,inf,1\n").find("flow.csv:2: ") == 0);
   const std::string two = "0,0,1,1\n1,0,1,1\n0,1,1,1\n1,1,1,1\n";
-  CHECK(refused_flow(two).find("the grid has 2 nodes, and needs at least 3 along x") != std::string::npos);
+  CHECK(refused_flow(two).find("the grid has 2 nodes, but needs at least 3 along x") != std::string::npos);
   std::string nine, uneven;
   for (const int y : {0, 1, 2})
     for (const int x : {0, 1, 2}) {
@@ -144,7 +144,7 @@ TEST_CASE("flow files: what is wrong is named, with its place") {
     }
   CHECK(refused_flow(nine) == "");
   CHECK(refused_flow(uneven).find("equal steps") != std::string::npos);
-  CHECK(refused_flow(nine + "1,1,1,1\n").find("9 nodes has as many rows, each node once; here are 10") !=
+  CHECK(refused_flow(nine + "1,1,1,1\n").find("9 nodes must have one row per node; the number of rows is 10") !=
         std::string::npos);
   CHECK(refused_flow(nine.substr(0, nine.rfind("2,2")) + "1,1,1,1\n").find("given twice") != std::string::npos);
 }

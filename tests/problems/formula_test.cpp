@@ -204,25 +204,26 @@ TEST_CASE("formulas: errors name the place, what was found and what would be rig
            {"x + * y", "5: found '*' where a number, a name or '(' was expected"},
            {"2 x", "3: found 'x' where an operator (+ - * / ^) or the end was expected"},
            {"2x", "2: found 'x' right after a number: write a product as 2*x"},
-           {"1.2.3", "4: a number has one decimal point"},
+           {"1.2.3", "4: a number can have only one decimal point"},
            {".", "1: found '.', which is not a number"},
            {"1e999", "1: this number does not fit double precision"},
-           {"x**2", "2: found '**': a power is written x^y"},
+           {"x**2", "2: found '**': write a power as x^y"},
            {"(x + y", "7: the '(' at character 1 is never closed"},
            {"sin(x, y)", "1: sin takes 1 argument, found 2"},
            {"atan2(x)", "1: atan2 takes 2 arguments, found 1"},
            {"max(x)", "1: max takes at least 2 arguments, found 1"},
            {"cos()", "1: cos takes 1 argument, found 0"},
-           {"x)", "2: this ')' closes nothing"},
+           {"x)", "2: this ')' has no matching '('"},
            {"(x y)", "4: found 'y' where an operator or the ')' for the '(' at character 1 was expected"},
            {"sin x", "1: 'sin' is a function: write sin(..)"},
-           {"x(2)", "1: 'x' is not a function; a product is written x*(..)"},
-           {"x = 1", "3: found '=': write an equation a = b as a - (b), which is 0 where it holds"},
+           {"x(2)", "1: 'x' is not a function; write a product as x*(..)"},
+           {"x = 1", "3: found '=': write an equation a = b as a - (b)"},
            {"1 + sine(x)",
-            "5: unknown name 'sine' (did you mean 'sin'?); known are x, y, the parameters radius, pi, e and the "
+            "5: unknown name 'sine' (did you mean 'sin'?); known names are x, y, the parameters radius, pi, e and the "
             "functions"},
            {"radus*x",
-            "1: unknown name 'radus' (did you mean 'radius'?); known are x, y, the parameters radius, pi, e and the "
+            "1: unknown name 'radus' (did you mean 'radius'?); known names are x, y, the parameters radius, pi, e and "
+            "the "
             "functions"},
            {"x + 1/0", "6: the value of this constant expression is not finite"},
            {"sqrt(-1)*x", "1: the value of this constant expression is not finite"},
@@ -237,7 +238,7 @@ TEST_CASE("formulas: errors name the place, what was found and what would be rig
                for (int i = 1; i < 5000; ++i) sum += " + sin(" + std::to_string(i) + "*x)";
                return sum;
              }()),
-             Catch::Contains("operations; the most is 4096"));
+             Catch::Contains("operations; the limit is 4096"));
 }
 
 TEST_CASE("formulas: errors of options are at their key") {

@@ -164,7 +164,7 @@ TEST_CASE("grid obstacles: grids that are none are refused in words") {
   CHECK_THROWS_AS(make_grid_obstacle(ball_grid(0.1), std::numeric_limits<double>::quiet_NaN(), "a"), OptionError);
   const GridShape shape{Vector3d::Zero(), 0.1, {5, 5, 5}};
   CHECK_THROWS_WITH(make_grid_obstacle(DistanceGrid(shape, std::vector<double>(125, -1.0)), 0, "a"),
-                    Catch::Contains("nowhere above"));
+                    Catch::Contains("more than half a cell inside"));
 }
 
 }  // namespace leastcost

@@ -212,12 +212,13 @@ TEST_CASE("mesh reader: messages name the place, the finding and the remedy", "[
       {read_obj, "v 0 0 1,5\n", "m:1: expected a coordinate of a vertex (3 numbers), found '1,5'"},
       {read_obj, "\nv 0 0 nan\n", "m:2: expected a coordinate of a vertex (3 numbers) that is finite, found 'nan'"},
       {read_obj, "v 0 0 1e999\n", "that is finite, found '1e999'"},
-      {read_obj, "v 1 2 3 4 5\n", "m:1: a vertex has 3 numbers, 4 with a weight, 6 or 7 with a colour; found 5"},
+      {read_obj, "v 1 2 3 4 5\n",
+       "m:1: a vertex must have 3 numbers, 4 with a weight, or 6 or 7 with a colour; found 5"},
       {read_obj, "v 0 0 0\nf 1 1\n", "m:2: a face needs at least 3 corners, found 2"},
-      {read_obj, "v 0 0 0\nf 1 1 2\n", "m:2: there is no vertex 2, the file has 1"},
+      {read_obj, "v 0 0 0\nf 1 1 2\n", "m:2: there is no vertex 2; the file has 1"},
       {read_obj, "v 0 0 0\nf 1 1 0\n", "m:2: there is no vertex 0; numbers start at 1"},
       {read_obj, "v 0 0 0\nf 1 1 -2\n", "m:2: there is no vertex -2"},
-      {read_obj, "v 0 0 0\nf 1/1 1/1 1/1\n", "m:2: there is no texture coordinate 1, the file has 0"},
+      {read_obj, "v 0 0 0\nf 1/1 1/1 1/1\n", "m:2: there is no texture coordinate 1; the file has 0"},
       {read_obj, "v 0 0 0\nf 1//4 1//4 1//4\n", "m:2: there is no normal 4"},
       {read_obj, "v 0 0 0\nf 1/ 1 1\n", "m:2: expected a corner like 1, 1/2, 1//3 or 1/2/3, found '1/'"},
       {read_obj, "v 0 0 0\nf 1 1 1x\n", "found '1x'"},
@@ -233,7 +234,7 @@ TEST_CASE("mesh reader: messages name the place, the finding and the remedy", "[
       {read_off, "OFF\n3.5 1 0\n", "m:2: expected the number of vertices (an integer), found '3.5'"},
       {read_off, "OFF\n2000000000 1 0\n0 0 0\n", "m:2: the number of vertices is 2000000000, but the file has only"},
       {read_off, "OFF\n3 1 0\n" + points + "3 0 1 3\n",
-       "m:6: there is no vertex 3, the file has 3 vertices numbered from 0"},
+       "m:6: there is no vertex 3; the file has 3 vertices numbered from 0"},
       {read_off, "OFF\n3 1 0\n" + points + "2 0 1\n", "m:6: a face needs at least 3 corners, found 2"},
       {read_off, "OFF\n3 1 0\n" + points + "4 0 1 2\n",
        "m:6: expected a vertex number of a face (an integer), found the end of the line"},
@@ -310,7 +311,7 @@ TEST_CASE("mesh reader: files that are not what their name says", "[reader]") {
   CHECK_THAT(message_of(dir.path()), mentions("unknown mesh format"));
   std::filesystem::create_directory(dir / "folder.obj");
   CHECK_THAT(message_of(dir / "folder.obj"), mentions("not a regular file"));
-  CHECK_THAT(message_of(write(dir, "a.vtk", "x")), mentions("read from .obj, .off, .ply and .stl files"));
+  CHECK_THAT(message_of(write(dir, "a.vtk", "x")), mentions("must be a .obj, .off, .ply or .stl file"));
   CHECK_THAT(message_of(write(dir, "a.obj", "")), mentions("the file is empty"));
   CHECK_THAT(message_of(write(dir, "b.obj", as_off(test::cube()))), mentions("the content is that of a .off file"));
   CHECK_THAT(message_of(write(dir, "b.off", as_text_ply(test::cube()))),

@@ -377,11 +377,11 @@ TEST_CASE("obstacles: a checker that does not know has not said that the way is 
 TEST_CASE("obstacles: ends within a clearance, sharp corners without one, and other faults have names") {
   const ObstaclePtr ball = make_ball({Vector2d(0, 0), 1});
   CHECK_THROWS_WITH(solve(among({ball}, 0.5, Vector2d(-1.2, 0), Vector2d(3, 0)), 20, StraightInitializer()),
-                    Catch::Contains("end_in_clearance: the source lies 0.3 too near to the ball at (0, 0)"));
+                    Catch::Contains("end_in_clearance: the source is 0.3 too close to the ball at (0, 0)"));
   CHECK_THROWS_WITH(among({make_box_obstacle({Vector2d(0, 0), Vector2d(1, 1)})}, 0, Vector2d(-1, 0), Vector2d(3, 0)),
                     Catch::Contains("sharp corners"));
   CHECK_THROWS_WITH(among({make_ball({Vector3d(0, 0, 0), 1})}, 0, Vector2d(-1, 0), Vector2d(3, 0)),
-                    Catch::Contains("has 3 dimensions, the domain has 2"));
+                    Catch::Contains("has 3 dimensions, but the domain has 2"));
   CHECK_THROWS_WITH(make_ball({Vector2d(0, 0), 0}), Catch::Contains("greater than 0"));
   Eigen::MatrixXd bow(4, 2);
   bow << 0, 0, 1, 1, 1, 0, 0, 1;

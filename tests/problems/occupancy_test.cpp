@@ -100,7 +100,7 @@ TEST_CASE("PGM reader: text and binary, and what is wrong") {
   const GreyImage wide = read_pgm(std::string("P5 1 1 65535\n") + '\x01' + '\x02', "a.pgm");
   CHECK(wide.values == std::vector<std::uint16_t>{258});
   CHECK_THAT(pgm_refusal("P6\n1 1\n255\nabc"), Catch::Contains("a.pgm:1: expected P2 or P5"));
-  CHECK_THAT(pgm_refusal("P5\n4 4\n255\nabc"), Catch::Contains("16 pixels were announced"));
+  CHECK_THAT(pgm_refusal("P5\n4 4\n255\nabc"), Catch::Contains("16 pixels are announced"));
   CHECK_THAT(pgm_refusal("P2\n2 1\n7\n1 8\n"), Catch::Contains("a.pgm:4: a pixel of 8"));
   CHECK_THAT(pgm_refusal("P2\n2 1\n70000\n1 8\n"), Catch::Contains("a.pgm:3:"));
   CHECK_THAT(pgm_refusal("P2\n2 2\n7\n1 7 7\n"), Catch::Contains("the file ends before a pixel"));

@@ -85,7 +85,7 @@ TEST_CASE("clouds: what does not fit is refused with its line") {
   CHECK(message_of("# nothing\n\n") == "cloud.xyz: no points");
   CHECK(message_of("1 2 3\n4 5\n").find("cloud.xyz:2: 2 values") == 0);
   CHECK(message_of("1 2 3\n4 5 6 7\n").find("cloud.xyz:2: 4 values") == 0);
-  CHECK(message_of("1 2 3\n4 5 6 0 0 1\n").find("cloud.xyz:2: 6 values where the first row has 3") == 0);
+  CHECK(message_of("1 2 3\n4 5 6 0 0 1\n").find("cloud.xyz:2: 6 values, but the first row has 3") == 0);
   CHECK(message_of("1 2 3 4 5 6 7\n").find("cloud.xyz:1: more than 6") == 0);
   CHECK(message_of("1 2 3\n1 x 3\n").find("cloud.xyz:2: expected a coordinate, found 'x'") == 0);
   CHECK(message_of("1 2 3\n1 nan 3\n").find("cloud.xyz:2: ") == 0);

@@ -126,8 +126,8 @@ TEST_CASE("a missing value takes the patches away that need it, and changes the 
   CHECK(missing_cubic == 16);
   const Eigen::Vector2d at = gap.place(4, 4);
   CHECK(std::isnan(cubic.at(at[0], at[1]).value));
-  CHECK_THAT(cubic.patches().why_unknown(at[0], at[1]), Catch::Contains("of made.asc (from 0), there are no data"));
-  CHECK_THAT(cubic.patches().why_unknown(100, 0), Catch::Contains("lies outside of the values of made.asc"));
+  CHECK_THAT(cubic.patches().why_unknown(at[0], at[1]), Catch::Contains("of made.asc (from 0), there is no data"));
+  CHECK_THAT(cubic.patches().why_unknown(100, 0), Catch::Contains("is outside the values of made.asc"));
   CHECK(cubic.patches().why_unknown(gap.place(0, 0)[0], gap.place(0, 0)[1]) == "");
 }
 

@@ -98,9 +98,9 @@ TEST_CASE("table: commas, semicolons or blanks, and empty fields, NA and nan are
 
 TEST_CASE("table: what is wrong, with its line") {
   using Catch::Contains;
-  CHECK_THAT(refusal_of_table("1,2\n3\n"), Contains("a.csv:2: 1 values, the rows before have 2"));
+  CHECK_THAT(refusal_of_table("1,2\n3\n"), Contains("a.csv:2: 1 values, but the rows before have 2"));
   CHECK_THAT(refusal_of_table("a,b\n1,2\n"), Contains("a.csv:1: expected a number or an empty field, found 'a'"));
-  CHECK_THAT(refusal_of_table("# nothing\n"), Contains("holds no values"));
+  CHECK_THAT(refusal_of_table("# nothing\n"), Contains("has no values"));
 }
 
 TEST_CASE("a raster is placed by its file, or by options") {
@@ -175,7 +175,7 @@ TEST_CASE("rasters: fill values that nobody declared are named with the option t
     const std::string message = refusal(fill, {});
     INFO(message);
     CHECK_THAT(message, Catch::StartsWith("nodata: row 1, column 1 of a.asc"));
-    const std::size_t at = message.rfind("write nodata: ");
+    const std::size_t at = message.rfind("set nodata: ");
     REQUIRE(at != std::string::npos);
     RasterOptions mended;
     mended.nodata = std::stod(message.substr(at + 14));

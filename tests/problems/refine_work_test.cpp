@@ -50,7 +50,7 @@ TEST_CASE("refine_work: a solve with more points that takes long is stopped wher
   CHECK(result.status == Status::uncertified);
   CHECK(result.curve.cost == once.curve.cost);
   REQUIRE_FALSE(result.notes.empty());
-  CHECK_THAT(result.notes.back(), Catch::Contains("larger certificate.refine_work lets it go on"));
+  CHECK_THAT(result.notes.back(), Catch::Contains("to continue, increase certificate.refine_work"));
 }
 
 }  // namespace leastcost::test

@@ -259,7 +259,7 @@ TEST_CASE("sampled bracket: a black box, and what nothing is known of at an end"
   problem.cost = make_segment_cost(OneWay{});
   const Result one_way = find_path(problem, StraightInitializer(), Newton(), with_bracket(1e-3));
   CHECK(one_way.certificate.global.value().outcome == "blocked");
-  CHECK_THAT(one_way.certificate.global.value().reason, Catch::Contains("beside the source"));
+  CHECK_THAT(one_way.certificate.global.value().reason, Catch::Contains("near the source"));
 }
 
 }  // namespace leastcost::test

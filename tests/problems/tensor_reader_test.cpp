@@ -38,14 +38,14 @@ TEST_CASE("tensor files: rows of the upper triangle, comments, blank lines") {
 
 TEST_CASE("tensor files: what is wrong, and in which row") {
   using Catch::Contains;
-  CHECK_THAT(tensor_refusal(""), Contains("holds no tensors"));
-  CHECK_THAT(tensor_refusal("# nothing\n\n"), Contains("holds no tensors"));
+  CHECK_THAT(tensor_refusal(""), Contains("has no tensors"));
+  CHECK_THAT(tensor_refusal("# nothing\n\n"), Contains("has no tensors"));
   CHECK_THAT(tensor_refusal("1 0 0 1 0 1\n1 0 0 1 0\n"), Contains("t.txt:2: expected one of the six entries"));
   CHECK_THAT(tensor_refusal("1 0 0 1 0 1 7\n"), Contains("t.txt:1: unexpected '7'"));
   CHECK_THAT(tensor_refusal("1 0 0 1 0 nan\n"), Contains("t.txt:1"));
   CHECK_THAT(tensor_refusal("1,0,0,1,0,1\n"), Contains("t.txt:1"));
   CHECK_THAT(tensor_refusal("\n1 2 0 1 0 1\n"),
-             Contains("t.txt:2: a tensor is positive definite; the eigenvalues of this one are -1, 1, 3"));
+             Contains("t.txt:2: a tensor must be positive definite, but the eigenvalues of this one are -1, 1, 3"));
   CHECK_THAT(tensor_refusal("1 0 0 1 0 0\n"), Contains("n n'"));  // of the plane z = 0
 }
 

@@ -429,7 +429,7 @@ TEST_CASE("mesh: polygons that cross themselves are cut and reported", "[mesh]")
   const TriangleMesh mesh(soup);
   CHECK(mesh.face_count() == 4);
   REQUIRE(mesh.notes().size() == 2);
-  CHECK(mesh.notes()[1] == "2 polygons crossed themselves, so some triangles overlap");
+  CHECK(mesh.notes()[1] == "2 polygons intersected themselves, so some triangles overlap");
 }
 
 TEST_CASE("mesh: a large polygon that is not convex is refused rather than cut for hours", "[mesh]") {

@@ -119,7 +119,7 @@ TEST_CASE("robots of triangles: a plate above a ball, a box and a face, in close
   Robot planar;
   planar.kinematics = std::make_shared<const PlanarBody>();
   planar.plates = {{0, {Vector3d(0, 0, 0), Vector3d(1, 0, 0), Vector3d(0, 1, 0)}, 0.1}};
-  CHECK_THROWS_WITH(make_robot(planar), Catch::Contains("parts of robots in space"));
+  CHECK_THROWS_WITH(make_robot(planar), Catch::Contains("need a robot in space"));
 }
 
 /// Clear or not as the clearance says, which is measured another way.

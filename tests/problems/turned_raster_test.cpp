@@ -112,7 +112,7 @@ TEST_CASE("turned raster: fill values are found before they are mixed, options r
   for (const double value : grid.values) CHECK((std::isnan(value) || (value >= 201 && value <= 217)));
   options.cell = Eigen::VectorXd::Constant(1, 10);
   CHECK_THROWS_WITH(placed_upright(file(-32768), options, Resampling::nearest, note),
-                    Catch::Contains("replace its place together"));
+                    Catch::Contains("give both cell and origin"));
   options.origin = Eigen::Vector2d(7, 8);
   note.clear();
   const RasterGrid plain = placed_upright(file(-32768), options, Resampling::nearest, note);

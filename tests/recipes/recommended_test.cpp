@@ -123,7 +123,7 @@ TEST_CASE("recipes: a bound that nobody can make is a note") {
   problem.kernel = make_kernel<Expm1Square>();
   const Result result = find_path(problem, StraightInitializer(), Newton(), options);
   CHECK_FALSE(result.certificate.global);
-  CHECK_THAT(result.notes.back(), Catch::Contains("certificate.global: no bound over all paths"));
+  CHECK_THAT(result.notes.back(), Catch::Contains("certificate.global: there is no bound over all paths"));
   CHECK_THAT(result.notes.back(), Catch::Contains("give the manifold finite bounds"));
 }
 

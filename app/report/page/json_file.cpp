@@ -40,8 +40,7 @@ const nlohmann::json* JsonFile::find(const std::string& key) const {
 
 const nlohmann::json& JsonFile::at(const std::string& key) const {
   const nlohmann::json* found = find(key);
-  if (found == nullptr)
-    throw InputError(name_ + ": has no '" + key + "'; was it written by another version of leastcost?");
+  if (found == nullptr) throw InputError(name_ + ": has no '" + key + "'; it may be from another version of leastcost");
   return *found;
 }
 
@@ -78,7 +77,7 @@ std::vector<std::string> JsonFile::texts(const std::string& key) const {
   if (!list.is_array()) wrong(key, "a list");
   std::vector<std::string> out;
   for (const nlohmann::json& item : list) {
-    if (!item.is_string()) wrong(key, "a list of texts");
+    if (!item.is_string()) wrong(key, "a list of strings");
     out.push_back(item.get<std::string>());
   }
   return out;

@@ -19,7 +19,7 @@ namespace {
 class CertificateTable {
  public:
   explicit CertificateTable(const JsonFile& result) : result_(result) {
-    table_.columns = {{"test"}, {"measured", true}, {"allowed", true}, {"verdict"}, {"what it asks"}};
+    table_.columns = {{"test"}, {"measured", true}, {"allowed", true}, {"verdict"}, {"meaning"}};
     table_.style = "tests";
     for (const JsonFile& f : result.objects("failures")) {
       failures_.push_back(f.text("name"));
@@ -29,41 +29,37 @@ class CertificateTable {
 
   Table table() {
     simple("stationarity", "certificate.stationarity", "certificate.thresholds.stationarity",
-           "By how much, relatively, one more Newton step would still lower the cost.", {}, "mesh: 1.0 × 10⁻⁶");
+           "Relative amount by which one more Newton step would lower the cost.", {}, "mesh: 1.0 × 10⁻⁶");
     simple("residual", "certificate.residual", "certificate.thresholds.residual",
-           "How far the points lie off the domain, in diameters of the path.");
-    simple(
-        "spacing", "certificate.spacing", "certificate.thresholds.spacing",
-        "Largest over smallest cost of a segment, minus 1; or, where the cost is not additive, that it falls at second "
-        "order when segments are halved.",
-        {}, "or falling");
+           "Distance of the points from the domain, in diameters of the path.");
+    simple("spacing", "certificate.spacing", "certificate.thresholds.spacing",
+           "Largest over smallest cost of a segment, minus 1. For a cost that is not additive, it must fall at second "
+           "order when segments are halved.",
+           {}, "or falling");
     value();
     bracket();
     doubling();
     simple("longest segment", "certificate.longest_segment", "certificate.thresholds.longest_segment",
-           "Costliest piece of the curve between two points over the mean.", {"longest_segment"});
+           "Largest cost of the curve between two points, over the mean.", {"longest_segment"});
     index();
     resolution();
     simple("clearance", "certificate.clearance.lower", "",
-           "Least distance of the path, not only of its points, from an obstacle, minus the clearance asked for.",
-           {"touches"});
-    simple(
-        "straightness", "certificate.straightness", "",
-        "Smallest angle beside a point of the straightened path minus π, measured by a checker of its own; radians.");
-    simple("asymmetry", "certificate.asymmetry", "", "Cost of the way back over that of the way there, minus 1.");
+           "Least distance of the whole path from an obstacle, minus the required clearance.", {"touches"});
+    simple("straightness", "certificate.straightness", "",
+           "Smallest angle at a point of the straightened path, minus π, measured by an independent checker; radians.");
+    simple("asymmetry", "certificate.asymmetry", "", "Cost of the reversed path over the cost of the path, minus 1.");
     simple("domain", "certificate.geometry_error", "",
-           "What the samples or the grid that stand for the domain cost, found by solving on coarser ones; not part of "
-           "the "
+           "Cost error due to the samples or the grid of the domain, found by solving on coarser ones; not part of the "
            "error bar.",
            {"geometry_error"});
     simple("rounded below", "certificate.regularization.below", "",
-           "How far the least cost that is meant may lie below the one that was minimised, where a kink of it was "
-           "rounded; part of the error bar.");
+           "How far the least cost may be below the minimised one, because a kink of the cost was rounded; part of the "
+           "error bar.");
     simple("tilted above", "certificate.regularization.above", "",
-           "How far it may lie above, where a flat part was tilted; part of the error bar.");
-    simple("ways that are free", "certificate.regularization.free_share", "",
-           "Part of the cost, 0 to 1, that is paid where other ways cost the same: of the path only the value is "
-           "certified.");
+           "How far the least cost may be above the minimised one, because a flat part was tilted; part of the error "
+           "bar.");
+    simple("flat part", "certificate.regularization.free_share", "",
+           "Share of the cost, 0 to 1, where other paths cost the same: only the value is certified, not the path.");
     return std::move(table_);
   }
 
@@ -116,7 +112,8 @@ class CertificateTable {
         "The value is the cost of the delivered curve itself; nothing was extrapolated. Method: " + method + ".";
     if (!result_.objects("certificate.levels").empty())
       words =
-          "The path is solved again with half, once and twice as many segments; the value and its bar follow from "
+          "The path is solved again with half, the same and twice the number of segments; the value and its bar follow "
+          "from "
           "these levels. Method: " +
           method + ".";
     if (std::isfinite(order)) words += " The order is observed; smooth paths have 2.";
@@ -147,7 +144,7 @@ class CertificateTable {
   std::string narrowest() const {
     const double width = result_.number("certificate.narrowest");
     if (!(width > 0)) return "";
-    return fmt::format(" What is {} wide along the path, in cost, has a point in it with 99.9 %.",
+    return fmt::format(" A detail {} wide along the path, in cost, contains a sample with 99.9 % probability.",
                        number_text(width, 2));
   }
 
@@ -159,7 +156,7 @@ class CertificateTable {
 
   std::string words_of_resolution(const std::string& verdict) const {
     if (verdict != "proved")
-      return "Whether cost and domain have details that the points do not see; looked for with one chain more." +
+      return "Whether the cost and the domain have details between the points; checked with one more chain." +
              narrowest();
     const std::string half_width = number_text(result_.number("certificate.tube.half_width"), 2);
     if (result_.text("certificate.minimum") != "proved")
@@ -175,7 +172,7 @@ class CertificateTable {
     const bool not_applicable = verdict == "not_applicable";
     const std::string words =
         not_applicable
-            ? "Not defined here: the energy of a path on a polyhedron has kinks, and that under H = s has no curvature "
+            ? "Not defined here: the energy of a path on a polyhedron has kinks, and with H = s it has no curvature "
               "along the path."
             : fmt::format(
                   "Directions in which the energy falls, by the signs of the pivots of its Hessian: {}; flat ones: {}.",
@@ -213,12 +210,12 @@ std::string percent(double part) { return fmt::format("{:.2g} %", 100 * part); }
 std::string what_bracket_says(const JsonFile& result) {
   const std::string outcome = result.text("global.outcome"), category = result.text("global.category");
   if (outcome == "blocked")
-    return "A bound of the cost of all paths was asked for, and there is none: " + result.text("global.reason") + ".";
+    return "A bound on the cost of all paths was requested, but there is none: " + result.text("global.reason") + ".";
   const auto corner = [&](const char* name) {
     return fmt::format("({:.6g})", fmt::join(result.numbers(std::string("global.box.") + name), ", "));
   };
   const std::string work =
-      fmt::format("a potential, the finest of it on a part of {:g} cells; {} cells searched in all, {:.2g} s; {}",
+      fmt::format("a potential, finest on a part of {:g} cells; {} cells searched in total, {:.2g} s; {}",
                   fmt::join(result.numbers("global.grid"), " x "), result.text("global.cells"),
                   result.number("global.seconds"), category);
   const std::string bound = fmt::format(
@@ -229,9 +226,9 @@ std::string what_bracket_says(const JsonFile& result) {
       work);
   if (category == "sampled")
     return bound +
-           " Sampled: the inequality behind it holds at four places of every cell, and nothing is proved of what lies "
-           "between. The scope stays local.";
-  if (outcome != "bounded") return bound + " Paths that leave the box are not spoken of; others may cost as much.";
+           " Sampled: the inequality behind it holds at four points of every cell, but is not proved between them. The "
+           "scope stays local.";
+  if (outcome != "bounded") return bound + " Paths that leave the box are not covered; other paths may cost as much.";
   return bound + " That is more than the tolerance: the scope stays local.";
 }
 
@@ -242,7 +239,7 @@ struct SearchWords {
   const char* caution = "";
 };
 constexpr std::array<SearchWords, 4> kSearches = {
-    {{"windows", "on this polyhedron", " Nothing is said about a smooth surface behind the mesh."},
+    {{"windows", "on this polyhedron", " This does not cover a smooth surface that the mesh approximates."},
      {"tangents", "among these obstacles"},
      {"words", "through these layers"},
      {"places", "over these cells"}}};
@@ -257,13 +254,12 @@ const SearchWords& search_of(const JsonFile& result) {
 /// What the scope means, in words.
 std::string what_it_says(const JsonFile& result) {
   const std::string outcome = result.has("global.outcome") ? result.text("global.outcome") : "";
-  std::string local =
-      "A certificate is about this path and its neighbours; it never says that no better path exists elsewhere.";
+  std::string local = "A certificate covers this path and its neighbours; it does not exclude a better path elsewhere.";
   if (outcome.empty()) return local;
   if (result.has("global.cells")) return what_bracket_says(result);
   const std::string lower = fmt::format("{:.12g}", result.number("global.lower_bound"));
   const SearchWords& search = search_of(result);
-  const std::string work = fmt::format("{} {}, aimed by {}", result.text(std::string("global.") + search.counts),
+  const std::string work = fmt::format("{} {}, guided by {}", result.text(std::string("global.") + search.counts),
                                        search.counts, result.text("global.bound"));
   if (outcome == "proved" || outcome == "improved")
     return fmt::format(
@@ -271,7 +267,7 @@ std::string what_it_says(const JsonFile& result) {
         "more than {} of it; others may be as short.{}",
         search.where, lower, work, number_text(result.number("global.gap"), 1), search.caution);
   return fmt::format("{} A search over all paths was not finished ({}; {}): no path costs less than {}.", local, work,
-                     outcome == "blocked" ? result.text("global.reason") : "its budget is spent", lower);
+                     outcome == "blocked" ? result.text("global.reason") : "the budget is used up", lower);
 }
 
 }  // namespace

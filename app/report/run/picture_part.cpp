@@ -95,12 +95,11 @@ Picture space_picture(const RunFiles& files) {
   std::string part = "<figure>\n<div class=\"stage\" id=\"stage\">" + still + "</div>\n";
   part += legend_of(files, viewer);
   if (viewer)
-    part += "<p class=\"soft\" id=\"no-webgl\" hidden>This browser offers no WebGL: the picture stands still.</p>\n";
+    part += "<p class=\"soft\" id=\"no-webgl\" hidden>This browser has no WebGL: the picture is static.</p>\n";
   part += caption_of(
       files,
-      viewer
-          ? "Drag to turn, scroll or pinch to zoom after a click, double click to come back; keys: arrows, +, −, 0."
-          : "This leastcost was built without npm, and so without its 3D view; path.vtp and path.obj open in viewers.");
+      viewer ? "Drag to turn; click, then scroll or pinch to zoom; double-click to reset; keys: arrows, +, −, 0."
+             : "This leastcost was built without npm, so it has no 3D view; open path.vtp or path.obj in a viewer.");
   part += "</figure>\n";
   if (!viewer) return {part, ""};
   return {part, "<script type=\"application/json\" id=\"scene\">" + viewer_data(files, view) + "</script>\n<script>" +
@@ -114,9 +113,8 @@ bool holds_infinity(const Raster& raster) {
 /// What the level lines of a bracket are; empty where there are none.
 std::string about_potential(const RunFiles& files) {
   if (!files.scene.potential) return "";
-  return " Thin lines: levels of the potential that no path climbs for less, where a cheaper path could still go on "
-         "the "
-         "last grid; what lies outside had been ruled out.";
+  return " Thin lines: levels of the potential, which is a lower bound on cost, where the last grid still allowed a "
+         "cheaper path; the rest had been ruled out.";
 }
 
 /// The robot in its workspace, where there is one.
@@ -124,16 +122,15 @@ std::string strip_part(const RunFiles& files) {
   const std::string svg = strip_svg(files.scene.strip);
   if (svg.empty()) return "";
   return "<figure>\n" + svg +
-         "<figcaption>The robot on its way, the later the stronger, among its obstacles, each drawn over what is "
-         "behind "
-         "it.</figcaption>\n</figure>\n";
+         "<figcaption>The robot along its path among the obstacles, later poses in stronger "
+         "colours.</figcaption>\n</figure>\n";
 }
 
 /// The path on the map, over its ground in the sun, where there is one.
 std::string map_part(const RunFiles& files) {
   if (!files.scene.relief) return "";
-  std::string caption = "On the map: the ground under a sun in the north-west, 45 degrees up.";
-  if (holds_infinity(*files.scene.relief)) caption += " Hatched: no ground.";
+  std::string caption = "On the map: the ground, lit from the north-west at 45 degrees.";
+  if (holds_infinity(*files.scene.relief)) caption += " Hatched: no data.";
   caption += about_potential(files);
   return "<figure>\n" + plane_svg(files) + "<figcaption>" + caption + "</figcaption>\n</figure>\n";
 }
@@ -148,15 +145,15 @@ Picture space_of_path(const RunFiles& files) {
     std::string bands;
     if (files.scene.cost)
       bands =
-          "Shading: cost per unit of length, mean over the directions that are possible, on a logarithmic scale; the "
-          "stronger, the dearer.";
+          "Shading: cost per unit of length, averaged over the possible directions, on a logarithmic scale; stronger "
+          "means more expensive.";
     if (files.scene.cost && holds_infinity(*files.scene.cost)) bands += " Hatched: not reachable.";
     bands += about_potential(files);
     return {"<figure>\n" + plane_svg(files) + legend_of(files, false) + caption_of(files, bands) + "</figure>\n", ""};
   }
-  return {
-      figures({coordinates_svg(files)}, "A space of this dimension has no picture: its coordinates along the path."),
-      ""};
+  return {figures({coordinates_svg(files)},
+                  "A space of this dimension cannot be drawn; instead, the coordinates along the path are shown."),
+          ""};
 }
 
 }  // namespace

@@ -44,13 +44,13 @@ std::vector<double> segment_costs_of(const RunFiles& files) {
 }  // namespace
 
 std::string convergence_part(const RunFiles& files) {
-  if (files.history.rows() < 2) return paragraph("No iterations: the first path was not moved.");
-  return figures({svg(convergence_chart(files.history, "iteration", "iterations")),
-                  svg(convergence_chart(files.history, "evaluations", "evaluations")),
-                  svg(convergence_chart(files.history, "seconds", "seconds"))},
-                 "Energy relative to the final one, whose own excess of zero has no place on the scale, and the "
-                 "relative cost error "
-                 "that the solver predicts. An evaluation is an energy or a gradient of the whole path.");
+  if (files.history.rows() < 2) return paragraph("No iterations: the first path was not changed.");
+  return figures(
+      {svg(convergence_chart(files.history, "iteration", "iterations")),
+       svg(convergence_chart(files.history, "evaluations", "evaluations")),
+       svg(convergence_chart(files.history, "seconds", "seconds"))},
+      "Energy relative to the final one, and the relative cost error that the solver predicts. The final point, with "
+      "an excess of zero, is off the scale. An evaluation is an energy or a gradient of the whole path.");
 }
 
 std::string spacing_part(const RunFiles& files) {
@@ -78,9 +78,10 @@ std::string spacing_part(const RunFiles& files) {
   relative.series = {{"", number, deviation, {1, true, few}}};
   const double spread =
       *std::max_element(deviation.begin(), deviation.end()) - *std::min_element(deviation.begin(), deviation.end());
-  return figures({svg(absolute), svg(relative)},
-                 fmt::format("{} segments with a mean cost of {}; the costliest and the cheapest differ by {} of it.",
-                             costs.size(), number_text(mean, 6), number_text(spread, 2)));
+  return figures(
+      {svg(absolute), svg(relative)},
+      fmt::format("{} segments with a mean cost of {}; the most expensive and the cheapest differ by {} of it.",
+                  costs.size(), number_text(mean, 6), number_text(spread, 2)));
 }
 
 std::string residual_part(const RunFiles& files) {
@@ -89,20 +90,20 @@ std::string residual_part(const RunFiles& files) {
   const std::vector<double>&at = table["at_point"], &between = table["between"], &along = table["cumulative_cost"];
   const auto positive = [](double r) { return r > 0; };
   if (std::none_of(at.begin(), at.end(), positive) && std::none_of(between.begin(), between.end(), positive))
-    return section("Distance off the domain", paragraph("Zero along the whole curve."));
+    return section("Distance from the domain", paragraph("Zero along the whole curve."));
   std::vector<double> middle = along;
   for (std::size_t i = 0; i + 1 < along.size(); ++i) middle[i] = (along[i] + along[i + 1]) / 2;
   Chart chart;
-  chart.title = "Distance off the domain";
+  chart.title = "Distance from the domain";
   chart.description = "Distance of the delivered curve from the domain along the path, logarithmic";
   chart.x = {"cumulative cost"};
   chart.y = {"length", ScaleKind::log};
   chart.series = {{"points of the curve", along, at, {0, false, true}},
                   {"between them", middle, between, {1, false, true}}};
   chart.width = 640;
-  return section("Distance off the domain",
+  return section("Distance from the domain",
                  figures({svg(chart)},
-                         "Of the delivered curve (curve.csv). Distances of exactly zero have no place on the scale."));
+                         "Distance of the delivered curve (curve.csv). Distances of exactly zero are off the scale."));
 }
 
 std::string coordinates_svg(const RunFiles& files) {

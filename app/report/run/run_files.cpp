@@ -74,7 +74,7 @@ RunFiles read_run_files(const fs::path& folder) {
   const double dimension = files.result.number("problem.dimensions.ambient");
   if (dimension != files.scene.dimension)
     throw InputError((folder / "scene.json").string() +
-                     ": belongs to another run than result.json: the dimensions differ");
+                     ": belongs to a different run than result.json: the dimensions differ");
   files.coordinates = coordinates_of(files.path, files.scene.dimension);
   files.points.resize(files.scene.dimension, static_cast<Index>(files.path.rows()));
   for (std::size_t i = 0; i < files.coordinates.size(); ++i)

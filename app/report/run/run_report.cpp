@@ -50,7 +50,7 @@ std::string bar_text(const JsonFile& result) {
 }
 
 std::string solver_text(const JsonFile& result) {
-  if (result.text("solver.name") == "none") return "the first path as it is";
+  if (result.text("solver.name") == "none") return "the first path unchanged";
   return fmt::format("{} after {} iteration{}", result.text("solver.termination"), result.text("solver.iterations"),
                      result.text("solver.iterations") == "1" ? "" : "s");
 }
@@ -104,11 +104,9 @@ std::string family_of(const JsonFile& result) {
                           {m.text("iterations")},
                           {from}});
   }
-  return section(
-      "Family",
-      paragraph("The distinct locally least-cost paths that were found, by cost; the first one was delivered. Tied: "
-                "within the bars they cost the same.") +
-          html(table));
+  return section("Family", paragraph("The distinct locally least-cost paths that were found, by cost; the first one "
+                                     "was delivered. Tied: their error bars overlap.") +
+                               html(table));
 }
 
 std::string notes_of(const JsonFile& result) {
@@ -122,7 +120,7 @@ std::string work_of(const JsonFile& result) {
   const std::pair<const char*, const char*> stages[] = {
       {"read", "read the domain"},      {"compose", "compose"},
       {"initialize", "first path"},     {"solve", "solve"},
-      {"post_process", "post-process"}, {"prepare", "coarser versions of the domain"},
+      {"post_process", "post-process"}, {"prepare", "coarser domains"},
       {"certify", "certify"},           {"other_members", "other members of the family"},
       {"write", "write files"}};
   for (const auto& [key, name] : stages) {

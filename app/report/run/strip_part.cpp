@@ -54,7 +54,7 @@ std::string strip_svg(const PoseStrip& strip) {
     for (const Points& one : strip.poses[k]) out += fmt::format("<path d=\"{}\"/>\n", outline(one));
     out += "</g>\n";
   }
-  return svg_element("The robot on its way", "Some poses, the later the stronger, among the obstacles",
+  return svg_element("The robot along its path", "Some poses among the obstacles, later ones in stronger colours",
                      scale * extent[0] + 2 * kStripMargin, scale * extent[1] + 2 * kStripMargin, out, false);
 }
 

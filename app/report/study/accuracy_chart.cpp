@@ -82,9 +82,10 @@ std::string accuracy_svg(const StudyAnalysis& study, bool standalone) {
   out += fmt::format("<path class=\"axis\" d=\"M{:.1f} {:.1f}h{}\"/>", left, height, kPlot);
   out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">relative error</text>\n", left + kPlot / 2,
                      height + 34);
-  return svg_element("Distance from the true least cost",
-                     "A dot per solver and problem: relative error of the certified value; a stroke for the error bar",
-                     width, height + kBottom, out, standalone);
+  return svg_element(
+      "Distance from the true least cost",
+      "One dot per solver and problem: relative error of the certified value, with a stroke for the error bar", width,
+      height + kBottom, out, standalone);
 }
 
 }  // namespace leastcost::app

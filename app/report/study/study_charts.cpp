@@ -51,7 +51,7 @@ Chart profile_chart(const StudyAnalysis& study, const std::vector<Profile>& prof
     if (!p.at.empty()) most = std::max(most, p.at.back());
   Chart chart;
   chart.title = title;
-  chart.description = title + ": the share of problems that each solver solves, against the work it may take";
+  chart.description = title + ": the share of problems that each solver solves, against the allowed work";
   chart.x = {x, ScaleKind::log, 1.0, 1.3 * most};
   chart.y = {"share of problems", ScaleKind::linear, 0.0, 1.02};
   for (std::size_t s = 0; s < profiles.size(); ++s)
@@ -106,7 +106,7 @@ StudyFigure against_points(const StudyAnalysis& study, Work kind, const std::str
   }
   share_width(figure.panels);
   figure.title = what + " to a relative cost error of 1e-10, against the number of points";
-  figure.description = figure.title + ", for every solver; a solver that never gets there has no point";
+  figure.description = figure.title + ", for every solver; a solver that never reaches it has no point";
   return figure;
 }
 
@@ -214,7 +214,7 @@ StudyFigure performance_figure(const StudyAnalysis& study) {
   const auto profiles = [&](Work work) { return performance_profiles(positive(work_table(study, work, kSolved))); };
   return profile_figure(
       "performance.svg", "Performance profiles",
-      "The share of problems that each solver solves with at most so many times the work of the best solver of each",
+      "Share of problems that each solver solves within a multiple of the work of the best solver for each",
       profile_chart(study, profiles(Work::seconds), "by time", "times the fastest"),
       profile_chart(study, profiles(Work::evaluations), "by evaluations", "times the fewest"));
 }
@@ -224,11 +224,10 @@ StudyFigure data_figure(const StudyAnalysis& study) {
   const auto profiles = [&](double tau) {
     return data_profiles(positive(work_table(study, Work::evaluations, tau, Test::left)), units);
   };
-  return profile_figure(
-      "data.svg", "Data profiles",
-      "The share of problems on which each solver comes down to τ of its way with at most so many evaluations",
-      profile_chart(study, profiles(1e-5), "τ = 10⁻⁵", "evaluations"),
-      profile_chart(study, profiles(1e-10), "τ = 10⁻¹⁰", "evaluations"));
+  return profile_figure("data.svg", "Data profiles",
+                        "Share of problems on which each solver reaches the fraction τ within a number of evaluations",
+                        profile_chart(study, profiles(1e-5), "τ = 10⁻⁵", "evaluations"),
+                        profile_chart(study, profiles(1e-10), "τ = 10⁻¹⁰", "evaluations"));
 }
 
 StudyFigure evaluations_figure(const StudyAnalysis& study) {
@@ -271,9 +270,8 @@ std::string convergence_charts(const StudyAnalysis& study) {
   }
   if (out.empty()) return "";
   return paragraph(
-             "Relative cost excess over the best chain of all solvers, of the first repetition. On a mesh, chains of "
-             "one "
-             "and the same path may have different energies, and stay apart here.",
+             "Relative cost excess over the best chain of all solvers, in the first repetition. On a mesh, chains of "
+             "the same path can have different energies and do not meet here.",
              "soft") +
          out;
 }

@@ -58,7 +58,7 @@ std::vector<KeyFigure> key_figures_of(const StudyAnalysis& study, const Counts& 
                     fewest = most_often(study, Work::evaluations, fewest_times);
   const std::size_t groups = study.groups.size();
   return {{"problems", std::to_string(counts.problems),
-           groups == counts.problems ? "" : fmt::format("{} with all that varies", groups)},
+           groups == counts.problems ? "" : fmt::format("{} with all variations", groups)},
           {"solvers", std::to_string(study.solvers.size()), counted(counts.tasks, "solve")},
           {"certified", std::to_string(counts[Verdict::certified]),
            fmt::format("{} other minima, {} uncertified, {} refused, {} failed", counts[Verdict::other_minimum],
@@ -97,10 +97,9 @@ void add_figure(const std::string& title, const StudyFigure& figure, const std::
 std::string legend_of_success() {
   return "<p class=\"soft\"><b class=\"good\">✓</b> certified, at the least certified cost of the problem; <b "
          "class=\"other\">○</b> certified, another minimum, which costs more; <b class=\"mild\">~</b> uncertified, "
-         "collapsed or interrupted; <b class=\"mild\">×</b> refused: the solver said beforehand that it cannot; <b "
-         "class=\"bad\">×</b> failed: no path. Time and evaluations are those of the whole solve; bold: the quickest "
-         "certified solve. A wide "
-         "table scrolls sideways. Reasons on hover.</p>\n";
+         "collapsed or interrupted; <b class=\"mild\">×</b> refused: the solver does not support the problem; <b "
+         "class=\"bad\">×</b> failed: no path. Time and evaluations are for the whole solve; bold: the fastest "
+         "certified solve. A wide table scrolls sideways. Hover for reasons.</p>\n";
 }
 
 /// Some methods do not stop where the discrete problem is solved; whoever compares them should know.
@@ -111,16 +110,15 @@ std::string rules_of_their_own(const StudyAnalysis& study) {
   };
   if (!has("georce") && !has("string") && !has("vfcs")) return "";
   return paragraph(
-      "vfcs stops by the rule of its paper; georce and string end at a fixed point of their own, which is not the "
-      "least energy of the chain: they may come to rest, and be certified, without coming within 1e-10 of the others.",
+      "vfcs stops by the rule of its paper. georce and string end at a fixed point of their own, which is not the "
+      "least energy of the chain. They can stop, and be certified, without coming within 1e-10 of the others.",
       "soft");
 }
 
 std::string meaning_of_solved() {
   return paragraph(
-      "Solved: came within a relative cost excess of 1e-10 over the best chain of all solvers at some time of its run, "
-      "whatever ended it; or was certified at the least certified cost. Certified: the delivered path passed the tests "
-      "of "
+      "Solved: at some time in its run, the solver came within a relative cost excess of 1e-10 over the best chain of "
+      "all solvers, or it was certified at the least certified cost. Certified: the delivered path passed the tests of "
       "the framework. Times within 10 % are ties; ties count for each solver.",
       "soft");
 }
@@ -130,9 +128,10 @@ constexpr std::size_t kMostShown = 500;  ///< groups of which a page has a line 
 /// What does not have room on a page.
 std::string only_the_first(const StudyAnalysis& study) {
   if (study.groups.size() <= kMostShown) return "";
-  return paragraph(fmt::format("Problem by problem, here and below, are the first {} of {}; runs.csv has all.",
-                               kMostShown, study.groups.size()),
-                   "soft");
+  return paragraph(
+      fmt::format("Here and below, only the first {} of {} problems are shown one by one; runs.csv has all.",
+                  kMostShown, study.groups.size()),
+      "soft");
 }
 
 std::string fold(const std::string& title, const std::string& body) { return body.empty() ? "" : section(title, body); }
@@ -144,55 +143,50 @@ std::vector<ReportFile> study_report(const fs::path& folder) {
   const auto shown = [&](const char* name) { return (folder / name).string(); };
   const JsonFile manifest(folder / "manifest.json"), summary(folder / "summary.json");
   const RunTable runs = read_runs_csv(read("runs.csv"), shown("runs.csv"));
-  if (runs.rows.empty()) throw InputError(shown("runs.csv") + ": has no rows: nothing was run yet");
+  if (runs.rows.empty()) throw InputError(shown("runs.csv") + ": has no rows: nothing has been run yet");
   const StudyAnalysis study = analyse(runs, read_traces_csv(read("traces.csv"), shown("traces.csv")));
   const StudyAnalysis shown_part = first_groups(study, kMostShown);
   const Counts counts = count(study);
   std::vector<ReportFile> files(1);
   std::string body = key_figures(key_figures_of(study, counts));
   body += section("Solvers", solver_table(study) + meaning_of_solved() + rules_of_their_own(study));
-  body += section(
-      "The best of each problem",
-      only_the_first(study) + winners_table(shown_part) +
-          paragraph(
-              "Time and evaluations to a relative cost excess of 1e-10; the solve goes on until its own test stops it.",
-              "soft"));
+  body += section("The best of each problem", only_the_first(study) + winners_table(shown_part) +
+                                                  paragraph("Time and evaluations to a relative cost excess of 1e-10; "
+                                                            "the solve continues until its own stopping test.",
+                                                            "soft"));
   body += section("Which solver for which problem", legend_of_success() + success_table(shown_part));
   add_figure(
       "Work against the number of points", evaluations_figure(shown_part),
       "Evaluations to a relative cost excess of 1e-10 over the best chain of all solvers. An evaluation is an energy "
-      "or "
-      "a gradient of the whole path; Hessians and factorisations are counted apart (in runs.csv), so that time is the "
-      "fairer measure between methods of first and second order. A "
-      "solver whose work does not depend on the number of points is flat; where it never gets there, it has no marker.",
+      "or a gradient of the whole path. Hessians and factorisations are counted separately (in runs.csv), so time is "
+      "the fairer measure between first-order and second-order methods. A solver whose work does not depend on the "
+      "number of points is flat. It has no marker where it never reaches the excess.",
       growth_table(shown_part), body, files);
   add_figure("Time against the number of points", seconds_figure(shown_part), "Seconds to the same excess.",
              ratio_table(shown_part), body, files);
   add_figure(
       "Performance profiles", performance_figure(study),
-      "Dolan and Moré (2002): the share of problems that a solver solves to 1e-10 with at most so many times "
-      "the work of the best one. On the left edge: how often it is the best. A solver solves a problem when it comes "
-      "within that relative cost excess of the best chain of all solvers at some time of its run, whatever ended "
-      "the run; or when it is certified at the least certified cost, at the latest at its end. Refusals, failures "
-      "and other minima are not solved.",
+      "Dolan and Moré (2002): the share of problems that a solver solves to 1e-10 within a multiple of the work of the "
+      "best one. The left edge shows how often it is the best. A problem is solved when the solver comes within that "
+      "relative cost excess of the best chain of all solvers. It is also solved, at the latest at the end of the run, "
+      "when it is certified at the least certified cost. Refusals, failures and other minima are not solved.",
       "", body, files);
-  add_figure(
-      "Data profiles", data_figure(study),
-      "Moré and Wild (2009), with evaluations as they are in place of simplex gradients: the share of problems on "
-      "which a solver comes down within a budget to E ≤ E* + τ (E₀ − E*), with E₀ the energy of its first path "
-      "and E* the least energy of all solvers, for τ = 10⁻⁵ and 10⁻¹⁰. Runs that are certified at the least "
-      "certified cost are there at the latest at their end.",
-      "", body, files);
+  add_figure("Data profiles", data_figure(study),
+             "Moré and Wild (2009), with evaluations instead of simplex gradients: the share of problems on which a "
+             "solver reaches E ≤ E* + τ (E₀ − E*) within a budget, for τ = 10⁻⁵ and 10⁻¹⁰. E₀ is the energy of its "
+             "first path and E* the least energy of all solvers. Runs certified at the least certified cost reach it "
+             "at the latest at their end.",
+             "", body, files);
   if (const std::string accuracy = accuracy_svg(shown_part, false); !accuracy.empty()) {
     body += section(
         "Accuracy",
         figures({accuracy},
-                "Blue: the first solver of the study that certified; grey: the others; stroke: its error bar. An "
-                "error left of its stroke is covered. Errors of zero stand at 10⁻¹⁷."));
+                "Blue: the first solver of the study with a certified path; grey: the others; stroke: its error bar. "
+                "An error to the left of its stroke is within the bar. Errors of zero are drawn at 10⁻¹⁷."));
     files.push_back({"accuracy.svg", accuracy_svg(shown_part, true)});
   }
-  add_figure("Order", order_figure(shown_part), "Of the first solver that certified.", order_table(shown_part), body,
-             files);
+  add_figure("Order", order_figure(shown_part), "For the first solver with a certified path.", order_table(shown_part),
+             body, files);
   body += fold("Convergence", convergence_charts(shown_part));
   body += section("Configuration", "<pre>" + escaped(read("study.resolved.yaml")) + "</pre>\n", false);
   body += section("Provenance", provenance_part(manifest), false);

@@ -83,22 +83,21 @@ std::string solver_table(const StudyAnalysis& study) {
                   seconds = work_table(study, Work::seconds, kSolved);
   const std::vector<std::size_t> fewest = problems_won(evaluations, Work::evaluations, study.solvers.size()),
                                  fastest = problems_won(seconds, Work::seconds, study.solvers.size());
-  Table table{
-      {{"solver"},
-       {"solved", true,
-        "came within a relative cost excess of 1e-10 over the best chain of all solvers, at some time of its "
-        "run; or was certified at the least certified cost"},
-       {"certified", true},
-       {"other min.", true, "certified, but a locally least-cost path that costs more"},
-       {"uncertified", true, "also collapsed and interrupted ones"},
-       {"refused", true, "said beforehand that it cannot"},
-       {"failed", true, "no path"},
-       {"fastest", true, "number of problems which it solved in the least time; within 10 % is a tie, and counts"},
-       {"fewest eval.", true, "number of problems which it solved with the fewest evaluations; ties count"},
-       {"median time", true, "of its solves, whatever came out"},
-       {"median eval.", true, "energies and gradients of its solves"}},
-      {},
-      "counts"};
+  Table table{{{"solver"},
+               {"solved", true,
+                "came within a relative cost excess of 1e-10 over the best chain of all solvers at some time in its "
+                "run, or was certified at the least certified cost"},
+               {"certified", true},
+               {"other min.", true, "certified, but a locally least-cost path that costs more"},
+               {"uncertified", true, "includes collapsed and interrupted ones"},
+               {"refused", true, "the solver does not support the problem"},
+               {"failed", true, "no path"},
+               {"fastest", true, "number of problems that it solved in the least time; ties within 10 % count"},
+               {"fewest eval.", true, "number of problems that it solved with the fewest evaluations; ties count"},
+               {"median time", true, "of its solves, whatever the outcome"},
+               {"median eval.", true, "energies and gradients of its solves"}},
+              {},
+              "counts"};
   for (std::size_t s = 0; s < study.solvers.size(); ++s) {
     int solved = 0, counts[kVerdicts] = {};
     std::vector<double> times, work;
@@ -132,15 +131,14 @@ std::string solver_table(const StudyAnalysis& study) {
 std::string winners_table(const StudyAnalysis& study) {
   const WorkTable evaluations = work_table(study, Work::evaluations, kSolved),
                   seconds = work_table(study, Work::seconds, kSolved);
-  Table table{
-      {{"problem"},
-       {"fastest, and next"},
-       {"fewest evaluations, and next"},
-       {"solved by", true},
-       {"off the optimum", true, "the certified value of the fastest solver against the true least cost, relatively"},
-       {"bar", true, "the error bar that the certificate gave it"}},
-      {},
-      ""};
+  Table table{{{"problem"},
+               {"fastest, and next"},
+               {"fewest evaluations, and next"},
+               {"solved by", true},
+               {"off the optimum", true, "the certified value of the fastest solver relative to the true least cost"},
+               {"bar", true, "the error bar from the certificate"}},
+              {},
+              ""};
   for (std::size_t g = 0; g < study.groups.size(); ++g) {
     const std::vector<std::size_t> order = order_of(seconds[g]);
     const Task* best = order.empty() ? nullptr : &study.groups[g].tasks[order[0]];
@@ -169,7 +167,7 @@ std::string growth_table(const StudyAnalysis& study) {
     table.rows.push_back(std::move(row));
   }
   return "<h3>From the fewest points to the most</h3>\n" +
-         paragraph("Evaluations; bold where they stay within a factor of two.", "soft") + html(table);
+         paragraph("Evaluations; bold where they vary by less than a factor of two.", "soft") + html(table);
 }
 
 std::string ratio_table(const StudyAnalysis& study) {
@@ -189,7 +187,7 @@ std::string ratio_table(const StudyAnalysis& study) {
     table.rows.push_back(std::move(row));
   }
   return "<h3>As multiples of " + escaped(study.solvers[0]) + "</h3>\n" +
-         paragraph("Time to the same excess; ≥ where a solver spent so much without getting there.", "soft") +
+         paragraph("Time to the same excess; ≥ where a solver used that time without reaching it.", "soft") +
          html(table);
 }
 

@@ -78,12 +78,12 @@ class LagrangianChecker {
     std::ostringstream out;
     out << "cost: F(x, v) is positive, homogeneous of degree 1 in v" << (convex_ && !any_shape_ ? " and convex" : "");
     if (!box_.known()) {
-      out << " by assumption: neither the domain nor the ends say where";
+      out << " by assumption: neither the domain nor the ends give a box to check";
       return out.str();
     }
     out << (proved ? ", proved by intervals" : ", sampled") << " for x between " << tuple_text(box_.lower) << " and "
         << tuple_text(box_.upper);
-    if (outside_) out << "; it is not defined in all of that box";
+    if (outside_) out << "; it is not defined everywhere in that box";
     return out.str();
   }
 
@@ -94,14 +94,14 @@ class LagrangianChecker {
     if (std::abs(degree - 1) <= kHomogeneous) return;
     std::ostringstream out;
     if (std::abs(degree - 2) <= kHomogeneous)
-      out << "F(x, 2 v) = 4 F(x, v): this is an energy, of degree 2 in v; a cost per length has degree 1: take its "
-             "root, "
-             "\"sqrt(...)\"";
+      out << "F(x, 2 v) = 4 F(x, v): this is an energy, of degree 2 in v, but a cost per length has degree 1: use its "
+             "root, \"sqrt(...)\"";
     else if (std::isfinite(degree))
       out << "F(x, v) has degree " << degree
-          << " in v; a cost per length has F(x, l v) = l F(x, v) for l > 0, degree 1";
+          << " in v, but a cost per length has degree 1: F(x, l v) = l F(x, v) for l > 0";
     else
-      out << "F(x, l v) is no power of l > 0 times F(x, v): a cost per length has F(x, l v) = l F(x, v)" << where_;
+      out << "F(x, l v) is not a power of l > 0 times F(x, v), but a cost per length has F(x, l v) = l F(x, v)"
+          << where_;
     refuse(out.str());
   }
 
@@ -116,7 +116,7 @@ class LagrangianChecker {
       for (const double factor : {2.0, 0.3, 7.0}) {
         const double degree = std::log(value(x, factor * v) / one) / std::log(factor);
         if (!(std::max(most, degree) - std::min(least, degree) <= kHomogeneous)) {
-          where_ = ", and here not at x = " + tuple_text(x) + ", v = " + tuple_text(v);
+          where_ = "; this fails at x = " + tuple_text(x) + ", v = " + tuple_text(v);
           return std::numeric_limits<double>::infinity();
         }
         least = std::min(least, degree), most = std::max(most, degree);
@@ -263,7 +263,7 @@ class LagrangianChecker {
     std::ostringstream out;
     out << "F(x, v) must be strictly convex across v: at x = " << tuple_text(x) << ", v = " << tuple_text(v)
         << " its second derivative across v is " << bend
-        << (dim_ == 2 ? "; `convexify: true` takes its convex hull, what zigzags make of it" : "");
+        << (dim_ == 2 ? "; to use its convex hull, which zigzags attain, set `convexify: true`" : "");
     refuse(out.str());
   }
 

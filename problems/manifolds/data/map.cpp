@@ -64,11 +64,11 @@ Eigen::Vector2d MapManifold::cell_at(const Eigen::Vector2d& x) const {
 
 std::string MapManifold::why_not_free(const Eigen::VectorXd& x) const {
   const Eigen::Vector2d at = cell_at(x);
-  if (!(at.minCoeff() >= 0 && at[0] < grid_.rows && at[1] < grid_.columns)) return "lies outside of " + grid_.source;
+  if (!(at.minCoeff() >= 0 && at[0] < grid_.rows && at[1] < grid_.columns)) return "is outside " + grid_.source;
   const std::size_t cell = grid_.index(static_cast<int>(at[0]), static_cast<int>(at[1]));
   if (!grid_.blocked[cell]) return "";
-  if (grid_.unknown.empty() || !grid_.unknown[cell]) return "lies in blocked cells of " + grid_.source;
-  return "lies in unknown cells of " + grid_.source + "; `unknown: free` of the map lets paths enter them";
+  if (grid_.unknown.empty() || !grid_.unknown[cell]) return "is in blocked cells of " + grid_.source;
+  return "is in unknown cells of " + grid_.source + "; to let paths enter them, set `unknown: free` of the map";
 }
 
 void MapManifold::tangent_bases(const CoordinatePath& path, Points& bases) const {

@@ -29,7 +29,7 @@ void orthonormal_to(const Eigen::Vector3d& normal, Eigen::Ref<Points> basis) {
 std::int32_t face_at(const TriangleMesh& mesh, const CoordinatePath& path, Index column) {
   const Site site = path.site(column);
   if (site < 0 || site >= mesh.face_count())
-    throw InputError("point " + std::to_string(column) + " of the path names no face of the mesh (" +
+    throw InputError("point " + std::to_string(column) + " of the path refers to no face of the mesh (" +
                      std::to_string(site) + "): project the path first");
   return site;
 }

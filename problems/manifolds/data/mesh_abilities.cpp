@@ -48,7 +48,7 @@ PathEnd MeshManifold::on_face(int face, const Eigen::Vector3d& barycentric) cons
   if (!(std::abs(sum - 1) <= kRounding)) {
     std::ostringstream why;
     why.precision(9);
-    why << "the three weights must have the sum 1, not " << sum;
+    why << "the three weights must have sum 1, not " << sum;
     throw OptionError("barycentric", why.str());
   }
   try {

@@ -111,24 +111,23 @@ void BorderedCloud::bounds_within(const CoordinatePath& path, Index column, doub
 
 void PointCloudManifoldOptions::fields(FieldVisitor& visit) {
   visit.file("file", file, {.help = "Point cloud: PLY, or text with rows x y z [nx ny nz].", .required = true});
-  visit.field("neighbours", settings.neighbours,
-              {.help = "Nearest neighbours of a point: its links in the graph, and what its local spacing is measured "
-                       "from.",
-               .minimum = PointCloudSettings::kFewestNeighbours,
-               .maximum = PointCloudSettings::kMostNeighbours});
+  visit.field(
+      "neighbours", settings.neighbours,
+      {.help = "Number of nearest neighbours of a point: they are its links in the graph and give its local spacing.",
+       .minimum = PointCloudSettings::kFewestNeighbours,
+       .maximum = PointCloudSettings::kMostNeighbours});
   visit.field_or_zero("radius", settings.radius,
-                      {.help = "Support of the moving least squares fit; 0: 4, and wider where the cloud is noisy.",
+                      {.help = "Radius of the moving least squares fit; 0: 4, larger where the cloud is noisy.",
                        .unit = "local spacings",
                        .minimum = 0,
                        .maximum = 100});
-  visit.field(
-      "max_edge", settings.max_edge,
-      {.help = "Longest link of the neighbour graph, against jumps between sheets; a longer one joins parts with a "
-               "gap between them.",
-       .unit = "local spacings",
-       .minimum = 1});
+  visit.field("max_edge", settings.max_edge,
+              {.help = "Longest link of the neighbour graph, to prevent jumps between sheets; a larger value joins "
+                       "parts with a gap between them.",
+               .unit = "local spacings",
+               .minimum = 1});
   visit.choice("normals", settings.normals,
-               {.help = "Normals of the file, or estimated by robust quadratic fits and oriented along a minimum "
+               {.help = "given: the normals of the file. estimate: by robust quadratic fits, oriented along a minimum "
                         "spanning tree. auto: those of the file where they agree with the estimate."});
 }
 
@@ -169,8 +168,8 @@ std::shared_ptr<const PointCloudManifold> make_point_cloud_manifold(const PointC
   if (options.settings.radius && share > PointCloud::kMostOfCloud) {
     std::ostringstream why;
     why.precision(3);
-    why << "a support of " << *options.settings.radius << " local spacings holds " << 100 * share
-        << " % of the cloud; the most is " << 100 * PointCloud::kMostOfCloud << " %";
+    why << "a radius of " << *options.settings.radius << " local spacings contains " << 100 * share
+        << " % of the cloud; the limit is " << 100 * PointCloud::kMostOfCloud << " %";
     throw OptionError("radius", why.str());
   }
   return surface_of(std::move(cloud));

@@ -37,7 +37,7 @@ PathEnd PointCloudManifold::vertex(int number) const {
   const std::int32_t here = cloud_.sample_of_file(number);
   if (here < 0)
     throw OptionError("vertex", "the cloud has no point " + std::to_string(number) +
-                                    ", counted from 0, or it repeats an earlier one and was removed");
+                                    " (numbered from 0), or it was removed as a duplicate of an earlier one");
   return {cloud_.sample(here).position + cloud_.centre(), kNoSite};
 }
 

@@ -43,7 +43,7 @@ std::optional<Vector3d> half_sides(const implicit::Formula&) { return std::nullo
 Eigen::AlignedBox3d box_of(const distance_source::Implicit& o) {
   const Box given(3, o.box);
   if (given.lower().allFinite() && given.upper().allFinite()) return {Vector3d(given.lower()), Vector3d(given.upper())};
-  if (given.bounded()) throw OptionError("box.lower", "the box needs both corners, three numbers each");
+  if (given.bounded()) throw OptionError("box.lower", "the box needs both corners, with three numbers each");
   const auto half = std::visit([](const auto& surface) { return half_sides(surface); }, o.surface.surface);
   if (half) return {Vector3d(-*half), *half};
   const std::string type = std::visit([](const auto& s) { return std::string(s.kType); }, o.surface.surface);
@@ -54,7 +54,7 @@ Eigen::AlignedBox3d box_of(const distance_source::Implicit& o) {
 std::shared_ptr<const ConstraintFunction> surface_function(const ImplicitManifoldOptions& options) {
   const std::shared_ptr<const LevelSet> set = make_implicit_manifold(options);
   if (set->function().inputs() != 3)
-    throw OptionError("surface", "a curve in the plane; a grid needs a surface in space");
+    throw OptionError("surface", "is a curve in the plane, but a grid needs a surface in space");
   return {set, &set->function()};
 }
 
@@ -62,11 +62,10 @@ std::shared_ptr<const ConstraintFunction> surface_function(const ImplicitManifol
 bool has_sides(const distance_source::Sides& o) { return o.sign == DistanceSign::with_sides; }
 
 void check(const distance_source::Sides& o) {
-  if (has_sides(o) && o.offset != 0) throw OptionError("offset", "is for sign: unsigned");
+  if (has_sides(o) && o.offset != 0) throw OptionError("offset", "is only for sign: unsigned");
   if (!has_sides(o) && !(o.offset > 0))
     throw OptionError("offset",
-                      "an unsigned distance has no gradient at 0: give the distance (> 0) at which the surface is "
-                      "wanted");
+                      "must be greater than 0 with sign: unsigned: give the distance of the domain from the surface");
 }
 
 // What can be known about a source before anything is read or computed.
@@ -74,8 +73,8 @@ void check(const distance_source::Mesh& o) { check(o.sides); }
 void check(const distance_source::PointCloud& o) { check(o.sides); }
 void check(const distance_source::Implicit& o) {
   if (o.surface.box.given())
-    throw OptionError("lower",
-                      "a grid samples the whole surface: bounds are for 'type: implicit', 'box' says where to sample");
+    throw OptionError(
+        "lower", "a grid samples the whole surface: bounds are for 'type: implicit'; to limit the sampling, use 'box'");
   static_cast<void>(surface_function(o.surface));
   static_cast<void>(box_of(o));
 }
@@ -153,17 +152,18 @@ void Mesh::fields(FieldVisitor& visit) {
   visit.file("file", file, {.help = "Mesh file: OBJ, OFF, PLY or STL.", .required = true});
   visit_weld(visit, weld, weld_within);
   sides.fields(visit,
-               "signed: the mesh must be closed, inside is where its winding number is not 0. unsigned: any mesh.");
+               "signed: for a closed mesh; inside is where its winding number is not 0. unsigned: for any mesh.");
 }
 
 void PointCloud::fields(FieldVisitor& visit) {
   cloud.fields(visit);
-  sides.fields(visit, "signed: the cloud must go all around, inside is against its normals. unsigned: any cloud.");
+  sides.fields(
+      visit, "signed: for a cloud that covers a closed surface; its normals point outwards. unsigned: for any cloud.");
 }
 
 void Implicit::fields(FieldVisitor& visit) {
   surface.fields(visit);
-  visit.group("box", {.help = "Where the surface lies; needed where it has no bounds of its own."},
+  visit.group("box", {.help = "Box around the surface; needed if the surface has no bounds of its own."},
               [this](FieldVisitor& inner) { box.fields(inner); });
 }
 
@@ -172,25 +172,24 @@ void GridFile::fields(FieldVisitor& visit) { visit.file("file", file, {.help = "
 }  // namespace distance_source
 
 void SignedDistanceOptions::fields(FieldVisitor& visit) {
-  visit.variant("source", source, {.help = "What distances are sampled from.", .required = true});
-  visit.field_or_zero("cell", cell,
-                      {.help = "Cell of the grid; 0: from the accuracy, or a 64th of the longest side of the surface.",
-                       .unit = "length",
-                       .minimum = 0});
+  visit.variant("source", source, {.help = "Source of the distances.", .required = true});
   visit.field_or_zero(
-      "accuracy", accuracy,
-      {.help = "Instead of the cell: the largest distance that the surface of the grid may have from the one "
-               "it is made from; the cell "
-               "shrinks until a measurement says so.",
+      "cell", cell,
+      {.help = "Side of a cell of the grid; 0: from `accuracy`, or 1/64 of the longest side of the surface.",
        .unit = "length",
        .minimum = 0});
+  visit.field_or_zero("accuracy", accuracy,
+                      {.help = "Instead of `cell`: largest distance between the surface of the grid and its source. "
+                               "The cell is reduced until a measurement confirms it.",
+                       .unit = "length",
+                       .minimum = 0});
   visit.field("margin", margin,
-              {.help = "Cells around the surface; paths cannot leave the grid.",
+              {.help = "Number of cells around the surface; paths cannot leave the grid.",
                .unit = "cells",
                .minimum = 1,
                .maximum = 1000});
   visit.field("memory_limit", memory_limit,
-              {.help = "Most memory that making the grid may take; a larger one is refused before it is made.",
+              {.help = "Limit on the memory to compute the grid; a grid that needs more is refused beforehand.",
                .unit = "GiB",
                .minimum = 0,
                .exclusive_minimum = true});
@@ -236,8 +235,8 @@ std::string SignedDistanceManifold::why_not_projected(const Eigen::VectorXd& x) 
   if ((x.array() >= lower.array()).all() && (x.array() <= upper.array()).all()) return LevelSet::why_not_projected(x);
   std::ostringstream out;
   out.precision(4);
-  out << "it lies outside the grid, which goes from (" << lower[0] << ", " << lower[1] << ", " << lower[2] << ") to ("
-      << upper[0] << ", " << upper[1] << ", " << upper[2] << "); a larger margin makes a larger grid";
+  out << "the point is outside the grid, which extends from (" << lower[0] << ", " << lower[1] << ", " << lower[2]
+      << ") to (" << upper[0] << ", " << upper[1] << ", " << upper[2] << "); for a larger grid, increase the margin";
   return out.str();
 }
 
@@ -262,8 +261,8 @@ std::shared_ptr<const ConstraintManifold> SignedDistanceManifold::make_coarser()
 
 void check_signed_distance(const SignedDistanceOptions& options) {
   if (std::holds_alternative<distance_source::GridFile>(options.source) && (options.cell || options.accuracy))
-    throw OptionError(options.cell ? "cell" : "accuracy", "the file says what its cell is; leave this out");
-  if (options.cell && options.accuracy) throw OptionError("accuracy", "give either the cell or the accuracy, not both");
+    throw OptionError(options.cell ? "cell" : "accuracy", "the file gives the cell; remove this");
+  if (options.cell && options.accuracy) throw OptionError("accuracy", "give either cell or accuracy, not both");
   try {
     std::visit([](const auto& source) { check(source); }, options.source);
   } catch (const OptionError& error) {

@@ -64,7 +64,7 @@ struct Implicit {
 
 struct GridFile {
   static constexpr std::string_view kType = "file";
-  static constexpr std::string_view kHelp = "A grid of distances in the text format of SDFGen, with its own cell.";
+  static constexpr std::string_view kHelp = "A grid of distances in the text format of SDFGen, which gives the cell.";
   std::string file = {};
   void fields(FieldVisitor& visit);
 };
