@@ -80,8 +80,7 @@ template <class C>
 void exact_block(const C& c, const SegmentEnds<C::dim>& e, const Kernel& kernel, double s0, Eigen::Ref<Points> h) {
   SegmentGradient<C::dim> g;
   const double scale = 1 / (s0 * s0);
-  const Jet2 phi = evaluate(kernel, scale * squared_cost_gradient(c, e, g));
-  squared_cost_hessian(c, e, h);
+  const Jet2 phi = evaluate(kernel, scale * squared_cost_derivatives(c, e, g, h));
   detail::scale_and_add_outer(phi.d1 * scale, phi.d2 * scale * scale, g, h);
 }
 

@@ -86,9 +86,10 @@ S& variable(Point<S, D>& a, Point<S, D>& b, Index k) {
   return k < a.size() ? a[k] : b[k - a.size()];
 }
 
-/// Hessian of q for a run-time dimension: one pair of directions per evaluation, so that no array grows with d.
+/// Hessian of q for a run-time dimension, and the gradient that comes with it: one pair of directions per evaluation,
+/// so that no array grows with d. Returns q.
 template <class C>
-void hessian_by_pairs(const C& c, const SegmentEnds<C::dim>& e, Eigen::Ref<Points> h) {
+double hessian_by_pairs(const C& c, const SegmentEnds<C::dim>& e, SegmentGradient<C::dim>& g, Eigen::Ref<Points> h) {
   Point<Dual11, C::dim> a = constants<Dual11, C::dim>(e.a), b = constants<Dual11, C::dim>(e.b);
   const Index m = 2 * e.a.size();
   for (Index j = 0; j < m; ++j) {
@@ -97,16 +98,20 @@ void hessian_by_pairs(const C& c, const SegmentEnds<C::dim>& e, Eigen::Ref<Point
     for (Index k = 0; k <= j; ++k) {
       if (is_fixed(e, k)) continue;
       variable<Dual11, C::dim>(a, b, k).value.d[0] = 1;
-      h(j, k) = h(k, j) = c.template value<Dual11>(a, b).d[0].d[0];
+      const Dual11 q = c.template value<Dual11>(a, b);
+      h(j, k) = h(k, j) = q.d[0].d[0];
+      (j < e.a.size() ? g.a[j] : g.b[j - e.a.size()]) = q.d[0].value;
       variable<Dual11, C::dim>(a, b, k).value.d[0] = 0;
     }
     variable<Dual11, C::dim>(a, b, j).d[0].value = 0;
   }
+  return c.template value<double>(e.a, e.b);
 }
 
-/// Hessian of q for a compile-time dimension: one evaluation with nested duals.
+/// Hessian of q for a compile-time dimension, and the gradient that comes with it: one evaluation with nested duals.
+/// Returns q.
 template <class C>
-void hessian_nested(const C& c, const SegmentEnds<C::dim>& e, Eigen::Ref<Points> h) {
+double hessian_nested(const C& c, const SegmentEnds<C::dim>& e, SegmentGradient<C::dim>& g, Eigen::Ref<Points> h) {
   constexpr int D = C::dim, M = 2 * D;
   using Inner = Dual<double, M>;
   using Outer = Dual<Inner, M>;
@@ -120,6 +125,11 @@ void hessian_nested(const C& c, const SegmentEnds<C::dim>& e, Eigen::Ref<Points>
   const Outer q = c.template value<Outer>(a, b);
   for (std::size_t j = 0; j < M; ++j)
     for (std::size_t k = 0; k < M; ++k) h(static_cast<Index>(j), static_cast<Index>(k)) = q.d[j].d[k];
+  for (int k = 0; k < D; ++k) {
+    g.a[k] = q.value.d[static_cast<std::size_t>(k)];
+    g.b[k] = q.value.d[static_cast<std::size_t>(D + k)];
+  }
+  return q.value.value;
 }
 
 }  // namespace detail
@@ -163,19 +173,28 @@ double squared_cost_gradient(const C& c, const SegmentEnds<C::dim>& e, SegmentGr
   return q >= 0 ? q : std::numeric_limits<double>::infinity();
 }
 
-/// Second derivatives of q over (a, b) into h, 2d x 2d; rows and columns of fixed ends are zero.
+/// q, its gradient, and its second derivatives over (a, b) in h, 2d x 2d, from one evaluation where the cost has no
+/// derivatives of its own. Rows, columns and slopes of fixed ends are zero.
 template <class C>
-void squared_cost_hessian(const C& c, const SegmentEnds<C::dim>& e, Eigen::Ref<Points> h) {
+double squared_cost_derivatives(const C& c, const SegmentEnds<C::dim>& e, SegmentGradient<C::dim>& g,
+                                Eigen::Ref<Points> h) {
   const Index d = e.a.size();
+  constexpr bool has_gradient = requires { c.gradient(e.a, e.b, g.a, g.b); }
+  , has_hessian = requires { c.hessian(e.a, e.b, h); };
+  g.a.setZero(d);
+  g.b.setZero(d);
   h.setZero();
-  if constexpr (requires { c.hessian(e.a, e.b, h); })
+  double q = 0;
+  if constexpr (has_hessian)
     c.hessian(e.a, e.b, h);
   else if constexpr (C::dim == Eigen::Dynamic)
-    detail::hessian_by_pairs(c, e, h);
+    q = detail::hessian_by_pairs(c, e, g, h);
   else
-    detail::hessian_nested(c, e, h);
-  if (e.a_fixed) h.topRows(d).setZero(), h.leftCols(d).setZero();
-  if (e.b_fixed) h.bottomRows(d).setZero(), h.rightCols(d).setZero();
+    q = detail::hessian_nested(c, e, g, h);
+  if constexpr (has_gradient || has_hessian) q = squared_cost_gradient(c, e, g);
+  if (e.a_fixed) g.a.setZero(), h.topRows(d).setZero(), h.leftCols(d).setZero();
+  if (e.b_fixed) g.b.setZero(), h.bottomRows(d).setZero(), h.rightCols(d).setZero();
+  return q >= 0 ? q : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace leastcost

@@ -52,18 +52,36 @@ PathEnergy::PathEnergy(const Problem& problem, double reference_cost, Deadline d
                      point_text(Eigen::VectorXd::Constant(1, reference_cost)));
 }
 
+PathEnergy::Evaluated& PathEnergy::evaluated(const CoordinatePath& path) {
+  const CoordinatePath& last = evaluated_.path;
+  const bool same = last.ring == path.ring && last.u.rows() == path.u.rows() && last.u.cols() == path.u.cols() &&
+                    last.u == path.u && last.sites == path.sites;
+  if (!same) evaluated_ = {std::move(evaluated_.path)};
+  if (!same) evaluated_.path = path;
+  return evaluated_;
+}
+
 AmbientPath PathEnergy::ambient(const CoordinatePath& path) {
-  if (chart_) embed(*chart_, path, embedded_, deadline_);
-  const Points& x = chart_ ? embedded_ : path.u;
-  if (!path.ring) return {{x.data(), x.rows(), x.cols()}, path.sites, false};
-  ambient_.resize(x.rows(), x.cols() + 1);
-  ambient_ << x, x.col(0);
-  ring_sites_ = path.sites;
-  if (!ring_sites_.empty()) ring_sites_.push_back(path.sites.front());
-  return {{ambient_.data(), ambient_.rows(), ambient_.cols()}, ring_sites_, true};
+  if (!chart_ && !path.ring) return {{path.u.data(), path.u.rows(), path.u.cols()}, path.sites, false};
+  Evaluated& here = evaluated(path);
+  if (!here.ambient) {
+    if (chart_) embed(*chart_, path, embedded_, deadline_);
+    const Points& x = chart_ ? embedded_ : path.u;
+    if (path.ring) {
+      ambient_.resize(x.rows(), x.cols() + 1);
+      ambient_ << x, x.col(0);
+      ring_sites_ = path.sites;
+      if (!ring_sites_.empty()) ring_sites_.push_back(path.sites.front());
+    }
+    here.ambient = true;
+  }
+  if (path.ring) return {{ambient_.data(), ambient_.rows(), ambient_.cols()}, ring_sites_, true};
+  return {{embedded_.data(), embedded_.rows(), embedded_.cols()}, path.sites, false};
 }
 
 void PathEnergy::squared_costs(const CoordinatePath& path) {
+  Evaluated& here = evaluated(path);
+  if (here.costs) return;
   q_.resize(static_cast<std::size_t>(path.segment_count()));
   const AmbientPath x = ambient(path);
   const std::span<double> q = q_;
@@ -71,13 +89,18 @@ void PathEnergy::squared_costs(const CoordinatePath& path) {
     problem_->cost->squared_costs(x.part(begin, count),
                                   q.subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(count)));
   });
+  here.costs = true;
 }
 
 void PathEnergy::apply_kernel(const CoordinatePath& path) {
   squared_costs(path);
-  for (double& q : q_) q /= s0_ * s0_;
+  Evaluated& here = evaluated(path);
+  if (here.kernel) return;
+  scaled_.resize(q_.size());
+  std::transform(q_.begin(), q_.end(), scaled_.begin(), [&](double q) { return q / (s0_ * s0_); });
   phi_.resize(q_.size());
-  problem_->kernel->apply(q_, phi_);
+  problem_->kernel->apply(scaled_, phi_);
+  here.kernel = true;
 }
 
 /// The sum is taken part by part, as that of value_and_gradient() is.
@@ -94,6 +117,8 @@ double PathEnergy::value(const CoordinatePath& path) {
 }
 
 double PathEnergy::ambient_gradient(const CoordinatePath& path) {
+  Evaluated& here = evaluated(path);
+  if (here.gradient) return here.energy;
   const AmbientPath x = ambient(path);
   ambient_gradient_.setZero(dims_.ambient, x.x.cols());
   double energy = 0;
@@ -104,6 +129,8 @@ double PathEnergy::ambient_gradient(const CoordinatePath& path) {
   });
   // The closing column of a ring is its first point again.
   if (path.ring) ambient_gradient_.col(0) += ambient_gradient_.col(x.x.cols() - 1);
+  here.energy = energy;
+  here.gradient = true;
   return energy;
 }
 
@@ -354,7 +381,7 @@ double PathEnergy::cost(const CoordinatePath& path) {
 double PathEnergy::scale(const CoordinatePath& path) {
   apply_kernel(path);
   double sum = 0;
-  for (std::size_t i = 0; i < q_.size(); ++i) sum += 2 * phi_[i].d1 * q_[i];
+  for (std::size_t i = 0; i < scaled_.size(); ++i) sum += 2 * phi_[i].d1 * scaled_[i];
   return sum;
 }
 

@@ -14,8 +14,9 @@ namespace leastcost {
 
 /// The energy E = sum_i H(c_i / s0) of a path, VFCS Eq. (9), with what a chain solver needs: gradient, tangent frames,
 /// block-tridiagonal chain Hessian, retraction. Everything a solver may do to a path goes through here, so the counters
-/// are the same for all solvers. Holds workspaces: one object per solve, one thread at a time; no allocation after the
-/// first call.
+/// are the same for all solvers. What it computed for the last path is kept (see Evaluated) and not computed again;
+/// the counters count what was asked for. Holds workspaces: one object per solve, one thread at a time; no allocation
+/// after the first call.
 class PathEnergy {
  public:
   /// `problem` must outlive it. reference_cost: s0 > 0, units of the cost; else InputError. After `deadline` every
@@ -73,11 +74,24 @@ class PathEnergy {
   /// sum_i H'(s_i) s_i: an energy excess divided by it is a relative cost excess (docs/numerics.md Sec. 3.1).
   double scale(const CoordinatePath& path);
 
-  /// The path as the cost sees it. Valid until the next call or until `path` changes.
+  /// The path as the cost sees it. Valid until it is asked for another path, or until `path` changes.
   AmbientPath ambient(const CoordinatePath& path);
 
  private:
-  /// q_i / s0^2 and the kernel at it, for every segment, into q_ and phi_.
+  /// A path, and what the workspaces hold of it: a search asks for values, gradient, Hessian and scale of the same path
+  /// one after the other.
+  struct Evaluated {
+    CoordinatePath path;
+    bool ambient = false;   ///< embedded_, and of a ring ambient_ and ring_sites_
+    bool costs = false;     ///< q_
+    bool kernel = false;    ///< phi_
+    bool gradient = false;  ///< ambient_gradient_, and `energy`
+    double energy = 0;
+  };
+
+  /// That of this path, empty where it is another one than before.
+  Evaluated& evaluated(const CoordinatePath& path);
+  /// The kernel at q_i / s0^2 of every segment, into phi_.
   void apply_kernel(const CoordinatePath& path);
   /// q_i of every segment into q_.
   void squared_costs(const CoordinatePath& path);
@@ -94,9 +108,10 @@ class PathEnergy {
   Deadline deadline_;
   Dimensions dims_;
   Counters counters_;
+  Evaluated evaluated_;
   Points ambient_, ambient_gradient_, part_gradient_, step_, embedded_, jacobians_;
   std::vector<Site> ring_sites_;
-  std::vector<double> q_;
+  std::vector<double> q_, scaled_;
   std::vector<Jet2> phi_;
   ChainBlocks blocks_;
   CoordinatePath plus_, minus_;

@@ -145,7 +145,11 @@ struct MetricField {
   /// q = u' M(m) u with u = b - a and the middle m: the field is differentiated in m alone, half as many directions as
   /// both ends have.
   void hessian(const Point<double, dim>& a, const Point<double, dim>& b, Eigen::Ref<Points> h) const {
-    if (is_average) return detail::hessian_nested(*this, {a, b}, h);
+    if (is_average) {
+      SegmentGradient<dim> g;
+      detail::hessian_nested(*this, {a, b}, g, h);
+      return;
+    }
     using Square = Tensor<double, dim>;
     const Point<double, dim> u = b - a;
     const Tensor<NestedDual, dim> m = metric_jet(0.5 * (a + b));

@@ -85,7 +85,8 @@ struct Medium {
 
   void hessian(const P& a, const P& b, Eigen::Ref<Points> h) const
       requires(D == Defect::hessian || D == Defect::lopsided) {
-    detail::hessian_nested(*this, {a, b}, h);
+    SegmentGradient<2> g;
+    detail::hessian_nested(*this, {a, b}, g, h);
     if (D == Defect::hessian) h *= 1.05;
     if (D == Defect::lopsided) h(0, 1) += 0.1 * h(0, 0), h(1, 0) -= 0.1 * h(0, 0);
   }
