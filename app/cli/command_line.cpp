@@ -149,7 +149,8 @@ void add_study(CLI::App& app, Values& v, const std::vector<std::string>& argumen
   c.add_option("--repetitions", v.repetitions, "Same as --set repetitions=R")->type_name("R");
   auto* resume = c.add_flag("--resume", v.resume, "Go on where an interrupted or killed study ended");
   c.add_flag("--force", v.force, "Begin anew in the folder of an earlier one")->excludes(resume);
-  c.add_flag("-n,--dry-run", v.dry_run, "Check every cell and print the grid");
+  c.add_flag("-n,--dry-run", v.dry_run,
+             "Check the keys and types of every cell and print the grid; validate also composes each");
   c.add_flag("-q,--quiet", v.quiet, "No progress");
   c.callback([&] {
     chosen = [&, shard = parse_shard(v.shard)] {

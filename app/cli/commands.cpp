@@ -106,7 +106,7 @@ Diagnostics errors_in(const std::string& file, const std::vector<Override>& over
     const ConfigText source = config_source(file);
     if (is_study(source.text)) {
       LoadedStudy study = parse_study(source.text, source.name, source.folder, overrides);
-      make_grid(study);
+      make_grid(study, CellChecks::parts);
       return study.errors;
     }
     LoadedConfig loaded = parse_config(source.text, source.name, source.folder, overrides);
