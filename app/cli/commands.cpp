@@ -18,7 +18,7 @@
 #include "app/study/study_files.hpp"
 #include "catalogue/back_ends/back_ends.hpp"
 #include "catalogue/config/load_config.hpp"
-#include "catalogue/config/run_checks.hpp"
+#include "catalogue/config/raster_reading.hpp"
 #include "catalogue/output/json_numbers.hpp"
 #include "catalogue/registry/registry.hpp"
 #include "catalogue/run/compose.hpp"

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
-#include "catalogue/config/run_checks.hpp"
+#include "catalogue/config/config_facts.hpp"
 #include "catalogue/run/look_elsewhere.hpp"
 #include "catalogue/run/preparation.hpp"
 #include "catalogue/run/run_clock.hpp"
