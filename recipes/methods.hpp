@@ -71,7 +71,7 @@ bool brackets_in_box(const ProblemFacts& facts, const GlobalProof& asked);
 std::string_view why_proof(const ProblemFacts& facts, const FirstPathFacts& first, const GlobalProof& asked);
 
 /// Whether nothing looks at ways beside the straight line, with which the path begins, under a cost that may make one
-/// of them cheaper: then a few bows are worth trying.
+/// of them cheaper: then a few bows are tried (look_elsewhere).
 bool sees_one_way(const ProblemFacts& facts, const FirstPathFacts& first, const GlobalProof& asked);
 
 }  // namespace leastcost

@@ -184,6 +184,42 @@ TEST_CASE("recipes: where there is no proof over all paths the reason names what
   CHECK(bracketed.origin->why.size() == 3);  // the proof is stated now
 }
 
+TEST_CASE("recipes: a cheaper way beside a straight first path is named, and taken as told") {
+  // A dear ellipse with a narrow hole, through which the straight line goes.
+  Problem problem;
+  problem.manifold = std::make_shared<EuclideanManifold>(EuclideanManifoldOptions{.dimension = 3});
+  problem.cost = make_refractive_index_cost(
+      {.index = refraction::Formula{.n = "1 + 30 * exp(-(z/0.3)^2) * (1 - 0.5 * exp(-(x^2 + y^2)/0.04)) * "
+                                         "exp(-((x^2 + 2 * y^2)/1.5)^2)"}},
+      3);
+  problem.source.u = Vector3d(0, 0, -2);
+  problem.target.u = Vector3d(0, 0, 2);
+  FindOptions options;
+  options.points = 32;
+  options.certificate.enabled = false;
+  const Result through = find_path(problem, options);
+  REQUIRE_FALSE(through.notes.empty());
+  const std::string note = through.notes.back();
+  const std::regex told(
+      R"(another way costs about ([0-9.]+), .*BowInitializer\(\{\.height = ([0-9.]+), \.angle = ([0-9.]+)\}\))");
+  std::smatch numbers;
+  REQUIRE(std::regex_search(note, numbers, told));
+  const BowOptions bow{std::stod(numbers[2]), std::stod(numbers[3])};
+  const Result around = find_path(with_kernel(problem), BowInitializer(bow), Newton(), options);
+  CHECK(around.curve.cost < 0.9 * through.curve.cost);
+  CHECK(around.curve.cost == Approx(std::stod(numbers[1])).epsilon(0.01));
+
+  Monitor limited;
+  limited.deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  for (const std::string& word : find_path(problem, options, limited).notes)
+    CHECK_THAT(word, !Catch::Contains("another way"));
+  // Nothing is looked for where there is nothing to see.
+  CHECK(recommended(problem).one_way);
+  problem.cost = make_euclidean_cost(3);
+  CHECK_FALSE(recommended(problem).one_way);
+  CHECK_FALSE(recommended(across(plane(), lens())).one_way);
+}
+
 TEST_CASE("recipes: of what the configurations compose, the objects say the same as the types") {
   int compared = 0;
   for (const auto& entry : std::filesystem::directory_iterator(project_dir() / "configs")) {
