@@ -56,15 +56,16 @@ class SharedWork {
   }
 
  private:
-  const std::string& key_of(const StudyCell& cell) {
-    std::string& key = keys_[cell.number];
-    if (key.empty()) key = shared_composition(cell);
-    return key;
+  /// A hash, as a study may have a million cells. Where two agree by chance, the cells of one do the work themselves.
+  std::size_t key_of(const StudyCell& cell) {
+    const auto [key, is_new] = keys_.try_emplace(cell.number);
+    if (is_new) key->second = std::hash<std::string>()(shared_composition(cell));
+    return key->second;
   }
 
   std::function<void(const StudyCell&)> prepare_;
-  std::map<long, std::string> keys_;         ///< by number of the cell
-  std::map<std::string, std::size_t> left_;  ///< tasks by key, until the first of them has begun
+  std::map<long, std::size_t> keys_;         ///< by number of the cell
+  std::map<std::size_t, std::size_t> left_;  ///< tasks by key, until the first of them has begun
 };
 
 /// What became of the process of a cell, as a result.
