@@ -67,8 +67,8 @@ std::string_view why(FirstPathMethod method, const ProblemFacts& facts) {
     case FirstPathMethod::cell_graph: return "because the cost is constant in each cell of a raster";
     case FirstPathMethod::grid: return "because it considers all ways around obstacles in the plane";
     case FirstPathMethod::eikonal:
-      return facts.obstacles ? "because it considers all ways around obstacles on a chart"
-                             : "because the cost varies with position, and it considers the ways on all sides";
+      return facts.field ? "because the cost varies with position, and it considers the ways on all sides"
+                         : "because it considers all ways around obstacles on a chart";
     case FirstPathMethod::rrt:
       return facts.robot ? "because a robot moves in a configuration space"
                          : "because it finds paths among obstacles in any number of coordinates";
@@ -81,6 +81,18 @@ std::string_view why(SolveMethod method) {
     case SolveMethod::none: return "because a post-processor makes the curve from the first path";
     case SolveMethod::newton: return "because second derivatives are known, and it needs the fewest iterations";
     case SolveMethod::lbfgs: return "because the energy on a mesh has kinks";
+  }
+  return "";
+}
+
+std::string_view why(CurveMethod method) {
+  switch (method) {
+    case CurveMethod::on_surface: return "because the path has to lie on the surface between its points as well";
+    case CurveMethod::trace: return "because the path has to lie on the triangles between its points as well";
+    case CurveMethod::straighten: return "because a length on a mesh is least where the unfolded path is straight";
+    case CurveMethod::taut: return "because a length among obstacles is least where the path is pulled tight";
+    case CurveMethod::refract: return "because paths are straight in each layer and bend between layers";
+    case CurveMethod::refract_cells: return "because paths are straight in each cell and bend at its sides";
   }
   return "";
 }
@@ -117,6 +129,31 @@ bool proves_over_all_classes(const ProblemFacts& facts, const FirstPathFacts& fi
 
 bool brackets_in_box(const ProblemFacts& facts, const GlobalProof& asked) {
   return is_asked_for(asked) && (facts.euclidean || facts.terrain);
+}
+
+std::string_view why_proof(const ProblemFacts& facts, const FirstPathFacts& first, const GlobalProof& asked) {
+  if (proves_over_all_classes(facts, first, asked)) {
+    if (refracts(facts)) return "because all ways through the layers can be bounded";
+    if (refracts_in_cells(facts)) return "because all ways through the cells can be bounded";
+    if (facts.mesh) return "because all paths on a mesh can be searched under a constant metric";
+    return "because all ways around obstacles in the plane can be searched";
+  }
+  if (brackets_in_box(facts, asked)) return "because certificate.global asks for a bracket in the box";
+  if (std::holds_alternative<GlobalOff>(asked)) return "because it is switched off";
+  if (facts.ring) return "because it is of paths between two ends, and a ring has none";
+  if (proves_over_all_classes(facts, {}, asked)) return "because the first path states which class is wanted";
+  if (facts.occupancy && facts.constant_metric)
+    return "because on an occupancy map it is made on request only (certificate: {global: {tolerance: 1e-3}})";
+  const bool flat = facts.euclidean && (facts.coordinates == 2 || facts.coordinates == 3);
+  return flat || facts.terrain
+             ? "because this cost has no search over all paths; in a box the least cost can be bracketed (certificate: "
+               "{global: {tolerance: 1e-3}})"
+             : "because this domain and cost have no search over all paths";
+}
+
+bool sees_one_way(const ProblemFacts& facts, const FirstPathFacts& first, const GlobalProof& asked) {
+  return facts.field && first.straight && !facts.ring && !facts.robot && !facts.obstacles &&
+         !proves_over_all_classes(facts, first, asked) && !brackets_in_box(facts, asked);
 }
 
 }  // namespace leastcost

@@ -50,6 +50,7 @@ FirstPathMethod recommended_first_path(const ProblemFacts& facts);
 /// Why it is the one, in words that follow its name.
 std::string_view why(FirstPathMethod method, const ProblemFacts& facts);
 std::string_view why(SolveMethod method);
+std::string_view why(CurveMethod method);
 
 /// Whether the post-processors make the least-cost curve of its class by themselves, so that no solver is needed.
 bool makes_exact_curves(const ProblemFacts& facts);
@@ -65,5 +66,12 @@ bool proves_over_all_classes(const ProblemFacts& facts, const FirstPathFacts& fi
 
 /// Whether a bracket of the least cost in a box is made where that search is not: only on request.
 bool brackets_in_box(const ProblemFacts& facts, const GlobalProof& asked);
+
+/// Why there is one of the two, or none, in words that follow its name.
+std::string_view why_proof(const ProblemFacts& facts, const FirstPathFacts& first, const GlobalProof& asked);
+
+/// Whether nothing looks at ways beside the straight line, with which the path begins, under a cost that may make one
+/// of them cheaper: then a few bows are tried (look_elsewhere).
+bool sees_one_way(const ProblemFacts& facts, const FirstPathFacts& first, const GlobalProof& asked);
 
 }  // namespace leastcost

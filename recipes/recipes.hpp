@@ -7,4 +7,5 @@
 
 #include <leastcost/recipes/facts.hpp>
 #include <leastcost/recipes/find_path.hpp>
+#include <leastcost/recipes/look_elsewhere.hpp>
 #include <leastcost/recipes/recommended.hpp>

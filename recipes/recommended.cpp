@@ -67,6 +67,14 @@ Problem with_kernel(Problem problem) {
   return problem;
 }
 
+std::string why_curve(const std::vector<CurveMethod>& steps) {
+  if (steps.empty()) return "post-processors: none, because the points of the solver are the path";
+  std::string text;
+  for (const CurveMethod step : steps)
+    text += (text.empty() ? "post-processors: " : "; ") + std::string(word_of(step)) + ", " + std::string(why(step));
+  return text;
+}
+
 Recipe recommended(const Problem& given, const FindOptions& options) {
   if (!given.manifold || !given.cost) throw InputError("a recipe needs a problem with a manifold and a cost");
   const Problem problem = with_kernel(given);
@@ -81,14 +89,18 @@ Recipe recommended(const Problem& given, const FindOptions& options) {
   Recipe recipe;
   recipe.initializer = make(first, exact && facts.mesh && !facts.occupancy);
   recipe.solver = make(solver);
-  for (const CurveMethod step : recommended_curve(facts)) recipe.post_processors.push_back(make(step));
-  recipe.why.push_back("first path: " + std::string(word_of(first)) + ", " + std::string(why(first, facts)));
+  recipe.one_way = sees_one_way(facts, start, asked);
+  const std::vector<CurveMethod> curve = recommended_curve(facts);
+  for (const CurveMethod step : curve) recipe.post_processors.push_back(make(step));
+  recipe.why.push_back("first path: " + std::string(recipe.initializer ? word_of(first) : "none") + ", " +
+                       std::string(why(first, facts)));
   recipe.why.push_back("solver: " + std::string(word_of(solver)) + ", " + std::string(why(solver)));
-  if (!proved && !brackets_in_box(facts, asked)) return recipe;
-  GlobalProofStep proof = global_proof(problem, options.certificate.global);
-  recipe.why.push_back("proof over all paths: " +
-                       (proof.step ? std::string(proof.step->name()) + ", chosen by the domain and the cost"
-                                   : "none, " + proof.why_not));
+  recipe.why.push_back(why_curve(curve));
+  GlobalProofStep proof;
+  if (proved || brackets_in_box(facts, asked)) proof = global_proof(problem, options.certificate.global);
+  const std::string name = proof.step ? std::string(proof.step->name()) : "none";
+  const std::string reason = proof.why_not.empty() ? std::string(why_proof(facts, start, asked)) : proof.why_not;
+  recipe.why.push_back("proof over all paths: " + name + ", " + reason);
   if (proof.step) recipe.post_processors.push_back(std::move(proof.step));
   return recipe;
 }

@@ -11,6 +11,7 @@
 #include <leastcost/framework/problem/post_processor.hpp>
 #include <leastcost/framework/problem/problem.hpp>
 #include <leastcost/framework/search/find_path.hpp>
+#include <leastcost/recipes/methods.hpp>
 
 namespace leastcost {
 
@@ -19,8 +20,12 @@ struct Recipe {
   std::shared_ptr<const Initializer> initializer;  ///< null for a ring, which has no default
   std::shared_ptr<const Solver> solver;
   std::vector<std::shared_ptr<const PostProcessor>> post_processors;  ///< the proof over all paths comes last
-  std::vector<std::string> why;  ///< of the first path, the solver and the proof: "solver: newton, .."
+  std::vector<std::string> why;  ///< of first path, solver, post-processors and proof: "solver: newton, because .."
+  bool one_way = false;          ///< nothing looks beside a straight first path (sees_one_way)
 };
+
+/// Why these post-processors: "post-processors: trace, because ..; straighten, because .."
+std::string why_curve(const std::vector<CurveMethod>& steps);
 
 /// The problem, with the kernel exp(s^2) - 1 if it has none.
 Problem with_kernel(Problem problem);

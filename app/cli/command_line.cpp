@@ -156,7 +156,8 @@ void add_study(CLI::App& app, Values& v, const std::vector<std::string>& argumen
   c.add_option("--repetitions", v.repetitions, "Same as --set repetitions=R")->type_name("R");
   auto* resume = c.add_flag("--resume", v.resume, "Resume an interrupted or killed study");
   c.add_flag("--force", v.force, "Replace the output folder of an earlier study")->excludes(resume);
-  c.add_flag("-n,--dry-run", v.dry_run, "Check every cell and print the grid");
+  c.add_flag("-n,--dry-run", v.dry_run,
+             "Check the keys and types of every cell and print the grid; validate also composes each cell");
   c.add_flag("-q,--quiet", v.quiet, "Print no progress");
   c.callback([&] {
     chosen = [&, shard = parse_shard(v.shard)] {

@@ -18,7 +18,7 @@
 #include "app/study/study_files.hpp"
 #include "catalogue/back_ends/back_ends.hpp"
 #include "catalogue/config/load_config.hpp"
-#include "catalogue/config/run_checks.hpp"
+#include "catalogue/config/raster_reading.hpp"
 #include "catalogue/output/json_numbers.hpp"
 #include "catalogue/registry/registry.hpp"
 #include "catalogue/run/compose.hpp"
@@ -105,7 +105,7 @@ Diagnostics errors_in(const std::string& file, const std::vector<Override>& over
     const ConfigText source = config_source(file);
     if (is_study(source.text)) {
       LoadedStudy study = parse_study(source.text, source.name, source.folder, overrides);
-      make_grid(study);
+      make_grid(study, CellChecks::parts);
       return study.errors;
     }
     LoadedConfig loaded = parse_config(source.text, source.name, source.folder, overrides);

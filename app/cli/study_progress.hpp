@@ -3,14 +3,19 @@
 #pragma once
 
 #include <chrono>
+#include <string>
 
 #include "app/cli/streams.hpp"
 #include "app/study/study.hpp"
 
 namespace leastcost::app {
 
-/// Shows how far a study is: one changing line on a terminal, elsewhere a plain line per 10 % or 30 s, nothing for
-/// studies shorter than a second. A cell that failed gets a line of its own.
+/// How long the rest takes if it goes on as it has: "about 3 min left"; empty before the first result and after the
+/// last.
+std::string time_left(const StudyProgress& progress, double seconds);
+
+/// Shows how far a study is and how long the rest takes: one changing line on a terminal, elsewhere a plain line per 10
+/// % or 30 s, nothing for studies shorter than a second. A cell that failed gets a line of its own.
 class StudyProgressPrinter {
  public:
   StudyProgressPrinter(const Streams& streams, bool quiet) : streams_(streams), quiet_(quiet) {}

@@ -217,6 +217,7 @@ std::string dry_run_text(const RunRequest& request, const Run& prepared) {
   out += row("points", points_text(config));
   if (config.points) out += row("memory", memory_text(*config.points, dims));
   out += row("would run", steps(prepared));
+  for (const std::string& line : prepared.origin->why) out += row("", line);
   out += row("would write", output_of(request, prepared).string());
   const OutputRefusal refusal = output_refusal(output_of(request, prepared), request.force);
   if (!refusal.empty()) out += row("but", with_advice(refusal.reason, refusal.replaceable));
@@ -234,6 +235,7 @@ std::string dry_run_json(const RunRequest& request, const Run& prepared) {
   if (!config.ring)
     out["moved"] = {{"source", number(prepared.parts.source.moved)}, {"target", number(prepared.parts.target.moved)}};
   for (const FamilyStart& start : family_of(prepared.parts)) out["family"].push_back(start.origin);
+  if (!prepared.origin->why.empty()) out["why"] = prepared.origin->why;
   out["read_seconds"] = prepared.seconds.read;
   out["output"] = output_of(request, prepared).string();
   const OutputRefusal refusal = output_refusal(output_of(request, prepared), request.force);

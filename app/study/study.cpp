@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -38,6 +39,35 @@ std::vector<Task> tasks_of(const StudyGrid& grid, const Shard& shard, const Jour
   return tasks;
 }
 
+/// What several tasks have in common is made once, in this process, when the first of them begins: their processes
+/// inherit it. What only one task needs is left to it, and so to the processes that run beside each other.
+class SharedWork {
+ public:
+  SharedWork(const StudyRequest& request, const std::vector<Task>& tasks) : prepare_(request.prepare) {
+    for (const Task& task : tasks) ++left_[key_of(*task.cell)];
+  }
+
+  void before(const StudyCell& cell) {
+    const auto work = left_.find(key_of(cell));
+    if (work == left_.end()) return;  // done
+    const bool shared = work->second > 1;
+    left_.erase(work);
+    if (shared && prepare_) prepare_(cell);
+  }
+
+ private:
+  /// A hash, as a study may have a million cells. Where two agree by chance, the cells of one do the work themselves.
+  std::size_t key_of(const StudyCell& cell) {
+    const auto [key, is_new] = keys_.try_emplace(cell.number);
+    if (is_new) key->second = std::hash<std::string>()(shared_composition(cell));
+    return key->second;
+  }
+
+  std::function<void(const StudyCell&)> prepare_;
+  std::map<long, std::size_t> keys_;         ///< by number of the cell
+  std::map<std::size_t, std::size_t> left_;  ///< tasks by key, until the first of them has begun
+};
+
 /// What became of the process of a cell, as a result.
 CellResult result_of(const Task& task, IsolatedEnd end) {
   using How = IsolatedEnd::How;
@@ -65,13 +95,17 @@ std::vector<InputFile> inputs_of(const StudyGrid& grid, const StudyFacts& facts)
 /// Runs the tasks; false when stopped.
 bool run_tasks(const StudyRequest& request, const StudyGrid& grid, const std::vector<Task>& tasks, Journal& journal,
                JournalContent& content) {
-  StudyProgress progress{content.results.size(), content.results.size() + tasks.size(), nullptr};
+  StudyProgress progress{content.results.size(), content.results.size() + tasks.size(), content.results.size(),
+                         nullptr};
+  if (request.observe) request.observe(progress);
+  SharedWork shared(request, tasks);
   const double limit = grid.config.max_seconds ? *grid.config.max_seconds + grid.config.grace_seconds : 0;
   IsolatedJobs jobs;
   jobs.count = tasks.size();
   jobs.parallel = request.parallel;
   jobs.stop_requested = request.stop_requested;
   jobs.job = [&](std::size_t i) {
+    shared.before(*tasks[i].cell);
     const auto work = [&, i] {
       journal.forget();
       return to_json_line(request.run(*tasks[i].cell, tasks[i].repetition));
@@ -109,13 +143,12 @@ StudyOutcome run_study(const StudyRequest& request) {
   manifest.arguments = request.arguments;
   manifest.started = std::chrono::system_clock::now();
   const StudyGrid grid = load_grid(request.config_file, request.overrides);
+  StudyOutcome outcome;
+  outcome.output = prepare_folder({output_of(request, grid), "journal.jsonl", "study", request.force, request.resume});
   const StudyFacts facts = facts_of(grid);
   if (request.loaded) request.loaded();
   manifest.seed = facts.seed;
   manifest.inputs = inputs_of(grid, facts);
-
-  StudyOutcome outcome;
-  outcome.output = prepare_folder({output_of(request, grid), "journal.jsonl", "study", request.force, request.resume});
   const auto write_manifest = [&] {
     manifest.finished = std::chrono::system_clock::now();
     write_whole_file(outcome.output / "manifest.json", manifest_json(manifest));

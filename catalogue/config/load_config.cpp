@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
+#include "catalogue/config/config_defaults.hpp"
 #include "catalogue/config/run_checks.hpp"
 #include "catalogue/options/options_reader.hpp"
 #include "catalogue/yaml/overrides.hpp"

@@ -28,7 +28,7 @@
 #include <leastcost/problems/post_processors/global_proof.hpp>
 #include <leastcost/problems/raster/has_voids.hpp>
 #include <leastcost/problems/robots/robot_walls.hpp>
-#include "catalogue/config/run_checks.hpp"
+#include "catalogue/config/config_facts.hpp"
 #include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/registry/registry.hpp"

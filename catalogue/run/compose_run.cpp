@@ -11,13 +11,14 @@
 namespace leastcost {
 
 Run run_of(RunConfig config, std::filesystem::path folder, std::vector<InputFile> inputs, RunParts parts,
-           std::shared_ptr<const PairComposer> pairs, const RunStart& start) {
+           std::vector<std::string> why, std::shared_ptr<const PairComposer> pairs, const RunStart& start) {
   Run run;
   run.name = config.name;
   run.max_seconds = config.max_seconds;
   run.parts = parts;
-  run.origin = std::make_shared<const RunOrigin>(RunOrigin{std::move(config), std::move(folder), std::move(inputs),
-                                                           start.time, std::move(parts), std::move(pairs)});
+  run.origin =
+      std::make_shared<const RunOrigin>(RunOrigin{std::move(config), std::move(folder), std::move(inputs), start.time,
+                                                  std::move(parts), std::move(why), std::move(pairs)});
   return run;
 }
 
@@ -28,7 +29,7 @@ Run compose_run(const RunConfig& config, const std::filesystem::path& folder) {
   composer.make_from_files();
   RunParts parts = composer.take();
   std::shared_ptr<const PairComposer> pairs = composer.pairs(parts);
-  Run run = run_of(config, folder, {}, std::move(parts), std::move(pairs), start);
+  Run run = run_of(config, folder, {}, std::move(parts), {}, std::move(pairs), start);
   run.seconds.read = composer.read_seconds();
   run.seconds.compose = seconds_since(start.clock) - run.seconds.read;
   return run;

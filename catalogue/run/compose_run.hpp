@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <leastcost/catalogue/run/run.hpp>
@@ -17,8 +18,8 @@ namespace leastcost {
 /// A run of a configuration that is there already and has passed its checks. Throws OptionError, InputError.
 Run compose_run(const RunConfig& config, const std::filesystem::path& folder);
 
-/// The run of parts that were composed.
+/// The run of parts that were composed; `why`: of the methods (why_defaults).
 Run run_of(RunConfig config, std::filesystem::path folder, std::vector<InputFile> inputs, RunParts parts,
-           std::shared_ptr<const PairComposer> pairs, const RunStart& start);
+           std::vector<std::string> why, std::shared_ptr<const PairComposer> pairs, const RunStart& start);
 
 }  // namespace leastcost

@@ -10,10 +10,11 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include "catalogue/config/load_config.hpp"
-#include "catalogue/config/run_checks.hpp"
+#include "catalogue/config/raster_reading.hpp"
 #include "catalogue/inputs/input_file.hpp"
 #include "catalogue/run/compose.hpp"
 #include "catalogue/run/compose_run.hpp"
+#include "catalogue/run/why_defaults.hpp"
 
 namespace leastcost {
 namespace {
@@ -70,8 +71,9 @@ Run composed(LoadedConfig loaded, const BuildProgress& progress, const RunStart&
   RunParts parts = composer.take();
   if (std::string word = word_on_interpolation(loaded); !word.empty()) parts.notes.push_back(std::move(word));
   std::shared_ptr<const PairComposer> pairs = composer.pairs(parts);
-  Run run =
-      run_of(std::move(loaded.config), loaded.folder, std::move(inputs), std::move(parts), std::move(pairs), start);
+  std::vector<std::string> why = why_defaults(loaded, parts);
+  Run run = run_of(std::move(loaded.config), loaded.folder, std::move(inputs), std::move(parts), std::move(why),
+                   std::move(pairs), start);
   run.seconds.read = composer.read_seconds() + hashed;
   run.seconds.compose = seconds_since(start.clock) - run.seconds.read;
   return run;

@@ -22,6 +22,7 @@ struct RunOrigin {
   std::vector<InputFile> inputs;  ///< the configuration, then its data, as they were when they were read
   std::chrono::system_clock::time_point started;
   RunParts parts;                             ///< as they were composed
+  std::vector<std::string> why;               ///< the methods are what they are, where the configuration left them open
   std::shared_ptr<const PairComposer> pairs;  ///< of a run of many pairs of ends, whose parts have none; else null
 };
 

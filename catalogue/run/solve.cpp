@@ -11,8 +11,8 @@
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
-#include "catalogue/config/run_checks.hpp"
-#include "catalogue/run/look_elsewhere.hpp"
+#include <leastcost/recipes/look_elsewhere.hpp>
+#include "catalogue/config/config_facts.hpp"
 #include "catalogue/run/preparation.hpp"
 #include "catalogue/run/run_clock.hpp"
 #include "catalogue/run/run_origin.hpp"
@@ -73,6 +73,14 @@ bool same_family(const RunParts& a, const RunParts& b) {
   return true;
 }
 
+/// With the line of a configuration that takes it.
+std::string note_on(const OtherWay& way) {
+  return fmt::format(
+      "another path costs about {:.4g}, {:.2g} % less; to start from it, use 'initializer: {{type: bow, height: {:g}, "
+      "angle: {:g}}}'",
+      way.cost, 100 * way.less, way.bow.height, way.bow.angle);
+}
+
 /// The parts that were replaced after reading, in words.
 std::vector<std::string> replaced_parts(const RunParts& parts, const RunParts& as_read) {
   const Problem &now = parts.problem, &then = as_read.problem;
@@ -121,8 +129,8 @@ RunOutcome solve(Run run, const Monitor& monitor) {
   }
   search(outcome, run.max_seconds, monitor);
   if (!run.max_seconds && !monitor.deadline && sees_one_way(outcome.origin->config))
-    if (std::string note = look_elsewhere(parts, outcome.result, monitor); !note.empty())
-      parts.notes.push_back(std::move(note));
+    if (const auto other = look_elsewhere(parts.problem, *parts.solver, outcome.result, parts.options.points, monitor))
+      parts.notes.push_back(note_on(*other));
   outcome.result.seconds.prepare += prepared;
   outcome.seconds.search = seconds_since(start);
   place_waypoints(outcome);

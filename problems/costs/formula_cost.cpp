@@ -18,6 +18,7 @@
 #include "problems/costs/lagrangian/lagrangian_check.hpp"
 #include "problems/costs/lagrangian/lagrangian_form.hpp"
 #include "problems/costs/lagrangian/lagrangian_hull.hpp"
+#include "problems/costs/lagrangian/lagrangian_memory.hpp"
 #include "problems/formula/coordinate_names.hpp"
 #include "problems/formula/formula.hpp"
 
@@ -199,7 +200,9 @@ std::shared_ptr<const SegmentCost> make_formula_cost(const FormulaCostOptions& o
   const Formula formula(formulas_of_option("lagrangian", {options.lagrangian}, names, options.parameters));
   const LagrangianForm form = form_of(formula, dim);
   const LagrangianBox box = region ? LagrangianBox{region->lower, region->upper} : LagrangianBox{};
-  LagrangianCheck check = check_lagrangian(formula, form, box, dim, options.convexify);
+  LagrangianCheck check = remembered_check({options.lagrangian, options.parameters, box, dim, options.convexify}, [&] {
+    return check_lagrangian(formula, form, box, dim, options.convexify);
+  });
   const bool hull = options.convexify && !check.convex;
   if (hull)
     check.note +=

@@ -122,9 +122,15 @@ TEST_CASE("command line: dry run solves and writes nothing") {
   const Called text = call({"run", plane, "-n", "-o", (dir / "out").string()});
   CHECK(text.exit == 0);
   CHECK_THAT(text.out, Contains("would run   straight, newton, certificate") && Contains("dimension 2 in R^2"));
+  CHECK_THAT(text.out, Contains("\n            first path: straight, because there are no obstacles") &&
+                           Contains("\n            solver: newton, because ") &&
+                           Contains("\n            post-processors: none, because ") &&
+                           Contains("\n            proof over all paths: none, because "));
   CHECK_FALSE(fs::exists(dir / "out"));
   const Called json = call({"run", plane, "--dry-run", "--format", "json"});
   CHECK(Json::parse(json.out)["status"] == "dry_run");
+  CHECK(Json::parse(json.out)["why"].size() == 4);
+  CHECK_THAT(call({"run", plane, "-n", "--set", "solver=lbfgs"}).out, !Contains("solver: "));
   CHECK(call({"run", write_text(dir / "bad.yaml", "x: 1\n"), "-n"}).exit == 3);
 }
 

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/study_progress.hpp"
 #include "tests/app/called.hpp"
 #include "tests/app/config_text.hpp"
 #include "tests/app/study_text.hpp"
@@ -78,6 +79,19 @@ TEST_CASE("study command: a dry run prints the grid and makes nothing") {
   const Json grid = Json::parse(call({"study", study, "-n", "--shard", "1/2", "--format", "json"}).out);
   CHECK(grid["cells"].size() == 4);
   CHECK(grid["cells"][0]["points"] == "12");
+}
+
+TEST_CASE("study command: how long the rest takes is told from what is done") {
+  const auto left = [](std::size_t earlier, std::size_t finished, double seconds) {
+    return app::time_left({.finished = finished, .total = 100, .earlier = earlier}, seconds);
+  };
+  CHECK(left(0, 0, 5) == "");
+  CHECK(left(0, 10, 10) == "about 90 s left");
+  CHECK(left(0, 10, 60) == "about 9 min left");
+  CHECK(left(0, 10, 3600) == "about 9 h left");
+  CHECK(left(50, 60, 10) == "about 40 s left");  // by what this process has done
+  CHECK(left(50, 50, 10) == "");
+  CHECK(left(0, 100, 10) == "");
 }
 
 TEST_CASE("study command: wrong usage is exit 2, a wrong study 3, none 4") {

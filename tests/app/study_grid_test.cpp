@@ -141,6 +141,19 @@ TEST_CASE("study errors: each at its place, said once for all cells") {
   CHECK(twice.find("unknown kernel 'expp'") == twice.rfind("unknown kernel 'expp'"));
 }
 
+TEST_CASE("study errors: what only composing shows is found where it is asked for, at its place") {
+  const std::string bent = "[[1, 0], [0, -1]]";
+  std::string composed = kStudy;
+  composed.replace(composed.find("cost: euclidean"), 15, "cost: {type: metric_tensor, matrix: " + bent + "}");
+  CHECK(study_errors(composed) == "");
+  app::LoadedStudy study = app::parse_study(composed, "a.yaml", ".");
+  app::make_grid(study, app::CellChecks::parts);
+  CHECK_THAT(study.errors.render(), Contains("a.yaml:5:") && Contains("'matrix' in cost") && Contains(bent));
+  // A key or a type that is wrong in a later cell is told all the same.
+  composed.replace(composed.find("gravity: 1"), 10, "gravty: 1");
+  CHECK_THAT(study_errors(composed), Contains("unknown key 'gravty' in cost (did you mean 'gravity'?)"));
+}
+
 TEST_CASE("study errors: those of a problem's file are named at its place in the study, with their place in the file") {
   const ScratchDir dir;
   std::ofstream(dir / "run.yaml") << "manifold: euclidean\ncost: euclidian\nends: {source: {point: [0, 0]}, target: "

@@ -150,6 +150,51 @@ TEST_CASE("study: what only the data shows is an outcome of its cells") {
   CHECK_THAT(table.rows[2].message, Contains("ends.target"));
 }
 
+TEST_CASE("study: a cell that cannot be composed is a failed cell, and the others run") {
+  const ScratchDir dir;
+  app::StudyRequest request = request_in(dir, "a", 1);
+  request.overrides = {set_option("problems.1.config.cost={type: formula, lagrangian: vx^2 + vy^2}"),
+                       set_option("points=[8]")};
+  const app::StudyOutcome outcome = app::run_study(request);
+  const app::RunTable table = app::read_runs_csv(content(dir / "a/runs.csv"), "runs.csv");
+  REQUIRE(table.rows.size() == 4);
+  CHECK(table.rows[1].outcome == "ok");
+  CHECK(table.rows[2].outcome == "configuration_error");
+  CHECK_THAT(table.rows[2].message, Contains("cost.lagrangian: ") && Contains("this is an energy"));
+  CHECK(table.rows[3].message == table.rows[2].message);
+  CHECK(app::summarize(outcome.journal).failed == 2);
+  request.output = dir / "never";
+  request.overrides.push_back(set_option("set.solver.tolerence=1"));
+  CHECK_THROWS_AS(app::run_study(request), ConfigError);
+  CHECK_FALSE(fs::exists(dir / "never"));
+}
+
+TEST_CASE("study: what cells share is composed once, when the first of them begins, and not for a full folder") {
+  const ScratchDir dir;
+  std::vector<std::size_t> composed_after;
+  std::size_t finished = 0;
+  const auto observed = [&](app::StudyRequest request) {
+    request.prepare = [&](const app::StudyCell& cell) {
+      composed_after.push_back(finished);
+      app::prepare_cell(cell);
+    };
+    request.observe = [&](const app::StudyProgress& p) { finished = p.finished; };
+    return request;
+  };
+  app::StudyRequest request = observed(request_in(dir, "a", 1));
+  app::run_study(request);
+  CHECK(composed_after == std::vector<std::size_t>{0, 4});  // two problems, by two solvers with two numbers of points
+  CHECK_THROWS_AS(app::run_study(request), OutputRefused);
+  request.resume = true;
+  app::run_study(request);
+  CHECK(composed_after.size() == 2);
+
+  app::StudyRequest alone = observed(request_in(dir, "b", 1));
+  alone.overrides = {set_option("points=[8]"), set_option("solvers=[newton]")};
+  app::run_study(alone);  // nothing is shared: each is left to its own process
+  CHECK(composed_after.size() == 2);
+}
+
 TEST_CASE("study: interrupted and resumed, nothing is lost and nothing run twice") {
   const ScratchDir dir;
   app::run_study(request_in(dir, "whole"));

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 // What is recommended for a problem, by what its objects are (recipes), and that it is what a configuration runs.
+#include <array>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +14,7 @@
 #include <leastcost/leastcost.hpp>
 
 #include "catalogue/run/load_run.hpp"
+#include "catalogue/run/run_origin.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
 
@@ -147,6 +150,74 @@ TEST_CASE("recipes: a configuration without options runs the same methods") {
   Recipe recipe = recommended(same.problem);
   Recipe of_run{run.parts.initializer, run.parts.solver, run.parts.options.post_processors, {}};
   CHECK(names(of_run) == names(recipe));
+  CHECK(run.origin->why == recipe.why);
+  REQUIRE(recipe.why.size() == 4);
+  const std::array<const char*, 4> parts = {"first path: ", "solver: ", "post-processors: ", "proof over all paths: "};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    CHECK(recipe.why[i].find(parts[i]) == 0);
+    CHECK_THAT(recipe.why[i], Catch::Contains(", because "));
+  }
+}
+
+TEST_CASE("recipes: no reason is given for what a configuration states") {
+  const std::string text =
+      "{manifold: {type: mesh, file: hill.obj}, cost: euclidean, solver: lbfgs, initializer: "
+      "dijkstra, ends: {source: {vertex: 0}, target: {vertex: 80}}, certificate: {global: off}}";
+  const Run run = parse_run(text, "stated", project_dir() / "configs/data");
+  REQUIRE(run.origin->why.size() == 1);
+  CHECK(run.origin->why[0].find("post-processors: trace, because") == 0);
+}
+
+TEST_CASE("recipes: where there is no proof over all paths the reason names what there is, and it is taken as told") {
+  const auto run = [](const std::string& more) {
+    return parse_run(
+        "{manifold: {type: euclidean, lower: [-3, -3], upper: [3, 3]}, cost: {type: refractive_index, index: {type: "
+        "formula, n: 1 + x^2}}, ends: {source: {point: [-2, 0.1]}, target: {point: [2, -0.1]}}" +
+            more + "}",
+        "boxed", project_dir() / "configs/data");
+  };
+  const std::string why = run("").origin->why.back();
+  REQUIRE_THAT(why, Catch::Contains("none, because this cost has no search over all paths"));
+  const std::string remedy = why.substr(why.find('(') + 1, why.rfind(')') - why.find('(') - 1);
+  const Run bracketed = run(", " + remedy);
+  CHECK(bracketed.parts.options.post_processors.back()->name() == "bracket");
+  CHECK(bracketed.origin->why.size() == 3);  // the proof is stated now
+}
+
+TEST_CASE("recipes: a cheaper way beside a straight first path is named, and taken as told") {
+  // A dear ellipse with a narrow hole, through which the straight line goes.
+  Problem problem;
+  problem.manifold = std::make_shared<EuclideanManifold>(EuclideanManifoldOptions{.dimension = 3});
+  problem.cost = make_refractive_index_cost(
+      {.index = refraction::Formula{.n = "1 + 30 * exp(-(z/0.3)^2) * (1 - 0.5 * exp(-(x^2 + y^2)/0.04)) * "
+                                         "exp(-((x^2 + 2 * y^2)/1.5)^2)"}},
+      3);
+  problem.source.u = Vector3d(0, 0, -2);
+  problem.target.u = Vector3d(0, 0, 2);
+  FindOptions options;
+  options.points = 32;
+  options.certificate.enabled = false;
+  const Result through = find_path(problem, options);
+  REQUIRE_FALSE(through.notes.empty());
+  const std::string note = through.notes.back();
+  const std::regex told(
+      R"(another path costs about ([0-9.]+), .*BowInitializer\(\{\.height = ([0-9.]+), \.angle = ([0-9.]+)\}\))");
+  std::smatch numbers;
+  REQUIRE(std::regex_search(note, numbers, told));
+  const BowOptions bow{std::stod(numbers[2]), std::stod(numbers[3])};
+  const Result around = find_path(with_kernel(problem), BowInitializer(bow), Newton(), options);
+  CHECK(around.curve.cost < 0.9 * through.curve.cost);
+  CHECK(around.curve.cost == Approx(std::stod(numbers[1])).epsilon(0.01));
+
+  Monitor limited;
+  limited.deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  for (const std::string& word : find_path(problem, options, limited).notes)
+    CHECK_THAT(word, !Catch::Contains("another way"));
+  // Nothing is looked for where there is nothing to see.
+  CHECK(recommended(problem).one_way);
+  problem.cost = make_euclidean_cost(3);
+  CHECK_FALSE(recommended(problem).one_way);
+  CHECK_FALSE(recommended(across(plane(), lens())).one_way);
 }
 
 TEST_CASE("recipes: of what the configurations compose, the objects say the same as the types") {

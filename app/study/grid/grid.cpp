@@ -36,8 +36,12 @@ using Words = std::unordered_set<std::string>;
 
 class GridBuilder {
  public:
-  explicit GridBuilder(LoadedStudy& study)
-      : study_(study), problems_(read_problems(study)), axes_(read_axes(study)), errors_(study.errors) {}
+  GridBuilder(LoadedStudy& study, CellChecks checks)
+      : study_(study),
+        checks_(checks),
+        problems_(read_problems(study)),
+        axes_(read_axes(study)),
+        errors_(study.errors) {}
 
   StudyGrid build() {
     StudyGrid grid{study_.config.name, study_.config, study_.file, {study_.file}, {}, {}};
@@ -89,7 +93,7 @@ class GridBuilder {
     add_options(study_.config.set, loaded);
     const std::string absent = take_absent_solver(loaded.tree, out.skipped);
     read_tree(loaded, problem.name);
-    if (loaded.errors.empty()) check_parts(loaded);
+    if (checks_ == CellChecks::parts && loaded.errors.empty()) check_parts(loaded);
     if (loaded.errors.empty() && loaded.config.has_pairs())
       loaded.add_error("ends.pairs", "is for `leastcost run`; a problem of a study has one source and one target");
     add_errors(loaded.errors, problem);
@@ -253,6 +257,7 @@ class GridBuilder {
   }
 
   LoadedStudy& study_;
+  CellChecks checks_;
   std::vector<ProblemBase> problems_;
   std::vector<Axis> axes_;
   Diagnostics& errors_;
@@ -262,9 +267,9 @@ class GridBuilder {
 
 }  // namespace
 
-StudyGrid make_grid(LoadedStudy& study) {
+StudyGrid make_grid(LoadedStudy& study, CellChecks checks) {
   if (!study.errors.empty()) return {};
-  return GridBuilder(study).build();
+  return GridBuilder(study, checks).build();
 }
 
 StudyGrid load_grid(const std::filesystem::path& file, const std::vector<Override>& overrides) {

@@ -33,11 +33,18 @@ struct StudyGrid {
   std::vector<StudyCell> cells;
 };
 
+/// How closely every cell is looked at before any of them runs.
+enum class CellChecks {
+  options,  ///< keys, types, and whether the parts fit each other: quick, nothing is composed
+  parts     ///< also what shows only when the parts are made from their options, as in a formula that is not convex
+};
+
 /// Makes and checks every cell. Errors of configurations are added to `study.errors` at their place in the study, or
 /// with that in the file of the problem; the grid is usable only when there are none.
-StudyGrid make_grid(LoadedStudy& study);
+StudyGrid make_grid(LoadedStudy& study, CellChecks checks = CellChecks::options);
 
-/// load_study() and make_grid(). Throws ConfigError, or InputError when the file cannot be read.
+/// load_study() and make_grid() with `options`: what only composing a cell shows is its outcome. Throws ConfigError, or
+/// InputError when the file cannot be read.
 StudyGrid load_grid(const std::filesystem::path& file, const std::vector<Override>& overrides);
 
 }  // namespace leastcost::app

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "catalogue/config/config_defaults.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+#include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/initializers/eikonal.hpp>
+#include "catalogue/config/choice_options.hpp"
+#include "catalogue/config/config_facts.hpp"
+#include "catalogue/config/raster_reading.hpp"
+#include "catalogue/plugins/kinds.hpp"
+#include "catalogue/registry/registry.hpp"
+
+namespace leastcost {
+namespace {
+
+PluginChoice default_plugin(const char* kind_name, const char* type, const std::string& path) {
+  return choose(*find_plugin(kind(kind_name), type), path);
+}
+
+/// The default of a path that is only straightened, and proved: its class is then more often that of the shortest.
+void go_over_diagonals(PluginChoice& dijkstra) {
+  static_cast<OptionsOf<DijkstraOptions>&>(*dijkstra.options).value.diagonals = true;
+}
+
+void fall_back(PluginChoice& eikonal) {
+  static_cast<OptionsOf<EikonalOptions>&>(*eikonal.options).value.fallback = true;
+}
+
+}  // namespace
+
+void fill_defaults(RunConfig& config) {
+  choose_interpolation(config);
+  const bool default_first = !config.initializer, default_steps = !config.post_process;
+  const ProblemFacts facts = facts_of(config);
+  const auto fill = [&](const char* part, std::string_view type, PluginChoice& choice) {
+    if (!choice && !type.empty()) choice = default_plugin(part, std::string(type).c_str(), part);
+  };
+  fill("kernel", "expm1_square", config.kernel);
+  fill("initializer", word_of(recommended_first_path(facts)), config.initializer);
+  if (default_first && is_type(config.initializer, {"eikonal"})) fall_back(config.initializer);
+  const bool exact = default_steps && (makes_exact_curves(facts) || proves_shortest(config));
+  if (exact && !config.solver && default_first && is_type(config.manifold, {"mesh"}))
+    go_over_diagonals(config.initializer);
+  fill("solver", word_of(recommended_solver(facts, exact)), config.solver);
+  if (!default_steps) return;
+  PluginList& steps = config.post_process.emplace();
+  for (const CurveMethod method : recommended_curve(facts))
+    steps.push_back(default_plugin("post_processor", std::string(word_of(method)).c_str(),
+                                   "post_process." + std::to_string(steps.size())));
+}
+
+void complete_types(ConfigNode& tree) {
+  const auto text_at = [&](std::string_view path) {
+    const ConfigNode* node = node_at(tree, path);
+    return node != nullptr && node->is_scalar() ? node->text : std::string();
+  };
+  const std::string type = text_at("manifold");
+  const PluginEntry* manifold = find_plugin(kind("manifold"), type.empty() ? text_at("manifold.type") : type);
+  if (manifold == nullptr) return;  // an error of its own
+  const std::string cost = text_at("cost"), cost_type = cost.empty() ? text_at("cost.type") : cost;
+  const ConfigNode* point = node_at(tree, "ends.source.point");
+  if (point == nullptr) point = node_at(tree, "ends.source.lonlat");
+  const std::string interpolation = text_at("cost.interpolation");
+  const bool by_default = (interpolation.empty() || interpolation == "auto") && tree.find("solver") == nullptr &&
+                          tree.find("post_process") == nullptr && tree.find("clearance") == nullptr;
+  ProblemFacts facts = facts_of_types(manifold, cost_type);
+  facts.ring = text_at("path.ring") == "true";
+  facts.obstacles = tree.find("obstacles") != nullptr;
+  facts.robot = tree.find("robot") != nullptr;
+  facts.coordinates = point != nullptr ? static_cast<int>(point->items.size()) : 0;
+  facts.cells = cost_type == "cost_map" && (by_default || interpolation == "cells");
+  const std::array<std::pair<const char*, std::string>, 3> defaults = {
+      {{"kernel", "expm1_square"},
+       {"initializer", std::string(word_of(recommended_first_path(facts)))},
+       {"solver", std::string(word_of(recommended_solver(facts, false)))}}};
+  for (const auto& [part, standard] : defaults) {
+    ConfigEntry* entry = tree.find(part);
+    if (entry == nullptr || !entry->value.is_block() || standard.empty()) continue;
+    const auto& options = entry->value.entries;
+    const bool replaced =
+        std::any_of(options.begin(), options.end(), [](auto& o) { return !o.value.place.origin.empty(); });
+    if (!replaced || entry->value.find("type") != nullptr) continue;
+    entry->value.entries.push_back({"type", entry->place, scalar_node(standard)});
+  }
+}
+
+}  // namespace leastcost
