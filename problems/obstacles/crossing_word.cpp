@@ -8,7 +8,7 @@
 namespace leastcost {
 namespace {
 
-struct Crossing {
+struct Crossed {
   double place = 0;  ///< along the segment
   int letter = 0;
 };
@@ -23,7 +23,7 @@ std::vector<int> crossing_word(const std::vector<Round>& rounds, const Points& p
     if (rays.empty() || rays.back().obstacle != round.obstacle) rays.push_back(round);
   std::stable_sort(rays.begin(), rays.end(), starts_left);
   std::vector<int> word;
-  std::vector<Crossing> crossed;
+  std::vector<Crossed> crossed;
   for (Eigen::Index i = 0; i + 1 < path.cols(); ++i) {
     const Eigen::Vector2d a = path.col(i), b = path.col(i + 1);
     if (a.x() == b.x()) continue;  // along no ray: both ends count as left of it, or right
@@ -39,7 +39,7 @@ std::vector<int> crossing_word(const std::vector<Round>& rounds, const Points& p
         crossed.push_back({place, rightward ? ray->obstacle + 1 : -(ray->obstacle + 1)});
     }
     if (!rightward) std::reverse(crossed.begin(), crossed.end());
-    for (const Crossing& crossing : crossed) {
+    for (const Crossed& crossing : crossed) {
       if (!word.empty() && word.back() == -crossing.letter)
         word.pop_back();
       else

@@ -27,7 +27,7 @@ int number_from(const char* variable, int otherwise) {
 }  // namespace
 
 TEST_CASE("adversaries: false and over-cautious certificates by family", "[adversarial]") {
-  const int count = number_from("LEASTCOST_ADVERSARIES", nightly() ? 6 : 2);
+  const int count = number_from("LEASTCOST_ADVERSARIES", nightly() ? 6 : 1);
   const auto first = static_cast<std::uint64_t>(number_from("LEASTCOST_ADVERSARIES_SEED", 2));
   std::printf("  %-28s %5s %5s %9s %5s %8s  reasons\n", "family", "asked", "known", "certified", "false", "cautious");
   const bool black_boxes =
@@ -67,7 +67,7 @@ TEST_CASE("adversaries: what was false once", "[adversarial]") {
 }
 
 TEST_CASE("adversaries: a family never delivers a longer certified path", "[adversarial]") {
-  const int count = number_from("LEASTCOST_ADVERSARIES", 6);
+  const int count = number_from("LEASTCOST_ADVERSARIES", nightly() ? 6 : 3);
   const auto first = static_cast<std::uint64_t>(number_from("LEASTCOST_ADVERSARIES_SEED", 2));
   for (const int points : {50, 100}) {
     const FamilyTally tally = measure_families(first, count, points);

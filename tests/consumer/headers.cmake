@@ -37,9 +37,9 @@ function(no_internal_header prefix)
   endif()
 endfunction()
 
-# A header that some source includes first has been compiled alone by the lint; the others are compiled here. As there,
-# with Eigen and the standard library in a precompiled header, which .ci/nightly leaves out. Then all of them together,
-# with a strict consumer's warnings.
+# All headers together with a strict consumer's warnings, in one order and in the other: what one owes to another shows in
+# one of the two. In .ci/nightly each alone as well, but for those that some source includes first, which the lint has
+# compiled alone.
 function(headers_compile prefix eigen)
   file(GLOB_RECURSE sources ${SOURCE_DIR}/framework/*.cpp ${SOURCE_DIR}/problems/*.cpp ${SOURCE_DIR}/solvers/*.cpp
     ${SOURCE_DIR}/recipes/*.cpp
@@ -52,24 +52,20 @@ function(headers_compile prefix eigen)
     endif()
   endforeach()
   file(GLOB_RECURSE headers RELATIVE ${prefix}/include ${prefix}/include/*.hpp)
-  set(common "")
-  if(NOT DEFINED ENV{LEASTCOST_NIGHTLY})
-    file(WRITE ${SCRATCH}/common.hpp "#include <Eigen/Core>\n#include <algorithm>\n#include <array>\n#include <cmath>\n"
-      "#include <functional>\n#include <limits>\n#include <memory>\n#include <optional>\n#include <span>\n"
-      "#include <string>\n#include <vector>\n")
-    run("precompile" ${compile} -isystem ${eigen} -x c++-header ${SCRATCH}/common.hpp -o ${SCRATCH}/common.hpp.gch)
-    set(common -include ${SCRATCH}/common.hpp)
-  endif()
   set(all "")
+  set(backwards "")
   foreach(header IN LISTS headers)
     string(APPEND all "#include <${header}>\n")
-    if(NOT header IN_LIST first)
+    string(PREPEND backwards "#include <${header}>\n")
+    if(DEFINED ENV{LEASTCOST_NIGHTLY} AND NOT header IN_LIST first)
       file(WRITE ${SCRATCH}/alone.cpp "#include <${header}>\n")
-      run("${header} alone" ${compile} -fsyntax-only ${common} -I${prefix}/include -isystem ${eigen} ${SCRATCH}/alone.cpp)
+      run("${header} alone" ${compile} -fsyntax-only -I${prefix}/include -isystem ${eigen} ${SCRATCH}/alone.cpp)
     endif()
   endforeach()
   file(WRITE ${SCRATCH}/all.cpp "${all}")
   run("all headers" ${compile} -fsyntax-only -I${prefix}/include -isystem ${eigen} ${SCRATCH}/all.cpp)
+  file(WRITE ${SCRATCH}/all.cpp "${backwards}")
+  run("all headers backwards" ${compile} -fsyntax-only -I${prefix}/include -isystem ${eigen} ${SCRATCH}/all.cpp)
 endfunction()
 
 # A program that Eigen aligns otherwise does not compile, and is told what to do.

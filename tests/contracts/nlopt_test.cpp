@@ -37,12 +37,12 @@ TEST_CASE("solver contract: nlopt, precondition chain", "[contract]") {
   CAPTURE(word_of(algorithm));
   check_solver_contract(nlopt_solver(algorithm), kBackEnd);
 }
-TEST_CASE("solver contract: nlopt, precondition none", "[contract]") {
+TEST_CASE("solver contract: nlopt, precondition none", "[contract][slow_sanitized]") {
   const NloptAlgorithm algorithm = GENERATE(lbfgs, tnewton_precond_restart, var2, slsqp);
   CAPTURE(word_of(algorithm));
   check_solver_contract(nlopt_solver(algorithm, Preconditioner::none), kBackEnd);
 }
-TEST_CASE("solver contract: nlopt, without gradients", "[contract]") {
+TEST_CASE("solver contract: nlopt, without gradients", "[contract][slow_sanitized]") {
   const NloptAlgorithm algorithm = GENERATE(cobyla, bobyqa, neldermead, sbplx, praxis);
   CAPTURE(word_of(algorithm));
   constexpr int kEnough = 5000;  // they promise no convergence

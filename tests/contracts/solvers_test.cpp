@@ -31,7 +31,7 @@ TEST_CASE("solver contract: lbfgs, precondition none", "[contract]") {
   check_solver_contract(
       [](int iterations, int evaluations) { return make_lbfgs(iterations, evaluations, Preconditioner::none); });
 }
-TEST_CASE("solver contract: gradient_descent", "[contract]") {
+TEST_CASE("solver contract: gradient_descent", "[contract][slow_sanitized]") {
   check_solver_contract([](int iterations, int evaluations) {
     return std::make_unique<GradientDescent>(
         GradientDescentOptions{.max_iterations = iterations, .max_evaluations = evaluations});
@@ -51,7 +51,7 @@ TEST_CASE("solver contract: georce", "[contract]") {
       },
       {.own_rule = true, .by_cost = true});
 }
-TEST_CASE("solver contract: string", "[contract]") {
+TEST_CASE("solver contract: string", "[contract][slow_sanitized]") {
   check_solver_contract(
       [](int iterations, int evaluations) {
         return std::make_unique<StringMethod>(

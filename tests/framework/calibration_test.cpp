@@ -20,6 +20,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/pi.hpp"
+#include "tests/support/trials.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -172,7 +173,7 @@ TEST_CASE("bounds of a proof in a chart hold the closed form", "[calibration]") 
 TEST_CASE("bounds of a proof on a surface by equation hold the closed form", "[calibration][slow]") {
   const auto check = [](const implicit::Surface& surface, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                         double truth) {
-    for (const int points : {32, 64}) {
+    for (const int points : share<int>({64, 32}, 2)) {
       const Calibration c =
           proof(between(make_implicit_manifold({.surface = surface}), make_euclidean_cost(3), a, b), points);
       CAPTURE(points, static_cast<int>(c.details), c.gap, c.lower, c.upper.value_or(0), c.half_width);

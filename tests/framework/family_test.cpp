@@ -141,7 +141,7 @@ TEST_CASE("family: a cheaper path that stays undecided comes first, and is not c
   CHECK_THAT(first.result.notes.back(), Catch::Contains("points the path is not certified either: "));
 }
 
-TEST_CASE("family: the least path is proved, the others are not asked", "[framework]") {
+TEST_CASE("family: the least path is proved, the others are not asked", "[framework][slow_sanitized]") {
   const auto around_hill = [](const std::string& more) {
     const std::string index2 = "(1 + 2*exp(-2*(x^2 + y^2))" + more + ")^2";
     MetricFieldOptions cost;

@@ -48,7 +48,8 @@ WaypointsInitializer around() {
 
 }  // namespace
 
-TEST_CASE("coarser versions are made by the first search, apart from its certificate, and kept", "[framework]") {
+TEST_CASE("coarser versions are made by the first search, apart from its certificate, and kept",
+          "[framework][slow_sanitized]") {
   for (const auto& domain : {grid_from_cloud(), cloud_of_sphere()}) {
     const Problem problem = quarter_circle(domain);
     const Result first = find(problem, 31, around()), second = find(problem, 31, around());

@@ -129,7 +129,7 @@ void check_table(const Table& table, bool implicit) {
   const std::shared_ptr<const ConstraintManifold> in_space =
       make_implicit_manifold({.surface = implicit::Ellipsoid{axes}});
   Count count;
-  for (const Pair& p : share(read(*file, table.length_column), 5)) {
+  for (const Pair& p : share(read(*file, table.length_column), 10)) {
     CAPTURE(table.file, implicit, p.latitude1, p.longitude1, p.latitude2, p.longitude2);
     const Eigen::Vector2d from = chart_point(p.latitude1, p.longitude1, table.f);
     Eigen::Vector2d to = chart_point(p.latitude2, p.longitude2, table.f);

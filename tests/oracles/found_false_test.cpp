@@ -19,6 +19,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/pi.hpp"
+#include "tests/support/trials.hpp"
 
 namespace leastcost::test {
 namespace {
@@ -89,8 +90,9 @@ TEST_CASE("found false: a kinked metric with few points", "[oracle]") {
 
 TEST_CASE("found false: smooth anisotropy from 1e-1 to 1e-8", "[oracle]") {
   // (x, (y - 0.3 sin 2x) / sqrt e) straightens every geodesic: soft along the waves, stiff across.
+  const int step = nightly() ? 1 : 2;
   int certified = 0;
-  for (int decade = 1; decade <= 8; ++decade)
+  for (int decade = 1; decade <= 8; decade += step)
     for (const double off : {0.0, 2.0}) {
       const double e = std::pow(10, -decade), root = std::sqrt(e);
       const std::string slope = "0.6*cos(2*x)",
@@ -110,7 +112,7 @@ TEST_CASE("found false: smooth anisotropy from 1e-1 to 1e-8", "[oracle]") {
         certified += result.status == Status::certified;
       }
     }
-  CHECK(certified >= 12);  // of 32: not refused throughout
+  CHECK(certified >= 12 / step);  // of 32: not refused throughout
 }
 
 TEST_CASE("found false: a surface whose ripples fit the levels", "[oracle]") {

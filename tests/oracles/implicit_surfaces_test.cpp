@@ -15,6 +15,7 @@
 #include "tests/support/compose.hpp"
 #include "tests/support/pi.hpp"
 #include "tests/support/sample_domains.hpp"
+#include "tests/support/trials.hpp"
 #include "tests/support/words.hpp"
 
 namespace leastcost::test {
@@ -64,7 +65,7 @@ void check_proof(const Problem& problem, const Result& result, double exact) {
 }
 
 void check_length(const Problem& problem, double exact, const Initializer& initializer = StraightInitializer()) {
-  for (const int n : {32, 64, 200}) {
+  for (const int n : share<int>({200, 64, 32}, 2)) {
     const Result result = find(problem, n, initializer);
     const CostEstimate& e = result.certificate.estimate;
     CAPTURE(n, exact, e.value, e.error, e.method, failures(result.certificate), result.solve.iterations);

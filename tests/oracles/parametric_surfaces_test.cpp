@@ -6,6 +6,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/pi.hpp"
+#include "tests/support/trials.hpp"
 
 // docs/oracles.md D1 and D2 in charts. The reported value is that of a cubic curve through the points on the surface,
 // order 4 in the step: at 200 points at most 1e-8 (relative), where the chain alone has 1e-5.
@@ -62,7 +63,7 @@ TEST_CASE("oracles D1: geodesics in charts", "[oracle]") {
   CAPTURE(row.name);
   const Problem problem =
       between(make_parametric_manifold({.surface = row.surface}), make_euclidean_cost(3), row.source, row.target);
-  for (const int n : {32, 64, 200}) {
+  for (const int n : share<int>({200, 64, 32}, 2)) {
     const Result result = find(problem, n);
     const CostEstimate& estimate = result.certificate.estimate;
     CAPTURE(n, estimate.value, estimate.error, estimate.method, failures(result.certificate), result.solve.iterations);

@@ -190,7 +190,7 @@ TEST_CASE("bracket in space: the cone at an end lies below the cost") {
 }
 
 /// No cell of the flow is left out for what costs a little more, and some are for what costs less than any path.
-TEST_CASE("bracket in space: the cells of a cheaper path are searched") {
+TEST_CASE("bracket in space: the cells of a cheaper path are searched", "[slow_sanitized]") {
   Random random;
   const std::function<bool()> never;
   const StopLook look(never);

@@ -96,7 +96,7 @@ class BesideFlow {
 
 /// A bound above a true least cost is the worst defect. LEASTCOST_BRACKET_PROBLEMS sets another number of them. Every
 /// third is among obstacles that touch the flow, nearly.
-TEST_CASE("bracket in space: never above a planted least cost") {
+TEST_CASE("bracket in space: never above a planted least cost", "[slow_sanitized]") {
   Random random;
   const int count = space_problems(6);
   std::vector<double> gaps, gaps_among;
@@ -280,7 +280,7 @@ TEST_CASE("bracket in space: find_path says that no path in the box is cheaper",
   CHECK(bound.grid->potential.values.empty());
 }
 
-TEST_CASE("bracket in space: from the dearer side of a hill the cheaper way is delivered") {
+TEST_CASE("bracket in space: from the dearer side of a hill the cheaper way is delivered", "[slow_sanitized]") {
   const AlignedBox3d box(Vector3d(-2.3, -1.9, -1), Vector3d(2.3, 1.9, 1));
   const Problem problem =
       in_space(box, isotropic_cost("(1 + 2 * exp(-x^2 - (y + 0.4)^2 - z^2 / 9))^2"), {-2, 0, 0}, {2, 0, 0});

@@ -104,7 +104,7 @@ TEST_CASE("bracket: the polyline of a planted flow costs what it has to") {
 }
 
 /// Closed forms (docs/oracles.md), and gaps that the construction is built for.
-TEST_CASE("bracket: media with known least costs") {
+TEST_CASE("bracket: media with known least costs", "[slow_sanitized]") {
   struct Case {
     const char* squared;
     Vector2d source, target;
@@ -444,7 +444,7 @@ TEST_CASE("bracket: around a disc, and from the wrong side of it") {
 
 /// Beside a box of little clearance a place in its core is no deeper than it is: a cell that the rim cuts is searched.
 /// The nodes of a grid of 512 cells lie just within these boxes, so that half a cell beside them is free.
-TEST_CASE("bracket: around a box with sharp corners", "[slow]") {
+TEST_CASE("bracket: around a box with sharp corners", "[.slow]") {
   constexpr double kClearance = 1e-6, kCell = 4.0 / 512, kWithin = 1e-6, kApart = 0.15;
   for (const int cells : {10, 14}) {
     CAPTURE(cells);

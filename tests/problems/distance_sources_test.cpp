@@ -172,7 +172,7 @@ TEST_CASE("distance of a cloud: that of its surface, signed by its normals") {
         1e-3);
 }
 
-TEST_CASE("distance of a cloud: an open one is refused, or taken without sides") {
+TEST_CASE("distance of a cloud: an open one is refused, or taken without sides", "[slow_sanitized]") {
   PointSamples half;
   for (const Vector3d& p : sphere_cloud(1500).positions)
     if (p.z() > -0.3) half.positions.push_back(p);
@@ -189,7 +189,7 @@ TEST_CASE("distance of a cloud: an open one is refused, or taken without sides")
 }
 
 // A spline of a smooth function is of order 4, and the accuracy that was asked for is that of a sphere that is known.
-TEST_CASE("building a grid: the miss is measured, and an accuracy is reached") {
+TEST_CASE("building a grid: the miss is measured, and an accuracy is reached", "[slow_sanitized]") {
   double last = 0;
   for (const double cell : {0.2, 0.1, 0.05}) {
     const SampledDistance built = build_distance_grid(*implicit_sphere(), {.cell = cell});

@@ -76,7 +76,7 @@ TEST_CASE("eikonal: a cost that depends on the direction, up to twenty times") {
   }
 }
 
-TEST_CASE("eikonal: a current that is faster than the boat where it starts", "[slow]") {
+TEST_CASE("eikonal: a current that is faster than the boat where it starts", "[.slow]") {
   const auto cost = make_zermelo_cost({.speed = "1", .flow = flow::Formula{{"-y", "0"}}}, 2);
   const auto box = std::make_shared<const EuclideanManifold>(
       EuclideanManifoldOptions{.dimension = 2, .box = {Vector2d(-2, -3), Vector2d(7, 3)}});

@@ -77,7 +77,8 @@ TEST_CASE("distance grids: nothing is steeper or more bent than their bounds, no
   CHECK(bounds.bend < 5 * most_bent);
 }
 
-TEST_CASE("grid obstacles: never farther than the ball that was sampled, and nearly as far beside it") {
+TEST_CASE("grid obstacles: never farther than the ball that was sampled, and nearly as far beside it",
+          "[slow_sanitized]") {
   const DistanceGrid grid = ball_grid(0.05);
   const double slope = bounds_above(grid, -0.025).slope;
   const auto obstacle = make_grid_obstacle(grid, 0, "the ball");

@@ -154,7 +154,7 @@ void check_clearance(const std::string& name, std::size_t pairs, int points) {
 
 TEST_CASE("Moving AI: with a clearance the solved path keeps it", "[.slow]") { check_clearance("arena", 40, 200); }
 
-TEST_CASE("Moving AI: with a clearance the route over the grid keeps it") {
+TEST_CASE("Moving AI: with a clearance the route over the grid keeps it", "[slow_sanitized]") {
   const auto& [name, pairs] =
       GENERATE(table<const char*, int>({{"arena", 20}, {"arena2", 5}, {"32room_000", 1}, {"maze512-16-0", 1}}));
   check_clearance(name, static_cast<std::size_t>(pairs), 0);

@@ -188,7 +188,7 @@ TEST_CASE("obstacles: over a box with a clearance, along its side and round two 
   }
 }
 
-TEST_CASE("obstacles: random scenes of discs, nothing certified goes through one") {
+TEST_CASE("obstacles: random scenes of discs, nothing certified goes through one", "[slow_sanitized]") {
   std::mt19937 engine(20261126);
   std::uniform_real_distribution<double> place(0, 10), radius(0.2, 0.9);
   int certified = 0;

@@ -302,7 +302,7 @@ TEST_CASE("robot walls: no place of a move is nearer than its clearance", "[slow
   int touching = 0, decided = 0, count = 0;
   for (const RobotPtr& robot : all_robots()) {
     const Kinematics& kinematics = *robot->kinematics;
-    for (int k = 0; k < 60; ++k) {
+    for (int k = 0; k < test::trials(60); ++k) {
       const auto obstacles = random_obstacles(kinematics.space(), 1 + k % 5, engine);
       const double required = k % 3 == 0 ? 0.05 : 0;
       const RobotWalls walls(robot, obstacles, required);
@@ -312,7 +312,7 @@ TEST_CASE("robot walls: no place of a move is nearer than its clearance", "[slow
       const MoveClearance found = walls.clearance(a, b);
       CAPTURE(k, kinematics.dimension(), walls.obstacle_name(found.obstacle));
       double sampled = std::numeric_limits<double>::infinity();
-      constexpr int kSamples = test::trials(300);
+      const int kSamples = test::trials(300);
       for (int i = 0; i <= kSamples; ++i)
         sampled = std::min(sampled, own_gap(*robot, obstacles, required, a + (b - a) * i / kSamples));
       CHECK(found.proved);

@@ -38,7 +38,7 @@ Problem behind_two_slots() {
   return problem;
 }
 
-constexpr int kSeeds = test::trials(8);
+const int kSeeds = test::trials(8);
 
 /// How many of the first seeds give a first path through the slot nearby.
 int found_near(const Problem& problem, std::optional<int> paths) {
@@ -52,7 +52,8 @@ int found_near(const Problem& problem, std::optional<int> paths) {
 
 }  // namespace
 
-TEST_CASE("rrt: among obstacles in space several trees find the shorter way, where one takes what it meets first") {
+TEST_CASE("rrt: among obstacles in space several trees find the shorter way, where one takes what it meets first",
+          "[slow_sanitized]") {
   const Problem problem = behind_two_slots();
   CHECK(found_near(problem, 1) <= kSeeds * 5 / 8);
   CHECK(found_near(problem, {}) == kSeeds);

@@ -187,7 +187,7 @@ TEST_CASE("sampled bracket: the cone around an end is below all costs from it") 
   }
 }
 
-TEST_CASE("sampled bracket: walking straight over a plane slope") {
+TEST_CASE("sampled bracket: walking straight over a plane slope", "[slow_sanitized]") {
   const double slope = 0.2;
   const auto ground = terrain(31, 31, [&](double x, double) { return slope * x; });
   for (const bool up : {true, false}) {
@@ -209,7 +209,7 @@ TEST_CASE("sampled bracket: walking straight over a plane slope") {
   }
 }
 
-TEST_CASE("sampled bracket: from one side of a hill to the quicker way round it") {
+TEST_CASE("sampled bracket: from one side of a hill to the quicker way round it", "[slow_sanitized]") {
   // A hill, and a lower one in its north: straight, the path slips to the north; the quicker way is in the south.
   const auto ground = terrain(61, 61, [](double x, double y) {
     const auto hill = [&](double north) {
@@ -230,7 +230,7 @@ TEST_CASE("sampled bracket: from one side of a hill to the quicker way round it"
   CHECK(north.curve.cost > 1.005 * result.curve.cost);
 }
 
-TEST_CASE("sampled bracket: ground with a hole", "[slow]") {
+TEST_CASE("sampled bracket: ground with a hole", "[.slow]") {
   const auto ground = terrain(41, 41, [](double x, double y) {
     const bool hole = std::abs(x - 200) < 45 && std::abs(y - 190) < 45;
     return hole ? std::numeric_limits<double>::quiet_NaN() : 20 * std::sin(x / 90) + 15 * std::cos(y / 70);

@@ -123,7 +123,7 @@ TEST_CASE("taut: discs far smaller than the way between them, and a disc that is
   CHECK(least_of(discs({{5, -1, 1}}), 0, {{0, 0}, {5, 1}, {10, 0}}) == Approx(10).epsilon(1e-15));
 }
 
-TEST_CASE("taut: random discs, from random ways, what is taut stays as it is") {
+TEST_CASE("taut: random discs, from random ways, what is taut stays as it is", "[slow_sanitized]") {
   std::mt19937 engine(20261123);
   std::uniform_real_distribution<double> place(0.8, 9.2), size(0.05, 1);
   int found = 0;

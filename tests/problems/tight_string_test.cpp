@@ -108,7 +108,7 @@ TEST_CASE("tight strings: the bar holds wherever a small ball is beside the stri
     }
 }
 
-TEST_CASE("tight strings: many obstacles in one place are one") {
+TEST_CASE("tight strings: many obstacles in one place are one", "[slow_sanitized]") {
   const Vector3d a(-3, 0.2, 0.1), b(2.5, -0.3, 0.4);
   const ObstacleWalls walls(3, ObstacleWalls::Obstacles(test::nightly() ? 100 : 20, ball3({0, 0, 0}, 1)), 0.2);
   const auto string = tight_string(walls, line_through({a, {0, 0.3, 3}, b}), kStringExcess, {});

@@ -70,7 +70,7 @@ Points retracted(const FreeSpace& space, const Points& x, const Points& step, bo
 
 }  // namespace
 
-TEST_CASE("walls along a move: slopes are derivatives of the gaps by the ends") {
+TEST_CASE("walls along a move: slopes are derivatives of the gaps by the ends", "[slow_sanitized]") {
   const std::vector<std::shared_ptr<const Obstacle>> things = {
       make_ball({.center = Eigen::Vector3d(0.4, 0.3, 0.5), .radius = 0.1}),
       make_box_obstacle({Eigen::Vector3d(-0.6, 0.2, 0.1), Eigen::Vector3d(-0.4, 0.5, 0.6)})};

@@ -8,19 +8,30 @@
 
 namespace leastcost::test {
 
-#ifdef __SANITIZE_ADDRESS__
+#if defined(__has_feature)  // Clang
+#if __has_feature(address_sanitizer)
+#define LEASTCOST_TEST_SANITIZED
+#endif
+#elif defined(__SANITIZE_ADDRESS__)  // GCC
+#define LEASTCOST_TEST_SANITIZED
+#endif
+#ifdef LEASTCOST_TEST_SANITIZED
 inline constexpr bool kSanitized = true;
 #else
 inline constexpr bool kSanitized = false;
 #endif
 
-/// How often a test that takes its time repeats a trial. Under a sanitizer, where one takes twenty to a hundred times
-/// as long and what the code does matters more than what comes out, an eighth of that.
-constexpr int trials(int count) { return kSanitized ? std::max(1, count / 8) : count; }
-
 /// Whether .ci/nightly runs: whole sweeps. .ci/run takes a share of them.
 inline bool nightly() {
   return std::getenv("LEASTCOST_NIGHTLY") != nullptr;  // NOLINT(concurrency-mt-unsafe): tests do not change it
+}
+
+/// How often a test that takes its time repeats a trial: in .ci/nightly `count` times, otherwise half of that. Under a
+/// sanitizer, where one takes twenty to a hundred times as long and what the code does matters more than what comes
+/// out, an eighth.
+inline int trials(int count) {
+  if (kSanitized) return std::max(1, count / 8);
+  return nightly() ? count : std::max(1, count / 2);
 }
 
 /// What .ci/run takes of a long list: every `step`-th, beginning with the first.
