@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/problems/bracket/space/space_bracket.hpp>
+#include <leastcost/problems/bracket/search/bracket.hpp>
 
 #include <algorithm>
 #include <cmath>
