@@ -28,6 +28,24 @@ using Way = Eigen::Matrix<double, N, Eigen::Dynamic>;
 template <int N>
 using Place = std::array<int, static_cast<std::size_t>(N)>;
 
+/// Calls f with count^N equal parts of a box, as long as it says true; whether it always did. Corners are computed
+/// alike for the parts on both sides.
+template <int N, class F>
+bool for_parts_of(const Box<N>& box, int count, const F& f) {
+  int all = 1;
+  for (int k = 0; k < N; ++k) all *= count;
+  for (int number = 0; number < all; ++number) {
+    Box<N> part;
+    for (int k = 0, rest = number; k < N; ++k, rest /= count) {
+      const auto at = [&](int i) { return i == count ? box.max()[k] : box.min()[k] + box.sizes()[k] * i / count; };
+      part.min()[k] = at(rest % count);
+      part.max()[k] = at(rest % count + 1);
+    }
+    if (!f(part)) return false;
+  }
+  return true;
+}
+
 /// Square cells, or cubes, that tile a box and perhaps a little more, numbered from 1 to cells[k] along axis k; a layer
 /// of cells lies around them. A node is the centre of a cell. By definition cell i reaches from corner + (i - 1) h to
 /// corner + i h, without rounding.

@@ -104,12 +104,12 @@ const Arrows& layers() {
 /// is for. Rooms that are not listed here may not exist.
 const Arrows& rooms() {
   static const std::set<std::string> subjects = {
-      "problems/bracket",      "problems/chart",     "problems/cloud",     "problems/distance",
-      "problems/drawing",      "problems/exact",     "problems/fields",    "problems/formula",
-      "problems/graph",        "problems/layers",    "problems/cells",     "problems/level_set",
-      "problems/mesh",         "problems/obstacles", "problems/occupancy", "problems/raster",
-      "problems/readers",      "problems/robots",    "problems/section",   "problems/spline",
-      "problems/straighten",   "problems/taut",      "problems/tensor",    "problems/bracket/cells",
+      "problems/bracket",       "problems/chart",     "problems/cloud",     "problems/distance",
+      "problems/drawing",       "problems/exact",     "problems/fields",    "problems/formula",
+      "problems/graph",         "problems/layers",    "problems/cells",     "problems/level_set",
+      "problems/mesh",          "problems/obstacles", "problems/occupancy", "problems/raster",
+      "problems/readers",       "problems/robots",    "problems/section",   "problems/spline",
+      "problems/straighten",    "problems/taut",      "problems/tensor",    "problems/bracket/cells",
       "problems/bracket/search"};
   static const auto subjects_and = [](std::initializer_list<const char*> rooms) {
     std::set<std::string> all = subjects;

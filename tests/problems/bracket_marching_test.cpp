@@ -14,9 +14,10 @@ namespace {
 
 using namespace bracket;
 
+/// Of so many nodes, and infinite for others.
 std::vector<double> rough(std::size_t count, Random& random) {
-  std::vector<double> out(count);
-  for (double& n : out) n = std::exp(random.uniform(-1, 1));
+  std::vector<double> out(count + 1, kInfinity);
+  for (std::size_t k = 0; k < count; ++k) out[k] = std::exp(random.uniform(-1, 1));
   return out;
 }
 
@@ -36,10 +37,10 @@ TEMPLATE_TEST_CASE("bracket: a march that follows the order of another one comes
   const StopLook look(never);
   FastMarching marching(look);
   for (int k = 0; k < 15; ++k) {
-    Place<TestType::kDimension> cells;
+    bracket::Place<TestType::kDimension> cells;
     for (int& count : cells) count = random.integer(3, TestType::kDimension == 2 ? 60 : 16);
     const TestType nodes(cells);
-    const std::vector<double> first = rough(nodes.size() + 1, random), second = rough(nodes.size() + 1, random);
+    const std::vector<double> first = rough(nodes.size(), random), second = rough(nodes.size(), random);
     const std::vector<int> seeds = {random.integer(0, nodes.none() - 1)};
     std::vector<double> start(nodes.size() + 1, kInfinity);
     start[static_cast<std::size_t>(seeds[0])] = 0;

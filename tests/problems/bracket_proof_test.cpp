@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 
-// What a bracket in the plane or in space rests on: the check of a cell, floors, ends, the cells that are searched.
+// Brackets of planted media in the plane and in space, and what they rest on: the check of a cell, floors, ends, the
+// cells that are searched.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +13,7 @@
 #include <type_traits>
 #include <vector>
 
+#include <leastcost/problems/bracket/search/bracket.hpp>
 #include "problems/bracket/search/density_medium.hpp"
 #include "problems/bracket/search/tube.hpp"
 #include "tests/problems/planted_media.hpp"
@@ -107,12 +109,117 @@ int false_claims(const CheckRules<N>& rules, double noise, Random& random, int c
   return wrong;
 }
 
+/// Largest |grad u| / n at random places where the inequality is said to be proved, over the ratio that is proved; not
+/// within obstacles, in which no path is, though the cell may be searched.
+template <int N, class Density>
+double worst_slope(const BoxPotential<N>& potential, const Density& density, const Eigen::AlignedBox<double, N>& box,
+                   const Depth<N>& depth, int count, Random& random) {
+  double worst = 0;
+  for (int k = 0; k < count; ++k) {
+    Vector<N> x;
+    for (int axis = 0; axis < N; ++axis) x[axis] = random.uniform(box.min()[axis], box.max()[axis]);
+    if (!potential.is_checked(x) || (depth && depth(x) > 0)) continue;
+    worst = std::max(worst, potential.gradient(x).norm() / (potential.ratio() * density.density(x)));
+  }
+  return worst;
+}
+
+/// How deep a place lies in balls and cubes that come as near to the flow of a planted medium as they can, their
+/// centres a little beside it: of cubes, at least.
+template <int N>
+class BesideFlow {
+ public:
+  BesideFlow(const Planted<N>& medium, Random& random) {
+    constexpr double kApart = 1e-9;
+    const double size = medium.box.sizes().minCoeff();
+    for (int k = 0; k < 4; ++k) {
+      const auto at = static_cast<std::size_t>(random.integer(0, static_cast<int>(medium.flow.size()) - 1));
+      const Vector<N> center = medium.flow[at] + size * random.uniform(0.1, 0.3) * random_direction<N>(random);
+      const bool round = k % 2 == 0;
+      double reach = kInfinity;
+      for (const Vector<N>& x : medium.flow) reach = std::min(reach, distance(x - center, round));
+      obstacles_.push_back({center, reach * (1 - kApart) - medium.flow_step(), round});
+    }
+  }
+  double operator()(const Vector<N>& x) const {
+    double deepest = -kInfinity;
+    for (const Taken& o : obstacles_) deepest = std::max(deepest, o.reach - distance(x - o.center, o.round));
+    return deepest;
+  }
+
+ private:
+  struct Taken {
+    Vector<N> center;
+    double reach;
+    bool round;
+  };
+  static double distance(const Vector<N>& d, bool round) { return round ? d.norm() : d.cwiseAbs().maxCoeff(); }
+  std::vector<Taken> obstacles_;
+};
+
 double cone_at(const EndSquare<DensityCone>& end, const Vector<2>& d) { return end.cone.value(d[0], d[1]); }
 double cone_at(const EndBall& end, const Vector<3>& d) {
   return std::min(end.cone<double>({d[0], d[1], d[2]}), end.most);
 }
 
 }  // namespace
+
+/// A bound above a true least cost is the worst defect. LEASTCOST_BRACKET_PROBLEMS sets another number of them. Every
+/// third is among obstacles that touch the flow, nearly.
+TEMPLATE_TEST_CASE_SIG("bracket: never above a planted least cost", "", ((int N), N), 2, 3) {
+  constexpr double kOfTruth = 1e-13;  // relative rounding of the planted least cost itself
+  Random random;
+  const int count = planted_problems(N == 2 ? 40 : 6);
+  std::vector<double> gaps, gaps_among;
+  int open = 0;
+  for (int k = 0; k < count; ++k) {
+    CAPTURE(k);
+    const auto medium = Planted<N>::random(random);
+    const auto density = density_in(medium);
+    const double truth = medium.least_cost();
+    BoxBracketOptions<N> options{.tolerance = 1e-12};
+    if (N == 2) {
+      options.cells = k % 10 == 0 ? 64 : random.integer(24, 40);
+      options.max_cells = 330;
+    } else {
+      options.cells = random.integer(12, 18);
+      options.max_cells = k % 4 == 0 ? 72 : 36;
+      options.max_searched = 2e5;
+    }
+    const bool among = k % 3 == 2;
+    open += among ? 0 : 1;
+    if (among) options.depth = BesideFlow<N>(medium, random);
+    const double known = among || k % 2 == 0 ? truth * (1 + random.uniform(1e-6, 1e-3)) : kInfinity;
+    const auto bracket = bracket_least_cost(*density, medium.box, medium.source, medium.target, known, options);
+    REQUIRE(bracket.lower <= truth * (1 + kOfTruth));
+    REQUIRE(bracket.upper >= truth * (1 - kOfTruth));
+    if (!bracket.potential) continue;
+    CHECK(worst_slope<N>(*bracket.potential, *density, medium.box, options.depth, N == 2 ? 500 : 2000, random) <=
+          1 + 1e-11);
+    (among ? gaps_among : gaps).push_back(1 - bracket.lower / truth);
+  }
+  std::sort(gaps.begin(), gaps.end());
+  std::sort(gaps_among.begin(), gaps_among.end());
+  REQUIRE(static_cast<double>(gaps.size()) >= (N == 2 ? 0.9 : 0.5) * open);
+  CHECK(gaps[gaps.size() / 2] < (N == 2 ? 1e-3 : 0.03));
+  if (count < 100) return;
+  for (const std::vector<double>* all : {&gaps, &gaps_among})
+    WARN(all->size() << " of " << count << (all == &gaps ? " bounded in the open" : " bounded among obstacles")
+                     << "; gap: median " << (*all)[all->size() / 2] << ", 90 % " << (*all)[all->size() * 9 / 10]
+                     << ", largest " << all->back());
+}
+
+TEMPLATE_TEST_CASE_SIG("bracket: the polyline of a planted flow costs what it has to", "", ((int N), N), 2, 3) {
+  Random random;
+  for (int k = 0; k < (N == 2 ? 20 : 5); ++k) {
+    const auto medium = Planted<N>::random(random);
+    Way<N> x(N, static_cast<Eigen::Index>(medium.flow.size()));
+    for (std::size_t i = 0; i < medium.flow.size(); ++i) x.col(static_cast<Eigen::Index>(i)) = medium.flow[i];
+    const double cost = polyline_cost_above(*density_in(medium), x), truth = medium.least_cost();
+    CHECK(cost >= truth);
+    CHECK(cost <= truth * (1 + 1e-4));
+  }
+}
 
 /// Mutations of the check are seen by the same comparison that the check itself passes.
 TEMPLATE_TEST_CASE_SIG("bracket: the check of a cell, and checks that are not", "", ((int N), N), 2, 3) {
@@ -152,7 +259,7 @@ TEMPLATE_TEST_CASE_SIG("bracket: the floor of a density lies below it, and near"
     const auto medium = Planted<N>::random(random);
     const auto density = density_in(medium);
     const Grid<N> grid = Grid<N>::over(medium.box, 40);
-    Place<N> cell;
+    bracket::Place<N> cell;
     for (std::size_t axis = 0; axis < cell.size(); ++axis) cell[axis] = random.integer(1, grid.cells[axis]);
     for (const bool is_fine : {false, true}) {
       Floors<N> floors;
@@ -267,7 +374,7 @@ TEMPLATE_TEST_CASE_SIG("bracket: the cells of a cheaper path are searched", "", 
     const Grid<N> fine = level.grid.refined(4);
     const auto left_out = [&](double upper) {
       const auto cells = reached_cells(setting.obstacles, level, from_s, from_t, upper, 4, look);
-      const std::set<Place<N>> searched(cells.begin(), cells.end());
+      const std::set<bracket::Place<N>> searched(cells.begin(), cells.end());
       return std::ranges::count_if(planted.flow,
                                    [&](const Vector<N>& x) { return !searched.contains(fine.place_at(x)); });
     };

@@ -41,65 +41,7 @@ std::shared_ptr<const CostDensity> isotropic(const std::string& squared,
 
 AlignedBox2d box(double x0, double y0, double x1, double y1) { return {Vector2d(x0, y0), Vector2d(x1, y1)}; }
 
-/// Largest |grad u| / n at random places where the inequality is said to be proved, over the ratio that is proved.
-double worst_sample(const BracketPotential& potential, const CostDensity& density, const AlignedBox2d& box, int count,
-                    Random& random) {
-  double worst = 0;
-  for (int k = 0; k < count; ++k) {
-    const Vector2d x(random.uniform(box.min()[0], box.max()[0]), random.uniform(box.min()[1], box.max()[1]));
-    if (!potential.is_checked(x)) continue;
-    worst = std::max(worst, potential.gradient(x).norm() / (potential.ratio() * density.density(x)));
-  }
-  return worst;
-}
-
 }  // namespace
-
-/// A bound above a true least cost is the worst defect. LEASTCOST_BRACKET_PROBLEMS sets another number of them.
-TEST_CASE("bracket: never above a planted least cost") {
-  Random random;
-  const int count = planted_problems(40);
-  std::vector<double> gaps;
-  int bounded = 0;
-  for (int k = 0; k < count; ++k) {
-    CAPTURE(k);
-    const PlantedMedium medium = PlantedMedium::random(random);
-    const std::shared_ptr<const CostDensity> density = density_of(medium.cost());
-    const bool fine = k % 10 == 0, known = k % 2 == 0;
-    const double truth = medium.least_cost();
-    const Bracket bracket =
-        bracket_least_cost(*density, medium.box, medium.source, medium.target,
-                           known ? truth * (1 + random.uniform(1e-7, 1e-3)) : kInfinite,
-                           {.tolerance = 1e-12, .cells = fine ? 64 : random.integer(24, 40), .max_cells = 330});
-    REQUIRE(bracket.lower <= truth * (1 + kOfTruth));
-    REQUIRE(bracket.upper >= truth * (1 - kOfTruth));
-    if (bracket.potential) {
-      CHECK(worst_sample(*bracket.potential, *density, medium.box, 500, random) <= 1 + 1e-11);
-      ++bounded;
-      gaps.push_back(1 - bracket.lower / truth);
-    }
-  }
-  std::sort(gaps.begin(), gaps.end());
-  INFO(bounded << " of " << count << " with a potential");
-  CHECK(bounded >= 9 * count / 10);
-  CHECK(gaps[gaps.size() / 2] < 1e-3);
-  if (count > 100)
-    WARN(bounded << " of " << count << " bounded by a potential; gap: median " << gaps[gaps.size() / 2] << ", 90 % "
-                 << gaps[gaps.size() * 9 / 10] << ", largest " << gaps.back());
-}
-
-TEST_CASE("bracket: the polyline of a planted flow costs what it has to") {
-  Random random;
-  for (int k = 0; k < 20; ++k) {
-    const PlantedMedium medium = PlantedMedium::random(random);
-    const std::shared_ptr<const CostDensity> density = density_of(medium.cost());
-    Eigen::Matrix2Xd x(2, static_cast<Eigen::Index>(medium.flow.size()));
-    for (std::size_t i = 0; i < medium.flow.size(); ++i) x.col(static_cast<Eigen::Index>(i)) = medium.flow[i];
-    const double cost = polyline_cost_above(*density, x), truth = medium.least_cost();
-    CHECK(cost >= truth);
-    CHECK(cost <= truth * (1 + 1e-4));
-  }
-}
 
 /// Closed forms (docs/oracles.md), and gaps that the construction is built for.
 TEST_CASE("bracket: media with known least costs") {

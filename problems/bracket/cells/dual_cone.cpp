@@ -41,25 +41,19 @@ struct Unsure {
 bool hull_of_bends(const CostDual& dual, const AlignedBox2d& box, bool reversed, std::array<Unsure, kEntries>& out) {
   constexpr int kParts = 6;
   bool first = true;
-  for (int q = 0; q < kParts; ++q)
-    for (int p = 0; p < kParts; ++p) {
-      // Corners are computed alike for the parts on both sides.
-      const auto at = [&](int i, int j) {
-        return Vector2d(i == kParts ? box.max()[0] : box.min()[0] + box.sizes()[0] * i / kParts,
-                        j == kParts ? box.max()[1] : box.min()[1] + box.sizes()[1] * j / kParts);
-      };
-      const DualNorm<Jet> norm = dual.enclose_cell({at(p, q), at(p + 1, q + 1)});
-      const auto f = entries(reversed ? norm.reversed() : norm);
-      for (std::size_t k = 0; k < kEntries; ++k) {
-        const Interval xx = f[k].d(0, 0), xy = f[k].d(0, 1), yy = f[k].d(1, 1);
-        if (!f[k].value().is_finite() || !xx.is_finite() || !xy.is_finite() || !yy.is_finite()) return false;
-        out[k].xx = first ? xx : hull(out[k].xx, xx);
-        out[k].xy = first ? xy : hull(out[k].xy, xy);
-        out[k].yy = first ? yy : hull(out[k].yy, yy);
-      }
-      first = false;
+  return for_parts_of<2>(box, kParts, [&](const AlignedBox2d& part) {
+    const DualNorm<Jet> norm = dual.enclose_cell(part);
+    const auto f = entries(reversed ? norm.reversed() : norm);
+    for (std::size_t k = 0; k < kEntries; ++k) {
+      const Interval xx = f[k].d(0, 0), xy = f[k].d(0, 1), yy = f[k].d(1, 1);
+      if (!f[k].value().is_finite() || !xx.is_finite() || !xy.is_finite() || !yy.is_finite()) return false;
+      out[k].xx = first ? xx : hull(out[k].xx, xx);
+      out[k].xy = first ? xy : hull(out[k].xy, xy);
+      out[k].yy = first ? yy : hull(out[k].yy, yy);
     }
-  return true;
+    first = false;
+    return true;
+  });
 }
 
 /// The cone without factor and most, and what the norm at the end differs from it; false where nothing is known.

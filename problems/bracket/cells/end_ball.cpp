@@ -35,21 +35,12 @@ double largest_fall(const std::array<Interval, 6>& bend) {
 double curvature_in(const SpaceDensity& density, const Eigen::AlignedBox3d& box) {
   constexpr int kParts = 4;
   double worst = 0;
-  for (int number = 0; number < kParts * kParts * kParts; ++number) {
-    const Place<3> p = {number % kParts, number / kParts % kParts, number / (kParts * kParts)};
-    Eigen::AlignedBox3d part;
-    for (int k = 0; k < 3; ++k) {
-      // Corners are computed alike for the parts on both sides.
-      const auto at = [&](int i) { return box.min()[k] + box.sizes()[k] * i / kParts; };
-      const int i = p[static_cast<std::size_t>(k)];
-      part.min()[k] = at(i);
-      part.max()[k] = i + 1 == kParts ? box.max()[k] : at(i + 1);
-    }
+  const bool known = for_parts_of<3>(box, kParts, [&](const Eigen::AlignedBox3d& part) {
     const SpaceDensityEnclosure n = density.enclose_density(part);
-    if (!n.is_finite()) return kInfinity;
-    worst = std::max(worst, largest_fall(n.bend) * kMore);
-  }
-  return worst;
+    if (n.is_finite()) worst = std::max(worst, largest_fall(n.bend) * kMore);
+    return n.is_finite();
+  });
+  return known ? worst : kInfinity;
 }
 
 /// The farthest that a place of S is from the end.

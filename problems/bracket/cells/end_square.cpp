@@ -19,32 +19,15 @@ using DensitySquare = EndSquare<DensityCone>;
 constexpr double kSafety = 1 + 1e-12;
 constexpr int kLeastRings = 1, kLeastDualRings = 2;
 constexpr int kPieces = 16;  ///< per side of a cell on the rim
+constexpr int kParts = 8;    ///< of a part of the box, along each axis
 
 double radius_of(const Interval& x) { return std::max(x.hi - x.middle(), x.middle() - x.lo); }
-
-/// Calls f with small parts of a part of the box, as long as it says true; whether it always did.
-template <class F>
-bool for_parts_of(const Eigen::AlignedBox2d& box, const F& f) {
-  constexpr int kParts = 8;
-  for (int q = 0; q < kParts; ++q)
-    for (int p = 0; p < kParts; ++p) {
-      const auto at = [&](int i, int j) {
-        return Vector2d(box.min() + box.sizes().cwiseProduct(Vector2d(i, j)) / kParts);
-      };
-      // Corners are computed alike for the parts on both sides.
-      Eigen::AlignedBox2d part(at(p, q), at(p + 1, q + 1));
-      if (p + 1 == kParts) part.max()[0] = box.max()[0];
-      if (q + 1 == kParts) part.max()[1] = box.max()[1];
-      if (!f(part)) return false;
-    }
-  return true;
-}
 
 /// The largest K with which -d'H d <= K |d|^2 for the second derivatives H in a part of the box, from small parts of
 /// it; infinite where nothing is known.
 double curvature_bound(const CostDensity& density, const Eigen::AlignedBox2d& box) {
   double worst = 0;
-  const bool known = for_parts_of(box, [&](const Eigen::AlignedBox2d& part) {
+  const bool known = for_parts_of<2>(box, kParts, [&](const Eigen::AlignedBox2d& part) {
     const DensityEnclosure n = density.enclose_density(part);
     const double a = n.xx.lo, b = n.yy.lo, c = n.xy.magnitude();
     worst = std::max(worst, (std::hypot((a - b) / 2, c) - (a + b) / 2) * kSafety + 1e-14 * (std::abs(a) + std::abs(b)));
@@ -92,7 +75,7 @@ bool make_straight_cone(const CostDensity& density, const Grid<2>& grid, Density
                inner_reach = (Vector2d(inner, inner) + off).norm() * kSafety;
   square.cone.gx = square.cone.gy = square.cone.c = 0;
   square.cone.n0 = kInfinity;
-  const bool known = for_parts_of(grid.cell(square.middle, outer / grid.h - 0.5), [&](const auto& part) {
+  const bool known = for_parts_of<2>(grid.cell(square.middle, outer / grid.h - 0.5), kParts, [&](const auto& part) {
     const DensityEnclosure n = density.enclose_density(part);
     square.cone.n0 = std::min(square.cone.n0, least_within(n, part));
     return n.is_finite() && n.slack == 0;

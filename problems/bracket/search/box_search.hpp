@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/problems/bracket/search/bracket.hpp>
+#include <leastcost/problems/bracket/search/box_bracket.hpp>
 #include "problems/bracket/search/bisector.hpp"
 #include "problems/bracket/search/descent.hpp"
 #include "problems/bracket/search/level_potential.hpp"

@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include <leastcost/problems/bracket/search/bracket.hpp>
+#include <leastcost/problems/bracket/search/box_bracket.hpp>
 #include "problems/bracket/cells/spline_place.hpp"
 #include "problems/bracket/search/distance_bound.hpp"
 

@@ -32,7 +32,8 @@ template <class M>
 concept Medium = requires(const M& medium, const Grid<M::kDimension>& grid, const Vector<M::kDimension>& x,
                           const Way<M::kDimension>& way, const typename M::End& end, Part<M::kDimension>& part,
                           Front& front, FastMarching& marching, std::vector<double>& u) {
-  { M::kIsotropic&& M::kSeedsGiveWay } -> std::convertible_to<bool>;
+  { M::kIsotropic } -> std::convertible_to<bool>;
+  { M::kSeedsGiveWay } -> std::convertible_to<bool>;
   { M::kBisectorDeflations + M::kFieldDeflations + M::kPatience } -> std::convertible_to<int>;
   /// n, or 1 where a dual norm says the rest; not finite where there are no moves.
   { medium.density(x) } -> std::convertible_to<double>;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <leastcost/framework/problem/global_bound.hpp>
-#include <leastcost/problems/bracket/search/bracket.hpp>
+#include <leastcost/problems/bracket/search/box_bracket.hpp>
 
 namespace leastcost {
 
