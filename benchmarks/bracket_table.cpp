@@ -15,7 +15,7 @@
 #include <vector>
 
 #include <leastcost/framework/search/find_path.hpp>
-#include <leastcost/problems/bracket/plane/bracket.hpp>
+#include <leastcost/problems/bracket/search/bracket.hpp>
 #include <leastcost/problems/costs/cost_map.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/costs/refractive_index.hpp>

@@ -6,8 +6,7 @@
 /// Kernels, costs, manifolds, initializers, post-processors and readers. What this header reaches is public and
 /// installed; everything else in the folder is internal.
 
-#include <leastcost/problems/bracket/plane/bracket.hpp>
-#include <leastcost/problems/bracket/space/space_bracket.hpp>
+#include <leastcost/problems/bracket/search/bracket.hpp>
 #include <leastcost/problems/chart/target_images.hpp>
 #include <leastcost/problems/costs/clearance_length.hpp>
 #include <leastcost/problems/costs/combined_cost.hpp>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "problems/bracket/cone_bound.hpp"
 
-#include "problems/bracket/cell_grid.hpp"
+#include "problems/bracket/grid.hpp"
 
 namespace leastcost::bracket {
 namespace {

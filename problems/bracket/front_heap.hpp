@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "problems/bracket/cell_grid.hpp"
+#include "problems/bracket/grid.hpp"
 
 namespace leastcost::bracket {
 

@@ -16,11 +16,10 @@
 #include <leastcost/framework/domain/checks_moves.hpp>
 #include <leastcost/framework/domain/has_box.hpp>
 #include <leastcost/framework/problem/clearance.hpp>
-#include <leastcost/problems/bracket/plane/bracket.hpp>
-#include <leastcost/problems/bracket/space/space_bracket.hpp>
+#include <leastcost/problems/bracket/search/bracket.hpp>
 #include <leastcost/problems/chart/seams.hpp>
 #include <leastcost/problems/obstacles/has_walls.hpp>
-#include "problems/bracket/plane/potential_samples.hpp"
+#include "problems/bracket/search/potential_samples.hpp"
 #include "problems/bracket/smooth_polyline.hpp"
 #include "problems/post_processors/search_time.hpp"
 #include "problems/post_processors/way_among_obstacles.hpp"
@@ -238,22 +237,21 @@ double depth_within(const Walls& walls, const Eigen::VectorXd& x) {
 
 using TakesWay = std::function<bool(const Points&)>;
 
-/// Options of both kinds of brackets.
-template <class Options, class Place>
-Options options_of_bracket(const Problem& problem, const GlobalBudget& budget, const TakesWay& takes_way,
-                           const Monitor& monitor) {
-  Options options;
+template <int N>
+BoxBracketOptions<N> options_of_bracket(const Problem& problem, const GlobalBudget& budget, const TakesWay& takes_way,
+                                        const Monitor& monitor) {
+  BoxBracketOptions<N> options;
   options.tolerance = budget.tolerance;
   if (budget.max_windows) options.max_searched = *budget.max_windows;
   if (const Walls* walls = walls_in_place(*problem.manifold))
-    options.depth = [walls](const Place& x) { return depth_within(*walls, x); };
+    options.depth = [walls](const Eigen::Matrix<double, N, 1>& x) { return depth_within(*walls, x); };
   options.stop = stop_of_search(budget, monitor);
   options.takes_way = takes_way;
   return options;
 }
 
-template <class Found>
-BracketInBox in_box_of(const Found& found) {
+template <int N>
+BracketInBox in_box_of(const BoxBracket<N>& found) {
   return {found.lower, found.upper, found.way,     {found.grid.begin(), found.grid.end()},
           found.cells, found.grids, found.stopped, found.way_taken};
 }
@@ -262,10 +260,9 @@ BracketInBox bracket_of(const Problem& problem, const CostInCells& cost, double 
                         const TakesWay& takes_way, const Monitor& monitor) {
   const Eigen::AlignedBoxXd box = box_of(*problem.manifold);
   if (cost.space != nullptr)
-    return in_box_of(bracket_least_cost(
-        *cost.space, fixed<3>(box), problem.source.u, problem.target.u, upper,
-        options_of_bracket<SpaceBracketOptions, Eigen::Vector3d>(problem, budget, takes_way, monitor)));
-  auto options = options_of_bracket<BracketOptions, Vector2d>(problem, budget, takes_way, monitor);
+    return in_box_of(bracket_least_cost(*cost.space, fixed<3>(box), problem.source.u, problem.target.u, upper,
+                                        options_of_bracket<3>(problem, budget, takes_way, monitor)));
+  auto options = options_of_bracket<2>(problem, budget, takes_way, monitor);
   constexpr double kMostByValues = 1e6;  // cells: what is known of each takes half a kilobyte
   if (cost.values != nullptr) options.max_searched = std::min(options.max_searched, kMostByValues);
   const auto of = [&](const auto& known) {

@@ -104,13 +104,13 @@ const Arrows& layers() {
 /// is for. Rooms that are not listed here may not exist.
 const Arrows& rooms() {
   static const std::set<std::string> subjects = {
-      "problems/bracket",      "problems/chart",     "problems/cloud",     "problems/distance",
-      "problems/drawing",      "problems/exact",     "problems/fields",    "problems/formula",
-      "problems/graph",        "problems/layers",    "problems/cells",     "problems/level_set",
-      "problems/mesh",         "problems/obstacles", "problems/occupancy", "problems/raster",
-      "problems/readers",      "problems/robots",    "problems/section",   "problems/spline",
-      "problems/straighten",   "problems/taut",      "problems/tensor",    "problems/bracket/plane",
-      "problems/bracket/space"};
+      "problems/bracket",       "problems/chart",     "problems/cloud",     "problems/distance",
+      "problems/drawing",       "problems/exact",     "problems/fields",    "problems/formula",
+      "problems/graph",         "problems/layers",    "problems/cells",     "problems/level_set",
+      "problems/mesh",          "problems/obstacles", "problems/occupancy", "problems/raster",
+      "problems/readers",       "problems/robots",    "problems/section",   "problems/spline",
+      "problems/straighten",    "problems/taut",      "problems/tensor",    "problems/bracket/cells",
+      "problems/bracket/search"};
   static const auto subjects_and = [](std::initializer_list<const char*> rooms) {
     std::set<std::string> all = subjects;
     all.insert(rooms.begin(), rooms.end());
@@ -170,8 +170,8 @@ const Arrows& rooms() {
        {"problems/distance", "problems/drawing", "problems/mesh", "problems/occupancy", "problems/raster",
         "problems/readers"}},
       {"problems/bracket", {}},
-      {"problems/bracket/plane", {"problems/bracket"}},
-      {"problems/bracket/space", {"problems/bracket"}},
+      {"problems/bracket/cells", {"problems/bracket"}},
+      {"problems/bracket/search", {"problems/bracket", "problems/bracket/cells"}},
       {"problems/taut", {"problems/obstacles"}},
       {"problems/robots", {"problems/drawing", "problems/obstacles"}},
       {"problems/kernels", {}},

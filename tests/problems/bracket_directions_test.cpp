@@ -7,14 +7,14 @@
 #include <vector>
 
 #include <leastcost/framework/search/find_path.hpp>
-#include <leastcost/problems/bracket/plane/bracket.hpp>
+#include <leastcost/problems/bracket/search/bracket.hpp>
 #include <leastcost/problems/initializers/straight.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
 #include <leastcost/problems/post_processors/bracket.hpp>
 #include <leastcost/solvers/newton.hpp>
-#include "problems/bracket/plane/dual_check.hpp"
-#include "problems/bracket/plane/end_region.hpp"
+#include "problems/bracket/cells/dual_check.hpp"
+#include "problems/bracket/cells/end_square.hpp"
 #include "tests/problems/planted_directions.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/trials.hpp"
@@ -146,7 +146,7 @@ using namespace bracket;
 /// A cell of side 1 with random coefficients around a plane and a norm that is linear in the place; the largest H of
 /// the gradient at 33 x 33 places, in long double.
 struct DualRandomCell {
-  std::vector<double> u = std::vector<double>(9);
+  Net<2> u = {};
   DualCell cell;
   long double largest = 0;
 
@@ -184,11 +184,11 @@ struct DualRandomCell {
 };
 
 /// How often the rules claim less than the gradient has.
-int false_dual_claims(const CheckRules& rules, double noise, Random& random) {
+int false_dual_claims(const CheckRules<2>& rules, double noise, Random& random) {
   int wrong = 0;
   for (int k = 0; k < 300; ++k) {
     const DualRandomCell cell(random, noise);
-    wrong += static_cast<long double>(proved_dual_ratio(cell.u, 3, 4, 1, 3, 1, cell.cell, rules)) < cell.largest;
+    wrong += static_cast<long double>(proved_dual_ratio(cell.u, 1, 3, 1, cell.cell, rules)) < cell.largest;
   }
   return wrong;
 }
@@ -216,12 +216,12 @@ TEST_CASE("bracket of metrics and winds: what is known of a cell holds, and is n
         k % 2 == 0 ? PlantedDirections::metric(random, 2) : PlantedDirections::windy(random, 0.9);
     const std::shared_ptr<const CostDual> dual = dual_of(planted.cost());
     const AlignedBox2d& box = planted.medium.box;
-    const CellGrid grid = CellGrid::over(box, 200);
-    const int i = random.integer(1, grid.nx), j = random.integer(1, grid.ny);
-    const DualCell cell = dual_cell(*dual, grid, i, j);
+    const Grid<2> grid = Grid<2>::over(box, 200);
+    const int i = random.integer(1, grid.cells[0]), j = random.integer(1, grid.cells[1]);
+    const DualCell cell = dual_cell(*dual, grid, {i, j});
     for (int n = 0; n < 40; ++n) {
       const Vector2d d = grid.h * Vector2d(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5));
-      const Vector2d x = grid.node(i, j) + d;
+      const Vector2d x = grid.node({i, j}) + d;
       if (!box.contains(x)) continue;
       const DualNorm<double> norm = dual->dual(x);
       const auto off = [&](const Quadratic& q, double value) {
@@ -242,16 +242,16 @@ TEST_CASE("bracket of metrics and winds: the cone at an end lies below the cost"
     const PlantedDirections planted =
         k % 2 == 0 ? PlantedDirections::metric(random, 2) : PlantedDirections::windy(random, 0.9);
     const std::shared_ptr<const CostDual> dual = dual_of(planted.cost());
-    const CellGrid grid = CellGrid::over(planted.medium.box, random.integer(100, 400));
+    const Grid<2> grid = Grid<2>::over(planted.medium.box, random.integer(100, 400));
     const bool back = random.integer(0, 1) == 1;
     const Vector2d& end = back ? planted.target : planted.medium.source;
-    const EndRegion region = end_region(*dual, grid, end, random.integer(2, 6), back);
+    const EndSquare<DualCone> region = end_square(*dual, grid, end, random.integer(2, 6), back);
     if (!region.valid) continue;
     ++valid;
     for (const Vector2d& x : planted.flow) {
-      if (x == end || !region.holds(grid.column_at(x[0]), grid.row_at(x[1]))) continue;
+      if (x == end || !region.holds(grid.place_at(x))) continue;
       const double cost = std::abs(planted.u(x) - planted.u(end));
-      const double cone = std::min(region.dual->value(x[0] - end[0], x[1] - end[1]), region.dual->most);
+      const double cone = std::min(region.cone.value(x[0] - end[0], x[1] - end[1]), region.cone.most);
       CHECK(cone <= cost * (1 + kOfPlanted) + 1e-13);
     }
   }

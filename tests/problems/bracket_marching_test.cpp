@@ -3,11 +3,9 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <utility>
 #include <vector>
 
-#include "problems/bracket/plane/fast_marching.hpp"
-#include "problems/bracket/space/space_marching.hpp"
+#include "problems/bracket/search/fast_marching.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/random.hpp"
 
@@ -16,9 +14,10 @@ namespace {
 
 using namespace bracket;
 
+/// Of so many nodes, and infinite for others.
 std::vector<double> rough(std::size_t count, Random& random) {
-  std::vector<double> out(count);
-  for (double& n : out) n = std::exp(random.uniform(-1, 1));
+  std::vector<double> out(count + 1, kInfinity);
+  for (std::size_t k = 0; k < count; ++k) out[k] = std::exp(random.uniform(-1, 1));
   return out;
 }
 
@@ -32,41 +31,16 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 }  // namespace
 
 /// However little two densities have to do with each other.
-TEST_CASE("bracket: a march that follows the order of another one comes to the same") {
+TEMPLATE_TEST_CASE("bracket: a march that follows the order of another one comes to the same", "", AllNodes, NodeSet) {
   Random random;
   const std::function<bool()> never;
   const StopLook look(never);
   FastMarching marching(look);
-  for (int k = 0; k < 20; ++k) {
-    const CellGrid grid{0, 0, 1, random.integer(3, 60), random.integer(3, 60), {}};
-    const auto nodes = static_cast<std::size_t>(grid.nodes());
-    const std::vector<double> first = rough(nodes, random), second = rough(nodes, random);
-    const std::vector<int> seeds = {random.integer(0, grid.nodes() - 1)};
-    std::vector<double> start(nodes, kInfinity);
-    start[static_cast<std::size_t>(seeds[0])] = 0;
-    std::vector<int> order, other_order;
-    std::vector<double> u = start, followed = start;
-    marching.run(grid, first, seeds, u, order);
-    u = start;
-    marching.run(grid, second, seeds, u, other_order);
-    marching.follow(grid, second, order, followed);
-    CHECK(largest_difference(followed, u) < 1e-9);
-  }
-}
-
-TEST_CASE("bracket in space: a march that follows the order of another one comes to the same") {
-  Random random;
-  const std::function<bool()> never;
-  const StopLook look(never);
-  SpaceMarching marching(look);
-  for (int k = 0; k < 10; ++k) {
-    std::vector<Place> places;
-    const Place cells = {random.integer(3, 16), random.integer(3, 16), random.integer(3, 16)};
-    for (int z = 0; z <= cells[2] + 1; ++z)
-      for (int y = 0; y <= cells[1] + 1; ++y)
-        for (int x = 0; x <= cells[0] + 1; ++x) places.push_back({x, y, z});
-    const NodeSet nodes(std::move(places), cells);
-    const std::vector<double> first = rough(nodes.size() + 1, random), second = rough(nodes.size() + 1, random);
+  for (int k = 0; k < 15; ++k) {
+    bracket::Place<TestType::kDimension> cells;
+    for (int& count : cells) count = random.integer(3, TestType::kDimension == 2 ? 60 : 16);
+    const TestType nodes(cells);
+    const std::vector<double> first = rough(nodes.size(), random), second = rough(nodes.size(), random);
     const std::vector<int> seeds = {random.integer(0, nodes.none() - 1)};
     std::vector<double> start(nodes.size() + 1, kInfinity);
     start[static_cast<std::size_t>(seeds[0])] = 0;

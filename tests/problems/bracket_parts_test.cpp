@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <vector>
 
 #include <leastcost/eigen_alignment.hpp>
-#include "problems/bracket/plane/blocked_parts.hpp"
-#include "problems/bracket/plane/dual_check.hpp"
-#include "problems/bracket/plane/spline_check.hpp"
+#include "problems/bracket/cells/blocked_parts.hpp"
+#include "problems/bracket/cells/dual_check.hpp"
+#include "problems/bracket/cells/spline_check.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/random.hpp"
 
@@ -21,7 +22,7 @@ using Eigen::Vector2d;
 
 /// One cell of side 1 around the origin, and a disc that may cut it.
 struct CutCell {
-  CellGrid grid{-1.5, -1.5, 1, 3, 3, {Vector2d(-1.5, -1.5), Vector2d(1.5, 1.5)}};
+  Grid<2> grid{Vector2d(-1.5, -1.5), 1, {3, 3}, {Vector2d(-1.5, -1.5), Vector2d(1.5, 1.5)}};
   Vector2d center;
   double radius;
 
@@ -29,23 +30,21 @@ struct CutCell {
       : center(random.uniform(-1, 1), random.uniform(-1, 1)), radius(random.uniform(0.1, 1.5)) {}
   double depth(const Vector2d& x) const { return radius - (x - center).norm(); }
   BlockedParts blocked() const {
-    return {[this](const Vector2d& x) { return depth(x); }, grid, 2, 2};
+    return {[this](const Vector2d& x) { return depth(x); }, grid, {2, 2}};
   }
   /// Those of the disc mirrored: an error that a test has to see.
   BlockedParts mirrored() const {
-    return {[this](const Vector2d& x) { return depth({-x[0], x[1]}); }, grid, 2, 2};
+    return {[this](const Vector2d& x) { return depth({-x[0], x[1]}); }, grid, {2, 2}};
   }
 };
 
 /// Where n is 1, as a density and as a dual norm.
-double proved_by_density(const std::vector<double>& u, const BlockedParts& blocked) {
-  Net one;
-  for (auto& row : one) row.fill(1);
-  return proved_ratio(u, 3, 4, 1, 4, one, {}, blocked);
+double proved_by_density(const Net<2>& u, const BlockedParts& blocked) {
+  return proved_ratio<2>(u, 1, 4, net_of<2>(1), {}, blocked);
 }
-double proved_by_norm(const std::vector<double>& u, const BlockedParts& blocked) {
+double proved_by_norm(const Net<2>& u, const BlockedParts& blocked) {
   const Quadratic one{.v = 1, .size = 1};
-  return proved_dual_ratio(u, 3, 4, 1, 4, 1, {.xx = one, .xy = {}, .yy = one, .wx = {}, .wy = {}}, {}, blocked);
+  return proved_dual_ratio(u, 1, 4, 1, {.xx = one, .xy = {}, .yy = one, .wx = {}, .wy = {}}, {}, blocked);
 }
 
 /// How often a ratio is said to be proved that the gradient exceeds at a place outside the disc.
@@ -54,7 +53,7 @@ int false_claims_beside_discs(Random& random, const Prove& prove, const Blocked&
   int wrong = 0;
   for (int k = 0; k < 300; ++k) {
     const CutCell cell(random);
-    std::vector<double> u(9);
+    Net<2> u;
     for (int n = 0; n < 9; ++n)
       u[static_cast<std::size_t>(n)] =
           0.9 * (n % 3) + (n / 3 == 2 ? random.uniform(0, 0.4) : 0) + 0.05 * random.normal();
@@ -64,7 +63,7 @@ int false_claims_beside_discs(Random& random, const Prove& prove, const Blocked&
       for (int p = 0; p <= 64; ++p) {
         const double a = p / 64.0 - 0.5, b = q / 64.0 - 0.5, small = 1e-6;
         if (cell.depth({a, b}) > 0) continue;
-        const auto at = [&](double x, double y) { return spline_value<double>(u, 3, 4, x, y); };
+        const auto at = [&](double x, double y) { return spline_value<2>(u, std::array{x, y}); };
         longest =
             std::max(longest, std::hypot(at(a + small, b) - at(a - small, b), at(a, b + small) - at(a, b - small)) /
                                   (2 * small));
@@ -89,7 +88,7 @@ TEST_CASE("bracket: blocked parts of a cell lie within obstacles, and few that d
           const Vector2d low(column * side - 0.5, row * side - 0.5);
           const double least = std::min({cell.depth(low), cell.depth(low + Vector2d(side, 0)),
                                          cell.depth(low + Vector2d(0, side)), cell.depth(low + Vector2d(side, side))});
-          const bool holds = blocked.holds({level, column, row});
+          const bool holds = blocked.holds({level, {column, row}});
           REQUIRE((!holds || (least > 0 && blocked.any())));
           if (level != BlockedParts::kLevels) continue;
           held += holds ? 1 : 0;

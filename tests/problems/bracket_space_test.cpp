@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/problems/bracket/space/space_bracket.hpp>
+#include <leastcost/problems/bracket/search/bracket.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -20,6 +19,7 @@
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/problems/post_processors/bracket.hpp>
 #include <leastcost/solvers/newton.hpp>
+#include "tests/problems/planted_media.hpp"
 #include "tests/problems/planted_space.hpp"
 #include "tests/support/catch.hpp"
 
@@ -30,117 +30,12 @@ using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
-constexpr double kOfPlantedSpace = 1e-13;  // relative rounding of the planted least cost itself
-
-int space_problems(int otherwise) {
-  const char* text = std::getenv("LEASTCOST_BRACKET_PROBLEMS");  // NOLINT(concurrency-mt-unsafe)
-  return text == nullptr ? otherwise : std::atoi(text);
-}
 
 std::shared_ptr<const SegmentCost> isotropic_cost(const std::string& squared) {
   return make_metric_field_cost({.field = metric::Formula{{squared, "0", "0", squared, "0", squared}, {}}}, 3);
 }
 
-Vector3d somewhere(const AlignedBox3d& box, Random& random) {
-  return {random.uniform(box.min()[0], box.max()[0]), random.uniform(box.min()[1], box.max()[1]),
-          random.uniform(box.min()[2], box.max()[2])};
-}
-
-/// Largest |grad u| / n at random places where the inequality is said to be proved, over the ratio that is proved.
-double worst_slope(const SpacePotential& potential, const SpaceDensity& density, const AlignedBox3d& box, int count,
-                   Random& random) {
-  double worst = 0;
-  for (int k = 0; k < count; ++k) {
-    const Vector3d x = somewhere(box, random);
-    if (!potential.is_checked(x)) continue;
-    worst = std::max(worst, potential.gradient(x).norm() / (potential.ratio() * density.density(x)));
-  }
-  return worst;
-}
-
-/// How deep a place lies in balls and cubes that come as near to the flow of a planted medium as they can, their
-/// centres a little beside it: of cubes, at least.
-class BesideFlow {
- public:
-  BesideFlow(const PlantedSpace& medium, Random& random) {
-    constexpr double kApart = 1e-9;
-    const double size = medium.box.sizes().minCoeff();
-    for (int k = 0; k < 4; ++k) {
-      const auto at = static_cast<std::size_t>(random.integer(0, static_cast<int>(medium.flow.size()) - 1));
-      const Vector3d center =
-          medium.flow[at] +
-          size * random.uniform(0.1, 0.3) * Vector3d(random.normal(), random.normal(), random.normal()).normalized();
-      const bool round = k % 2 == 0;
-      double reach = kEndless;
-      for (const Vector3d& x : medium.flow) reach = std::min(reach, distance(x - center, round));
-      obstacles_.push_back({center, reach * (1 - kApart) - medium.flow_step(), round});
-    }
-  }
-  double operator()(const Vector3d& x) const {
-    double deepest = -kEndless;
-    for (const Taken& o : obstacles_) deepest = std::max(deepest, o.reach - distance(x - o.center, o.round));
-    return deepest;
-  }
-
- private:
-  struct Taken {
-    Vector3d center;
-    double reach;
-    bool round;
-  };
-  static double distance(const Vector3d& d, bool round) { return round ? d.norm() : d.cwiseAbs().maxCoeff(); }
-  std::vector<Taken> obstacles_;
-};
-
 }  // namespace
-
-/// A bound above a true least cost is the worst defect. LEASTCOST_BRACKET_PROBLEMS sets another number of them. Every
-/// third is among obstacles that touch the flow, nearly.
-TEST_CASE("bracket in space: never above a planted least cost", "[slow_sanitized]") {
-  Random random;
-  const int count = space_problems(6);
-  std::vector<double> gaps, gaps_among;
-  for (int k = 0; k < count; ++k) {
-    CAPTURE(k);
-    const PlantedSpace medium = PlantedSpace::random(random);
-    const std::shared_ptr<const SpaceDensity> density = space_density_of(medium.cost());
-    const double truth = medium.least_cost();
-    SpaceBracketOptions options{
-        .tolerance = 1e-12, .cells = random.integer(12, 18), .max_cells = k % 4 == 0 ? 72 : 36, .max_searched = 2e5};
-    const bool among = k % 3 == 2;
-    if (among) options.depth = BesideFlow(medium, random);
-    const SpaceBracket bracket =
-        bracket_least_cost(*density, medium.box, medium.source, medium.target,
-                           among || k % 2 == 0 ? truth * (1 + random.uniform(1e-6, 1e-3)) : kEndless, options);
-    REQUIRE(bracket.lower <= truth * (1 + kOfPlantedSpace));
-    REQUIRE(bracket.upper >= truth * (1 - kOfPlantedSpace));
-    if (!bracket.potential) continue;
-    CHECK(worst_slope(*bracket.potential, *density, medium.box, 2000, random) <= 1 + 1e-11);
-    (among ? gaps_among : gaps).push_back(1 - bracket.lower / truth);
-  }
-  std::sort(gaps.begin(), gaps.end());
-  std::sort(gaps_among.begin(), gaps_among.end());
-  REQUIRE(static_cast<int>(gaps.size()) >= count / 3);
-  CHECK(gaps[gaps.size() / 2] < 0.03);
-  if (count < 100) return;
-  for (const std::vector<double>* all : {&gaps, &gaps_among})
-    WARN(all->size() << " of " << count << (all == &gaps ? " bounded in the open" : " bounded among obstacles")
-                     << "; gap: median " << (*all)[all->size() / 2] << ", 90 % " << (*all)[all->size() * 9 / 10]
-                     << ", largest " << all->back());
-}
-
-TEST_CASE("bracket in space: the polyline of a planted flow costs what it has to") {
-  Random random;
-  for (int k = 0; k < 5; ++k) {
-    const PlantedSpace medium = PlantedSpace::random(random);
-    const std::shared_ptr<const SpaceDensity> density = space_density_of(medium.cost());
-    Eigen::Matrix3Xd x(3, static_cast<Eigen::Index>(medium.flow.size()));
-    for (std::size_t i = 0; i < medium.flow.size(); ++i) x.col(static_cast<Eigen::Index>(i)) = medium.flow[i];
-    const double cost = polyline_cost_above(*density, x), truth = medium.least_cost();
-    CHECK(cost >= truth);
-    CHECK(cost <= truth * (1 + 1e-4));
-  }
-}
 
 /// Closed forms (docs/oracles.md), and gaps that the construction is built for.
 TEST_CASE("bracket in space: media with known least costs", "[slow]") {
@@ -176,7 +71,7 @@ TEST_CASE("bracket in space: media with known least costs", "[slow]") {
        3.05937323665641694,
        6e-3},
   };
-  if (space_problems(2) < 100) cases.resize(2);  // the others take some seconds each
+  if (planted_problems(2) < 100) cases.resize(2);  // the others take some seconds each
   for (const Case& c : cases) {
     CAPTURE(c.density);
     const std::shared_ptr<const SpaceDensity> density = isotropic_density(c.density);

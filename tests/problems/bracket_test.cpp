@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/problems/bracket/plane/bracket.hpp>
+#include <leastcost/problems/bracket/search/bracket.hpp>
 
 #include <cmath>
 #include <cstdlib>
@@ -21,8 +21,6 @@
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/problems/post_processors/bracket.hpp>
 #include <leastcost/solvers/newton.hpp>
-#include "problems/bracket/plane/distance_bound.hpp"
-#include "problems/bracket/plane/level.hpp"
 #include "tests/problems/planted_media.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/trials.hpp"
@@ -43,65 +41,7 @@ std::shared_ptr<const CostDensity> isotropic(const std::string& squared,
 
 AlignedBox2d box(double x0, double y0, double x1, double y1) { return {Vector2d(x0, y0), Vector2d(x1, y1)}; }
 
-/// Largest |grad u| / n at random places where the inequality is said to be proved, over the ratio that is proved.
-double worst_sample(const BracketPotential& potential, const CostDensity& density, const AlignedBox2d& box, int count,
-                    Random& random) {
-  double worst = 0;
-  for (int k = 0; k < count; ++k) {
-    const Vector2d x(random.uniform(box.min()[0], box.max()[0]), random.uniform(box.min()[1], box.max()[1]));
-    if (!potential.is_checked(x)) continue;
-    worst = std::max(worst, potential.gradient(x).norm() / (potential.ratio * density.density(x)));
-  }
-  return worst;
-}
-
 }  // namespace
-
-/// A bound above a true least cost is the worst defect. LEASTCOST_BRACKET_PROBLEMS sets another number of them.
-TEST_CASE("bracket: never above a planted least cost") {
-  Random random;
-  const int count = planted_problems(40);
-  std::vector<double> gaps;
-  int bounded = 0;
-  for (int k = 0; k < count; ++k) {
-    CAPTURE(k);
-    const PlantedMedium medium = PlantedMedium::random(random);
-    const std::shared_ptr<const CostDensity> density = density_of(medium.cost());
-    const bool fine = k % 10 == 0, known = k % 2 == 0;
-    const double truth = medium.least_cost();
-    const Bracket bracket =
-        bracket_least_cost(*density, medium.box, medium.source, medium.target,
-                           known ? truth * (1 + random.uniform(1e-7, 1e-3)) : kInfinite,
-                           {.tolerance = 1e-12, .cells = fine ? 64 : random.integer(24, 40), .max_cells = 330});
-    REQUIRE(bracket.lower <= truth * (1 + kOfTruth));
-    REQUIRE(bracket.upper >= truth * (1 - kOfTruth));
-    if (bracket.potential) {
-      CHECK(worst_sample(*bracket.potential, *density, medium.box, 500, random) <= 1 + 1e-11);
-      ++bounded;
-      gaps.push_back(1 - bracket.lower / truth);
-    }
-  }
-  std::sort(gaps.begin(), gaps.end());
-  INFO(bounded << " of " << count << " with a potential");
-  CHECK(bounded >= 9 * count / 10);
-  CHECK(gaps[gaps.size() / 2] < 1e-3);
-  if (count > 100)
-    WARN(bounded << " of " << count << " bounded by a potential; gap: median " << gaps[gaps.size() / 2] << ", 90 % "
-                 << gaps[gaps.size() * 9 / 10] << ", largest " << gaps.back());
-}
-
-TEST_CASE("bracket: the polyline of a planted flow costs what it has to") {
-  Random random;
-  for (int k = 0; k < 20; ++k) {
-    const PlantedMedium medium = PlantedMedium::random(random);
-    const std::shared_ptr<const CostDensity> density = density_of(medium.cost());
-    Eigen::Matrix2Xd x(2, static_cast<Eigen::Index>(medium.flow.size()));
-    for (std::size_t i = 0; i < medium.flow.size(); ++i) x.col(static_cast<Eigen::Index>(i)) = medium.flow[i];
-    const double cost = polyline_cost_above(*density, x), truth = medium.least_cost();
-    CHECK(cost >= truth);
-    CHECK(cost <= truth * (1 + 1e-4));
-  }
-}
 
 /// Closed forms (docs/oracles.md), and gaps that the construction is built for.
 TEST_CASE("bracket: media with known least costs", "[slow_sanitized]") {
@@ -169,147 +109,6 @@ TEST_CASE("bracket: stopped at any time it keeps what is proved") {
     CHECK(looks == after + 1);
     CHECK(found.lower <= 2.47561986411056569);
   }
-}
-
-namespace {
-
-using namespace bracket;
-
-/// A cell with random coefficients around a plane, and the largest length of its gradient at 33 x 33 places, in long
-/// double.
-struct RandomCell {
-  std::vector<double> u = std::vector<double>(9);
-  long double longest = 0;
-
-  RandomCell(Random& random, double noise) {
-    const double angle = random.uniform(0, 6.3), size = random.uniform(0.5, 2);
-    for (int k = 0; k < 9; ++k)
-      u[static_cast<std::size_t>(k)] =
-          size * (std::cos(angle) * (k % 3 - 1) + std::sin(angle) * (k / 3 - 1)) + noise * random.normal();
-    for (int q = 0; q <= 32; ++q)
-      for (int p = 0; p <= 32; ++p) longest = std::max(longest, slope(p / 32.0L - 0.5L, q / 32.0L - 0.5L));
-  }
-  long double slope(long double a, long double b) const {
-    const auto w = [](long double t) {
-      return std::array<long double, 3>{(0.5L - t) * (0.5L - t) / 2, 0.75L - t * t, (0.5L + t) * (0.5L + t) / 2};
-    };
-    const auto d = [](long double t) { return std::array<long double, 3>{t - 0.5L, -2 * t, t + 0.5L}; };
-    const auto wa = w(a), wb = w(b), da = d(a), db = d(b);
-    long double x = 0, y = 0;
-    for (std::size_t k = 0; k < 9; ++k) {
-      x += da[k % 3] * wb[k / 3] * u[k];
-      y += wa[k % 3] * db[k / 3] * u[k];
-    }
-    return std::sqrt(x * x + y * y);
-  }
-};
-
-double proved_of(const RandomCell& cell, const CheckRules& rules) {
-  Net one;
-  for (auto& row : one) row.fill(1);
-  return proved_ratio(cell.u, 3, 4, 1, 3, one, rules);
-}
-
-/// How often the rules claim less than the gradient has.
-int false_claims(const CheckRules& rules, double noise, Random& random) {
-  int wrong = 0;
-  for (int k = 0; k < 300; ++k) {
-    const RandomCell cell(random, noise);
-    wrong += static_cast<long double>(proved_of(cell, rules)) < cell.longest ? 1 : 0;
-  }
-  return wrong;
-}
-
-}  // namespace
-
-/// Mutations of the check are seen by the same comparison that the check itself passes.
-TEST_CASE("bracket: the check of a cell, and checks that are not") {
-  Random random;
-  for (const double noise : {0.0, 1e-14, 1e-3, 0.3}) CHECK(false_claims({}, noise, random) == 0);
-  CHECK(false_claims({.rounding = -1}, 0, random) > 100);
-  for (unsigned k = 0; k < 9; ++k) {
-    if (k == 4) continue;  // the mean of others in x and in y: no spline is known that needs it
-    CAPTURE(k);
-    CHECK(false_claims({.dropped = 1U << k, .halvings = 0}, 0.3, random) > 0);
-  }
-  for (const double noise : {1e-3, 0.3}) CHECK(false_claims({.halvings = 0}, noise, random) == 0);
-}
-
-TEST_CASE("bracket: the floor of a density lies below it, and near") {
-  Random random;
-  for (int k = 0; k < 50; ++k) {
-    const PlantedMedium medium = PlantedMedium::random(random);
-    const std::shared_ptr<const CostDensity> density = density_of(medium.cost());
-    const CellGrid grid = CellGrid::over(medium.box, 40);
-    const int i = random.integer(1, grid.nx), j = random.integer(1, grid.ny);
-    const Net floor = density_floor(*density, grid, i, j);
-    for (int n = 0; n < 50; ++n) {
-      const double a = random.uniform(0, 1), b = random.uniform(0, 1);
-      const Vector2d x = grid.node(i, j) + grid.h * Vector2d(a - 0.5, b - 0.5);
-      if (!medium.box.contains(x)) continue;
-      const std::array<double, 3> wa = {(1 - a) * (1 - a), 2 * a * (1 - a), a * a},
-                                  wb = {(1 - b) * (1 - b), 2 * b * (1 - b), b * b};
-      double value = 0;
-      for (std::size_t q = 0; q < 3; ++q)
-        for (std::size_t p = 0; p < 3; ++p) value += wb[q] * wa[p] * floor[q][p];
-      CHECK(value <= medium.density(x));
-      CHECK(value >= medium.density(x) - 0.05);
-    }
-  }
-}
-
-/// The squares around the ends: with the one that the check left out the bound holds, with a smaller one it uses a part
-/// of the potential that nobody has checked.
-TEST_CASE("bracket: an end square that is too small is caught") {
-  const std::shared_ptr<const CostDensity> density = isotropic("1");
-  const std::function<bool()> never;
-  const StopLook look(never);
-  const Vector2d source(0.2625, 0.5125), target(0.7625, 0.5125);
-  const std::function<double(const Vector2d&)> open;
-  const Level level = whole_level({*density, open}, box(0, 0, 1, 1), 40, look);
-  const CellGrid& grid = level.grid;
-  EndRegion s = end_region(*density, grid, source, 3), t = end_region(*density, grid, target, 3);
-  REQUIRE(s.valid);
-  REQUIRE(t.valid);
-  REQUIRE(s.k == 3);
-  std::vector<double> u(level.density.size()), ratios;
-  for (int node = 0; node < grid.nodes(); ++node) u[static_cast<std::size_t>(node)] = grid.x(grid.column(node));
-  u[static_cast<std::size_t>(grid.id(s.ci, s.cj))] -= 0.2;  // within the square of the source, seen by no cell outside
-  const auto bound = [&](const EndRegion& around_s, double ratio) {
-    return rim_minimum(grid, around_s, level.searched, u, -1, ratio) +
-           rim_minimum(grid, t, level.searched, u, 1, ratio);
-  };
-  const double truth = 0.5, ratio = check(level, u, s, t, ratios);
-  CHECK(ratio < 1 + 1e-9);
-  CHECK(bound(s, ratio) <= truth);
-  CHECK(bound(s, ratio) > 0.9 * truth);
-  EndRegion small = s;
-  small.k = 0;
-  CHECK(bound(small, ratio) > truth);  // what a wrong square would claim
-  CHECK(check(level, u, small, t, ratios) > 2);
-  CHECK(bound(small, check(level, u, small, t, ratios)) <= truth);
-}
-
-/// v of the squares around the ends, against the costs of planted media: along their flow, whichever way it goes on.
-TEST_CASE("bracket: the cone at an end lies below the cost") {
-  Random random;
-  int valid = 0, straight = 0;
-  for (int k = 0; k < 200; ++k) {
-    const PlantedMedium medium = PlantedMedium::random(random);
-    const std::shared_ptr<const CostDensity> density = density_of(medium.cost());
-    const CellGrid grid = CellGrid::over(medium.box, k % 2 == 0 ? random.integer(30, 200) : random.integer(6, 20));
-    const EndRegion region = end_region(*density, grid, medium.source, random.integer(2, 12));
-    if (!region.valid) continue;
-    ++valid;
-    straight += region.c == 0 && region.gx == 0 ? 1 : 0;
-    for (const Vector2d& x : medium.flow) {
-      if (!region.holds(grid.column_at(x[0]), grid.row_at(x[1]))) break;
-      const Vector2d d = x - medium.source;
-      CHECK(region.cone(d[0], d[1]) <= (medium.u(x) - medium.u(medium.source)) * (1 + 1e-12) + 1e-15);
-    }
-  }
-  CHECK(valid > 160);
-  CHECK(straight > 20);  // on coarse grids
 }
 
 namespace {

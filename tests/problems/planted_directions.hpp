@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/problems/bracket/plane/bracket.hpp>
+#include <leastcost/problems/bracket/search/bracket.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/costs/zermelo.hpp>
 #include "tests/problems/planted_media.hpp"
@@ -148,7 +148,7 @@ inline double worst_dual(const BracketPotential& potential, const CostDual& dual
     const Eigen::Vector2d x(random.uniform(box.min()[0], box.max()[0]), random.uniform(box.min()[1], box.max()[1]));
     if (!potential.is_checked(x)) continue;
     const Eigen::Vector2d p = potential.gradient(x);
-    worst = std::max(worst, dual.dual(x)(p[0], p[1]) / potential.ratio);
+    worst = std::max(worst, dual.dual(x)(p[0], p[1]) / potential.ratio());
   }
   return worst;
 }

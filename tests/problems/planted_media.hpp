@@ -70,6 +70,8 @@ struct PlantedMedium {
     return sum;
   }
   double density(const Eigen::Vector2d& x) const { return gradient(x).norm(); }
+  /// The farthest that a place of the flow is from one of those that are kept, nearly.
+  double flow_step() const { return box.sizes().minCoeff() / 1000; }
   double least_cost() const { return u(target) - u(source); }
 
   /// n^2 as a formula.
@@ -100,7 +102,7 @@ struct PlantedMedium {
   void follow_flow() {
     const Eigen::Vector2d rim = 0.04 * box.sizes();
     const Eigen::AlignedBox2d inner(box.min() + rim, box.max() - rim);
-    const double step = box.sizes().minCoeff() / 1000;
+    const double step = flow_step();
     flow = {source};
     for (int k = 0; k < 1200; ++k) {
       const Eigen::Vector2d x = flow.back(), a = direction(x), b = direction(x + step / 2 * a),

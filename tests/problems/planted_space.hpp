@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/problems/bracket/space/space_density.hpp>
+#include <leastcost/problems/bracket/space_density.hpp>
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/costs/refractive_index.hpp>
 #include "tests/support/random.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <leastcost/framework/search/find_path.hpp>
-#include <leastcost/problems/bracket/plane/bracket.hpp>
+#include <leastcost/problems/bracket/search/bracket.hpp>
 #include <leastcost/problems/costs/cost_map.hpp>
 #include <leastcost/problems/initializers/grid.hpp>
 #include <leastcost/problems/initializers/waypoints.hpp>
@@ -186,7 +186,7 @@ TEST_CASE("raster bracket: never above what a path costs") {
     for (int n = 0; n < 100 && found.potential; ++n) {
       const Vector2d x = place_in(box, random);
       if (!found.potential->is_checked(x)) continue;
-      CHECK(found.potential->gradient(x).norm() <= found.potential->ratio * density->density(x) * (1 + 1e-11));
+      CHECK(found.potential->gradient(x).norm() <= found.potential->ratio() * density->density(x) * (1 + 1e-11));
     }
   }
   std::sort(gaps.begin(), gaps.end());

@@ -11,7 +11,7 @@
 
 #include <leastcost/framework/cost/segment_cost_function.hpp>
 #include <leastcost/framework/search/find_path.hpp>
-#include <leastcost/problems/bracket/plane/bracket.hpp>
+#include <leastcost/problems/bracket/search/bracket.hpp>
 #include <leastcost/problems/costs/walking.hpp>
 #include <leastcost/problems/initializers/straight.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
@@ -19,9 +19,9 @@
 #include <leastcost/problems/manifolds/euclidean.hpp>
 #include <leastcost/problems/post_processors/bracket.hpp>
 #include <leastcost/solvers/newton.hpp>
+#include "problems/bracket/cells/sampled_cone.hpp"
+#include "problems/bracket/cells/sampled_norms.hpp"
 #include "problems/bracket/cubic_minimum.hpp"
-#include "problems/bracket/plane/sampled_cone.hpp"
-#include "problems/bracket/plane/sampled_norms.hpp"
 #include "tests/problems/planted_directions.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/trials.hpp"
