@@ -95,7 +95,7 @@ std::filesystem::path output_of(const RunRequest& request, const Run& run) {
 }
 
 std::string with_advice(const std::string& refusal, bool replaceable) {
-  if (refusal.find("-o chooses") != std::string::npos) return refusal;  // it says so already
+  if (refusal.find("use -o") != std::string::npos) return refusal;  // it says so already
   return refusal +
          (replaceable ? "; use --force to replace it, or -o for another folder" : "; use -o for another folder");
 }

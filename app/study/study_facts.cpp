@@ -95,7 +95,7 @@ std::string resolved_study(const StudyGrid& grid, const fs::path& output) {
   }
   OptionsWriter writer;
   config.fields(writer);
-  return "# Every option of this study, defaults included. `leastcost study` on this file repeats it.\n" +
+  return "# Every option of this study, including defaults. To repeat the study: `leastcost study` on this file.\n" +
          to_yaml(writer.take());
 }
 

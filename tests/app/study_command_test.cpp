@@ -111,7 +111,7 @@ TEST_CASE("study command: wrong usage is exit 2, a wrong study 3, none 4") {
   CHECK(call({"study", (dir / "none.yaml").string()}).exit == 4);
   CHECK(call({"merge", (dir / "none").string(), "-o", (dir / "m").string()}).exit == 4);
   std::ofstream(dir / "run.yaml") << kPlane;
-  CHECK_THAT(call({"study", (dir / "run.yaml").string()}).err, Contains("makes this a run: leastcost run runs it"));
+  CHECK_THAT(call({"study", (dir / "run.yaml").string()}).err, Contains("so it is a run: run it with leastcost run"));
   CHECK_THAT(call({"run", study}).err,
              Contains("this file has 'problems', so it is a study: run it with leastcost study"));
 }

@@ -110,7 +110,7 @@ std::vector<ProblemBase> read_problems(LoadedStudy& study) {
       base.tree = read_problem_file(study, problem.config, base.file);
     }
     base.name = name_of(problem, base);
-    if (base.name.empty()) study.errors.error(base.place, "a problem that is written here needs a name");
+    if (base.name.empty()) study.errors.error(base.place, "an inline problem needs a name");
     if (!known.insert(base.name).second)
       study.errors.error(base.place,
                          fmt::format("two problems are called {}: give one another name", in_quotes(base.name)));

@@ -67,7 +67,7 @@ class GridBuilder {
     double cells = 1;
     for (std::size_t i = 0; i <= axes_.size(); ++i) cells *= static_cast<double>(size_of(i));
     if (cells <= static_cast<double>(kMostCells)) return true;
-    errors_.error({1, 1, 1, ""}, fmt::format("the grid has {:.3g} cells; the most are {}", cells, kMostCells));
+    errors_.error({1, 1, 1, ""}, fmt::format("the grid has {:.3g} cells; the limit is {}", cells, kMostCells));
     return false;
   }
 
@@ -141,7 +141,7 @@ class GridBuilder {
     std::string word = type != nullptr ? type->value.text : entry->value.text;
     const PluginEntry* plugin = find_plugin(kind("solver"), word);
     if (plugin == nullptr || plugin->missing.empty()) return "";
-    skipped = fmt::format("solver {} is not part of this build: {}", in_quotes(word), plugin->missing);
+    skipped = fmt::format("solver {} is not in this build: {}", in_quotes(word), plugin->missing);
     tree.entries.erase(std::remove_if(tree.entries.begin(), tree.entries.end(),
                                       [](const ConfigEntry& e) { return e.key == "solver"; }),
                        tree.entries.end());
@@ -239,7 +239,7 @@ class GridBuilder {
       }
       if (conditions == 0)
         errors_.error(place_of(study_.tree, fmt::format("skip.{}", s)),
-                      "would leave out every cell: say which, like {solver: x, because: ..}");
+                      "would leave out every cell: restrict it, for example {solver: x, because: ..}");
     }
   }
 

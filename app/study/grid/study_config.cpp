@@ -19,7 +19,7 @@ BlockList skips_of(StudyConfig& config) {
     for (const ConfigEntry& swept : config.sweep.entries) axes.push_back(swept.key);
     for (const std::string& axis : axes)
       visit.field(axis, skip.values[axis], {.help = "Only cells with one of these values."});
-    visit.field("because", skip.because, {.help = "Why; stands in the summary.", .required = true});
+    visit.field("because", skip.because, {.help = "Reason, shown in the summary.", .required = true});
   };
   return {[&config] { return config.skip.size(); }, [&config](std::size_t n) { config.skip.resize(n); }, fields};
 }
@@ -64,26 +64,26 @@ void StudyProblem::fields(RunVisitor& visit) {
   visit.field("optimum", optimum,
               {.help = "Its true least cost, if known.", .unit = "cost", .minimum = 0, .exclusive_minimum = true});
   visit.tree("set", set, TreeForm::options, nullptr, {.help = "Options of this problem only."});
-  visit.field("optional", optional, {.help = "Skip it where one of its files does not exist."});
+  visit.field("optional", optional, {.help = "Skip the problem if one of its files does not exist."});
 }
 
 void StudyConfig::fields(RunVisitor& visit) {
   visit.field("name", name, {.help = "Name of the study and of its output folder; default: that of the file."});
   visit.field("seed", seed,
-              {.help = "Master seed: the seed of a cell is that of `seeds`, else that of its configuration, else made "
-                       "from this and the name of its problem.",
+              {.help = "Master seed. The seed of a cell comes from `seeds`, else from its configuration, else from "
+                       "this seed and the problem's name.",
                .minimum = 0});
-  visit.blocks("problems", blocks_of(problems), {.help = "What is solved.", .required = true});
+  visit.blocks("problems", blocks_of(problems), {.help = "Problems to solve.", .required = true});
   visit.tree("solvers", solvers, TreeForm::plugins, &kind("solver"),
-             {.help = "By which solvers, each with a name if two are of one type; default: that of each problem."});
+             {.help = "Solvers; give each a name if two have the same type. Default: that of each problem."});
   visit.tree("kernels", kernels, TreeForm::plugins, &kind("kernel"),
-             {.help = "With which kernels; default: that of each problem."});
+             {.help = "Kernels; default: that of each problem."});
   visit.tree("points", points, TreeForm::counts, nullptr,
-             {.help = "With how many points; default: that of each problem."});
-  visit.tree("seeds", seeds, TreeForm::integers, nullptr, {.help = "From which random numbers."});
+             {.help = "Numbers of points; default: that of each problem."});
+  visit.tree("seeds", seeds, TreeForm::integers, nullptr, {.help = "Seeds of the random numbers."});
   visit.tree("sweep", sweep, TreeForm::sweep, nullptr, {.help = "Further axes: any options, each with its values."});
   visit.tree("set", set, TreeForm::options, nullptr, {.help = "Options of every cell."});
-  visit.blocks("skip", skips_of(*this), {.help = "Cells that are left out, and why."});
+  visit.blocks("skip", skips_of(*this), {.help = "Cells to leave out, with the reason."});
   visit.field("repetitions", repetitions, {.help = "How often each cell is run.", .minimum = 1, .maximum = 1000});
   visit.field_or_zero(
       "max_seconds", max_seconds,
@@ -92,13 +92,13 @@ void StudyConfig::fields(RunVisitor& visit) {
        .minimum = 0,
        .maximum = 1e9});
   visit.field("grace_seconds", grace_seconds,
-              {.help = "So long after its budget its process is killed; reading its files counts.",
+              {.help = "Time after the budget at which the process is killed; includes reading files.",
                .unit = "s",
                .minimum = 0,
                .maximum = 1e9});
   visit.field_or_zero(
       "max_evaluations", max_evaluations,
-      {.help = "Limit on energy and gradient evaluations of every solver that has no own one; 0: the solver's.",
+      {.help = "Limit on energy and gradient evaluations of every solver without its own limit; 0: the solver's.",
        .minimum = 0});
   visit.field_or_zero("max_memory", max_memory,
                       {.help = "Limit on the address space of one cell; 0: none.", .unit = "MB", .minimum = 0});
@@ -121,7 +121,7 @@ LoadedStudy parse_study(std::string text, const std::string& file_name, const st
   const std::string stem = std::filesystem::path(file_name).stem().string();
   loaded.config.name = stem.empty() ? "study" : stem;
   if (const ConfigEntry* run = loaded.tree.find("manifold"); run != nullptr && !loaded.tree.find("problems")) {
-    loaded.errors.error(run->place, "'manifold' makes this a run: leastcost run runs it");
+    loaded.errors.error(run->place, "this file has 'manifold', so it is a run: run it with leastcost run");
     return loaded;
   }
   OptionsReader reader(loaded.tree, "", {1, 1, 1, ""}, loaded.errors);

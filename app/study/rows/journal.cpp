@@ -38,7 +38,7 @@ std::string whole_lines(const fs::path& file) {
 
 void read_facts(const std::string& line, JournalContent& content) {
   const Json json = Json::parse(line);
-  if (json.at("format") != kFormat) throw InputError("is no journal of a study");
+  if (json.at("format") != kFormat) throw InputError("is not a study journal");
   if (json.at("schema_version") != kSchemaVersion)
     throw InputError("was written by a version of leastcost with another layout");
   StudyFacts& facts = content.facts;
@@ -142,8 +142,9 @@ Journal Journal::resume(const fs::path& file, const StudyFacts& facts, const Sha
   if (!text.empty()) content = parse_journal(text, file);
   const std::string reason = difference(facts, content.facts);
   if (!reason.empty())
-    throw OutputRefused(fmt::format("{}: belongs to another study: {}; -o chooses another folder, --force begins anew",
-                                    file.string(), reason));
+    throw OutputRefused(
+        fmt::format("{}: belongs to another study: {}; use -o for another folder, or --force to start again",
+                    file.string(), reason));
   if (!(content.shard == shard))
     throw OutputRefused(fmt::format("{}: holds shard {}/{} of this study, not {}/{}", file.string(),
                                     content.shard.index, content.shard.count, shard.index, shard.count));

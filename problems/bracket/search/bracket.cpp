@@ -19,9 +19,8 @@ template <Medium M, int N = M::kDimension>
 BoxBracket<N> bracket_in(M medium, const Box<N>& box, const Vector<N>& source, const Vector<N>& target, double upper,
                          const BoxBracketOptions<N>& options) {
   if (!(box.sizes().minCoeff() > 0) || !box.sizes().allFinite())
-    throw InputError("a bracket needs a box with finite sides of some length");
-  if (!box.contains(source) || !box.contains(target))
-    throw InputError("both ends have to lie in the box of the bracket");
+    throw InputError("a bracket needs a box with finite sides longer than 0");
+  if (!box.contains(source) || !box.contains(target)) throw InputError("both ends must be in the box of the bracket");
   return BoxSearch<M>(std::move(medium), box, source, target, upper, options).run();
 }
 
