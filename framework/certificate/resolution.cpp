@@ -14,7 +14,7 @@
 
 #include <leastcost/framework/domain/encloses_level_set.hpp>
 #include "framework/base/point_text.hpp"
-#include "framework/proof/calibration.hpp"
+#include "framework/proof/calibrate.hpp"
 
 namespace leastcost {
 namespace {
@@ -137,13 +137,14 @@ class Examiner {
     return chart != nullptr && !chart->poles().empty();
   }
 
-  /// What is proved replaces a bar that contradicts it, and one that is wider.
+  /// What is proved replaces a bar that contradicts it, and one that is wider. A value between the bounds stays: it is
+  /// an extrapolation, and closer than they are.
   void quote_bounds(const Calibration& found) {
     const double upper = *found.upper, proved = upper - found.lower;
     const bool agrees = estimate_.value - estimate_.error <= upper && estimate_.value + estimate_.error >= found.lower;
     if (agrees && estimate_.error <= proved) return;
-    estimate_.value = upper;
-    estimate_.error = proved;
+    if (!(found.lower <= estimate_.value && estimate_.value <= upper)) estimate_.value = upper;
+    estimate_.error = std::max(upper - estimate_.value, estimate_.value - found.lower);
     estimate_.method = "bracket";
     estimate_.lower = found.lower;
     estimate_.upper = upper;

@@ -48,7 +48,7 @@ enum class ProofEffort {
 
 /// Looks for what the levels of the refinement did not see: solves a chain that is not nested with them, and where
 /// cost and domain are formulas proves that the path is the cheapest in a tube around it
-/// (framework/proof/calibration.hpp). An estimate that contradicts what is proved, or that is wider, is replaced by the
+/// (framework/proof/calibrate.hpp). An estimate that contradicts what is proved, or that is wider, is replaced by the
 /// bounds. Throws Interrupted.
 ExaminedResolution examine_resolution(const Problem& problem, const CoordinatePath& chain, const Refinement& refinement,
                                       ProofEffort effort, CostEstimate& estimate, const Monitor& monitor);

@@ -13,7 +13,7 @@
 #include <leastcost/framework/search/find_path.hpp>
 #include "framework/base/point_text.hpp"
 #include "framework/family/family_rank.hpp"
-#include "framework/proof/calibration.hpp"
+#include "framework/proof/calibrate.hpp"
 #include "framework/result/feasible_cost.hpp"
 #include "framework/search/point_doubling.hpp"
 

@@ -4,8 +4,7 @@
 
 #include <optional>
 
-#include <leastcost/framework/base/deadline.hpp>
-#include <leastcost/framework/problem/problem.hpp>
+#include <leastcost/framework/path/path.hpp>
 #include "framework/proof/detail_verdict.hpp"
 
 namespace leastcost {
@@ -38,15 +37,5 @@ struct CalibrationOptions {
   double gap = 0;      ///< relative; no more effort where it is reached
   int boxes = 4;       ///< at most this many per segment of the tube, in the mean: the effort for the proof
 };
-
-/// Whether there can be a proof: cost and domain are formulas, in two or three coordinates, or the metric is constant
-/// in a flat space of any number of them.
-bool can_calibrate(const Problem& problem);
-
-/// For a piecewise quintic curve with continuous curvature along an open chain or a ring, through as many of its points
-/// as the shape of the curve and of the metric ask for: the time does not grow with the number of points. Throws
-/// Interrupted.
-Calibration calibrate(const Problem& problem, const CoordinatePath& chain, const CalibrationOptions& options,
-                      const Deadline& deadline);
 
 }  // namespace leastcost

@@ -114,9 +114,9 @@ class TubeProof {
 
   double worst() const { return *std::max_element(excess_.begin(), excess_.end()); }
 
-  /// Of the cost of a segment: a tenth of what is not known anyway.
+  /// Of the cost of a segment: little of what is not known anyway.
   double uncertainty() const {
-    constexpr double kPart = 0.1;
+    constexpr double kPart = 0.02;
     double gap = enough_;
     if (proved_) {
       double loss = 0;

@@ -8,7 +8,7 @@
 #include <leastcost/framework/domain/manifold.hpp>
 #include "framework/base/point_text.hpp"
 #include "framework/energy/spacing.hpp"
-#include "framework/proof/calibration.hpp"
+#include "framework/proof/calibrate.hpp"
 #include "framework/search/begin.hpp"
 #include "framework/search/dearer_than_first.hpp"
 #include "framework/search/more_points_help.hpp"

@@ -410,7 +410,7 @@ TEST_CASE("output.files: a run writes what is named, and its manifest") {
   CHECK(fs::exists(dir / "a/report.html"));  // all of them, in the place of a folder that lacks some
   CHECK_THAT(errors_of(kPlane + "output: {files: [result, pth]}\n"),
              Contains("a.yaml:6:17: error: 'files' has 'pth'") && Contains("did you mean 'path'"));
-  CHECK_THAT(errors_of(kPlane + "output: {files: [result, report]}\n"), Contains("made from 'path' too"));
+  CHECK_THAT(errors_of(kPlane + "output: {files: [result, report]}\n"), Contains("also needs 'path'"));
 }
 
 TEST_CASE("pairs on the bunny: killed and resumed with two threads, the same lines as at one go") {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 // Proofs of minima: their bounds hold closed-form values, and what the points of a chain did not see makes them fail.
-#include "framework/proof/calibration.hpp"
+#include "framework/proof/calibrate.hpp"
 
 #include <cmath>
 #include <limits>

@@ -78,7 +78,7 @@ TEST_CASE("a path of which a proof knows that a far shorter one may exist is not
     certify_straightened(problem, path, {}, c);
     CHECK(failed(c, "global") == (outcome == "blocked"));
     if (outcome == "blocked")
-      CHECK_THAT(failures(c), Catch::Contains("a path of 2 may exist") && Catch::Contains(global.reason));
+      CHECK_THAT(failures(c), Catch::Contains("a path of cost 2 may exist") && Catch::Contains(global.reason));
   }
   global.outcome = "blocked";
   global.gap = 1e-6;  // what is left open is little

@@ -57,7 +57,7 @@ TEST_CASE("parts of a cloud are counted, and ends in different parts named with 
     cloud_route(problem, *domain, {});
     FAIL("a route between two spheres");
   } catch (const InitializationError& error) {
-    CHECK(std::string(error.what()).find("of 1500 and 700 points") != std::string::npos);
+    CHECK(std::string(error.what()).find("with 1500 and 700 points") != std::string::npos);
   }
 }
 

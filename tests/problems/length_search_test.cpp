@@ -142,7 +142,7 @@ TEST_CASE("length search: two components, a stop, fewer vertices than landmarks"
   CHECK(std::isinf(marks.of(first).front()));
   const EdgePath apart = search.shortest(vertex_point(mesh, 0), vertex_point(mesh, first), {.landmarks = &marks});
   CHECK(apart.outcome == EdgePathOutcome::different_components);
-  CHECK_THAT(apart.failure(), Catch::Contains("of 8 and 3 vertices"));
+  CHECK_THAT(apart.failure(), Catch::Contains("with 8 and 3 vertices"));
   const EdgePath beside =
       search.shortest(vertex_point(mesh, first), vertex_point(mesh, first + 1), {.landmarks = &marks});
   CHECK(beside.cost == Approx(1));

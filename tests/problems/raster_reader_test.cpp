@@ -178,7 +178,7 @@ TEST_CASE("rasters: fill values that nobody declared are named with the option t
     const std::size_t at = message.rfind("set nodata: ");
     REQUIRE(at != std::string::npos);
     RasterOptions mended;
-    mended.nodata = std::stod(message.substr(at + 14));
+    mended.nodata = std::stod(message.substr(at + 12));
     CHECK(refusal(fill, mended) == "accepted");
   }
   CHECK(refusal("12", {}) == "accepted");

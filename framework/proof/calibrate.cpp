@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/proof/calibration.hpp"
+#include "framework/proof/calibrate.hpp"
 
 #include <algorithm>
 #include <array>
