@@ -82,7 +82,9 @@ TEST_CASE("shipped studies: with the chain, evaluations do not grow with the poi
 TEST_CASE("shipped studies: accuracy grows with the points, at the order of the curve") {
   const ScratchDir dir;
   const app::RunTable table =
-      run_reduced(dir, "accuracy.yaml", {"points=[16, 64]", "solvers=[newton]", "repetitions=1", "max_seconds=0"});
+      run_reduced(dir, "accuracy.yaml",
+                  {"points=[16, 64]", "solvers=[newton]", "repetitions=1", "max_seconds=0",
+                   "set={certificate.proof: never}"});  // bounds would replace the bar of few points, and better it
   REQUIRE(table.rows.size() == 12);
   for (std::size_t i = 0; i < table.rows.size(); i += 2) {
     CAPTURE(table.rows[i].problem);
