@@ -16,7 +16,6 @@ set(leastcost_unity_together
   "problems/(initializers|layers)"
   "problems/(graph|post_processors)"
   "problems/(cloud|fields)"
-  "problems/(bracket|bracket/cells|bracket/search)"
   "catalogue/(config|inputs|options|output|plugins|registry|run)"
   "catalogue/(scene|yaml)"
   "app/(cli|distances|pairs|plot|report|report/page|run|study|study/cell)"

@@ -47,9 +47,10 @@ class TubeProof {
   /// With the cost of the curve, enclosed to a part of the gap. Throws Interrupted.
   Calibration result() {
     if (!tube_.exists() || out_.details == DetailVerdict::found) return out_;
+    const double enough = uncertainty();
     Interval curve(0), loss(0);
     for (std::size_t n = 0; n < tube_.segments.size(); ++n) {
-      const Interval cost = bounds_.curve_cost(tube_.segments[n], {0, 1}, uncertainty());
+      const Interval cost = bounds_.curve_cost(tube_.segments[n], {0, 1}, enough);
       curve += cost;
       if (proved_) loss += cost * Interval(excess_[n]);
     }
