@@ -12,7 +12,7 @@
 namespace leastcost {
 namespace {
 
-constexpr std::size_t kKept = 64;  ///< answers
+constexpr std::size_t kAnswersKept = 64;  ///< answers
 
 struct LagrangianAnswer {
   LagrangianQuestion question;
@@ -30,7 +30,7 @@ class LagrangianMemory {
   }
   void keep(LagrangianAnswer answer) {
     const std::lock_guard<std::mutex> guard(lock_);
-    if (answers_.size() == kKept) answers_.pop_front();
+    if (answers_.size() == kAnswersKept) answers_.pop_front();
     answers_.push_back(std::move(answer));
   }
 
