@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The leastcost authors
 # SPDX-License-Identifier: MIT
 # The compiled part. Shapes, units and errors: see the Python files that call it.
+from collections.abc import Callable
 from pathlib import Path
-from typing import overload
+from typing import Any, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +17,14 @@ class Outcome:
     def json(self) -> str: ...
     def write(self, folder: Path, replace: bool) -> Path: ...
 
-def run(source: Source, max_seconds: float | None) -> Outcome: ...
+class Cost:
+    def __init__(
+        self, q: Callable[[NDArray[Any], NDArray[Any]], NDArray[Any]], dim: int, unit: str, symmetric: bool, additive: bool
+    ) -> None: ...
+
+version: str
+
+def run(source: Source, max_seconds: float | None, cost: Cost | None) -> Outcome: ...
 def validate(source: Source) -> None: ...
 
 class SurfacePoint:

@@ -30,7 +30,7 @@ def run(
 
     Raises ConfigError, InputError, NoPathError, TimeLimitError.
     """
-    return Result(_leastcost.run(source_of(config, set, folder), max_seconds))
+    return Result(_leastcost.run(source_of(config, set, folder), max_seconds, None))
 
 
 def validate(

@@ -14,6 +14,7 @@
 #include "catalogue/run/compose.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/bind.hpp"
+#include "python/src/python_cost.hpp"
 #include "python/src/signals.hpp"
 
 namespace leastcost::python {
@@ -44,21 +45,25 @@ Run read(const Source& source, Signals& signals) {
   return parse_run(source.text, source.name, source.folder, source.overrides(), progress);
 }
 
-/// Without the GIL. Of an interrupted search the best path so far, if there is one.
-RunOutcome run(const Source& source, std::optional<double> max_seconds) {
+/// Without the GIL. Of an interrupted search the best path so far, if there is one. `cost`, unless null, takes the
+/// place of that of the configuration; what it raises is raised here.
+RunOutcome run(const Source& source, std::optional<double> max_seconds, const std::shared_ptr<PythonCost>& cost) {
   Signals signals;
   std::optional<RunOutcome> outcome;
   try {
     const py::gil_scoped_release released;
     Run run = read(source, signals);
     if (max_seconds) run.max_seconds = max_seconds;
+    if (cost) run.parts.problem.cost = cost;
     Monitor monitor;
-    monitor.stop_requested = [&] { return signals.stop(); };
+    monitor.stop_requested = [&] { return signals.stop() || (cost && cost->failed()); };
     outcome.emplace(solve(std::move(run), monitor));
   } catch (const std::exception&) {
     signals.raise();
+    if (cost) cost->raise();
     throw;
   }
+  if (cost) cost->raise();
   if (outcome->result.status == Status::interrupted && outcome->result.path.u.cols() > 0)
     signals.deliver();
   else
@@ -96,7 +101,13 @@ void bind_run(py::module_& module) {
             return write_run(o, folder, {.replace = replace});
           },
           "folder"_a, "replace"_a);
-  module.def("run", &run, "source"_a, "max_seconds"_a);
+  py::class_<PythonCost, std::shared_ptr<PythonCost>>(module, "Cost")
+      .def(py::init([](py::function q, int dim, std::string unit, bool symmetric, bool additive) {
+             CostTraits traits{.unit = std::move(unit), .symmetric = symmetric, .additive = additive};
+             return std::make_shared<PythonCost>(std::move(q), dim, std::move(traits));
+           }),
+           "q"_a, "dim"_a, "unit"_a, "symmetric"_a, "additive"_a);
+  module.def("run", &run, "source"_a, "max_seconds"_a, "cost"_a);
   module.def("validate", &validate, "source"_a);
 }
 
