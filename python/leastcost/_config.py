@@ -8,13 +8,16 @@ import json
 import os
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, Union
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import _leastcost
 
-Config = Union[str, "os.PathLike[str]", Mapping[str, Any]]
+if TYPE_CHECKING:
+    from typing import Union
+
+    Config = Union[str, os.PathLike[str], Mapping[str, Any]]
 
 
 def source_of(config: Config, set: Mapping[str, Any] | None, folder: str | os.PathLike[str]) -> _leastcost.Source:

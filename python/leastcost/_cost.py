@@ -4,16 +4,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ._errors import InputError
 
-#: q(a, b): squared costs of moves, shape (n,); a, b: their ends, shape (d, n), real or complex.
-SquaredCost = Callable[[NDArray[Any], NDArray[Any]], NDArray[Any]]
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
+
+    #: q(a, b): squared costs of moves, shape (n,); a, b: their ends, shape (d, n), real or complex.
+    SquaredCost = Callable[[NDArray[Any], NDArray[Any]], NDArray[Any]]
 
 _STEP = 1e-150  # of a complex step
 _TOLERANCE = 1e-4  # between derivatives by complex steps and by differences, relative
@@ -44,13 +47,15 @@ def check_analytic(q: SquaredCost, source: NDArray[np.float64], target: NDArray[
             exact = _moved(q, a, b, end, axis, 1j * _STEP).imag / _STEP
             h = 1e-6 * size
             difference = (_moved(q, a, b, end, axis, h) - _moved(q, a, b, end, axis, -h)) / (2 * h)
-            wrong = np.abs(exact - difference) > _TOLERANCE * np.max(np.abs(difference), initial=0, where=np.isfinite(difference))
+            largest = np.max(np.abs(difference), initial=0, where=np.isfinite(difference))
+            wrong = np.abs(exact - difference) > _TOLERANCE * largest
             if wrong.any():  # NaN is not: outside the domain
                 i = int(np.argmax(wrong))
                 raise InputError(
-                    f"the cost is not analytic: its derivative by {name}[{axis}] is {exact[i]:.6g} by a complex step and "
-                    f"{difference[i]:.6g} by differences, for the move from {a[:, i].tolist()} to {b[:, i].tolist()}; "
-                    "write it without abs, maximum, conj or conditions on complex numbers (abs(x): (x**2)**0.5)"
+                    f"the cost is not analytic: its derivative by {name}[{axis}] is {exact[i]:.6g} by a complex step "
+                    f"and {difference[i]:.6g} by differences, for the move from {a[:, i].tolist()} to "
+                    f"{b[:, i].tolist()}; write it without abs, maximum, conj or conditions on complex numbers "
+                    "(abs(x): (x**2)**0.5)"
                 )
 
 

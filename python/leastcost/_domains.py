@@ -2,9 +2,15 @@
 # SPDX-License-Identifier: MIT
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, Union
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from typing import Union
+
+    #: Where points may be; a dict is what a configuration has under `manifold`.
+    Domain = Union["Space", Mapping[str, Any]]
 
 
 @dataclass(frozen=True)
@@ -26,7 +32,3 @@ class Plane(Space):
 
     def __repr__(self) -> str:
         return "Plane()"
-
-
-#: Where points may be; a dict is what a configuration has under `manifold`.
-Domain = Union[Space, Mapping[str, Any]]

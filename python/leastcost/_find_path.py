@@ -2,23 +2,29 @@
 # SPDX-License-Identifier: MIT
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any, Union
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
 from . import _leastcost
 from ._config import source_of
-from ._cost import SquaredCost, check_analytic, checked
-from ._domains import Domain, Space
+from ._cost import check_analytic, checked
+from ._domains import Space
 from ._errors import InputError
 from ._result import Result
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from numpy.typing import ArrayLike, NDArray
+
+    from ._cost import SquaredCost
+    from ._domains import Domain
 
 
 def find_path(
     domain: Domain,
-    cost: Union[str, Mapping[str, Any], SquaredCost],
+    cost: str | Mapping[str, Any] | SquaredCost,
     source: ArrayLike,
     target: ArrayLike,
     *,

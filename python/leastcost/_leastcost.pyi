@@ -19,7 +19,12 @@ class Outcome:
 
 class Cost:
     def __init__(
-        self, q: Callable[[NDArray[Any], NDArray[Any]], NDArray[Any]], dim: int, unit: str, symmetric: bool, additive: bool
+        self,
+        q: Callable[[NDArray[Any], NDArray[Any]], NDArray[Any]],
+        dim: int,
+        unit: str,
+        symmetric: bool,
+        additive: bool,
     ) -> None: ...
 
 version: str

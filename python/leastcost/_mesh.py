@@ -4,19 +4,23 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Union
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
 from . import _leastcost
 from ._errors import InputError
 
-#: A vertex, by its row in V, or a point (x, y, z), which means the nearest one of the surface.
-Place = Union[int, Sequence[float], NDArray[Any]]
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+    from typing import Union
+
+    from numpy.typing import ArrayLike, NDArray
+
+    #: A vertex, by its row in V, or a point (x, y, z), which means the nearest one of the surface.
+    Place = Union[int, Sequence[float], NDArray[Any]]
 
 
 @dataclass(frozen=True, eq=False)

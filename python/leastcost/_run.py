@@ -2,13 +2,17 @@
 # SPDX-License-Identifier: MIT
 from __future__ import annotations
 
-import os
-from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import _leastcost
-from ._config import Config, source_of
+from ._config import source_of
 from ._result import Result
+
+if TYPE_CHECKING:
+    import os
+    from collections.abc import Mapping
+
+    from ._config import Config
 
 
 def run(

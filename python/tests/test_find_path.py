@@ -26,7 +26,11 @@ def test_a_cost_in_python_equals_the_built_in_one():
 def test_a_cost_in_space():
     """Straight lines are shortest in a metric that is constant."""
     weights = np.array([[1.0], [4], [9]])
-    result = lc.find_path(lc.Space(3), lambda a, b: (weights * (b - a) ** 2).sum(0), (0, 0, 0), (1, 1, 1), additive=True)
+
+    def q(a, b):
+        return (weights * (b - a) ** 2).sum(0)
+
+    result = lc.find_path(lc.Space(3), q, (0, 0, 0), (1, 1, 1), additive=True)
     assert result.certified and result.cost == pytest.approx(np.sqrt(14), rel=1e-12)
     assert np.allclose(result.points, np.linspace(0, 1, 66)[:, None], atol=1e-9)
 
