@@ -47,7 +47,7 @@ def find_path(
       straight move, so that its parts add up to it; the error is then much smaller.
     max_seconds: wall time, s.
 
-    Ctrl-C and errors: as of run(). What the function raises comes out as it is.
+    Ctrl-C and errors: as of run(). What the function raises comes out as it is; so does KeyboardInterrupt within it.
     """
     ends = _point(source, "source"), _point(target, "target")
     config: dict[str, Any] = {
