@@ -3,10 +3,8 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include <cmath>
 #include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "python/src/arrays.hpp"
@@ -84,7 +82,7 @@ void bind_mesh(py::module_& module) {
       });
   using Released = py::call_guard<py::gil_scoped_release>;
   py::class_<Mesh>(module, "Mesh")
-      .def(py::init<const Mesh::Vertices&, const Mesh::Faces&, bool>(), "V"_a, "F"_a, "weld"_a)
+      .def(py::init<const Mesh::Vertices&, const Mesh::Faces&, bool>(), "V"_a, "F"_a, "weld"_a, Released())
       .def(py::init<const std::filesystem::path&, bool>(), "file"_a, "weld"_a, Released())
       .def("V", [](const Mesh& mesh) { return rows_of(mesh.vertices()); })
       .def("F", [](const Mesh& mesh) { return rows_of(mesh.faces()); })

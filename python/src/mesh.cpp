@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "python/src/mesh.hpp"
 
-#include <cmath>
 #include <string>
 
 #include <leastcost/framework/base/errors.hpp>
@@ -75,7 +74,8 @@ ExactResult Mesh::geodesic(const SurfacePoint& source, const SurfacePoint& targe
   if (!first.found() && !(stop && stop()))
     throw InitializationError("there is no path on the mesh from " + text_of(mesh_, source) + " to " +
                               text_of(mesh_, target));
-  ExactResult found = exact_.shortest(source, target, workspace.exact, {.stop = stop, .start = &first.result.path});
+  const SurfacePath* start = first.found() ? &first.result.path : nullptr;
+  ExactResult found = exact_.shortest(source, target, workspace.exact, {.stop = stop, .start = start});
   give_back(std::move(workspace));
   return found;
 }

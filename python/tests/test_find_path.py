@@ -94,14 +94,17 @@ def test_an_exception_of_the_cost_keeps_its_traceback(calls):
 
 
 def test_time_limit():
+    calls = 0
+
     def slow(a, b):
+        nonlocal calls
+        calls += 1
         time.sleep(0.01)
         return chute(a, b)
 
-    start = time.monotonic()
     try:
         result = lc.find_path(lc.Plane(), slow, (0, 0), PI, max_seconds=0.2)
         assert result.status == "interrupted" and not result.certified
     except lc.TimeLimitError:
         pass
-    assert time.monotonic() - start < 0.9
+    assert calls < 100

@@ -13,14 +13,18 @@ import pytest
 
 
 def interrupt_after(seconds: float) -> list:
-    """Sends SIGINT to this process, once; the list then holds the time of it."""
+    """Sends SIGINT to this process once it has used so much CPU time; the list then holds the CPU time of it. On a busy
+    machine nothing else is comparable."""
     sent: list = []
+    start = time.process_time()
 
     def send() -> None:
-        sent.append(time.monotonic())
+        while time.process_time() < start + seconds:
+            time.sleep(0.005)
+        sent.append(time.process_time())
         os.kill(os.getpid(), signal.SIGINT)
 
-    threading.Timer(seconds, send).start()
+    threading.Thread(target=send).start()
     return sent
 
 
@@ -42,7 +46,7 @@ def test_distances_stop_at_once():
     sent = interrupt_after(0.1)
     with pytest.raises(KeyboardInterrupt):
         mesh.distances(0)
-    assert time.monotonic() - sent[0] < 0.25  # 50 ms, and what a busy machine adds
+    assert time.process_time() - sent[0] < 0.05
     assert mesh.geodesic(0, 1).proved  # the mesh is as good as before
 
 
@@ -50,7 +54,7 @@ def test_a_run_returns_the_best_so_far(configs):
     sent = interrupt_after(0.3)
     options = {"path.points": 400_000, "certificate.refine": 0}
     result = lc.run(configs / "brachistochrone.yaml", set=options)
-    assert time.monotonic() - sent[0] < 1
+    assert time.process_time() - sent[0] < 0.5  # the costs of its 400,000 moves included
     assert result.status == "interrupted" and not result.certified
 
 
