@@ -1,0 +1,44 @@
+# SPDX-FileCopyrightText: 2026 The leastcost authors
+# SPDX-License-Identifier: MIT
+"""Least-cost paths with certificates.
+
+    import leastcost as lc
+
+    result = lc.run("brachistochrone.yaml")      # what the command line program does
+    print(result.cost, "+-", result.error, result.scope)
+
+    mesh = lc.Mesh.read("hill.obj")              # or lc.Mesh(V, F), arrays
+    geodesic = mesh.geodesic(0, 80)              # the shortest path of all, with its proof
+    distances = mesh.distances([0, 12])
+
+    chute = lambda a, b: 2 * ((b - a) ** 2).sum(0) / ((-a[1]) ** 0.5 + (-b[1]) ** 0.5) ** 2
+    fastest = lc.find_path(lc.Plane(), chute, (0, 0), (3, -2), unit="s", additive=True)
+
+Arrays of results have one point per row. Searches release the GIL and end within 50 ms of Ctrl-C.
+"""
+
+from ._domains import Plane, Space
+from ._errors import ConfigError, Error, InputError, NoPathError, OutputError, TimeLimitError
+from ._find_path import find_path
+from ._leastcost import version as __version__
+from ._mesh import Geodesic, Mesh
+from ._result import Failure, Result
+from ._run import run, validate
+
+__all__ = [
+    "ConfigError",
+    "Error",
+    "Failure",
+    "Geodesic",
+    "InputError",
+    "Mesh",
+    "NoPathError",
+    "OutputError",
+    "Plane",
+    "Result",
+    "Space",
+    "TimeLimitError",
+    "find_path",
+    "run",
+    "validate",
+]

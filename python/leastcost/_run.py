@@ -1,0 +1,45 @@
+# SPDX-FileCopyrightText: 2026 The leastcost authors
+# SPDX-License-Identifier: MIT
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from . import _leastcost
+from ._config import source_of
+from ._result import Result
+
+if TYPE_CHECKING:
+    import os
+    from collections.abc import Mapping
+
+    from ._config import Config
+
+
+def run(
+    config: Config,
+    *,
+    set: Mapping[str, Any] | None = None,
+    folder: str | os.PathLike[str] = "",
+    max_seconds: float | None = None,
+) -> Result:
+    """The path that a configuration asks for: the same as of `leastcost run`, without files.
+
+    config: the path of a YAML file, its text (with a line break), or the same as a dict.
+    set: options that are replaced or added, as of --set: {"path.points": 200}.
+    folder: what the files named in a text or a dict are relative to; empty: the current folder.
+    max_seconds: wall time for the search, s; None: as the configuration says.
+
+    Ctrl-C ends the search within 50 ms: the best path so far is returned, its status is "interrupted";
+    KeyboardInterrupt is raised if there is none yet.
+
+    Raises ConfigError, InputError, NoPathError, TimeLimitError.
+    """
+    return Result(_leastcost.run(source_of(config, set, folder), max_seconds, None))
+
+
+def validate(
+    config: Config, *, set: Mapping[str, Any] | None = None, folder: str | os.PathLike[str] = ""
+) -> None:
+    """Checks a configuration without solving it. Raises ConfigError with the text of `leastcost validate`, InputError
+    for a file that cannot be read. Arguments as of run()."""
+    _leastcost.validate(source_of(config, set, folder))

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace leastcost::python {
+
+/// C++ exceptions become those of leastcost/_errors.py.
+void translate_errors();
+
+void bind_run(pybind11::module_& module);
+void bind_mesh(pybind11::module_& module);
+
+}  // namespace leastcost::python

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/version.hpp>
+#include "python/src/bind.hpp"
+
+PYBIND11_MODULE(_leastcost, module) {
+  module.doc() =
+      "What leastcost is made of. Use the package leastcost, which checks arguments and says what they mean.";
+  module.attr("version") = LEASTCOST_VERSION;
+  leastcost::python::translate_errors();
+  leastcost::python::bind_run(module);
+  leastcost::python::bind_mesh(module);
+}

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <chrono>
+#include <optional>
+
+namespace leastcost::python {
+
+/// Ctrl-C while a search runs without the GIL: stop() is what the search asks, from the thread that started it.
+/// Python's handlers run at most every 20 ms, because taking the GIL has to wait for other threads.
+class Signals {
+ public:
+  /// True once a handler has raised. Without the GIL.
+  bool stop();
+  /// Raises what the handler has raised, if it did. With the GIL.
+  void raise();
+  /// The search has a path to deliver in spite of it: a KeyboardInterrupt is forgotten, other exceptions are raised.
+  void deliver();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::milliseconds kEvery{20};
+
+  Clock::time_point next_ = Clock::now();
+  std::optional<pybind11::error_already_set> raised_;
+};
+
+}  // namespace leastcost::python

@@ -1,0 +1,110 @@
+# SPDX-FileCopyrightText: 2026 The leastcost authors
+# SPDX-License-Identifier: MIT
+import time
+import traceback
+
+import leastcost as lc
+import numpy as np
+import pytest
+
+PI = (np.pi, -2)
+
+
+def chute(a, b):
+    """Squared time of a bead on a straight chute, from rest at height 0, gravity 1."""
+    return 2 * ((b - a) ** 2).sum(0) / (np.sqrt(-a[1]) + np.sqrt(-b[1])) ** 2
+
+
+def test_a_cost_in_python_equals_the_built_in_one():
+    built_in = lc.find_path(lc.Plane(), {"type": "travel_time", "gravity": 1}, (0, 0), PI, points=40)
+    own = lc.find_path(lc.Plane(), chute, (0, 0), PI, points=40, unit="s", additive=True)
+    assert own.certified and own.unit == "s"
+    assert own.cost == pytest.approx(built_in.cost, rel=1e-11)
+    assert abs(own.cost - np.pi) <= 3 * own.error < 1e-6
+
+
+def test_a_cost_in_space():
+    """Straight lines are shortest in a metric that is constant."""
+    weights = np.array([[1.0], [4], [9]])
+
+    def q(a, b):
+        return (weights * (b - a) ** 2).sum(0)
+
+    result = lc.find_path(lc.Space(3), q, (0, 0, 0), (1, 1, 1), additive=True)
+    assert result.certified and result.cost == pytest.approx(np.sqrt(14), rel=1e-12)
+    assert np.allclose(result.points, np.linspace(0, 1, 66)[:, None], atol=1e-9)
+
+
+def test_without_additive_the_error_is_honest():
+    result = lc.find_path(lc.Plane(), chute, (0, 0), PI, points=64)
+    assert abs(result.cost - np.pi) <= 3 * result.error
+
+
+def test_domains_and_costs_of_configurations():
+    result = lc.find_path({"type": "euclidean", "dimension": 2}, "euclidean", (0, 0), (3, 4), points=8)
+    assert result.cost == pytest.approx(5, rel=1e-12)
+    with pytest.raises(lc.ConfigError, match="euclidian"):
+        lc.find_path(lc.Plane(), "euclidian", (0, 0), (1, 0))
+
+
+@pytest.mark.parametrize(
+    "q, derivative",
+    [
+        (lambda a, b: ((b - a) ** 2).sum(0) * (1 + np.abs(a[0])), r"a\[0\]"),
+        (lambda a, b: ((b - a) ** 2).sum(0) * (1 + b[1].real ** 2), r"b\[1\]"),
+    ],
+)
+def test_a_cost_that_is_not_analytic_is_refused(q, derivative):
+    with pytest.raises(lc.InputError, match="not analytic: its derivative by " + derivative):
+        lc.find_path(lc.Plane(), q, (0.5, 0.5), (2, 1))
+
+
+def test_the_remedy_of_that_message():
+    def q(a, b):
+        return ((b - a) ** 2).sum(0) * (1 + (a[0] ** 2) ** 0.5) * (1 + (b[0] ** 2) ** 0.5)
+
+    assert lc.find_path(lc.Plane(), q, (0.5, 0.5), (2, 1)).cost > 0
+
+
+def test_shapes_are_refused_in_words():
+    with pytest.raises(lc.InputError, match=r"returned the shape \(2, 9\); of 9 moves it is \(9,\)"):
+        lc.find_path(lc.Plane(), lambda a, b: (b - a) ** 2, (0, 0), (1, 0))
+    with pytest.raises(lc.InputError, match="target has 3 coordinates"):
+        lc.find_path(lc.Plane(), chute, (0, 0), (1, 0, 0))
+    with pytest.raises(lc.InputError, match="source is a point"):
+        lc.find_path(lc.Plane(), chute, [[0, 0]], (1, 0))
+    with pytest.raises(lc.InputError, match="needs Plane"):
+        lc.find_path({"type": "sphere"}, chute, (0, 0), (1, 0))
+
+
+@pytest.mark.parametrize("calls", [10, 20, 60])
+def test_an_exception_of_the_cost_keeps_its_traceback(calls):
+    made = 0
+
+    def q(a, b):
+        nonlocal made
+        made += 1
+        if made > calls:
+            raise ZeroDivisionError("mine")
+        return chute(a, b)
+
+    with pytest.raises(ZeroDivisionError, match="mine") as caught:
+        lc.find_path(lc.Plane(), q, (0, 0), PI, points=40, additive=True)
+    assert "in q" in "".join(traceback.format_tb(caught.value.__traceback__))
+
+
+def test_time_limit():
+    calls = 0
+
+    def slow(a, b):
+        nonlocal calls
+        calls += 1
+        time.sleep(0.01)
+        return chute(a, b)
+
+    try:
+        result = lc.find_path(lc.Plane(), slow, (0, 0), PI, max_seconds=0.2)
+        assert result.status == "interrupted" and not result.certified
+    except lc.TimeLimitError:
+        pass
+    assert calls < 100

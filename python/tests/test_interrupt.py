@@ -1,0 +1,92 @@
+# SPDX-FileCopyrightText: 2026 The leastcost authors
+# SPDX-License-Identifier: MIT
+"""Ctrl-C, and what other threads do meanwhile."""
+
+import os
+import signal
+import threading
+import time
+
+import leastcost as lc
+import numpy as np
+import pytest
+
+
+def interrupt_after(seconds: float) -> list:
+    """Sends SIGINT to this process once it has used so much CPU time; the list then holds the CPU time of it. On a busy
+    machine nothing else is comparable."""
+    sent: list = []
+    start = time.process_time()
+
+    def send() -> None:
+        while time.process_time() < start + seconds:
+            time.sleep(0.005)
+        sent.append(time.process_time())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    threading.Thread(target=send).start()
+    return sent
+
+
+def large_mesh(side: int) -> lc.Mesh:
+    x, y = np.meshgrid(np.linspace(0, 1, side), np.linspace(0, 1, side))
+    z = 0.02 * np.sin(40 * x) * np.cos(37 * y)
+    corner = np.arange(side * (side - 1)).reshape(side - 1, side)[:, :-1].ravel()
+    F = np.vstack(
+        [
+            np.column_stack([corner, corner + 1, corner + side]),
+            np.column_stack([corner + 1, corner + side + 1, corner + side]),
+        ]
+    )
+    return lc.Mesh(np.column_stack([x.ravel(), y.ravel(), z.ravel()]), F)
+
+
+def test_distances_stop_at_once():
+    mesh = large_mesh(300)
+    sent = interrupt_after(0.1)
+    with pytest.raises(KeyboardInterrupt):
+        mesh.distances(0)
+    assert time.process_time() - sent[0] < 0.05
+    assert mesh.geodesic(0, 1).proved  # the mesh is as good as before
+
+
+def test_a_run_returns_the_best_so_far(configs):
+    sent = interrupt_after(0.3)
+    options = {"path.points": 400_000, "certificate.refine": 0}
+    result = lc.run(configs / "brachistochrone.yaml", set=options)
+    assert time.process_time() - sent[0] < 0.5  # the costs of its 400,000 moves included
+    assert result.status == "interrupted" and not result.certified
+
+
+def test_own_handlers_are_heard():
+    mesh = large_mesh(300)
+
+    def handler(*_):
+        raise RuntimeError("enough")
+
+    before = signal.signal(signal.SIGINT, handler)
+    try:
+        interrupt_after(0.1)
+        with pytest.raises(RuntimeError, match="enough"):
+            mesh.distances(0)
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+def test_other_threads_run_meanwhile():
+    mesh = large_mesh(150)
+    ticks = 0
+    done = threading.Event()
+
+    def count() -> None:
+        nonlocal ticks
+        while not done.is_set():
+            ticks += 1
+            time.sleep(0.001)
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    mesh.distances(0)
+    done.set()
+    thread.join()
+    assert ticks > 10

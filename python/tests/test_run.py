@@ -1,0 +1,96 @@
+# SPDX-FileCopyrightText: 2026 The leastcost authors
+# SPDX-License-Identifier: MIT
+import json
+import subprocess
+
+import leastcost as lc
+import numpy as np
+import pytest
+
+CHUTE = """
+manifold: {type: euclidean, dimension: 2}
+cost: {type: travel_time, gravity: 1}
+ends: {source: {point: [0, 0]}, target: {point: [3.141592653589793, -2]}}
+path: {points: 40}
+"""
+
+
+def test_brachistochrone_takes_pi(configs):
+    result = lc.run(configs / "brachistochrone.yaml")
+    assert result.status == "certified" and result.certified and result.failures == []
+    assert result.scope == "local"
+    assert abs(result.cost - np.pi) < 3 * result.error < 1e-6
+    assert result.points.shape[1] == 2 and result.points.dtype == np.float64
+    assert result.curve.shape[1] == 2
+    assert result.certificate == result.report["certificate"]
+
+
+@pytest.mark.parametrize("name", ["brachistochrone", "snell", "plan_taut", "bunny_geodesic"])
+def test_same_result_as_the_program(configs, program, tmp_path, name):
+    """Every number but the times, to the last bit."""
+    run = [program, "run", f"configs/{name}.yaml", "-o", tmp_path / "out"]
+    subprocess.run(run, cwd=configs.parent, capture_output=True, check=False)
+    theirs = json.loads((tmp_path / "out/result.json").read_text())
+    ours = lc.run(configs / f"{name}.yaml").report
+    for key in ("cost", "scope", "status", "failures", "points", "spacing", "notes"):
+        assert ours[key] == theirs[key], key
+
+
+def test_a_text_and_a_dict_are_configurations_too():
+    of_text = lc.run(CHUTE)
+    of_dict = lc.run(
+        {
+            "manifold": {"type": "euclidean", "dimension": 2},
+            "cost": {"type": "travel_time", "gravity": np.int64(1)},
+            "ends": {"source": {"point": np.zeros(2)}, "target": {"point": np.array([np.pi, -2])}},
+            "path": {"points": 40},
+        }
+    )
+    assert of_text.cost == of_dict.cost
+
+
+def test_set_replaces_options():
+    assert lc.run(CHUTE, set={"path.points": 20}).report["points"] == 20
+    assert lc.run(CHUTE, set={"ends.target.point": np.array([1.0, -1.0])}).points[-1].tolist() == [1, -1]
+
+
+def test_files_are_relative_to_the_folder(configs):
+    text = (
+        "manifold: {type: mesh, file: data/hill.obj}\ncost: euclidean\n"
+        "ends: {source: {vertex: 0}, target: {vertex: 80}}\n"
+    )
+    assert lc.run(text, folder=configs).certified
+    with pytest.raises(lc.InputError, match="hill.obj"):
+        lc.run(text)
+
+
+def test_written_files_hold_the_same_points(tmp_path):
+    result = lc.run(CHUTE)
+    folder = result.write(tmp_path / "chute")
+    assert json.loads((folder / "result.json").read_text())["cost"]["value"] == result.cost
+    with pytest.raises(lc.OutputError):
+        result.write(tmp_path / "chute")
+    assert result.write(tmp_path / "chute", replace=True) == folder
+
+
+def test_arrays_outlive_the_result():
+    points = lc.run(CHUTE).points
+    assert points.flags.owndata or points.base is not None
+    assert points[0].tolist() == [0, 0] and len(points) == 42
+
+
+def test_repr_says_what_is_known():
+    assert repr(lc.run(CHUTE)).startswith("<leastcost.Result certified: 3.1415926")
+
+
+def test_plot_draws_the_curve():
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    result = lc.run(CHUTE)
+    axes = result.plot(color="black")
+    line, dots = axes.get_lines()
+    assert np.array_equal(line.get_xydata(), result.curve) and line.get_color() == "black"
+    assert np.array_equal(dots.get_xydata(), result.points)
+    pyplot.close("all")
