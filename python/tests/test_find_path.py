@@ -77,6 +77,15 @@ def test_shapes_are_refused_in_words():
         lc.find_path({"type": "sphere"}, chute, (0, 0), (1, 0))
 
 
+def test_a_shape_that_changes_later_is_refused():
+    def q(a, b):
+        values = chute(a, b)
+        return values if len(values) < 30 else values[:-1]
+
+    with pytest.raises(ValueError, match=r"the shape \(31,\); of 32 moves it is \(32,\)"):
+        lc.find_path(lc.Plane(), q, (0, 0), PI, points=40)
+
+
 @pytest.mark.parametrize("calls", [10, 20, 60])
 def test_an_exception_of_the_cost_keeps_its_traceback(calls):
     made = 0
