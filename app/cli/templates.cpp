@@ -120,7 +120,7 @@ path: {points: 64}
 )";
 
 constexpr std::string_view kCloud =
-    R"(# A geodesic on the smooth surface through your own point cloud: give its file name below, relative to this folder.
+    R"(# A geodesic on the smooth surface through your own point cloud. Give its file below, relative to this folder.
 name: cloud
 manifold:
   type: point_cloud

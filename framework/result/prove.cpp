@@ -7,6 +7,7 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/certificate/resolution.hpp>
 #include <leastcost/framework/newton/refinement.hpp>
+#include "framework/result/find_path_checks.hpp"
 
 namespace leastcost {
 
@@ -15,6 +16,8 @@ Result prove(const Problem& problem, Result result, const Monitor& monitor) {
   if (!certificate.measured)
     throw InputError(
         "prove() needs a result with a certificate: set certificate.enabled in the options of find_path()");
+  check(problem);
+  check_path(problem, result.path, problem.ring ? 1 : 2, "the path of the result");
   if (!certificate.resolution || certificate.resolution->minimum_proved) return result;
   try {
     const Refinement refinement = refine_levels(problem, result.path, monitor);

@@ -69,6 +69,13 @@ TEST_CASE("a second call without time changes nothing, and without a certificate
   REQUIRE(stopped.notes.size() == prompt.notes.size() + 1);
   CHECK(stopped.notes.back().find("prove()") != std::string::npos);
   CHECK_THROWS_AS(prove(problem, run(problem, ProofRule::never, false)), InputError);
+  CHECK_THROWS_AS(prove(problem, Result()), InputError);
+  const Problem in_space =
+      between(space(3), make_euclidean_cost(3), Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 0, 0));
+  CHECK_THROWS_WITH(prove(in_space, prompt), Catch::Contains("the path of the result is 2 x"));
+  Problem without_kernel = problem;
+  without_kernel.kernel = nullptr;
+  CHECK_THROWS_WITH(prove(without_kernel, prompt), Catch::Contains("kernel"));
 }
 
 }  // namespace leastcost::test
