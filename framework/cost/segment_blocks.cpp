@@ -31,3 +31,11 @@ void chord_residual(const ConstVector& a, const ConstVector& b, double q, const 
 }
 
 }  // namespace leastcost::detail
+
+namespace leastcost {
+
+LEASTCOST_SEGMENT_LOOPS(, 2)
+LEASTCOST_SEGMENT_LOOPS(, 3)
+LEASTCOST_SEGMENT_LOOPS(, Eigen::Dynamic)
+
+}  // namespace leastcost

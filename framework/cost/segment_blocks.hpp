@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include <leastcost/framework/cost/segment_cost.hpp>
 #include <leastcost/framework/cost/segment_derivatives.hpp>
 #include <leastcost/framework/path/kernel.hpp>
 
@@ -75,15 +76,6 @@ double short_move_limit(double size, double speed, MoveCost cost) {
 
 }  // namespace detail
 
-/// Hessian of phi(q / s0^2): phi' d2q / s0^2 + phi'' dq dq' / s0^4.
-template <class C>
-void exact_block(const C& c, const SegmentEnds<C::dim>& e, const Kernel& kernel, double s0, Eigen::Ref<Points> h) {
-  SegmentGradient<C::dim> g;
-  const double scale = 1 / (s0 * s0);
-  const Jet2 phi = evaluate(kernel, scale * squared_cost_derivatives(c, e, g, h));
-  detail::scale_and_add_outer(phi.d1 * scale, phi.d2 * scale * scale, g, h);
-}
-
 /// A residual r of q, |r|^2 = q, and its Jacobian over (a, b), rows x 2d; columns of fixed ends are zero.
 template <int D>
 struct SegmentResidual {
@@ -125,43 +117,114 @@ void own_residual(const C& c, const SegmentEnds<C::dim>& e, SegmentResidual<C::d
   }
 }
 
-/// r = (c / |b - a|) (b - a), for costs without a residual of their own.
+/// q of a segment and its derivatives, whatever the type of the cost. Blocks, residuals and line elements are made from
+/// it by code that is compiled once per dimension instead of once per cost; a virtual call is small beside them.
+template <int D>
+class SegmentFunction {
+ public:
+  virtual double squared_cost(const Point<double, D>& a, const Point<double, D>& b) const = 0;
+  virtual double gradient(const SegmentEnds<D>& e, SegmentGradient<D>& g) const = 0;
+  /// Gradient and Hessian.
+  virtual double derivatives(const SegmentEnds<D>& e, SegmentGradient<D>& g, Eigen::Ref<Points> h) const = 0;
+  /// d^2/de^2 of q(x, x + e v) at e = 0.
+  virtual double second_derivative(const Point<double, D>& x, const Point<double, D>& v) const = 0;
+  virtual bool has_residual() const = 0;
+  virtual void residual(const SegmentEnds<D>& e, SegmentResidual<D>& out) const = 0;
+
+ protected:
+  ~SegmentFunction() = default;
+};
+
+/// The SegmentFunction of a cost, which must outlive it.
 template <class C>
-void chord_residual(const C& c, const SegmentEnds<C::dim>& e, SegmentResidual<C::dim>& out) {
+class SegmentFunctionOf final : public SegmentFunction<C::dim> {
+ public:
+  static constexpr int kDim = C::dim;
+
+  explicit SegmentFunctionOf(const C& c) : c_(c) {}
+
+  double squared_cost(const Point<double, kDim>& a, const Point<double, kDim>& b) const override {
+    return leastcost::squared_cost(c_, a, b);
+  }
+  double gradient(const SegmentEnds<kDim>& e, SegmentGradient<kDim>& g) const override {
+    return squared_cost_gradient(c_, e, g);
+  }
+  double derivatives(const SegmentEnds<kDim>& e, SegmentGradient<kDim>& g, Eigen::Ref<Points> h) const override {
+    return squared_cost_derivatives(c_, e, g, h);
+  }
+  double second_derivative(const Point<double, kDim>& x, const Point<double, kDim>& v) const override {
+    if constexpr (requires(const Eigen::VectorXd& any) { c_.line_element(any, any); }) {
+      return std::numeric_limits<double>::quiet_NaN();  // never asked for; such a cost may know no duals
+    } else {
+      using S = detail::Dual11;
+      Point<S, kDim> a = detail::constants<S, kDim>(x), b = a;
+      for (Index k = 0; k < x.size(); ++k) {
+        b[k].value.d[0] = v[k];
+        b[k].d[0].value = v[k];
+      }
+      return c_.template value<S>(a, b).d[0].d[0];
+    }
+  }
+  bool has_residual() const override { return kHasResidual; }
+  void residual(const SegmentEnds<kDim>& e, SegmentResidual<kDim>& out) const override {
+    if constexpr (kHasResidual) own_residual(c_, e, out);
+  }
+
+ private:
+  static constexpr bool kHasResidual = requires(const C c, const Point<double, kDim> x) {
+    c.template residual<double>(x, x);
+  };
+
+  const C& c_;
+};
+
+/// Segment number i. The ends of an open path are constants; a ring has none.
+template <int D>
+SegmentEnds<D> segment_ends(const AmbientPath& path, Index i) {
+  return {path.x.col(i), path.x.col(i + 1), path.begin_fixed() && i == 0,
+          path.end_fixed() && i + 1 == path.segment_count()};
+}
+
+/// Hessian of phi(q / s0^2): phi' d2q / s0^2 + phi'' dq dq' / s0^4.
+template <int D>
+void exact_block(const SegmentFunction<D>& c, const SegmentEnds<D>& e, const Kernel& kernel, double s0,
+                 Eigen::Ref<Points> h) {
+  SegmentGradient<D> g;
+  const double scale = 1 / (s0 * s0);
+  const Jet2 phi = evaluate(kernel, scale * c.derivatives(e, g, h));
+  detail::scale_and_add_outer(phi.d1 * scale, phi.d2 * scale * scale, g, h);
+}
+
+/// The residual of the cost, or r = (c / |b - a|) (b - a) where it has none of its own.
+template <int D>
+void squared_cost_residual(const SegmentFunction<D>& c, const SegmentEnds<D>& e, SegmentResidual<D>& out) {
+  if (c.has_residual()) return c.residual(e, out);
   const Index d = e.a.size();
-  SegmentGradient<C::dim> g;
-  const double q = squared_cost_gradient(c, e, g);
+  SegmentGradient<D> g;
+  const double q = c.gradient(e, g);
   out.r.resize(d);
   out.jacobian.resize(d, 2 * d);
   const detail::ConstVector ga(g.a), gb(g.b);
   detail::chord_residual(e.a, e.b, q, e.a_fixed ? nullptr : &ga, e.b_fixed ? nullptr : &gb, out.r, out.jacobian);
 }
 
-template <class C>
-void squared_cost_residual(const C& c, const SegmentEnds<C::dim>& e, SegmentResidual<C::dim>& out) {
-  if constexpr (requires { c.template residual<double>(e.a, e.b); })
-    own_residual(c, e, out);
-  else
-    chord_residual(c, e, out);
-}
-
 /// Positive semidefinite stand-in for the exact block. With a residual r: 2 phi' J'J + phi'' dq dq', which is
 /// semidefinite for every convex increasing H because dq = 2 J'r and q = |r|^2. Without one: the exact block with its
 /// negative eigenvalues lifted to zero. phi'' stays a little above the value at which H = s loses its stiffness along
 /// the path.
-template <class C>
-void gauss_newton_block(const C& c, const SegmentEnds<C::dim>& e, const Kernel& kernel, double s0,
+template <int D>
+void gauss_newton_block(const SegmentFunction<D>& c, const SegmentEnds<D>& e, const Kernel& kernel, double s0,
                         Eigen::Ref<Points> h) {
   constexpr double kLeastStiffness = 1e-3;
-  if constexpr (requires { c.template residual<double>(e.a, e.b); }) {
-    SegmentGradient<C::dim> g;
+  if (c.has_residual()) {
+    SegmentGradient<D> g;
     const double scale = 1 / (s0 * s0);
-    const double q = scale * squared_cost_gradient(c, e, g);
+    const double q = scale * c.gradient(e, g);
     Jet2 phi = evaluate(kernel, q);
     if (q > 0) phi.d2 = std::max(phi.d2, -(1 - kLeastStiffness) * phi.d1 / (2 * q));
-    SegmentResidual<C::dim> residual;
-    squared_cost_residual(c, e, residual);
-    detail::scaled_normal_matrix<C::dim>(2 * phi.d1 * scale, residual.jacobian, h);
+    SegmentResidual<D> residual;
+    c.residual(e, residual);
+    detail::scaled_normal_matrix<D>(2 * phi.d1 * scale, residual.jacobian, h);
     detail::scale_and_add_outer(1, phi.d2 * scale * scale, g, h);
   } else {
     exact_block(c, e, kernel, s0, h);
@@ -177,27 +240,65 @@ void gauss_newton_block(const C& c, const SegmentEnds<C::dim>& e, const Kernel& 
 /// is not twice differentiable there (a Finsler cost: |b - a| has no second derivatives), from short moves, to about
 /// 1e-9: a cost that says so is not asked, for it may return any number there. +infinity outside the domain of the
 /// cost.
-template <class C>
-double line_element_from_hessian(const C& c, const Point<double, C::dim>& x, const Point<double, C::dim>& v) {
-  using S = detail::Dual11;
-  if (!(squared_cost(c, x, x) == 0)) return std::numeric_limits<double>::infinity();
-  Point<S, C::dim> a = detail::constants<S, C::dim>(x), b = a;
+template <int D>
+double line_element_from_hessian(const SegmentFunction<D>& c, bool quadratic_at_rest, const Point<double, D>& x,
+                                 const Point<double, D>& v) {
+  if (!(c.squared_cost(x, x) == 0)) return std::numeric_limits<double>::infinity();
   double size = 0, speed = 0;
   for (Index k = 0; k < x.size(); ++k) {
-    b[k].value.d[0] = v[k];
-    b[k].d[0].value = v[k];
     size = std::max(size, std::abs(x[k]));
     speed = std::max(speed, std::abs(v[k]));
   }
-  if (c.traits().quadratic_at_rest) {
-    const double half = c.template value<S>(a, b).d[0].d[0] / 2;
+  if (quadratic_at_rest) {
+    const double half = c.second_derivative(x, v) / 2;
     if (half >= 0) return std::sqrt(half);
   }
   return detail::short_move_limit(size, speed, [&](double e) {
-    Point<double, C::dim> end = x;
+    Point<double, D> end = x;
     for (Index k = 0; k < x.size(); ++k) end[k] += e * v[k];
-    return std::sqrt(squared_cost(c, x, end));
+    return std::sqrt(c.squared_cost(x, end));
   });
 }
+
+/// The members of SegmentCost (framework/cost/segment_cost.hpp) of these names, by a loop over the segments.
+template <int D>
+void segment_chain_blocks(const SegmentFunction<D>& c, const AmbientPath& path, const Kernel& kernel, double s0,
+                          HessianKind kind, int dim, ChainBlocks& out) {
+  const Index width = 2 * dim;
+  out.blocks.resize(width, width * path.segment_count());
+  for (Index i = 0; i < path.segment_count(); ++i) {
+    Eigen::Ref<Points> block = out.blocks.middleCols(width * i, width);
+    if (kind == HessianKind::exact)
+      exact_block(c, segment_ends<D>(path, i), kernel, s0, block);
+    else
+      gauss_newton_block(c, segment_ends<D>(path, i), kernel, s0, block);
+  }
+}
+
+template <int D>
+void segment_residuals(const SegmentFunction<D>& c, const AmbientPath& path, int dim, Points& r, Points* jacobians) {
+  const Index width = 2 * dim;
+  SegmentResidual<D> one;
+  for (Index i = 0; i < path.segment_count(); ++i) {
+    squared_cost_residual(c, segment_ends<D>(path, i), one);
+    if (i == 0) {
+      r.resize(one.r.size(), path.segment_count());
+      if (jacobians != nullptr) jacobians->resize(one.r.size(), width * path.segment_count());
+    }
+    r.col(i) = one.r;
+    if (jacobians != nullptr) jacobians->middleCols(width * i, width) = one.jacobian;
+  }
+}
+
+// In the library for the usual dimensions (segment_blocks.cpp); of others the compiler makes its own.
+#define LEASTCOST_SEGMENT_LOOPS(PREFIX, D)                                                                        \
+  PREFIX template double line_element_from_hessian(const SegmentFunction<D>&, bool, const Point<double, D>&,      \
+                                                   const Point<double, D>&);                                      \
+  PREFIX template void segment_chain_blocks(const SegmentFunction<D>&, const AmbientPath&, const Kernel&, double, \
+                                            HessianKind, int, ChainBlocks&);                                      \
+  PREFIX template void segment_residuals(const SegmentFunction<D>&, const AmbientPath&, int, Points&, Points*);
+LEASTCOST_SEGMENT_LOOPS(extern, 2)
+LEASTCOST_SEGMENT_LOOPS(extern, 3)
+LEASTCOST_SEGMENT_LOOPS(extern, Eigen::Dynamic)
 
 }  // namespace leastcost

@@ -18,9 +18,10 @@
 
 namespace leastcost {
 
-/// Lifts a SegmentCostFunction to the run-level interface: one virtual call per path into a typed loop over blocks of
-/// segments, one kernel call per block. No heap for a compile-time dimension. Base: SegmentCost, or a base that adds
-/// abilities to it.
+/// Lifts a SegmentCostFunction to the run-level interface. Energy and gradient: one virtual call per path into a typed
+/// loop over blocks of segments, one kernel call per block. Blocks, residuals and line elements: one virtual call per
+/// segment out of loops that are compiled once per dimension (framework/cost/segment_blocks). No heap for a
+/// compile-time dimension. Base: SegmentCost, or a base that adds abilities to it.
 template <SegmentCostFunction C, class Base = SegmentCost>
 class SegmentCostOf : public Base, public ExplainsInfinity {
  public:
@@ -40,7 +41,7 @@ class SegmentCostOf : public Base, public ExplainsInfinity {
 
   double energy_and_gradient(const AmbientPath& path, const Kernel& kernel, double s0,
                              Eigen::Ref<Points> gradient) const override {
-    constexpr Index kBlock = kDim == Eigen::Dynamic ? 16 : 64;
+    constexpr Index kBlock = kDim == Eigen::Dynamic ? 16 : 64;  // segments per call of the kernel
     std::array<double, kBlock> q;
     std::array<Jet2, kBlock> phi;
     std::array<SegmentGradient<kDim>, kBlock> g;
@@ -50,7 +51,7 @@ class SegmentCostOf : public Base, public ExplainsInfinity {
     for (Index begin = 0; begin < path.segment_count(); begin += kBlock) {
       const Index count = std::min(kBlock, path.segment_count() - begin);
       for (Index j = 0; j < count; ++j) {
-        q[j] = scale * squared_cost_gradient(function_, ends(path, begin + j), g[j]);
+        q[j] = scale * squared_cost_gradient(function_, segment_ends<kDim>(path, begin + j), g[j]);
       }
       kernel.apply({q.data(), static_cast<std::size_t>(count)}, {phi.data(), static_cast<std::size_t>(count)});
       for (Index j = 0; j < count; ++j) {
@@ -64,36 +65,18 @@ class SegmentCostOf : public Base, public ExplainsInfinity {
 
   void chain_blocks(const AmbientPath& path, const Kernel& kernel, double s0, HessianKind kind,
                     ChainBlocks& out) const override {
-    const Index width = 2 * dim_;
-    out.blocks.resize(width, width * path.segment_count());
-    for (Index i = 0; i < path.segment_count(); ++i) {
-      Eigen::Ref<Points> block = out.blocks.middleCols(width * i, width);
-      if (kind == HessianKind::exact)
-        exact_block(function_, ends(path, i), kernel, s0, block);
-      else
-        gauss_newton_block(function_, ends(path, i), kernel, s0, block);
-    }
+    segment_chain_blocks<kDim>(segment(), path, kernel, s0, kind, dim_, out);
   }
 
   void residuals(const AmbientPath& path, Points& r, Points* jacobians) const override {
-    const Index width = 2 * dim_;
-    SegmentResidual<kDim> one;
-    for (Index i = 0; i < path.segment_count(); ++i) {
-      squared_cost_residual(function_, ends(path, i), one);
-      if (i == 0) {
-        r.resize(one.r.size(), path.segment_count());
-        if (jacobians != nullptr) jacobians->resize(one.r.size(), width * path.segment_count());
-      }
-      r.col(i) = one.r;
-      if (jacobians != nullptr) jacobians->middleCols(width * i, width) = one.jacobian;
-    }
+    segment_residuals<kDim>(segment(), path, dim_, r, jacobians);
   }
 
   double line_element(const Eigen::VectorXd& x, const Eigen::VectorXd& v) const override {
     if constexpr (requires { function_.line_element(x, v); })
       return function_.line_element(x, v);
     else
-      return line_element_from_hessian(function_, x, v);
+      return line_element_from_hessian<kDim>(segment(), traits_.quadratic_at_rest, x, v);
   }
 
   /// That of the function, where it has one: std::string why_infinite(const VectorXd& a, const VectorXd& b) const.
@@ -105,11 +88,7 @@ class SegmentCostOf : public Base, public ExplainsInfinity {
   }
 
  private:
-  /// The ends of an open path are constants; a ring has none.
-  SegmentEnds<kDim> ends(const AmbientPath& path, Index i) const {
-    return {path.x.col(i), path.x.col(i + 1), path.begin_fixed() && i == 0,
-            path.end_fixed() && i + 1 == path.segment_count()};
-  }
+  SegmentFunctionOf<C> segment() const { return SegmentFunctionOf<C>(function_); }
 
   C function_;
   CostTraits traits_;
