@@ -16,7 +16,9 @@ namespace {
 using namespace leastcost;
 
 void print_choice(std::shared_ptr<const ConstraintManifold> domain, std::shared_ptr<const SegmentCost> cost) try {
-  Problem problem{std::move(domain), std::move(cost)};
+  Problem problem;
+  problem.manifold = std::move(domain);
+  problem.cost = std::move(cost);
   problem.source.u = Eigen::Vector2d(2, 2.1);
   problem.target.u = Eigen::Vector2d(5, 5.9);
   for (const auto& why : recommended(problem, {.certificate = {.global = GlobalBudget{}}}).why) std::puts(why.c_str());
