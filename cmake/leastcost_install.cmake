@@ -64,7 +64,9 @@ foreach(component IN LISTS components)
   get_target_property(type ${target} TYPE)
   set(private_links "")
   set(flags "-L\${libdir} -lleastcost_${component}")
-  if(offers)
+  if(offers AND BUILD_SHARED_LIBS)
+    string(REPLACE " -l" " -Wl,--no-as-needed,-l" flags "${flags}")  # one word: pkg-config drops repeated ones
+  elseif(offers)
     string(APPEND flags " -Wl,-u,${offers}")
   endif()
   if(type STREQUAL "INTERFACE_LIBRARY")  # its parts have them

@@ -90,6 +90,9 @@ function(leastcost_library name)
   endforeach()
   if(arg_OFFERS)
     target_link_options(${target} INTERFACE LINKER:-u,${arg_OFFERS})
+    if(BUILD_SHARED_LIBS)  # some compilers ask the linker to drop libraries that no object needs
+      target_link_options(${target} INTERFACE LINKER:--no-as-needed)
+    endif()
   endif()
   if(BUILD_SHARED_LIBS AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
     target_link_options(${target} PRIVATE LINKER:--no-undefined)  # a layer that calls upwards must not link
