@@ -3,6 +3,7 @@
 
 // The libraries that problems/ and recipes/ are divided into, as problems/CMakeLists.txt says: an include goes only to
 // what the library is linked with.
+#include <iterator>
 #include <map>
 #include <set>
 #include <sstream>

@@ -59,10 +59,10 @@ foreach(package IN ITEMS Boost nanoflann NLopt Ceres ompl GDAL yaml-cpp fmt Open
   list(APPEND without -D CMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
 endforeach()
 
-# find_package(leastcost COMPONENTS mesh): the program on a mesh has the default methods and the proof, and is linked with
-# nothing else. A program without the library of a method says which one it needs, and with that one it has the method.
+# find_package(leastcost COMPONENTS mesh): the program on a mesh has the default methods and the proof, and is linked
+# with nothing else. A program without the library of a method says which one it needs, and with that one it has the method.
 function(components_consumer prefix build)
-  configure_and_build(${SOURCE_DIR}/tests/consumer/components ${build} -D CMAKE_PREFIX_PATH=${prefix} ${without} ${ARGN})
+  configure_and_build(${SOURCE_DIR}/tests/consumer/components ${build} -D CMAKE_PREFIX_PATH=${prefix} ${without})
   run("run geodesic" ${build}/geodesic ${SOURCE_DIR}/configs/data/hill.obj)
   if(NOT output MATCHES "^global_on_polyhedron: 1\\.54")
     message(FATAL_ERROR "geodesic found another path, or no proof: ${output}")
@@ -78,7 +78,8 @@ function(components_consumer prefix build)
   if(NOT chosen_bounds MATCHES "proof over all paths: bracket" OR NOT chosen_mesh MATCHES "first path: dijkstra")
     message(FATAL_ERROR "linked, and not chosen: ${chosen_bounds}\n${chosen_mesh}")
   endif()
-  nothing_linked(${build}/geodesic "boost::geometry|leastcost::(FreeSpace|TautPostProcessor|BracketPostProcessor)|YAML::|nlopt_|ceres::")
+  nothing_linked(${build}/geodesic
+    "boost::geometry|leastcost::(FreeSpace|TautPostProcessor|BracketPostProcessor)|YAML::|nlopt_|ceres::")
   nothing_linked(${build}/chosen_core "boost::geometry|leastcost::(MeshManifold|FreeSpace|BracketPostProcessor)|YAML::")
 endfunction()
 

@@ -46,7 +46,8 @@ if(WITH_OMPL)
   endforeach()
   unset(targets)
 endif()
-pkg_config_consumer(${prefix} leastcost-problems leastcost-solvers PROGRAM ${SCRATCH}/hello/CMakeFiles/hello.dir/main.cpp.o)
+pkg_config_consumer(${prefix} leastcost-problems leastcost-solvers
+  PROGRAM ${SCRATCH}/hello/CMakeFiles/hello.dir/main.cpp.o)
 pkg_config_consumer(${prefix} leastcost-mesh PROGRAM ${SCRATCH}/components/CMakeFiles/geodesic.dir/geodesic.cpp.o
   ARGUMENTS ${SOURCE_DIR}/configs/data/hill.obj NOT "-l[a-z_]*(planning|bounds|yaml|nlopt|ceres|gdal|ompl|fmt)")
 pkg_config_versions(${prefix})
