@@ -56,12 +56,24 @@ foreach(component IN LISTS components)
   install(EXPORT leastcost-${component} NAMESPACE leastcost:: FILE leastcost-${component}-targets.cmake
     DESTINATION ${package_dir} COMPONENT ${development})
 
-  # leastcost-problems.cmake: first what it needs, then its targets.
+  # leastcost-mesh.cmake: first what it needs, then its targets.
   get_target_property(needs ${target} LEASTCOST_NEEDS)
   get_target_property(finds ${target} LEASTCOST_FINDS)
   get_target_property(links ${target} LEASTCOST_LINKS)
+  get_target_property(offers ${target} LEASTCOST_OFFERS)
+  get_target_property(type ${target} TYPE)
   set(private_links "")
-  if(BUILD_SHARED_LIBS)  # the library itself knows what it needs
+  set(flags "-L\${libdir} -lleastcost_${component}")
+  if(offers AND BUILD_SHARED_LIBS)
+    string(REPLACE " -l" " -Wl,--no-as-needed,-l" flags "${flags}")  # one word: pkg-config drops repeated ones
+  elseif(offers)
+    string(APPEND flags " -Wl,-u,${offers}")
+  endif()
+  if(type STREQUAL "INTERFACE_LIBRARY")  # its parts have them
+    set(finds "")
+    set(links "")
+    set(flags "")
+  elseif(BUILD_SHARED_LIBS)  # the library itself knows what it needs
     set(finds "")
     set(private_links "${links}")
     set(links "")

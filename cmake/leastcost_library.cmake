@@ -1,12 +1,15 @@
 # One rule for the libraries: every .cpp of the folder is part of it, so that a plug-in is its source file alone.
 #
-#   leastcost_library(problems NEEDS framework)
+#   leastcost_library(gdal NEEDS core FINDS "GDAL 3.4" LINKS " -lgdal")
 #   leastcost_library(ceres NEEDS solvers FINDS "Ceres 2.1" PUBLIC ceres_solver.hpp LINKS " -lceres -lglog")
 #   leastcost_library(solvers NEEDS framework EXCEPT nlopt ceres)
 #
 # PUBLIC: the header from which all public ones are reached; default: <name>.hpp. Only these are installed.
 # NEEDS: components whose targets appear in our headers (they are linked and exported with the target).
-# EXCEPT: files, and sub-folders that are components of their own.
+# EXCEPT: folders, and files without their ending, that are not part of it. ONLY: those that are, and no others. ALSO:
+#   those that are, beside the folder.
+# OFFERS: a symbol of the library that every program has to be linked with, also where none of its own objects asks for
+#   it (recipes/offers).
 # LINKS: of a static build, for pkg-config.
 # FINDS: packages that a consumer has to find as well, the private ones of a static build included.
 include(GNUInstallDirs)
@@ -41,13 +44,34 @@ function(leastcost_warnings target)
   endif()
 endfunction()
 
-function(leastcost_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PUBLIC" "NEEDS;FINDS;EXCEPT;LINKS")
-  set(target leastcost_${name})
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/*.hpp)
-  foreach(part IN LISTS arg_EXCEPT)
-    list(FILTER sources EXCLUDE REGEX "^${CMAKE_CURRENT_SOURCE_DIR}/${part}(/|$)")
+# Sets `result` to the sources in folders and to files named without their ending, each relative to this folder.
+function(leastcost_parts result)
+  set(sources "")
+  foreach(part IN LISTS ARGN)
+    cmake_path(ABSOLUTE_PATH part BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
+    string(REGEX REPLACE "/$" "" part ${part})
+    if(IS_DIRECTORY ${part})
+      file(GLOB_RECURSE found CONFIGURE_DEPENDS ${part}/*.cpp ${part}/*.hpp)
+    else()
+      file(GLOB found CONFIGURE_DEPENDS ${part}.cpp ${part}.hpp)
+    endif()
+    if(NOT found)
+      message(FATAL_ERROR "There are no sources ${part}: remove it from ${CMAKE_CURRENT_LIST_FILE}")
+    endif()
+    list(APPEND sources ${found})
   endforeach()
+  set(${result} ${sources} PARENT_SCOPE)
+endfunction()
+
+function(leastcost_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PUBLIC;OFFERS" "NEEDS;FINDS;EXCEPT;ONLY;ALSO;LINKS")
+  set(target leastcost_${name})
+  if(NOT arg_ONLY)
+    set(arg_ONLY .)
+  endif()
+  leastcost_parts(sources ${arg_ONLY} ${arg_ALSO})
+  leastcost_parts(others ${arg_EXCEPT})
+  list(REMOVE_ITEM sources ${others})
   if(NOT arg_PUBLIC)
     set(arg_PUBLIC ${name}.hpp)
   endif()
@@ -64,6 +88,12 @@ function(leastcost_library name)
   foreach(need IN LISTS arg_NEEDS)
     target_link_libraries(${target} PUBLIC leastcost::${need})
   endforeach()
+  if(arg_OFFERS)
+    target_link_options(${target} INTERFACE LINKER:-u,${arg_OFFERS})
+    if(BUILD_SHARED_LIBS)  # some compilers ask the linker to drop libraries that no object needs
+      target_link_options(${target} INTERFACE LINKER:--no-as-needed)
+    endif()
+  endif()
   if(BUILD_SHARED_LIBS AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
     target_link_options(${target} PRIVATE LINKER:--no-undefined)  # a layer that calls upwards must not link
   endif()
@@ -77,6 +107,7 @@ function(leastcost_library name)
     SOVERSION ${PROJECT_VERSION_MAJOR}
     INSTALL_RPATH "$ORIGIN"
     LEASTCOST_PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/${arg_PUBLIC}"
+    LEASTCOST_OFFERS "${arg_OFFERS}"
     LEASTCOST_LINKS "${arg_LINKS}"
     LEASTCOST_NEEDS "${arg_NEEDS}"
     LEASTCOST_FINDS "${arg_FINDS}")
@@ -91,4 +122,20 @@ function(leastcost_library name)
   endif()
   set_property(GLOBAL APPEND PROPERTY LEASTCOST_COMPONENTS ${name})
   set_property(GLOBAL APPEND PROPERTY LEASTCOST_COMPONENT_FOLDERS ${CMAKE_CURRENT_BINARY_DIR})
+endfunction()
+
+# Several libraries under one name: leastcost_collection(problems NEEDS core mesh planning bounds)
+function(leastcost_collection name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "NEEDS")
+  set(target leastcost_${name})
+  add_library(${target} INTERFACE)
+  add_library(leastcost::${name} ALIAS ${target})
+  foreach(need IN LISTS arg_NEEDS)
+    target_link_libraries(${target} INTERFACE leastcost::${need})
+  endforeach()
+  set_target_properties(${target} PROPERTIES
+    EXPORT_NAME ${name}
+    LEASTCOST_PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/${name}.hpp"
+    LEASTCOST_NEEDS "${arg_NEEDS}")
+  set_property(GLOBAL APPEND PROPERTY LEASTCOST_COMPONENTS ${name})
 endfunction()

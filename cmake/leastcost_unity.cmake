@@ -43,6 +43,13 @@ function(leastcost_unity target)
         set(folder "${library}_${index}")
       endif()
     endforeach()
+    # The plug-ins of one subject are few in each folder (problems/CMakeLists.txt).
+    if(target MATCHES "^leastcost_(mesh|planning|bounds)$" AND folder MATCHES
+        "^(problems/(bracket|costs|initializers|manifolds/data|post_processors|readers|section)|recipes/offers)$")
+      set(folder ${target}_plug_ins)
+    elseif(folder MATCHES "^problems/(bracket|manifolds/data|methods|section)$")
+      set(folder problems_few)
+    endif()
     string(MAKE_C_IDENTIFIER "${folder}" folder)
     list(APPEND folders ${folder})
     list(APPEND sources_of_${folder} ${source})

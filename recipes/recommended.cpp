@@ -4,7 +4,6 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/initializers/cell_graph.hpp>
-#include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/initializers/eikonal.hpp>
 #include <leastcost/problems/initializers/grid.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>
@@ -14,23 +13,29 @@
 #include <leastcost/problems/post_processors/on_surface.hpp>
 #include <leastcost/problems/post_processors/refract.hpp>
 #include <leastcost/problems/post_processors/refract_cells.hpp>
-#include <leastcost/problems/post_processors/straighten.hpp>
-#include <leastcost/problems/post_processors/taut.hpp>
-#include <leastcost/problems/post_processors/trace.hpp>
 #include <leastcost/recipes/facts.hpp>
 #include <leastcost/solvers/lbfgs.hpp>
 #include <leastcost/solvers/newton.hpp>
 #include <leastcost/solvers/no_solver.hpp>
+#include "problems/methods/offered_methods.hpp"
 
 namespace leastcost {
 namespace {
+
+/// The methods of a library above `core`.
+template <class Methods, class Method>
+const Methods& linked(const Methods* methods, const char* library, Method method) {
+  if (methods != nullptr) return *methods;
+  throw InputError("for this problem, find_path(problem) uses " + std::string(word_of(method)) +
+                   ", a method of the library leastcost::" + library +
+                   ": link it, or call find_path(problem, initializer, solver)");
+}
 
 std::shared_ptr<const Initializer> make(FirstPathMethod method, bool diagonals) {
   switch (method) {
     case FirstPathMethod::none: return nullptr;
     case FirstPathMethod::straight: return std::make_shared<const StraightInitializer>();
-    case FirstPathMethod::dijkstra:
-      return std::make_shared<const DijkstraInitializer>(DijkstraOptions{.diagonals = diagonals});
+    case FirstPathMethod::dijkstra: return linked(mesh_methods(), "mesh", method).dijkstra(diagonals);
     case FirstPathMethod::cell_graph: return std::make_shared<const CellGraphInitializer>();
     case FirstPathMethod::grid: return std::make_shared<const GridInitializer>();
     case FirstPathMethod::eikonal: return std::make_shared<const EikonalInitializer>(EikonalOptions{.fallback = true});
@@ -51,9 +56,9 @@ std::shared_ptr<const Solver> make(SolveMethod method) {
 std::shared_ptr<const PostProcessor> make(CurveMethod method) {
   switch (method) {
     case CurveMethod::on_surface: return std::make_shared<const OnSurfacePostProcessor>();
-    case CurveMethod::trace: return std::make_shared<const TracePostProcessor>();
-    case CurveMethod::straighten: return std::make_shared<const StraightenPostProcessor>();
-    case CurveMethod::taut: return std::make_shared<const TautPostProcessor>();
+    case CurveMethod::trace: return linked(mesh_methods(), "mesh", method).trace();
+    case CurveMethod::straighten: return linked(mesh_methods(), "mesh", method).straighten();
+    case CurveMethod::taut: return linked(planning_methods(), "planning", method).taut();
     case CurveMethod::refract: return std::make_shared<const RefractPostProcessor>();
     case CurveMethod::refract_cells: return std::make_shared<const RefractCellsPostProcessor>();
   }

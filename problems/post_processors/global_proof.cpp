@@ -3,24 +3,14 @@
 #include <leastcost/problems/post_processors/global_proof.hpp>
 
 #include <memory>
-#include <string>
-#include <utility>
-#include <variant>
+#include <optional>
 
-#include <leastcost/framework/cost/has_constant_metric.hpp>
-#include <leastcost/problems/layers/has_layers.hpp>
-#include <leastcost/problems/mesh/has_mesh.hpp>
-#include <leastcost/problems/post_processors/bracket.hpp>
 #include <leastcost/problems/post_processors/cell_bound.hpp>
 #include <leastcost/problems/post_processors/fastest_refraction.hpp>
 #include <leastcost/problems/post_processors/refract.hpp>
 #include <leastcost/problems/post_processors/refract_cells.hpp>
-#include <leastcost/problems/post_processors/shortest.hpp>
-#include <leastcost/problems/post_processors/shortest_plan.hpp>
-#include <leastcost/problems/post_processors/straighten.hpp>
-#include <leastcost/problems/post_processors/taut.hpp>
 #include "problems/cells/has_cost_cells.hpp"
-#include "problems/post_processors/plan_curve.hpp"
+#include "problems/methods/offered_methods.hpp"
 #include "problems/post_processors/refracted_curve.hpp"
 
 namespace leastcost {
@@ -31,23 +21,23 @@ GlobalProofStep made(const GlobalProof& proof) {
   return {std::make_shared<const Prover>(proof), std::make_shared<const Before>(), ""};
 }
 
+/// Of a library; nothing where it is not linked, or the problem is not of its subject.
+template <class Methods>
+std::optional<GlobalProofStep> offered(const Methods* library, const Problem& problem, const GlobalProof& proof) {
+  return library != nullptr ? library->proof(problem, proof) : std::nullopt;
+}
+
 }  // namespace
 
 GlobalProofStep global_proof(const Problem& problem, const GlobalProof& proof) {
   if (problem.ring || problem.based)
     return {nullptr, nullptr, "a proof over all paths needs two ends, but a ring has none"};
-  const bool constant = find_ability<HasConstantMetric>(*problem.cost) != nullptr;
-  if (find_ability<HasMesh>(*problem.manifold) != nullptr) {
-    if (constant) return made<ShortestPostProcessor, StraightenPostProcessor>(proof);
-    return {nullptr, nullptr, "on a mesh, a proof over all paths needs a cost with a constant metric"};
-  }
+  if (const auto on_mesh = offered(mesh_methods(), problem, proof)) return *on_mesh;
   if (why_no_refraction(problem).empty()) return made<FastestRefractionPostProcessor, RefractPostProcessor>(proof);
   if (why_no_cells(problem).empty()) return made<CellBoundPostProcessor, RefractCellsPostProcessor>(proof);
-  if (problem.manifold->dimensions().ambient == 2 && why_no_tight_path(problem).empty())
-    return made<ShortestPlanPostProcessor, TautPostProcessor>(proof);
-  if (std::string why = why_no_bracket(problem); !why.empty()) return {nullptr, nullptr, std::move(why)};
-  const auto* budget = std::get_if<GlobalBudget>(&proof);
-  return {std::make_shared<const BracketPostProcessor>(budget != nullptr ? *budget : GlobalBudget{}), nullptr, ""};
+  if (const auto among_obstacles = offered(planning_methods(), problem, proof)) return *among_obstacles;
+  if (const auto in_box = offered(bounds_methods(), problem, proof)) return *in_box;
+  return {nullptr, nullptr, "the proofs over all paths in a box are in the library leastcost::bounds: link it"};
 }
 
 }  // namespace leastcost

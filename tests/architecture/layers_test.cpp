@@ -13,77 +13,12 @@
 #include <string>
 #include <vector>
 
+#include "tests/architecture/includes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
 
 namespace leastcost::test {
 namespace {
-
-namespace fs = std::filesystem;
-
-struct Include {
-  std::string file;  ///< relative to the root, '/' between folders
-  int line = 0;
-  std::string target;  ///< without the leading "leastcost/" of our own
-  bool own = false;    ///< a file of the tree: "folder/file.hpp" or <leastcost/folder/file.hpp>
-  bool open = false;   ///< written <leastcost/...>: installed
-};
-
-constexpr std::array<std::string_view, 8> kLayers = {"framework", "problems", "solvers",   "recipes",
-                                                     "ompl",      "gdal",     "catalogue", "app"};
-
-constexpr std::string_view kPublic = "leastcost/";
-
-bool starts_with(std::string_view text, std::string_view prefix) { return text.substr(0, prefix.size()) == prefix; }
-
-std::string first_folders(const std::string& path, int count) {
-  std::size_t end = 0;
-  for (int i = 0; i < count; ++i) {
-    end = path.find('/', end == 0 ? 0 : end + 1);
-    if (end == std::string::npos) return "";
-  }
-  return path.substr(0, end);
-}
-
-bool is_header(const std::string& file) { return fs::path(file).extension() == ".hpp"; }
-
-std::vector<Include> includes_of(const fs::path& root, const fs::path& file) {
-  static const std::regex pattern(R"re(^\s*#\s*include\s*([<"])([^>"]+)[>"])re");
-  std::vector<Include> found;
-  std::ifstream in(file);
-  std::string text;
-  std::smatch match;
-  for (int line = 1; std::getline(in, text); ++line) {
-    if (!std::regex_search(text, match, pattern)) continue;
-    const std::string target = match[2].str();
-    if (target == "leastcost/version.hpp" || target == "leastcost/eigen_alignment.hpp") continue;  // made by CMake
-    const bool open = match[1].str() == "<" && starts_with(target, kPublic);
-    found.push_back({fs::relative(file, root).generic_string(), line, open ? target.substr(kPublic.size()) : target,
-                     open || match[1].str() == "\"", open});
-  }
-  return found;
-}
-
-std::vector<fs::path> sources_below(const fs::path& folder) {
-  std::vector<fs::path> found;
-  if (!fs::exists(folder)) return found;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    const std::string extension = entry.path().extension().string();
-    if (entry.is_regular_file() && (extension == ".hpp" || extension == ".cpp")) found.push_back(entry.path());
-  }
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
-std::vector<Include> all_includes(const fs::path& root) {
-  std::vector<Include> all;
-  for (const std::string_view layer : kLayers) {
-    for (const fs::path& file : sources_below(root / layer)) {
-      for (Include& include : includes_of(root, file)) all.push_back(std::move(include));
-    }
-  }
-  return all;
-}
 
 using Arrows = std::map<std::string, std::set<std::string>>;
 
@@ -104,13 +39,13 @@ const Arrows& layers() {
 /// is for. Rooms that are not listed here may not exist.
 const Arrows& rooms() {
   static const std::set<std::string> subjects = {
-      "problems/bracket",       "problems/chart",     "problems/cloud",     "problems/distance",
-      "problems/drawing",       "problems/exact",     "problems/fields",    "problems/formula",
-      "problems/graph",         "problems/layers",    "problems/cells",     "problems/level_set",
-      "problems/mesh",          "problems/obstacles", "problems/occupancy", "problems/raster",
-      "problems/readers",       "problems/robots",    "problems/section",   "problems/spline",
-      "problems/straighten",    "problems/taut",      "problems/tensor",    "problems/bracket/cells",
-      "problems/bracket/search"};
+      "problems/bracket",        "problems/chart",     "problems/cloud",     "problems/distance",
+      "problems/drawing",        "problems/exact",     "problems/fields",    "problems/formula",
+      "problems/graph",          "problems/layers",    "problems/cells",     "problems/level_set",
+      "problems/mesh",           "problems/obstacles", "problems/occupancy", "problems/raster",
+      "problems/readers",        "problems/robots",    "problems/section",   "problems/spline",
+      "problems/straighten",     "problems/taut",      "problems/tensor",    "problems/bracket/cells",
+      "problems/bracket/search", "problems/methods"};
   static const auto subjects_and = [](std::initializer_list<const char*> rooms) {
     std::set<std::string> all = subjects;
     all.insert(rooms.begin(), rooms.end());
@@ -152,6 +87,7 @@ const Arrows& rooms() {
       {"problems/graph", {}},
       {"problems/layers", {}},
       {"problems/mesh", {}},
+      {"problems/methods", {}},
       {"problems/level_set", {"problems/formula"}},
       {"problems/drawing", {"problems/chart", "problems/level_set"}},
       {"problems/spline", {}},

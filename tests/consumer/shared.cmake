@@ -28,6 +28,9 @@ if(dpkg_deb AND dpkg_shlibdeps AND file_program)
   file(REMOVE_RECURSE ${SCRATCH}/unpacked_static)
   unpack_packages(${SCRATCH}/static_packages ${SCRATCH}/unpacked_static)
   catalogue_consumer(${SCRATCH}/unpacked_static/usr ${SCRATCH}/catalogue_static)  # stands on all of them
+  pkg_config_consumer(${SCRATCH}/unpacked_static/usr leastcost-catalogue
+    PROGRAM ${SCRATCH}/catalogue_static/CMakeFiles/load_run.dir/main.cpp.o
+    ARGUMENTS ${SOURCE_DIR}/examples/load_run/slide.yaml ${SCRATCH}/slide)  # and so do its flags for pkg-config
   run("the program of archives" ${SCRATCH}/unpacked_static/usr/bin/leastcost --version)
 else()
   skip("Debian packages" "no dpkg-shlibdeps (package dpkg-dev) or no file")
@@ -36,11 +39,22 @@ endif()
 
 # Nothing but Eigen has to be found by who uses the shared libraries.
 set(prefix ${SCRATCH}/unpacked/usr)
-set(without "")
-foreach(package IN ITEMS NLopt Ceres ompl GDAL yaml-cpp fmt OpenSSL)
-  list(APPEND without -D CMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
-endforeach()
-find_package_consumer(${prefix} ${SCRATCH}/hello ${without})
+find_package_consumer(${prefix} ${SCRATCH}/hello ${without} -D CMAKE_EXE_LINKER_FLAGS=-Wl,--as-needed)
+# The methods that find_path(problem) chooses are there, whatever hello itself needs.
+function(needs_all_libraries program)
+  run("libraries of ${program}" ldd ${program})
+  if(NOT output MATCHES "libleastcost_bounds" OR NOT output MATCHES "libleastcost_planning")
+    message(FATAL_ERROR "the linker has dropped libraries that offer methods: ${output}")
+  endif()
+endfunction()
+needs_all_libraries(${SCRATCH}/hello/hello)
 catalogue_consumer(${prefix} ${SCRATCH}/catalogue ${without})
-pkg_config_consumer(${prefix})
+set(hello ${SCRATCH}/hello/CMakeFiles/hello.dir/main.cpp.o)
+set(load_run ${SCRATCH}/catalogue/CMakeFiles/load_run.dir/main.cpp.o)
+set(slide ARGUMENTS ${SOURCE_DIR}/examples/load_run/slide.yaml ${SCRATCH}/slide)
+set(CXX ${CXX} -Wl,--as-needed)
+pkg_config_consumer(${prefix} leastcost-problems leastcost-solvers PROGRAM ${hello})
+needs_all_libraries(${SCRATCH}/pkg_config)
+pkg_config_consumer(${prefix} leastcost-catalogue PROGRAM ${load_run} ${slide})
+pkg_config_versions(${prefix})
 run("the program" ${prefix}/bin/leastcost --version)
