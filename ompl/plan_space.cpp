@@ -37,7 +37,7 @@ bool PlanSpace::is_free(const Eigen::VectorXd& x) const {
 }
 
 bool PlanSpace::moves(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
-  if (walls_ && !walls_->clears(a, b))
+  if (walls_ && !clears(*walls_, a, b))
     return false;  // what is quicker first; it may ask is_free(), which writes states
   columns_.write(a, *from_);
   columns_.write(b, *to_);

@@ -58,10 +58,11 @@ bool pulls_tight(const Problem& problem) {
   if (among == nullptr || problem.ring || problem.based || !is_euclidean(domain) || !is_length(*problem.cost))
     return false;
   const Walls& walls = among->walls();
-  if (d.ambient == 2) return walls.rounds(Eigen::AlignedBox2d()).has_value();
+  if (d.ambient == 2) return find_ability<HasRounds>(walls) != nullptr;
   std::vector<SupportPlane> planes;
-  return d.ambient == 3 && is_unbounded(domain) &&
-         walls.planes(problem.source.u, problem.source.u, std::numeric_limits<double>::infinity(), planes);
+  const auto* convex = find_ability<HasSupportPlanes>(walls);
+  return convex != nullptr && d.ambient == 3 && is_unbounded(domain) &&
+         convex->planes(problem.source.u, problem.source.u, std::numeric_limits<double>::infinity(), planes);
 }
 
 }  // namespace

@@ -50,14 +50,14 @@ std::vector<int> crossing_word(const std::vector<Round>& rounds, const Points& p
 }
 
 std::optional<bool> of_one_class(const Walls& walls, const Points& a, const Points& b) {
-  if (walls.dimension() != 2) return std::nullopt;
+  const auto* made = find_ability<HasRounds>(walls);
+  if (made == nullptr) return std::nullopt;
   constexpr double kFar = std::numeric_limits<double>::max();
   const double left = std::min(a.row(0).minCoeff(), b.row(0).minCoeff());
   const double right = std::max(a.row(0).maxCoeff(), b.row(0).maxCoeff());
   const double top = std::max(a.row(1).maxCoeff(), b.row(1).maxCoeff());
-  const auto rounds = walls.rounds({Eigen::Vector2d(left, -kFar), Eigen::Vector2d(right, top)});
-  if (!rounds) return std::nullopt;
-  return crossing_word(*rounds, a) == crossing_word(*rounds, b);
+  const std::vector<Round> rounds = made->rounds({Eigen::Vector2d(left, -kFar), Eigen::Vector2d(right, top)});
+  return crossing_word(rounds, a) == crossing_word(rounds, b);
 }
 
 }  // namespace leastcost

@@ -469,7 +469,7 @@ std::string FreeSpace::obstacle_name(int obstacle) const { return walls_->obstac
 
 /// A solve begins: its walls may remember.
 std::shared_ptr<const ConstraintManifold> FreeSpace::unfitted(const CoordinatePath& path) const {
-  std::shared_ptr<const Walls> walls = walls_->remembering();
+  std::shared_ptr<const Walls> walls = remembering(*walls_);
   if (walls == nullptr) walls = walls_;
   auto unfitted = std::make_shared<FreeSpace>(domain_, std::move(walls));
   unfitted->margins_ = WallMargins(longest_move(positions(*domain_, path), path));
@@ -522,14 +522,15 @@ std::vector<MarginCost> FreeSpace::margin_costs(const CoordinatePath& path, cons
 
 void FreeSpace::draw(const DrawnPaths& paths, Drawing& out) const {
   if (const auto* drawn = find_ability<DrawsItself>(*domain_)) drawn->draw(paths, out);
-  walls_->draw(paths, out);
+  if (const auto* drawn = find_ability<DrawsItself>(*walls_)) drawn->draw(paths, out);
 }
 
 PoseStrip FreeSpace::pose_strip(const Points& configurations) const {
-  return walls_->pose_strip(configurations).value_or(PoseStrip{});
+  const auto* poses = find_ability<DrawsPoses>(*walls_);
+  return poses != nullptr ? poses->pose_strip(configurations) : PoseStrip{};
 }
 
-bool FreeSpace::has_poses() const { return walls_->pose_strip(Points::Zero(walls_->dimension(), 1)).has_value(); }
+bool FreeSpace::has_poses() const { return find_ability<DrawsPoses>(*walls_) != nullptr; }
 
 const ConstraintManifold* FreeSpace::decorated(const std::type_info&) const { return domain_.get(); }
 

@@ -123,8 +123,7 @@ MoveClearance ObstacleWalls::clearance(const Vector& a, const Vector& b) const {
   return least;
 }
 
-std::optional<std::vector<Round>> ObstacleWalls::rounds(const Eigen::AlignedBox2d& box) const {
-  if (dimension_ != 2) return std::nullopt;
+std::vector<Round> ObstacleWalls::rounds(const Eigen::AlignedBox2d& box) const {
   std::vector<int> numbers;
   tree_->meeting({box.min(), box.max()}, numbers);
   std::vector<Round> found;

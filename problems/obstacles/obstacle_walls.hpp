@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/obstacles/obstacle.hpp>
 #include <leastcost/problems/obstacles/walls.hpp>
 
@@ -14,7 +15,11 @@ namespace leastcost {
 class BroadPhase;
 
 /// The walls of obstacles that stand in the space itself; moves are straight.
-class ObstacleWalls final : public Walls {
+class ObstacleWalls final : public Walls,
+                            public HasRounds,
+                            public HasSupportPlanes,
+                            public GapsAreDistances,
+                            public DrawsItself {
  public:
   using Obstacles = std::vector<std::shared_ptr<const Obstacle>>;
 
@@ -29,13 +34,13 @@ class ObstacleWalls final : public Walls {
   MoveClearance clearance(const Vector& a, const Vector& b) const override;
   void along(const Vector& a, const Vector& b, double reach, std::vector<Wall>& found) const override;
   double room(const Vector& a, const Vector& b, double reach) const override;
-  std::optional<std::vector<Round>> rounds(const Eigen::AlignedBox2d& box) const override;
-  bool gaps_are_distances() const override { return true; }
+  std::vector<Round> rounds(const Eigen::AlignedBox2d& box) const override;
   bool planes(const Vector& a, const Vector& b, double reach, std::vector<SupportPlane>& found) const override;
   std::string obstacle_name(int obstacle) const override;
   void draw(const DrawnPaths& paths, Drawing& out) const override;
 
  private:
+  bool has_rounds() const override { return dimension_ == 2; }
   const Obstacle& obstacle(int i) const { return *obstacles_[static_cast<std::size_t>(i)]; }
   double required(int i) const { return obstacle(i).radius() + clearance_; }
   double width(int i) const { return obstacle(i).core_bounds().diagonal().norm(); }

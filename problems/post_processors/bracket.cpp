@@ -15,6 +15,7 @@
 
 #include <leastcost/framework/domain/checks_moves.hpp>
 #include <leastcost/framework/domain/has_box.hpp>
+#include <leastcost/framework/domain/has_origin.hpp>
 #include <leastcost/framework/problem/clearance.hpp>
 #include <leastcost/problems/bracket/search/bracket.hpp>
 #include <leastcost/problems/chart/seams.hpp>
@@ -85,9 +86,10 @@ Eigen::AlignedBox<double, Dimension> fixed(const Eigen::AlignedBoxXd& box) {
 /// Obstacles in the plane or in space itself, whose gaps are distances there; null: there are none.
 const Walls* walls_in_place(const ConstraintManifold& domain) {
   const auto* among = find_ability<HasWalls>(domain);
-  if (among == nullptr) return nullptr;
+  if (among == nullptr || find_ability<HasOrigin>(domain) != nullptr) return nullptr;
   const Walls& walls = among->walls();
-  return walls.gaps_are_distances() && walls.dimension() == domain.dimensions().coordinate ? &walls : nullptr;
+  const bool distances = find_ability<GapsAreDistances>(walls) != nullptr;
+  return distances && walls.dimension() == domain.dimensions().coordinate ? &walls : nullptr;
 }
 
 /// Whether there are moves in every direction from a place.

@@ -50,7 +50,7 @@ std::string why_no_walls(const Problem& problem) {
   const Dimensions d = manifold.dimensions();
   const bool flat = d.coordinate == d.ambient && d.tangent == d.ambient && find_ability<HasChart>(manifold) == nullptr;
   if (domain == nullptr || !flat || d.ambient < 2 || d.ambient > 3) return "needs the plane or space with obstacles";
-  if (d.ambient == 2 && !domain->walls().rounds(Eigen::AlignedBox2d()))
+  if (d.ambient == 2 && find_ability<HasRounds>(domain->walls()) == nullptr)
     return "in the plane needs obstacles that are balls, boxes, polygons or maps";
   if (problem.ring) return "joins two ends, but this path is a ring";
   return "";

@@ -4,11 +4,12 @@
 
 #include <Eigen/Core>
 #include <memory>
-#include <optional>
 #include <string>
 #include <thread>
+#include <typeinfo>
 #include <vector>
 
+#include <leastcost/framework/path/path.hpp>
 #include <leastcost/problems/robots/pair_walls.hpp>
 
 namespace leastcost {
@@ -29,9 +30,7 @@ class RememberingWalls final : public Walls {
   void along(const Vector& a, const Vector& b, double reach, std::vector<Wall>& found) const override;
   double room(const Vector& a, const Vector& b, double reach) const override;
   std::string obstacle_name(int obstacle) const override { return walls_->obstacle_name(obstacle); }
-  void draw(const DrawnPaths& paths, Drawing& out) const override { walls_->draw(paths, out); }
-  std::optional<PoseStrip> pose_strip(const Points& x) const override { return walls_->pose_strip(x); }
-  std::shared_ptr<const Walls> remembering() const override { return walls_->remembering(); }
+  const Walls* decorated(const std::type_info&) const override { return walls_.get(); }
 
  private:
   /// Of a place where somebody looked: within `radius` no gap but those of `pairs` is below the distance to the rim.

@@ -558,7 +558,7 @@ void RobotWalls::draw(const DrawnPaths&, Drawing& out) const {
   out.notes.emplace_back("this is the configuration space; the robot and its obstacles are drawn next to it");
 }
 
-std::optional<PoseStrip> RobotWalls::pose_strip(const Points& configurations) const {
+PoseStrip RobotWalls::pose_strip(const Points& configurations) const {
   return robot_strip(*robot_, obstacles_, configurations);
 }
 

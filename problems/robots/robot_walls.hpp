@@ -4,10 +4,11 @@
 
 #include <Eigen/Core>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include <leastcost/problems/drawing/draws_itself.hpp>
+#include <leastcost/problems/drawing/draws_poses.hpp>
 #include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include <leastcost/problems/obstacles/obstacle.hpp>
 #include <leastcost/problems/robots/pair_walls.hpp>
@@ -23,7 +24,12 @@ struct RobotPose;
 /// Places are configurations, moves are straight there. Clearances are lengths in the workspace. The gaps of walls are
 /// such lengths divided by the length that the part goes, at most, as the configuration moves by 1: like distances
 /// in the space of configurations, they change by no more than the place does.
-class RobotWalls final : public PairWalls, public std::enable_shared_from_this<RobotWalls> {
+class RobotWalls final : public PairWalls,
+                         public Remembers,
+                         public DecidesMoves,
+                         public DrawsItself,
+                         public DrawsPoses,
+                         public std::enable_shared_from_this<RobotWalls> {
  public:
   using Obstacles = std::vector<std::shared_ptr<const Obstacle>>;
 
@@ -41,7 +47,7 @@ class RobotWalls final : public PairWalls, public std::enable_shared_from_this<R
   double room(const Vector& a, const Vector& b, double reach) const override;
   std::string obstacle_name(int obstacle) const override;
   void draw(const DrawnPaths& paths, Drawing& out) const override;
-  std::optional<PoseStrip> pose_strip(const Points& configurations) const override;
+  PoseStrip pose_strip(const Points& configurations) const override;
   /// Null for walls that no shared pointer owns.
   std::shared_ptr<const Walls> remembering() const override;
   void gaps_within(const Vector& x, double reach, std::vector<PairGap>& found) const override;
@@ -52,6 +58,7 @@ class RobotWalls final : public PairWalls, public std::enable_shared_from_this<R
   double room_among(const std::vector<PairGap>& pairs, const Vector& a, const Vector& b, double reach) const override;
 
  private:
+  bool has_poses() const override { return true; }
   struct Body {
     Vector reach;  ///< of any corner of the part
     double radius = 0, steepest = 0;

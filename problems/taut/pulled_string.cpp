@@ -56,7 +56,11 @@ struct PulledString::Stretch {
 };
 
 PulledString::PulledString(const Walls& walls, Points start, const Monitor& monitor)
-    : walls_(walls), monitor_(monitor), x_(std::move(start)), unit_(polyline_length(x_)) {}
+    : walls_(walls),
+      convex_(find_ability<HasSupportPlanes>(walls)),
+      monitor_(monitor),
+      x_(std::move(start)),
+      unit_(polyline_length(x_)) {}
 
 /// But for `depth`, of the length.
 bool PulledString::is_clear(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double depth) const {
@@ -97,7 +101,7 @@ void PulledString::pull(const Matrix3Xd& forces) {
   std::vector<SupportPlane> planes;
   std::vector<HalfSpace> half_spaces;
   for (Index i = 0; i + 1 < x_.cols() && !failed_; ++i) {
-    failed_ = !walls_.planes(x_.col(i), x_.col(i + 1), reach, planes);
+    failed_ = convex_ == nullptr || !convex_->planes(x_.col(i), x_.col(i + 1), reach, planes);
     for (const SupportPlane& plane : planes)
       for (const Index vertex : {i, i + 1})
         if (vertex > 0 && vertex + 1 < x_.cols())
@@ -153,7 +157,7 @@ bool PulledString::leap(const Points& step, double times) {
 
 std::optional<PulledString::Touch> PulledString::touches(Index side) const {
   std::vector<SupportPlane> planes;
-  walls_.planes(x_.col(side), x_.col(side + 1), kContactGap * unit_, planes);
+  if (convex_ != nullptr) convex_->planes(x_.col(side), x_.col(side + 1), kContactGap * unit_, planes);
   if (planes.empty()) return std::nullopt;
   const auto nearer = [from = Vector3d(x_.col(side))](const SupportPlane& a, const SupportPlane& b) {
     return (a.place - from).norm() < (b.place - from).norm();

@@ -56,6 +56,7 @@ class PulledString {
   void drop_short_sides();
 
   const Walls& walls_;
+  const HasSupportPlanes* convex_;  ///< of them
   const Monitor& monitor_;
   Points x_;
   double unit_;  ///< the length that it began with

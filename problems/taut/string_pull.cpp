@@ -30,9 +30,9 @@ struct Corner {
 /// Pulls from the first corner to the last: what lies before `at_` is tight, as far as its own triangles go.
 class StringPull {
  public:
-  StringPull(const Walls& walls, const Points& start) : walls_(walls) {
+  StringPull(double size, const HasRounds& made, const Points& start) : made_(made) {
     for (Eigen::Index i = 0; i < start.cols(); ++i) path_.push_back({start.col(i), std::nullopt});
-    size_ = std::max(walls.size(), start.cwiseAbs().maxCoeff());
+    size_ = std::max(size, start.cwiseAbs().maxCoeff());
   }
 
   bool run(const Deadline& deadline) {
@@ -48,7 +48,6 @@ class StringPull {
       const Corner corner = rest.back();
       rest.pop_back();
       const std::optional<std::vector<Corner>> hull = cut(path_.back(), corner, rest.back());
-      if (!known_) return false;
       if (!hull) {
         path_.push_back(corner);
         continue;
@@ -119,12 +118,9 @@ class StringPull {
     Eigen::AlignedBox2d box(a);
     box.extend(p);
     box.extend(b);
-    const auto rounds = walls_.rounds(box);
-    known_ = rounds.has_value();
     std::vector<Corner> inside;
-    if (!known_) return inside;
     const double of_in = none((p - a).norm()), of_out = none((b - p).norm()), of_cut = none((b - a).norm());
-    for (const Round& round : *rounds) {
+    for (const Round& round : made_.rounds(box)) {
       if (box.exteriorDistance(round.center) > round.radius) continue;
       for (int k = 0; k < kPointsOfCircle; ++k) {
         const double angle = 2 * std::numbers::pi * k / kPointsOfCircle;
@@ -138,16 +134,17 @@ class StringPull {
     return inside;
   }
 
-  const Walls& walls_;
+  const HasRounds& made_;
   std::vector<Corner> path_;
   double size_ = 0;  ///< of the scene
-  bool known_ = true;
 };
 
 }  // namespace
 
 std::optional<std::vector<Bend>> pull_string(const Walls& walls, const Points& start, const Deadline& deadline) {
-  StringPull string(walls, start);
+  const auto* made = find_ability<HasRounds>(walls);
+  if (made == nullptr) return std::nullopt;
+  StringPull string(walls.size(), *made, start);
   if (!string.run(deadline)) return std::nullopt;
   return string.bends();
 }

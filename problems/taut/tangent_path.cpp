@@ -35,9 +35,9 @@ double nearest_turn(double angle, double known) {
 /// Adds and removes bends until nothing is left to do.
 class TangentPath::Maker {
  public:
-  Maker(const Walls& walls, const Point2& source, const Point2& target, TangentPath& path)
-      : walls_(walls), path_(path), size_(walls.size()) {
-    size_ = std::max({size_, source.cwiseAbs().maxCoeff(), target.cwiseAbs().maxCoeff()});
+  Maker(double size, const HasRounds& made, const Point2& source, const Point2& target, TangentPath& path)
+      : made_(made), path_(path) {
+    size_ = std::max({size, source.cwiseAbs().maxCoeff(), target.cwiseAbs().maxCoeff()});
     ends_[0].round.center = source;
     ends_[1].round.center = target;
   }
@@ -49,7 +49,7 @@ class TangentPath::Maker {
       if (drop_a_contained_one()) continue;
       measure_turns();
       if (drop_worst_turn()) continue;
-      if (!add_what_is_met()) return known_;
+      if (!add_what_is_met()) return true;
     }
     return false;
   }
@@ -131,7 +131,6 @@ class TangentPath::Maker {
     bool added = false;
     for (std::size_t i = legs().size(); i-- > 0;) {
       const std::optional<Round> met = deepest(i);
-      if (!known_) return false;
       if (!met) continue;
       const int side = cross2(legs()[i].to - legs()[i].from, met->center - legs()[i].from) > 0 ? 1 : -1;
       bends().insert(bends().begin() + static_cast<std::ptrdiff_t>(i), {*met, side, 0});
@@ -144,14 +143,11 @@ class TangentPath::Maker {
     const auto& [from, to] = legs()[leg];
     Eigen::AlignedBox2d box(from);
     box.extend(to);
-    const auto rounds = walls_.rounds(box);
-    known_ = rounds.has_value();
-    if (!known_) return std::nullopt;
     std::optional<Round> deepest;
     double depth = kTouching * size_;
     const Point2 way = to - from;
     const double square = way.squaredNorm();
-    for (const Round& round : *rounds) {
+    for (const Round& round : made_.rounds(box)) {
       if (same_round(round, stop(leg).round) || same_round(round, stop(leg + 1).round)) continue;
       const double t = square > 0 ? std::clamp((round.center - from).dot(way) / square, 0.0, 1.0) : 0;
       const double within = round.radius - (from + t * way - round.center).norm();
@@ -162,19 +158,19 @@ class TangentPath::Maker {
     return deepest;
   }
 
-  const Walls& walls_;
+  const HasRounds& made_;
   TangentPath& path_;
   double size_;
   Bend ends_[2];
   std::size_t contained_ = 0;  ///< number of a stop, 0: none
-  bool known_ = true;
 };
 
 std::optional<TangentPath> TangentPath::make(const Walls& walls, const Point2& source, const Point2& target,
                                              std::vector<Bend> bends, const Deadline& deadline) {
   TangentPath path;
   path.bends_ = std::move(bends);
-  if (!Maker(walls, source, target, path).run(deadline)) return std::nullopt;
+  const auto* made = find_ability<HasRounds>(walls);
+  if (made == nullptr || !Maker(walls.size(), *made, source, target, path).run(deadline)) return std::nullopt;
   return path;
 }
 

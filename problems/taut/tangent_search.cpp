@@ -107,9 +107,9 @@ class Search {
   void add_wheels(const Point2& source, double upper) {
     const Point2 middle = (source + target_) / 2;
     const Eigen::AlignedBox2d reach(middle.array() - upper / 2, middle.array() + upper / 2);
-    const auto rounds = walls_.rounds(reach);
-    if (!rounds) throw InputError("tangents need obstacles that are balls, boxes, polygons or maps");
-    for (const Round& round : *rounds) {
+    const auto* made = find_ability<HasRounds>(walls_);
+    if (made == nullptr) throw InputError("tangents need obstacles that are balls, boxes, polygons or maps");
+    for (const Round& round : made->rounds(reach)) {
       if ((round.center - source).norm() + (round.center - target_).norm() - 2 * round.radius > upper + slack_)
         continue;
       if (round.radius > 0)

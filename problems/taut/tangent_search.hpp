@@ -28,7 +28,7 @@ struct TangentSearchResult {
   std::int64_t tangents = 0;     ///< that were drawn
 };
 
-/// Looks for paths shorter than `upper` among obstacles in the plane that are made of discs (Walls::rounds; throws
+/// Looks for paths shorter than `upper` among obstacles in the plane that are made of discs (HasRounds; throws
 /// InputError otherwise, and where the ends are one point). A shortest path goes along tangents from disc to disc and
 /// along their circles: A* over the tangents, aimed by the straight way to the target, each looked at for obstacles
 /// when its turn comes only (lazily, as in Dellin and Srinivasa 2016). Tangents that come into an obstacle by less than

@@ -18,7 +18,7 @@ struct TautPath {
 };
 
 /// Of the class of `start`, a polyline 2 x m; `excess`: by which part the polyline may be longer than the least.
-/// Nothing where `start` touches an obstacle, the walls are not made of discs (Walls::rounds), or no path is found that
+/// Nothing where `start` touches an obstacle, the walls are not made of discs (HasRounds), or no path is found that
 /// is proved to be of the class. Throws Interrupted.
 std::optional<TautPath> taut_path(const Walls& walls, const Points& start, double excess, const Deadline& deadline);
 

@@ -76,13 +76,14 @@ Unheld unheld_bends(const Walls& walls, const Points& polyline, const Deadline& 
   constexpr double kBeside = 1e-3;  // of the length: what a string may lean on
   Unheld all;
   const double length = polyline_length(polyline);
+  const auto* convex = find_ability<HasSupportPlanes>(walls);
   std::vector<SupportPlane> after, before;
   Tension all_left, to_the_side;
   for (Index i = 0; i + 1 < polyline.cols(); ++i) {
     look_at_clock(deadline);
     const Vector3d out = polyline.col(i + 1) - polyline.col(i);
     std::swap(before, after);
-    walls.planes(polyline.col(i), polyline.col(i + 1), kBeside * length, after);
+    if (convex != nullptr) convex->planes(polyline.col(i), polyline.col(i + 1), kBeside * length, after);
     if (i > 0) {
       const Vector3d in = polyline.col(i) - polyline.col(i - 1), side = in.cross(out).normalized();
       before.insert(before.end(), after.begin(), after.end());

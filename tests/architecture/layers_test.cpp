@@ -172,8 +172,7 @@ std::string third_party_fault(const Include& include) {
   if (file == "problems/graph/compressed_rows.hpp" && starts_with(target, "boost/")) return "";
   if (!program && is_header(file)) return "a header of the library includes no third party but Eigen";
   if (starts_with(target, "boost/"))
-    return starts_with(file, "problems/graph/") || file == "problems/mesh/edge_graph.cpp" ||
-                   file == "problems/obstacles/broad_phase.cpp"
+    return starts_with(file, "problems/graph/") || file == "problems/obstacles/broad_phase.cpp"
                ? ""
                : "only problems/graph uses Boost";
   if (target == "nanoflann.hpp")

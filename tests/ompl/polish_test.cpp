@@ -263,6 +263,35 @@ TEST_CASE("polish: parts of a move with a turn are other motions, and are not ta
   CHECK(ours.clearance->lower >= kContact);
 }
 
+TEST_CASE("pose walls: a robot keeps its cache, its quick answer and its pictures over OMPL's columns") {
+  Robot body;
+  body.kinematics = std::make_shared<const SpatialBody>();
+  body.capsules = {{0, {-1, 0, 0}, {1, 0, 0}, 0.1}};
+  const auto robot = std::make_shared<RobotWalls>(
+      make_robot(std::move(body)), RobotWalls::Obstacles{make_ball({Eigen::Vector3d(0, 0, 1), 0.2})}, 0.05);
+  const PlannerSpace space = open_space(poses());
+  const auto walls = make_pose_walls(StateColumns(space->getStateSpace()), robot);
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()));
+  Eigen::VectorXd pose(7), column(7);
+  pose << 0.1, 0.2, 0.3, turn.w(), turn.vec();
+  column << 0.1, 0.2, 0.3, turn.vec(), turn.w();
+  std::vector<Wall> near_pose, near_column;
+  robot->near(pose, 10, near_pose);
+  const std::shared_ptr<const Walls> cached = remembering(*walls);
+  REQUIRE(cached);
+  for (const Walls* each : {walls.get(), cached.get()}) {
+    each->near(column, 10, near_column);
+    REQUIRE(near_column.size() == 1);
+    CHECK(near_column[0].gap == near_pose[0].gap);
+    CHECK(near_column[0].slope.segment(3, 3) == near_pose[0].slope.tail(3));
+    CHECK(near_column[0].slope[6] == near_pose[0].slope[3]);
+    CHECK(find_ability<DecidesMoves>(*each) != nullptr);
+    const auto* drawn = find_ability<DrawsPoses>(*each);
+    REQUIRE(drawn != nullptr);
+    CHECK(drawn->pose_strip(column).poses == robot->pose_strip(pose).poses);
+  }
+}
+
 TEST_CASE("polish: another cost than the length") {
   const PlannerSpace space = open_space(square(2, -10, 10));
   Points given(2, 3);

@@ -62,7 +62,7 @@ Obstacles in_space() {
 }  // namespace
 
 /// What a bracket rests on where it leaves out what lies within obstacles: a place with the gap -d is at least d from
-/// every place outside. Walls::gaps_are_distances.
+/// every place outside. GapsAreDistances.
 TEST_CASE("obstacle walls: no gap changes by more than the place, and near() tells of all that are negative") {
   Random random;
   for (const Eigen::Index dimension : {2, 3})
@@ -70,7 +70,7 @@ TEST_CASE("obstacle walls: no gap changes by more than the place, and near() tel
       CAPTURE(dimension, clearance);
       const Obstacles obstacles = dimension == 2 ? in_plane() : in_space();
       const ObstacleWalls walls(dimension, obstacles, clearance);
-      CHECK(walls.gaps_are_distances());
+      CHECK(find_ability<GapsAreDistances>(walls) != nullptr);
       const auto somewhere = [&](double size) {
         Eigen::VectorXd x(dimension);
         for (double& coordinate : x) coordinate = random.uniform(-size, size);
