@@ -21,7 +21,8 @@ std::vector<FigurePicture> pictures_of(const RunFiles& files) {
   const Scene& scene = files.scene;
   if (!scene.strip.poses.empty()) all.push_back(FigurePicture::poses);
   if (scene.dimension == 3 && scene.lines.path.cols() > 0) all.push_back(FigurePicture::space);
-  if (scene.lines.path.cols() > 0 && (scene.dimension == 2 || scene.relief)) all.push_back(FigurePicture::map);
+  if (scene.lines.path.cols() > 0 && (scene.dimension == 2 || (scene.dimension == 3 && scene.relief)))
+    all.push_back(FigurePicture::map);
   all.push_back(FigurePicture::coordinates);
   if (files.history.rows() >= 2) all.push_back(FigurePicture::convergence);
   return all;

@@ -71,8 +71,7 @@ std::string strip_part(const RunFiles& files) {
   const Sketch strip = strip_sketch(files.scene.strip, {});
   if (strip.empty()) return "";
   return "<figure>\n" + svg(strip) + legend_html(legend_of(files.scene.strip, {}), false) +
-         "<figcaption>The robot along its path among the obstacles, later poses in stronger "
-         "colours.</figcaption>\n</figure>\n";
+         "<figcaption>The robot along its path. " + strip.description + ".</figcaption>\n</figure>\n";
 }
 
 /// The path on the map, over its ground in the sun, where there is one.

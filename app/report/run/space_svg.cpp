@@ -167,7 +167,9 @@ std::string image_of(const TriangleSoup& surface, const Projector& projector, co
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector3d& x : surface.vertices) box.extend(Eigen::Vector2d((view.axes * x).head<2>()));
   const double share = projector.scale() * box.sizes().maxCoeff() / look.width;
-  const ShadedImage image = shaded_image(surface, view, std::max(2, static_cast<int>(look.image_width * share) + 1));
+  constexpr double kMostPixels = 3000;  // some 400 MB while it is made
+  const double pixels = std::clamp(look.image_width * share + 1, 2.0, kMostPixels);
+  const ShadedImage image = shaded_image(surface, view, static_cast<int>(pixels));
   const Eigen::Vector3d corner = projector.place_seen({image.area.min()[0], image.area.max()[1], 0});
   const Eigen::Vector2d size = projector.scale() * image.area.sizes();
   return fmt::format(
