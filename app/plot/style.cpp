@@ -120,7 +120,7 @@ std::string plain_style() {
 
 /// What differs on paper: black letters, thin lines.
 constexpr std::string_view kPaperRules =
-    R"(.plot text{fill:#222}.plot .axis{stroke:#222;stroke-width:.7}.plot .path{stroke-width:2.2}.plot .first{stroke-width:1}
+    R"(.plot{font-family:Helvetica,Arial,sans-serif}.plot text{fill:#222}.plot .axis{stroke:#222;stroke-width:.7}.plot .path{stroke-width:2.2}.plot .first{stroke-width:1}
 .plot .other{stroke-width:1.3}.plot .hidden{stroke-width:1}.plot .s{stroke-width:1.3}.plot .wall{stroke-width:1.3}
 .plot .obstacle-edge{stroke-width:1.6}.plot .point{stroke-width:.8}.plot .end{stroke-width:1}.plot .grid{stroke-width:.6}
 .plot .pose path{stroke-width:.6}.plot .domain{stroke-width:3.5}

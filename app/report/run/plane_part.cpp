@@ -94,7 +94,7 @@ std::string path_marks(const RunFiles& files, const PlaneFrame& frame, const Loo
                        frame.x(files.points(0, i)), frame.y(files.points(1, i)), radius);
   };
   const Index count = files.points.cols();
-  if (look.points && count <= kMostPoints)
+  if (look.points && (look.printed || count <= kMostPoints))
     for (Index i = 0; i < count; ++i) circle(i, "point", look.mark(count > kMany ? 1.5 : 2.4));
   if (!look.ends || files.result.flag("ring")) return out;
   for (const Index end : {Index(0), count - 1}) circle(end, "end", look.mark(5.5));

@@ -227,7 +227,7 @@ Sketch space_sketch(const RunFiles& files, const SpaceView& view, const Look& lo
   if (look.others)
     for (const Points& other : scene.lines.others) out += line(other, "other", projector, depths);
   if (look.path) out += line(scene.lines.path, "path", projector, depths);
-  if (look.points && files.points.cols() <= kMostPoints)
+  if (look.points && (look.printed || files.points.cols() <= kMostPoints))
     out += circles(files.points, "point", look.mark(2.2), false, projector, depths);
   if (look.ends) out += circles(ends_of(files), "end", look.mark(5.5), true, projector, depths);
   if (look.printed) out += length_bar(projector, projector.height(), look.unit);
