@@ -47,6 +47,7 @@ constexpr int kNotStarted = 127;
 /// Exit code of a program with its output in files; kNotStarted where it is not there.
 int exit_of(std::vector<std::string> arguments, const fs::path& in, const fs::path& out, const fs::path& err) {
   std::vector<char*> argv;
+  argv.reserve(arguments.size() + 1);
   for (std::string& a : arguments) argv.push_back(a.data());
   argv.push_back(nullptr);
   const std::string from = in.string(), to = out.string(), words = err.string();

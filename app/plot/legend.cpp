@@ -37,6 +37,7 @@ Sketch legend_sketch(const std::vector<LegendEntry>& entries, double width) {
   constexpr double kSample = 30, kGap = 5, kBetween = 12, kRow = 15, kBaseline = 9.8;
   if (entries.empty()) return {};
   std::vector<double> widths;
+  widths.reserve(entries.size());
   for (const LegendEntry& entry : entries)
     widths.push_back(kSample + kGap + kDrawnFont * text_width(entry.name) + kBetween);
   // The most columns whose widest entries fit side by side.
@@ -50,10 +51,10 @@ Sketch legend_sketch(const std::vector<LegendEntry>& entries, double width) {
   }
   Sketch sketch{"Legend", "What is drawn how", 0, 0, ""};
   for (std::size_t k = 0; k < entries.size(); ++k) {
-    const std::size_t column = k % columns.size();
+    const std::size_t column = k % columns.size(), row = k / columns.size();
     double x = 0;
     for (std::size_t c = 0; c < column; ++c) x += columns[c];
-    const double y = kRow * static_cast<double>(k / columns.size());
+    const double y = kRow * static_cast<double>(row);
     sketch.content += fmt::format("<g transform=\"translate({:.1f} {:.1f})\">{}<text x=\"{}\" y=\"{}\">{}</text></g>\n",
                                   x, y, entries[k].sample, kSample + kGap, kBaseline, escaped(entries[k].name));
     sketch.width = std::max(sketch.width, x + widths[k] - kBetween);

@@ -43,6 +43,7 @@ std::string drawn(const std::vector<Points>& lines, const PlaneFrame& frame, con
 
 std::vector<std::string> closed(const std::vector<Points>& lines, const PlaneFrame& frame) {
   std::vector<std::string> paths;
+  paths.reserve(lines.size());
   for (const Points& line : lines) paths.push_back(frame.line(line) + "Z");
   return paths;
 }

@@ -123,11 +123,12 @@ Sketch panels(const PoseStrip& strip, const Look& look) {
                   panel.width(), panel.height());
   std::string out = clip;
   for (std::size_t k = 0; k < strip.poses.size(); ++k) {
+    const std::size_t row = k / columns;
     std::string inside = look.obstacles ? panel.obstacles(strip) : "";
     inside += panel.pose(strip.poses[k], kStrongest);
     if (look.path) inside += panel.hand(strip);
     out += moved(1 + (panel.width() + kBetweenPanels) * static_cast<double>(k % columns),
-                 1 + (panel.height() + kBetweenPanels) * static_cast<double>(k / columns),
+                 1 + (panel.height() + kBetweenPanels) * static_cast<double>(row),
                  fmt::format("<g clip-path=\"url(#panel)\">\n{}</g><rect class=\"axis\" width=\"{:.1f}\" "
                              "height=\"{:.1f}\"/><text x=\"4\" y=\"12\">{}</text>\n",
                              inside, panel.width(), panel.height(), k + 1));
