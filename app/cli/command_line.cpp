@@ -14,6 +14,7 @@
 #include <optional>
 #include <ostream>
 
+#include <leastcost/framework/base/errors.hpp>
 #include "app/cli/commands.hpp"
 #include "app/reference/describe.hpp"
 #include "catalogue/output/manifest.hpp"
@@ -34,6 +35,8 @@ Override pairs_option(const std::string& file) {
 /// What the options of all commands write into; a command reads what it has declared.
 struct Values {
   std::string config, output, pairs, seed, kind, type, name, mesh, shard, timeout, repetitions, weld, format = "text";
+  std::string width = "84mm", font = "8", what, picture = "best", view, unit;
+  double dpi = 300;
   std::vector<std::string> configs, set;
   int parallel = 1;
   DistancesArguments distances;
@@ -210,6 +213,65 @@ void add_report(CLI::App& app, Values& v, const Streams& streams, Command& chose
   c.callback([&] { chosen = [&] { return report_command(v.configs, streams); }; });
 }
 
+constexpr const char* kFigureHelp =
+    "leastcost figure results/bunny_geodesic -o bunny.pdf                     one column of a paper\n"
+    "leastcost figure results/bunny_geodesic -o bunny.pdf --view 30,20 --what path,ends,shading\n"
+    "leastcost figure results/bunny_geodesic -o bunny.vtp                     surface and path, for ParaView\n"
+    ".svg needs no other program, .pdf and .png need rsvg-convert (Debian: librsvg2-bin).";
+
+/// What an option says; a fault of it is one of usage.
+template <class Parse>
+auto option_of(const char* option, Parse parse) {
+  try {
+    return parse();
+  } catch (const InputError& e) {
+    throw CLI::ValidationError(option, e.what());
+  }
+}
+
+FigureArguments figure_arguments(const Values& v) {
+  FigureArguments figure;
+  figure.output = v.output;
+  FigureRequest& request = figure.request;
+  request.folder = v.config;
+  option_of("--output", [&] { return figure_format(v.output); });
+  option_of("--width", [&] { return paper_width(v.width); });
+  request.size = option_of("--font-size", [&] { return print_size(v.width, v.font); });
+  request.size.dpi = v.dpi;
+  request.parts = option_of("--what", [&] { return parts_shown(v.what); });
+  request.points_asked = !v.what.empty();
+  request.picture = option_of("--picture", [&] { return picture_named(v.picture); });
+  if (!v.view.empty()) request.from = option_of("--view", [&] { return view_angles(v.view); });
+  request.unit = v.unit;
+  return figure;
+}
+
+void add_figure(CLI::App& app, Values& v, const Streams& streams, Command& chosen) {
+  constexpr double kLeastDpi = 72, kMostDpi = 1200;
+  CLI::App& c = *app.add_subcommand("figure", "Draw a finished run for a paper: SVG, PDF or PNG of a given width");
+  c.footer(kFigureHelp);
+  c.add_option("folder", v.config, "Output folder of a run")->required()->type_name("DIR");
+  c.add_option("-o,--output", v.output, "File: .svg, .pdf or .png; .vtp or .ply: surface and path for 3D programs")
+      ->required()
+      ->type_name("FILE")
+      ->check(empty_fault);
+  c.add_option("--width", v.width, "Width in mm, cm, in or pt; default: 84mm, one column")->type_name("WIDTH");
+  c.add_option("--font-size", v.font, "Size of all letters in points; default: 8")->type_name("PT");
+  c.add_option("--what", v.what, "What is drawn: some of " + joined(figure_parts()) + "; default: all that fits")
+      ->type_name("LIST");
+  c.add_option("--picture", v.picture,
+               "Which picture: space, map, poses, coordinates or convergence; default: the best one that there is")
+      ->type_name("NAME");
+  c.add_option("--view", v.view, "Look at space from these angles: azimuth and elevation in degrees, like 30,20")
+      ->type_name("AZ,EL");
+  c.add_option("--unit", v.unit, "Unit of the coordinates, for the axes; default: m if the cost is in m, else none")
+      ->type_name("TEXT");
+  c.add_option("--dpi", v.dpi, "Pixels per inch of a PNG and of a shaded surface; default: 300")
+      ->type_name("N")
+      ->check(CLI::Range(kLeastDpi, kMostDpi));
+  c.callback([&] { chosen = [&, figure = figure_arguments(v)] { return figure_command(figure, streams); }; });
+}
+
 void add_reference(CLI::App& app, Values& v, const Streams& streams, Command& chosen) {
   CLI::App& list = *app.add_subcommand("list", "List the types that a configuration can use");
   list.add_option("kind", v.kind,
@@ -339,6 +401,7 @@ Exit parse_and_run(const std::vector<std::string>& arguments, const Streams& str
   add_merge(app, values, arguments, streams, chosen);
   add_validate(app, values, streams, chosen);
   add_report(app, values, streams, chosen);
+  add_figure(app, values, streams, chosen);
   add_reference(app, values, streams, chosen);
   add_helpers(app, values, streams, chosen);
 

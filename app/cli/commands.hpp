@@ -9,6 +9,7 @@
 
 #include <leastcost/problems/mesh/triangle_mesh.hpp>
 #include "app/cli/streams.hpp"
+#include "app/figure/figure.hpp"
 #include "app/run/run.hpp"
 #include "app/study/merge.hpp"
 #include "app/study/study.hpp"
@@ -52,6 +53,11 @@ struct DistancesArguments {
   std::optional<std::int64_t> max_windows = {};
 };
 
+struct FigureArguments {
+  FigureRequest request;
+  std::string output;
+};
+
 /// What --weld says: "true", or a distance. Throws InputError for anything else.
 MeshOptions weld_of(const std::string& text);
 
@@ -63,6 +69,8 @@ Exit study_command(const StudyArguments& arguments, const Streams& streams);
 Exit merge_command(const MergeArguments& arguments, const Streams& streams);
 /// Makes the report of each folder again.
 Exit report_command(const std::vector<std::string>& folders, const Streams& streams);
+/// The picture of a run as a file for a paper, or its surface and path for 3D programs.
+Exit figure_command(const FigureArguments& arguments, const Streams& streams);
 Exit validate_command(const std::vector<std::string>& files, const std::vector<Override>& overrides, bool json,
                       const Streams& streams);
 /// `kind`: empty for all kinds.

@@ -13,7 +13,7 @@
 namespace leastcost::app {
 namespace {
 
-constexpr double kFont = 11, kTitle = 24, kBelow = 42, kRight = 14, kLegendRow = 16, kSample = 26;
+constexpr double kFont = kDrawnFont, kTitle = 24, kNoTitle = 8, kBelow = 42, kRight = 14, kLegendRow = 16, kSample = 26;
 constexpr std::size_t kMostBelow = 4;  ///< entries of a legend below the chart; longer ones stand beside it
 
 std::vector<double> all_values(const Chart& chart, bool of_x) {
@@ -62,9 +62,9 @@ class Drawing {
     double label = 0;
     for (const Tick& t : y_ticks_) label = std::max(label, text_width(t.label));
     left_ = 30 + kFont * label;
-    top_ = kTitle;
+    top_ = chart.heading ? kTitle : kNoTitle;
     width_ = chart.width - left_ - kRight;
-    height_ = chart.height - kTitle - kBelow;
+    height_ = chart.height - top_ - kBelow;
     total_height_ = chart.height;
     place_legend();
     x_ticks_ = ticks_below();
@@ -72,13 +72,19 @@ class Drawing {
 
   double height() const { return total_height_; }
 
-  std::string draw(bool standalone) const {
-    std::string out = fmt::format("<text class=\"title\" x=\"0\" y=\"13\">{}</text>\n", escaped(chart_.title));
+  Sketch sketch() const {
+    std::string out;
+    if (chart_.heading) out += fmt::format("<text class=\"title\" x=\"0\" y=\"13\">{}</text>\n", escaped(chart_.title));
     out += axes();
-    out += fmt::format("<g>\n");
+    out += "<g>\n";
     for (const Series& s : chart_.series) out += series(s);
     out += "</g>\n" + legend();
-    return svg_element(chart_.title, chart_.description, chart_.width, total_height_, out, standalone);
+    return {chart_.title, chart_.description, chart_.width, total_height_, out};
+  }
+
+  std::string draw(bool standalone) const {
+    const Sketch drawn = sketch();
+    return svg_element(drawn.title, drawn.description, drawn.width, drawn.height, drawn.content, standalone);
   }
 
  private:
@@ -128,7 +134,7 @@ class Drawing {
     const double rows = static_cast<double>(legend_.size()) * kLegendRow;
     if (beside_) {
       width_ -= column_ + 4;
-      total_height_ = std::max(total_height_, kTitle + rows + 8);
+      total_height_ = std::max(total_height_, top_ + rows + 8);
       return;
     }
     per_row_ = std::clamp<std::size_t>(static_cast<std::size_t>((chart_.width - left_) / column_), 1, legend_.size());
@@ -237,6 +243,8 @@ double legend_width(const std::vector<Series>& series) {
   const std::vector<const Series*> legend = named(series);
   return legend.size() > kMostBelow ? entry_width(legend) + 4 : 0;
 }
+
+Sketch sketch(const Chart& chart) { return Drawing(chart).sketch(); }
 
 std::string svg(const Chart& chart, bool standalone) { return Drawing(chart).draw(standalone); }
 

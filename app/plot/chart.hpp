@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/plot/scale.hpp"
+#include "app/plot/sketch.hpp"
 
 namespace leastcost::app {
 
@@ -38,6 +39,7 @@ struct Axis {
 /// A line chart.
 struct Chart {
   std::string title;        ///< also what screen readers read out
+  bool heading = true;      ///< the title above the chart
   std::string description;  ///< in one sentence, for screen readers
   Axis x, y;
   std::vector<Series> series;
@@ -48,6 +50,7 @@ struct Chart {
 /// The chart as an SVG element. Values that its scales cannot show are left out. `standalone`: a file of its own, with
 /// its style in it.
 std::string svg(const Chart& chart, bool standalone = false);
+Sketch sketch(const Chart& chart);
 
 /// What a legend beside the chart takes off its width, px; zero where the legend stands below.
 double legend_width(const std::vector<Series>& series);

@@ -6,9 +6,11 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "app/plot/chart.hpp"
+#include "app/plot/sketch.hpp"
 #include "app/plot/text.hpp"
 
 namespace leastcost::app {
@@ -52,11 +54,13 @@ struct Colour {
   std::string_view name, light, dark;
 };
 
-constexpr std::array<Colour, 12> kPalette = {{{"ink", "#222", "#e6e4df"},
+constexpr std::array<Colour, 14> kPalette = {{{"ink", "#222", "#e6e4df"},
                                               {"soft", "#6b6b6b", "#a19e97"},
                                               {"rule", "#e4e2dd", "#3a3936"},
                                               {"faint", "#f8f6f1", "#232322"},
                                               {"paper", "#fff", "#1c1c1b"},
+                                              {"solid", "#bcbab6", "#5f5d59"},
+                                              {"pale", "#ebeae7", "#333231"},
                                               {"c0", "#0072B2", "#4aa3dc"},
                                               {"c1", "#D55E00", "#ef8244"},
                                               {"c2", "#009E73", "#33bd93"},
@@ -77,16 +81,18 @@ constexpr std::string_view kRules =
 .plot .m{stroke:var(--paper);stroke-width:.8}.plot .m.quiet{fill:var(--soft);stroke:var(--paper)}
 .plot .path{fill:none;stroke:var(--c0);stroke-width:3.2;stroke-linejoin:round;stroke-linecap:round}
 .plot .first{fill:none;stroke:var(--ink);stroke-width:1.5;stroke-dasharray:6 4;opacity:.75}
-.plot .other{fill:none;stroke:var(--c2);stroke-width:1.8}.plot .hidden{stroke-width:1.2;opacity:.45}
+.plot .other{fill:none;stroke:var(--c2);stroke-width:1.8}.plot .hidden{stroke-width:1.2;opacity:.6}.plot path.hidden{stroke-dasharray:3 2.5}
+.plot .hand{fill:none;stroke:var(--c1);stroke-width:1.8;stroke-linejoin:round}
 .plot .pose path{fill:var(--c0);fill-opacity:.35;stroke:var(--c0);stroke-width:1}
-.plot .obstacle{fill:var(--soft);fill-opacity:.3;stroke:var(--soft);stroke-width:1.2}
+.plot .obstacle{fill:var(--solid)}.plot .obstacle-edge{fill:none;stroke:var(--soft);stroke-width:2.4}
+.plot .margin{fill:var(--pale)}.plot .margin-edge{fill:none;stroke:var(--soft);stroke-width:1.4;stroke-dasharray:2 2}
 .plot .domain{fill:none;stroke:var(--soft);stroke-width:5;stroke-opacity:.35;stroke-linejoin:round}
 .plot .point{fill:var(--paper);stroke:var(--c0);stroke-width:1.2}
 .plot .end{fill:var(--c1);stroke:var(--paper);stroke-width:1.5}
 .plot .wall{fill:none;stroke:var(--ink);stroke-width:2}.plot .solid{stroke-width:.7;stroke-linejoin:round}
 .plot .level{fill:none;stroke:var(--soft);stroke-width:.7;opacity:.7}
 .plot .shade0{fill:#6f6a62}.plot .shade{fill:#fff;fill-opacity:.085}
-.plot .band0{fill:var(--faint)}.plot .band{fill:var(--soft);fill-opacity:.06}
+.plot .band0{fill:var(--faint)}.plot .band{fill:var(--soft);fill-opacity:.09}
 .plot .out{fill:url(#hatch)}.plot .hatch{stroke:var(--soft);stroke-width:1.2;fill:none}
 .plot .s0{stroke:var(--c0)}.plot .s1{stroke:var(--c1)}.plot .s2{stroke:var(--c2)}.plot .s3{stroke:var(--c3)}
 .plot .s4{stroke:var(--c4)}.plot .s5{stroke:var(--c5)}.plot .s6{stroke:var(--c6)}
@@ -112,7 +118,38 @@ std::string plain_style() {
   return out;
 }
 
+/// What differs on paper: black letters, thin lines.
+constexpr std::string_view kPaperRules =
+    R"(.plot{font-family:Helvetica,Arial,sans-serif}.plot text{fill:#222}.plot .axis{stroke:#222;stroke-width:.7}.plot .path{stroke-width:2.2}.plot .first{stroke-width:1}
+.plot .other{stroke-width:1.3}.plot .hidden{stroke-width:1}.plot .s{stroke-width:1.3}.plot .wall{stroke-width:1.3}
+.plot .obstacle-edge{stroke-width:1.6}.plot .point{stroke-width:.8}.plot .end{stroke-width:1}.plot .grid{stroke-width:.6}
+.plot .pose path{stroke-width:.6}.plot .domain{stroke-width:3.5}
+)";
+
+constexpr double kPointsPerInch = 72, kMillimetresPerInch = 25.4;
+
 }  // namespace
+
+double PrintSize::sketch_width() const { return width / kMillimetresPerInch * kPointsPerInch * kDrawnFont / font_size; }
+
+int PrintSize::pixels(double sketch_length) const {
+  return static_cast<int>(std::ceil(sketch_length * font_size / kDrawnFont / kPointsPerInch * dpi));
+}
+
+std::string svg(const Sketch& sketch) {
+  return svg_element(sketch.title, sketch.description, sketch.width, sketch.height, sketch.content, false);
+}
+
+std::string printed_svg(const Sketch& sketch, const PrintSize& size) {
+  const double width = size.sketch_width();
+  return fmt::format(
+      "<svg class=\"plot\" xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
+      "viewBox=\"0 0 {0:.2f} {1:.2f}\" width=\"{2:.6g}mm\" height=\"{3:.6g}mm\">\n"
+      "<title>{4}</title>\n<desc>{5}</desc>\n<style>{6}{7}</style>\n"
+      "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n<g transform=\"translate({8:.2f} 0)\">\n{9}</g>\n</svg>\n",
+      width, sketch.height, size.width, size.width * sketch.height / width, escaped(sketch.title),
+      escaped(sketch.description), plain_style(), kPaperRules, (width - sketch.width) / 2, sketch.content);
+}
 
 std::string plot_style() {
   return fmt::format(".plot{{{}\n{}}}\n@media (prefers-color-scheme:dark){{.plot{{{}}}}}\n{}",

@@ -17,6 +17,9 @@ std::string number_text(double value, int digits = 3);
 /// "10⁻⁷".
 std::string power_of_ten(int exponent);
 
+/// Bytes in base 64 (RFC 4648).
+std::string base64(std::string_view bytes);
+
 /// Width of a text in units of its font size, estimated: good to a tenth for Latin letters and digits.
 double text_width(std::string_view text);
 

@@ -52,4 +52,18 @@ GreyImage read_png(std::string_view bytes, const std::string& file) {
   return image;
 }
 
+std::string png_of_rgb(const std::vector<std::uint8_t>& rgb, int width, int height) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = static_cast<png_uint_32>(width);
+  png.height = static_cast<png_uint_32>(height);
+  png.format = PNG_FORMAT_RGB;
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
+  std::string bytes(size, '\0');
+  if (png_image_write_to_memory(&png, bytes.data(), &size, 0, rgb.data(), 0, nullptr) == 0)
+    throw Error("a PNG image could not be made: " + std::string(png.message));
+  bytes.resize(size);
+  return bytes;
+}
+
 }  // namespace leastcost

@@ -23,6 +23,7 @@ struct PathTable {
   /// Where each point is in the file that the domain was read from, one column per point (HasFilePlaces); may be empty.
   Points places;
   std::vector<std::string> place_names;  ///< one per row of these
+  Points configurations;                 ///< of a robot, where x has the way of its hand in their place; else empty
 };
 
 /// The delivered points.
@@ -53,7 +54,7 @@ enum class VtpPart : int {
 };
 
 /// VTK XML PolyData (ASCII), one polyline for each line, told apart by the cell arrays `part` (of VtpPart) and `line`
-/// (their number). Above three dimensions the array `coordinates` has all of them.
+/// (their number). Above three dimensions, and of a robot, the array `coordinates` has all of them.
 std::string vtp_text(const std::vector<PathTable>& lines, const std::vector<VtpPart>& parts);
 
 /// Wavefront OBJ with one polyline.

@@ -9,6 +9,7 @@
 #include <span>
 
 #include <leastcost/framework/base/errors.hpp>
+#include <leastcost/problems/drawing/draws_poses.hpp>
 #include <leastcost/problems/raster/has_voids.hpp>
 #include "catalogue/back_ends/back_ends.hpp"
 #include "catalogue/output/geojson.hpp"
@@ -51,6 +52,16 @@ bool is_on_raster(const Problem& problem) {
          find_ability<HasRasterCells>(*problem.cost) != nullptr;
 }
 
+/// For viewers, which show places: of a robot the way of its hand takes the place of its configurations.
+PathTable in_workspace(const Problem& problem, PathTable table) {
+  const auto* robot = find_ability<DrawsPoses>(*problem.manifold);
+  if (robot != nullptr && table.x.cols() > 0) {
+    table.configurations = table.x;
+    table.x = robot->pose_strip(table.x).hand_in_space;
+  }
+  return table;
+}
+
 /// Polylines: the delivered points and curve, and the curves of the family.
 void write_paths(const RunOutcome& outcome, OutputFolder& folder) {
   const RunConfig& config = outcome.origin->config;
@@ -62,7 +73,7 @@ void write_paths(const RunOutcome& outcome, OutputFolder& folder) {
     std::vector<PathTable> lines;
     std::vector<VtpPart> parts;
     const auto add = [&](VtpPart part, PathTable line) {
-      lines.push_back(std::move(line));
+      lines.push_back(in_workspace(outcome.parts.problem, std::move(line)));
       parts.push_back(part);
     };
     if (chords) add(VtpPart::chords, points);
@@ -71,7 +82,7 @@ void write_paths(const RunOutcome& outcome, OutputFolder& folder) {
       add(VtpPart::other_way, delivered_curve(outcome.family[k].problem, outcome.family[k].result));
     folder.write("path.vtp", vtp_text(lines, parts));
   }
-  if (config.writes("obj")) folder.write("path.obj", obj_text(curve));
+  if (config.writes("obj")) folder.write("path.obj", obj_text(in_workspace(outcome.parts.problem, curve)));
   const std::string geojson = config.writes("geojson") ? geojson_text(outcome) : "";
   if (!geojson.empty()) {
     folder.write("path.geojson", geojson);

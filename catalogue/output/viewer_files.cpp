@@ -43,10 +43,13 @@ std::string point_data(const std::vector<PathTable>& lines) {
                     over_points(lines, [](const PathTable& t, Index i) { return number_text(t.cumulative_costs[i]); }));
   text += vtp_array("segment_cost", 1, "Float64",
                     over_points(lines, [](const PathTable& t, Index i) { return number_text(t.segment_costs[i]); }));
-  const Index dimension = lines.front().x.rows();
-  if (dimension > 3)
+  const auto coordinates = [](const PathTable& t) -> const Points& {
+    return t.configurations.size() > 0 ? t.configurations : t.x;
+  };
+  const Index dimension = coordinates(lines.front()).rows();
+  if (dimension > 3 || lines.front().configurations.size() > 0)
     text += vtp_array("coordinates", dimension, "Float64",
-                      over_points(lines, [](const PathTable& t, Index i) { return row_text(t.x.col(i)); }));
+                      over_points(lines, [&](const PathTable& t, Index i) { return row_text(coordinates(t).col(i)); }));
   return text + "      </PointData>\n";
 }
 

@@ -61,6 +61,7 @@ double extent_of(const Scene& scene) {
   grow(scene.surface.vertices);
   grow(scene.surfels.positions);
   std::vector<Points> lines = scene.curves;
+  lines.insert(lines.end(), scene.obstacles.begin(), scene.obstacles.end());
   lines.push_back(scene.lines.path);
   for (const Points& c : lines)
     if (c.size() > 0) extent = std::max(extent, (c.rowwise().maxCoeff() - c.rowwise().minCoeff()).norm());
@@ -144,6 +145,14 @@ Points read_line(const Json& json, int dimension) {
   return Eigen::Map<const Points>(numbers.data(), dimension, static_cast<Index>(numbers.size()) / dimension);
 }
 
+/// Polylines; none where there is no such key.
+std::vector<Points> read_list(const Json& json, const char* key, int dimension) {
+  std::vector<Points> lines;
+  if (json.contains(key))
+    for (const Json& line : json.at(key)) lines.push_back(read_line(line, dimension));
+  return lines;
+}
+
 SceneLines read_lines(const Json& json, int dimension) {
   SceneLines lines{read_line(json.at("path"), dimension), read_line(json.at("first"), dimension), {}};
   for (const Json& other : json.at("others")) lines.others.push_back(read_line(other, dimension));
@@ -174,8 +183,10 @@ Scene read(const Json& json) {
   for (std::size_t i = 0; i < 3; ++i) scene.up[static_cast<Index>(i)] = json.at("up").at(i).get<double>();
   if (json.contains("surface")) scene.surface = read_surface(json.at("surface"));
   if (json.contains("points")) scene.surfels = read_surfels(json.at("points"));
-  if (json.contains("curves"))
-    for (const Json& curve : json.at("curves")) scene.curves.push_back(read_line(curve, scene.dimension));
+  scene.curves = read_list(json, "curves", scene.dimension);
+  scene.obstacles = read_list(json, "obstacles", scene.dimension);
+  scene.margins = read_list(json, "margins", scene.dimension);
+  scene.free = read_list(json, "free", scene.dimension);
   if (json.contains("box")) {
     const double infinity = std::numeric_limits<double>::infinity();
     scene.lower = read_side(json.at("box").at("lower"), -infinity);
@@ -184,7 +195,10 @@ Scene read(const Json& json) {
       throw InputError("a box that does not fit the dimension");
   }
   if (json.contains("strip")) {
-    for (const Json& line : json.at("strip").at("obstacles")) scene.strip.obstacles.push_back(read_line(line, 2));
+    scene.strip.obstacles = read_list(json.at("strip"), "obstacles", 2);
+    if (json.at("strip").contains("hand")) scene.strip.hand = read_line(json.at("strip").at("hand"), 2);
+    if (json.at("strip").contains("hand_in_space"))
+      scene.strip.hand_in_space = read_line(json.at("strip").at("hand_in_space"), 3);
     for (const Json& pose : json.at("strip").at("poses")) {
       std::vector<Points>& parts = scene.strip.poses.emplace_back();
       for (const Json& part : pose) parts.push_back(read_line(part, 2));
@@ -205,7 +219,9 @@ std::string strip_text(const PoseStrip& strip) {
   const Rounded rounded(extent);
   std::string poses;
   for (const auto& pose : strip.poses) poses += (poses.empty() ? "" : ",\n") + list_of(pose, rounded);
-  return fmt::format("{{\"obstacles\":{},\n\"poses\":[{}]}}", list_of(strip.obstacles, rounded), poses);
+  return fmt::format("{{\"obstacles\":{},\n\"hand\":{},\n\"hand_in_space\":{},\n\"poses\":[{}]}}",
+                     list_of(strip.obstacles, rounded), vectors(strip.hand.colwise(), rounded),
+                     vectors(strip.hand_in_space.colwise(), rounded), poses);
 }
 
 }  // namespace
@@ -221,7 +237,10 @@ std::string scene_json(const Scene& scene) {
   if (!scene.surfels.positions.empty())
     text += fmt::format(",\n\"points\":{{\"spacing\":{:.6g},\"positions\":{},\n\"normals\":{}}}", scene.surfels.spacing,
                         vectors(scene.surfels.positions, rounded), vectors(scene.surfels.normals, Rounded(1e4)));
-  if (!scene.curves.empty()) text += ",\n\"curves\":" + list_of(scene.curves, rounded);
+  const std::pair<const char*, const std::vector<Points>&> outlines[] = {
+      {"curves", scene.curves}, {"obstacles", scene.obstacles}, {"margins", scene.margins}, {"free", scene.free}};
+  for (const auto& [name, lines] : outlines)
+    if (!lines.empty()) text += fmt::format(",\n\"{}\":", name) + list_of(lines, rounded);
   if (scene.lower.size() > 0)
     text += fmt::format(",\n\"box\":{{\"lower\":{},\"upper\":{}}}", side(scene.lower), side(scene.upper));
   if (!scene.strip.poses.empty()) text += ",\n\"strip\":" + strip_text(scene.strip);

@@ -29,6 +29,9 @@ struct Drawing {
   TriangleSoup surface;            ///< of a two-dimensional domain in space
   Surfels surfels;                 ///< of a point cloud
   std::vector<Points> curves;      ///< of a domain that is a curve in the plane: polylines, 2 x m
+  std::vector<Points> obstacles;   ///< in the plane, or on the map of a surface: closed polylines, ambient
+  std::vector<Points> margins;     ///< the same, as far off the obstacles as a clearance asks for
+  std::vector<Points> free;        ///< closed outlines of the free part of the plane, holes included; empty: all of it
   Eigen::VectorXd lower, upper;    ///< of a box in the ambient space, entries may be infinite; empty: none
   std::vector<std::string> notes;  ///< what is not shown as it is
 };

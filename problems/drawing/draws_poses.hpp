@@ -12,6 +12,8 @@ namespace leastcost {
 struct PoseStrip {
   std::vector<std::vector<Points>> poses;  ///< from the first to the last, each the outlines of its parts
   std::vector<Points> obstacles;           ///< of the workspace
+  Points hand;                             ///< the way of its last link, or of a body, 2 x points of the path
+  Points hand_in_space;                    ///< the same in the workspace, 3 x points of the path; z is 0 in the plane
 };
 
 /// Ability of a domain whose points are configurations of something that can be drawn in its workspace.

@@ -71,11 +71,15 @@ void MappedWalls::draw(const DrawnPaths& paths, Drawing& out) const {
   }
   Drawing plane;
   if (drawn != nullptr && dimension_ == kSpace && walls_->dimension() == 2) drawn->draw(paths, plane);
-  for (Points& outline : plane.curves) {  // for the map, which looks from above
-    outline.conservativeResize(kSpace, Eigen::NoChange);
-    outline.bottomRows(1).setZero();
-    out.curves.push_back(std::move(outline));
-  }
+  const auto add = [](std::vector<Points>& outlines, std::vector<Points>& all) {
+    for (Points& outline : outlines) {  // for the map, which looks from above
+      outline.conservativeResize(kSpace, Eigen::NoChange);
+      outline.bottomRows(1).setZero();
+      all.push_back(std::move(outline));
+    }
+  };
+  add(plane.obstacles, out.obstacles);
+  add(plane.margins, out.margins);
   out.notes.emplace_back("obstacles depend on position only, not on height or angle, and are not drawn here");
 }
 

@@ -55,8 +55,8 @@ void draw_outlines(const std::vector<std::shared_ptr<const Obstacle>>& obstacles
   std::size_t count = 0;
   for (const auto& obstacle : obstacles) {
     if (!obstacle->drawn() || ++count > kMost) continue;
-    out.curves.push_back(outline(obstacle->corners(), obstacle->radius()));
-    if (clearance > 0) out.curves.push_back(outline(obstacle->corners(), obstacle->radius() + clearance));
+    out.obstacles.push_back(outline(obstacle->corners(), obstacle->radius()));
+    if (clearance > 0) out.margins.push_back(outline(obstacle->corners(), obstacle->radius() + clearance));
   }
   if (count > kMost)
     out.notes.push_back("of " + std::to_string(count) + " obstacles " + std::to_string(kMost) + " are drawn");

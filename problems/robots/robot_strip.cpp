@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr int kPosesOfStrip = 8;
-constexpr int kCorners = 24;                         ///< of a circle
+constexpr int kCorners = 48;                         ///< of a circle
 constexpr std::size_t kMostDrawn = 500;              ///< obstacles
 constexpr double kAzimuth = 0.6, kElevation = 0.45;  ///< rad: from where space is looked at
 
@@ -106,6 +106,14 @@ PoseStrip robot_strip(const Robot& robot, const std::vector<std::shared_ptr<cons
     for (std::size_t i = 0; i < robot.capsules.size(); ++i)
       parts.push_back(hull_of_discs({projected(pose.axes[i].from, space), projected(pose.axes[i].to, space)},
                                     robot.capsules[i].radius));
+  }
+  strip.hand.resize(2, configurations.cols());
+  strip.hand_in_space.resize(3, configurations.cols());
+  for (Index i = 0; i < configurations.cols(); ++i) {
+    pose.place_links(robot, configurations.col(i));
+    const Eigen::Vector3d hand = pose.links.back().origin;
+    strip.hand.col(i) = projected(hand, space);
+    strip.hand_in_space.col(i) = hand;
   }
   return strip;
 }

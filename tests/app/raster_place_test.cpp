@@ -71,7 +71,7 @@ TEST_CASE("cells without data are obstacles of terrains and cost maps, without a
       CHECK(has_raster_note(run, "places without data are obstacles"));
       Drawing drawn;  // a map shows them as what they are, not as outlines of obstacles
       find_ability<DrawsItself>(*run.parts.problem.manifold)->draw({run.result.curve.x, run.result.path.u}, drawn);
-      CHECK(drawn.curves.empty());
+      CHECK(drawn.obstacles.empty());
     }
     // Cells as they are: round their corners (100, 40) and (100, 120).
     const RunOutcome cells = solved_bay(

@@ -252,4 +252,28 @@ TEST_CASE("scene: a damaged file is an error that names it") {
   CHECK_THROWS_AS(read_scene(damaged, "dir/scene.json"), InputError);
 }
 
+TEST_CASE("scene: obstacles, margins, the free part and the hand of a robot are written and read") {
+  Scene scene;
+  scene.dimension = 2;
+  Points square(2, 4);
+  square << 0, 1, 1, 0, 0, 0, 1, 0;
+  scene.lines.path = scene.lines.first = square;
+  scene.obstacles = {square};
+  scene.margins = {2 * square};
+  scene.free = {3 * square, 4 * square};
+  scene.strip.poses = {{square}};
+  scene.strip.hand = 5 * square;
+  scene.strip.hand_in_space = Points::Constant(3, 2, 0.5);
+  const Scene read = read_scene(scene_json(scene), "a scene");
+  REQUIRE(read.obstacles.size() == 1);
+  REQUIRE(read.margins.size() == 1);
+  REQUIRE(read.free.size() == 2);
+  CHECK(read.curves.empty());
+  CHECK(read.obstacles[0].isApprox(square));
+  CHECK(read.margins[0].isApprox(2 * square));
+  CHECK(read.free[1].isApprox(4 * square));
+  CHECK(read.strip.hand.isApprox(5 * square));
+  CHECK(read.strip.hand_in_space.isApprox(scene.strip.hand_in_space));
+}
+
 }  // namespace leastcost::test

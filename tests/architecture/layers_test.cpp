@@ -135,6 +135,7 @@ const Arrows& rooms() {
       {"app/report/page", {"app/plot"}},
       {"app/report/run", {"app/report/page", "app/plot", "app/study/rows"}},
       {"app/report/study", {"app/report/page", "app/plot", "app/study", "app/study/rows"}},
+      {"app/figure", {"app/plot", "app/report/page", "app/report/run"}},
       {"app/report", {"app/report/page", "app/report/run", "app/report/study"}},
       {"app/distances", {}},
       {"app/run", {"app/report"}},
@@ -145,7 +146,8 @@ const Arrows& rooms() {
       {"app/study", {"app/study/cell", "app/study/grid", "app/study/rows"}},
       {"app/reference", {"app/study/grid"}},
       {"app/cli",
-       {"app/distances", "app/pairs", "app/reference", "app/report", "app/run", "app/study", "app/study/rows"}}};
+       {"app/distances", "app/figure", "app/pairs", "app/reference", "app/report", "app/run", "app/study",
+        "app/study/rows"}}};
   return table;
 }
 

@@ -10,42 +10,11 @@
 #include "app/report/page/viewer_script.hpp"
 #include "app/report/run/run_parts.hpp"
 #include "app/report/run/space_view.hpp"
-#include "problems/drawing/thinned.hpp"
 
 namespace leastcost::app {
 namespace {
 
 using Json = nlohmann::json;
-
-constexpr std::size_t kDrawnTriangles = 3600;  ///< of the still picture
-constexpr std::size_t kLookTriangles = 1200;   ///< enough to choose a side from which to look
-
-Points ends_of(const RunFiles& files) {
-  if (files.result.flag("ring") || files.points.cols() == 0) return Points(files.points.rows(), 0);
-  Points ends(files.points.rows(), 2);
-  ends << files.points.leftCols(1), files.points.rightCols(1);
-  return ends;
-}
-
-/// One entry of a legend: a sample of what is drawn, its name; with a layer of the 3D view a box to switch it.
-std::string entry(const std::string& sample, const std::string& name, const char* layer) {
-  const std::string drawn =
-      fmt::format("<svg class=\"plot\" width=\"30\" height=\"12\" aria-hidden=\"true\">{}</svg>", sample);
-  if (layer == nullptr) return fmt::format("<span>{} {}</span>\n", drawn, name);
-  return fmt::format("<label><input type=\"checkbox\" data-layer=\"{}\" checked>{} {}</label>\n", layer, drawn, name);
-}
-
-std::string legend_of(const RunFiles& files, bool layers) {
-  const auto line = [](const char* name) { return fmt::format("<path class=\"{}\" d=\"M1 6h28\"/>", name); };
-  std::string out = "<div class=\"legend\">\n" + entry(line("path"), "path", nullptr);
-  out += entry("<circle class=\"point\" cx=\"15\" cy=\"6\" r=\"3\"/>", "its points, equally spaced in cost",
-               layers ? "points" : nullptr);
-  out += entry(line("first"), "first path", layers ? "first" : nullptr);
-  if (!files.scene.lines.others.empty())
-    out += entry(line("other"), "other paths of the family", layers ? "others" : nullptr);
-  if (!files.result.flag("ring")) out += entry("<circle class=\"end\" cx=\"15\" cy=\"6\" r=\"4.5\"/>", "ends", nullptr);
-  return out + "</div>\n";
-}
 
 std::string caption_of(const RunFiles& files, const std::string& before) {
   std::string text = before;
@@ -72,28 +41,12 @@ std::string viewer_data(const RunFiles& files, const SpaceView& view) {
   return safe;
 }
 
-/// For choosing a side from which to look at a cloud, a thousand points are enough.
-TriangleSoup few_squares(const Surfels& surfels) {
-  const std::size_t step = surfels.positions.size() / 1000 + 1;
-  Surfels few;
-  for (std::size_t i = 0; i < surfels.positions.size(); i += step) {
-    few.positions.push_back(surfels.positions[i]);
-    few.normals.push_back(surfels.normals[i]);
-  }
-  few.spacing = surfels.spacing * std::sqrt(static_cast<double>(step));
-  return squares(few);
-}
-
 Picture space_picture(const RunFiles& files) {
-  const Scene& scene = files.scene;
-  const TriangleSoup coarse = thinned(scene.surface, Points(3, 0), kDrawnTriangles);
-  const SpaceView view =
-      choose_view(coarse.triangles.empty() ? few_squares(scene.surfels) : thinned(coarse, Points(3, 0), kLookTriangles),
-                  scene.lines.path, scene.up);
-  const std::string still = space_svg(scene, coarse, files.points, ends_of(files), view);
+  const SpaceView view = choose_view(files.scene);
+  const std::string still = svg(space_sketch(files, view, {}));
   const bool viewer = !viewer_script().empty();
   std::string part = "<figure>\n<div class=\"stage\" id=\"stage\">" + still + "</div>\n";
-  part += legend_of(files, viewer);
+  part += legend_html(legend_of(files, {}), viewer);
   if (viewer)
     part += "<p class=\"soft\" id=\"no-webgl\" hidden>This browser has no WebGL: the picture is static.</p>\n";
   part += caption_of(
@@ -106,10 +59,6 @@ Picture space_picture(const RunFiles& files) {
                     std::string(viewer_script()) + "</script>\n"};
 }
 
-bool holds_infinity(const Raster& raster) {
-  return std::any_of(raster.values.begin(), raster.values.end(), [](double value) { return std::isinf(value); });
-}
-
 /// What the level lines of a bracket are; empty where there are none.
 std::string about_potential(const RunFiles& files) {
   if (!files.scene.potential) return "";
@@ -119,20 +68,18 @@ std::string about_potential(const RunFiles& files) {
 
 /// The robot in its workspace, where there is one.
 std::string strip_part(const RunFiles& files) {
-  const std::string svg = strip_svg(files.scene.strip);
-  if (svg.empty()) return "";
-  return "<figure>\n" + svg +
-         "<figcaption>The robot along its path among the obstacles, later poses in stronger "
-         "colours.</figcaption>\n</figure>\n";
+  const Sketch strip = strip_sketch(files.scene.strip, {});
+  if (strip.empty()) return "";
+  return "<figure>\n" + svg(strip) + legend_html(legend_of(files.scene.strip, {}), false) +
+         "<figcaption>The robot along its path. " + strip.description + ".</figcaption>\n</figure>\n";
 }
 
 /// The path on the map, over its ground in the sun, where there is one.
 std::string map_part(const RunFiles& files) {
   if (!files.scene.relief) return "";
-  std::string caption = "On the map: the ground, lit from the north-west at 45 degrees.";
-  if (holds_infinity(*files.scene.relief)) caption += " Hatched: no data.";
-  caption += about_potential(files);
-  return "<figure>\n" + plane_svg(files) + "<figcaption>" + caption + "</figcaption>\n</figure>\n";
+  const std::string caption = "On the map: the ground, lit from the north-west at 45 degrees." + about_potential(files);
+  return "<figure>\n" + svg(plane_sketch(files, {})) + legend_html(legend_of(files, {}, true), false) + "<figcaption>" +
+         caption + "</figcaption>\n</figure>\n";
 }
 
 Picture space_of_path(const RunFiles& files) {
@@ -147,11 +94,12 @@ Picture space_of_path(const RunFiles& files) {
       bands =
           "Shading: cost per unit of length, averaged over the possible directions, on a logarithmic scale; stronger "
           "means more expensive.";
-    if (files.scene.cost && holds_infinity(*files.scene.cost)) bands += " Hatched: not reachable.";
     bands += about_potential(files);
-    return {"<figure>\n" + plane_svg(files) + legend_of(files, false) + caption_of(files, bands) + "</figure>\n", ""};
+    return {"<figure>\n" + svg(plane_sketch(files, {})) + legend_html(legend_of(files, {}), false) +
+                caption_of(files, bands) + "</figure>\n",
+            ""};
   }
-  return {figures({coordinates_svg(files)},
+  return {figures({svg(coordinates_sketch(files, {}))},
                   "A space of this dimension cannot be drawn; instead, the coordinates along the path are shown."),
           ""};
 }

@@ -14,6 +14,8 @@
 namespace leastcost::app {
 namespace {
 
+constexpr double kChartShape = 0.75;  ///< height over width, where there is no more room
+
 Chart convergence_chart(const NumberTable& history, const std::string& column, const std::string& title) {
   const std::vector<double>& energy = history["energy"];
   const double least = *std::min_element(energy.begin(), energy.end());
@@ -106,21 +108,32 @@ std::string residual_part(const RunFiles& files) {
                          "Distance of the delivered curve (curve.csv). Distances of exactly zero are off the scale."));
 }
 
-std::string coordinates_svg(const RunFiles& files) {
+Sketch coordinates_sketch(const RunFiles& files, const Look& look) {
   const std::vector<std::string>& names = files.coordinates;
+  const std::string cost_unit = files.result.text("cost.unit");
   Chart chart;
   chart.title = "Coordinates along the path";
+  chart.heading = !look.printed;
   chart.description = "Every coordinate of the path against the cumulative cost";
-  chart.x = {"cumulative cost"};
-  chart.y = {"coordinate"};
+  chart.x = {cost_unit == "cost" ? "cumulative cost" : "cumulative cost (" + cost_unit + ")"};
+  chart.y = {look.axis("coordinate")};
   for (std::size_t i = 0; i < names.size(); ++i)
     chart.series.push_back({names[i],
                             files.path["cumulative_cost"],
                             files.path[names[i]],
                             {static_cast<int>(i), true, files.path.rows() <= 30}});
-  chart.width = 860;
-  chart.height = 420;
-  return svg(chart);
+  chart.width = look.width;
+  chart.height = std::min(420.0, kChartShape * look.width);
+  return sketch(chart);
+}
+
+Sketch convergence_sketch(const RunFiles& files, const Look& look) {
+  if (files.history.rows() < 2) return {};
+  Chart chart = convergence_chart(files.history, "iteration", "iterations");
+  chart.heading = !look.printed;
+  chart.width = look.width;
+  chart.height = std::min(420.0, kChartShape * look.width);
+  return sketch(chart);
 }
 
 }  // namespace leastcost::app

@@ -60,6 +60,13 @@ std::vector<std::string> coordinates_of(const NumberTable& table, int dimension)
 
 }  // namespace
 
+Points ends_of(const RunFiles& files) {
+  if (files.result.flag("ring") || files.points.cols() == 0) return Points(files.points.rows(), 0);
+  Points ends(files.points.rows(), 2);
+  ends << files.points.leftCols(1), files.points.rightCols(1);
+  return ends;
+}
+
 RunFiles read_run_files(const fs::path& folder) {
   RunFiles files{JsonFile(folder / "result.json"),
                  JsonFile(folder / "manifest.json"),

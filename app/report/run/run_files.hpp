@@ -39,6 +39,9 @@ struct RunFiles {
   std::vector<std::string> coordinates;  ///< their names there
 };
 
+/// The ends of its path, d x 2; of a ring none.
+Points ends_of(const RunFiles& files);
+
 /// Throws InputError.
 RunFiles read_run_files(const std::filesystem::path& folder);
 

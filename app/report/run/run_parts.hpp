@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "app/plot/legend.hpp"
+#include "app/report/run/look.hpp"
 #include "app/report/run/run_files.hpp"
 
 namespace leastcost::app {
@@ -28,11 +30,19 @@ struct Picture {
 };
 Picture picture_of(const RunFiles& files);
 
-/// The plane, or a map of the ground, with path, first path, box and cost. SVG.
-std::string plane_svg(const RunFiles& files);
-/// A robot on its way, the later the stronger, and its obstacles; empty without one. SVG.
-std::string strip_svg(const PoseStrip& strip);
-/// Every coordinate against the cumulative cost, for spaces that cannot be drawn. SVG.
-std::string coordinates_svg(const RunFiles& files);
+/// What the main drawing of a path shows, for its legend. `map`: of the ground, where there is one.
+std::vector<LegendEntry> legend_of(const RunFiles& files, const Look& look, bool map = false);
+
+/// The plane, or a map of the ground, with path, first path, obstacles, box and cost.
+Sketch plane_sketch(const RunFiles& files, const Look& look);
+/// Whether a side of the box is in that drawing.
+bool shows_walls(const RunFiles& files);
+/// A robot on its way, the later the stronger, and its obstacles; empty without one.
+Sketch strip_sketch(const PoseStrip& strip, const Look& look);
+std::vector<LegendEntry> legend_of(const PoseStrip& strip, const Look& look);
+/// Every coordinate against the cumulative cost, for spaces that cannot be drawn.
+Sketch coordinates_sketch(const RunFiles& files, const Look& look);
+/// Energy excess and predicted cost error against iterations.
+Sketch convergence_sketch(const RunFiles& files, const Look& look);
 
 }  // namespace leastcost::app

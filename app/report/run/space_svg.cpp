@@ -4,41 +4,45 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <numeric>
 
-#include "app/plot/chart.hpp"
+#include "app/plot/text.hpp"
 #include "app/report/run/space_view.hpp"
+#include "problems/drawing/thinned.hpp"
 
 namespace leastcost::app {
 namespace {
 
-constexpr double kWidth = 860, kHeight = 560, kMargin = 14;
+constexpr double kMargin = 8;
 constexpr int kShades = 20;
+constexpr std::size_t kDrawnTriangles = 3600;  ///< where they are drawn as such
 
 /// Where points of the scene lie in the drawing.
 class Projector {
  public:
-  Projector(const Scene& scene, const SpaceView& view) : view_(view) {
+  Projector(const Scene& scene, const TriangleSoup& surface, const SpaceView& view, const Look& look) : view_(view) {
     Eigen::AlignedBox2d box;
     const auto grow = [&](const Eigen::Vector3d& x) {
       if (x.allFinite()) box.extend(Eigen::Vector2d((view.axes * x).head<2>()));
     };
-    for (const auto& x : scene.surface.vertices) grow(x);
+    for (const auto& x : surface.vertices) grow(x);
     for (const auto& x : scene.surfels.positions) grow(x);
     for (const auto x : scene.lines.path.colwise()) grow(x);
     for (const auto x : scene.lines.first.colwise()) grow(x);
     const Eigen::Vector2d extent = box.diagonal().cwiseMax(1e-300);
-    scale_ = std::min((kWidth - 2 * kMargin) / extent[0], (kHeight - 2 * kMargin) / extent[1]);
+    scale_ = std::min((look.width - 2 * kMargin) / extent[0], (look.height - 2 * kMargin) / extent[1]);
     middle_ = box.center();
     half_ = scale_ * extent / 2;
   }
   double width() const { return 2 * (half_[0] + kMargin); }
   double height() const { return 2 * (half_[1] + kMargin); }
   double scale() const { return scale_; }
-  Eigen::Vector3d place(const Eigen::Vector3d& x) const {
-    const Eigen::Vector3d p = view_.axes * x;
+  Eigen::Vector3d place(const Eigen::Vector3d& x) const { return place_seen(view_.axes * x); }
+  /// Of a place of the view.
+  Eigen::Vector3d place_seen(const Eigen::Vector3d& p) const {
     return {kMargin + half_[0] + scale_ * (p[0] - middle_[0]), kMargin + half_[1] - scale_ * (p[1] - middle_[1]), p[2]};
   }
 
@@ -48,17 +52,32 @@ class Projector {
   double scale_ = 1;
 };
 
-/// Lit from above the left shoulder, the same from both sides.
 int shade(const Eigen::Vector3d& normal, const SpaceView& view) {
-  const Eigen::Vector3d light = Eigen::Vector3d(-0.35, 0.55, 0.76);
-  const double brightness = std::abs((view.axes * normal).dot(light));
-  return std::clamp(static_cast<int>(brightness * kShades), 0, kShades - 1);
+  const Eigen::Vector3d seen = view.axes * normal;
+  return std::clamp(static_cast<int>(lightness(seen[2] < 0 ? -seen : seen) * kShades), 0, kShades - 1);
 }
 
 std::string colour(int shade) {
-  const double part = (shade + 0.5) / kShades;
-  return fmt::format("#{:02x}{:02x}{:02x}", static_cast<int>(118 + 112 * part), static_cast<int>(114 + 110 * part),
-                     static_cast<int>(106 + 104 * part));
+  const auto [red, green, blue] = colour_of_light((shade + 0.5) / kShades);
+  return fmt::format("#{:02x}{:02x}{:02x}", red, green, blue);
+}
+
+/// Without the vertices of no triangle, which stand anywhere.
+TriangleSoup only_used(const TriangleSoup& surface) {
+  TriangleSoup out;
+  std::vector<int> number(surface.vertices.size(), -1);
+  for (std::array<int, 3> triangle : surface.triangles) {
+    for (int& v : triangle) {
+      int& mine = number[static_cast<std::size_t>(v)];
+      if (mine < 0) {
+        mine = static_cast<int>(out.vertices.size());
+        out.vertices.push_back(surface.vertices[static_cast<std::size_t>(v)]);
+      }
+      v = mine;
+    }
+    out.triangles.push_back(triangle);
+  }
+  return out;
 }
 
 /// Something opaque with a depth; drawn from far to near, neighbours of one shade in one element.
@@ -130,34 +149,91 @@ std::string line(const Points& x, const char* name, const Projector& projector, 
   return out;
 }
 
-std::string circles(const Points& x, const char* name, double radius, const Projector& projector,
+std::string circles(const Points& x, const char* name, double radius, bool hidden_too, const Projector& projector,
                     const DepthMap& depths) {
   std::string out;
   for (const auto column : x.colwise()) {
-    if (!depths.sees(column)) continue;
+    const bool seen = depths.sees(column);
+    if (!seen && !hidden_too) continue;
     const Eigen::Vector3d p = projector.place(column);
-    fmt::format_to(std::back_inserter(out), "<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"/>", name, p[0],
-                   p[1], radius);
+    fmt::format_to(std::back_inserter(out), "<circle class=\"{}{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.2g}\"/>\n", name,
+                   seen ? "" : " hidden", p[0], p[1], radius);
   }
-  return out + "\n";
+  return out;
+}
+
+/// The surface as an image that lies under everything else.
+std::string image_of(const TriangleSoup& surface, const Projector& projector, const SpaceView& view, const Look& look) {
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector3d& x : surface.vertices) box.extend(Eigen::Vector2d((view.axes * x).head<2>()));
+  const double share = projector.scale() * box.sizes().maxCoeff() / look.width;
+  constexpr double kMostPixels = 3000;  // some 400 MB while it is made
+  const double pixels = std::clamp(look.image_width * share + 1, 2.0, kMostPixels);
+  const ShadedImage image = shaded_image(surface, view, static_cast<int>(pixels));
+  const Eigen::Vector3d corner = projector.place_seen({image.area.min()[0], image.area.max()[1], 0});
+  const Eigen::Vector2d size = projector.scale() * image.area.sizes();
+  return fmt::format(
+      "<image x=\"{:.3f}\" y=\"{:.3f}\" width=\"{:.3f}\" height=\"{:.3f}\" preserveAspectRatio=\"none\" "
+      "xlink:href=\"data:image/png;base64,{}\"/>\n",
+      corner[0], corner[1], size[0], size[1], base64(image.png));
+}
+
+/// A round length about a quarter as wide as the drawing, with what it is.
+std::string length_bar(const Projector& projector, double top, const std::string& unit) {
+  const double wanted = projector.width() / projector.scale() / 4,
+               power = std::pow(10.0, std::floor(std::log10(wanted)));
+  const double factor = wanted / power, length = power * (factor < 2 ? 1 : factor < 5 ? 2 : 5);
+  constexpr double kLong = 1e4, kKilo = 1e3;
+  const bool kilometres = unit == "m" && length >= kLong;
+  const std::string label =
+      number_text(kilometres ? length / kKilo : length, 1) + (unit.empty() ? "" : " ") + (kilometres ? "km" : unit);
+  return fmt::format(
+      "<path class=\"axis\" d=\"M{0:.2f} {1:.1f}v6m0 -3h{2:.3f}m0 -3v6\"/><text x=\"{3:.1f}\" "
+      "y=\"{4:.1f}\">{5}</text>\n",
+      kMargin, top, projector.scale() * length, kMargin + projector.scale() * length + 6, top + 6.8, escaped(label));
 }
 
 }  // namespace
 
-std::string space_svg(const Scene& scene, const TriangleSoup& surface, const Points& markers, const Points& ends,
-                      const SpaceView& view) {
-  const Projector projector(scene, view);
-  const DepthMap depths(surface.triangles.empty() ? squares(scene.surfels) : surface, view, 320);
-  std::string out = "<g class=\"solid\">\n" + painted(triangles(surface, projector, view)) +
-                    painted(discs(scene.surfels, projector, view)) + "</g>\n";
-  out += line(scene.lines.first, "first", projector, depths);
-  for (const Points& other : scene.lines.others) out += line(other, "other", projector, depths);
-  out += line(scene.lines.path, "path", projector, depths);
-  if (markers.cols() <= 150) out += circles(markers, "point", 2.2, projector, depths);
-  out += circles(ends, "end", 5.5, projector, depths);
-  return svg_element("The path on its domain",
-                     "The domain seen from one side, with the path, its points, its ends and the first path",
-                     projector.width(), projector.height(), out, false);
+double lightness(const Eigen::Vector3d& normal) {
+  constexpr double kAmbient = 0.4;  // what is turned away from the lamp still has some light
+  const Eigen::Vector3d lamp(-0.35, 0.55, 0.76);
+  return std::clamp((normal.dot(lamp) + kAmbient) / (1 + kAmbient), 0.0, 1.0);
+}
+
+std::array<int, 3> colour_of_light(double lightness) {
+  return {static_cast<int>(118 + 112 * lightness), static_cast<int>(114 + 110 * lightness),
+          static_cast<int>(106 + 104 * lightness)};
+}
+
+Sketch space_sketch(const RunFiles& files, const SpaceView& view, const Look& look) {
+  constexpr int kDepthPixels = 320;
+  constexpr double kBar = 14;
+  constexpr Index kMostPoints = 150;
+  const Scene& scene = files.scene;
+  constexpr double kNoGaps = 1.1;  // between the squares of a cloud, of its spacing
+  const bool image = look.image_width > 0;
+  TriangleSoup surface = only_used(image ? scene.surface : thinned(scene.surface, Points(3, 0), kDrawnTriangles));
+  if (image && surface.triangles.empty()) surface = squares(scene.surfels, kNoGaps);
+  const Projector projector(scene, surface, view, look);
+  const DepthMap depths(surface.triangles.empty() ? squares(scene.surfels) : surface, view, kDepthPixels);
+  std::string out;
+  if (look.shading && image && !surface.triangles.empty())
+    out += image_of(surface, projector, view, look);
+  else if (look.shading)
+    out += "<g class=\"solid\">\n" + painted(triangles(surface, projector, view)) +
+           painted(discs(scene.surfels, projector, view)) + "</g>\n";
+  if (look.first) out += line(scene.lines.first, "first", projector, depths);
+  if (look.others)
+    for (const Points& other : scene.lines.others) out += line(other, "other", projector, depths);
+  if (look.path) out += line(scene.lines.path, "path", projector, depths);
+  if (look.points && (look.printed || files.points.cols() <= kMostPoints))
+    out += circles(files.points, "point", look.mark(2.2), false, projector, depths);
+  if (look.ends) out += circles(ends_of(files), "end", look.mark(5.5), true, projector, depths);
+  if (look.printed) out += length_bar(projector, projector.height(), look.unit);
+  return {"The path on its domain",
+          "The domain seen from one side, with the path, its points, its ends and the first path", projector.width(),
+          projector.height() + (look.printed ? kBar : 0), out};
 }
 
 }  // namespace leastcost::app

@@ -9,16 +9,30 @@
 #include <limits>
 #include <numbers>
 
+#include "problems/drawing/thinned.hpp"
+
 namespace leastcost::app {
 namespace {
 
-SpaceView view_from(const Eigen::Vector3d& direction, const Eigen::Vector3d& up) {
-  SpaceView view;
-  const Eigen::Vector3d right = up.cross(direction).normalized();
-  view.axes.row(0) = right;
-  view.axes.row(1) = direction.cross(right);
-  view.axes.row(2) = direction;
-  return view;
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// Two directions of the horizon: the first one that of x, or of y if x is the vertical.
+std::array<Eigen::Vector3d, 2> horizon(const Eigen::Vector3d& up) {
+  const Eigen::Vector3d any = std::abs(up[0]) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
+  const Eigen::Vector3d e1 = (any - any.dot(up) * up).normalized();
+  return {e1, up.cross(e1)};
+}
+
+/// For choosing a side from which to look at a cloud, a thousand points are enough.
+TriangleSoup few_squares(const Surfels& surfels) {
+  const std::size_t step = surfels.positions.size() / 1000 + 1;
+  Surfels few;
+  for (std::size_t i = 0; i < surfels.positions.size(); i += step) {
+    few.positions.push_back(surfels.positions[i]);
+    few.normals.push_back(surfels.normals[i]);
+  }
+  few.spacing = surfels.spacing * std::sqrt(static_cast<double>(step));
+  return squares(few);
 }
 
 /// From the middle of the surface to that of the path, in sizes of the surface.
@@ -37,11 +51,7 @@ double size_seen(const SpaceView& view, const Points& path) {
 
 }  // namespace
 
-DepthMap::DepthMap(const TriangleSoup& surface, const SpaceView& view, int pixels)
-    : view_(view),
-      pixels_(pixels),
-      depth_(static_cast<std::size_t>(pixels) * static_cast<std::size_t>(pixels),
-             -std::numeric_limits<double>::infinity()) {
+DepthMap::DepthMap(const TriangleSoup& surface, const SpaceView& view, int pixels) : view_(view) {
   if (surface.triangles.empty()) return;
   std::vector<Eigen::Vector3d> seen;
   seen.reserve(surface.vertices.size());
@@ -52,46 +62,56 @@ DepthMap::DepthMap(const TriangleSoup& surface, const SpaceView& view, int pixel
   }
   origin_ = box.min();
   pixel_ = std::max(box.diagonal().head<2>().maxCoeff() / (pixels - 1), 1e-300);
-  for (const auto& [a, b, c] : surface.triangles)
-    draw(seen[static_cast<std::size_t>(a)], seen[static_cast<std::size_t>(b)], seen[static_cast<std::size_t>(c)]);
+  columns_ = 1 + static_cast<int>(std::ceil(box.diagonal()[0] / pixel_ * (1 - 1e-12)));
+  rows_ = 1 + static_cast<int>(std::ceil(box.diagonal()[1] / pixel_ * (1 - 1e-12)));
+  depth_.assign(index(0, rows_), -std::numeric_limits<double>::infinity());
+  front_.assign(depth_.size(), -1);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto& [a, b, c] = surface.triangles[t];
+    draw(static_cast<int>(t), seen[static_cast<std::size_t>(a)], seen[static_cast<std::size_t>(b)],
+         seen[static_cast<std::size_t>(c)]);
+  }
 }
 
-void DepthMap::draw(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+void DepthMap::draw(int number, const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   const Eigen::Vector2d u = (b - a).head<2>(), v = (c - a).head<2>();
   const double area = u[0] * v[1] - u[1] * v[0];
   if (area == 0) return;
+  // An edge belongs to both of its triangles, up to a small part of a pixel.
+  const double slack = std::min(0.01, 0.1 * pixel_ * std::max(u.norm(), v.norm()) / std::abs(area));
   const auto first = [&](Index i) {
     return static_cast<int>(std::floor((std::min({a[i], b[i], c[i]}) - origin_[i]) / pixel_));
   };
   const auto last = [&](Index i) {
     return static_cast<int>(std::ceil((std::max({a[i], b[i], c[i]}) - origin_[i]) / pixel_));
   };
-  for (int j = std::max(0, first(1)); j <= std::min(pixels_ - 1, last(1)); ++j) {
-    for (int i = std::max(0, first(0)); i <= std::min(pixels_ - 1, last(0)); ++i) {
+  for (int j = std::max(0, first(1)); j <= std::min(rows_ - 1, last(1)); ++j) {
+    for (int i = std::max(0, first(0)); i <= std::min(columns_ - 1, last(0)); ++i) {
       const Eigen::Vector2d p = origin_.head<2>() + pixel_ * Eigen::Vector2d(i, j) - a.head<2>();
       const double s = (p[0] * v[1] - p[1] * v[0]) / area, t = (u[0] * p[1] - u[1] * p[0]) / area;
-      if (s < -0.01 || t < -0.01 || s + t > 1.01) continue;
-      double& depth =
-          depth_[static_cast<std::size_t>(j) * static_cast<std::size_t>(pixels_) + static_cast<std::size_t>(i)];
-      depth = std::max(depth, a[2] + s * (b[2] - a[2]) + t * (c[2] - a[2]));
+      if (s < -slack || t < -slack || s + t > 1 + slack) continue;
+      const double depth = a[2] + s * (b[2] - a[2]) + t * (c[2] - a[2]);
+      if (!(depth > depth_[index(i, j)])) continue;
+      depth_[index(i, j)] = depth;
+      front_[index(i, j)] = number;
     }
   }
 }
 
 bool DepthMap::sees(const Eigen::Vector3d& x) const {
+  constexpr double kSlack = 4;  // pixels: ground seen at 20 degrees is three of them deeper in the next one
   const Eigen::Vector3d p = view_.axes * x;
   const int i = static_cast<int>(std::lround((p[0] - origin_[0]) / pixel_)),
             j = static_cast<int>(std::lround((p[1] - origin_[1]) / pixel_));
-  if (i < 0 || j < 0 || i >= pixels_ || j >= pixels_) return true;
-  return p[2] >= depth_[static_cast<std::size_t>(j) * static_cast<std::size_t>(pixels_) + static_cast<std::size_t>(i)] -
-                     2 * pixel_;
+  if (i < 0 || j < 0 || i >= columns_ || j >= rows_) return true;
+  return p[2] >= depth_[index(i, j)] - kSlack * pixel_;
 }
 
-TriangleSoup squares(const Surfels& surfels) {
+TriangleSoup squares(const Surfels& surfels, double half_side) {
   TriangleSoup out;
   for (std::size_t i = 0; i < surfels.positions.size(); ++i) {
     const Eigen::Vector3d& n = surfels.normals[i];
-    const Eigen::Vector3d a = 0.6 * surfels.spacing * n.unitOrthogonal(), b = n.cross(a);
+    const Eigen::Vector3d a = half_side * surfels.spacing * n.unitOrthogonal(), b = n.cross(a);
     const int first = static_cast<int>(out.vertices.size());
     for (const Eigen::Vector3d& corner :
          {Eigen::Vector3d(a + b), Eigen::Vector3d(a - b), Eigen::Vector3d(-a - b), Eigen::Vector3d(b - a)})
@@ -102,10 +122,29 @@ TriangleSoup squares(const Surfels& surfels) {
   return out;
 }
 
-SpaceView choose_view(const TriangleSoup& surface, const Points& path, const Eigen::Vector3d& up) {
+SpaceView view_from(const Angles& angles, const Eigen::Vector3d& up) {
+  const auto [e1, e2] = horizon(up);
+  const double turn = angles.azimuth * kDegree, rise = angles.elevation * kDegree;
+  SpaceView view;  // also from straight above
+  view.axes.row(0) = -std::sin(turn) * e1 + std::cos(turn) * e2;
+  view.axes.row(2) = std::cos(rise) * (std::cos(turn) * e1 + std::sin(turn) * e2) + std::sin(rise) * up;
+  view.axes.row(1) = view.axes.row(2).cross(view.axes.row(0));
+  return view;
+}
+
+Angles angles_of(const SpaceView& view, const Eigen::Vector3d& up) {
+  const auto [e1, e2] = horizon(up);
+  const Eigen::Vector3d right = view.axes.row(0), direction = view.direction();
+  const double turn = std::round(std::atan2(-right.dot(e1), right.dot(e2)) / kDegree);
+  return {turn < 0 ? turn + 360 : turn, std::round(std::asin(std::clamp(direction.dot(up), -1.0, 1.0)) / kDegree)};
+}
+
+SpaceView choose_view(const Scene& scene) {
   constexpr int kAround = 14, kPixels = 96;
-  const Eigen::Vector3d any = std::abs(up[0]) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
-  const Eigen::Vector3d e1 = (any - any.dot(up) * up).normalized(), e2 = up.cross(e1);
+  constexpr std::size_t kTriangles = 1200;
+  const Points& path = scene.lines.path;
+  const TriangleSoup surface =
+      scene.surface.triangles.empty() ? few_squares(scene.surfels) : thinned(scene.surface, Points(3, 0), kTriangles);
   const Eigen::Vector3d extent = path.rowwise().maxCoeff() - path.rowwise().minCoeff();
   const double size = std::max(extent.norm(), 1e-300);
   const Index step = std::max<Index>(1, path.cols() / 80);
@@ -116,9 +155,7 @@ SpaceView choose_view(const TriangleSoup& surface, const Points& path, const Eig
   constexpr std::array<std::array<double, 2>, 3> kElevations = {{{28, 0.06}, {50, 0.03}, {8, 0}}};
   for (const auto& [elevation, liking] : kElevations) {
     for (int k = 0; k < kAround; ++k) {
-      const double turn = 2 * std::numbers::pi * (k + 0.3) / kAround, rise = elevation * std::numbers::pi / 180;
-      const SpaceView view =
-          view_from(std::cos(rise) * (std::cos(turn) * e1 + std::sin(turn) * e2) + std::sin(rise) * up, up);
+      const SpaceView view = view_from({360 * (k + 0.3) / kAround, elevation}, scene.up);
       const DepthMap depths(surface, view, kPixels);
       double seen = 0, all = 0;
       for (Index i = 0; i < path.cols(); i += step, ++all) seen += depths.sees(path.col(i)) ? 1 : 0;

@@ -175,7 +175,7 @@ void MapManifold::draw(const DrawnPaths&, Drawing& out) const {
     corners.push_back(corners.front());
     Points line(2, static_cast<Index>(corners.size()));
     for (std::size_t i = 0; i < corners.size(); ++i) line.col(static_cast<Index>(i)) = corners[i];
-    out.curves.push_back(std::move(line));
+    out.free.push_back(std::move(line));
   }
 }
 

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "app/figure/rsvg.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+#include "app/report/page/json_file.hpp"
+#include "catalogue/output/output_folder.hpp"
+
+namespace leastcost::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder for files in between, gone at the end.
+class PassingFolder {
+ public:
+  PassingFolder() {
+    std::string name = (fs::temp_directory_path() / "leastcost-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw HostError(name + ": " + std::generic_category().message(errno));
+    path_ = name;
+  }
+  ~PassingFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  PassingFolder(const PassingFolder&) = delete;
+  PassingFolder& operator=(const PassingFolder&) = delete;
+  fs::path operator/(const char* name) const { return path_ / name; }
+
+ private:
+  fs::path path_;
+};
+
+constexpr int kNotStarted = 127;
+
+/// Exit code of a program with its output in files; kNotStarted where it is not there.
+int exit_of(std::vector<std::string> arguments, const fs::path& in, const fs::path& out, const fs::path& err) {
+  std::vector<char*> argv;
+  argv.reserve(arguments.size() + 1);
+  for (std::string& a : arguments) argv.push_back(a.data());
+  argv.push_back(nullptr);
+  const std::string from = in.string(), to = out.string(), words = err.string();
+  const pid_t child = ::fork();
+  if (child < 0) throw HostError("no process could be started: " + std::generic_category().message(errno));
+  if (child == 0) {
+    constexpr int kMode = 0600;
+    ::dup2(::open(from.c_str(), O_RDONLY), STDIN_FILENO);
+    ::dup2(::open(to.c_str(), O_CREAT | O_WRONLY | O_TRUNC, kMode), STDOUT_FILENO);
+    ::dup2(::open(words.c_str(), O_CREAT | O_WRONLY | O_TRUNC, kMode), STDERR_FILENO);
+    ::execvp(argv[0], argv.data());
+    ::_exit(kNotStarted);
+  }
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+}
+
+}  // namespace
+
+std::string converted_svg(const std::string& svg, FigureFormat format, double dpi, const std::string& program) {
+  const PassingFolder passing;
+  const fs::path in = passing / "figure.svg", out = passing / "figure", err = passing / "words";
+  write_whole_file(in, svg);
+  const std::string word = format == FigureFormat::pdf ? "pdf" : "png";
+  // A drawing of a PDF has 72 units per inch, whatever its pixels.
+  const std::string resolution = fmt::format("{:g}", dpi);
+  const int exit =
+      exit_of({program, "--format", word, "--dpi-x", resolution, "--dpi-y", resolution, "--unlimited"}, in, out, err);
+  if (exit == kNotStarted)
+    throw HostError(
+        fmt::format("{0} is needed for .{1} and was not found: install librsvg2-bin, or write .svg and convert that",
+                    program, word));
+  if (exit == 0 && fs::file_size(out) > 0) return text_of_file(out);
+  std::string reason = text_of_file(err);
+  reason = reason.substr(0, reason.find('\n'));
+  throw HostError(fmt::format("{} could not make the .{}{}{}", program, word, reason.empty() ? "" : ": ", reason));
+}
+
+}  // namespace leastcost::app

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "app/figure/figure_options.hpp"
+
+namespace leastcost::app {
+
+/// An SVG as PDF or PNG, by the program rsvg-convert (Debian: librsvg2-bin). Throws HostError where it is not there or
+/// fails, in words. `program`: another one in its place, for tests.
+std::string converted_svg(const std::string& svg, FigureFormat format, double dpi,
+                          const std::string& program = "rsvg-convert");
+
+}  // namespace leastcost::app
