@@ -69,7 +69,7 @@ void print_row(const AnyMedium& m, double tolerance, const Initializer& first) {
   const double seconds = cpu_seconds() - begin;
   const GlobalBound& bound = result.curve.global.value();
   std::printf("%-12s %8.0e  %9.2e %7.2f s  %-8s %5d %9lld  %12.9f", m.name, tolerance, bound.gap, seconds,
-              bound.outcome.c_str(), bound.grid ? bound.grid->cells[0] : 0, static_cast<long long>(bound.steps),
+              word_of(bound.outcome).data(), bound.grid ? bound.grid->cells[0] : 0, static_cast<long long>(bound.steps),
               bound.lower_bound);
   if (std::isfinite(m.cost)) std::printf("  %9.2e below", 1 - bound.lower_bound / m.cost);
   std::printf("\n");

@@ -93,7 +93,7 @@ void print_row(const bench::Case& c, int n, const Made& made) {
   const std::optional<Resolution>& resolution = result.certificate.resolution;
   std::printf("| %-18s | %4d | %7.3f | %7.3f | %7.2f | %2d | %8.2f | %5.1f | %8.2f | %6.1f | %s%s\n", c.name, n,
               made.domain, made.coarser, 1e3 * solve, result.solve.iterations, 1e3 * certified, certified / solve,
-              1e3 * proved, proved / solve, std::string(leastcost::name(result.status)).c_str(),
+              1e3 * proved, proved / solve, leastcost::word_of(result.status).data(),
               resolution && resolution->minimum_proved ? ", proved" : "");
   std::fflush(stdout);
 }

@@ -275,8 +275,7 @@ void plan(const Bench& bench, bool search, bool verbose, Row& row) {
       "  plan %d: given %.4f (clear by %.2g), simplified %.4f, %.4f, %.4f, ours %.4f (%s, %s) clear by %.1e in "
       "%.0f ms %s\n",
       row.plans, bench.cost(given), bench.clearance(given), bench.cost(once), bench.cost(again), bench.cost(most), cost,
-      std::string(name(ours.outcome)).c_str(), std::string(name(ours.result.status)).c_str(), clearance, 1e3 * seconds,
-      ours.why.c_str());
+      word_of(ours.outcome).data(), word_of(ours.result.status).data(), clearance, 1e3 * seconds, ours.why.c_str());
   for (const CertificateFailure& failure : ours.result.certificate.failures)
     std::printf("    %s: %s\n", failure.name().c_str(), failure.message.c_str());
   std::fflush(stdout);

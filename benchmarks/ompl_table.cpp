@@ -183,9 +183,8 @@ void scene(unsigned seed, Known known, bool certify, bool verbose, Row& row) {
   row.polished += ours.outcome == PolishOutcome::polished ? 1 : 0;
   if (!verbose) return;
   std::printf("  scene %u: plan %.4f, simplified %.4f, %.4f, %.4f, ours %.4f (%s, %s) clear by %.1e in %.1f ms %s\n",
-              seed, plan.length(), once.length(), again.length(), most.length(), length,
-              std::string(name(ours.outcome)).c_str(), std::string(name(ours.result.status)).c_str(), clearance,
-              1e3 * seconds, ours.why.c_str());
+              seed, plan.length(), once.length(), again.length(), most.length(), length, word_of(ours.outcome).data(),
+              word_of(ours.result.status).data(), clearance, 1e3 * seconds, ours.why.c_str());
   for (const CertificateFailure& failure : ours.result.certificate.failures)
     std::printf("    %s: %s\n", failure.name().c_str(), failure.message.c_str());
 }

@@ -289,13 +289,10 @@ class Polishing {
 
 }  // namespace
 
-std::string_view name(PolishOutcome outcome) {
-  switch (outcome) {
-    case PolishOutcome::polished: return "polished";
-    case PolishOutcome::tightened: return "tightened";
-    case PolishOutcome::given: return "given";
-  }
-  return "unknown";
+Words<PolishOutcome> words(PolishOutcome) {
+  using enum PolishOutcome;
+  static constexpr Word<PolishOutcome> kWords[] = {{polished, "polished"}, {tightened, "tightened"}, {given, "given"}};
+  return kWords;
 }
 
 Polished polish(const og::PathGeometric& path, const PolishOptions& options, const Monitor& monitor) {

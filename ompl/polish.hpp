@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include <leastcost/framework/base/words.hpp>
 #include <leastcost/framework/problem/clearance.hpp>
 #include <leastcost/framework/search/find_path.hpp>
 #include <leastcost/ompl/forward.hpp>
@@ -42,7 +43,7 @@ enum class PolishOutcome {
   tightened,  ///< that is not valid, or costs more: the given path with shortcuts, pulled tight
   given       ///< nothing valid costs less
 };
-std::string_view name(PolishOutcome outcome);
+Words<PolishOutcome> words(PolishOutcome);
 
 struct Polished {
   PolishOutcome outcome = PolishOutcome::given;

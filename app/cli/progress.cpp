@@ -36,7 +36,7 @@ void ProgressPrinter::show(const Progress& progress) {
     first_error_ = 0;
     last_percent_ = 0;
   }
-  std::string line = fmt::format("{:<12}", name(stage_));
+  std::string line = fmt::format("{:<12}", word_of(stage_));
   int done = 0;
   if (const Iteration* i = progress.iteration) {
     done = percent(*i);

@@ -34,9 +34,10 @@ std::vector<FamilyStart> family_of(const RunParts& parts) {
 
 std::string status_line(const WrittenRun& run) {
   const Certificate& c = run.result.certificate;
-  std::string line(name(run.result.status));
+  std::string line(word_of(run.result.status));
   if (run.result.status == Status::certified)
-    return line + fmt::format(" ({}{})", c.scope, c.resolution && c.resolution->minimum_proved ? ", proved" : "");
+    return line +
+           fmt::format(" ({}{})", word_of(c.scope), c.resolution && c.resolution->minimum_proved ? ", proved" : "");
   if (run.result.status == Status::interrupted) return line;
   if (!c.measured)
     line += run.parts.options.certificate.enabled ? ": the certificate was not measured"
@@ -65,8 +66,9 @@ std::string cost_line(const WrittenRun& run) {
   if (!std::isfinite(estimate.error)) return fmt::format("{:.15g} {} (error unknown)", estimate.value, unit);
   if (const std::optional<double> own = cost_as_delivered(run))
     return fmt::format("{:.9g} {} (the delivered points; {:.9g} +- {:.2g} in the limit of more points: {})", *own, unit,
-                       estimate.value, estimate.error, estimate.method);
-  std::string line = fmt::format("{:.15g} +- {:.2g} {} ({})", estimate.value, estimate.error, unit, estimate.method);
+                       estimate.value, estimate.error, word_of(estimate.method));
+  std::string line =
+      fmt::format("{:.15g} +- {:.2g} {} ({})", estimate.value, estimate.error, unit, word_of(estimate.method));
   if (const std::optional<double>& geometry = result.certificate.geometry_error)
     line += fmt::format(", and +- {:.2g} from the samples of the domain", *geometry);
   return line;
@@ -74,7 +76,7 @@ std::string cost_line(const WrittenRun& run) {
 
 /// What is proved of all paths in a box, or looks so.
 std::string bracket_line(const GlobalBound& global) {
-  if (global.outcome == "blocked") return "nothing proved: " + global.reason;
+  if (global.outcome == ProofOutcome::blocked) return "nothing proved: " + global.reason;
   if (global.counts == "places")
     return fmt::format(
         "no path over the cells is cheaper by more than {:.2g} % ({}, {} points on their sides, {:.2g} s)",
@@ -94,8 +96,8 @@ std::string bound_line(const GlobalBound& global) {
 std::string solver_line(const WrittenRun& run) {
   const SolveReport& report = run.result.solve;
   if (!run.parts.solver->moves_points()) return fmt::format("{}: {}", run.parts.solver->name(), report.message);
-  std::string line =
-      fmt::format("{}: {} after {} iterations", run.parts.solver->name(), name(report.termination), report.iterations);
+  std::string line = fmt::format("{}: {} after {} iterations", run.parts.solver->name(), word_of(report.termination),
+                                 report.iterations);
   if (report.termination != Termination::converged && !report.message.empty()) line += " (" + report.message + ")";
   return line;
 }
@@ -110,10 +112,10 @@ std::string family_rows(const WrittenRun& run) {
   std::string out;
   for (const FamilyMember& m : run.family) {
     const Certificate& c = m.result.certificate;
-    out += row(
-        out.empty() ? "family" : "",
-        fmt::format("{:.12g}  {}, {}{}  from {}", c.measured ? c.estimate.value : m.result.curve.cost,
-                    name(m.result.status), name(c.index.verdict), m.tied ? ", tied" : "", fmt::join(m.origins, "; ")));
+    out += row(out.empty() ? "family" : "",
+               fmt::format("{:.12g}  {}, {}{}  from {}", c.measured ? c.estimate.value : m.result.curve.cost,
+                           word_of(m.result.status), word_of(c.index.verdict), m.tied ? ", tied" : "",
+                           fmt::join(m.origins, "; ")));
   }
   return out;
 }
@@ -168,7 +170,7 @@ std::string summary_text(const WrittenRun& run, bool verbose) {
   if (const auto& global = result.certificate.global;
       global && (global->counts == "cells" || global->counts == "places"))
     out += row("bracket", bracket_line(*global));
-  else if (global && global->outcome == "bounded" && global->gap > kFarBelow)
+  else if (global && global->outcome == ProofOutcome::bounded && global->gap > kFarBelow)
     out += row("bound", bound_line(*global));
   if (result.certificate.measured && std::isfinite(result.curve.cost))
     out += row("spacing", fmt::format("{:.3g} (largest / smallest segment cost - 1)", result.certificate.spacing));

@@ -40,16 +40,6 @@ AtVertex finite_at_vertex(const ExactDistances& distances, std::int32_t v) {
   return at_vertex(distances, v);
 }
 
-std::string_view word(DistanceState state) {
-  switch (state) {
-    case DistanceState::exact: return "exact";
-    case DistanceState::bound: return "bound";
-    case DistanceState::not_reached: return "not_reached";
-    case DistanceState::no_path: return "no_path";
-  }
-  return "";
-}
-
 std::string distance_csv(const TriangleMesh& mesh, const ExactDistances& distances) {
   std::string out = "vertex,x,y,z,distance,error,state\n";
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
@@ -57,7 +47,7 @@ std::string distance_csv(const TriangleMesh& mesh, const ExactDistances& distanc
     const Eigen::Vector3d& p = mesh.position(v);
     const AtVertex at = at_vertex(distances, v);
     fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{}\n", mesh.file_vertex(v), p.x(), p.y(), p.z(),
-                   at.distance, at.error, word(state_at(distances, v)));
+                   at.distance, at.error, word_of(state_at(distances, v)));
   }
   return out;
 }
@@ -108,6 +98,13 @@ std::string distance_vtp(const TriangleMesh& mesh, const ExactDistances& distanc
 }
 
 }  // namespace
+
+Words<DistanceState> words(DistanceState) {
+  using enum DistanceState;
+  static constexpr Word<DistanceState> kWords[] = {
+      {exact, "exact"}, {bound, "bound"}, {not_reached, "not_reached"}, {no_path, "no_path"}};
+  return kWords;
+}
 
 DistanceState state_at(const ExactDistances& distances, std::int32_t v) {
   const double least = distances.at_least[static_cast<std::size_t>(v)];

@@ -22,6 +22,8 @@ enum class DistanceState {
   not_reached,  ///< no path was found before the search ended
   no_path,      ///< there is none
 };
+Words<DistanceState> words(DistanceState);
+
 DistanceState state_at(const ExactDistances& distances, std::int32_t v);
 
 /// Distances of all vertices, all digits. `distance` is the length of a path, `error` what it is above the least one

@@ -53,13 +53,13 @@ void add_path(const RunOutcome& run, bool points, Json& out) {
   const Result& result = run.result;
   const Certificate& certificate = result.certificate;
   const CostEstimate& estimate = certificate.estimate;
-  out["outcome"] = std::string(name(result.status));
+  out["outcome"] = std::string(word_of(result.status));
   out["certified"] = result.status == Status::certified;
   out["cost"] = number(certificate.measured && !std::isnan(estimate.value) ? estimate.value : result.curve.cost);
   out["error_estimate"] = certificate.measured ? number(estimate.error) : Json(nullptr);
-  out["scope"] = certificate.measured ? Json(certificate.scope) : Json(nullptr);
+  out["scope"] = certificate.measured ? Json(word_of(certificate.scope)) : Json(nullptr);
   if (certificate.global) {
-    out["proof"] = certificate.global->outcome;
+    out["proof"] = word_of(certificate.global->outcome);
     out["lower_bound"] = number(certificate.global->lower_bound);
   }
   if (!certificate.failures.empty()) {
@@ -75,12 +75,12 @@ void add_path(const RunOutcome& run, bool points, Json& out) {
 
 /// Of a place with itself: nothing is to be searched, and nothing costs less.
 void add_one_place(const Problem& problem, bool points, Json& out) {
-  out["outcome"] = std::string(name(Status::certified));
+  out["outcome"] = std::string(word_of(Status::certified));
   out["certified"] = true;
   out["cost"] = 0.0;
   out["error_estimate"] = 0.0;
-  out["scope"] = "global";
-  out["proof"] = "proved";
+  out["scope"] = word_of(Scope::global);
+  out["proof"] = word_of(ProofOutcome::proved);
   out["lower_bound"] = 0.0;
   if (points) out["points"] = Json::array({numbers(source_position(problem))});
 }

@@ -133,7 +133,7 @@ std::string geojson_text(const RunOutcome& outcome) {
                               {"name", outcome.name},
                               {"cost", number(cost_of(result))},
                               {"unit", unit},
-                              {"status", name(result.status)}},
+                              {"status", word_of(result.status)}},
                              geometry(geographic_lines(cover))));
   return to_text({{"type", "FeatureCollection"}, {"features", std::move(features)}});
 }

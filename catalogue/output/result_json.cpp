@@ -39,7 +39,8 @@ Json cost(const RunOutcome& run) {
   out["unit"] = unit_of_cost(run.parts.problem);
   out["error_estimate"] = measured ? number(estimate.error) : Json(nullptr);
   out["initial"] = number(result.initial_cost);
-  out["method"] = measured && !estimate.method.empty() ? Json(estimate.method) : Json(nullptr);
+  out["method"] =
+      measured && estimate.method != ValueMethod::unmeasured ? Json(word_of(estimate.method)) : Json(nullptr);
   out["lower"] = number(estimate.lower);
   out["upper"] = number(estimate.upper);
   out["order"] = number(estimate.order);
@@ -119,7 +120,7 @@ Json waypoints_json(const Waypoints& points) {
 /// What a proof over all paths says; null where none was tried.
 Json global_json(const std::optional<GlobalBound>& global) {
   if (!global) return nullptr;
-  Json out = {{"outcome", global->outcome},
+  Json out = {{"outcome", word_of(global->outcome)},
               {"category", std::string(word_of(global->category))},
               {"lower_bound", number(global->lower_bound)},
               {"gap", number(global->gap)},
@@ -168,7 +169,7 @@ Json certificate_json(const Certificate& c, const CertificateOptions& options) {
           {"doubling_expected", number(c.doubling_expected)},
           {"longest_segment", number(where_measured(c, c.longest_segment))},
           {"index",
-           {{"verdict", std::string(name(c.index.verdict))},
+           {{"verdict", std::string(word_of(c.index.verdict))},
             {"negatives", c.index.negatives},
             {"saddle_order", c.index.saddle_order},
             {"nullity", c.index.nullity}}},
@@ -190,7 +191,7 @@ Json solver_json(const RunOutcome& run) {
   const SolveReport& report = run.result.solve;
   const Counters& n = report.counters;
   return {{"name", std::string(run.parts.solver->name())},
-          {"termination", std::string(name(report.termination))},
+          {"termination", std::string(word_of(report.termination))},
           {"message", report.message},
           {"iterations", report.iterations},
           {"counters",
@@ -213,12 +214,12 @@ Json family(const RunOutcome& run) {
   for (const FamilyMember& m : run.family) {
     const Certificate& c = m.result.certificate;
     Json item;
-    item["status"] = std::string(name(m.result.status));
+    item["status"] = std::string(word_of(m.result.status));
     item["cost"] = number(c.measured ? c.estimate.value : m.result.curve.cost);
     item["error_estimate"] = c.measured ? number(c.estimate.error) : Json(nullptr);
     item["rank_cost"] = number(m.rank_cost);
     item["tied"] = m.tied;
-    item["index"] = std::string(name(c.index.verdict));
+    item["index"] = std::string(word_of(c.index.verdict));
     item["failures"] = failures(c);
     item["iterations"] = m.result.solve.iterations;
     item["from"] = m.origins;
@@ -264,10 +265,10 @@ std::string result_json(const RunOutcome& run) {
   out["schema_version"] = kSchemaVersion;
   out["name"] = run.name;
   out["problem"] = problem_json(run);
-  out["status"] = std::string(name(result.status));
+  out["status"] = std::string(word_of(result.status));
   out["certified"] = result.status == Status::certified;
   out["failures"] = failures(result.certificate);
-  out["scope"] = result.certificate.measured ? Json(result.certificate.scope) : Json(nullptr);
+  out["scope"] = result.certificate.measured ? Json(word_of(result.certificate.scope)) : Json(nullptr);
   out["cost"] = cost(run);
   out["global"] = global_json(result.certificate.global);
   out["spacing"] = number(where_measured(result.certificate, result.certificate.spacing));

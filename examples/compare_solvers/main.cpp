@@ -34,7 +34,7 @@ int main() {
     const Result result = find_path(problem, StraightInitializer(), *solver, {.points = 200});
     const Counters& work = result.solve.counters;
     std::printf("%-6s %-12s %-10s %.12f  %3ld evaluations, %.1f ms\n", std::string(solver->name()).c_str(),
-                std::string(name(result.status)).c_str(), std::string(name(result.solve.termination)).c_str(),
+                word_of(result.status).data(), word_of(result.solve.termination).data(),
                 result.certificate.estimate.value, work.energies + work.gradients, 1e3 * result.solve.seconds);
     if (!result.certificate.certified()) ++uncertified;
   }

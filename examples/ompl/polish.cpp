@@ -50,7 +50,7 @@ int main() {
   // A true distance has the Lipschitz constant 1, and 1 from the axis of a pillar it is bent by at most 1 / 1.
   const DistanceChecker distance{.curvature = 1, .curvature_from = -0.3, .clearance = 0.05, .size = 10};
   const Polished plan = polish(setup.getSolutionPath(), {.distance = distance});
-  std::printf("%s, %s: %.3f instead of %.3f, %.2g more than the clearance\n", std::string(name(plan.outcome)).c_str(),
+  std::printf("%s, %s: %.3f instead of %.3f, %.2g more than the clearance\n", word_of(plan.outcome).data(),
               plan.certified() ? "certified" : "uncertified", plan.cost, plan.given_cost, plan.clearance->lower);
   return plan.certified() && plan.path->check() ? 0 : 1;
 }

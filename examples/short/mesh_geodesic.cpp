@@ -16,6 +16,6 @@ int main(int count, char** arguments) {
                         .source = mesh->vertex(std::atoi(arguments[2])),
                         .target = mesh->vertex(std::atoi(arguments[3]))};
   const Result path = find_path(problem);
-  std::printf("%s: %.6f\n", path.certificate.scope.c_str(), path.curve.cost);
+  std::printf("%s: %.6f\n", word_of(path.certificate.scope).data(), path.curve.cost);
   return path.certificate.certified() ? 0 : 1;
 }

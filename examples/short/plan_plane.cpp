@@ -17,6 +17,6 @@ int main() {
   problem.source.u = Eigen::Vector2d(0, 0);
   problem.target.u = Eigen::Vector2d(8, 0);
   const Result path = find_path(problem);
-  std::printf("%s: %.6f m\n", path.certificate.scope.c_str(), path.curve.cost);
+  std::printf("%s: %.6f m\n", word_of(path.certificate.scope).data(), path.curve.cost);
   return path.certificate.certified() ? 0 : 1;
 }

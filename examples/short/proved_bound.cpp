@@ -15,6 +15,6 @@ int main() {
   problem.target.u = Eigen::Vector2d(2, -0.1);
   const Result path = find_path(problem, {.certificate = {.global = GlobalBudget{.tolerance = 1e-3}}});
   const GlobalBound& bound = path.certificate.global.value();
-  std::printf("%s: %.5f, no path below %.5f\n", bound.outcome.c_str(), path.curve.cost, bound.lower_bound);
+  std::printf("%s: %.5f, no path below %.5f\n", word_of(bound.outcome).data(), path.curve.cost, bound.lower_bound);
   return bound.proved ? 0 : 1;
 }

@@ -4,14 +4,11 @@
 
 namespace leastcost {
 
-std::string_view name(Stage stage) {
-  switch (stage) {
-    case Stage::initialize: return "initialize";
-    case Stage::solve: return "solve";
-    case Stage::post_process: return "post_process";
-    case Stage::certify: return "certify";
-  }
-  return "unknown";
+Words<Stage> words(Stage) {
+  using enum Stage;
+  static constexpr Word<Stage> kWords[] = {
+      {initialize, "initialize"}, {solve, "solve"}, {post_process, "post_process"}, {certify, "certify"}};
+  return kWords;
 }
 
 }  // namespace leastcost

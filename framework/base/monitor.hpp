@@ -7,11 +7,12 @@
 #include <string_view>
 
 #include <leastcost/framework/base/deadline.hpp>
+#include <leastcost/framework/base/words.hpp>
 
 namespace leastcost {
 
 enum class Stage { initialize, solve, post_process, certify };
-std::string_view name(Stage stage);
+Words<Stage> words(Stage);
 
 /// One line of a solver's history.
 struct Iteration {

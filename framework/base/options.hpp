@@ -3,13 +3,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <concepts>
 #include <cstddef>
 #include <functional>
 #include <limits>
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -19,6 +17,8 @@
 #include <vector>
 
 #include <leastcost/eigen_alignment.hpp>
+
+#include <leastcost/framework/base/words.hpp>
 
 namespace leastcost {
 
@@ -31,31 +31,6 @@ struct FieldDoc {
   bool exclusive_minimum = false;  ///< the minimum itself is not allowed
   bool required = false;
 };
-
-/// A value of a choice and its word in a configuration.
-template <class Enum>
-struct Word {
-  Enum value;
-  std::string_view word;
-};
-
-/// Every value of a choice once, in the order in which people read them.
-template <class Enum>
-using Words = std::span<const Word<Enum>>;
-
-/// An enum with words: `Words<Rule> words(Rule)` stands beside it. The argument only says which enum is meant.
-template <class Enum>
-concept Choice = std::is_enum_v<Enum> && requires(Enum e) {
-  { words(e) } -> std::same_as<Words<Enum>>;
-};
-
-/// The word of a value; empty for a number that is none of them.
-template <Choice Enum>
-std::string_view word_of(Enum value) {
-  for (const Word<Enum>& w : words(value))
-    if (w.value == value) return w.word;
-  return "";
-}
 
 class FieldVisitor;
 

@@ -49,8 +49,7 @@ struct CertificateOptions {
 /// cannot know.
 struct Certificate {
   bool measured = false;
-  std::string scope;                  ///< "local", "local_value", "local_on_polyhedron", "chain_on_polyhedron",
-                                      ///< "least_of_class", "global_on_polyhedron", "global"
+  Scope scope = Scope::none;
   std::optional<GlobalBound> global;  ///< null: no proof over all paths was tried
   std::vector<CertificateFailure> failures;
   CostEstimate estimate;

@@ -150,7 +150,7 @@ class Certifier {
 
   void certify_chain() {
     c_.global = path_.curve.global;
-    c_.scope = c_.global && c_.global->proved ? c_.global->scope : "local";
+    c_.scope = c_.global && c_.global->proved ? c_.global->scope : Scope::local;
     if (find_ability<HasInterfaces>(*problem_.cost) != nullptr)
       fail(Failure::interfaces,
            "the cost jumps at interfaces, which a chain of points cannot resolve: use a post-processor for interfaces "
@@ -195,14 +195,15 @@ class Certifier {
 
   void add_margin_bar(const Refinement& refinement) {
     const double bar = margin_bar(problem_, refinement, monitor_.deadline);
-    if (bar > c_.estimate.error && c_.estimate.method == "exact") c_.estimate.method = "differences";
+    if (bar > c_.estimate.error && c_.estimate.method == ValueMethod::exact)
+      c_.estimate.method = ValueMethod::differences;
     c_.estimate.error += bar;
   }
 
   void measure_regularization() {
     const auto* cost = find_ability<Regularized>(*problem_.cost);
     if (cost != nullptr) c_.regularization = cost->regularization(energy_.ambient(path_.chain));
-    if (has_free_ways() && c_.scope == "local") c_.scope = "local_value";
+    if (has_free_ways() && c_.scope == Scope::local) c_.scope = Scope::local_value;
   }
 
   /// Under the cost that is meant: nothing is said about the path but that it is one of them.

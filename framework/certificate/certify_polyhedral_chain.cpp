@@ -55,7 +55,7 @@ double traced_bar(double delivered, const std::vector<double>& traced, double ch
 
 void certify_polyhedral_chain(const Problem& problem, PathEnergy& energy, const PostProcessed& path,
                               const ToCurve& to_curve, const Monitor& monitor, Certificate& c) {
-  c.scope = "chain_on_polyhedron";
+  c.scope = Scope::chain_on_polyhedron;
   measure_kinked_stationarity(energy, path.chain, monitor, c);
   std::vector<double> values;
   const Refinement refinement = refine_levels(problem, path.chain, monitor);
@@ -68,7 +68,7 @@ void certify_polyhedral_chain(const Problem& problem, PathEnergy& energy, const 
   const double finest = c.levels.empty() ? path.curve.cost : c.levels.back().cost;
   values.push_back(path.curve.cost);
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  c.estimate.method = "traced";
+  c.estimate.method = ValueMethod::traced;
   c.estimate.error = traced_bar(path.curve.cost, traced, finest, *most - *least) + *c.stationarity * path.curve.cost;
   if (refinement.levels.size() < 3)
     c.failures.push_back({refinement.collapsed ? Failure::collapsed : Failure::refinement, refinement.trouble});

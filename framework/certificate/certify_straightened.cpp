@@ -46,22 +46,22 @@ void certify_straightened(const Problem& problem, const PostProcessed& path, con
   c.global = path.curve.global;
   const bool global = c.global && c.global->proved, measured = path.curve.excess.has_value();
   c.scope = global                      ? c.global->scope
-            : path.curve.least_of_class ? "least_of_class"
-            : measured                  ? "local"
-                                        : "local_on_polyhedron";
+            : path.curve.least_of_class ? Scope::least_of_class
+            : measured                  ? Scope::local
+                                        : Scope::local_on_polyhedron;
   c.straightness = path.curve.straightness;
   if (const auto* cost = find_ability<HasInterfaces>(*problem.cost))
     measure_refraction(*cost, path.curve.x, *problem.manifold, options, c);
   else if (!(*c.straightness >= -(measured ? kNearlyStraight : kStraight)))
     c.failures.push_back({Failure::straightness, "an angle at the path is " + short_number(-*c.straightness) +
                                                      " below pi: the path can be shortened there"});
-  if (c.global && c.global->outcome == "blocked" && c.global->gap > kFarBelow) {
+  if (c.global && c.global->outcome == ProofOutcome::blocked && c.global->gap > kFarBelow) {
     const TwoNumbers texts = told_apart(c.global->lower_bound, path.curve.cost);
     c.failures.push_back({Failure::not_global, "a path of cost " + texts.first + " may exist, but this one costs " +
                                                    texts.second + ": " + c.global->reason});
   }
   if (!(c.spacing <= options.spacing)) fail_spacing(c, options.spacing);
-  c.estimate.method = "straightened";
+  c.estimate.method = ValueMethod::straightened;
   c.estimate.error = std::numeric_limits<double>::epsilon() * path.curve.cost *
                      std::sqrt(static_cast<double>(path.curve.x.cols())) * 4;
   if (global) {

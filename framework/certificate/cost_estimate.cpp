@@ -43,7 +43,7 @@ double richardson_bar(const Refinement& refinement) {
   return std::max(bar, l[1].spacing * std::abs(d24));
 }
 
-void quote(CostEstimate& e, const char* method, double value, double error) {
+void quote(CostEstimate& e, ValueMethod method, double value, double error) {
   e.value = value;
   e.error = std::max(error, kExact * value);
   e.method = method;
@@ -93,14 +93,14 @@ EstimatedCost estimate_from_levels(const Problem& problem, PathEnergy& energy, c
     e.lower = segments * energy.reference_cost() * kernel_inverse(*problem.kernel, energy.value(chain) / segments);
   if (refinement.levels.size() < 3) {
     e.error = std::numeric_limits<double>::infinity();
-    e.method = "none";
+    e.method = ValueMethod::none;
     return out;
   }
   const double c1 = refinement.levels[0].cost, c2 = refinement.levels[1].cost, c4 = refinement.levels[2].cost;
   const double d12 = c1 - c2, d24 = c2 - c4, largest = std::max(std::abs(d12), std::abs(d24));
   const double rounding = rounding_of_ends(problem, chain);
   if (largest <= std::max(kExact, rounding) * c4) {
-    quote(e, "exact", c4, rounding * c4);
+    quote(e, ValueMethod::exact, c4, rounding * c4);
     return out;
   }
   if (d12 / d24 > 0) e.order = std::log2(d12 / d24);
@@ -127,20 +127,20 @@ EstimatedCost estimate_from_levels(const Problem& problem, PathEnergy& energy, c
     e.lower.reset();
   }
   const bool bracketed = e.lower && e.upper;
-  if (bracketed) quote(e, "bracket", *e.upper, *e.upper - *e.lower);
+  if (bracketed) quote(e, ValueMethod::bracket, *e.upper, *e.upper - *e.lower);
   if (bracketed && (hugs_bound || !second_order)) return out;
   if (hugs_bound) {
     // The place where the path leaves the bound moves between the levels, an error of order 3 with any sign: no
     // extrapolated value. But at second order the last difference is three times what is left, and by how much
     // extrapolation disagrees with itself tells the rest.
     const bool near_second = e.order && std::abs(*e.order - 2) <= kHuggingOrder;
-    quote(e, "differences", c4,
+    quote(e, ValueMethod::differences, c4,
           near_second ? std::max(std::abs(d24), std::abs(fine - c4) + std::abs(fine - coarse)) : 2 * largest);
     return out;
   }
   if (!second_order) {
     e.error = 2 * largest;
-    e.method = "differences";
+    e.method = ValueMethod::differences;
     out.failures.push_back({Failure::not_asymptotic, "the cost does not fall at second order between " +
                                                          std::to_string(refinement.levels[0].segments) + ", " +
                                                          std::to_string(refinement.levels[1].segments) + " and " +
@@ -150,16 +150,30 @@ EstimatedCost estimate_from_levels(const Problem& problem, PathEnergy& energy, c
   }
   const double richardson = richardson_bar(refinement);
   if (!curve) {
-    if (!bracketed) quote(e, "richardson", fine, std::max(richardson, beside));
+    if (!bracketed) quote(e, ValueMethod::richardson, fine, std::max(richardson, beside));
     return out;
   }
   // It has order 4 as well, and it exists: quote it, with room for both. A bracket has order 2.
   const double error = richardson + std::abs(*curve - fine);
-  if (!bracketed || error < e.error) quote(e, "curve", *curve, error);
+  if (!bracketed || error < e.error) quote(e, ValueMethod::curve, *curve, error);
   return out;
 }
 
 }  // namespace
+
+Words<ValueMethod> words(ValueMethod) {
+  using enum ValueMethod;
+  static constexpr Word<ValueMethod> kWords[] = {{unmeasured, ""},
+                                                 {none, "none"},
+                                                 {exact, "exact"},
+                                                 {bracket, "bracket"},
+                                                 {curve, "curve"},
+                                                 {richardson, "richardson"},
+                                                 {traced, "traced"},
+                                                 {straightened, "straightened"},
+                                                 {differences, "differences"}};
+  return kWords;
+}
 
 EstimatedCost estimate_cost(const Problem& problem, PathEnergy& energy, const CoordinatePath& chain,
                             const Refinement& refinement, const PathIndex& index, bool hugs_bound) {

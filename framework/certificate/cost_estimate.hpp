@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <leastcost/framework/base/words.hpp>
 #include <leastcost/framework/certificate/certificate_failure.hpp>
 #include <leastcost/framework/energy/path_energy.hpp>
 #include <leastcost/framework/newton/path_index.hpp>
@@ -14,11 +15,15 @@
 
 namespace leastcost {
 
+/// Where a value and its error bar come from (docs/numerics.md Sec. 6.3).
+enum class ValueMethod { unmeasured, none, exact, bracket, curve, richardson, traced, straightened, differences };
+Words<ValueMethod> words(ValueMethod);
+
 /// The reported value with its error. Units of the cost.
 struct CostEstimate {
   double value = std::numeric_limits<double>::quiet_NaN();
   double error = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not measured, +infinity: nothing is known
-  std::string method;           ///< "exact", "bracket", "curve", "richardson", "traced", "straightened", "differences"
+  ValueMethod method = ValueMethod::unmeasured;
   std::optional<double> lower;  ///< where a bound exists
   std::optional<double> upper;
   std::optional<double> order;  ///< observed; never enters the value

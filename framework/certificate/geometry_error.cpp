@@ -42,7 +42,7 @@ Solved solve_on(std::shared_ptr<const ConstraintManifold> manifold, const Proble
   PathEnergy energy(coarse, cost / static_cast<double>(path.segment_count()), monitor.deadline);
   const SolveReport report = ChainNewton().solve(energy, path, monitor);
   if (report.termination != Termination::converged && report.termination != Termination::round_off)
-    return {std::nullopt, "the chain on it ended with " + std::string(name(report.termination))};
+    return {std::nullopt, "the chain on it ended with " + std::string(word_of(report.termination))};
   return {energy.cost(path), ""};
 }
 

@@ -3,7 +3,6 @@
 #include <leastcost/framework/certificate/resolution.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -145,7 +144,7 @@ class Examiner {
     if (agrees && estimate_.error <= proved) return;
     if (!(found.lower <= estimate_.value && estimate_.value <= upper)) estimate_.value = upper;
     estimate_.error = std::max(upper - estimate_.value, estimate_.value - found.lower);
-    estimate_.method = "bracket";
+    estimate_.method = ValueMethod::bracket;
     estimate_.lower = found.lower;
     estimate_.upper = upper;
   }
@@ -162,9 +161,9 @@ class Examiner {
 }  // namespace
 
 Words<ResolutionVerdict> words(ResolutionVerdict) {
-  static constexpr std::array<Word<ResolutionVerdict>, 3> kWords = {{{ResolutionVerdict::sampled, "sampled"},
-                                                                     {ResolutionVerdict::proved, "proved"},
-                                                                     {ResolutionVerdict::unresolved, "unresolved"}}};
+  using enum ResolutionVerdict;
+  static constexpr Word<ResolutionVerdict> kWords[] = {
+      {sampled, "sampled"}, {proved, "proved"}, {unresolved, "unresolved"}};
   return kWords;
 }
 

@@ -6,23 +6,22 @@
 
 namespace leastcost {
 
-std::string_view name(Termination termination) {
-  switch (termination) {
-    case Termination::converged: return "converged";
-    case Termination::fixed_point: return "fixed_point";
-    case Termination::round_off: return "round_off";
-    case Termination::iteration_limit: return "iteration_limit";
-    case Termination::evaluation_limit: return "evaluation_limit";
-    case Termination::time_limit: return "time_limit";
-    case Termination::line_search_failed: return "line_search_failed";
-    case Termination::non_finite: return "non_finite";
-    case Termination::collapsed: return "collapsed";
-    case Termination::exception: return "exception";
-    case Termination::inconsistent: return "inconsistent";
-    case Termination::refused: return "refused";
-    case Termination::cancelled: return "cancelled";
-  }
-  return "unknown";
+Words<Termination> words(Termination) {
+  using enum Termination;
+  static constexpr Word<Termination> kWords[] = {{converged, "converged"},
+                                                 {fixed_point, "fixed_point"},
+                                                 {round_off, "round_off"},
+                                                 {iteration_limit, "iteration_limit"},
+                                                 {evaluation_limit, "evaluation_limit"},
+                                                 {time_limit, "time_limit"},
+                                                 {line_search_failed, "line_search_failed"},
+                                                 {non_finite, "non_finite"},
+                                                 {collapsed, "collapsed"},
+                                                 {exception, "exception"},
+                                                 {inconsistent, "inconsistent"},
+                                                 {refused, "refused"},
+                                                 {cancelled, "cancelled"}};
+  return kWords;
 }
 
 Counters operator+(const Counters& a, const Counters& b) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <leastcost/framework/base/monitor.hpp>
+#include <leastcost/framework/base/words.hpp>
 
 namespace leastcost {
 
@@ -28,7 +29,7 @@ enum class Termination {
   /// The values of the cost and its gradient are of two functions; the message has both energies.
   inconsistent
 };
-std::string_view name(Termination termination);
+Words<Termination> words(Termination);
 /// Whether the chain has come to rest, as far as can be told.
 inline bool is_solved(Termination termination) {
   return termination == Termination::converged || termination == Termination::round_off;

@@ -51,15 +51,14 @@ double softest(const ChainSystem& p, double tau, ChainSystem& h, const Deadline&
 
 }  // namespace
 
-std::string_view name(IndexVerdict verdict) {
-  switch (verdict) {
-    case IndexVerdict::not_applicable: return "not_applicable";
-    case IndexVerdict::minimum: return "minimum";
-    case IndexVerdict::saddle: return "saddle";
-    case IndexVerdict::degenerate: return "degenerate";
-    case IndexVerdict::undecidable: return "undecidable";
-  }
-  return "unknown";
+Words<IndexVerdict> words(IndexVerdict) {
+  using enum IndexVerdict;
+  static constexpr Word<IndexVerdict> kWords[] = {{not_applicable, "not_applicable"},
+                                                  {minimum, "minimum"},
+                                                  {saddle, "saddle"},
+                                                  {degenerate, "degenerate"},
+                                                  {undecidable, "undecidable"}};
+  return kWords;
 }
 
 std::optional<ChainHessians> chain_hessians(PathEnergy& energy, const CoordinatePath& path) {

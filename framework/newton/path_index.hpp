@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include <leastcost/framework/base/words.hpp>
 #include <leastcost/framework/energy/chain_model.hpp>
 #include <leastcost/framework/energy/path_energy.hpp>
 
@@ -12,7 +13,7 @@ namespace leastcost {
 
 /// undecidable: rounding alone could make the count.
 enum class IndexVerdict { not_applicable, minimum, saddle, degenerate, undecidable };
-std::string_view name(IndexVerdict verdict);
+Words<IndexVerdict> words(IndexVerdict);
 
 /// Morse index of the path by counting negative pivots of the exact chain Hessian H (Sylvester's law of inertia), and
 /// of H + tau P, H - tau P with P the Gauss-Newton Hessian.

@@ -45,7 +45,7 @@ bool solve_level(const Problem& problem, CoordinatePath& path, const Monitor& mo
       {segments, costs.sum(), 0, spread(costs), report.iterations, work.energies + work.gradients + work.hessians});
   result.paths.push_back(path);
   result.domains.push_back(solved.problem.manifold);
-  if (!is_solved(report.termination)) result.trouble = which + "ended with " + std::string(name(report.termination));
+  if (!is_solved(report.termination)) result.trouble = which + "ended with " + std::string(word_of(report.termination));
   result.collapsed = report.termination == Termination::collapsed;
   return !result.collapsed && !monitor.interrupted();
 }

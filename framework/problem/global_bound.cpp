@@ -5,10 +5,29 @@
 namespace leastcost {
 
 Words<BoundCategory> words(BoundCategory) {
-  static constexpr std::array<Word<BoundCategory>, 3> kWords = {
-      {{BoundCategory::proved, "proved"},
-       {BoundCategory::proved_given_bounds, "proved_given_bounds"},
-       {BoundCategory::sampled, "sampled"}}};
+  using enum BoundCategory;
+  static constexpr Word<BoundCategory> kWords[] = {
+      {proved, "proved"}, {proved_given_bounds, "proved_given_bounds"}, {sampled, "sampled"}};
+  return kWords;
+}
+
+Words<Scope> words(Scope) {
+  using enum Scope;
+  static constexpr Word<Scope> kWords[] = {{none, ""},
+                                           {local, "local"},
+                                           {local_value, "local_value"},
+                                           {local_on_polyhedron, "local_on_polyhedron"},
+                                           {chain_on_polyhedron, "chain_on_polyhedron"},
+                                           {least_of_class, "least_of_class"},
+                                           {global_on_polyhedron, "global_on_polyhedron"},
+                                           {global, "global"}};
+  return kWords;
+}
+
+Words<ProofOutcome> words(ProofOutcome) {
+  using enum ProofOutcome;
+  static constexpr Word<ProofOutcome> kWords[] = {
+      {proved, "proved"}, {improved, "improved"}, {sampled, "sampled"}, {bounded, "bounded"}, {blocked, "blocked"}};
   return kWords;
 }
 

@@ -24,6 +24,29 @@ enum class BoundCategory {
 };
 Words<BoundCategory> words(BoundCategory);
 
+/// What a certificate speaks of.
+enum class Scope {
+  none,  ///< nothing was measured
+  local,
+  local_value,  ///< the value alone, not the path
+  local_on_polyhedron,
+  chain_on_polyhedron,
+  least_of_class,
+  global_on_polyhedron,
+  global
+};
+Words<Scope> words(Scope);
+
+/// What a proof over all paths came to.
+enum class ProofOutcome {
+  proved,    ///< no path is cheaper by more than the gap
+  improved,  ///< proved, of a path that is cheaper than the one before
+  sampled,   ///< the gap is small enough, but nothing is proved
+  bounded,   ///< the budget was spent: only the lower bound holds
+  blocked    ///< a cheaper path could run where nothing can be told, or below what rounding leaves; `reason`
+};
+Words<ProofOutcome> words(ProofOutcome);
+
 /// Values of a potential on a regular grid over a box, the corners included, for pictures. +infinity where no path that
 /// may be cheaper goes.
 struct PotentialSamples {
@@ -43,16 +66,14 @@ struct BoundGrid {
 /// What a proof over all paths of the domain between two ends says, whatever class they are of.
 struct GlobalBound {
   bool proved = false;  ///< no path costs less than the delivered one by more than the gap
-  /// "proved", "improved" (proved, of a path cheaper than before), "sampled" (the gap is small enough, but nothing is
-  /// proved), "bounded", "blocked".
-  std::string outcome = {};
-  double lower_bound = 0;                      ///< no path costs less
-  double gap = 0;                              ///< (cost of the delivered path - lower_bound) / cost
-  std::string scope = "global_on_polyhedron";  ///< of a certificate, when it is proved
-  std::int64_t steps = 0;                      ///< of the search
-  std::string counts = "windows";              ///< what the steps are
-  std::string bound = {};                      ///< what the search aimed by: "euclid"
-  std::string reason = {};                     ///< why it is blocked, in words
+  ProofOutcome outcome = ProofOutcome::bounded;
+  double lower_bound = 0;                     ///< no path costs less
+  double gap = 0;                             ///< (cost of the delivered path - lower_bound) / cost
+  Scope scope = Scope::global_on_polyhedron;  ///< of a certificate, when it is proved
+  std::int64_t steps = 0;                     ///< of the search
+  std::string counts = "windows";             ///< what the steps are
+  std::string bound = {};                     ///< what the search aimed by: "euclid"
+  std::string reason = {};                    ///< why it is blocked, in words
   BoundCategory category = BoundCategory::proved;
   std::optional<BoundGrid> grid = {};  ///< of a bound by a potential
   double seconds = 0;                  ///< that it took

@@ -245,13 +245,11 @@ class OneReplan {
 
 }  // namespace
 
-std::string_view name(ReplanOutcome outcome) {
-  switch (outcome) {
-    case ReplanOutcome::new_path: return "new_path";
-    case ReplanOutcome::old_path: return "old_path";
-    case ReplanOutcome::no_valid_path: return "no_valid_path";
-  }
-  return "unknown";
+Words<ReplanOutcome> words(ReplanOutcome) {
+  using enum ReplanOutcome;
+  static constexpr Word<ReplanOutcome> kWords[] = {
+      {new_path, "new_path"}, {old_path, "old_path"}, {no_valid_path, "no_valid_path"}};
+  return kWords;
 }
 
 Replanner::Replanner(std::shared_ptr<const Solver> solver, std::shared_ptr<const Initializer> initializer,

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include <leastcost/framework/base/words.hpp>
 #include <leastcost/framework/problem/clearance.hpp>
 #include <leastcost/framework/search/find_path.hpp>
 
@@ -18,7 +19,7 @@ enum class ReplanOutcome {
   old_path,       ///< the one before, which nothing found in time undercuts
   no_valid_path,  ///< none is known to be valid now
 };
-std::string_view name(ReplanOutcome outcome);
+Words<ReplanOutcome> words(ReplanOutcome);
 
 struct Replan {
   ReplanOutcome outcome = ReplanOutcome::no_valid_path;

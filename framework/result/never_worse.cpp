@@ -174,7 +174,7 @@ void refuse(const Problem& problem, const Offer& offer, const Deadline& deadline
   refused.spacing = spread(offer.curve.curve_costs);
   if (std::optional<GlobalBound>& bound = result.certificate.global) {  // of all paths, so of this one too
     bound->gap = std::max(0.0, 1 - bound->lower_bound / offer.curve.curve.cost);
-    if (bound->proved) bound->outcome = "bounded";
+    if (bound->proved) bound->outcome = ProofOutcome::bounded;
     bound->proved = false;
     refused.global = std::move(bound);
   }

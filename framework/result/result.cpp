@@ -7,14 +7,11 @@
 
 namespace leastcost {
 
-std::string_view name(Status status) {
-  switch (status) {
-    case Status::certified: return "certified";
-    case Status::uncertified: return "uncertified";
-    case Status::collapsed: return "collapsed";
-    case Status::interrupted: return "interrupted";
-  }
-  return "unknown";
+Words<Status> words(Status) {
+  using enum Status;
+  static constexpr Word<Status> kWords[] = {
+      {certified, "certified"}, {uncertified, "uncertified"}, {collapsed, "collapsed"}, {interrupted, "interrupted"}};
+  return kWords;
 }
 
 void add_notes(const std::vector<std::string>& more, std::vector<std::string>& notes) {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include <leastcost/framework/base/words.hpp>
 #include <leastcost/framework/certificate/certificate.hpp>
 #include <leastcost/framework/energy/solve_report.hpp>
 #include <leastcost/framework/problem/initializer.hpp>
@@ -35,7 +36,7 @@ struct FindOptions {
 };
 
 enum class Status { certified, uncertified, collapsed, interrupted };
-std::string_view name(Status status);
+Words<Status> words(Status);
 
 struct StageSeconds {
   double initialize = 0;

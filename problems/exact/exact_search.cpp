@@ -48,16 +48,6 @@ QueryLimits limits_of(const ExactOptions& options) {
 
 }  // namespace
 
-std::string_view word(ExactOutcome outcome) {
-  switch (outcome) {
-    case ExactOutcome::proved: return "proved";
-    case ExactOutcome::improved: return "improved";
-    case ExactOutcome::bounded: return "bounded";
-    case ExactOutcome::blocked: return "blocked";
-  }
-  return "";
-}
-
 struct ExactSearch::Tables {
   explicit Tables(const TriangleMesh& mesh) : edges(mesh) {}
   HalfEdges edges;

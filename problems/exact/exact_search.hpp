@@ -11,19 +11,14 @@
 #include <string_view>
 #include <vector>
 
+#include <leastcost/framework/problem/global_bound.hpp>
 #include <leastcost/problems/exact/landmarks.hpp>
 #include <leastcost/problems/mesh/surface_path.hpp>
 
 namespace leastcost {
 
-/// What is known about the shortest path between two points of a mesh.
-enum class ExactOutcome {
-  proved,    ///< no path on the polyhedron is shorter by more than the gap
-  improved,  ///< proved, of a path that is shorter than the one given
-  bounded,   ///< the budget was spent: only the lower bound holds
-  blocked,   ///< a shorter path could run where nothing can be unfolded, or below what rounding leaves; `reason`
-};
-std::string_view word(ExactOutcome outcome);
+/// What is known about the shortest path between two points of a mesh; never `sampled`.
+using ExactOutcome = ProofOutcome;
 
 struct ExactOptions {
   double tolerance = 1e-9;  ///< gap that counts as proved, relative

@@ -198,8 +198,8 @@ bool has_plain_coordinates(const ConstraintManifold& domain) {
 /// Why there is no bracket of a problem; empty: there may be one.
 GlobalBound blocked(std::string reason) {
   GlobalBound out;
-  out.outcome = "blocked";
-  out.scope = "global";
+  out.outcome = ProofOutcome::blocked;
+  out.scope = Scope::global;
   out.gap = 1;
   out.counts = "cells";
   out.bound = "potential";
@@ -351,7 +351,7 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
   kept.seconds = again ? kept.seconds + seconds : seconds;
 
   GlobalBound global;
-  global.scope = "global";
+  global.scope = Scope::global;
   global.counts = "cells";
   global.bound = "potential";
   global.steps = bracket.cells;
@@ -365,10 +365,13 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
     if (const auto way = better_way(bracket.way)) current.cheaper = CoordinatePath{*way, {}, false};
     if (current.cheaper && !(kept.left > 0)) kept.left = upper;
   }
-  global.outcome = !narrow ? "bounded" : !global.proved ? "sampled" : upper < kept.left ? "improved" : "proved";
+  global.outcome = !narrow             ? ProofOutcome::bounded
+                   : !global.proved    ? ProofOutcome::sampled
+                   : upper < kept.left ? ProofOutcome::improved
+                                       : ProofOutcome::proved;
   if (bracket.lower == 0) {
     global.reason = why_nothing_proved(bracket);
-    if (!global.reason.empty()) global.outcome = "blocked";
+    if (!global.reason.empty()) global.outcome = ProofOutcome::blocked;
   }
   global.seconds = kept.seconds;
   current.curve.global = std::move(global);

@@ -52,8 +52,8 @@ PostProcessed CellBoundPostProcessor::apply(const Problem& problem, const FirstP
   global.lower_bound = found.lower;
   global.gap = 1 - found.lower / current.curve.cost;
   global.proved = global.gap <= budget.tolerance;
-  global.outcome = global.proved ? "proved" : "bounded";
-  global.scope = "global";
+  global.outcome = global.proved ? ProofOutcome::proved : ProofOutcome::bounded;
+  global.scope = Scope::global;
   global.counts = "places";
   global.steps = found.places;
   global.bound = "potential";

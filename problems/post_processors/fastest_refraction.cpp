@@ -74,8 +74,10 @@ PostProcessed FastestRefractionPostProcessor::apply(const Problem& problem, cons
   global.lower_bound = std::min(found.lower_bound, current.curve.cost);
   global.gap = 1 - global.lower_bound / current.curve.cost;
   global.proved = found.finished && global.gap <= budget.tolerance;
-  global.outcome = global.proved ? (improved ? "improved" : "proved") : found.finished ? "blocked" : "bounded";
-  global.scope = "global";
+  global.outcome = global.proved    ? (improved ? ProofOutcome::improved : ProofOutcome::proved)
+                   : found.finished ? ProofOutcome::blocked
+                                    : ProofOutcome::bounded;
+  global.scope = Scope::global;
   global.counts = "words";
   global.steps = found.words;
   global.bound = "snell";

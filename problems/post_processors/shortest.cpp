@@ -134,7 +134,7 @@ PostProcessed ShortestPostProcessor::apply(const Problem& problem, const FirstPa
   }
   GlobalBound& global = current.curve.global.emplace();
   global.proved = found.is_proved();
-  global.outcome = word(found.outcome);
+  global.outcome = found.outcome;
   global.lower_bound = found.lower_bound;
   global.gap = found.gap;
   global.steps = found.windows;

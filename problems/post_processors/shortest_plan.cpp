@@ -64,7 +64,7 @@ PostProcessed ShortestPlanPostProcessor::apply(const Problem& problem, const Fir
 
   GlobalBound global;
   global.proved = found.finished && !found.shorter;
-  global.outcome = global.proved ? "proved" : "bounded";
+  global.outcome = global.proved ? ProofOutcome::proved : ProofOutcome::bounded;
   if (found.shorter) {
     const auto path = around(walls, source, target, found.bends, monitor.deadline);
     if (path && path->least < before && deliver_plan(problem, walls, unit, *path, monitor, current)) {
@@ -73,10 +73,10 @@ PostProcessed ShortestPlanPostProcessor::apply(const Problem& problem, const Fir
           "shortest_plan: a shorter path than the taut one was found and is delivered; the taut one was longer by " +
           short_number(100 * (before / path->least - 1)) + " %");
     }
-    global.outcome = global.proved ? "improved" : "blocked";
+    global.outcome = global.proved ? ProofOutcome::improved : ProofOutcome::blocked;
     if (!global.proved) global.reason = "rounding hides whether a shorter candidate touches an obstacle";
   }
-  global.scope = "global";
+  global.scope = Scope::global;
   global.counts = "tangents";
   global.steps = found.tangents;
   global.bound = "euclid";

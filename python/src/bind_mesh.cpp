@@ -44,7 +44,7 @@ py::tuple tuple_of(const Mesh& mesh, const ExactResult& found) {
   py::array_t<std::int32_t> faces(static_cast<py::ssize_t>(found.path.faces.size()));
   for (std::size_t i = 0; i < found.path.faces.size(); ++i)
     faces.mutable_at(static_cast<py::ssize_t>(i)) = mesh.mesh().file_face(found.path.faces[i]);
-  return py::make_tuple(at, faces, found.length, found.lower_bound, std::string(word(found.outcome)), found.reason);
+  return py::make_tuple(at, faces, found.length, found.lower_bound, std::string(word_of(found.outcome)), found.reason);
 }
 
 py::tuple geodesic(const Mesh& mesh, const SurfacePoint& source, const SurfacePoint& target) {

@@ -124,7 +124,7 @@ TEST_CASE("composition: every cost on a mesh", "[contract]") {
     const Result result = find_on_mesh(between(mesh, cost, source, target), 32, {trace, straighten});
     CAPTURE(cost->traits().unit, failures(result.certificate));
     CHECK(result.status == Status::certified);
-    CHECK(result.certificate.scope == "local_on_polyhedron");
+    CHECK(result.certificate.scope == Scope::local_on_polyhedron);
   }
   const Eigen::VectorXd from = project_end(*mesh, source).u;
   for (const auto& cost : {bead_cost(from, TravelTimeRule::chute, 0), bead_cost(from, TravelTimeRule::chute, 1),
@@ -132,7 +132,7 @@ TEST_CASE("composition: every cost on a mesh", "[contract]") {
     const Result result = find_on_mesh(between(mesh, cost, source, target), 32, {trace});
     CAPTURE(cost->traits().unit, failures(result.certificate));
     CHECK(result.status == Status::certified);
-    CHECK(result.certificate.scope == "chain_on_polyhedron");
+    CHECK(result.certificate.scope == Scope::chain_on_polyhedron);
     CHECK(result.costs.sum() < result.initial_cost);
   }
 }
@@ -147,7 +147,7 @@ TEST_CASE("composition: a bead on a tilted mesh plane is a bead in R^2 with less
   const Result result =
       find_on_mesh(between(mesh, bead_cost(zero, TravelTimeRule::chute, 0), zero, target), 30, {trace});
   const double time = chute_chain_time(1.5, 1, std::sin(slope), 31);
-  CAPTURE(slope, result.costs.sum(), time, name(result.solve.termination), failures(result.certificate));
+  CAPTURE(slope, result.costs.sum(), time, word_of(result.solve.termination), failures(result.certificate));
   CHECK(result.costs.sum() == Approx(time).epsilon(1e-7));
   CHECK(result.curve.cost == Approx(time).epsilon(1e-7));  // a chute is additive: tracing changes nothing
   CHECK(result.status == Status::certified);

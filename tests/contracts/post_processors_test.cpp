@@ -201,7 +201,7 @@ TEST_CASE("post_processor contract: shortest leaves a class that is not the best
   longer.curve = as_curve(problem, way);
   longer.curve.straightness = 0;
   const PostProcessed made = ShortestPostProcessor().apply(problem, {}, longer, {});
-  CHECK(made.curve.global->outcome == "improved");
+  CHECK(made.curve.global->outcome == ProofOutcome::improved);
   CHECK(made.curve.cost <= shortest * (1 + 1e-12));
   CHECK(made.curve.straightness.value() >= -1e-7);
   REQUIRE(made.notes.size() == longer.notes.size() + 1);

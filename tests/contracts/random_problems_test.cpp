@@ -182,7 +182,7 @@ class Asker {
     monitor.deadline = Monitor::Clock::now() + std::chrono::milliseconds(40);
     const Result result = find_path(problem, *initializer, *solver, options, monitor);
     if (result.status == Status::certified && !(result.certificate.estimate.value >= 0)) return "certified nonsense";
-    return std::string(name(result.status));
+    return std::string(word_of(result.status));
   }
 
   std::filesystem::path folder_;

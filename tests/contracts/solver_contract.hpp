@@ -152,7 +152,7 @@ inline void check_solves(const StandardProblem& p, const Solver& solver, const P
   PathEnergy energy = energy_at_mean(p);
   CoordinatePath path = p.start;
   const SolveReport report = solver.solve(energy, path, {});
-  CAPTURE(name(report.termination), report.message, report.iterations, report.cost_error);
+  CAPTURE(word_of(report.termination), report.message, report.iterations, report.cost_error);
   check_report(report, energy, p.start, path, promise);
   CHECK(report.counters.projections > 0);
   if (promise.own_rule) {
@@ -180,7 +180,7 @@ inline void check_ends_when_told(const StandardProblem& p, const MakeSolver& mak
     PathEnergy energy = energy_at_mean(p);
     CoordinatePath path = p.start;
     const SolveReport report = solver.solve(energy, path, monitor);
-    CAPTURE(name(report.termination), name(expected), report.message);
+    CAPTURE(word_of(report.termination), word_of(expected), report.message);
     const bool limit = expected == Termination::iteration_limit || expected == Termination::evaluation_limit;
     const bool done_before = promise.own_rule && limit && report.termination == Termination::fixed_point;
     if (!done_before) CHECK(report.termination == expected);
@@ -236,7 +236,7 @@ inline void check_survives_faults(const Solver& solver) {
       const double before = energy.cost(path);
       *calls_left = calls;
       const SolveReport report = solver.solve(energy, path, {});
-      CAPTURE(solver.name(), static_cast<int>(fault), calls, name(report.termination), report.message);
+      CAPTURE(solver.name(), static_cast<int>(fault), calls, word_of(report.termination), report.message);
       *calls_left = std::numeric_limits<long>::max();
       CHECK(path.u.allFinite());
       CHECK(energy_at_mean(p).cost(path) <= before * (1 + 1e-14));  // not what was kept of a faulty call
@@ -272,7 +272,7 @@ inline void check_survives_one_point(const Solver& solver) {
   CoordinatePath path{Points::Constant(2, 1, 0.5), {}, true};
   PathEnergy energy(problem, 1);
   const SolveReport report = solver.solve(energy, path, {});
-  CAPTURE(solver.name(), name(report.termination), report.message);
+  CAPTURE(solver.name(), word_of(report.termination), report.message);
   CHECK(path.u == Points::Constant(2, 1, 0.5));
   if (report.termination != Termination::refused) CHECK(report.final_energy == report.initial_energy);
 }

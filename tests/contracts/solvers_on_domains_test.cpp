@@ -119,7 +119,7 @@ TEST_CASE("every solver on every kind of domain: the same cost, or why not befor
       CoordinatePath path = p.start;
       const auto reason = s.solver->cannot_solve(energy, path);
       const SolveReport report = s.solver->solve(energy, path, {});
-      CAPTURE(name(report.termination), report.message, report.iterations, energy.cost(path) / least - 1);
+      CAPTURE(word_of(report.termination), report.message, report.iterations, energy.cost(path) / least - 1);
       CHECK((report.termination == Termination::refused) == reason.has_value());
       if (reason)
         CHECK(path.u == p.start.u);

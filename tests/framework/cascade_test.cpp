@@ -30,7 +30,7 @@ TEST_CASE("cascade: the path of a direct solve, for any number of points", "[fra
   Problem problem = bead(Eigen::Vector2d(0, 0), Eigen::Vector2d(std::numbers::pi, -2));
   Run run = start(problem, points);
   const SolveReport report = solve_by_cascade(problem, Newton(), run.s0, run.path, {}).report;
-  CAPTURE(points, name(report.termination));
+  CAPTURE(points, word_of(report.termination));
   CHECK(report.termination == Termination::converged);
   CHECK(run.path.u.cols() == points + 2);
   CHECK((run.path.u.col(0) == problem.source.u && run.path.u.rightCols(1) == problem.target.u));

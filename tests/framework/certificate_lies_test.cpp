@@ -72,15 +72,15 @@ TEST_CASE("a path of which a proof knows that a far shorter one may exist is not
   global.reason = "a shorter path could cross a degenerate face";
   global.lower_bound = 2;
   global.gap = 1 - 2 / path.curve.cost;
-  for (const std::string outcome : {"blocked", "bounded"}) {
+  for (const ProofOutcome outcome : {ProofOutcome::blocked, ProofOutcome::bounded}) {
     global.outcome = outcome;
     Certificate c;
     certify_straightened(problem, path, {}, c);
-    CHECK(failed(c, "global") == (outcome == "blocked"));
-    if (outcome == "blocked")
+    CHECK(failed(c, "global") == (outcome == ProofOutcome::blocked));
+    if (outcome == ProofOutcome::blocked)
       CHECK_THAT(failures(c), Catch::Contains("a path of cost 2 may exist") && Catch::Contains(global.reason));
   }
-  global.outcome = "blocked";
+  global.outcome = ProofOutcome::blocked;
   global.gap = 1e-6;  // what is left open is little
   Certificate c;
   certify_straightened(problem, path, {}, c);
@@ -98,7 +98,7 @@ TEST_CASE("right chains pass: by formula", "[framework]") {
   for (const Certificate& c : certificates) {
     CAPTURE(n, failures(c));
     CHECK(c.certified());
-    CHECK(c.scope == "local");
+    CHECK(c.scope == Scope::local);
   }
 }
 

@@ -73,7 +73,7 @@ TEST_CASE("D4: equal times from badly spaced starts", "[oracle]") {
     CoordinatePath path = crowded(problem, n, power);
     PathEnergy energy(problem, PathEnergy(problem, 1).cost(path) / (n + 1));
     const SolveReport report = solver->solve(energy, path, {});
-    CAPTURE(solver->name(), report.iterations, name(report.termination));
+    CAPTURE(solver->name(), report.iterations, word_of(report.termination));
     CHECK(energy.cost(path) == Approx(chute_chain_time(kPi, 2, 1, n + 1)).epsilon(1e-9));
     CHECK(spread(energy.costs(path)) < 1e-6);
   }

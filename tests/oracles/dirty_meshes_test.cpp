@@ -58,7 +58,7 @@ std::string outcome(const std::shared_ptr<const MeshManifold>& domain, std::int3
     } else {
       CHECK_FALSE(result.certificate.failures.empty());
     }
-    return std::string(name(result.status));
+    return std::string(word_of(result.status));
   } catch (const InputError& error) {
     return error.what();
   } catch (const InitializationError& error) {

@@ -49,7 +49,7 @@ Result refracted(const Problem& problem, int points, const Initializer& initiali
 void check_result(const Result& result, double truth, int points) {
   CAPTURE(points, failures(result.certificate));
   CHECK(result.status == Status::certified);
-  CHECK(result.certificate.scope == "global");
+  CHECK(result.certificate.scope == Scope::global);
   CHECK(std::abs(result.certificate.estimate.value - truth) <= result.certificate.estimate.error);
   CHECK(std::abs(result.certificate.estimate.value / truth - 1) <= 2e-15);
   CHECK(result.certificate.estimate.error <= 1e-13 * truth);
@@ -106,11 +106,11 @@ TEST_CASE("the class is kept where it is asked for", "[oracle]") {
   const WaypointsInitializer dip((Eigen::Matrix2Xd(2, 2) << 0.5, 1.5, -0.5, -0.5).finished());
   const Result head = refracted(problem, 20, dip, GlobalOff{});
   CHECK(head.status == Status::certified);
-  CHECK(head.certificate.scope == "least_of_class");
+  CHECK(head.certificate.scope == Scope::least_of_class);
   CHECK(head.certificate.estimate.value == Approx(1 + std::numbers::sqrt3).epsilon(1e-14));
   const Result direct = refracted(problem, 20, dip);
   check_result(direct, 2, 20);
-  CHECK(direct.certificate.global->outcome == "improved");
+  CHECK(direct.certificate.global->outcome == ProofOutcome::improved);
   // Nearer than the critical distance nothing holds the path at the interface: the straight one is delivered.
   const Problem near = between(space(2), two_layers(), Eigen::Vector2d(0, 1), Eigen::Vector2d(0.5, 1));
   const Result straight = refracted(near, 20, dip, GlobalOff{});

@@ -148,7 +148,7 @@ TEST_CASE("D4: a catenary that Goldschmidt's solution undercuts is certified, an
   const auto domain = bounded ? box(Eigen::Vector2d(-10, 0), Eigen::Vector2d(10, 10)) : space(2);
   const Result dear = find(between(domain, cost, Eigen::Vector2d(-0.6, 1), Eigen::Vector2d(0.6, 1)), 40);
   check_covered(dear, 1.1140277, 1e-6);
-  CHECK(dear.certificate.scope == "local");
+  CHECK(dear.certificate.scope == Scope::local);
   CHECK(has_note(dear,
                  "cheaper: the path through the places where moves cost nothing costs 1, but this path costs 1.11"));
   const Result cheap = find(between(domain, cost, Eigen::Vector2d(-0.5, 1), Eigen::Vector2d(0.5, 1)), 40);
@@ -165,7 +165,7 @@ TEST_CASE("D4: past a / y0 = 0.6627 the catenary collapses, with and without a b
   const auto domain = bounded ? box(Eigen::Vector2d(-10, 0), Eigen::Vector2d(10, 10)) : space(2);
   const auto cost = medium(refraction::PowerLaw{.exponent = 1});
   const Result result = find(between(domain, cost, Eigen::Vector2d(-a, 1), Eigen::Vector2d(a, height)), 40);
-  CAPTURE(a, height, bounded, name(result.solve.termination), result.curve.cost);
+  CAPTURE(a, height, bounded, word_of(result.solve.termination), result.curve.cost);
   REQUIRE(result.status == Status::collapsed);
   CHECK(result.curve.cost == Approx((1 + height * height) / 2).epsilon(1e-12));
   CHECK(has_note(result, "collapsed: the path collapsed onto places where moves cost nothing"));

@@ -107,9 +107,9 @@ void check_ring(const std::shared_ptr<const MeshManifold>& domain, const char* m
   const PlaneCutInitializer initializer({cut.point, cut.normal});
   const Result result = find_straightened(problem, points, initializer);
   std::printf("  %-18s %-16s n %4d  %-10s length %.9g of %.4g, %.3f s (solve %.3f: %s), %zu points\n", model, cut.where,
-              points, std::string(name(result.status)).c_str(), result.curve.cost, result.initial_cost,
+              points, word_of(result.status).data(), result.curve.cost, result.initial_cost,
               result.seconds.initialize + result.seconds.solve + result.seconds.post_process + result.seconds.certify,
-              result.seconds.solve, std::string(name(result.solve.termination)).c_str(),
+              result.seconds.solve, word_of(result.solve.termination).data(),
               static_cast<std::size_t>(result.curve.x.cols()));
   CAPTURE(model, cut.where, points, failures(result.certificate));
   if (!cut.holds) {
@@ -117,7 +117,7 @@ void check_ring(const std::shared_ptr<const MeshManifold>& domain, const char* m
     return;
   }
   REQUIRE(result.status == Status::certified);
-  CHECK(result.certificate.scope == "local_on_polyhedron");
+  CHECK(result.certificate.scope == Scope::local_on_polyhedron);
   SurfacePath ring;
   for (Index i = 0; i < result.curve.x.cols(); ++i) ring.points.emplace_back(result.curve.x.col(i));
   ring.faces = result.curve.segment_sites;

@@ -157,7 +157,7 @@ TEST_CASE("D4: the power-law family", "[oracle]") {
 
 TEST_CASE("D4: no catenary beyond a / y0 = 0.6627, and none is certified", "[oracle]") {
   const Result result = find_in_plane(PowerLaw{1}, {-0.7, 1}, {0.7, 1}, 31);
-  CAPTURE(name(result.solve.termination), result.costs.sum());
+  CAPTURE(word_of(result.solve.termination), result.costs.sum());
   CHECK(result.status == Status::uncertified);
 }
 

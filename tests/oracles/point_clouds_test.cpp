@@ -47,8 +47,8 @@ std::shared_ptr<const PointCloudManifold> read(const std::filesystem::path& file
 
 void print(const char* what, const Result& result) {
   const CostEstimate& e = result.certificate.estimate;
-  std::printf("%-22s %-11s %.10g +- %.1g, geometry error %.1g\n", what, std::string(name(result.status)).c_str(),
-              e.value, e.error, result.certificate.geometry_error.value_or(-1));
+  std::printf("%-22s %-11s %.10g +- %.1g, geometry error %.1g\n", what, word_of(result.status).data(), e.value, e.error,
+              result.certificate.geometry_error.value_or(-1));
 }
 
 }  // namespace

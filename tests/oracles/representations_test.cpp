@@ -63,7 +63,7 @@ void print(const Surface& surface, const std::string& representation, const Resu
   char domain[16] = "";
   if (const auto& error = result.certificate.geometry_error) std::snprintf(domain, sizeof domain, "%.1e", *error);
   std::printf("| %-6s | %-23s | %-11s | %.11f | %.1e | %7s | %8.1e |\n", surface.name, representation.c_str(),
-              std::string(name(result.status)).c_str(), e.value, e.error, domain, e.value - surface.length);
+              word_of(result.status).data(), e.value, e.error, domain, e.value - surface.length);
 }
 
 /// Certified, and the closed form within the error bar and what the representation itself costs.
@@ -112,7 +112,7 @@ TEST_CASE("one surface, five representations", "[oracle]") {
     print(s, "mesh, " + std::to_string(mesh->mesh().face_count()) + " faces", result);
     CAPTURE(s.name, level, failures(c));
     CHECK(result.status == Status::certified);
-    CHECK(c.scope == "local_on_polyhedron");
+    CHECK(c.scope == Scope::local_on_polyhedron);
     const double off = std::abs(c.estimate.value - s.length);
     if (previous > 0) {
       CHECK(previous / off > 2.5);  // second order: 4, less what the place of the path between the vertices changes

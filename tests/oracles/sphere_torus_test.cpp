@@ -130,7 +130,7 @@ TEST_CASE("D2: contractible rings collapse, and say so", "[oracle]") {
 TEST_CASE("D2: a great circle is a closed geodesic, and a saddle", "[oracle]") {
   const auto start = loop(32, [](double t) { return Eigen::Vector3d(std::cos(t), std::sin(t), 0); });
   const Result result = find(ring_on(std::make_shared<Sphere>()), 32, start);
-  CAPTURE(failures(result.certificate), name(result.solve.termination));
+  CAPTURE(failures(result.certificate), word_of(result.solve.termination));
   CHECK(result.status == Status::uncertified);
   CHECK(failed(result.certificate, "saddle"));
 }

@@ -30,7 +30,7 @@ Result walk(const std::string& height, const Eigen::Vector2d& from, const Eigen:
   return find(between(terrain(height), make_walking_cost(options, 3), from, to), n, initializer);
 }
 
-void check_walk(const Result& result, double hours, double widest, const std::string& scope = "local") {
+void check_walk(const Result& result, double hours, double widest, Scope scope = Scope::local) {
   const CostEstimate& e = result.certificate.estimate;
   CAPTURE(result.costs.size(), hours, e.value, e.error, e.method, failures(result.certificate));
   CHECK(result.status == Status::certified);
@@ -58,12 +58,12 @@ TEST_CASE("D6: steep planes, walked in switchbacks: the value is certified, the 
   const int n = GENERATE(9, 64, 300);
   const BowInitializer bow({.height = 0.15});
   const double up = 0.944458358619405205, down = 0.665548556554380243;
-  check_walk(walk("0.5 * v", kHere, kNorth, n, bow), up, 1e-3, "local_value");
-  check_walk(walk("0.5 * v", kNorth, kHere, n, bow), down, 1e-3, "local_value");
+  check_walk(walk("0.5 * v", kHere, kNorth, n, bow), up, 1e-3, Scope::local_value);
+  check_walk(walk("0.5 * v", kNorth, kHere, n, bow), down, 1e-3, Scope::local_value);
   // Any way within the cone costs the same; 2 km of height per km of map cost as the height says.
-  check_walk(walk("0.5 * v", kHere, {0.5, 1}, n, bow), up, 1e-3, "local_value");
+  check_walk(walk("0.5 * v", kHere, {0.5, 1}, n, bow), up, 1e-3, Scope::local_value);
   const Result steep = walk("2 * v", kHere, kNorth, n, bow);
-  check_walk(steep, 2 * 1.88891671723881041, 1e-3, "local_value");
+  check_walk(steep, 2 * 1.88891671723881041, 1e-3, Scope::local_value);
   REQUIRE(steep.certificate.regularization.has_value());
   CHECK(steep.certificate.regularization->free_share == Approx(1));
   CHECK(steep.notes.back().find("switchbacks up (100 % of the cost, at slope 0.286): the value is certified, but "
@@ -151,7 +151,7 @@ TEST_CASE("D6: the same on a plane by its equation, and in seconds over metres",
   const auto plane = make_implicit_manifold(options);
   const auto cost = make_walking_cost({.law = walking::Tobler{.unit = WalkingTime::seconds}}, 3);
   const Result result = find(between(plane, cost, Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(200, 1000, 500)), 40);
-  check_walk(result, 3600 * 0.944458358619405205, 1e-3, "local_value");
+  check_walk(result, 3600 * 0.944458358619405205, 1e-3, Scope::local_value);
   CHECK(cost->traits().unit == "s");
 }
 
@@ -171,8 +171,8 @@ TEST_CASE("Minetti's energy on level ground, gentle and steep planes", "[oracle]
     return straight(sign * best) / best;
   };
   const double climb = least_per_height(1), descent = least_per_height(-1);
-  check_walk(walk("0.4 * v", kHere, kNorth, 20, StraightInitializer(), law), 0.4 * climb, 3e-3, "local_value");
-  check_walk(walk("0.4 * v", kNorth, kHere, 20, StraightInitializer(), law), 0.4 * descent, 3e-3, "local_value");
+  check_walk(walk("0.4 * v", kHere, kNorth, 20, StraightInitializer(), law), 0.4 * climb, 3e-3, Scope::local_value);
+  check_walk(walk("0.4 * v", kNorth, kHere, 20, StraightInitializer(), law), 0.4 * descent, 3e-3, Scope::local_value);
 }
 
 }  // namespace leastcost::test

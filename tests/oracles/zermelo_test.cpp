@@ -33,7 +33,7 @@ void check_arrival(const Result& result, double truth, double widest) {
   const CostEstimate& e = result.certificate.estimate;
   CAPTURE(result.costs.size(), truth, e.value, e.error, e.method, failures(result.certificate));
   CHECK(result.status == Status::certified);
-  CHECK(result.certificate.scope == "local");
+  CHECK(result.certificate.scope == Scope::local);
   CHECK(result.certificate.asymmetry.has_value());
   CHECK(std::abs(e.value - truth) <= e.error);
   CHECK(e.error <= widest * truth);

@@ -273,8 +273,8 @@ TEST_CASE("bracket of metrics and winds: find_path says that no path in the box 
     problem.cost = cost;
     const Result result = find_path(problem, StraightInitializer(), Newton(), options);
     REQUIRE(result.certificate.global);
-    CHECK(result.certificate.scope == "global");
-    CHECK(result.certificate.global->outcome == "proved");
+    CHECK(result.certificate.scope == Scope::global);
+    CHECK(result.certificate.global->outcome == ProofOutcome::proved);
     CHECK(result.certificate.global->category == BoundCategory::proved);
     CHECK(result.certificate.global->lower_bound <= result.certificate.global->grid.value().upper);
   }

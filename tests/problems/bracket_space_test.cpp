@@ -160,10 +160,10 @@ TEST_CASE("bracket in space: find_path says that no path in the box is cheaper",
   const Problem problem = in_space(box, isotropic_cost("1 / z^2"), {0, 0.1, 1}, {1.6, 1.3, 3});
   const Result result = find_path(problem, StraightInitializer(), Newton(), bracketed(5e-3));
   CHECK(result.status == Status::certified);
-  CHECK(result.certificate.scope == "global");
+  CHECK(result.certificate.scope == Scope::global);
   REQUIRE(result.certificate.global);
   const GlobalBound& bound = *result.certificate.global;
-  CHECK(bound.outcome == "proved");
+  CHECK(bound.outcome == ProofOutcome::proved);
   CHECK(bound.category == BoundCategory::proved);
   CHECK(bound.gap <= 5e-3);
   const double least = std::acosh(1 + 8.0 / 6);
@@ -183,7 +183,7 @@ TEST_CASE("bracket in space: from the dearer side of a hill the cheaper way is d
   below.col(0) << 0, -1.6, 0;
   const Result result = find_path(problem, WaypointsInitializer(below), Newton(), bracketed(0.05));
   REQUIRE(result.certificate.global);
-  CHECK(result.certificate.global->outcome == "improved");
+  CHECK(result.certificate.global->outcome == ProofOutcome::improved);
   CHECK(result.curve.x.row(1).maxCoeff() > 0.5);
 }
 
@@ -214,9 +214,9 @@ TEST_CASE("bracket in space: blocked, with a reason") {
   const AlignedBox3d box(Vector3d(-2, -2, -2), Vector3d(2, 2, 2));
   const auto reason = [](const Problem& problem) {
     const Result result = find_path(problem, StraightInitializer(), Newton(), bracketed(1e-2));
-    CHECK(result.certificate.scope == "local");
+    CHECK(result.certificate.scope == Scope::local);
     const GlobalBound bound = result.curve.global.value();
-    CHECK(bound.outcome == "blocked");
+    CHECK(bound.outcome == ProofOutcome::blocked);
     CHECK_FALSE(bound.proved);
     return bound.reason;
   };

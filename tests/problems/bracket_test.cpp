@@ -143,10 +143,10 @@ TEST_CASE("bracket: find_path says that no path in the box is cheaper") {
   const Problem problem = in_box(box(-1.2, 0.3, 2.8, 4.3), "1 / y^2", {0, 1}, {2, 3});
   const Result result = find_path(problem, StraightInitializer(), Newton(), with_bracket(1e-4));
   CHECK(result.status == Status::certified);
-  CHECK(result.certificate.scope == "global");
+  CHECK(result.certificate.scope == Scope::global);
   REQUIRE(result.certificate.global);
   const GlobalBound& bound = *result.certificate.global;
-  CHECK(bound.outcome == "proved");
+  CHECK(bound.outcome == ProofOutcome::proved);
   CHECK(bound.category == BoundCategory::proved);
   CHECK(bound.gap <= 1e-4);
   CHECK(bound.lower_bound <= 1.49099630899480838);
@@ -158,8 +158,8 @@ TEST_CASE("bracket: find_path says that no path in the box is cheaper") {
                                 {.post_processors = {std::make_shared<BracketPostProcessor>(
                                      GlobalBudget{.tolerance = 1e-11, .max_windows = 10000})}});
   CHECK(fine.status == Status::certified);
-  CHECK(fine.certificate.scope == "local");
-  CHECK(fine.certificate.global.value().outcome == "bounded");
+  CHECK(fine.certificate.scope == Scope::local);
+  CHECK(fine.certificate.global.value().outcome == ProofOutcome::bounded);
 }
 
 /// Hills beside the line between the ends: from either side the cheaper way is delivered, where they differ by more
@@ -235,7 +235,7 @@ TEST_CASE("bracket: around a disc, and from the wrong side of it") {
   const GlobalBound& bound = *result.certificate.global;
   CHECK(bound.lower_bound <= least);
   CHECK(bound.lower_bound >= 0.99 * least);
-  CHECK(bound.outcome == "improved");
+  CHECK(bound.outcome == ProofOutcome::improved);
   CHECK(result.curve.x.row(1).minCoeff() < -0.3);
   CHECK(bound.grid.value().upper >= least);
   CHECK(bound.grid->upper <= 1.01 * least);
@@ -276,7 +276,7 @@ TEST_CASE("bracket: a way through a wall thinner than a cell is not gone on from
   CHECK(result.curve.cost >= around_top);
   CHECK(result.curve.cost < 1.12 * around_top);
   const GlobalBound& bound = result.certificate.global.value();
-  CHECK(bound.outcome == "bounded");
+  CHECK(bound.outcome == ProofOutcome::bounded);
   CHECK(bound.lower_bound <= result.curve.cost);
   CHECK(bound.lower_bound > 1.95);  // that of the straight line
 }
@@ -284,9 +284,9 @@ TEST_CASE("bracket: a way through a wall thinner than a cell is not gone on from
 TEST_CASE("bracket: blocked, with a reason") {
   const auto reason = [](const Problem& problem) {
     const Result result = find_path(problem, StraightInitializer(), Newton(), with_bracket(1e-3));
-    CHECK(result.certificate.scope == "local");
+    CHECK(result.certificate.scope == Scope::local);
     const GlobalBound bound = result.curve.global.value();
-    CHECK(bound.outcome == "blocked");
+    CHECK(bound.outcome == ProofOutcome::blocked);
     CHECK_FALSE(bound.proved);
     return bound.reason;
   };
@@ -301,7 +301,7 @@ TEST_CASE("bracket: sampled where nothing is known of the cost's derivatives at 
   const Result result = find_path(singular, StraightInitializer(), Newton(), with_bracket(1e-2));
   const GlobalBound& bound = result.certificate.global.value();
   CHECK(bound.category == BoundCategory::sampled);
-  CHECK(bound.outcome == "sampled");
+  CHECK(bound.outcome == ProofOutcome::sampled);
   CHECK(bound.lower_bound <= result.certificate.estimate.value);
 }
 

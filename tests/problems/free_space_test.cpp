@@ -201,7 +201,7 @@ TEST_CASE("free space: a chain with too few points for a gate ends soon") {
   CoordinatePath path{Points::Zero(2, 7), {}, false};
   path.u.row(0).setLinSpaced(-2, 2);
   const SolveReport report = solve_fitted(problem, Newton(), 4.0 / 6, path, {}).report;
-  CAPTURE(report.iterations, report.counters.energies, name(report.termination));
+  CAPTURE(report.iterations, report.counters.energies, word_of(report.termination));
   CHECK(report.counters.energies < 200);
 }
 

@@ -210,7 +210,7 @@ TEST_CASE("raster bracket: find_path on a map is global, whichever way it begins
   options.post_processors = {std::make_shared<BracketPostProcessor>(GlobalBudget{.tolerance = 3e-3})};
   const Result result = find_path(problem, WaypointsInitializer(over), Newton(), options);
   const GlobalBound& bound = result.curve.global.value();
-  CHECK(result.certificate.scope == "global");
+  CHECK(result.certificate.scope == Scope::global);
   CHECK(bound.gap <= 3e-3);
   CHECK(bound.lower_bound <= result.certificate.estimate.value);
 }

@@ -200,9 +200,9 @@ TEST_CASE("sampled bracket: walking straight over a plane slope", "[slow_sanitiz
     const double hours = map * std::exp(3.5 * std::abs(steepness + 0.05)) / 6;
     const GlobalBound& bound = result.certificate.global.value();
     CHECK(bound.category == BoundCategory::sampled);
-    CHECK(bound.outcome == "sampled");
+    CHECK(bound.outcome == ProofOutcome::sampled);
     CHECK_FALSE(bound.proved);
-    CHECK(result.certificate.scope == "local");
+    CHECK(result.certificate.scope == Scope::local);
     CHECK(bound.lower_bound <= hours * (1 + 1e-6));
     CHECK(bound.lower_bound >= hours * (1 - 3e-3));
     CHECK(bound.grid.value().upper == Approx(hours).epsilon(1e-6));
@@ -253,12 +253,12 @@ TEST_CASE("sampled bracket: a black box, and what nothing is known of at an end"
   problem.target.u = Vector2d(1.2, 0.5);
   const Result result = find_path(problem, StraightInitializer(), Newton(), with_bracket(1e-3));
   const GlobalBound& bound = result.certificate.global.value();
-  CHECK(bound.outcome == "sampled");
+  CHECK(bound.outcome == ProofOutcome::sampled);
   CHECK(bound.lower_bound <= result.certificate.estimate.value * (1 + 1e-6));
   CHECK(bound.gap < 1e-3);
   problem.cost = make_segment_cost(OneWay{});
   const Result one_way = find_path(problem, StraightInitializer(), Newton(), with_bracket(1e-3));
-  CHECK(one_way.certificate.global.value().outcome == "blocked");
+  CHECK(one_way.certificate.global.value().outcome == ProofOutcome::blocked);
   CHECK_THAT(one_way.certificate.global.value().reason, Catch::Contains("near the source"));
 }
 

@@ -144,9 +144,9 @@ TEST_CASE("tangent search: the near side of a disc, whatever side the first path
     const Result result = plan({make_ball({Vector2d(0, 0), 1})}, 0.2, {a, {0, 3 * side}, b});
     CAPTURE(side);
     CHECK(result.status == Status::certified);
-    CHECK(result.certificate.scope == "global");
+    CHECK(result.certificate.scope == Scope::global);
     REQUIRE(result.certificate.global);
-    CHECK(result.certificate.global->outcome == (side > 0 ? "proved" : "improved"));
+    CHECK(result.certificate.global->outcome == (side > 0 ? ProofOutcome::proved : ProofOutcome::improved));
     CHECK(std::abs(result.certificate.estimate.value - near) <= result.certificate.estimate.error);
     CHECK(result.certificate.global->lower_bound == Approx(near).epsilon(2e-9));
     CHECK(result.certificate.global->lower_bound <= near * (1 + 1e-12));
@@ -191,7 +191,7 @@ TEST_CASE("tangent search: two discs that hardly overlap, from either side") {
                                 make_ball({Vector2d(-0.11566989583102295, -1.4233365214446456), 0.065952361803632217})},
                                0, {a, {0, 3 * side}, b});
     CAPTURE(side, result.certificate.scope);
-    CHECK(result.certificate.scope == "global");
+    CHECK(result.certificate.scope == Scope::global);
     CHECK(std::abs(result.certificate.estimate.value - 8.53791348119) <= result.certificate.estimate.error);
   }
 }
@@ -258,10 +258,10 @@ TEST_CASE("tangent search: a way that leaves the box of the domain is none") {
   box.lower = Vector2d(-4, -1);
   box.upper = Vector2d(4, 5);
   const Result inside = plan(wall, kTiny, {a, {0, 4}, b}, GlobalAuto{}, box);
-  CHECK(inside.certificate.scope == "global");
+  CHECK(inside.certificate.scope == Scope::global);
   CHECK(inside.curve.cost == Approx(2 * std::hypot(2.9, 3.0) + 0.2));
   const Result free = plan(wall, kTiny, {a, {0, 4}, b});
-  CHECK(free.certificate.scope == "global");
+  CHECK(free.certificate.scope == Scope::global);
   CHECK(free.curve.cost == Approx(2 * std::hypot(2.9, 1.1) + 0.2));
 }
 
@@ -285,15 +285,15 @@ TEST_CASE("tangent search: what it says where its budget ends, and where there i
   }
   CHECK(before > 10 * (1 - 1e-9));
   const Result bounded = plan(discs, 0, {a, {0, 5}, {10, 5}, b}, GlobalBudget{.max_windows = 1});
-  CHECK(bounded.certificate.scope == "least_of_class");
+  CHECK(bounded.certificate.scope == Scope::least_of_class);
   REQUIRE(bounded.certificate.global);
-  CHECK(bounded.certificate.global->outcome == "bounded");
+  CHECK(bounded.certificate.global->outcome == ProofOutcome::bounded);
   CHECK(bounded.certificate.global->lower_bound <= least);
   // What a proof may leave open is asked for, and said.
   const Result loose = plan({make_ball({Vector2d(5, 0.1), 1})}, 0, {a, {5, -3}, b}, GlobalBudget{.tolerance = 0.05});
   CHECK(loose.status == Status::certified);
-  CHECK(loose.certificate.scope == "global");
-  CHECK(loose.certificate.global->outcome == "proved");
+  CHECK(loose.certificate.scope == Scope::global);
+  CHECK(loose.certificate.global->outcome == ProofOutcome::proved);
   CHECK(loose.certificate.estimate.error == Approx(0.05 * loose.curve.cost).epsilon(1e-3));
   // Closed in by four walls that overlap.
   const ObstacleWalls closed(

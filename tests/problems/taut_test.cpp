@@ -172,7 +172,7 @@ TEST_CASE("taut: certified as the shortest of its class, with the value covered"
     const Result result = find_path(problem, WaypointsInitializer(Vector2d(0.1, 2)), NoSolver(), pulled_tight(n));
     const double truth = 2 * std::sqrt(3.0) + std::numbers::pi / 3;
     REQUIRE(result.status == Status::certified);
-    CHECK(result.certificate.scope == "least_of_class");
+    CHECK(result.certificate.scope == Scope::least_of_class);
     CHECK(result.certificate.clearance->proved);
     CHECK(result.certificate.estimate.value == result.curve.cost);
     CHECK(std::abs(result.curve.cost - truth) <= result.certificate.estimate.error);
@@ -186,7 +186,7 @@ TEST_CASE("taut: from the solved chain where the first path goes through") {
   const Problem problem = taut_problem(discs({{0, 0.05, 1}}), 0, {-2, 0}, {2, 0});
   const Result result = find_path(problem, WaypointsInitializer(Vector2d(0, -0.9)), Newton(), pulled_tight(40));
   CHECK(result.status == Status::certified);
-  CHECK(result.certificate.scope == "least_of_class");
+  CHECK(result.certificate.scope == Scope::least_of_class);
   const Result left = find_path(problem, WaypointsInitializer(Vector2d(0, -0.9)), NoSolver(), pulled_tight(40));
   CHECK(left.status == Status::uncertified);
   CHECK(left.certificate.failures.front().name() == "touches");

@@ -74,7 +74,7 @@ void check_plan(ObstacleWalls::Obstacles obstacles, double clearance, const std:
   CAPTURE(certificate.estimate.value, certificate.estimate.error, length);
   for (const auto& failure : certificate.failures) UNSCOPED_INFO(failure.name() << ": " << failure.message);
   CHECK(result.status == Status::certified);
-  CHECK(certificate.scope == "local");
+  CHECK(certificate.scope == Scope::local);
   REQUIRE(certificate.clearance);
   CHECK(certificate.clearance->proved);
   CHECK(std::abs(certificate.estimate.value - length) <= certificate.estimate.error);

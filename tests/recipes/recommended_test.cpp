@@ -96,7 +96,7 @@ TEST_CASE("recipes: the objects of a problem decide") {
 TEST_CASE("recipes: a mesh geodesic is proved by default") {
   const Result result = find_path(on_hill());
   CHECK(result.certificate.certified());
-  CHECK(result.certificate.scope == "global_on_polyhedron");
+  CHECK(result.certificate.scope == Scope::global_on_polyhedron);
 }
 
 TEST_CASE("recipes: a bound that is asked for is made, whoever chooses the methods") {
@@ -109,14 +109,14 @@ TEST_CASE("recipes: a bound that is asked for is made, whoever chooses the metho
   for (const Result* result : {&recommended, &chosen}) {
     REQUIRE(result->certificate.global);
     CHECK(result->certificate.global->proved);
-    CHECK(result->certificate.scope == "global");
+    CHECK(result->certificate.scope == Scope::global);
     CHECK(result->certificate.global->lower_bound <= result->certificate.estimate.value);
   }
   Problem mesh = on_hill();
   mesh.kernel = problem.kernel;
   options.certificate.global = GlobalBudget{};
   const Result walked = find_path(mesh, DijkstraInitializer(), Lbfgs(), options);
-  CHECK(walked.certificate.scope == "global_on_polyhedron");
+  CHECK(walked.certificate.scope == Scope::global_on_polyhedron);
 }
 
 TEST_CASE("recipes: a bound that nobody can make is a note") {

@@ -35,7 +35,7 @@ std::string one_line(std::string text) {
 }
 
 void fill_solve(const SolveReport& report, RunRow& row) {
-  row.termination = name(report.termination);
+  row.termination = word_of(report.termination);
   row.message = one_line(report.message);
   row.iterations = report.iterations;
   row.energies = report.counters.energies;
@@ -52,7 +52,7 @@ void fill_solve(const SolveReport& report, RunRow& row) {
 void fill_result(const RunOutcome& run, RunRow& row) {
   const Result& result = run.result;
   const Certificate& certificate = result.certificate;
-  row.status = name(result.status);
+  row.status = word_of(result.status);
   row.failures = failures_of(certificate);
   row.points = static_cast<long>(result.path.free_count());
   // The estimate comes from chains that the certifier has solved: of a path that is not certified it says nothing.

@@ -69,7 +69,7 @@ Problem problem_of(const judge::Scene& scene) {
 }
 
 std::string word_of(const Result& result) {
-  std::string word(name(result.status));
+  std::string word(word_of(result.status));
   for (const auto& failure : result.certificate.failures) word += " " + failure.name();
   return word;
 }
