@@ -37,8 +37,8 @@
 #include <leastcost/problems/manifolds/pose.hpp>
 #include <leastcost/problems/manifolds/product.hpp>
 #include <leastcost/problems/post_processors/cell_bound.hpp>
+#include <leastcost/problems/post_processors/choose_global_proof.hpp>
 #include <leastcost/problems/post_processors/fastest_refraction.hpp>
-#include <leastcost/problems/post_processors/global_proof.hpp>
 #include <leastcost/problems/post_processors/on_surface.hpp>
 #include <leastcost/problems/post_processors/refract.hpp>
 #include <leastcost/problems/post_processors/refract_cells.hpp>

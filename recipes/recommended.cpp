@@ -9,7 +9,7 @@
 #include <leastcost/problems/initializers/rrt.hpp>
 #include <leastcost/problems/initializers/straight.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
-#include <leastcost/problems/post_processors/global_proof.hpp>
+#include <leastcost/problems/post_processors/choose_global_proof.hpp>
 #include <leastcost/problems/post_processors/on_surface.hpp>
 #include <leastcost/problems/post_processors/refract.hpp>
 #include <leastcost/problems/post_processors/refract_cells.hpp>

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include <leastcost/framework/energy/stopping.hpp>
-#include "solvers/rare_test.hpp"
+#include "solvers/stopping_test.hpp"
 
 namespace leastcost {
 

@@ -8,7 +8,7 @@
 #include "framework/newton/bundle.hpp"
 #include "solvers/first_move.hpp"
 #include "solvers/limit_fields.hpp"
-#include "solvers/rare_test.hpp"
+#include "solvers/stopping_test.hpp"
 
 namespace leastcost {
 namespace {
@@ -88,7 +88,7 @@ class Descent {
   PathEnergy& energy_;
   CoordinatePath& path_;
   bool kinked_;
-  RareTest test_;
+  StoppingTest test_;
   SolveLoop loop_;
   ChainModel model_, next_;
   CoordinatePath trial_;

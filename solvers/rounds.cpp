@@ -11,7 +11,7 @@
 
 #include "framework/newton/bundle.hpp"
 #include "solvers/limit_fields.hpp"
-#include "solvers/rare_test.hpp"
+#include "solvers/stopping_test.hpp"
 
 namespace leastcost {
 namespace {
@@ -198,7 +198,7 @@ class Rounds final : public RoundObjective {
   int restart_;
   bool kinked_;
   ChainVariables variables_;
-  RareTest test_;
+  StoppingTest test_;
   SolveLoop loop_;
   CoordinatePath best_path_, last_centre_, trial_;
   Points path_gradient_;

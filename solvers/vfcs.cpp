@@ -10,7 +10,7 @@
 #include "solvers/first_move.hpp"
 #include "solvers/lbfgs_history.hpp"
 #include "solvers/limit_fields.hpp"
-#include "solvers/rare_test.hpp"
+#include "solvers/stopping_test.hpp"
 
 namespace leastcost {
 namespace {

@@ -25,7 +25,7 @@
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/problems/obstacles/raster_obstacles.hpp>
 #include <leastcost/problems/post_processors/bracket.hpp>
-#include <leastcost/problems/post_processors/global_proof.hpp>
+#include <leastcost/problems/post_processors/choose_global_proof.hpp>
 #include <leastcost/problems/raster/has_voids.hpp>
 #include <leastcost/problems/robots/robot_walls.hpp>
 #include "catalogue/config/config_facts.hpp"

@@ -292,8 +292,6 @@ void segment_residuals(const SegmentFunction<D>& c, const AmbientPath& path, int
 
 // In the library for the usual dimensions (segment_blocks.cpp); of others the compiler makes its own.
 #define LEASTCOST_SEGMENT_LOOPS(PREFIX, D)                                                                        \
-  PREFIX template double line_element_from_hessian(const SegmentFunction<D>&, bool, const Point<double, D>&,      \
-                                                   const Point<double, D>&);                                      \
   PREFIX template void segment_chain_blocks(const SegmentFunction<D>&, const AmbientPath&, const Kernel&, double, \
                                             HessianKind, int, ChainBlocks&);                                      \
   PREFIX template void segment_residuals(const SegmentFunction<D>&, const AmbientPath&, int, Points&, Points*);

@@ -11,7 +11,7 @@
 #include "framework/proof/calibrate.hpp"
 #include "framework/search/begin.hpp"
 #include "framework/search/dearer_than_first.hpp"
-#include "framework/search/more_points_help.hpp"
+#include "framework/search/more_points_may_help.hpp"
 #include "framework/search/run_search.hpp"
 
 namespace leastcost {

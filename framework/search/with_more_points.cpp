@@ -10,7 +10,7 @@
 #include <leastcost/framework/base/errors.hpp>
 #include "framework/result/never_worse.hpp"
 #include "framework/search/dearer_than_first.hpp"
-#include "framework/search/more_points_help.hpp"
+#include "framework/search/more_points_may_help.hpp"
 #include "framework/search/point_doubling.hpp"
 
 namespace leastcost {

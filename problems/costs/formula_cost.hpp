@@ -31,8 +31,8 @@ struct CheckedRegion {
 /// The integral of F(x, dx): c(a, b) = F(m, b - a) with the middle m, second order. F is a cost per length: positive
 /// for v != 0, F(x, l v) = l F(x, v) for l > 0, strictly convex across v (Finsler; Bao, Chern, Shen, "An Introduction
 /// to Riemann-Finsler Geometry", 2000). F(x, -v) may be another number: the cost is then asymmetric, and says so unless
-/// its formula proves that it is not. What is checked: problems/costs/lagrangian_check.hpp; the result has a note
-/// (HasNotes) whether it was proved in the region, by intervals, or sampled. What is refuted there is refused.
+/// its formula proves that it is not. What is checked: problems/costs/lagrangian/lagrangian_check.hpp; the result has a
+/// note (HasNotes) whether it was proved in the region, by intervals, or sampled. What is refuted there is refused.
 ///
 /// Where F is sqrt of a form of second degree in v, by what its text says, it is a length under a metric, and
 /// certificates can be proved (EnclosesMetric). Elsewhere the line element is F, never a Hessian at a = b, which does

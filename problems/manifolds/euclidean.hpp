@@ -9,7 +9,7 @@
 #include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/manifolds/box.hpp>
-#include <leastcost/problems/post_processors/global_proof.hpp>
+#include <leastcost/problems/post_processors/choose_global_proof.hpp>
 
 namespace leastcost {
 

@@ -17,7 +17,7 @@
 #include "solvers/ceres/chain_residuals.hpp"
 #include "solvers/ceres/point_manifold.hpp"
 #include "solvers/ceres/silence.hpp"
-#include "solvers/rare_test.hpp"
+#include "solvers/stopping_test.hpp"
 
 namespace leastcost {
 namespace {
@@ -206,7 +206,7 @@ class TrustRegion final : public ceres::IterationCallback {
   int max_iterations_;
   bool kinked_, bounded_;
   KernelLoss loss_;
-  RareTest test_;
+  StoppingTest test_;
   SolveLoop loop_;
   ChainModel model_;                     ///< at the first path of the round
   ChainResiduals* residuals_ = nullptr;  ///< of the round

@@ -22,7 +22,8 @@ void write_line(const std::string& family, std::uint64_t seed, const Result& r,
   std::ofstream out(file, std::ios::app);
   out.precision(17);
   out << '"' << family << "\"," << seed << ',' << r.path.u.cols() << ',' << outcome << ',' << c.estimate.value << ','
-      << c.estimate.error << ',' << c.estimate.method << ',' << (truth ? truth->length : 0) << ',' << c.spacing;
+      << c.estimate.error << ',' << word_of(c.estimate.method) << ',' << (truth ? truth->length : 0) << ','
+      << c.spacing;
   for (std::size_t k = 0; k < 3; ++k) out << ',' << (k < c.levels.size() ? c.levels[k].spacing : -1);
   out << ',' << c.longest_segment << ',' << c.estimate.order.value_or(0) << ','
       << (c.resolution ? word_of(c.resolution->verdict) : "not examined") << ',' << feature << ','

@@ -73,7 +73,7 @@ TEST_CASE("find_path: the observer sees all stages in order, and the iterations"
 
 TEST_CASE("find_path: a stop request in any stage keeps the best path", "[framework]") {
   const Stage when = GENERATE(Stage::initialize, Stage::solve, Stage::post_process, Stage::certify);
-  CAPTURE(name(when));
+  CAPTURE(word_of(when));
   bool stop = false;
   Monitor monitor;
   monitor.observe = [&](const Progress& progress) { stop = stop || progress.stage == when; };
@@ -195,12 +195,12 @@ TEST_CASE("find_path: a cost whose values and gradients are of two functions doe
 
 TEST_CASE("names of statuses, stages and terminations are distinct words", "[framework]") {
   std::set<std::string_view> names;
-  for (int i = 0; i < 4; ++i) names.insert(name(static_cast<Status>(i)));
-  for (int i = 0; i < 4; ++i) names.insert(name(static_cast<Stage>(i)));
+  for (int i = 0; i < 4; ++i) names.insert(word_of(static_cast<Status>(i)));
+  for (int i = 0; i < 4; ++i) names.insert(word_of(static_cast<Stage>(i)));
   CHECK(names.size() == 8);
   names.clear();
-  for (int i = 0; i < 13; ++i) names.insert(name(static_cast<Termination>(i)));
-  CHECK((names.size() == 13 && names.count("unknown") == 0));
+  for (int i = 0; i < 13; ++i) names.insert(word_of(static_cast<Termination>(i)));
+  CHECK((names.size() == 13 && names.count("") == 0));
 }
 
 }  // namespace leastcost::test

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <leastcost/problems/costs/metric_field.hpp>
-#include "framework/search/more_points_help.hpp"
+#include "framework/search/more_points_may_help.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/hill.hpp"

@@ -62,7 +62,7 @@ TEST_CASE("Fig. 4: kernels on the plane by plain L-BFGS, at equal s0", "[paper]"
        {std::pair{"s", &s}, std::pair{"s^2", &square}, std::pair{"exp(s^2) - 1", &exponential}}) {
     std::printf("  %-13s", name);
     for (const double e : r->errors) std::printf(" %.1e", e);
-    std::printf("   spread %.1e, %s\n", r->spread, std::string(leastcost::name(r->end)).c_str());
+    std::printf("   spread %.1e, %s\n", r->spread, std::string(leastcost::word_of(r->end)).c_str());
   }
   for (const KernelRun* r : {&s, &square, &exponential})
     for (const double e : r->errors) CHECK(e > -1e-14);  // never shorter than the line

@@ -70,7 +70,7 @@ TEST_CASE("Table 1: kernels on meshes", "[paper][slow]") {
           "Table 1, %-20s %-5s H = %-12s within 0.1 %% of its end after <= %4d iterations, length %.6g, spread %.2g, "
           "%s\n",
           file, std::string(word_of(precondition)).c_str(), kernels[k].first, o.iterations, o.length, o.spread,
-          std::string(name(o.end)).c_str());
+          std::string(word_of(o.end)).c_str());
       CHECK(std::isfinite(o.length));
       CHECK(o.iterations > 0);
     }

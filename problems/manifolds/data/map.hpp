@@ -15,7 +15,7 @@
 #include <leastcost/problems/mesh/has_mesh.hpp>
 #include <leastcost/problems/occupancy/names_cells.hpp>
 #include <leastcost/problems/occupancy/occupancy_grid.hpp>
-#include <leastcost/problems/post_processors/global_proof.hpp>
+#include <leastcost/problems/post_processors/choose_global_proof.hpp>
 
 namespace leastcost {
 

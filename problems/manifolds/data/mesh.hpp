@@ -16,7 +16,7 @@
 #include <leastcost/problems/manifolds/file_places.hpp>
 #include <leastcost/problems/manifolds/made_from_data.hpp>
 #include <leastcost/problems/mesh/has_mesh.hpp>
-#include <leastcost/problems/post_processors/global_proof.hpp>
+#include <leastcost/problems/post_processors/choose_global_proof.hpp>
 #include <leastcost/problems/section/is_surface.hpp>
 
 namespace leastcost {

@@ -14,7 +14,7 @@
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/manifolds/box.hpp>
 #include <leastcost/problems/manifolds/made_from_data.hpp>
-#include <leastcost/problems/post_processors/global_proof.hpp>
+#include <leastcost/problems/post_processors/choose_global_proof.hpp>
 #include <leastcost/problems/raster/has_voids.hpp>
 #include <leastcost/problems/raster/raster.hpp>
 

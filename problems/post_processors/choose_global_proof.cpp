@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/problems/post_processors/global_proof.hpp>
+#include <leastcost/problems/post_processors/choose_global_proof.hpp>
 
 #include <memory>
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/search/more_points_help.hpp"
+#include "framework/search/more_points_may_help.hpp"
 
 #include <algorithm>
 

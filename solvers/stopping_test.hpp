@@ -9,9 +9,9 @@ namespace leastcost {
 /// The stopping test of methods that step without the chain Hessian: the same as everybody's, a relative cost error
 /// from the exact chain Hessian (docs/numerics.md Sec. 3.1), but asked for at the start and then ever more rarely, so
 /// that it costs little beside their own steps.
-class RareTest {
+class StoppingTest {
  public:
-  explicit RareTest(double tolerance) : tolerance_(tolerance) {}
+  explicit StoppingTest(double tolerance) : tolerance_(tolerance) {}
 
   /// Whether the test is worth its price at this iteration: 0, 10, 21, 33, ...: each time ten and a tenth later.
   bool due(int iteration) const { return iteration >= next_; }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "solvers/rare_test.hpp"
+#include "solvers/stopping_test.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -10,7 +10,7 @@
 
 namespace leastcost {
 
-bool RareTest::holds(PathEnergy& energy, const CoordinatePath& path, const ChainModel& at, int iteration) {
+bool StoppingTest::holds(PathEnergy& energy, const CoordinatePath& path, const ChainModel& at, int iteration) {
   next_ = iteration + 10 + iteration / 10;
   ChainModel model = at;
   model.solve(energy, path, HessianKind::exact);
