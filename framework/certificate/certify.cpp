@@ -170,7 +170,7 @@ class Certifier {
     judge_spacing(problem_, energy_, path_.chain, options_beyond_rounding(), hugs_bound_, c_);
     measure_doubling();
     EstimatedCost estimated = estimate_cost(problem_, energy_, path_.chain, refinement, c_.index, hugs_bound_);
-    c_.estimate = std::move(estimated.estimate);
+    c_.estimate = estimated.estimate;
     for (CertificateFailure& failure : estimated.failures) c_.failures.push_back(std::move(failure));
     add_margin_bar(refinement);
     if (between) c_.estimate.error = std::max(c_.estimate.error, kBetween * std::abs(*between - c_.estimate.value));

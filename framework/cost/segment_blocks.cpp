@@ -34,8 +34,14 @@ void chord_residual(const ConstVector& a, const ConstVector& b, double q, const 
 
 namespace leastcost {
 
-LEASTCOST_SEGMENT_LOOPS(, 2)
-LEASTCOST_SEGMENT_LOOPS(, 3)
-LEASTCOST_SEGMENT_LOOPS(, Eigen::Dynamic)
+template void segment_chain_blocks(const SegmentFunction<2>&, const AmbientPath&, const Kernel&, double, HessianKind,
+                                   int, ChainBlocks&);
+template void segment_residuals(const SegmentFunction<2>&, const AmbientPath&, int, Points&, Points*);
+template void segment_chain_blocks(const SegmentFunction<3>&, const AmbientPath&, const Kernel&, double, HessianKind,
+                                   int, ChainBlocks&);
+template void segment_residuals(const SegmentFunction<3>&, const AmbientPath&, int, Points&, Points*);
+template void segment_chain_blocks(const SegmentFunction<Eigen::Dynamic>&, const AmbientPath&, const Kernel&, double,
+                                   HessianKind, int, ChainBlocks&);
+template void segment_residuals(const SegmentFunction<Eigen::Dynamic>&, const AmbientPath&, int, Points&, Points*);
 
 }  // namespace leastcost

@@ -122,6 +122,7 @@ void own_residual(const C& c, const SegmentEnds<C::dim>& e, SegmentResidual<C::d
 template <int D>
 class SegmentFunction {
  public:
+  virtual ~SegmentFunction() = default;
   virtual double squared_cost(const Point<double, D>& a, const Point<double, D>& b) const = 0;
   virtual double gradient(const SegmentEnds<D>& e, SegmentGradient<D>& g) const = 0;
   /// Gradient and Hessian.
@@ -130,9 +131,6 @@ class SegmentFunction {
   virtual double second_derivative(const Point<double, D>& x, const Point<double, D>& v) const = 0;
   virtual bool has_residual() const = 0;
   virtual void residual(const SegmentEnds<D>& e, SegmentResidual<D>& out) const = 0;
-
- protected:
-  ~SegmentFunction() = default;
 };
 
 /// The SegmentFunction of a cost, which must outlive it.
@@ -291,12 +289,15 @@ void segment_residuals(const SegmentFunction<D>& c, const AmbientPath& path, int
 }
 
 // In the library for the usual dimensions (segment_blocks.cpp); of others the compiler makes its own.
-#define LEASTCOST_SEGMENT_LOOPS(PREFIX, D)                                                                        \
-  PREFIX template void segment_chain_blocks(const SegmentFunction<D>&, const AmbientPath&, const Kernel&, double, \
-                                            HessianKind, int, ChainBlocks&);                                      \
-  PREFIX template void segment_residuals(const SegmentFunction<D>&, const AmbientPath&, int, Points&, Points*);
-LEASTCOST_SEGMENT_LOOPS(extern, 2)
-LEASTCOST_SEGMENT_LOOPS(extern, 3)
-LEASTCOST_SEGMENT_LOOPS(extern, Eigen::Dynamic)
+extern template void segment_chain_blocks(const SegmentFunction<2>&, const AmbientPath&, const Kernel&, double,
+                                          HessianKind, int, ChainBlocks&);
+extern template void segment_residuals(const SegmentFunction<2>&, const AmbientPath&, int, Points&, Points*);
+extern template void segment_chain_blocks(const SegmentFunction<3>&, const AmbientPath&, const Kernel&, double,
+                                          HessianKind, int, ChainBlocks&);
+extern template void segment_residuals(const SegmentFunction<3>&, const AmbientPath&, int, Points&, Points*);
+extern template void segment_chain_blocks(const SegmentFunction<Eigen::Dynamic>&, const AmbientPath&, const Kernel&,
+                                          double, HessianKind, int, ChainBlocks&);
+extern template void segment_residuals(const SegmentFunction<Eigen::Dynamic>&, const AmbientPath&, int, Points&,
+                                       Points*);
 
 }  // namespace leastcost

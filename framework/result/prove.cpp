@@ -25,7 +25,7 @@ Result prove(const Problem& problem, Result result, const Monitor& monitor) {
     CostEstimate estimate = certificate.estimate;
     ExaminedResolution examined =
         examine_resolution(problem, result.path, refinement, ProofEffort::insist, estimate, monitor);
-    certificate.estimate = std::move(estimate);
+    certificate.estimate = estimate;
     certificate.resolution = examined.resolution;
     if (certificate.resolution->minimum_proved) certificate.failures.clear();
     for (CertificateFailure& failure : examined.failures) certificate.failures.push_back(std::move(failure));
