@@ -14,5 +14,5 @@ int main(int, char** arguments) {
   const auto mesh = std::make_shared<MeshManifold>(TriangleMesh(read_mesh(arguments[1])));
   const Problem problem{mesh, make_euclidean_cost(3), {}, mesh->vertex(0), mesh->vertex(80)};
   const Result path = find_path(problem);
-  std::printf("%s: %.6f\n", path.certificate.scope.c_str(), path.curve.cost);
+  std::printf("%s: %.6f\n", word_of(path.certificate.scope).data(), path.curve.cost);
 }
