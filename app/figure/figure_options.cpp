@@ -54,9 +54,8 @@ FigureFormat figure_format(const std::string& file) {
   const std::string ending = file.substr(std::min(file.size(), file.rfind('.')));
   for (const auto& [name, format] : kFormats)
     if (ending == name) return format;
-  throw InputError(fmt::format(
-      "'{}' ends in no format of figures: use .svg, .pdf or .png, or .vtp or .ply for the surface with the path",
-      file));
+  throw InputError(
+      fmt::format("'{}' must end in .svg, .pdf or .png, or in .vtp or .ply for the surface with the path", file));
 }
 
 double paper_width(const std::string& text) {
@@ -69,18 +68,18 @@ double paper_width(const std::string& text) {
       const double width = value->first * millimetres;
       if (width >= kLeast && width <= kMost) return width;
       throw InputError(
-          fmt::format("a width of '{}' is outside of {:g}mm to {:g}mm; a column is 84mm", text, kLeast, kMost));
+          fmt::format("a width of '{}' is outside {:g}mm to {:g}mm; a column is 84mm", text, kLeast, kMost));
     }
-  throw InputError(fmt::format("'{}' is no width: give a number with mm, cm, in or pt, like 84mm", text));
+  throw InputError(fmt::format("'{}' is not a width: give a number with mm, cm, in or pt, like 84mm", text));
 }
 
 double font_size(const std::string& text) {
   constexpr double kLeast = 2, kMost = 100;
   const auto value = number_and_rest(text);
   if (!value || !(value->second.empty() || value->second == "pt"))
-    throw InputError(fmt::format("'{}' is no font size: give a number of points, like 8", text));
+    throw InputError(fmt::format("'{}' is not a font size: give a number of points, like 8", text));
   if (value->first < kLeast || value->first > kMost)
-    throw InputError(fmt::format("a font size of '{}' is outside of {:g} to {:g} points", text, kLeast, kMost));
+    throw InputError(fmt::format("a font size of '{}' is outside {:g} to {:g} points", text, kLeast, kMost));
   return value->first;
 }
 
@@ -101,12 +100,12 @@ Angles view_angles(const std::string& text) {
     const auto value = words.size() == 2 ? number_and_rest(words[i]) : std::nullopt;
     if (!value || !value->second.empty())
       throw InputError(
-          fmt::format("'{}' is no view: give two angles in degrees, azimuth and elevation, like 30,20", text));
+          fmt::format("'{}' is not a view: give two angles in degrees, azimuth and elevation, like 30,20", text));
     angles[i] = value->first;
   }
   constexpr double kVertical = 90;
   if (std::abs(angles[1]) > kVertical)
-    throw InputError(fmt::format("an elevation of {:g} is outside of -90 to 90 degrees", angles[1]));
+    throw InputError(fmt::format("an elevation of {:g} is outside -90 to 90 degrees", angles[1]));
   return {angles[0], angles[1]};
 }
 
@@ -126,7 +125,7 @@ FigureParts parts_shown(const std::string& text) {
   for (const std::string& word : split(text)) {
     const auto found = std::find(figure_parts().begin(), figure_parts().end(), word);
     if (found == figure_parts().end())
-      throw InputError(fmt::format("'{}' is no part of a figure{}: list some of {}", word,
+      throw InputError(fmt::format("'{}' is not a part of a figure{}: list some of {}", word,
                                    did_you_mean(word, figure_parts()), joined(figure_parts())));
     *flags[static_cast<std::size_t>(found - figure_parts().begin())] = true;
   }
@@ -139,7 +138,8 @@ FigurePicture picture_named(const std::string& text) {
     if (text == name) return picture;
     names.emplace_back(name);
   }
-  throw InputError(fmt::format("'{}' is no picture{}: use one of {}", text, did_you_mean(text, names), joined(names)));
+  throw InputError(
+      fmt::format("'{}' is not a picture{}: use one of {}", text, did_you_mean(text, names), joined(names)));
 }
 
 }  // namespace leastcost::app

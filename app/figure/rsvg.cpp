@@ -27,7 +27,8 @@ class PassingFolder {
  public:
   PassingFolder() {
     std::string name = (fs::temp_directory_path() / "leastcost-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw HostError(name + ": " + std::generic_category().message(errno));
+    if (::mkdtemp(name.data()) == nullptr)
+      throw HostError("a temporary folder cannot be made as " + name + ": " + std::generic_category().message(errno));
     path_ = name;
   }
   ~PassingFolder() {

@@ -81,7 +81,8 @@ constexpr std::string_view kRules =
 .plot .m{stroke:var(--paper);stroke-width:.8}.plot .m.quiet{fill:var(--soft);stroke:var(--paper)}
 .plot .path{fill:none;stroke:var(--c0);stroke-width:3.2;stroke-linejoin:round;stroke-linecap:round}
 .plot .first{fill:none;stroke:var(--ink);stroke-width:1.5;stroke-dasharray:6 4;opacity:.75}
-.plot .other{fill:none;stroke:var(--c2);stroke-width:1.8}.plot .hidden{stroke-width:1.2;opacity:.6}.plot path.hidden{stroke-dasharray:3 2.5}
+.plot .other{fill:none;stroke:var(--c2);stroke-width:1.8}.plot .hidden{stroke-width:1.2;opacity:.6}
+.plot path.hidden{stroke-dasharray:3 2.5}
 .plot .hand{fill:none;stroke:var(--c1);stroke-width:1.8;stroke-linejoin:round}
 .plot .pose path{fill:var(--c0);fill-opacity:.35;stroke:var(--c0);stroke-width:1}
 .plot .obstacle{fill:var(--solid)}.plot .obstacle-edge{fill:none;stroke:var(--soft);stroke-width:2.4}
@@ -120,10 +121,11 @@ std::string plain_style() {
 
 /// What differs on paper: black letters, thin lines.
 constexpr std::string_view kPaperRules =
-    R"(.plot{font-family:Helvetica,Arial,sans-serif}.plot text{fill:#222}.plot .axis{stroke:#222;stroke-width:.7}.plot .path{stroke-width:2.2}.plot .first{stroke-width:1}
+    R"(.plot{font-family:Helvetica,Arial,sans-serif}.plot text{fill:#222}.plot .axis{stroke:#222;stroke-width:.7}
+.plot .path{stroke-width:2.2}.plot .first{stroke-width:1}
 .plot .other{stroke-width:1.3}.plot .hidden{stroke-width:1}.plot .s{stroke-width:1.3}.plot .wall{stroke-width:1.3}
-.plot .obstacle-edge{stroke-width:1.6}.plot .point{stroke-width:.8}.plot .end{stroke-width:1}.plot .grid{stroke-width:.6}
-.plot .pose path{stroke-width:.6}.plot .domain{stroke-width:3.5}
+.plot .obstacle-edge{stroke-width:1.6}.plot .point{stroke-width:.8}.plot .end{stroke-width:1}
+.plot .grid{stroke-width:.6}.plot .pose path{stroke-width:.6}.plot .domain{stroke-width:3.5}
 )";
 
 constexpr double kPointsPerInch = 72, kMillimetresPerInch = 25.4;

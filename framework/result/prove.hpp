@@ -13,8 +13,8 @@ namespace leastcost {
 /// what find_path() would have given it: `resolution`, the bounds of the least cost in the tube, and the failure
 /// `unresolved` where the cost has details that the points did not see. A result without a `resolution` (refused for
 /// another reason, or with a path on a bound) and one that is proved already come back unchanged; so does one that the
-/// monitor stops, with a note. Throws InputError for a result without a
-/// certificate or of another problem, and for a problem without a kernel: give the one that the search had.
+/// monitor stops, with a note. Throws InputError for a result without a certificate or of
+/// another problem, and for a problem without a kernel: give the problem that the search had.
 Result prove(const Problem& problem, Result result, const Monitor& monitor = {});
 
 }  // namespace leastcost

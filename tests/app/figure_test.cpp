@@ -247,17 +247,17 @@ TEST_CASE("figure: bad options are one sentence with what would be right, and no
     const char* words;
   };
   for (const Case& c :
-       std::vector<Case>{{{"-o", (dir / "a.jpg").string()}, 2, "use .svg, .pdf or .png"},
+       std::vector<Case>{{{"-o", (dir / "a.jpg").string()}, 2, "must end in .svg, .pdf or .png"},
                          {{"-o", (dir / "none" / "a.svg").string()}, 8, "none"},
                          {{"-o", good, "--width", "84"}, 2, "give a number with mm, cm, in or pt, like 84mm"},
-                         {{"-o", good, "--width", "wide"}, 2, "'wide' is no width"},
-                         {{"-o", good, "--width", "9m"}, 2, "'9m' is no width"},
-                         {{"-o", good, "--width", "1mm"}, 2, "outside of 20mm to 2000mm"},
-                         {{"-o", good, "--font-size", "big"}, 2, "'big' is no font size"},
+                         {{"-o", good, "--width", "wide"}, 2, "'wide' is not a width"},
+                         {{"-o", good, "--width", "9m"}, 2, "'9m' is not a width"},
+                         {{"-o", good, "--width", "1mm"}, 2, "outside 20mm to 2000mm"},
+                         {{"-o", good, "--font-size", "big"}, 2, "'big' is not a font size"},
                          {{"-o", good, "--what", "path,pionts"}, 2, "did you mean 'points'"},
                          {{"-o", good, "--picture", "convergense"}, 2, "did you mean 'convergence'"},
                          {{"-o", good, "--view", "30"}, 2, "azimuth and elevation, like 30,20"},
-                         {{"-o", good, "--view", "30,100"}, 2, "outside of -90 to 90"},
+                         {{"-o", good, "--view", "30,100"}, 2, "outside -90 to 90"},
                          {{"-o", good, "--view", "30,20"}, 4, "--view is for pictures of space"},
                          {{"-o", good, "--picture", "poses"}, 4, "it has map, coordinates, convergence"},
                          {{"-o", good, "--widht", "84mm"}, 2, "did you mean '--width'"}}) {

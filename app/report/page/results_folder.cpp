@@ -11,7 +11,9 @@ namespace leastcost::app {
 namespace fs = std::filesystem;
 
 std::string kind_of_results(const fs::path& folder) {
-  if (!fs::is_directory(folder)) throw InputError(folder.string() + ": is not a folder");
+  if (!fs::is_directory(folder))
+    throw InputError(folder.string() +
+                     ": is not a folder; give the output folder of `leastcost run` or `leastcost study`");
   const fs::path file = folder / "manifest.json";
   if (!fs::exists(file))
     throw InputError(folder.string() +
