@@ -14,8 +14,6 @@ namespace {
 
 constexpr double kDifference = 6e-6;  ///< of the extent: rounding and truncation of a central difference balance
 
-double extent(const Points& u) { return (u.rowwise().maxCoeff() - u.rowwise().minCoeff()).norm(); }
-
 }  // namespace
 
 bool ChainVariables::centre(const CoordinatePath& path) {
@@ -64,7 +62,7 @@ void ChainVariables::to_tangent(const Eigen::VectorXd& z, const Points& path_gra
   if (manifold.shape() != Shape::smooth || find_ability<HasChart>(manifold) != nullptr)
     return energy_.to_tangent(model_.frames, path_gradient, gradient);
   const Index k = manifold.dimensions().tangent, n = base_.free_count(), first = base_.free_begin();
-  const double h = kDifference * extent(base_.u);
+  const double h = kDifference * extent_of(base_.u);
   const Points step = steps(z);
   gradient.resize(k * n);
   Points moved(step.rows(), n);

@@ -64,7 +64,7 @@ class GeorceSolve {
 
   /// nu_t = d/dy [u_t' G(y) u_t] at x_t, one coordinate at a time, all points at once.
   void differentiate_metric() {
-    const double h = kMetricDifference * (path_.u.rowwise().maxCoeff() - path_.u.rowwise().minCoeff()).norm();
+    const double h = kMetricDifference * extent_of(path_.u);
     nu_.resize(d_, moves_);
     CoordinatePath shifted = path_;
     for (Index k = 0; k < d_; ++k) {

@@ -96,7 +96,7 @@ class Certifier {
 
   double extent() const {
     const Points& u = path_.chain.u;
-    return (u.rowwise().maxCoeff() - u.rowwise().minCoeff()).norm();
+    return extent_of(u);
   }
 
   /// Worst distance off the domain of a point of the chain, and on a polyhedron of the middle of a piece of the curve.

@@ -282,7 +282,7 @@ void PathEnergy::add_curvature(const CoordinatePath& path, const Points& gradien
     }
     return;
   }
-  const double extent = (path.u.rowwise().maxCoeff() - path.u.rowwise().minCoeff()).norm();
+  const double extent = extent_of(path.u);
   const double h = 3e-4 * extent;  // eps^(1/4): rounding and truncation of a second difference balance
   if (!(h > 0)) return;
   const auto move = [&](CoordinatePath& to) {

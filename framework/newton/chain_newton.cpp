@@ -73,7 +73,7 @@ class NewtonSolve {
     return model_.cost_error <= kRoom * rounding * rounding;
   }
 
-  double extent() const { return (path_.u.rowwise().maxCoeff() - path_.u.rowwise().minCoeff()).norm(); }
+  double extent() const { return extent_of(path_.u); }
 
   bool search() {
     const bool bounded = bounded_.solve(path_, model_);

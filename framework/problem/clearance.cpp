@@ -61,7 +61,7 @@ std::string why_in_clearance(const Problem& problem, const PathEnd& end) {
 
 double contact_tolerance(const Points& x, double allowed) {
   constexpr double kLastDigits = 64 * std::numeric_limits<double>::epsilon();  // what proofs of clearance allow, too
-  const double extent = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm();
+  const double extent = extent_of(x);
   return allowed * extent + kLastDigits * x.cwiseAbs().maxCoeff();
 }
 

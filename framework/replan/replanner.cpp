@@ -130,7 +130,7 @@ class OneReplan {
   std::string why_not(const Result& result, const std::optional<Clearance>& clearance) const {
     if (!std::isfinite(result.curve.cost)) return "it has infinite cost";
     const Points& x = result.curve.x;
-    const double extent = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm();
+    const double extent = extent_of(x);
     if (!clearance || clearance->lower >= -options_.certificate.clearance * extent) return "";
     return "it comes " + short_number(std::abs(clearance->upper)) + " too close to " + clearance->obstacle;
   }

@@ -69,7 +69,7 @@ void check_processed(const Problem& problem, const CoordinatePath& before, const
     throw InputError("a post-processor made " + std::to_string(chain.u.cols()) + " points of " +
                      std::to_string(before.u.cols()));
   constexpr double kSame = 1e-6;  // of the extent: what rounding and projections may move an end
-  const double extent = (before.u.rowwise().maxCoeff() - before.u.rowwise().minCoeff()).norm();
+  const double extent = extent_of(before.u);
   const Index last = chain.u.cols() - 1;
   if (!chain.ring && std::max((chain.u.col(0) - before.u.col(0)).norm(),
                               (chain.u.col(last) - before.u.col(last)).norm()) > kSame * extent)

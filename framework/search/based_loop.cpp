@@ -43,7 +43,7 @@ BasedLoop based_loop(const Problem& problem, const FirstPath& ring) {
   const CoordinatePath& closed = ring.path;
   const Index n = closed.u.cols();
   const Cut cut = nearest_cut(closed, problem.source.u);
-  const double same = 1e-12 * (closed.u.rowwise().maxCoeff() - closed.u.rowwise().minCoeff()).norm();
+  const double same = 1e-12 * extent_of(closed.u);
   std::vector<Eigen::VectorXd> points = {problem.source.u};
   std::vector<Site> sites = {problem.source.site};
   const auto add = [&](const Eigen::VectorXd& x, Site site) {

@@ -27,7 +27,7 @@ std::optional<FreePassage> free_passage(const Problem& problem, const Coordinate
   if (places == nullptr) return std::nullopt;
   FreePassage passage = places->free_passage(path.u.col(0), path.u.rightCols(1), path.segment_count());
   // A box without the free places does not let it through.
-  const double size = (passage.points.rowwise().maxCoeff() - passage.points.rowwise().minCoeff()).norm();
+  const double size = extent_of(passage.points);
   if (!(problem.manifold->residual({passage.points, {}, false}) <= kReached * size)) return std::nullopt;
   return passage;
 }

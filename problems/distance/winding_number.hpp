@@ -4,9 +4,10 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <cstdint>
+#include <span>
 #include <vector>
 
+#include <leastcost/problems/mesh/median_tree.hpp>
 #include <leastcost/problems/mesh/triangle_mesh.hpp>
 
 namespace leastcost {
@@ -22,19 +23,15 @@ class WindingNumber {
   double at(const Eigen::Vector3d& x) const;
 
  private:
-  struct Node {
-    Eigen::Vector3d centre = Eigen::Vector3d::Zero(), dipole = Eigen::Vector3d::Zero();
-    double radius = 0;
-    std::int32_t first = 0, count = 0;  // triangles; an inner node's children are the node after it and `second`
-    std::int32_t second = -1;           // -1: a leaf
+  using Triangle = std::array<Eigen::Vector3d, 3>;
+  struct Dipole {
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero(), area = Eigen::Vector3d::Zero();
+    double radius = 0;  ///< of a ball around all triangles
   };
-  struct Triangle {
-    std::array<Eigen::Vector3d, 3> corner;
-  };
-  std::int32_t build(std::int32_t first, std::int32_t count);
+  static std::vector<Triangle> turned_triangles(const TriangleMesh& mesh, const std::vector<char>& turned);
+  static Dipole dipole(std::span<const Triangle> triangles);
 
-  std::vector<Triangle> triangles_;
-  std::vector<Node> nodes_;
+  MedianTree<Triangle, Dipole> tree_;
 };
 
 }  // namespace leastcost

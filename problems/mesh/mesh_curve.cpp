@@ -78,7 +78,7 @@ Curve as_curve(const Problem& problem, const SurfacePath& path) {
 
 Eigen::VectorXd costs_along(const Problem& problem, const Curve& curve, const CoordinatePath& chain) {
   const Index pieces = curve.x.cols() - 1, segments = chain.segment_count();
-  const double near = 1e-9 * (curve.x.rowwise().maxCoeff() - curve.x.rowwise().minCoeff()).norm();
+  const double near = 1e-9 * extent_of(curve.x);
   const Eigen::VectorXd costs =
       segment_costs(*problem.cost, {{curve.x.data(), curve.x.rows(), curve.x.cols()}, {}, false});
   Eigen::VectorXd between = Eigen::VectorXd::Constant(segments, std::numeric_limits<double>::infinity());

@@ -488,7 +488,7 @@ std::shared_ptr<const ConstraintManifold> FreeSpace::fitted(const CoordinatePath
     }
   }
   const double size = std::max(walls_->size(), x.cwiseAbs().maxCoeff());
-  const double agree = std::max(kFitted * (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm(), kOn * size);
+  const double agree = std::max(kFitted * extent_of(x), kOn * size);
   std::optional<WallMargins> margins = margins_.fitted(least, longest_move(x, path), agree, kRounding * size);
   if (!margins) return nullptr;
   auto fitted = std::make_shared<FreeSpace>(domain_, walls_);

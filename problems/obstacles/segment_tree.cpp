@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -15,8 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::int32_t kTrianglesOfLeaf = 4;
-constexpr std::size_t kDeepest = 64;  ///< nodes that wait: the depth is log2 of the number of triangles
+constexpr std::ptrdiff_t kTrianglesOfLeaf = 4;
 constexpr double kOutwards = 1 + 1e-12;
 
 /// Where on a segment something is nearest.
@@ -133,67 +134,27 @@ void offer_pair(const SegmentTree::Triangle& first, const SegmentTree::Triangle&
 
 }  // namespace
 
-SegmentTree::SegmentTree(std::vector<Triangle> triangles) : triangles_(std::move(triangles)) {
-  build(0, static_cast<std::int32_t>(triangles_.size()));
-}
+SegmentTree::SegmentTree(std::vector<Triangle> triangles)
+    : tree_(std::move(triangles), kTrianglesOfLeaf, std::identity{}, ball_around) {}
 
-std::int32_t SegmentTree::build(std::int32_t first, std::int32_t count) {
-  const auto index = static_cast<std::int32_t>(nodes_.size());
-  nodes_.emplace_back();
-  Node node;
-  node.first = first;
-  node.count = count;
-  const auto begin = triangles_.begin() + first, end = begin + count;
-  Vector3d low = (*begin)[0], high = low;
-  for (auto c = begin; c != end; ++c)
-    for (const Vector3d& p : *c) low = low.cwiseMin(p).eval(), high = high.cwiseMax(p).eval();
-  node.centre = (low + high) / 2;
-  for (auto c = begin; c != end; ++c)
-    for (const Vector3d& p : *c) node.radius = std::max(node.radius, (p - node.centre).norm() * kOutwards);
-  if (count > kTrianglesOfLeaf) {
-    Eigen::Index axis = 0;
-    (high - low).maxCoeff(&axis);
-    const std::int32_t half = count / 2;
-    std::nth_element(begin, begin + half, end, [axis](const Triangle& s, const Triangle& t) {
-      return s[0][axis] + s[1][axis] + s[2][axis] < t[0][axis] + t[1][axis] + t[2][axis];
-    });
-    build(first, half);
-    node.second = build(first + half, count - half);
-  }
-  nodes_[static_cast<std::size_t>(index)] = node;
-  return index;
-}
-
-template <class Bound, class Offer, class Best>
-void SegmentTree::search(const Bound& bound, const Offer& offer, const Best& best) const {
-  std::array<std::pair<double, std::int32_t>, kDeepest> open;
-  std::size_t size = 0;
-  open[size++] = {bound(nodes_[0]), 0};
-  while (size > 0) {
-    const auto [nearest, at] = open[--size];
-    if (nearest > best()) continue;
-    const Node& node = nodes_[static_cast<std::size_t>(at)];
-    if (node.second < 0) {
-      for (std::int32_t i = node.first; i < node.first + node.count; ++i)
-        offer(triangles_[static_cast<std::size_t>(i)]);
-      continue;
-    }
-    std::pair<double, std::int32_t> near{bound(nodes_[static_cast<std::size_t>(at) + 1]), at + 1};
-    std::pair<double, std::int32_t> far{bound(nodes_[static_cast<std::size_t>(node.second)]), node.second};
-    if (far.first < near.first) std::swap(near, far);
-    open[size++] = far;
-    open[size++] = near;
-  }
+SegmentTree::Ball SegmentTree::ball_around(std::span<const Triangle> triangles) {
+  Vector3d low = triangles[0][0], high = low;
+  for (const Triangle& t : triangles)
+    for (const Vector3d& p : t) low = low.cwiseMin(p).eval(), high = high.cwiseMax(p).eval();
+  Ball ball{(low + high) / 2};
+  for (const Triangle& t : triangles)
+    for (const Vector3d& p : t) ball.radius = std::max(ball.radius, (p - ball.centre).norm() * kOutwards);
+  return ball;
 }
 
 double SegmentTree::distance(const Vector3d& a, const Vector3d& b, double& t) const {
   const Vector3d way = b - a;
   const double length = way.squaredNorm();
   Nearest best;
-  search(
-      [&](const Node& node) {  // no triangle of it is nearer to the segment
-        const double s = length > 0 ? std::clamp((node.centre - a).dot(way) / length, 0.0, 1.0) : 0;
-        return std::max(0.0, (a + s * way - node.centre).norm() / kOutwards - node.radius);
+  tree_.visit_nearest(
+      [&](const Ball& ball) {  // no triangle in it is nearer to the segment
+        const double s = length > 0 ? std::clamp((ball.centre - a).dot(way) / length, 0.0, 1.0) : 0;
+        return std::max(0.0, (a + s * way - ball.centre).norm() / kOutwards - ball.radius);
       },
       [&](const Triangle& triangle) { offer_triangle(a, b, triangle, best); }, [&] { return std::sqrt(best.square); });
   t = best.t;
@@ -202,10 +163,10 @@ double SegmentTree::distance(const Vector3d& a, const Vector3d& b, double& t) co
 
 double SegmentTree::distance(const Triangle& triangle, Vector3d& nearest) const {
   double square = std::numeric_limits<double>::infinity();
-  search(
-      [&](const Node& node) {
-        const double off = (foot_on_triangle(triangle, node.centre) - node.centre).norm();
-        return std::max(0.0, off / kOutwards - node.radius);
+  tree_.visit_nearest(
+      [&](const Ball& ball) {
+        const double off = (foot_on_triangle(triangle, ball.centre) - ball.centre).norm();
+        return std::max(0.0, off / kOutwards - ball.radius);
       },
       [&](const Triangle& other) { offer_pair(triangle, other, square, nearest); }, [&] { return std::sqrt(square); });
   return std::sqrt(square);

@@ -4,8 +4,10 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <cstdint>
+#include <span>
 #include <vector>
+
+#include <leastcost/problems/mesh/median_tree.hpp>
 
 namespace leastcost {
 
@@ -25,19 +27,13 @@ class SegmentTree {
   double distance(const Triangle& triangle, Eigen::Vector3d& nearest) const;
 
  private:
-  struct Node {
+  struct Ball {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     double radius = 0;
-    std::int32_t first = 0, count = 0;  // triangles; an inner node's children are the node after it and `second`
-    std::int32_t second = -1;           // -1: a leaf
   };
-  std::int32_t build(std::int32_t first, std::int32_t count);
-  /// Offers the triangles of leaves while they may be nearer: `bound(node)`, `offer(triangle)`, `best()` are distances.
-  template <class Bound, class Offer, class Best>
-  void search(const Bound& bound, const Offer& offer, const Best& best) const;
+  static Ball ball_around(std::span<const Triangle> triangles);
 
-  std::vector<Triangle> triangles_;
-  std::vector<Node> nodes_;
+  MedianTree<Triangle, Ball> tree_;
 };
 
 }  // namespace leastcost

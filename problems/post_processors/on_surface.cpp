@@ -104,8 +104,6 @@ class Refiner {
   std::vector<Eigen::VectorXd> points_;
 };
 
-double extent(const Points& u) { return (u.rowwise().maxCoeff() - u.rowwise().minCoeff()).norm(); }
-
 }  // namespace
 
 void OnSurfaceOptions::fields(FieldVisitor& visit) {
@@ -128,7 +126,7 @@ PostProcessed OnSurfacePostProcessor::apply(const Problem& problem, const FirstP
   const Points& u = current.chain.u;
   const Index segments = current.chain.segment_count();
   // A ring that has collapsed has no extent; that of the first path says what is small.
-  const double size = std::max(extent(u), first.path.u.cols() > 0 ? extent(first.path.u) : 0);
+  const double size = std::max(extent_of(u), first.path.u.cols() > 0 ? extent_of(first.path.u) : 0);
   const double tolerance = options_.tolerance.value_or(kOfExtent * size);
   const CuttingPlanes planes(manifold, current.chain);
   Refiner refiner(manifold, tolerance);

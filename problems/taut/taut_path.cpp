@@ -23,8 +23,7 @@ constexpr double kOfPlaces = 64 * std::numeric_limits<double>::epsilon();  ///< 
 constexpr double kContact = 1e-9;  ///< of the size: what a path in contact may seem to touch by
 
 bool clear(const Walls& walls, const Points& path, const Deadline& deadline) {
-  const double slack = kContact * (path.rowwise().maxCoeff() - path.rowwise().minCoeff()).norm() +
-                       kOfPlaces * path.cwiseAbs().maxCoeff();
+  const double slack = kContact * extent_of(path) + kOfPlaces * path.cwiseAbs().maxCoeff();
   bool all = true;
   in_parts(path.cols() - 1, kAtOnce, deadline, [&](Index begin, Index count) {
     for (Index i = begin; all && i < begin + count; ++i)

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include <leastcost/eigen_alignment.hpp>
+#include <leastcost/problems/mesh/median_tree.hpp>
 
 namespace leastcost {
 
@@ -18,43 +18,24 @@ class BallTree {
   BallTree(const std::vector<Eigen::Vector3d>& centres, const std::vector<double>& radii);
 
   /// The number, in the lists given, of the ball at each place.
-  const std::vector<std::int32_t>& order() const { return order_; }
+  std::span<const std::int32_t> order() const { return tree_.items(); }
 
   /// Calls visit(first, last) for runs of places [first, last); every ball that holds x is in one of them, with others
   /// beside it.
   template <class Visit>
-  void near(const Eigen::Vector3d& x, Visit visit) const {
-    std::array<std::int32_t, kDeepest> stack;
-    std::size_t depth = 0;
-    if (!nodes_.empty()) stack[depth++] = 0;
-    while (depth > 0) {
-      const std::int32_t i = stack[--depth];
-      const Node& node = nodes_[static_cast<std::size_t>(i)];
-      if ((x.array() < node.low).any() || (x.array() > node.high).any()) continue;
-      if (node.right == 0) {
-        visit(node.first, node.last);
-      } else {
-        stack[depth++] = node.right;
-        stack[depth++] = i + 1;
-      }
-    }
+  void near(const Eigen::Vector3d& x, const Visit& visit) const {
+    const auto holds = [&](const Box& box) { return !((x.array() < box.low).any() || (x.array() > box.high).any()); };
+    tree_.visit(holds, visit);
   }
 
  private:
-  static constexpr std::size_t kDeepest = 64;  ///< halving: more than 32-bit numbers need
-  static constexpr std::int32_t kLeafSize = 4;
-
-  struct Node {
-    Eigen::Array3d low, high;          ///< of its balls
-    std::int32_t first = 0, last = 0;  ///< its places
-    std::int32_t right = 0;            ///< second child (the first one follows its parent); 0: a leaf
+  struct Box {  ///< of balls
+    Eigen::Array3d low, high;
   };
+  using Tree = MedianTree<std::int32_t, Box>;
+  static Tree make_tree(const std::vector<Eigen::Vector3d>& centres, const std::vector<double>& radii);
 
-  std::int32_t build(const std::vector<Eigen::Vector3d>& centres, const std::vector<double>& radii, std::int32_t first,
-                     std::int32_t last);
-
-  std::vector<std::int32_t> order_;
-  std::vector<Node> nodes_;
+  Tree tree_;
 };
 
 }  // namespace leastcost
