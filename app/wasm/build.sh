@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: MIT
 #
 # build.sh EMXX SOURCES HEADERS OUTPUT: compiles solver.cpp and what it needs of the library to WebAssembly and writes it, compressed, to OUTPUT. HEADERS: the
-# folder that holds eigen3 and boost, /usr/include in Debian. Takes three quarters of a minute; works beside OUTPUT.
+# folder that holds eigen3 and boost, /usr/include in Debian. Takes a minute; works beside OUTPUT.
 set -eu
 emxx=$1
 root=$2

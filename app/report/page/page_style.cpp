@@ -59,6 +59,7 @@ border:1px solid var(--soft);border-radius:3px;max-width:100%}.ask button{cursor
 .ask button:focus-visible,.ask input:focus-visible{outline:2px solid #0072B2;outline-offset:2px}
 #ask-answer{min-height:1.5em;font-variant-numeric:tabular-nums}
 .copied{position:relative}.copied button{position:absolute;top:.4rem;right:.4rem;font-size:.78rem}
+@media (max-width:560px){#plane>svg text{font-size:16px}}
 svg.clickable{cursor:crosshair}.asked{fill:none;stroke:var(--asked);stroke-width:3.5}
 .asked-end{fill:var(--asked);stroke:var(--paper);stroke-width:1.5}
 .scroll{overflow-x:auto;margin:.4rem 0 1rem}

@@ -10,6 +10,7 @@
 #include "app/plot/text.hpp"
 #include "app/report/page/clicks_module.hpp"
 #include "app/report/page/page.hpp"
+#include "app/report/page/viewer_script.hpp"
 #include "app/report/run/run_parts.hpp"
 
 namespace leastcost::app {
@@ -114,18 +115,22 @@ std::string clicks_panel(const RunFiles& files) {
                      "soft");
   if (!answers_clicks(files)) return "";
   const bool mesh = has_clicked_mesh(files);
+  const char* how = "Click two points of the plane, or type their coordinates";
+  if (mesh)
+    how = viewer_script().empty() ? "Type the numbers of two vertices"
+                                  : "Click two points of the surface, or type the numbers of two vertices";
   return fmt::format(
-      "<section class=\"ask\" id=\"ask\">\n<h2>Other ends</h2>\n<p class=\"soft\">Click two points of the {0}, or type "
-      "{1}: this page finds the shortest path between them and proves it, without a network.</p>\n"
-      "<form id=\"ask-form\"><label>from <input id=\"ask-from\" autocomplete=\"off\" {2}></label> <label>to <input "
-      "id=\"ask-to\" autocomplete=\"off\" {2}></label> <button>Find the path</button></form>\n"
-      "<p id=\"ask-answer\" role=\"status\">{3}</p>\n"
+      "<section class=\"ask\" id=\"ask\">\n<h2>Other ends</h2> <svg class=\"plot\" width=\"30\" height=\"12\" "
+      "aria-hidden=\"true\"><path class=\"asked\" d=\"M1 6h28\"/></svg>\n<p class=\"soft\">{0}: this page finds the "
+      "shortest path between them and proves it, without a network.</p>\n"
+      "<form id=\"ask-form\"><label>from <input id=\"ask-from\" autocomplete=\"off\" {1}></label> <label>to <input "
+      "id=\"ask-to\" autocomplete=\"off\" {1}></label> <button>Find the path</button></form>\n"
+      "<p id=\"ask-answer\" role=\"status\"></p>\n"
       "<div id=\"ask-lines\" hidden>\n"
       "<div class=\"copied\"><pre id=\"ask-yaml\"></pre><button data-copy=\"ask-yaml\">copy</button></div>\n"
       "<div class=\"copied\"><pre id=\"ask-python\"></pre><button data-copy=\"ask-python\">copy</button></div>\n"
       "</div>\n<noscript><p class=\"soft\">This needs JavaScript.</p></noscript>\n</section>\n",
-      mesh ? "surface" : "plane", mesh ? "the numbers of two vertices" : "the coordinates of two points",
-      mesh ? "size=\"9\" inputmode=\"numeric\"" : "size=\"14\"", "");
+      how, mesh ? "size=\"9\" inputmode=\"numeric\"" : "size=\"14\"");
 }
 
 std::string clicks_scripts(const RunFiles& files) {
