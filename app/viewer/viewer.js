@@ -4,7 +4,7 @@
 // The 3D view of a report: reads the scene beside it, draws on demand, and leaves the still picture in place where there is no WebGL.
 import {
   BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, Group, HemisphereLight, LineBasicMaterial, LineSegments,
-  Mesh, MeshStandardMaterial, PerspectiveCamera, Points, Scene, ShaderMaterial, Vector3, WebGLRenderer,
+  Mesh, MeshStandardMaterial, PerspectiveCamera, Points, Raycaster, Scene, ShaderMaterial, Triangle, Vector2, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { Line2 } from "three/examples/jsm/lines/Line2.js";
@@ -20,6 +20,7 @@ const colours = {
   end: dark ? "#ef8244" : "#D55E00",
   point: dark ? "#1c1c1b" : "#ffffff",
   box: dark ? "#7a7771" : "#8a867e",
+  asked: dark ? "#e58fc4" : "#a3307f",
 };
 // Lines are drawn a little nearer to the eye than they are, so that neither rounding nor triangles, nor the discs of a cloud, hide them.
 const towardsEye = { surface: 0.004, cloud: 0.012 };
@@ -164,7 +165,8 @@ function boxEdges({ lower, upper }, ball) {
 
 function build(data) {
   const ball = ballAround(data), scene = new Scene(), near = new Group(), layers = {};
-  if (data.surface) scene.add(surfaceMesh(data.surface, ball));
+  const surface = data.surface && surfaceMesh(data.surface, ball);
+  if (surface) scene.add(surface);
   if (data.points) scene.add(surfels(data.points, ball));
   const box = data.box && boxEdges(data.box, ball);
   if (box) scene.add(box);
@@ -178,7 +180,7 @@ function build(data) {
   for (const layer of Object.values(layers)) near.add(layer);
   scene.add(near);
   const seen = [data.surface?.vertices, data.points?.positions, data.lines.path, data.lines.first].filter(Boolean).map((flat) => inBall(flat, ball));
-  return { scene, near, layers, seen };
+  return { scene, near, layers, seen, ball, surface };
 }
 
 /** A lamp beside the head of the viewer, and a sky above it, so that no side is black and no edge of the light is seen. */
@@ -217,6 +219,8 @@ class Viewer {
     this.canvas.addEventListener("pointerdown", () => { this.controls.enableZoom = true; this.canvas.focus(); });
     this.canvas.addEventListener("blur", () => { this.controls.enableZoom = false; });
     this.canvas.addEventListener("dblclick", () => this.reset());
+    this.canvas.addEventListener("pointerdown", (event) => { this.pressed = [event.clientX, event.clientY]; });
+    this.canvas.addEventListener("click", (event) => this.click(event));
     for (const toggle of this.stage.parentElement.querySelectorAll("input[data-layer]"))
       toggle.addEventListener("change", () => { this.layers[toggle.dataset.layer].visible = toggle.checked; this.render(); });
     new ResizeObserver(() => this.resize()).observe(this.stage);
@@ -238,6 +242,38 @@ class Viewer {
     if (zoom) eye.multiplyScalar(zoom);
     this.camera.position.copy(this.controls.target).add(eye);
     this.controls.update();
+    this.render();
+  }
+
+  /** A click that did not turn the view names a point of the mesh, if the page answers: a vertex within a few pixels, else the place itself. */
+  click(event) {
+    const answers = globalThis.leastcostClicks?.choose;
+    if (!answers || !this.surface || event.detail > 1 || Math.hypot(event.clientX - this.pressed[0], event.clientY - this.pressed[1]) > 4) return;
+    const { left, top, width, height } = this.canvas.getBoundingClientRect();
+    const at = new Vector2((2 * (event.clientX - left)) / width - 1, 1 - (2 * (event.clientY - top)) / height), ray = new Raycaster();
+    ray.setFromCamera(at, this.camera);
+    const hit = ray.intersectObject(this.surface)[0];
+    if (!hit) return;
+    const places = this.surface.geometry.getAttribute("position"), vertices = [hit.face.a, hit.face.b, hit.face.c];
+    const corners = vertices.map((v) => new Vector3().fromBufferAttribute(places, v));
+    const pixels = corners.map((corner) => {
+      const seen = corner.clone().project(this.camera);
+      return Math.hypot(((seen.x - at.x) * width) / 2, ((seen.y - at.y) * height) / 2);
+    });
+    const nearest = pixels.indexOf(Math.min(...pixels));
+    const weights = new Triangle(...corners).getBarycoord(hit.point, new Vector3());
+    const rounded = weights && [weights.x, weights.y].map((w) => Number(Math.min(Math.max(w, 0), 1).toFixed(3)));
+    const usable = rounded && rounded[0] + rounded[1] <= 1;
+    answers(hit.faceIndex, usable ? [...rounded, 1 - rounded[0] - rounded[1]] : null, pixels[nearest] < 9 || !usable ? vertices[nearest] : -1);
+  }
+
+  /** Ends and path of an answer; coordinates of the mesh. */
+  show(ends, points) {
+    if (this.asked) this.near.remove(this.asked);
+    this.asked = new Group();
+    if (points.length > 3) this.asked.add(line(points, this.ball, { colour: colours.asked, width: 4, order: 6 }));
+    if (ends.length) this.asked.add(markers(ends.flat(), this.ball, { fill: colours.asked, rim: colours.point, size: 14, order: 7, hidden: 0.4 }));
+    this.near.add(this.asked);
     this.render();
   }
 
@@ -280,7 +316,10 @@ function start() {
   const stage = document.getElementById("stage"), source = document.getElementById("scene");
   if (!stage || !source) return;
   try {
-    const viewer = new Viewer(stage, JSON.parse(source.textContent));
+    const data = JSON.parse(source.textContent), mesh = globalThis.leastcostClicks?.mesh;
+    if (mesh) data.surface = mesh;
+    const viewer = new Viewer(stage, data);
+    globalThis.leastcostView = viewer;
     document.documentElement.dataset.viewer = "webgl";
     viewer.resize();
   } catch (error) {

@@ -102,7 +102,8 @@ void RunConfig::fields(RunVisitor& visit) {
             {.help = "Files that a run of one path writes in addition to manifest.json; default: all. Choices: result, "
                      "path, curve, vtp, obj, geojson (on the Earth, with the points in a second file), gpkg "
                      "(GeoPackage, for rasters on the Earth, in builds with GDAL), residuals, waypoints, history, "
-                     "first_path, scene, config, report. A report needs result, path, history, scene and config."});
+                     "first_path, scene, clicks (for the shortest paths between clicked points in the report), "
+                     "config, report. A report needs result, path, history, scene and config."});
     v.field("pair_points", pair_points,
             {.help = "With ends.pairs: also write the points to the lines of paths.jsonl."});
     v.block("waypoints",

@@ -12,6 +12,7 @@
 #include <leastcost/problems/drawing/draws_poses.hpp>
 #include <leastcost/problems/raster/has_voids.hpp>
 #include "catalogue/back_ends/back_ends.hpp"
+#include "catalogue/output/clicks.hpp"
 #include "catalogue/output/geojson.hpp"
 #include "catalogue/output/manifest.hpp"
 #include "catalogue/output/path_table.hpp"
@@ -128,6 +129,8 @@ void write_results(RunOutcome& outcome, const std::vector<std::string>& argument
   if (config.writes("scene"))
     folder.write("scene.json",
                  scene_json(make_scene(outcome.parts.problem, outcome.result, family.subspan(family.empty() ? 0 : 1))));
+  const std::string clicks = config.writes("clicks") ? clicks_json(outcome.parts.problem) : "";
+  if (!clicks.empty()) folder.write("clicks.json", clicks);
   outcome.seconds.write = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (config.writes("result")) folder.write("result.json", result_json(outcome));
 }

@@ -3,6 +3,7 @@
 #include "problems/exact/forks.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace leastcost {
@@ -27,7 +28,7 @@ std::span<const std::int32_t> Forks::sides(std::int32_t h) const {
   });
   auto last = first;
   while (last != sides_.end() && ends_of(*mesh_, *last) == ends_of(*mesh_, h)) ++last;
-  return {first, last};
+  return {std::to_address(first), static_cast<std::size_t>(last - first)};
 }
 
 }  // namespace leastcost

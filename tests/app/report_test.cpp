@@ -280,6 +280,27 @@ TEST_CASE("report: of a study with runs that are missing, and with solvers that 
               {"incomplete, 2 runs missing: 3 of 4 solves certified", "of their own"});
 }
 
+TEST_CASE("report: of a study, a warning where ranks by time may be chance") {
+  const ScratchDir dir;
+  const fs::path folder = study_in(dir / "study");
+  check_holds(app::make_report(folder)[0].content, {"that of one repetition", "repetitions: 5"});
+  // Five repetitions, all alike; then some that took twice as long.
+  app::RunTable runs = app::read_runs_csv(content(folder / "runs.csv"), "runs.csv");
+  const std::vector<app::RunRow> once = runs.rows;
+  for (const double slower : {1.0, 2.0}) {
+    runs.rows.clear();
+    for (app::RunRow row : once)
+      for (row.repetition = 0; row.repetition < 5; ++row.repetition) {
+        runs.rows.push_back(row);
+        if (row.repetition == 4 && row.s_solve) *runs.rows.back().s_solve *= slower;
+      }
+    write_bytes(folder / "runs.csv", app::runs_csv(runs));
+    const std::string page = app::make_report(folder)[0].content;
+    check_lacks(page, "that of one repetition");
+    slower == 1 ? check_lacks(page, "The machine was busy") : check_holds(page, {"The machine was busy: in 3 of"});
+  }
+}
+
 TEST_CASE("report: a damaged study is named") {
   const ScratchDir dir;
   const fs::path folder = study_in(dir / "study");

@@ -122,7 +122,8 @@ std::string page(const Headline& headline, const std::string& body, const std::s
   // Nothing may be asked for; an empty icon keeps browsers from asking for theirs.
   out +=
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data: blob:; style-src "
-      "'unsafe-inline'; script-src 'unsafe-inline'\">\n<link rel=\"icon\" href=\"data:,\">\n";
+      "'unsafe-inline'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; worker-src blob:\">\n<link rel=\"icon\" "
+      "href=\"data:,\">\n";
   out += fmt::format("<title>{} – leastcost {}</title>\n<style>\n{}{}</style>\n</head>\n<body>\n<main>\n",
                      escaped(headline.title), escaped(headline.kind), page_style(), plot_style());
   out += fmt::format("<header>\n<p class=\"kind\">leastcost {}</p>\n<h1>{}</h1>\n<p class=\"about\">{}</p>\n",

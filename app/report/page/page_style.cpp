@@ -6,9 +6,9 @@ namespace leastcost::app {
 
 std::string page_style() {
   return R"(:root{--ink:#222;--soft:#6b6b6b;--rule:#dcd9d2;--faint:#f5f3ee;--paper:#fff;--good:#00704f;--bad:#b04a00;
---mild:#6b6b6b;--other:#0a63a0;color-scheme:light dark}
+--mild:#6b6b6b;--other:#0a63a0;--asked:#a3307f;color-scheme:light dark}
 @media (prefers-color-scheme:dark){:root{--ink:#e6e4df;--soft:#a19e97;--rule:#3a3936;--faint:#252523;--paper:#1c1c1b;
---good:#45c79c;--bad:#f0905a;--mild:#a19e97;--other:#6fb7ea}}
+--good:#45c79c;--bad:#f0905a;--mild:#a19e97;--other:#6fb7ea;--asked:#e58fc4}}
 *{box-sizing:border-box}
 html{background:var(--paper);color:var(--ink);font:16px/1.5 system-ui,-apple-system,"Segoe UI","Helvetica Neue",
 Helvetica,Arial,sans-serif;-webkit-text-size-adjust:100%}
@@ -29,6 +29,7 @@ header{border-bottom:2px solid var(--ink);padding-bottom:1rem;margin-bottom:1.2r
 margin-right:.5em}
 .other{color:var(--other)}.good{color:var(--good)}.bad{color:var(--bad)}.mild{color:var(--mild)}
 .why{border-left:3px solid var(--bad);padding:.1rem 0 .1rem 1rem;margin:1rem 0}
+.warning{border-left:3px solid var(--bad);padding-left:1rem}
 .why li{margin:.25rem 0}.why ul{margin:.3rem 0;padding-left:1.1rem}
 .key{display:grid;grid-template-columns:repeat(auto-fit,minmax(9.5rem,auto));justify-content:space-between;
 gap:1rem 1.4rem;margin:0 0 1.4rem}
@@ -52,6 +53,15 @@ display:flex;align-items:center;justify-content:center;overflow:hidden}
 .legend{display:flex;flex-wrap:wrap;gap:.3rem 1.4rem;font-size:.88rem;margin-top:.5rem;color:var(--soft);
 align-items:center}
 .legend label{display:inline-flex;align-items:center;gap:.4rem;cursor:pointer}.legend svg{flex:none}
+.ask{margin:1.2rem 0}.ask form:not([hidden]){display:flex;flex-wrap:wrap;gap:.5rem .9rem;align-items:baseline}
+.ask input,.ask button{font:inherit;font-size:.95rem;padding:.15rem .4rem;color:inherit;background:var(--paper);
+border:1px solid var(--soft);border-radius:3px;max-width:100%}.ask button{cursor:pointer}
+.ask button:focus-visible,.ask input:focus-visible{outline:2px solid #0072B2;outline-offset:2px}
+#ask-answer{min-height:1.5em;font-variant-numeric:tabular-nums}
+.copied{position:relative}.copied button{position:absolute;top:.4rem;right:.4rem;font-size:.78rem}
+@media (max-width:560px){#plane>svg text{font-size:16px}}
+svg.clickable{cursor:crosshair}.asked{fill:none;stroke:var(--asked);stroke-width:3.5}
+.asked-end{fill:var(--asked);stroke:var(--paper);stroke-width:1.5}
 .scroll{overflow-x:auto;margin:.4rem 0 1rem}
 table{border-collapse:collapse;font-size:.9rem;font-variant-numeric:tabular-nums}
 th,td{text-align:left;padding:.32rem .9rem .32rem 0;vertical-align:baseline;border-bottom:1px solid var(--rule)}
@@ -64,14 +74,16 @@ td[title],th[title]{text-decoration:underline dotted var(--soft);text-underline-
 .counts th.n{padding-right:.7rem}
 .counts td.n:last-child,.counts th.n:last-child{padding-right:0}
 @media (max-width:700px){.tests,.tests thead,.tests tbody{display:block}.tests tr{display:grid;
-grid-template-columns:7.2rem 1fr 1fr 4rem;border-bottom:1px solid var(--rule)}
-.tests th,.tests td{border-bottom:0}.tests td:last-child{grid-column:1/-1;min-width:0;padding-top:0;
+grid-template-columns:minmax(0,6.3rem) minmax(0,1fr) minmax(0,1fr) 3.8rem;border-bottom:1px solid var(--rule)}
+.tests tr th,.tests tr td,.tests tr td:first-child,.tests tr td:nth-child(3){border-bottom:0;white-space:normal;
+overflow-wrap:anywhere;padding-right:.5rem}.tests tr td:nth-child(4),.tests tr th:nth-child(4){white-space:nowrap;
+padding-right:0}.tests tr td:last-child{grid-column:1/-1;min-width:0;padding-top:0;
 color:var(--soft)}.tests th:last-child{display:none}}
 td.w,.tests td:first-child{white-space:nowrap}
 td.good,td.bad{font-weight:600}td.plain{font-weight:400}
 .matrix{font-size:.74rem;line-height:1.25}.matrix td{white-space:pre;padding:.26rem .4rem;
 border-left:1px solid var(--rule);text-decoration:none}
-.matrix th{white-space:normal;padding:.26rem .4rem;font-size:.72rem;overflow-wrap:anywhere;min-width:3.4rem}
+.matrix th{white-space:normal;padding:.26rem .4rem;font-size:.72rem;overflow-wrap:normal;min-width:3.4rem}
 .matrix th:first-child,.matrix td:first-child{position:sticky;left:0;background:var(--paper);border-left:0;
 padding-left:0;white-space:normal;min-width:8rem}
 .matrix td.good{background:color-mix(in srgb,var(--good) 9%,transparent);font-weight:400}

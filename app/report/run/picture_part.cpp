@@ -8,6 +8,7 @@
 #include "app/plot/text.hpp"
 #include "app/report/page/page.hpp"
 #include "app/report/page/viewer_script.hpp"
+#include "app/report/run/clicks_part.hpp"
 #include "app/report/run/run_parts.hpp"
 #include "app/report/run/space_view.hpp"
 
@@ -18,7 +19,11 @@ using Json = nlohmann::json;
 
 std::string caption_of(const RunFiles& files, const std::string& before) {
   std::string text = before;
-  for (const std::string& note : files.scene.notes) text += (text.empty() ? "" : " ") + ("Note: " + note + ".");
+  for (const std::string& note : files.scene.notes) {
+    // The view has the whole mesh.
+    if (!viewer_script().empty() && has_clicked_mesh(files) && note.starts_with("drawn with ")) continue;
+    text += (text.empty() ? "" : " ") + ("Note: " + note + ".");
+  }
   return text.empty() ? "" : fmt::format("<figcaption>{}</figcaption>\n", escaped(text));
 }
 
@@ -26,7 +31,8 @@ Json flat(const Points& x) { return std::vector<double>(x.data(), x.data() + x.s
 
 /// What the 3D view gets: the scene as it is in its file, and what only the report knows.
 std::string viewer_data(const RunFiles& files, const SpaceView& view) {
-  const Scene& scene = files.scene;
+  Scene scene = files.scene;
+  if (has_clicked_mesh(files)) scene.surface = {};  // what answers clicks has all of it
   Json extra = {{"markers", flat(files.points)},
                 {"ends", flat(ends_of(files))},
                 {"view",
@@ -95,7 +101,7 @@ Picture space_of_path(const RunFiles& files) {
           "Shading: cost per unit of length, averaged over the possible directions, on a logarithmic scale; stronger "
           "means more expensive.";
     bands += about_potential(files);
-    return {"<figure>\n" + svg(plane_sketch(files, {})) + legend_html(legend_of(files, {}), false) +
+    return {"<figure id=\"plane\">\n" + svg(plane_sketch(files, {})) + legend_html(legend_of(files, {}), false) +
                 caption_of(files, bands) + "</figure>\n",
             ""};
   }
@@ -108,7 +114,8 @@ Picture space_of_path(const RunFiles& files) {
 
 Picture picture_of(const RunFiles& files) {
   Picture picture = space_of_path(files);
-  picture.part = strip_part(files) + picture.part;
+  picture.part = strip_part(files) + picture.part + clicks_panel(files);
+  picture.script = clicks_scripts(files) + picture.script;  // the view draws what it unpacks
   return picture;
 }
 

@@ -35,6 +35,11 @@ PlaneFrame frame_of(const RunFiles& files, const Look& look) {
   return {box.min() - missing, box.max() + missing, look};
 }
 
+PlaneFrame frame_above_bar(const RunFiles& files, Look look) {
+  if (files.scene.cost && look.shading) look.height -= cost_bar_height();
+  return frame_of(files, look);
+}
+
 std::string drawn(const std::vector<Points>& lines, const PlaneFrame& frame, const char* name) {
   std::string out;
   for (const Points& line : lines) out += fmt::format("<path class=\"{}\" d=\"{}\"/>\n", name, frame.line(line));
@@ -114,12 +119,21 @@ std::string clip_and_hatch(const PlaneFrame& frame) {
 
 bool shows_walls(const RunFiles& files) { return shows_walls(files.scene, frame_of(files, {})); }
 
+PlaneMap plane_map(const RunFiles& files, const Look& look) {
+  const PlaneFrame frame = frame_above_bar(files, look);
+  return {frame.left(),
+          frame.top(),
+          frame.width(),
+          frame.height(),
+          frame.width() / (frame.range(0).largest - frame.range(0).least),
+          frame.range(0).least,
+          frame.range(1).largest};
+}
+
 Sketch plane_sketch(const RunFiles& files, const Look& look) {
   const Scene& scene = files.scene;
   const bool bar = scene.cost && look.shading;
-  Look above = look;
-  if (bar) above.height -= cost_bar_height();
-  const PlaneFrame frame = frame_of(files, above);
+  const PlaneFrame frame = frame_above_bar(files, look);
   std::string inside;
   if (scene.cost && look.shading) inside += cost_bands(*scene.cost, frame);
   if (scene.relief && look.shading) inside += hillshade(*scene.relief, frame);

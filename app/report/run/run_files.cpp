@@ -76,6 +76,7 @@ RunFiles read_run_files(const fs::path& folder) {
                  {},
                  read_scene(text_of_file(folder / "scene.json"), (folder / "scene.json").string()),
                  {},
+                 {},
                  {}};
   if (fs::exists(folder / "residuals.csv")) files.residuals.emplace_back(folder / "residuals.csv");
   const double dimension = files.result.number("problem.dimensions.ambient");

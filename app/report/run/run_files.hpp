@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,7 @@ struct RunFiles {
   Scene scene;
   Points points;                         ///< of path.csv, ambient, d x m
   std::vector<std::string> coordinates;  ///< their names there
+  std::optional<JsonFile> clicks;        ///< of clicks.json, which only a report reads
 };
 
 /// The ends of its path, d x 2; of a ring none.

@@ -35,6 +35,11 @@ std::vector<LegendEntry> legend_of(const RunFiles& files, const Look& look, bool
 
 /// The plane, or a map of the ground, with path, first path, obstacles, box and cost.
 Sketch plane_sketch(const RunFiles& files, const Look& look);
+/// Where that drawing has the plane, px: x is at left + scale (x - lower), y at top + scale (upper - y).
+struct PlaneMap {
+  double left = 0, top = 0, width = 0, height = 0, scale = 1, lower = 0, upper = 0;
+};
+PlaneMap plane_map(const RunFiles& files, const Look& look);
 /// Whether a side of the box is in that drawing.
 bool shows_walls(const RunFiles& files);
 /// A robot on its way, the later the stronger, and its obstacles; empty without one.

@@ -15,13 +15,13 @@
 namespace leastcost::app {
 namespace {
 
-/// As many digits as the bar leaves, and two more.
+/// Digits no finer than the bar: the last one is that of its first.
 std::string cost_text(double value, double bar) {
   if (!std::isfinite(value) || value == 0) return number_text(value);
   if (!std::isfinite(bar)) return number_text(value, 9);
   if (bar <= 0) return fmt::format("{:.15g}", value);
   const int before = static_cast<int>(std::floor(std::log10(std::abs(value))));
-  const int decimals = 1 - static_cast<int>(std::floor(std::log10(bar)));
+  const int decimals = -static_cast<int>(std::floor(std::log10(bar)));
   return fmt::format("{:.{}g}", value, std::clamp(before + decimals + 1, 3, 15));
 }
 
@@ -64,11 +64,48 @@ std::vector<KeyFigure> key_figures_of(const JsonFile& result) {
           {"time", duration(total_seconds(result)), duration(result.number("seconds.solve")) + " of it in the solver"}};
 }
 
-Headline headline_of(const JsonFile& result) {
+/// "34,835".
+std::string with_commas(std::size_t count) {
+  std::string text = std::to_string(count);
+  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, ",");
+  return text;
+}
+
+/// An end of the path: the vertex of a mesh, by its number in the file, or a place.
+std::string end_text(const RunFiles& files, std::size_t row) {
+  for (const char* corner : {"0", "1", "2"}) {
+    const std::string weight = std::string("b") + corner, vertex = std::string("v") + corner;
+    if (files.path.has(weight) && files.path.has(vertex) && files.path[weight][row] == 1)
+      return fmt::format("vertex {:.0f}", files.path[vertex][row]);
+  }
+  if (files.points.rows() > 3) return "";
+  std::string text;
+  for (Index i = 0; i < files.points.rows(); ++i)
+    text += (text.empty() ? "" : ", ") + fmt::format("{:.4g}", files.points(i, static_cast<Index>(row)));
+  return "(" + text + ")";
+}
+
+/// "bunny.obj, 34,835 vertices, from vertex 11812 to vertex 20997; ": what was solved, as far as the files tell.
+std::string problem_text(const RunFiles& files) {
+  std::string text;
+  for (const JsonFile& input : files.manifest.objects("inputs"))
+    if (input.text("role") == "data") text += std::filesystem::path(input.text("file")).filename().string() + ", ";
+  if (files.clicks && files.clicks->has("mesh.vertices"))
+    text += with_commas(files.clicks->size("mesh.vertices") / 3) + " vertices, ";
+  const std::size_t rows = files.path.rows();
+  const std::string source = rows > 1 && !files.result.flag("ring") ? end_text(files, 0) : "";
+  if (!source.empty()) text += "from " + source + " to " + end_text(files, rows - 1) + ", ";
+  if (text.empty()) return "";
+  return text.substr(0, text.size() - 2) + "; ";
+}
+
+Headline headline_of(const RunFiles& files) {
+  const JsonFile& result = files.result;
   const std::string status = result.text("status");
   Headline headline{"run", result.text("name"),
-                    fmt::format("{} manifold, {} cost, kernel {}, first path {}", result.text("problem.manifold"),
-                                result.text("problem.cost"), result.text("problem.kernel"), result.text("initializer")),
+                    problem_text(files) + fmt::format("{} manifold, {} cost, kernel {}, first path {}",
+                                                      result.text("problem.manifold"), result.text("problem.cost"),
+                                                      result.text("problem.kernel"), result.text("initializer")),
                     status, "bad"};
   if (result.flag("certified")) {
     headline.verdict = status + ", " + result.text("scope");
@@ -97,7 +134,7 @@ std::string family_of(const JsonFile& result) {
     for (const std::string& origin : m.texts("from")) from += (from.empty() ? "" : "; ") + origin;
     for (const JsonFile& f : m.objects("failures")) why += (why.empty() ? "" : "; ") + f.text("message");
     const std::string status = m.text("status");
-    table.rows.push_back({{fmt::format("{:.12g}", m.number("cost"))},
+    table.rows.push_back({{cost_text(m.number("cost"), m.number("error_estimate"))},
                           {number_text(m.number("error_estimate"), 2)},
                           {status, status == "certified" ? "good" : "bad", why},
                           {m.text("index") + (m.flag("tied") ? ", tied" : "")},
@@ -139,7 +176,8 @@ std::string work_of(const JsonFile& result) {
 }  // namespace
 
 std::string run_report(const std::filesystem::path& folder) {
-  const RunFiles files = read_run_files(folder);
+  RunFiles files = read_run_files(folder);
+  if (std::filesystem::exists(folder / "clicks.json")) files.clicks.emplace(folder / "clicks.json");
   const JsonFile& result = files.result;
   const Picture picture = picture_of(files);
   std::string body = failures_of(result) + key_figures(key_figures_of(result)) + picture.part;
@@ -152,7 +190,7 @@ std::string run_report(const std::filesystem::path& folder) {
   body += section("Work", work_of(result), false);
   body += section("Configuration", "<pre>" + escaped(files.configuration) + "</pre>\n", false);
   body += section("Provenance", provenance_part(files.manifest), false);
-  return page(headline_of(result), body, picture.script);
+  return page(headline_of(files), body, picture.script);
 }
 
 }  // namespace leastcost::app

@@ -9,6 +9,7 @@
 #include <set>
 
 #include <leastcost/framework/base/errors.hpp>
+#include "app/plot/legend.hpp"
 #include "app/plot/text.hpp"
 #include "app/report/page/json_file.hpp"
 #include "app/report/page/page.hpp"
@@ -80,10 +81,25 @@ Headline headline_of(const std::string& name, const StudyAnalysis& study, const 
   return headline;
 }
 
+std::string sample_of(const Series& s) {
+  std::string out;
+  if (s.style.line) out = fmt::format("<path {} d=\"M1 6h28\"/>", stroke_of(s.style));
+  if (s.style.markers || s.marks > 0) out += marker(s.style, 15, 6);
+  return out;
+}
+
+/// On a page one legend stands above all panels; in the file of the figure the last panel has it.
 std::string drawn(const StudyFigure& figure, const std::string& caption) {
+  std::vector<LegendEntry> legend;
+  for (const Series& s : figure.panels.back().series)
+    if (!s.name.empty()) legend.push_back({sample_of(s), s.name});
   std::vector<std::string> svgs;
-  for (const Chart& chart : figure.panels) svgs.push_back(svg(chart));
-  return figures(svgs, caption);
+  for (Chart chart : figure.panels) {
+    chart.legend = false;
+    if (figure.panels.size() > 1) chart.width = figure.panels.front().width;
+    svgs.push_back(svg(chart));
+  }
+  return (legend.empty() ? "" : legend_html(legend, false)) + figures(svgs, caption);
 }
 
 /// A section with a figure, and the figure as a file; nothing when the study has nothing to show there.
@@ -113,6 +129,30 @@ std::string rules_of_their_own(const StudyAnalysis& study) {
       "vfcs stops by the rule of its paper. georce and string end at a fixed point of their own, which is not the "
       "least energy of the chain. They can stop, and be certified, without coming within 1e-10 of the others.",
       "soft");
+}
+
+/// Where times are ranked that one run more may rank otherwise.
+std::string trust_in_times(const StudyAnalysis& study) {
+  constexpr double kApart = 1.5;  // greatest over least
+  std::size_t tasks = 0, apart = 0, most = 0;
+  for (const Group& g : study.groups)
+    for (const Task& t : g.tasks) {
+      if (t.seconds.count == 0) continue;
+      ++tasks;
+      most = std::max(most, t.seconds.count);
+      apart += t.seconds.greatest > kApart * t.seconds.least ? 1 : 0;
+    }
+  if (tasks == 0) return "";
+  if (most == 1)
+    return paragraph(
+        "Each time is that of one repetition: ranks by time may be chance. With “repetitions: 5” in the study, times "
+        "are medians.",
+        "warning");
+  if (4 * apart <= tasks) return "";
+  return paragraph(fmt::format("The machine was busy: in {} of {} solves the slowest repetition took more than {:g} "
+                               "times as long as the fastest. Ranks by time may be chance; evaluations are exact.",
+                               apart, tasks, kApart),
+                   "warning");
 }
 
 std::string meaning_of_solved() {
@@ -149,7 +189,8 @@ std::vector<ReportFile> study_report(const fs::path& folder) {
   const Counts counts = count(study);
   std::vector<ReportFile> files(1);
   std::string body = key_figures(key_figures_of(study, counts));
-  body += section("Solvers", solver_table(study) + meaning_of_solved() + rules_of_their_own(study));
+  body +=
+      section("Solvers", trust_in_times(study) + solver_table(study) + meaning_of_solved() + rules_of_their_own(study));
   body += section("The best of each problem", only_the_first(study) + winners_table(shown_part) +
                                                   paragraph("Time and evaluations to a relative cost excess of 1e-10; "
                                                             "the solve continues until its own stopping test.",
