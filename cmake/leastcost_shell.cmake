@@ -13,10 +13,10 @@ add_custom_command(OUTPUT ${shell}/made
   COMMAND ${CMAKE_COMMAND} -E touch ${shell}/made
   DEPENDS leastcost COMMENT "Man pages and completions" VERBATIM)
 add_custom_target(leastcost_shell ALL DEPENDS ${shell}/made)
-install(DIRECTORY ${shell}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
-install(FILES ${shell}/leastcost DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
+install(DIRECTORY ${shell}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program OPTIONAL)
+install(FILES ${shell}/leastcost DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program OPTIONAL)
 install(FILES ${shell}/leastcost.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d
-  COMPONENT program)
+  COMPONENT program OPTIONAL)
 # Debian's zsh looks into vendor-completions of /usr and into site-functions of /usr/local.
 install(CODE "
   set(folder site-functions)
@@ -24,4 +24,4 @@ install(CODE "
     set(folder vendor-completions)
   endif()
   file(INSTALL \"${shell}/_leastcost\" DESTINATION
-    \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/zsh/\${folder}\")" COMPONENT program)
+    \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/zsh/\${folder}\" OPTIONAL)" COMPONENT program)
