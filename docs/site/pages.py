@@ -12,7 +12,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 LANGUAGES = {".yaml": "yaml", ".yml": "yaml", ".cpp": "c++", ".hpp": "c++", ".py": "python", ".cmake": "cmake",
              ".txt": "text", ".sh": "sh", ".cff": "yaml"}
-LINK = re.compile(r"(!?\[(?:[^\[\]]|\[[^\]]*\])*\]\()([^)\s]+)(\))")
+LINK = re.compile(r"(\]\()([^)\s]+)(\))")  # its text may begin on the line before
 IMAGES = {".png", ".svg", ".jpg"}
 
 
@@ -59,13 +59,9 @@ class Stage:
             elif not fenced and (defined := re.match(r"(\[[^\]]+\]: )(\S+)$", line)):
                 line = defined[1] + self.target(defined[2], origin, place)
             elif not fenced and not line.startswith("    "):
-                parts = re.split(r"(`+[^`]*`+(?!\]))", line)
-                joined = line if "](" in line and "`](" in line else None
-                if joined is not None:
-                    line = LINK.sub(lambda m: m[1] + self.target(m[2], origin, place) + m[3], line)
-                else:
-                    line = "".join(p if p.startswith("`") else
-                                   LINK.sub(lambda m: m[1] + self.target(m[2], origin, place) + m[3], p) for p in parts)
+                # Also inside of `code`, which may go over lines: what has no dot or slash is no link there.
+                line = LINK.sub(lambda m: m[1] + self.target(m[2], origin, place) + m[3]
+                                if re.search("[./#]", m[2]) else m[0], line)
             out.append(line)
         return "\n".join(out)
 
