@@ -102,6 +102,7 @@ install(FILES ${generated}/leastcostConfig.cmake ${generated}/leastcostConfigVer
   DESTINATION ${package_dir} COMPONENT development)
 if(TARGET leastcost)
   install(TARGETS leastcost RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+  include(${CMAKE_CURRENT_LIST_DIR}/leastcost_shell.cmake)
 endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/LICENSES.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
   COMPONENT notices)

@@ -16,7 +16,11 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include "app/cli/commands.hpp"
+#include "app/cli/shell/command_table.hpp"
+#include "app/cli/shell/completion.hpp"
+#include "app/cli/shell/man_pages.hpp"
 #include "app/reference/describe.hpp"
+#include "app/reference/markdown.hpp"
 #include "catalogue/output/manifest.hpp"
 #include "catalogue/yaml/scalars.hpp"
 #include "catalogue/yaml/suggest.hpp"
@@ -285,11 +289,21 @@ void add_reference(CLI::App& app, Values& v, const Streams& streams, Command& ch
   describe
       .add_option("kind", v.kind,
                   "run, study, manifold, obstacle, robot, cost, kernel, initializer, solver, post_processor")
-      ->required()
       ->type_name("KIND");
   describe.add_option("type", v.type, "Type to describe, e.g. euclidean; without it, all types of the kind")
       ->type_name("TYPE");
-  describe.callback([&] { chosen = [&] { return describe_command(v.kind, v.type, streams); }; });
+  describe
+      .add_option("--markdown", v.output,
+                  "Instead: write a page of Markdown for each type, each kind, run and study here")
+      ->type_name("DIR")
+      ->check(empty_fault);
+  describe.callback([&] {
+    if (v.kind.empty() == v.output.empty()) throw CLI::ValidationError("describe", "needs a KIND or --markdown DIR");
+    chosen = [&] {
+      return v.output.empty() ? describe_command(v.kind, v.type, streams)
+                              : pages_command(reference_pages(), v.output, streams);
+    };
+  });
 
   CLI::App& schema =
       *app.add_subcommand("schema", "Print the JSON Schema (draft 7) of configurations and studies, for editors");
@@ -297,14 +311,18 @@ void add_reference(CLI::App& app, Values& v, const Streams& streams, Command& ch
 }
 
 void add_helpers(CLI::App& app, Values& v, const Streams& streams, Command& chosen) {
-  CLI::App& init =
-      *app.add_subcommand("init", "Print a commented starter configuration, or, without a name, the list of templates");
+  CLI::App& init = *app.add_subcommand(
+      "init", "Write a commented starting configuration that runs, or, without a name, print the list of templates");
   init.footer(
-      "The first line of each template names the schema, for editors with the YAML language server. To make it:\n"
-      "  leastcost schema > leastcost.schema.json");
+      "Each template becomes a folder: the configuration, the sample data that it reads, and leastcost.schema.json, "
+      "which\n"
+      "its first line names, for editors with the YAML language server. Files that exist are not overwritten.\n"
+      "  leastcost init mesh                      mesh/mesh.yaml, ...\n"
+      "  leastcost init mesh -o work/first.yaml   work/first.yaml, ...\n"
+      "  leastcost init mesh -o -                 the configuration alone, on standard output");
   init.add_option("template", v.name, "Name of the template")->type_name("TEMPLATE");
-  add_output(init, v, "Write to this file instead of standard output", "FILE");
-  init.add_flag("--force", v.force, "Overwrite the file");
+  add_output(init, v, "Folder, or a .yaml file in it; default: the name of the template", "PATH");
+  init.add_flag("--force", v.force, "Overwrite files that exist");
   init.callback([&] { chosen = [&] { return init_command(v.name, v.output, v.force, streams); }; });
 
   CLI::App& doctor = *app.add_subcommand("doctor", "Report the faults of a mesh, and what it needs for a solve");
@@ -345,6 +363,38 @@ void add_helpers(CLI::App& app, Values& v, const Streams& streams, Command& chos
       v.distances.weld = v.weld;
       v.distances.quiet = v.quiet;
       return distances_command(v.distances, streams);
+    };
+  });
+}
+
+/// For those who install the program: made of the same tables as --help.
+void add_shell(CLI::App& app, Values& v, const Streams& streams, Command& chosen) {
+  CLI::App& completion = *app.add_subcommand("completion", "Print the script that completes commands in a shell");
+  completion.footer(
+      "bash: leastcost completion bash > ~/.local/share/bash-completion/completions/leastcost\n"
+      "zsh:  leastcost completion zsh > DIR/_leastcost, with DIR in fpath\n"
+      "fish: leastcost completion fish > ~/.config/fish/completions/leastcost.fish\n"
+      "The Debian package and cmake --install install all three.");
+  completion.add_option("shell", v.name, "bash, zsh or fish")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}))
+      ->type_name("SHELL");
+  completion.callback([&] {
+    chosen = [&] {
+      const CommandTable table = command_table(app);
+      streams.out << (v.name == "bash"  ? bash_completion(table)
+                      : v.name == "zsh" ? zsh_completion(table)
+                                        : fish_completion(table));
+      return Exit::certified;
+    };
+  });
+
+  CLI::App& man =
+      *app.add_subcommand("man", "Write the man pages, leastcost.1 and one for each command, into a folder");
+  man.add_option("folder", v.output, "Folder")->required()->type_name("DIR")->check(empty_fault);
+  man.callback([&] {
+    chosen = [&] {
+      return pages_command(man_pages(command_table(app), std::string(program_version())), v.output, streams);
     };
   });
 }
@@ -404,6 +454,7 @@ Exit parse_and_run(const std::vector<std::string>& arguments, const Streams& str
   add_figure(app, values, streams, chosen);
   add_reference(app, values, streams, chosen);
   add_helpers(app, values, streams, chosen);
+  add_shell(app, values, streams, chosen);
 
   const std::vector<std::string> names = names_of(app.get_subcommands({}));
   if (arguments.size() > 1 && arguments[1].rfind('-', 0) != 0 &&

@@ -11,7 +11,6 @@
 #include <ostream>
 #include <string_view>
 
-#include "app/cli/templates.hpp"
 #include "app/reference/describe.hpp"
 #include "app/report/report.hpp"
 #include "app/study/rows/journal.hpp"
@@ -201,31 +200,18 @@ Exit describe_command(const std::string& kind, const std::string& type, const St
   return Exit::certified;
 }
 
-Exit init_command(const std::string& name, const std::string& file, bool force, const Streams& streams) {
-  if (name.empty()) {
-    for (const Template& t : templates()) streams.out << fmt::format("{:<16} {}\n", t.name, t.summary);
-    return Exit::certified;
+Exit pages_command(const std::map<std::string, std::string>& pages, const std::string& folder, const Streams& streams) {
+  for (const auto& [name, text] : pages) {
+    const fs::path file = fs::path(folder) / name;
+    std::error_code failed;
+    fs::create_directories(file.parent_path(), failed);
+    std::ofstream out(file, std::ios::binary);
+    out << text << std::flush;
+    if (out) continue;
+    streams.err << fmt::format("error: cannot write {}\n", file.string());
+    return Exit::output;
   }
-  const Template* found = nullptr;
-  std::vector<std::string> names;
-  for (const Template& t : templates()) {
-    names.emplace_back(t.name);
-    if (t.name == name) found = &t;
-  }
-  if (found == nullptr) return unknown(streams, "template", name, names);
-  if (file.empty()) {
-    streams.out << found->text;
-    return Exit::certified;
-  }
-  if (std::filesystem::exists(file) && !force) {
-    streams.err << fmt::format("error: {} exists; use --force to overwrite it\n", file);
-    return Exit::usage;
-  }
-  std::ofstream out(file, std::ios::binary);
-  out << found->text << std::flush;
-  if (out) return Exit::certified;
-  streams.err << fmt::format("error: cannot write {}\n", file);
-  return Exit::output;
+  return Exit::certified;
 }
 
 }  // namespace leastcost::app

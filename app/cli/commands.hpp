@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -77,8 +78,12 @@ Exit validate_command(const std::vector<std::string>& files, const std::vector<O
 Exit list_command(const std::string& kind, bool json, const Streams& streams);
 /// `type`: empty for the overview of a kind; the kinds `run` and `study` stand for the keys of a configuration.
 Exit describe_command(const std::string& kind, const std::string& type, const Streams& streams);
-/// `name`: empty for the list of templates; `file`: empty for stdout.
-Exit init_command(const std::string& name, const std::string& file, bool force, const Streams& streams);
+/// Writes pages (name of the file, text) into a folder.
+Exit pages_command(const std::map<std::string, std::string>& pages, const std::string& folder, const Streams& streams);
+/// Writes a starting configuration with its schema and sample data. `name`: empty for the list of templates; `path`: a
+/// folder or a .yaml file, empty for a folder with that name, - for the configuration alone on stdout. Files that exist
+/// are kept, and nothing is written then, unless `force`.
+Exit init_command(const std::string& name, const std::string& path, bool force, const Streams& streams);
 /// `weld`: as for distances.
 Exit doctor_command(const std::string& file, const std::string& weld, bool json, const Streams& streams);
 /// Exact distances from the nearest of some vertices of a mesh to all others.

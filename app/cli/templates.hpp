@@ -7,9 +7,17 @@
 
 namespace leastcost::app {
 
-/// A commented starter configuration or study. Every one passes `leastcost validate`, and runs where its files are.
+/// A file that a configuration reads.
+struct SampleFile {
+  std::string name;
+  std::string (*text)();
+};
+
+/// A commented starting configuration or study. Every one runs beside its files.
 struct Template {
   std::string name, summary, text;
+  std::vector<SampleFile> files = {};
+  std::string command = "run";  ///< or "study"
 };
 
 const std::vector<Template>& templates();

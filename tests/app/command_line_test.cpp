@@ -8,10 +8,8 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <sstream>
 
-#include "app/cli/templates.hpp"
 #include "catalogue/registry/registry.hpp"
 #include "tests/app/called.hpp"
 #include "tests/app/config_text.hpp"
@@ -168,41 +166,6 @@ TEST_CASE("command line: list and describe, singular and plural") {
   CHECK_THAT(call({"describe", "cost", "euclidan"}).err, Contains("did you mean 'euclidean'?"));
   CHECK_THAT(call({"describe", "cost"}).out, Contains("metric_tensor"));
   CHECK_THAT(call({"describe", "run"}).out, Contains("max_seconds"));
-}
-
-TEST_CASE("command line: init gives files that validate") {
-  const ScratchDir dir;
-  for (const app::Template& t : app::templates()) {
-    CAPTURE(t.name);
-    const std::string file = (dir / (std::string(t.name) + ".yaml")).string();
-    CHECK(call({"init", std::string(t.name), "-o", file}).exit == 0);
-    CHECK(call({"validate", file}).exit == 0);
-    CHECK(call({"init", std::string(t.name), "-o", file}).exit == 2);
-    CHECK(call({"init", std::string(t.name)}).out == t.text);
-    CHECK(t.text.rfind("# yaml-language-server: $schema=leastcost.schema.json\n", 0) == 0);
-  }
-  CHECK_THAT(call({"init", "--help"}).out, Contains("leastcost schema > leastcost.schema.json"));
-  CHECK_THAT(call({"init"}).out, Contains("brachistochrone"));
-  CHECK_THAT(call({"init", "brachistochron"}).err, Contains("did you mean 'brachistochrone'?"));
-}
-
-TEST_CASE("command line: what init gives runs") {
-  const ScratchDir dir;
-  std::filesystem::copy(project_dir() / "configs/data/torus_cloud.xyz", dir / "cloud.xyz");
-  const auto bunny = installed_model("glmark2/models/bunny.obj");
-  if (bunny) std::filesystem::copy(*bunny, dir / "bunny.obj");
-  std::set<std::string> names;
-  for (const app::Template& t : app::templates()) {
-    names.insert(t.name);
-    if (t.name == "mesh" && !bunny) continue;
-    CAPTURE(t.name);
-    const std::string file = write_text(dir / (t.name + ".yaml"), t.text), out = (dir / t.name).string();
-    const Called called = call({t.name == "study" ? "study" : "run", file, "-q", "-o", out});
-    INFO(called.out << called.err);
-    CHECK(called.exit == 0);
-  }
-  CHECK(names ==
-        std::set<std::string>{"plane", "brachistochrone", "mesh", "cloud", "parametric", "implicit", "ring", "study"});
 }
 
 TEST_CASE("command line: a configuration from standard input") {

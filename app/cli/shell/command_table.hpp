@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace leastcost::app {
+
+/// What may stand where an argument or the value of an option is asked for.
+enum class Completes {
+  nothing,  ///< it takes no value
+  anything,
+  words,  ///< those listed
+  keys,   ///< an option of a configuration, `solver.tolerance=1e-9`
+  types,  ///< a plug-in of the kind that stands before it
+  files,  ///< with one of the listed extensions, if there are any
+  folders
+};
+
+/// An option of a command or one of its arguments, as --help has it.
+struct CommandOption {
+  std::vector<std::string> names;  ///< "-o", "--output"; of an argument: "config"
+  std::string value, help;         ///< value: "DIR"; empty: it is a flag
+  Completes completes = Completes::nothing;
+  std::vector<std::string> words;  ///< or extensions
+  bool required = false, repeats = false;
+};
+
+struct CommandHelp {
+  std::string name, help, footer;
+  std::vector<CommandOption> options, arguments;
+};
+
+/// The program and its commands: what man pages and completions are made of, so that they say what --help says.
+struct CommandTable {
+  CommandHelp program;
+  std::vector<CommandHelp> commands;
+};
+
+CommandTable command_table(const CLI::App& app);
+
+/// One kind of plug-in and its types, for completion.
+struct WordsOfKind {
+  std::string kind;
+  std::vector<std::string> types;
+};
+std::vector<WordsOfKind> words_of_kinds();
+
+/// Options of a configuration with their blocks: "name", "path.points", ...
+std::vector<std::string> configuration_keys();
+
+}  // namespace leastcost::app
