@@ -59,9 +59,9 @@ class Stage:
             elif not fenced and (defined := re.match(r"(\[[^\]]+\]: )(\S+)$", line)):
                 line = defined[1] + self.target(defined[2], origin, place)
             elif not fenced and not line.startswith("    "):
-                # Also inside of `code`, which may go over lines: what has no dot or slash is no link there.
+                # Also inside of `code`, which may go over lines: without a dot or slash only a file's name is a link.
                 line = LINK.sub(lambda m: m[1] + self.target(m[2], origin, place) + m[3]
-                                if re.search("[./#]", m[2]) else m[0], line)
+                                if re.search("[./#]", m[2]) or (origin.parent / m[2]).exists() else m[0], line)
             out.append(line)
         return "\n".join(out)
 
