@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "app/cli/commands.hpp"
-#include "app/cli/templates.hpp"
+#include "app/init/templates.hpp"
 #include "app/reference/describe.hpp"
 #include "catalogue/yaml/suggest.hpp"
 

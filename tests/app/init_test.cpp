@@ -6,7 +6,7 @@
 #include <iterator>
 #include <string>
 
-#include "app/cli/templates.hpp"
+#include "app/init/templates.hpp"
 #include "catalogue/registry/registry.hpp"
 #include "tests/app/called.hpp"
 #include "tests/support/catch.hpp"

@@ -119,8 +119,8 @@ TEST_CASE("describe --markdown: a page for each plug-in with every option") {
     for (const PluginEntry* plugin : k.entries)
       CHECK(std::filesystem::file_size(dir / k.name / (plugin->type + ".md")) > 80);
   }
-  CHECK_THAT(written(dir / "cost/travel_time.md"),
-             Contains("| `gravity` | number, greater than 0") && Contains("| `9.80665` |") && Contains("unit length/s^2"));
+  CHECK_THAT(written(dir / "cost/travel_time.md"), Contains("| `gravity` | number, greater than 0") &&
+                                                       Contains("| `9.80665` |") && Contains("unit length/s^2"));
   CHECK_THAT(written(dir / "cost/zermelo.md"), Contains("### `flow`: `grid`") && Contains("| `flow.file` | file |"));
   CHECK_THAT(written(dir / "run.md"), Contains("`path.points`") && Contains("](solvers.md)"));
   CHECK(call({"describe"}).exit == 2);

@@ -147,9 +147,11 @@ const Arrows& rooms() {
       {"app/study/cell", {"app/study/grid", "app/study/rows"}},
       {"app/study", {"app/study/cell", "app/study/grid", "app/study/rows"}},
       {"app/reference", {"app/study/grid"}},
+      {"app/init", {}},
+      {"app/cli/shell", {"app/init", "app/reference"}},
       {"app/cli",
-       {"app/distances", "app/figure", "app/pairs", "app/reference", "app/report", "app/run", "app/study",
-        "app/study/rows"}}};
+       {"app/cli/shell", "app/distances", "app/figure", "app/init", "app/pairs", "app/reference", "app/report",
+        "app/run", "app/study", "app/study/rows"}}};
   return table;
 }
 

@@ -8,7 +8,7 @@
 
 #include <map>
 
-#include "app/cli/templates.hpp"
+#include "app/init/templates.hpp"
 #include "app/reference/field_list.hpp"
 #include "catalogue/registry/registry.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "app/cli/templates.hpp"
+#include "app/init/templates.hpp"
 
 #include <string_view>
 #include <utility>
 
-#include "app/cli/sample_data.hpp"
+#include "app/init/sample_data.hpp"
 
 namespace leastcost::app {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "app/cli/sample_data.hpp"
+#include "app/init/sample_data.hpp"
 
 #include <fmt/format.h>
 
