@@ -42,8 +42,8 @@ class OptionTables {
 
   std::string text(const std::vector<FieldInfo>& fields) {
     table("", fields);
-    for (std::size_t next = 0; next < variants_.size(); ++next) {  // tables add to the list
-      const auto [name, field] = variants_[next];
+    for (std::size_t next = 0; next < variants_.size();) {  // tables add to the list
+      const auto [name, field] = variants_[next++];
       variant(name, field);
     }
     return std::move(out_);
