@@ -47,7 +47,8 @@ path: {points: 64}
 )";
 
 constexpr std::string_view kMesh =
-    R"(# A geodesic on a triangle mesh. hill.obj is a sample: put in the name of your own file, relative to this folder.
+    R"(# A geodesic on a triangle mesh. hill.obj is a sample: write the name of your own file instead, relative to
+# this folder.
 # To check a mesh: leastcost doctor hill.obj
 name: mesh
 manifold:
@@ -123,7 +124,8 @@ path: {points: 64}
 )";
 
 constexpr std::string_view kCloud =
-    R"(# A geodesic on the smooth surface through a point cloud. cloud.xyz is a sample: put in the name of your own file.
+    R"(# A geodesic on the smooth surface through a point cloud. cloud.xyz is a sample: write the
+# name of your own file instead.
 name: cloud
 manifold:
   type: point_cloud
@@ -174,7 +176,8 @@ ends:
 )";
 
 constexpr std::string_view kEarth =
-    R"(# The shortest way between two places of the Earth (WGS84). Points are (latitude, longitude) in degrees; costs in m.
+    R"(# The shortest way between two places of the Earth (WGS84). Points are (latitude, longitude) in degrees.
+# The cost is in metres.
 name: earth
 manifold: earth
 cost: euclidean
@@ -185,7 +188,8 @@ path: {points: 100}
 )";
 
 constexpr std::string_view kTerrain =
-    R"(# The quickest walk over a raster of heights, by Tobler's law. hills.asc is a sample, in metres; times in minutes.
+    R"(# The quickest walk over a raster of heights, by Tobler's law. hills.asc is a sample, in metres.
+# The cost is a time in minutes.
 # Points are map coordinates (x, y).
 name: terrain
 manifold:
@@ -201,7 +205,8 @@ path: {points: 64}
 )";
 
 constexpr std::string_view kCostMap =
-    R"(# A path over a raster of costs per unit of length: around a marsh. marsh.csv is a sample, northernmost row first.
+    R"(# A path over a raster of costs per unit of length: around a marsh. marsh.csv is a sample; its
+# first row is the northernmost.
 name: cost_map
 manifold: {type: euclidean, lower: [0.5, 0.5], upper: [31.5, 23.5]}
 cost:
@@ -268,7 +273,8 @@ path: {points: 64}
 )";
 
 constexpr std::string_view kSignedDistance =
-    R"(# A geodesic on a surface known by its distances: sampled on a grid from a formula here, or from a mesh or a cloud.
+    R"(# A geodesic on a surface known by its distances: here sampled on a grid from a formula. A mesh or a
+# cloud can be sampled as well.
 name: signed_distance
 manifold:
   type: signed_distance
@@ -301,7 +307,8 @@ path: {points: 60}
 )";
 
 constexpr std::string_view kArm =
-    R"(# A motion of a robot arm among balls. A configuration is its joint angles in radians; the box has the joint limits.
+    R"(# A motion of a robot arm among balls. A point is a list of joint angles in radians; the box
+# has the joint limits.
 # Other arms: leastcost describe robot dh_arm
 name: arm
 manifold:

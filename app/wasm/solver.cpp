@@ -5,9 +5,11 @@
 // interface, as WebAssembly knows only numbers; one mesh and one plan per module. What is thrown becomes a text.
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 
-@pytest.mark.parametrize("page", ["docs/python.md", "python/README.md"])
+@pytest.mark.parametrize("page", ["docs/python.md", "docs/tutorial/python.md", "python/README.md"])
 def test_blocks_run(page, configs, monkeypatch, capsys):
     monkeypatch.chdir(configs.parent)
     blocks = re.findall(r"^```python\n(.*?)^```", Path(page).read_text(), re.DOTALL | re.MULTILINE)

@@ -29,7 +29,12 @@ std::string written(const std::filesystem::path& file) {
 
 bool shell_runs(const std::string& command) { return std::system((command + " >/dev/null 2>&1").c_str()) == 0; }
 
-bool on_path(const std::string& program) { return shell_runs("command -v " + program); }
+/// Whether a check by this program is possible; if not, that is recorded.
+bool checked_by(const std::string& program) {
+  const bool found = shell_runs("command -v " + program);
+  if (!found) test::record_skip("shell: a check by " + program, "not installed");
+  return found;
+}
 
 /// What bash offers at the end of a command line, whose words are as bash splits them: `=` is one.
 class Bash {
@@ -83,8 +88,8 @@ TEST_CASE("completion: zsh and fish read their scripts, and fish offers types") 
   const ScratchDir dir;
   std::ofstream(dir / "_leastcost") << call({"completion", "zsh"}).out;
   std::ofstream(dir / "leastcost.fish") << call({"completion", "fish"}).out;
-  if (on_path("zsh")) CHECK(shell_runs("zsh -n '" + (dir / "_leastcost").string() + "'"));
-  if (on_path("fish")) {
+  if (checked_by("zsh")) CHECK(shell_runs("zsh -n '" + (dir / "_leastcost").string() + "'"));
+  if (checked_by("fish")) {
     const std::string script = "'" + (dir / "leastcost.fish").string() + "'";
     CHECK(shell_runs("fish -n " + script));
     const auto offers = [&](const std::string& line, const std::string& word) {
@@ -106,8 +111,8 @@ TEST_CASE("man pages: one for each command, and the formatter warns of nothing")
   for (const auto& page : std::filesystem::directory_iterator(dir.path())) {
     CAPTURE(page.path().filename());
     const std::string file = "'" + page.path().string() + "'";
-    if (on_path("mandoc")) CHECK(shell_runs("mandoc -T lint -W warning " + file));
-    if (on_path("groff")) CHECK(shell_runs("! groff -man -ww -z -Tutf8 " + file + " 2>&1 | grep ."));
+    if (checked_by("mandoc")) CHECK(shell_runs("mandoc -T lint -W warning " + file));
+    if (checked_by("groff")) CHECK(shell_runs("! groff -man -ww -z -Tutf8 " + file + " 2>&1 | grep ."));
   }
 }
 

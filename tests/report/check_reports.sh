@@ -76,7 +76,7 @@ if ! cmp -s "$here/package-lock.json" fetched; then
   npm ci --include=dev --ignore-scripts --no-audit --no-fund --loglevel=error >npm.log 2>&1 || skip playwright-core "npm ci failed, see $folder/npm.log"
   cp package-lock.json fetched
 fi
-cp "$here/open_reports.mjs" "$here/click_reports.mjs" .
+cp "$here/browser.mjs" "$here/open_reports.mjs" "$here/click_reports.mjs" .
 
 # A surface with a family of paths, a curve in the plane, a ring on an equation that goes on for ever; and a study.
 reports=

@@ -3,24 +3,14 @@
 
 // click_reports.mjs CHROMIUM SCREENSHOTS REPORT=KIND...: asks reports for paths between two clicked points (KIND mesh or plan), and between two that are typed, on
 // screens of three widths, light and dark, from the disk and without a network; and once without WebAssembly. Fails where there is no proved answer.
-import { mkdirSync, mkdtempSync, rmSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { mkdirSync } from "node:fs";
 import { basename, dirname, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
+import { openBrowser, watch } from "./browser.mjs";
 
 const [executablePath, screenshots, ...reports] = process.argv.slice(2);
 mkdirSync(screenshots, { recursive: true });
-const profile = mkdtempSync(join(tmpdir(), "leastcost-browser-"));
-const context = await chromium.launchPersistentContext(profile, {
-  executablePath,
-  headless: true,
-  args: [
-    "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync",
-    "--use-angle=swiftshader", "--use-gl=angle", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist",
-  ],
-});
-await context.setOffline(true);
+const browser = await openBrowser(executablePath);
 
 const state = (page, name) => page.evaluate((key) => document.documentElement.dataset[key], name);
 
@@ -39,11 +29,9 @@ async function faultOfAnswer(page, which) {
 }
 
 async function open(file, { width, colorScheme, found, without = false }) {
-  const address = pathToFileURL(resolve(file)).href, page = await context.newPage();
+  const address = pathToFileURL(resolve(file)).href, page = await browser.context.newPage();
   if (without) await page.addInitScript(() => { delete globalThis.WebAssembly; });
-  page.on("console", (message) => { if (["error", "warning"].includes(message.type()) && !/GPU stall|software WebGL/.test(message.text())) found.push(`console: ${message.text()}`); });
-  page.on("pageerror", (error) => found.push(`exception: ${error}`));
-  page.on("request", (request) => { if (request.url() !== address && !/^(data|blob):/.test(request.url())) found.push(`request: ${request.url().slice(0, 200)}`); });
+  watch(page, address, /^(data|blob):/, found);
   await page.emulateMedia({ colorScheme });
   await page.setViewportSize({ width, height: 900 });
   await page.goto(address, { waitUntil: "load" });
@@ -106,6 +94,5 @@ for (const [i, report] of reports.entries()) {
   for (const [width, scheme] of looks) tell(`${file}, ${width} px, ${scheme}`, await faults(file, kind, width, scheme));
 }
 tell("without WebAssembly", await faultsWithout(reports[0].split("=")[0]));
-await context.close();
-rmSync(profile, { recursive: true, force: true });
+await browser.close();
 process.exit(failed === 0 ? 0 : 1);

@@ -3,34 +3,23 @@
 
 // open_reports.mjs CHROMIUM SCREENSHOTS REPORT[=VIEWER]...: opens reports from the disk in a browser without network and fails when one prints an error, asks for
 // anything but itself, breaks out of the width of the window, or, with VIEWER webgl, does not get its 3D view ready. Screenshots are for people.
-import { mkdirSync, mkdtempSync, rmSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { mkdirSync } from "node:fs";
 import { basename, dirname, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
+import { openBrowser, watch } from "./browser.mjs";
 
 const [executablePath, screenshots, ...reports] = process.argv.slice(2);
 mkdirSync(screenshots, { recursive: true });
-const profile = mkdtempSync(join(tmpdir(), "leastcost-browser-"));
-const context = await chromium.launchPersistentContext(profile, {
-  executablePath,
-  headless: true,
+const browser = await openBrowser(executablePath, {
   viewport: { width: 1200, height: 900 },
   colorScheme: process.env.LEASTCOST_COLOUR_SCHEME ?? "light",
-  args: [
-    "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync",
-    "--use-angle=swiftshader", "--use-gl=angle", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist",
-  ],
 });
-await context.setOffline(true);
 
 /** What is wrong with one report, as a list of sentences. */
 async function faults(file, viewer) {
   const found = [], address = pathToFileURL(resolve(file)).href;
-  const page = await context.newPage();
-  page.on("console", (message) => { if (["error", "warning"].includes(message.type()) && !/GPU stall|software WebGL/.test(message.text())) found.push(`console: ${message.text()}`); });
-  page.on("pageerror", (error) => found.push(`exception: ${error}`));
-  page.on("request", (request) => { if (request.url() !== address && !request.url().startsWith("data:")) found.push(`request: ${request.url().slice(0, 200)}`); });
+  const page = await browser.context.newPage();
+  watch(page, address, /^data:/, found);
   await page.goto(address, { waitUntil: "load" });
   if (viewer === "webgl") {
     await page.waitForFunction(() => document.documentElement.dataset.ready === "1", null, { timeout: 20000 }).catch(() => found.push("the ready flag was never set"));
@@ -63,6 +52,5 @@ for (const report of reports) {
   console.log(`${file}: ${found.length === 0 ? "fine" : "\n  " + found.join("\n  ")}`);
   failed += found.length;
 }
-await context.close();
-rmSync(profile, { recursive: true, force: true });
+await browser.close();
 process.exit(failed === 0 ? 0 : 1);

@@ -12,6 +12,7 @@
 #include "app/report/page/page.hpp"
 #include "app/report/page/viewer_script.hpp"
 #include "app/report/run/run_parts.hpp"
+#include "problems/clicks/click_data.hpp"
 
 namespace leastcost::app {
 namespace {
@@ -104,14 +105,14 @@ bool has_clicked_mesh(const RunFiles& files) { return answers_clicks(files) && f
 std::string clicks_panel(const RunFiles& files) {
   if (!files.clicks || clicks_module().empty()) return "";
   if (files.clicks->has("mesh.too_large"))
-    return paragraph(fmt::format("The page finds no other paths on this mesh: it has {} triangles, and the limit is "
-                                 "200000. “leastcost run” has none.",
-                                 files.clicks->text("mesh.too_large")),
+    return paragraph(fmt::format("The page finds no other paths on this mesh: it has {} triangles, and the limit of "
+                                 "the page is {}. “leastcost run” has no such limit.",
+                                 files.clicks->text("mesh.too_large"), kMostClickedTriangles),
                      "soft");
   if (files.clicks->has("plan.too_large"))
-    return paragraph(fmt::format("The page finds no other paths among these obstacles: they are {}, and the limit is "
-                                 "5000. “leastcost run” has none.",
-                                 files.clicks->text("plan.too_large")),
+    return paragraph(fmt::format("The page finds no other paths among these obstacles: there are {}, and the limit of "
+                                 "the page is {}. “leastcost run” has no such limit.",
+                                 files.clicks->text("plan.too_large"), kMostClickedObstacles),
                      "soft");
   if (!answers_clicks(files)) return "";
   const bool mesh = has_clicked_mesh(files);
