@@ -23,6 +23,7 @@
 #include <leastcost/problems/initializers/mirrored.hpp>
 #include <leastcost/problems/manifolds/made_from_data.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
+#include <leastcost/problems/obstacles/has_walls.hpp>
 #include <leastcost/problems/obstacles/raster_obstacles.hpp>
 #include <leastcost/problems/post_processors/bracket.hpp>
 #include <leastcost/problems/post_processors/choose_global_proof.hpp>
@@ -269,7 +270,7 @@ void Composer::take_domain() {
 /// Places without data become obstacles by themselves, unless a raster of obstacles says which are, or a proof over the
 /// cells of the raster goes round them anyway.
 bool Composer::takes_voids() const {
-  if (config_.robot || brackets(config_)) return false;
+  if (config_.robot || brackets(config_) || find_ability<HasWalls>(*out_.problem.manifold) != nullptr) return false;
   return std::none_of(config_.obstacles.begin(), config_.obstacles.end(),
                       [](const PluginChoice& choice) { return choice.plugin->type == "raster"; });
 }
