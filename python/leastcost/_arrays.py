@@ -22,9 +22,9 @@ def numbers(values: ArrayLike, name: str) -> NDArray[np.float64]:
         raise InputError(f"{name} has rows of different lengths") from None
     if array.dtype.kind not in "fiu":
         raise InputError(f"{name} has the type {array.dtype}; it has real numbers")
-    if isinstance(array, np.ma.MaskedArray):
-        array = np.ma.filled(array.astype(np.float64), np.nan)
-    return np.ascontiguousarray(array, dtype=np.float64)
+    plain = np.array(array, dtype=np.float64, order="C", subok=False)
+    plain[np.ma.getmaskarray(array)] = np.nan  # type: ignore[no-untyped-call]
+    return plain
 
 
 def points(values: ArrayLike, name: str, dimension: int | None = None) -> NDArray[np.float64]:

@@ -48,7 +48,7 @@ def _check_symmetric(q: SquaredCost, a: NDArray[Any], b: NDArray[Any]) -> None:
     i = _worst(there, back)
     if i is not None:
         raise InputError(
-            f"the cost is not symmetric: the move from {a[:, i].tolist()} to {b[:, i].tolist()} costs {there[i]:.9g}, "
+            f"the cost is not symmetric: the move from {_text(a[:, i])} to {_text(b[:, i])} costs {there[i]:.9g}, "
             f"and the way back {back[i]:.9g}; pass symmetric=False"
         )
 
@@ -59,7 +59,7 @@ def _check_additive(q: SquaredCost, a: NDArray[Any], b: NDArray[Any]) -> None:
     i = _worst(whole, parts)
     if i is not None:
         raise InputError(
-            f"the cost is not additive: the move from {a[:, i].tolist()} to {b[:, i].tolist()} costs {whole[i]:.9g}, "
+            f"the cost is not additive: the move from {_text(a[:, i])} to {_text(b[:, i])} costs {whole[i]:.9g}, "
             f"and its two halves {parts[i]:.9g}; pass additive=False"
         )
 
@@ -77,8 +77,8 @@ def _check_analytic(q: SquaredCost, a: NDArray[Any], b: NDArray[Any]) -> None:
                 i = int(np.argmax(wrong))
                 raise InputError(
                     f"the cost is not analytic: its derivative by {name}[{axis}] is {exact[i]:.6g} by a complex step "
-                    f"and {difference[i]:.6g} by differences, for the move from {a[:, i].tolist()} to "
-                    f"{b[:, i].tolist()}; write it without abs, maximum, conj or conditions on complex numbers "
+                    f"and {difference[i]:.6g} by differences, for the move from {_text(a[:, i])} to "
+                    f"{_text(b[:, i])}; write it without abs, maximum, conj or conditions on complex numbers "
                     '(abs(x): (x**2)**0.5), or pass derivatives="differences"'
                 )
 
@@ -95,6 +95,10 @@ def _worst(one: NDArray[Any], other: NDArray[Any]) -> int | None:
     off[np.isnan(off)] = -1
     i = int(np.argmax(off))
     return i if off[i] > 0 else None
+
+
+def _text(x: NDArray[Any]) -> str:
+    return "(" + ", ".join(f"{value:.6g}" for value in x) + ")"
 
 
 def _moved(q: SquaredCost, a: NDArray[Any], b: NDArray[Any], end: int, axis: int, by: complex) -> NDArray[Any]:
