@@ -51,30 +51,24 @@ bool is_length(const SegmentCost& cost) {
 }
 
 /// In space all obstacles have to be convex and the domain unbounded: the string does not know the sides of a box.
-bool pulls_tight(const Problem& problem) {
-  const ConstraintManifold& domain = *problem.manifold;
-  const auto* among = find_ability<HasWalls>(domain);
-  const Dimensions d = domain.dimensions();
-  if (among == nullptr || problem.ring || problem.based || !is_euclidean(domain) || !is_length(*problem.cost))
-    return false;
+bool pulls_tight(const Problem& problem, const ProblemFacts& facts) {
+  const auto* among = find_ability<HasWalls>(*problem.manifold);
+  if (among == nullptr || facts.ring || !facts.euclidean || !facts.length) return false;
   const Walls& walls = among->walls();
-  if (d.ambient == 2) return find_ability<HasRounds>(walls) != nullptr;
+  if (facts.coordinates == 2) return find_ability<HasRounds>(walls) != nullptr;
   std::vector<SupportPlane> planes;
   const auto* convex = find_ability<HasSupportPlanes>(walls);
-  return convex != nullptr && d.ambient == 3 && is_unbounded(domain) &&
+  return convex != nullptr && facts.coordinates == 3 && facts.unbounded &&
          convex->planes(problem.source.u, problem.source.u, std::numeric_limits<double>::infinity(), planes);
 }
 
 }  // namespace
 
-ProblemFacts facts_of(const Problem& problem) {
-  const ConstraintManifold& domain = *problem.manifold;
-  const SegmentCost& cost = *problem.cost;
-  ProblemFacts facts;
-  facts.ring = problem.ring || problem.based;
+void add_facts(const ConstraintManifold& domain, ProblemFacts& facts) {
   facts.obstacles = find_ability<HasWalls>(domain) != nullptr;
   facts.robot = find_ability<DrawsPoses>(domain) != nullptr;
   facts.euclidean = is_euclidean(domain);
+  facts.unbounded = facts.euclidean && is_unbounded(domain);
   facts.terrain = find_ability<HasVoids>(domain) != nullptr;
   facts.chart = find_ability<HasChart>(domain) != nullptr;
   facts.mesh = find_ability<HasMesh>(domain) != nullptr;
@@ -82,11 +76,22 @@ ProblemFacts facts_of(const Problem& problem) {
   facts.graph = find_ability<HasGraph>(domain) != nullptr;
   facts.level_set = find_ability<HasLevelSet>(domain) != nullptr;
   facts.coordinates = domain.dimensions().coordinate;
+}
+
+void add_facts(const SegmentCost& cost, ProblemFacts& facts) {
   facts.constant_metric = find_ability<HasConstantMetric>(cost) != nullptr;
+  facts.length = is_length(cost);
   facts.layers = find_ability<HasLayers>(cost) != nullptr;
   facts.cells = find_ability<HasCostCells>(cost) != nullptr;
   facts.field = !facts.constant_metric && !facts.layers && find_ability<StartsStraight>(cost) == nullptr;
-  facts.pulls_tight = pulls_tight(problem);
+}
+
+ProblemFacts facts_of(const Problem& problem) {
+  ProblemFacts facts;
+  facts.ring = problem.ring || problem.based;
+  add_facts(*problem.manifold, facts);
+  add_facts(*problem.cost, facts);
+  facts.pulls_tight = pulls_tight(problem, facts);
   return facts;
 }
 

@@ -24,6 +24,7 @@ struct ProblemFacts {
   bool ring = false;
   bool obstacles = false, robot = false;
   bool euclidean = false;        ///< R^d or a box in it, obstacles apart
+  bool unbounded = false;        ///< R^d as a whole
   bool terrain = false;          ///< a height field over the plane
   bool chart = false;            ///< a surface given by coordinates, terrain and the Earth included
   bool mesh = false;             ///< made of triangles
@@ -32,6 +33,7 @@ struct ProblemFacts {
   bool level_set = false;        ///< a surface f = 0
   int coordinates = 0;           ///< of points; 0: not known yet
   bool constant_metric = false;  ///< the cost is a length in one metric
+  bool length = false;           ///< the cost is a multiple of the length
   bool layers = false;           ///< the cost has a constant index in each of several layers
   bool cells = false;            ///< the cost is constant in each cell of a raster
   bool field = false;            ///< the cost depends on the place: paths on several sides may be locally least

@@ -4,13 +4,22 @@
 
 #include <algorithm>
 
+#include <leastcost/framework/domain/manifold.hpp>
+#include <leastcost/recipes/facts.hpp>
 #include "catalogue/options/options_writer.hpp"
+#include "catalogue/plugins/external_plugin.hpp"
 #include "catalogue/yaml/scalars.hpp"
 
 namespace leastcost {
 
 bool is_type(const PluginChoice& choice, std::initializer_list<std::string_view> types) {
   return choice && std::count(types.begin(), types.end(), choice.plugin->type) > 0;
+}
+
+bool is_flat(const PluginChoice& manifold) {
+  ProblemFacts facts;
+  if (const auto* domain = external_object<ConstraintManifold>(manifold)) add_facts(*domain, facts);
+  return facts.euclidean || is_type(manifold, {"euclidean"});
 }
 
 ConfigNode options_as_tree(const PluginChoice& choice) {

@@ -4,14 +4,19 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <variant>
 
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/initializers/eikonal.hpp>
+#include <leastcost/recipes/facts.hpp>
 #include "catalogue/config/choice_options.hpp"
 #include "catalogue/config/config_facts.hpp"
 #include "catalogue/config/raster_reading.hpp"
+#include "catalogue/plugins/external_plugin.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/registry/registry.hpp"
 
@@ -31,6 +36,17 @@ void fall_back(PluginChoice& eikonal) {
   static_cast<OptionsOf<EikonalOptions>&>(*eikonal.options).value.fallback = true;
 }
 
+/// The domain that a configuration names; null where it describes one.
+const ConstraintManifold* object_at(const ConfigNode& tree, std::string_view key, const Externals& externals) {
+  const ConfigNode* type = node_at(tree, std::string(key) + ".type");
+  const ConfigNode* name = node_at(tree, std::string(key) + ".name");
+  if (type == nullptr || name == nullptr || type->text != kExternal) return nullptr;
+  const auto found = externals.find(name->text);
+  if (found == externals.end()) return nullptr;
+  const auto* domain = std::get_if<std::shared_ptr<const ConstraintManifold>>(&found->second);
+  return domain == nullptr ? nullptr : domain->get();
+}
+
 }  // namespace
 
 void fill_defaults(RunConfig& config) {
@@ -44,8 +60,7 @@ void fill_defaults(RunConfig& config) {
   fill("initializer", word_of(recommended_first_path(facts)), config.initializer);
   if (default_first && is_type(config.initializer, {"eikonal"})) fall_back(config.initializer);
   const bool exact = default_steps && (makes_exact_curves(facts) || proves_shortest(config));
-  if (exact && !config.solver && default_first && is_type(config.manifold, {"mesh"}))
-    go_over_diagonals(config.initializer);
+  if (exact && !config.solver && default_first && facts.mesh && !facts.occupancy) go_over_diagonals(config.initializer);
   fill("solver", word_of(recommended_solver(facts, exact)), config.solver);
   if (!default_steps) return;
   PluginList& steps = config.post_process.emplace();
@@ -54,14 +69,15 @@ void fill_defaults(RunConfig& config) {
                                    "post_process." + std::to_string(steps.size())));
 }
 
-void complete_types(ConfigNode& tree) {
+void complete_types(ConfigNode& tree, const Externals& externals) {
   const auto text_at = [&](std::string_view path) {
     const ConfigNode* node = node_at(tree, path);
     return node != nullptr && node->is_scalar() ? node->text : std::string();
   };
   const std::string type = text_at("manifold");
   const PluginEntry* manifold = find_plugin(kind("manifold"), type.empty() ? text_at("manifold.type") : type);
-  if (manifold == nullptr) return;  // an error of its own
+  const ConstraintManifold* object = object_at(tree, "manifold", externals);
+  if (manifold == nullptr && object == nullptr) return;  // an error of its own
   const std::string cost = text_at("cost"), cost_type = cost.empty() ? text_at("cost.type") : cost;
   const ConfigNode* point = node_at(tree, "ends.source.point");
   if (point == nullptr) point = node_at(tree, "ends.source.lonlat");
@@ -69,9 +85,10 @@ void complete_types(ConfigNode& tree) {
   const bool by_default = (interpolation.empty() || interpolation == "auto") && tree.find("solver") == nullptr &&
                           tree.find("post_process") == nullptr && tree.find("clearance") == nullptr;
   ProblemFacts facts = facts_of_types(manifold, cost_type);
+  if (object != nullptr) add_facts(*object, facts);
   facts.ring = text_at("path.ring") == "true";
-  facts.obstacles = tree.find("obstacles") != nullptr;
-  facts.robot = tree.find("robot") != nullptr;
+  facts.obstacles = facts.obstacles || tree.find("obstacles") != nullptr;
+  facts.robot = facts.robot || tree.find("robot") != nullptr;
   facts.coordinates = point != nullptr ? static_cast<int>(point->items.size()) : 0;
   facts.cells = cost_type == "cost_map" && (by_default || interpolation == "cells");
   const std::array<std::pair<const char*, std::string>, 3> defaults = {

@@ -5,9 +5,12 @@
 #include <algorithm>
 
 #include <leastcost/problems/initializers/dijkstra.hpp>
+#include <leastcost/problems/obstacles/has_walls.hpp>
+#include <leastcost/recipes/facts.hpp>
 #include "catalogue/config/choice_options.hpp"
 #include "catalogue/config/raster_reading.hpp"
 #include "catalogue/plugins/abilities.hpp"
+#include "catalogue/plugins/external_plugin.hpp"
 
 namespace leastcost {
 namespace {
@@ -24,22 +27,38 @@ bool has_several_ways(std::string_view cost) {
 
 /// The coordinates of points, where the ends say so, or of many pairs of ends their flat domain; else 0.
 Eigen::Index coordinates(const RunConfig& config) {
-  if (config.has_pairs())
-    return is_type(config.manifold, {"euclidean"}) ? whole_option(config.manifold, "dimension") : 0;
+  if (const auto* domain = external_object<ConstraintManifold>(config.manifold)) return domain->dimensions().coordinate;
+  if (config.has_pairs()) return is_flat(config.manifold) ? whole_option(config.manifold, "dimension") : 0;
   if (config.source && config.source->lonlat) return 2;
   return config.source && config.source->point ? config.source->point->size() : 0;
 }
 
-/// A string in space knows obstacles only: one that the sides of a box would have to hold is a solver's.
 bool is_unbounded(const PluginChoice& euclidean) {
   const ConfigNode options = options_as_tree(euclidean);
   return options.find("lower") == nullptr && options.find("upper") == nullptr;
 }
 
-/// Among obstacles, under a cost that is a length.
-bool plans_taut(const RunConfig& config) {
-  return is_type(config.manifold, {"euclidean"}) && is_type(config.cost, {"euclidean"}) && coordinates(config) != 0 &&
-         why_not_taut(config).empty() && (coordinates(config) == 2 || is_unbounded(config.manifold));
+/// Among obstacles, under a cost that is a length. A string in space knows obstacles only: one that the sides of a box
+/// would have to hold is a solver's.
+bool plans_taut(const RunConfig& config, const ProblemFacts& facts) {
+  return facts.euclidean && facts.length && facts.coordinates != 0 && why_not_taut(config).empty() &&
+         (facts.coordinates == 2 || facts.unbounded);
+}
+
+/// What an object that stands for the domain keeps paths out of; null: nothing.
+const Walls* walls_of(const PluginChoice& manifold) {
+  const auto* among = find_ability<HasWalls>(external_object<ConstraintManifold>(manifold));
+  return among == nullptr ? nullptr : &among->walls();
+}
+
+bool is_taut_around(const Walls& walls, Eigen::Index dimension) {
+  return dimension == 2 ? find_ability<HasRounds>(walls) != nullptr : find_ability<HasSupportPlanes>(walls) != nullptr;
+}
+
+/// Whether a path can be pulled tight around it, in the plane or in space.
+bool is_taut_around(const PluginChoice& obstacle, Eigen::Index dimension) {
+  if (const auto* object = external_object<Obstacle>(obstacle)) return dimension == 2 || object->convex();
+  return is_type(obstacle, {"ball", "box"}) || (dimension != 3 && is_type(obstacle, {"polygon", "map"}));
 }
 
 /// A first path that states no class: waypoints, other routes and the like are given for the sake of their class.
@@ -72,12 +91,14 @@ ProblemFacts facts_of_types(const PluginEntry* manifold, std::string_view cost) 
 std::string why_not_taut(const RunConfig& config) {
   if (config.ring) return "joins two ends, but a ring has none";
   if (config.robot) return "works for points, not for a robot";
-  if (config.manifold && !is_type(config.manifold, {"euclidean"})) return "works in the plane and in space";
-  if (config.obstacles.empty()) return "needs obstacles around which to pull the path";
+  if (config.manifold && !is_flat(config.manifold)) return "works in the plane and in space";
+  const Walls* walls = walls_of(config.manifold);
+  if (config.obstacles.empty() && walls == nullptr) return "needs obstacles around which to pull the path";
   const Eigen::Index d = coordinates(config);
   if (d != 0 && d != 2 && d != 3) return "works in the plane and in space";
+  if (walls != nullptr && !is_taut_around(*walls, d)) return "needs obstacles that a path can be pulled tight around";
   for (const PluginChoice& obstacle : config.obstacles)
-    if (obstacle && !is_type(obstacle, {"ball", "box"}) && (d == 3 || !is_type(obstacle, {"polygon", "map"})))
+    if (obstacle && !is_taut_around(obstacle, d))
       return d == 3 ? "needs convex obstacles: balls or boxes"
                     : "needs obstacles that are balls, boxes, polygons or maps";
   return "";
@@ -86,14 +107,18 @@ std::string why_not_taut(const RunConfig& config) {
 ProblemFacts facts_of(const RunConfig& config) {
   const std::string_view cost = config.cost ? std::string_view(config.cost.plugin->type) : std::string_view();
   ProblemFacts facts = facts_of_types(config.manifold.plugin, cost);
-  facts.ring = config.ring;
-  facts.obstacles = !config.obstacles.empty();
-  facts.robot = static_cast<bool>(config.robot);
-  facts.coordinates = static_cast<int>(coordinates(config));
+  facts.unbounded = facts.euclidean && is_unbounded(config.manifold);
   facts.constant_metric = config.cost && config.cost.provides<HasConstantMetric>();
+  facts.length = is_type(config.cost, {"euclidean"});
   facts.layers = config.cost && config.cost.provides<HasLayers>();
   facts.cells = reads_cells(config);
-  facts.pulls_tight = plans_taut(config);
+  if (const auto* domain = external_object<ConstraintManifold>(config.manifold)) add_facts(*domain, facts);
+  if (const auto* object = external_object<SegmentCost>(config.cost)) add_facts(*object, facts);
+  facts.ring = config.ring;
+  facts.obstacles = facts.obstacles || !config.obstacles.empty();
+  facts.robot = facts.robot || config.robot;
+  facts.coordinates = static_cast<int>(coordinates(config));
+  facts.pulls_tight = plans_taut(config, facts);
   return facts;
 }
 

@@ -13,12 +13,14 @@
 #include "catalogue/config/run_checks.hpp"
 #include "catalogue/options/options_reader.hpp"
 #include "catalogue/yaml/overrides.hpp"
+#include "catalogue/yaml/value_reader.hpp"
 #include "catalogue/yaml/yaml_reader.hpp"
+#include "catalogue/yaml/yaml_writer.hpp"
 
 namespace leastcost {
 
 LoadedConfig parse_config(std::string text, const std::string& file_name, const std::filesystem::path& folder,
-                          const std::vector<Override>& overrides) {
+                          const std::vector<Override>& overrides, const Externals& externals) {
   LoadedConfig loaded{{}, folder, std::move(text), {}, {1, 1, 1, ""}, {}, {file_name, ""}};
   loaded.errors = Diagnostics(file_name, loaded.text);
   loaded.tree = read_yaml(loaded.text, loaded.errors);
@@ -27,17 +29,27 @@ LoadedConfig parse_config(std::string text, const std::string& file_name, const 
   // A text that is no YAML gives one error, not one more for every key that was never reached.
   if (!readable && !loaded.tree.is_block()) return loaded;
   const std::string stem = std::filesystem::path(file_name).stem().string();
-  read_tree(loaded, stem.empty() ? "run" : stem);
+  read_tree(loaded, stem.empty() ? "run" : stem, externals);
   return loaded;
 }
 
-void read_tree(LoadedConfig& loaded, const std::string& name) {
+LoadedConfig parse_config(const ConfigValue& tree, const std::string& name, const std::filesystem::path& folder,
+                          const std::vector<Override>& overrides, const Externals& externals) {
+  LoadedConfig loaded{{}, folder, "", {}, {0, 0, 1, name}, {}, {name, ""}};
+  loaded.tree = read_value(tree, name, loaded.errors);
+  loaded.text = to_yaml(loaded.tree);
+  apply_overrides(overrides, loaded.tree, loaded.errors);
+  if (loaded.errors.empty() || loaded.tree.is_block()) read_tree(loaded, name, externals);
+  return loaded;
+}
+
+void read_tree(LoadedConfig& loaded, const std::string& name, const Externals& externals) {
   if (const ConfigEntry* problems = loaded.tree.find("problems"))
     return loaded.errors.error(problems->place,
                                "this file has 'problems', so it is a study: run it with leastcost study");
   loaded.config.name = name;
-  complete_types(loaded.tree);
-  OptionsReader reader(loaded.tree, "", loaded.place, loaded.errors);
+  complete_types(loaded.tree, externals);
+  OptionsReader reader(loaded.tree, "", loaded.place, loaded.errors, &externals);
   loaded.config.fields(reader);
   reader.finish();
   check_and_complete(loaded);
@@ -66,8 +78,9 @@ std::string config_text(std::istream& in) {
   return text;
 }
 
-LoadedConfig load_config(const std::filesystem::path& file, const std::vector<Override>& overrides) {
-  LoadedConfig loaded = parse_config(config_text(file), file.string(), file.parent_path(), overrides);
+LoadedConfig load_config(const std::filesystem::path& file, const std::vector<Override>& overrides,
+                         const Externals& externals) {
+  LoadedConfig loaded = parse_config(config_text(file), file.string(), file.parent_path(), overrides, externals);
   loaded.file = file;
   return loaded;
 }

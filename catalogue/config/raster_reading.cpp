@@ -6,6 +6,8 @@
 
 #include <leastcost/problems/costs/cost_map.hpp>
 #include "catalogue/config/choice_options.hpp"
+#include "catalogue/plugins/external_plugin.hpp"
+#include "problems/cells/has_cost_cells.hpp"
 
 namespace leastcost {
 namespace {
@@ -22,10 +24,11 @@ bool asks_for_smooth(const RunConfig& config) { return config.solver || config.p
 }  // namespace
 
 bool is_free(const RunConfig& config) {
-  return !config.ring && !config.robot && config.obstacles.empty() && is_type(config.manifold, {"euclidean"});
+  return !config.ring && !config.robot && config.obstacles.empty() && is_flat(config.manifold);
 }
 
 bool reads_cells(const RunConfig& config) {
+  if (const auto* cost = external_object<SegmentCost>(config.cost)) return find_ability<HasCostCells>(*cost) != nullptr;
   const auto* interpolation = interpolation_of(config);
   return interpolation != nullptr && *interpolation == CostMapInterpolation::cells;
 }

@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <array>
 
+#include <leastcost/problems/obstacles/has_walls.hpp>
 #include "catalogue/config/choice_options.hpp"
 #include "catalogue/config/config_defaults.hpp"
 #include "catalogue/config/config_facts.hpp"
 #include "catalogue/config/raster_reading.hpp"
 #include "catalogue/plugins/abilities.hpp"
+#include "catalogue/plugins/external_plugin.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/registry/registry.hpp"
 #include "catalogue/yaml/scalars.hpp"
@@ -202,6 +204,18 @@ void check_cells(LoadedConfig& loaded) {
                       choice.plugin->type));
 }
 
+/// A domain that is handed over among its own obstacles takes no others.
+void check_walls(LoadedConfig& loaded) {
+  const RunConfig& config = loaded.config;
+  if (find_ability<HasWalls>(external_object<ConstraintManifold>(config.manifold)) == nullptr) return;
+  for (const char* key : {"obstacles", "robot", "clearance"})
+    if (loaded.tree.find(key) != nullptr)
+      loaded.errors.error(place_of(loaded.tree, key),
+                          fmt::format("'{}': the manifold is handed over among obstacles of its own: remove this key, "
+                                      "or hand over the manifold without them",
+                                      key));
+}
+
 /// What a bracket of the globally least cost in a box needs, as far as a configuration shows it.
 void check_bracket(LoadedConfig& loaded) {
   const RunConfig& config = loaded.config;
@@ -286,6 +300,7 @@ void check_and_complete(LoadedConfig& loaded) {
   check_refract(loaded);
   check_cells(loaded);
   check_bracket(loaded);
+  check_walls(loaded);
   check_needs(loaded, loaded.config.initializer);
   check_needs(loaded, loaded.config.solver);
   for (const PluginChoice& choice : loaded.config.family.initializers) check_needs(loaded, choice);

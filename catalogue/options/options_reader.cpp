@@ -11,8 +11,9 @@
 
 namespace leastcost {
 
-OptionsReader::OptionsReader(const ConfigNode& block, std::string name, const Place& place, Diagnostics& errors)
-    : block_(block), name_(std::move(name)), place_(place), errors_(errors) {
+OptionsReader::OptionsReader(const ConfigNode& block, std::string name, const Place& place, Diagnostics& errors,
+                             const Externals* externals)
+    : block_(block), name_(std::move(name)), place_(place), errors_(errors), externals_(externals) {
   if (block.is_block()) return;
   const std::string what = name_.empty() ? "the configuration" : "'" + name_ + "'";
   errors_.error(block.kind == ConfigNode::Kind::nothing ? place : block.place,
@@ -201,7 +202,7 @@ void OptionsReader::group(std::string_view key, const FieldDoc& doc, const std::
 void OptionsReader::block(std::string_view key, const FieldDoc& doc, const std::function<void(RunVisitor&)>& body) {
   const ConfigEntry* e = entry(key, doc);
   if (e == nullptr) return;
-  OptionsReader inner(e->value, path(key), e->place, errors_);
+  OptionsReader inner(e->value, path(key), e->place, errors_, externals_);
   body(inner);
   inner.finish();
 }

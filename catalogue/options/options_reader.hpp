@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <leastcost/catalogue/plugins/externals.hpp>
 #include "catalogue/plugins/run_visitor.hpp"
 #include "catalogue/yaml/config_node.hpp"
 
@@ -23,8 +24,10 @@ namespace leastcost {
 class OptionsReader final : public RunVisitor {
  public:
   /// `block`: a block, or a node of another kind, which is one error. `name`: its key, empty for the whole
-  /// configuration. `place`: where missing keys are reported.
-  OptionsReader(const ConfigNode& block, std::string name, const Place& place, Diagnostics& errors);
+  /// configuration. `place`: where missing keys are reported. `externals`: what {type: external}
+  /// can name; null: nothing.
+  OptionsReader(const ConfigNode& block, std::string name, const Place& place, Diagnostics& errors,
+                const Externals* externals = nullptr);
 
   void field(std::string_view key, bool& value, const FieldDoc& doc) override;
   void field(std::string_view key, int& value, const FieldDoc& doc) override;
@@ -69,6 +72,7 @@ class OptionsReader final : public RunVisitor {
   PluginChoice read_plugin(const ConfigNode& node, const Place& place, const std::string& path, const PluginKind& kind);
   const PluginEntry* find_type(const ConfigNode& node, const Place& place, const std::string& path,
                                const PluginKind& kind);
+  PluginChoice find_external(const ConfigNode& node, const PluginChoice& asked, const PluginKind& kind);
   std::string inside() const { return name_.empty() ? "" : " in " + name_; }
   std::string path(std::string_view key) const {
     return name_.empty() ? std::string(key) : name_ + "." + std::string(key);
@@ -78,6 +82,7 @@ class OptionsReader final : public RunVisitor {
   std::string name_;
   Place place_;
   Diagnostics& errors_;
+  const Externals* externals_;
   std::vector<std::string> known_;
 };
 

@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <variant>
 
 #include "catalogue/options/options_reader.hpp"
+#include "catalogue/plugins/external_plugin.hpp"
 #include "catalogue/registry/registry.hpp"
 #include "catalogue/yaml/scalars.hpp"
 #include "catalogue/yaml/suggest.hpp"
@@ -30,6 +32,7 @@ const PluginEntry* OptionsReader::find_type(const ConfigNode& node, const Place&
                                            types.front(), found(*type)));
     return nullptr;
   }
+  if (type->text == kExternal) return &external_plugin();
   const PluginEntry* plugin = find_plugin(kind, type->text);
   if (plugin == nullptr) {
     errors_.error(type->place, fmt::format("unknown {} {}{}; valid types: {}", kind.name, in_quotes(type->text),
@@ -52,11 +55,39 @@ PluginChoice OptionsReader::read_plugin(const ConfigNode& node, const Place& pla
     options = ConfigNode{};
     options.kind = ConfigNode::Kind::block;
   }
-  OptionsReader reader(options, path, place, errors_);
+  OptionsReader reader(options, path, place, errors_, externals_);
   choice.options->fields(reader);
   reader.known_.emplace_back("type");
   reader.finish();
-  return choice;
+  return plugin->type == kExternal ? find_external(options, choice, kind) : choice;
+}
+
+PluginChoice OptionsReader::find_external(const ConfigNode& node, const PluginChoice& asked, const PluginKind& kind) {
+  const ConfigEntry* named = node.find("name");
+  if (named == nullptr || !named->value.is_scalar()) return {};  // an error of its own
+  const std::string& name = named->value.text;
+  const auto refuse = [&](const std::string& why) {
+    errors_.error(named->value.place, why);
+    return PluginChoice{};
+  };
+  if (externals_ == nullptr || externals_->empty())
+    return refuse(
+        fmt::format("there is no object {}: objects are handed over by the program that reads the "
+                    "configuration (externals in C++, keywords of run() in Python)",
+                    in_quotes(name)));
+  const auto found = externals_->find(name);
+  if (found == externals_->end()) {
+    std::vector<std::string> names;
+    for (const auto& [known, object] : *externals_) names.push_back(known);
+    return refuse(
+        fmt::format("there is no object {}{}; objects: {}", in_quotes(name), did_you_mean(name, names), joined(names)));
+  }
+  if (std::visit([](const auto& object) { return object == nullptr; }, found->second))
+    return refuse(fmt::format("the object {} is null", in_quotes(name)));
+  if (kind_of(found->second) != kind.name)
+    return refuse(fmt::format("the object {} can stand for a {}, not for a {}", in_quotes(name), kind_of(found->second),
+                              kind.name));
+  return choose_external(found->second, name, asked.path);
 }
 
 void OptionsReader::plugin(std::string_view key, PluginChoice& value, std::string_view kind, const FieldDoc& doc) {
@@ -120,7 +151,7 @@ void OptionsReader::variant_of(std::string_view key, std::optional<std::size_t>&
     options = ConfigNode{};
     options.kind = ConfigNode::Kind::block;
   }
-  OptionsReader reader(options, path(key), e->place, errors_);
+  OptionsReader reader(options, path(key), e->place, errors_, externals_);
   if (variants[*at].fields) variants[*at].fields(reader);
   reader.known_.emplace_back("type");
   reader.finish();
@@ -130,7 +161,7 @@ void OptionsReader::end(std::string_view key, std::optional<EndOptions>& value, 
   const ConfigEntry* e = entry(key, doc);
   if (e == nullptr) return;
   const std::size_t before = errors_.size();
-  OptionsReader reader(e->value, path(key), e->place, errors_);
+  OptionsReader reader(e->value, path(key), e->place, errors_, externals_);
   EndOptions& end = value.emplace();
   end.fields(reader);
   reader.finish();

@@ -79,7 +79,7 @@ void OptionsReader::blocks(std::string_view key, const BlockList& list, const Fi
   list.resize(e->value.items.size());
   for (std::size_t i = 0; i < e->value.items.size(); ++i) {
     const ConfigNode& item = e->value.items[i];
-    OptionsReader inner(item, fmt::format("{}.{}", path(key), i), item.place, errors_);
+    OptionsReader inner(item, fmt::format("{}.{}", path(key), i), item.place, errors_, externals_);
     list.fields(i, inner);
     inner.finish();
   }

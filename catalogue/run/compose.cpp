@@ -28,8 +28,10 @@
 #include <leastcost/problems/post_processors/choose_global_proof.hpp>
 #include <leastcost/problems/raster/has_voids.hpp>
 #include <leastcost/problems/robots/robot_walls.hpp>
+#include "catalogue/config/choice_options.hpp"
 #include "catalogue/config/config_facts.hpp"
 #include "catalogue/plugins/abilities.hpp"
+#include "catalogue/plugins/external_plugin.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/registry/registry.hpp"
 #include "catalogue/run/ends.hpp"
@@ -148,10 +150,13 @@ void check_needs(const PluginChoice& choice, const PluginChoice& giver, const Co
   });
 }
 
+/// Costs that a raster may stand behind, with places without data and on the Earth.
+bool may_be_map(const PluginChoice& cost) { return is_type(cost, {"cost_map", kExternal}); }
+
 /// Whether ends are in longitude and latitude on a cost map in the plane.
 bool wants_place_of_cost(const RunConfig& config, int dimension) {
   const bool lonlat = (config.source && config.source->lonlat) || (config.target && config.target->lonlat);
-  return lonlat && dimension == 2 && config.cost.plugin->type == "cost_map";
+  return lonlat && dimension == 2 && may_be_map(config.cost);
 }
 
 using ManifoldPtr = std::shared_ptr<const ConstraintManifold>;
@@ -283,7 +288,7 @@ std::vector<std::shared_ptr<const Obstacle>> Composer::voids() {
     all.insert(all.end(), boxes.begin(), boxes.end());
   };
   add(find_ability<HasVoids>(*out_.problem.manifold));
-  if (context_.dimension == 2 && config_.cost.plugin->type == "cost_map") {
+  if (context_.dimension == 2 && may_be_map(config_.cost)) {
     make_or_check(config_.cost, out_.problem.cost);
     if (out_.problem.cost) add(find_ability<HasVoids>(*out_.problem.cost));
   }
@@ -315,8 +320,7 @@ void Composer::go_round_voids() {
 
 /// After the ends have found their places: an end that is given within an obstacle is an error, not to be moved.
 void Composer::place_obstacles() {
-  const bool voids_wait =
-      takes_voids() && !files_ && config_.cost.plugin->type == "cost_map" && context_.dimension == 2;
+  const bool voids_wait = takes_voids() && !files_ && may_be_map(config_.cost) && context_.dimension == 2;
   FreeSpace::Obstacles all = voids_wait ? FreeSpace::Obstacles{} : voids();
   const std::size_t void_count = all.size();
   if (config_.obstacles.empty() && !voids_wait && !has_voids_ && config_.clearance > 0)

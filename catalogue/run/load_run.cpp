@@ -81,15 +81,22 @@ Run composed(LoadedConfig loaded, const BuildProgress& progress, const RunStart&
 
 }  // namespace
 
-Run load_run(const std::filesystem::path& file, const std::vector<Override>& overrides, const BuildProgress& progress) {
+Run load_run(const std::filesystem::path& file, const std::vector<Override>& overrides, const BuildProgress& progress,
+             const Externals& externals) {
   const RunStart start;
-  return composed(load_config(file, overrides), progress, start);
+  return composed(load_config(file, overrides, externals), progress, start);
 }
 
 Run parse_run(std::string text, const std::string& name, const std::filesystem::path& folder,
-              const std::vector<Override>& overrides, const BuildProgress& progress) {
+              const std::vector<Override>& overrides, const BuildProgress& progress, const Externals& externals) {
   const RunStart start;
-  return composed(parse_config(std::move(text), name, folder, overrides), progress, start);
+  return composed(parse_config(std::move(text), name, folder, overrides, externals), progress, start);
+}
+
+Run parse_run(const ConfigValue& tree, const std::string& name, const std::filesystem::path& folder,
+              const std::vector<Override>& overrides, const BuildProgress& progress, const Externals& externals) {
+  const RunStart start;
+  return composed(parse_config(tree, name, folder, overrides, externals), progress, start);
 }
 
 }  // namespace leastcost

@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include <leastcost/catalogue/plugins/externals.hpp>
 #include <leastcost/catalogue/run/run.hpp>
+#include <leastcost/catalogue/yaml/config_value.hpp>
 #include <leastcost/catalogue/yaml/diagnostics.hpp>
 #include <leastcost/catalogue/yaml/override.hpp>
 #include <leastcost/problems/distance/build_progress.hpp>
@@ -15,12 +17,18 @@ namespace leastcost {
 
 /// Reads, checks and composes; all files of the configuration have been read afterwards. `progress` hears of domains
 /// that take a while to make, and may throw to stop. Throws ConfigError with every error and its place, InputError.
+/// `externals`: objects that the configuration names as {type: external, name: ...}.
 Run load_run(const std::filesystem::path& file, const std::vector<Override>& overrides = {},
-             const BuildProgress& progress = {});
+             const BuildProgress& progress = {}, const Externals& externals = {});
 
 /// The same for a configuration that is in memory. `name`: what messages call it, and the default name of the run;
 /// `folder`: what its files are relative to, empty for the current one.
 Run parse_run(std::string text, const std::string& name, const std::filesystem::path& folder = {},
-              const std::vector<Override>& overrides = {}, const BuildProgress& progress = {});
+              const std::vector<Override>& overrides = {}, const BuildProgress& progress = {},
+              const Externals& externals = {});
+/// The same for values that have no text; messages say config['solver']['tolerance'] where `name` is "config".
+Run parse_run(const ConfigValue& tree, const std::string& name, const std::filesystem::path& folder = {},
+              const std::vector<Override>& overrides = {}, const BuildProgress& progress = {},
+              const Externals& externals = {});
 
 }  // namespace leastcost

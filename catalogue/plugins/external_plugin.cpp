@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "catalogue/plugins/external_plugin.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "catalogue/plugins/abilities.hpp"
+#include "catalogue/plugins/kinds.hpp"
+#include "catalogue/plugins/run_visitor.hpp"
+
+namespace leastcost {
+namespace {
+
+/// In the order of ExternalObject.
+constexpr std::array<std::string_view, std::variant_size_v<ExternalObject>> kKinds = {
+    "manifold", "obstacle", "robot", "cost", "kernel", "initializer", "solver", "post_processor"};
+
+/// What the factories of the kind make: the object itself, or a list with it.
+template <class Object>
+using MadeOf = std::conditional_t<std::is_same_v<Object, Obstacle>, std::vector<std::shared_ptr<const Object>>,
+                                  std::shared_ptr<const Object>>;
+
+/// The words of the abilities that this object has, where its kind has any.
+template <class Object>
+std::vector<std::string> words_of(const Object& object) {
+  std::vector<std::string> words;
+  if constexpr (std::is_base_of_v<HasAbilities<Object>, Object>)
+    for_each_ability([&]<class Ability>() {
+      if (find_ability<Ability>(object) != nullptr) words.emplace_back(Ability::kAbility);
+    });
+  return words;
+}
+
+void check_dimension(const SegmentCost& cost, const BuildContext& context) {
+  if (context.dimension == 0 || cost.dim() == context.dimension) return;
+  throw OptionError("name", fmt::format("the cost is one of moves in R^{}, but the manifold lies in R^{}", cost.dim(),
+                                        context.dimension));
+}
+
+template <class Object>
+std::shared_ptr<const PluginEntry> plugin_for(const Object& object) {
+  auto entry = std::make_shared<Plugin<MadeOf<Object>>>();
+  entry->type = kExternal;
+  entry->summary = "An object of the caller.";
+  entry->provides = words_of(object);
+  if constexpr (std::is_same_v<Object, ConstraintManifold>) entry->ambient = object.dimensions().ambient;
+  entry->make = [](const AnyOptions& options, const BuildContext& context) -> MadeOf<Object> {
+    const std::shared_ptr<const Object>& made = static_cast<const External<Object>&>(options).object();
+    if constexpr (std::is_same_v<Object, SegmentCost>) check_dimension(*made, context);
+    static_cast<void>(context);
+    return MadeOf<Object>{made};
+  };
+  return entry;
+}
+
+}  // namespace
+
+void ExternalName::fields(FieldVisitor& visit) {
+  visit.field("name", name, {.help = "Name under which the calling program hands over the object.", .required = true});
+}
+
+template <class Object>
+void External<Object>::fields(RunVisitor& visit) {
+  name_.fields(visit);
+}
+
+std::string_view kind_of(const ExternalObject& object) { return kKinds.at(object.index()); }
+
+const PluginEntry& external_plugin() {
+  static const PluginEntry entry = [] {
+    PluginEntry named;
+    named.type = kExternal;
+    named.summary = "An object of the program that reads the configuration, by its name.";
+    named.defaults = [] { return std::make_unique<OptionsOf<ExternalName>>(); };
+    return named;
+  }();
+  return entry;
+}
+
+PluginChoice choose_external(const ExternalObject& object, std::string name, std::string path) {
+  return std::visit(
+      [&]<class Object>(const std::shared_ptr<const Object>& given) {
+        const std::shared_ptr<const PluginEntry> plugin = plugin_for(*given);
+        auto options = std::make_shared<External<Object>>(std::move(name), given);
+        options->keep(plugin);
+        return PluginChoice{plugin.get(), std::move(options), std::move(path)};
+      },
+      object);
+}
+
+}  // namespace leastcost

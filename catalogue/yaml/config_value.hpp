@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace leastcost {
+
+struct ConfigEntryValue;
+
+/// A configuration, or a part of one, as values in memory: what a YAML file has as text. A text is never a number.
+struct ConfigValue {
+  using List = std::vector<ConfigValue>;
+  using Block = std::vector<ConfigEntryValue>;  ///< keys are unique
+  using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, List, Block>;
+
+  ConfigValue() = default;
+  ConfigValue(bool value);
+  ConfigValue(int value);
+  ConfigValue(std::int64_t value);
+  ConfigValue(double value);
+  ConfigValue(const char* text);
+  ConfigValue(std::string text);
+  ConfigValue(List list);
+  ConfigValue(Block block);
+
+  Value value;  ///< nothing: a key without a value
+};
+
+struct ConfigEntryValue {
+  std::string key;
+  ConfigValue value;
+};
+
+// Here, as a block is complete only now.
+inline ConfigValue::ConfigValue(bool value) : value(value) {}
+inline ConfigValue::ConfigValue(int value) : value(std::int64_t{value}) {}
+inline ConfigValue::ConfigValue(std::int64_t value) : value(value) {}
+inline ConfigValue::ConfigValue(double value) : value(value) {}
+inline ConfigValue::ConfigValue(const char* text) : value(std::string(text)) {}
+inline ConfigValue::ConfigValue(std::string text) : value(std::move(text)) {}
+inline ConfigValue::ConfigValue(List list) : value(std::move(list)) {}
+inline ConfigValue::ConfigValue(Block block) : value(std::move(block)) {}
+
+}  // namespace leastcost
