@@ -43,12 +43,9 @@ def source_of(
 ) -> _leastcost.Source:
     """A path is read; a text with a line break is the configuration itself, and so is a dict."""
     reader = _Reader(objects or {})
-    if isinstance(config, Mapping):
-        tree = reader.plain(config, "config")
-        for key, value in (set or {}).items():
-            _put(tree, key, reader.plain(value, f"set[{key!r}]"))
-        return _leastcost.Source(None, "", tree, Path(folder), [], reader.externals)
     assignments = [f"{key}={json.dumps(reader.plain(value, f'set[{key!r}]'))}" for key, value in (set or {}).items()]
+    if isinstance(config, Mapping):
+        return _leastcost.Source(None, "", reader.plain(config, "config"), Path(folder), assignments, reader.externals)
     if isinstance(config, str) and "\n" in config:
         return _leastcost.Source(None, config, None, Path(folder), assignments, reader.externals)
     if isinstance(config, (str, os.PathLike)):
@@ -119,22 +116,3 @@ def _external(value: Object, name: str) -> _leastcost.External:
         f"{name} is no object of a configuration: those are Mesh, Cloud, Terrain, Cost, CostMap, Wind, a function that "
         f"is a cost, and an array of points, not {type(value).__name__}"
     )
-
-
-def _put(tree: dict[str, Any], path: str, value: Any) -> None:
-    """At "solver.tolerance" or "post_process.0.type"; a word x is {type: x}."""
-    node: Any = tree
-    parts = path.split(".")
-    for part, following in zip(parts, [*parts[1:], None]):
-        key: Any = part
-        if isinstance(node, list):
-            if not part.isdecimal() or int(part) >= len(node):
-                raise ConfigError(f"set[{path!r}]: {part!r} is no position in a list of {len(node)}")
-            key = int(part)
-        if following is None:
-            node[key] = value
-            return
-        inner = node[key] if isinstance(node, list) else node.get(key)
-        if not isinstance(inner, (dict, list)):
-            inner = node[key] = {} if inner is None else {"type": inner}
-        node = inner

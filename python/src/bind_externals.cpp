@@ -56,9 +56,7 @@ RasterGrid raster_of(const Numbers& values, const Plane& origin, const Plane& ce
   return raster;
 }
 
-External domain(std::shared_ptr<const ConstraintManifold> manifold) {
-  return {[manifold = std::move(manifold)](int, const Errors&) { return manifold; }};
-}
+External domain(std::shared_ptr<const ConstraintManifold> manifold) { return {std::move(manifold)}; }
 
 std::vector<Eigen::Vector3d> vectors_of(const Numbers& rows) {
   std::vector<Eigen::Vector3d> list;
@@ -89,23 +87,23 @@ External terrain(const Numbers& heights, const Plane& origin, const Plane& cell)
 External cost_map(const Numbers& costs, const Plane& origin, const Plane& cell, bool cells) {
   const auto raster = std::make_shared<const RasterGrid>(raster_of(costs, origin, cell, "costs"));
   const auto reading = cells ? CostMapInterpolation::cells : CostMapInterpolation::smooth;
-  return {[raster, reading](int dimension, const Errors&) {
+  return {CostMaker([raster, reading](int dimension, const Errors&) {
     return made([&] { return make_cost_map(*raster, reading, dimension); });
-  }};
+  })};
 }
 
 /// `nodes`: x, y, u, v in each row.
 External wind(const Numbers& nodes, std::string speed, std::string unit) {
-  return {[table = Eigen::MatrixXd(columns_of(nodes).transpose()), speed = std::move(speed), unit = std::move(unit)](
-              int dimension, const Errors&) {
+  return {CostMaker([table = Eigen::MatrixXd(columns_of(nodes).transpose()), speed = std::move(speed),
+                     unit = std::move(unit)](int dimension, const Errors&) {
     return made([&] { return make_zermelo_cost({.speed = speed, .unit = unit}, table, dimension); });
-  }};
+  })};
 }
 
 External waypoints(const Numbers& points) {
   const std::shared_ptr<const Initializer> through =
       made([&] { return std::make_shared<const WaypointsInitializer>(columns_of(points)); });
-  return {[through](int, const Errors&) { return through; }};
+  return {through};
 }
 
 /// `dimension`: 0 where the manifold tells it.
@@ -117,10 +115,10 @@ External cost(py::function q, py::function check, std::string unit, bool symmetr
       CostTraits{.unit = std::move(unit), .symmetric = symmetric, .additive = additive, .quadratic_at_rest = symmetric},
       differences ? Derivatives::differences : Derivatives::complex_steps};
   const auto shared = std::make_shared<const PythonCostOptions>(options);
-  return {[shared, dimension](int of_manifold, const Errors& errors) -> ExternalObject {
+  return {CostMaker([shared, dimension](int of_manifold, const Errors& errors) {
     const py::gil_scoped_acquire gil;  // functions are copied
     return std::make_shared<const PythonCost>(*shared, dimension > 0 ? dimension : of_manifold, errors);
-  }};
+  })};
 }
 
 }  // namespace

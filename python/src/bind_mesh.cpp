@@ -135,7 +135,7 @@ void bind_mesh(py::module_& module) {
       .def("external",
            [](const Mesh& mesh) {
              const std::shared_ptr<const ConstraintManifold> manifold = mesh.manifold();
-             return External{[manifold](int, const std::shared_ptr<CallErrors>&) { return manifold; }};
+             return External{manifold};
            })
       .def(py::pickle(&state_of, &mesh_of));
 }

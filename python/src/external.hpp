@@ -4,16 +4,21 @@
 
 #include <functional>
 #include <memory>
+#include <variant>
 
-#include <leastcost/catalogue/run/externals.hpp>
+#include <leastcost/catalogue/plugins/externals.hpp>
 #include "python/src/call_errors.hpp"
 
 namespace leastcost::python {
 
-/// An object of Python as the library takes it in one run.
+/// Makes a cost for one run: of points with so many coordinates, where what functions raise goes to `errors`. Takes the
+/// GIL itself. Throws InputError.
+using CostMaker =
+    std::function<std::shared_ptr<const SegmentCost>(int dimension, const std::shared_ptr<CallErrors>& errors)>;
+
+/// An object of Python as the library takes it.
 struct External {
-  /// `dimension`: of the space in which points are, which costs depend on; `errors`: what functions raise.
-  std::function<ExternalObject(int dimension, const std::shared_ptr<CallErrors>& errors)> make;
+  std::variant<ExternalObject, CostMaker> made;
 };
 
 }  // namespace leastcost::python

@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/catalogue/config/config_value.hpp>
 #include <leastcost/catalogue/run/load_run.hpp>
 #include "python/src/external.hpp"
 
@@ -23,7 +22,7 @@ struct Source {
   std::optional<ConfigValue> tree;            ///< else this
   std::string text;                           ///< else this
   std::filesystem::path folder;               ///< of a tree or a text: its files are relative to it
-  std::vector<std::string> assignments;       ///< to a file or a text
+  std::vector<std::string> assignments;       ///< to its options
   std::map<std::string, External> externals;
 
   /// The run, as load_run() makes it. Without the GIL. What functions raise goes to `errors`.
@@ -33,7 +32,7 @@ struct Source {
 
  private:
   std::vector<Override> overrides() const;
-  Externals made(int dimension, const std::shared_ptr<CallErrors>& errors) const;
+  Externals objects(const std::shared_ptr<CallErrors>& errors) const;
 };
 
 /// None, bool, int, float, str, list and dict with keys that are texts.
