@@ -70,7 +70,8 @@ void bind_run(py::module_& module) {
       .def("curve", &Outcome::curve)
       .def("json", &Outcome::json)
       .def("write", &Outcome::write, "folder"_a, "replace"_a)
-      .def(py::pickle(&Outcome::state, [](py::tuple state) { return Outcome(std::move(state)); }));
+      .def(py::pickle([](const Outcome& outcome) { return outcome.state(); },
+                      [](py::tuple state) { return Outcome(std::move(state)); }));
   module.def("run", &run, "source"_a, "max_seconds"_a);
   module.def("validate", &Source::validate, "source"_a, py::call_guard<py::gil_scoped_release>());
 }
