@@ -5,6 +5,7 @@
 #include <pybind11/numpy.h>
 
 #include <Eigen/Core>
+#include <vector>
 
 namespace leastcost::python {
 
@@ -22,6 +23,12 @@ pybind11::array rows_of(const Matrix& points) {
 /// The same back: an array of shape (n, d) as d x n.
 inline Eigen::MatrixXd columns_of(const Numbers& rows) {
   return Eigen::Map<const Eigen::MatrixXd>(rows.data(), rows.shape(1), rows.shape(0));
+}
+
+/// Points in space, shape (n, 3), one by one.
+inline std::vector<Eigen::Vector3d> vectors_of(const Numbers& rows) {
+  const Eigen::Matrix3Xd columns = columns_of(rows);
+  return {columns.colwise().begin(), columns.colwise().end()};
 }
 
 }  // namespace leastcost::python

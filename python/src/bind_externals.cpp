@@ -58,12 +58,6 @@ RasterGrid raster_of(const Numbers& values, const Plane& origin, const Plane& ce
 
 External domain(std::shared_ptr<const ConstraintManifold> manifold) { return {std::move(manifold)}; }
 
-std::vector<Eigen::Vector3d> vectors_of(const Numbers& rows) {
-  std::vector<Eigen::Vector3d> list;
-  for (const auto x : Eigen::Matrix3Xd(columns_of(rows)).colwise()) list.emplace_back(x);
-  return list;
-}
-
 /// `normals`: of unit length, or of shape (0, 3); `numbers`: of the points among `count`.
 External cloud(const Numbers& points, const Numbers& normals, std::vector<std::int32_t> numbers, std::int32_t count,
                int neighbours, std::optional<double> radius, double max_edge) {

@@ -89,13 +89,12 @@ py::tuple state_of(const Mesh& mesh) {
 }
 
 std::unique_ptr<Mesh> mesh_of(const py::tuple& state) {
-  const Numbers positions = state[0].cast<Numbers>();
   const auto list = [&](std::size_t i) {
     const Whole numbers = state[i].cast<Whole>();
     return std::vector<std::int32_t>(numbers.data(), numbers.data() + numbers.size());
   };
   PolygonSoup soup{{}, list(1), list(2), state[3].cast<std::string>()};
-  for (const auto position : Eigen::Matrix3Xd(columns_of(positions)).colwise()) soup.positions.emplace_back(position);
+  soup.positions = vectors_of(state[0].cast<Numbers>());
   return std::make_unique<Mesh>(std::move(soup), state[4].cast<bool>());
 }
 

@@ -162,7 +162,7 @@ def test_north_of_a_wind():
     "make, message",
     [
         (lambda: lc.Terrain(np.zeros(5)), r"heights has the shape \(5,\); a raster has the shape \(rows, columns\)"),
-        (lambda: lc.Terrain(np.zeros((3, 3))), "rows|columns"),
+        (lambda: lc.Terrain(np.zeros((3, 3))), "heights: 3 x 3 cells; at least 4 x 4 are needed"),
         (lambda: lc.Terrain(np.zeros((5, 5)), cell=0), "cell is .*above 0"),
         (lambda: lc.Terrain(np.zeros((5, 5)), cell=(1, 2, 3)), r"cell has the shape \(3,\)"),
         (lambda: lc.Terrain(np.zeros((5, 5)), origin=3), r"origin has the shape \(\)"),
@@ -189,10 +189,10 @@ def test_around_obstacles():
     disc = {"type": "ball", "center": [0, 0], "radius": 1}
     result = lc.find_path(lc.Plane(), "euclidean", (-2, 0), (2, 0), obstacles=[disc])
     assert result.certified
-    assert result.cost == pytest.approx(2 * np.sqrt(3) + np.pi / 3, rel=1e-9)
+    assert result.cost == pytest.approx(2 * np.sqrt(3) + np.pi / 3, rel=1e-5)
     wider = lc.find_path(lc.Plane(), "euclidean", (-2, 0), (2, 0), obstacles=[disc], clearance=0.5)
     tangent = np.sqrt(4 - 1.5**2)
-    assert wider.cost == pytest.approx(2 * tangent + 1.5 * (np.pi - 2 * np.arccos(1.5 / 2)), rel=1e-9)
+    assert wider.cost == pytest.approx(2 * tangent + 1.5 * (np.pi - 2 * np.arccos(1.5 / 2)), rel=1e-5)
 
 
 def test_a_first_path_of_points():
@@ -208,6 +208,5 @@ def test_a_first_path_of_points():
 
 
 def test_other_options():
-    result = lc.find_path(lc.Plane(), "euclidean", (0, 0), (3, 4), set={"certificate.refine": 0, "solver": "lbfgs"})
-    assert result.cost == pytest.approx(5)
-    assert np.isnan(result.error)
+    result = lc.find_path(lc.Plane(), "euclidean", (0, 0), (3, 4), set={"path.points": 8, "solver": "lbfgs"})
+    assert result.cost == pytest.approx(5) and len(result.points) == 10
