@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 import time
 import traceback
+from concurrent.futures import ThreadPoolExecutor
 
 import leastcost as lc
 import numpy as np
@@ -140,6 +141,29 @@ def test_a_function_starts_straight():
 
     assert lc.find_path(lc.Plane(), q, (0.5, 0.5), (2, 1)).certified
     assert calls < 3000
+
+
+def test_threads_share_a_cost():
+    cost = lc.Cost(chute, unit="s", additive=True)
+    alone = lc.find_path(lc.Plane(), cost, (0, 0), PI, points=40).cost
+    with ThreadPoolExecutor(4) as pool:
+        found = pool.map(lambda _: lc.find_path(lc.Plane(), cost, (0, 0), PI, points=40).cost, range(12))
+        assert list(found) == [alone] * 12
+
+
+def test_an_exception_in_one_thread_is_its_own():
+    def fails(a, b):
+        raise ZeroDivisionError("mine")
+
+    def cost_of(q):
+        try:
+            return lc.find_path(lc.Plane(), q, (0, 0), PI, points=20).cost
+        except ZeroDivisionError:
+            return "mine"
+
+    with ThreadPoolExecutor(4) as pool:
+        found = list(pool.map(cost_of, [chute, fails] * 6))
+    assert found[1::2] == ["mine"] * 6 and len({*found[::2]}) == 1
 
 
 @pytest.mark.parametrize("calls", [10, 20, 60])
