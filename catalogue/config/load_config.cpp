@@ -33,7 +33,7 @@ LoadedConfig parse_config(std::string text, const std::string& file_name, const 
   return loaded;
 }
 
-LoadedConfig parse_config(const ConfigValue& tree, const std::string& name, const std::filesystem::path& folder,
+LoadedConfig parse_config(const ConfigValue::Block& tree, const std::string& name, const std::filesystem::path& folder,
                           const std::vector<Override>& overrides, const Externals& externals) {
   LoadedConfig loaded{{}, folder, "", {}, {0, 0, 1, name}, {}, {name, ""}};
   loaded.tree = read_value(tree, name, loaded.errors);

@@ -20,7 +20,7 @@ LoadedConfig load_config(const std::filesystem::path& file, const std::vector<Ov
 LoadedConfig parse_config(std::string text, const std::string& file_name, const std::filesystem::path& folder,
                           const std::vector<Override>& overrides = {}, const Externals& externals = {});
 /// The same for values in memory. `name`: what messages subscript.
-LoadedConfig parse_config(const ConfigValue& tree, const std::string& name, const std::filesystem::path& folder,
+LoadedConfig parse_config(const ConfigValue::Block& tree, const std::string& name, const std::filesystem::path& folder,
                           const std::vector<Override>& overrides = {}, const Externals& externals = {});
 
 /// Reads `tree` into `config` and checks it. Done by those above; `name`: of a run that has none.

@@ -93,7 +93,7 @@ Run parse_run(std::string text, const std::string& name, const std::filesystem::
   return composed(parse_config(std::move(text), name, folder, overrides, externals), progress, start);
 }
 
-Run parse_run(const ConfigValue& tree, const std::string& name, const std::filesystem::path& folder,
+Run parse_run(const ConfigValue::Block& tree, const std::string& name, const std::filesystem::path& folder,
               const std::vector<Override>& overrides, const BuildProgress& progress, const Externals& externals) {
   const RunStart start;
   return composed(parse_config(tree, name, folder, overrides, externals), progress, start);

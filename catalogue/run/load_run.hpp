@@ -27,7 +27,7 @@ Run parse_run(std::string text, const std::string& name, const std::filesystem::
               const std::vector<Override>& overrides = {}, const BuildProgress& progress = {},
               const Externals& externals = {});
 /// The same for values that have no text; messages say config['solver']['tolerance'] where `name` is "config".
-Run parse_run(const ConfigValue& tree, const std::string& name, const std::filesystem::path& folder = {},
+Run parse_run(const ConfigValue::Block& tree, const std::string& name, const std::filesystem::path& folder = {},
               const std::vector<Override>& overrides = {}, const BuildProgress& progress = {},
               const Externals& externals = {});
 

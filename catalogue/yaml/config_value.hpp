@@ -19,10 +19,10 @@ struct ConfigValue {
   using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, List, Block>;
 
   ConfigValue() = default;
-  ConfigValue(bool value);
-  ConfigValue(int value);
-  ConfigValue(std::int64_t value);
-  ConfigValue(double value);
+  ConfigValue(bool given);
+  ConfigValue(int given);
+  ConfigValue(std::int64_t given);
+  ConfigValue(double given);
   ConfigValue(const char* text);
   ConfigValue(std::string text);
   ConfigValue(List list);
@@ -37,10 +37,10 @@ struct ConfigEntryValue {
 };
 
 // Here, as a block is complete only now.
-inline ConfigValue::ConfigValue(bool value) : value(value) {}
-inline ConfigValue::ConfigValue(int value) : value(std::int64_t{value}) {}
-inline ConfigValue::ConfigValue(std::int64_t value) : value(value) {}
-inline ConfigValue::ConfigValue(double value) : value(value) {}
+inline ConfigValue::ConfigValue(bool given) : value(given) {}
+inline ConfigValue::ConfigValue(int given) : value(std::int64_t{given}) {}
+inline ConfigValue::ConfigValue(std::int64_t given) : value(given) {}
+inline ConfigValue::ConfigValue(double given) : value(given) {}
 inline ConfigValue::ConfigValue(const char* text) : value(std::string(text)) {}
 inline ConfigValue::ConfigValue(std::string text) : value(std::move(text)) {}
 inline ConfigValue::ConfigValue(List list) : value(std::move(list)) {}

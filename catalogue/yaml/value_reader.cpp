@@ -14,7 +14,7 @@
 namespace leastcost {
 namespace {
 
-constexpr int kDeepest = 50;  // the deepest configuration has eight levels
+constexpr int kDeepestValue = 50;  // the deepest configuration has eight levels
 
 std::string text_of(double value) {
   if (std::isnan(value)) return ".nan";
@@ -29,8 +29,8 @@ class ValueReader {
 
   ConfigNode read(const ConfigValue& value, const std::string& subscript, int depth) {
     ConfigNode node;
-    if (depth > kDeepest) {
-      errors_.error({0, 0, 1, subscript}, fmt::format("lies below more than {} others", kDeepest));
+    if (depth > kDeepestValue) {
+      errors_.error({0, 0, 1, subscript}, fmt::format("lies below more than {} others", kDeepestValue));
     } else if (const auto* list = std::get_if<ConfigValue::List>(&value.value)) {
       node = read_list(*list, subscript, depth);
     } else if (const auto* block = std::get_if<ConfigValue::Block>(&value.value)) {
