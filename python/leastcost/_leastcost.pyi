@@ -15,7 +15,7 @@ class Source:
         self,
         file: Path | None,
         text: str,
-        tree: Any,
+        tree: dict[str, Any] | None,
         folder: Path,
         assignments: list[str],
         externals: dict[str, External],

@@ -57,10 +57,10 @@ Outcome run(const Source& source, std::optional<double> max_seconds) {
 
 void bind_run(py::module_& module) {
   py::class_<Source>(module, "Source")
-      .def(py::init([](std::optional<std::filesystem::path> file, std::string text, const py::object& tree,
+      .def(py::init([](std::optional<std::filesystem::path> file, std::string text, const std::optional<py::dict>& tree,
                        std::filesystem::path folder, std::vector<std::string> assignments,
                        std::map<std::string, External> externals) {
-             return Source{std::move(file),        tree.is_none() ? std::nullopt : std::optional(value_of(tree)),
+             return Source{std::move(file),        tree ? std::optional(block_of(*tree)) : std::nullopt,
                            std::move(text),        std::move(folder),
                            std::move(assignments), std::move(externals)};
            }),

@@ -39,6 +39,18 @@ int dimension_of(const PluginChoice& manifold, const std::filesystem::path& fold
   }
 }
 
+ConfigValue value_of(const py::handle& plain) {
+  if (plain.is_none()) return {};
+  if (py::isinstance<py::bool_>(plain)) return plain.cast<bool>();
+  if (py::isinstance<py::int_>(plain)) return plain.cast<std::int64_t>();
+  if (py::isinstance<py::float_>(plain)) return plain.cast<double>();
+  if (py::isinstance<py::str>(plain)) return plain.cast<std::string>();
+  if (py::isinstance<py::dict>(plain)) return block_of(py::reinterpret_borrow<py::dict>(plain));
+  ConfigValue::List list;
+  for (const py::handle item : py::reinterpret_borrow<py::list>(plain)) list.push_back(value_of(item));
+  return list;
+}
+
 }  // namespace
 
 std::vector<Override> Source::overrides() const {
@@ -72,20 +84,9 @@ void Source::validate() const {
   if (!loaded.errors.empty()) throw ConfigError(loaded.errors);
 }
 
-ConfigValue value_of(const py::handle& plain) {
-  if (plain.is_none()) return {};
-  if (py::isinstance<py::bool_>(plain)) return plain.cast<bool>();
-  if (py::isinstance<py::int_>(plain)) return plain.cast<std::int64_t>();
-  if (py::isinstance<py::float_>(plain)) return plain.cast<double>();
-  if (py::isinstance<py::str>(plain)) return plain.cast<std::string>();
-  if (py::isinstance<py::list>(plain)) {
-    ConfigValue::List list;
-    for (const py::handle item : py::reinterpret_borrow<py::list>(plain)) list.push_back(value_of(item));
-    return list;
-  }
+ConfigValue::Block block_of(const py::dict& plain) {
   ConfigValue::Block block;
-  for (const auto& [key, value] : py::reinterpret_borrow<py::dict>(plain))
-    block.push_back({key.cast<std::string>(), value_of(value)});
+  for (const auto& [key, value] : plain) block.push_back({key.cast<std::string>(), value_of(value)});
   return block;
 }
 

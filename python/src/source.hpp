@@ -19,7 +19,7 @@ namespace leastcost::python {
 /// A configuration as _config.py hands it over.
 struct Source {
   std::optional<std::filesystem::path> file;  ///< read from here
-  std::optional<ConfigValue> tree;            ///< else this
+  std::optional<ConfigValue::Block> tree;     ///< else this
   std::string text;                           ///< else this
   std::filesystem::path folder;               ///< of a tree or a text: its files are relative to it
   std::vector<std::string> assignments;       ///< to its options
@@ -35,7 +35,7 @@ struct Source {
   Externals objects(const std::shared_ptr<CallErrors>& errors) const;
 };
 
-/// None, bool, int, float, str, list and dict with keys that are texts.
-ConfigValue value_of(const pybind11::handle& plain);
+/// A dict with keys that are texts and values that are None, bool, int, float, str, lists and dicts.
+ConfigValue::Block block_of(const pybind11::dict& plain);
 
 }  // namespace leastcost::python
