@@ -311,4 +311,14 @@ std::shared_ptr<const SegmentCost> make_zermelo_cost(const ZermeloOptions& optio
   return std::visit(FlowMaker<3>{options, folder}, options.flow);
 }
 
+std::shared_ptr<const SegmentCost> make_zermelo_cost(ZermeloOptions options, const Eigen::MatrixXd& nodes, int dim) {
+  options.flow = flow::Grid{};
+  check_zermelo(options, dim);
+  if (nodes.cols() != 2 * dim)
+    throw InputError("the nodes of a flow in " + std::to_string(dim) + " dimensions have rows of " +
+                     std::to_string(2 * dim) + " numbers, position and velocity, not " + std::to_string(nodes.cols()));
+  if (dim == 2) return FlowMaker<2>{options, {}}.lifted(flow_grid<2>(nodes, "flow"), false);
+  return FlowMaker<3>{options, {}}.lifted(flow_grid<3>(nodes, "flow"), false);
+}
+
 }  // namespace leastcost

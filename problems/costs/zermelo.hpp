@@ -77,7 +77,11 @@ struct ZermeloOptions {
 std::shared_ptr<const SegmentCost> make_zermelo_cost(const ZermeloOptions& options, int dim,
                                                      const std::filesystem::path& folder = {});
 
-/// Throws the OptionError that the above would throw, without reading the file of a grid.
+/// The same in a flow that is given at the nodes of a regular grid in memory: `nodes` has a row per node, as the file
+/// of a grid. options.flow says nothing.
+std::shared_ptr<const SegmentCost> make_zermelo_cost(ZermeloOptions options, const Eigen::MatrixXd& nodes, int dim);
+
+/// Throws the OptionError that the first of both would throw, without reading the file of a grid.
 void check_zermelo(const ZermeloOptions& options, int dim);
 
 }  // namespace leastcost

@@ -17,7 +17,8 @@
 Arrays of results have one point per row. Searches release the GIL and end within 50 ms of Ctrl-C.
 """
 
-from ._domains import Plane, Space
+from ._cost import Cost, CostMap, Wind
+from ._domains import Cloud, Plane, Space, Terrain
 from ._errors import ConfigError, Error, InputError, NoPathError, OutputError, TimeLimitError
 from ._find_path import find_path
 from ._leastcost import version as __version__
@@ -26,7 +27,10 @@ from ._result import Failure, Result
 from ._run import run, validate
 
 __all__ = [
+    "Cloud",
     "ConfigError",
+    "Cost",
+    "CostMap",
     "Error",
     "Failure",
     "Geodesic",
@@ -37,7 +41,9 @@ __all__ = [
     "Plane",
     "Result",
     "Space",
+    "Terrain",
     "TimeLimitError",
+    "Wind",
     "find_path",
     "run",
     "validate",

@@ -13,34 +13,106 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _leastcost
+from ._arrays import points
+from ._cost import Cost, CostMap, Wind
+from ._domains import Cloud, Terrain
+from ._errors import ConfigError
+from ._mesh import Mesh
 
 if TYPE_CHECKING:
     from typing import Union
 
+    from numpy.typing import NDArray
+
+    from ._cost import SquaredCost
+
     Config = Union[str, os.PathLike[str], Mapping[str, Any]]
+    #: What a configuration can name, or a dict can hold: a manifold, a cost, the points of a first path.
+    Object = Union[Mesh, Cloud, Terrain, Cost, CostMap, Wind, SquaredCost, NDArray[Any]]
+
+_OBJECTS = (Mesh, Cloud, Terrain, Cost, CostMap, Wind)
+_MOST = 2**63  # of a whole number
 
 
-def source_of(config: Config, set: Mapping[str, Any] | None, folder: str | os.PathLike[str]) -> _leastcost.Source:
+def source_of(
+    config: Config,
+    *,
+    set: Mapping[str, Any] | None = None,
+    folder: str | os.PathLike[str] = "",
+    objects: Mapping[str, Object] | None = None,
+) -> _leastcost.Source:
     """A path is read; a text with a line break is the configuration itself, and so is a dict."""
-    assignments = [f"{key}={_text(value)}" for key, value in (set or {}).items()]
+    reader = _Reader(objects or {})
+    assignments = [f"{key}={json.dumps(reader.plain(value, f'set[{key!r}]'))}" for key, value in (set or {}).items()]
     if isinstance(config, Mapping):
-        return _leastcost.Source(None, _text(config, indent=1), "config", Path(folder), assignments)
+        return _leastcost.Source(None, "", reader.plain(config, "config"), Path(folder), assignments, reader.externals)
     if isinstance(config, str) and "\n" in config:
-        return _leastcost.Source(None, config, "config", Path(folder), assignments)
+        return _leastcost.Source(None, config, None, Path(folder), assignments, reader.externals)
     if isinstance(config, (str, os.PathLike)):
-        return _leastcost.Source(Path(config), "", "", Path(), assignments)
+        return _leastcost.Source(Path(config), "", None, Path(), assignments, reader.externals)
     raise TypeError(f"a configuration is a path, a text or a dict, not {type(config).__name__}")
 
 
-def _text(value: Any, indent: int | None = None) -> str:
-    """JSON, which is YAML as well."""
-    return json.dumps(value, indent=indent, default=_plain)
+class _Reader:
+    """Plain values of a configuration; objects get names."""
+
+    def __init__(self, objects: Mapping[str, Object]) -> None:
+        self.externals = {name: _external(value, name) for name, value in objects.items()}
+        self._names: dict[int, str] = {}
+
+    def plain(self, value: Any, where: str) -> Any:
+        """With None, bool, int, float, str, list and dict alone. Raises TypeError and ConfigError with the place."""
+        if isinstance(value, np.generic):
+            value = value.item()
+        if value is None or isinstance(value, (bool, float)):
+            return value
+        if isinstance(value, int):
+            if not -_MOST <= value < _MOST:
+                raise ConfigError(f"{where}: {value} is too large for a whole number; write it as a float")
+            return int(value)
+        if isinstance(value, (str, os.PathLike)):
+            return str(os.fspath(value))
+        if isinstance(value, Mapping):
+            return {self._key(key, where): self._entry(key, part, f"{where}[{key!r}]") for key, part in value.items()}
+        if isinstance(value, np.ndarray) and value.dtype.kind in "fiub":
+            return value.tolist()
+        if isinstance(value, (list, tuple, np.ndarray)):
+            return [self.plain(part, f"{where}[{i}]") for i, part in enumerate(value)]
+        if isinstance(value, _OBJECTS) or callable(value):
+            return self._named(value)
+        raise TypeError(
+            f"{where}: a configuration has numbers, texts, lists, dicts and objects of leastcost, not "
+            f"{type(value).__name__}"
+        )
+
+    def _key(self, key: Any, where: str) -> str:
+        if not isinstance(key, str):
+            raise TypeError(f"{where}: keys are texts, not {key!r}")
+        return str(key)
+
+    def _entry(self, key: str, value: Any, where: str) -> Any:
+        """Under `initializer`, points are a first path."""
+        if key == "initializer" and isinstance(value, (np.ndarray, list, tuple)):
+            return self._named(points(value, where), "path")
+        return self.plain(value, where)
+
+    def _named(self, value: Object, kind: str | None = None) -> dict[str, str]:
+        if id(value) not in self._names:
+            stem = kind or ("cost" if callable(value) else type(value).__name__.lower())
+            name = next(name for i in range(1, 2 + len(self.externals)) if (name := f"{stem}_{i}") not in self.externals)
+            self.externals[name] = _external(value, name)
+            self._names[id(value)] = name
+        return {"type": "external", "name": self._names[id(value)]}
 
 
-def _plain(value: Any) -> Any:
-    """Arrays and scalars of numpy, paths."""
-    if isinstance(value, (np.ndarray, np.generic)):
-        return value.tolist()
-    if isinstance(value, os.PathLike):
-        return os.fspath(value)
-    raise TypeError(f"a configuration has numbers, texts, lists and dicts, not {type(value).__name__}")
+def _external(value: Object, name: str) -> _leastcost.External:
+    if isinstance(value, _OBJECTS):
+        return value._external
+    if isinstance(value, np.ndarray):
+        return _leastcost.waypoints(points(value, name))
+    if callable(value):
+        return Cost(value)._external
+    raise TypeError(
+        f"{name} is no object of a configuration: those are Mesh, Cloud, Terrain, Cost, CostMap, Wind, a function that "
+        f"is a cost, and an array of points, not {type(value).__name__}"
+    )

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The leastcost authors
 # SPDX-License-Identifier: MIT
-"""Costs written in Python."""
+"""Costs: functions written in Python, and arrays."""
 
 from __future__ import annotations
 
@@ -8,18 +8,154 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from . import _leastcost
+from ._arrays import pair, raster
+from ._checks import check
 from ._errors import InputError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
     #: q(a, b): squared costs of moves, shape (n,); a, b: their ends, shape (d, n), real or complex.
     SquaredCost = Callable[[NDArray[Any], NDArray[Any]], NDArray[Any]]
 
-_STEP = 1e-150  # of a complex step
-_TOLERANCE = 1e-4  # between derivatives by complex steps and by differences, relative
+
+class Cost:
+    """A cost written with numpy. It is checked when it is used.
+
+    q: q(a, b) returns the squared costs, shape (n,), of straight moves between the points a and b, shape (d, n), in
+      ambient coordinates. NaN and negative numbers mean an infinite cost.
+    unit: of the cost, in words.
+    symmetric: the way back costs the same: q(a, b) = q(b, a).
+    additive: c = q**0.5 is the exact cost of a straight move, so that its parts add up to it; the error of a path is
+      then much smaller.
+    derivatives: "complex": by complex steps, exact but for rounding. q is also called with complex arrays and must be
+      analytic: sums, products, roots, exp, sin, ...; not abs or maximum. "differences": q is called with real arrays
+      only and need not be analytic; eleven digits of a derivative are right, and kinks may keep a path from being
+      certified.
+    dimension: d, where nothing else tells it; None: that of the space of the manifold.
+
+    Before a search goes on from its first path, derivatives, `symmetric` and `additive` are tried at moves near it.
+    InputError says with numbers which of them is not true.
+    """
+
+    def __init__(
+        self,
+        q: SquaredCost,
+        *,
+        unit: str = "cost",
+        symmetric: bool = True,
+        additive: bool = False,
+        derivatives: str = "complex",
+        dimension: int | None = None,
+    ) -> None:
+        if not callable(q):
+            raise TypeError(f"a cost is a function q(a, b), not {type(q).__name__}")
+        if derivatives not in ("complex", "differences"):
+            raise InputError(f'derivatives are "complex" or "differences", not {derivatives!r}')
+        self.q = q
+        self.unit = unit
+        self.symmetric = symmetric
+        self.additive = additive
+        self.derivatives = derivatives
+        self.dimension = dimension
+
+    def __repr__(self) -> str:
+        return f"<leastcost.Cost {getattr(self.q, '__name__', type(self.q).__name__)}>"
+
+    @property
+    def _external(self) -> _leastcost.External:
+        q = checked(self.q)
+
+        def check_first(points: NDArray[np.float64]) -> None:
+            check(q, points, self.symmetric, self.additive, self.derivatives == "complex")
+
+        differences = self.derivatives == "differences"
+        dimension = self.dimension or 0
+        return _leastcost.cost(q, check_first, self.unit, self.symmetric, self.additive, differences, dimension)
+
+
+class CostMap:
+    """The cost of a unit of length, from a raster: a path costs the integral of it over its length.
+
+    costs: (rows, columns), above 0, at the middles of the cells. Row 0 is the northernmost one (y is largest), as in
+      images and in raster files; columns go east (x grows). NaN, or masked: no data, which paths go round.
+    origin: (x, y) of the outer corner of the cell of the last row and the first column: the lower left corner.
+    cell: side of a cell, or (along x, along y), length units.
+    interpolation: "smooth": a bicubic spline near the values, without kinks. "cells": constant in each cell; in the
+      plane without obstacles only, where the path is then exact.
+
+    In the plane, or over a Terrain, whose map it shares. Raises InputError.
+    """
+
+    def __init__(
+        self, costs: ArrayLike, *, origin: ArrayLike = (0, 0), cell: ArrayLike = 1, interpolation: str = "smooth"
+    ) -> None:
+        array = raster(costs, "costs")
+        wrong = np.argwhere(array <= 0)
+        if len(wrong):
+            row, column = wrong[0]
+            raise InputError(f"costs[{row}, {column}] is {array[row, column]}; costs are above 0, or NaN for no data")
+        if interpolation not in ("smooth", "cells"):
+            raise InputError(f'the interpolation is "smooth" or "cells", not {interpolation!r}')
+        self._state = (array, pair(origin, "origin"), pair(cell, "cell", positive=True), interpolation)
+        self._external = _leastcost.cost_map(*self._state[:3], interpolation == "cells")
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_cost_map, self._state)
+
+    def __repr__(self) -> str:
+        rows, columns = self._state[0].shape
+        return f"<leastcost.CostMap: {rows} x {columns} costs>"
+
+
+class Wind:
+    """The time of a vehicle that a wind or a current carries (Zermelo's problem), in the plane.
+
+    u, v: (rows, columns), velocity along x and along y at the middles of the cells, 3 x 3 at least. Row 0 is the
+      northernmost one (y is largest), as in images and in raster files; columns go east (x grows). NaN, or masked: no
+      data, where no path leads.
+    speed: of the vehicle through the air or the water: a number, or a formula in x and y as in a configuration.
+    origin: (x, y) of the outer corner of the cell of the last row and the first column: the lower left corner.
+    cell: side of a cell, or (along x, along y), length units.
+    unit: of time.
+
+    Between the middles velocities are interpolated with two continuous derivatives; beyond the outermost middles there
+    is no cost. Raises InputError.
+    """
+
+    def __init__(
+        self,
+        u: ArrayLike,
+        v: ArrayLike,
+        *,
+        speed: float | str,
+        origin: ArrayLike = (0, 0),
+        cell: ArrayLike = 1,
+        unit: str = "s",
+    ) -> None:
+        along_x, along_y = raster(u, "u"), raster(v, "v")
+        if along_x.shape != along_y.shape:
+            raise InputError(f"u has the shape {along_x.shape}, and v {along_y.shape}")
+        if min(along_x.shape) < 3:
+            raise InputError(f"u has the shape {along_x.shape}; a wind has 3 x 3 velocities at least")
+        corner, sides = pair(origin, "origin"), pair(cell, "cell", positive=True)
+        self._state = (along_x, along_y, speed, corner, sides, unit)
+        rows, columns = along_x.shape
+        x, y = np.meshgrid(
+            corner[0] + sides[0] * (np.arange(columns) + 0.5), corner[1] + sides[1] * (rows - np.arange(rows) - 0.5)
+        )
+        nodes = np.column_stack([values.ravel() for values in (x, y, along_x, along_y)])
+        self._external = _leastcost.wind(nodes, speed if isinstance(speed, str) else repr(float(speed)), unit)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_wind, self._state)
+
+    def __repr__(self) -> str:
+        rows, columns = self._state[0].shape
+        return f"<leastcost.Wind: {rows} x {columns} velocities>"
 
 
 def checked(q: SquaredCost) -> SquaredCost:
@@ -30,6 +166,8 @@ def checked(q: SquaredCost) -> SquaredCost:
             values = np.asarray(q(a, b))
         if values.shape != (a.shape[1],):
             raise InputError(f"the cost returned the shape {values.shape}; of {a.shape[1]} moves it is ({a.shape[1]},)")
+        if values.dtype.kind not in "fiuc":
+            raise InputError(f"the cost returned values of the type {values.dtype}; costs are numbers")
         if values.dtype.kind == "c" and a.dtype.kind != "c":
             raise InputError("the cost returned complex numbers for real points")
         return values
@@ -37,37 +175,9 @@ def checked(q: SquaredCost) -> SquaredCost:
     return call
 
 
-def check_analytic(q: SquaredCost, source: NDArray[np.float64], target: NDArray[np.float64]) -> None:
-    """Compares derivatives by complex steps with differences, at moves near the straight line from source to target.
-    Raises InputError where they differ: the search would go astray."""
-    a, b = _moves(source, target)
-    size = float(np.linalg.norm(target - source))
-    for end, name in ((0, "a"), (1, "b")):
-        for axis in range(len(source)):
-            exact = _moved(q, a, b, end, axis, 1j * _STEP).imag / _STEP
-            h = 1e-6 * size
-            difference = (_moved(q, a, b, end, axis, h) - _moved(q, a, b, end, axis, -h)) / (2 * h)
-            largest = np.max(np.abs(difference), initial=0, where=np.isfinite(difference))
-            wrong = np.abs(exact - difference) > _TOLERANCE * largest
-            if wrong.any():  # NaN is not: outside the domain
-                i = int(np.argmax(wrong))
-                raise InputError(
-                    f"the cost is not analytic: its derivative by {name}[{axis}] is {exact[i]:.6g} by a complex step "
-                    f"and {difference[i]:.6g} by differences, for the move from {a[:, i].tolist()} to "
-                    f"{b[:, i].tolist()}; write it without abs, maximum, conj or conditions on complex numbers "
-                    "(abs(x): (x**2)**0.5)"
-                )
+def _cost_map(costs: Any, origin: Any, cell: Any, interpolation: str) -> CostMap:
+    return CostMap(costs, origin=origin, cell=cell, interpolation=interpolation)
 
 
-def _moves(source: NDArray[np.float64], target: NDArray[np.float64]) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Nine moves off the line, none of which ends where the path does."""
-    way = (target - source)[:, None]
-    aside = np.random.default_rng(1).normal(scale=0.02 * np.linalg.norm(way), size=(len(source), 10))
-    points = source[:, None] + way * np.linspace(0.1, 0.9, 10) + aside
-    return points[:, :-1], points[:, 1:]
-
-
-def _moved(q: SquaredCost, a: NDArray[Any], b: NDArray[Any], end: int, axis: int, by: complex) -> NDArray[Any]:
-    ends = [a.astype(np.result_type(a, by)), b.astype(np.result_type(b, by))]
-    ends[end][axis] += by
-    return q(*ends)
+def _wind(u: Any, v: Any, speed: Any, origin: Any, cell: Any, unit: str) -> Wind:
+    return Wind(u, v, speed=speed, origin=origin, cell=cell, unit=unit)

@@ -2,76 +2,110 @@
 # SPDX-License-Identifier: MIT
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
-
-import numpy as np
 
 from . import _leastcost
 from ._config import source_of
-from ._cost import check_analytic, checked
-from ._domains import Space
+from ._cost import Cost
+from ._domains import Cloud, Space, Terrain
 from ._errors import InputError
+from ._mesh import Mesh
+from ._places import is_number, is_on_face, on_face, point
 from ._result import Result
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Sequence
 
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
-    from ._cost import SquaredCost
+    from ._cost import CostMap, SquaredCost, Wind
     from ._domains import Domain
+    from ._places import Place
 
 
 def find_path(
     domain: Domain,
-    cost: str | Mapping[str, Any] | SquaredCost,
-    source: ArrayLike,
-    target: ArrayLike,
+    cost: str | Mapping[str, Any] | Cost | CostMap | Wind | SquaredCost,
+    source: Place | Mapping[str, Any],
+    target: Place | Mapping[str, Any],
     *,
     points: int = 64,
+    obstacles: Sequence[Mapping[str, Any]] = (),
+    clearance: float = 0,
+    initializer: str | Mapping[str, Any] | ArrayLike | None = None,
     unit: str = "cost",
     symmetric: bool = True,
     additive: bool = False,
+    derivatives: str = "complex",
+    set: Mapping[str, Any] | None = None,
     max_seconds: float | None = None,
 ) -> Result:
-    """The path of least cost from one point to another.
+    """The path of least cost from one place to another.
 
-    domain: Plane(), Space(d), or a dict as under `manifold` in a configuration. On a mesh: Mesh.geodesic().
-    cost: a name or a dict as under `cost` in a configuration; or, in Plane and Space, a function q(a, b) that returns
-      the squared costs, shape (n,), of straight moves between the points a and b, shape (d, n). It is called with real
-      and with complex arrays and must be analytic: sums, products, roots, exp, sin, ...; not abs or maximum. NaN and
-      negative numbers mean an infinite cost.
-    source, target: (d,), the ends.
+    domain: Plane(), Space(d), a Mesh, Cloud or Terrain, or a dict as under `manifold` in a configuration.
+    cost: a Cost, CostMap or Wind; a name or a dict as under `cost` in a configuration; or a function q(a, b) that
+      returns the squared costs, shape (n,), of straight moves between the points a and b, shape (d, n).
+    source, target: (d,), points; on a Mesh or Cloud also numbers of vertices; on a Mesh also tuples
+      (face, (b0, b1, b2)); or dicts as under `ends` in a configuration. A point means the nearest one of a Mesh.
     points: free points of the path, n >= 1.
-    unit, symmetric, additive: of a function. symmetric: q(a, b) = q(b, a). additive: c = q**0.5 is the exact cost of a
-      straight move, so that its parts add up to it; the error is then much smaller.
+    obstacles, clearance: as in a configuration: [{"type": "ball", "center": [1, 0], "radius": 0.5}], length units.
+    initializer: where the first path comes from, a name or a dict as in a configuration; or the points that it goes
+      through, (n, d). A cost that is a function starts from a straight line, or from the least-cost path along the
+      edges of a mesh.
+    unit, symmetric, additive, derivatives: of a function, see Cost.
+    set: any other option of a configuration: {"certificate.refine": 0}.
     max_seconds: wall time, s.
 
     Ctrl-C and errors: as of run(). What the function raises comes out as it is; so does KeyboardInterrupt within it.
     """
-    ends = _point(source, "source"), _point(target, "target")
+    if callable(cost):
+        cost = Cost(cost, unit=unit, symmetric=symmetric, additive=additive, derivatives=derivatives)
+    elif (unit, symmetric, additive, derivatives) != ("cost", True, False, "complex"):
+        raise InputError("unit, symmetric, additive and derivatives are of a function; this cost has its own")
     config: dict[str, Any] = {
         "manifold": domain.config() if isinstance(domain, Space) else domain,
         "cost": cost,
-        "ends": {"source": {"point": ends[0]}, "target": {"point": ends[1]}},
+        "ends": {"source": _end(source, "source", domain), "target": _end(target, "target", domain)},
         "path": {"points": points},
     }
-    if not callable(cost):
-        return Result(_leastcost.run(source_of(config, None, ""), max_seconds, None))
-    if not isinstance(domain, Space):
-        raise InputError("a cost that is a function needs Plane() or Space(d)")
-    for end, name in zip(ends, ("source", "target")):
-        if len(end) != domain.dimension:
-            raise InputError(f"{name} has {len(end)} coordinates; {domain} has {domain.dimension}")
-    q = checked(cost)
-    check_analytic(q, *ends)
-    config.update(cost="euclidean", initializer="straight", solver="newton")
-    own = _leastcost.Cost(q, domain.dimension, unit, symmetric, additive)
-    return Result(_leastcost.run(source_of(config, None, ""), max_seconds, own))
+    if len(obstacles) > 0:
+        config["obstacles"] = list(obstacles)
+    if clearance != 0:
+        config["clearance"] = clearance
+    if initializer is not None:
+        config["initializer"] = initializer
+    return Result(_leastcost.run(source_of(config, set=set), max_seconds))
 
 
-def _point(point: ArrayLike, name: str) -> NDArray[np.float64]:
-    array = np.asarray(point)
-    if array.ndim != 1 or array.dtype.kind not in "fiu":
-        raise InputError(f"{name} is a point: real numbers of shape (d,), not {point!r}")
-    return array.astype(np.float64)
+def _end(place: Any, name: str, domain: Domain) -> Mapping[str, Any]:
+    """As in a configuration."""
+    if isinstance(place, Mapping):
+        return place
+    if is_number(place):
+        if isinstance(domain, (Space, Terrain)):
+            raise InputError(f"{name} is {place!r}, but {domain!r} has no vertices: give a point")
+        return {"vertex": int(place)}
+    if is_on_face(place):
+        if isinstance(domain, (Space, Terrain, Cloud)):
+            raise InputError(f"{name} is {place!r}, but {domain!r} has no faces: give a point")
+        face, barycentric = on_face(place, name)
+        return {"face": face, "barycentric": list(barycentric)}
+    x = point(place)
+    if x is None:
+        raise InputError(f"{name} is a point: real numbers of shape (d,), not {place!r}")
+    wanted = _coordinates(domain)
+    if wanted is not None and len(x) != wanted:
+        raise InputError(f"{name} has {len(x)} coordinates; points of {domain!r} have {wanted}")
+    if isinstance(domain, Mesh):
+        return {"point": list(domain._core.position(domain._core.nearest(*x.tolist())))}
+    return {"point": x}
+
+
+def _coordinates(domain: Domain) -> int | None:
+    """Of a point, where it is known."""
+    if isinstance(domain, Space):
+        return domain.dimension
+    if isinstance(domain, (Mesh, Cloud)):
+        return 3
+    return 2 if isinstance(domain, Terrain) else None

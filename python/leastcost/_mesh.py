@@ -12,15 +12,14 @@ import numpy as np
 
 from . import _leastcost
 from ._errors import InputError
+from ._places import is_number, is_on_face, on_face, point
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
-    from typing import Union
+    from collections.abc import Iterable
 
     from numpy.typing import ArrayLike, NDArray
 
-    #: A vertex, by its row in V, or a point (x, y, z), which means the nearest one of the surface.
-    Place = Union[int, Sequence[float], NDArray[Any]]
+    from ._places import Place
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,7 +29,7 @@ class Geodesic:
     points: NDArray[np.float64] = field(repr=False)
     """(m + 1, 3): corners of the path; each segment lies in one face."""
     faces: NDArray[np.int32] = field(repr=False)
-    """(m,): the face of each segment, as a row of F."""
+    """(m,): the face of each segment, as a row of F as it was given."""
     length: float
     """Length of the path, in units of V."""
     lower_bound: float
@@ -52,6 +51,9 @@ class Mesh:
 
     V: (n, 3), positions. F: (m, 3), rows of V, from 0; (m, k) for polygons, which are cut into triangles.
     weld: merge vertices with equal positions.
+
+    A place on it is the number of a vertex, its row in V; a tuple (face, (b0, b1, b2)), a row of F as it was given and
+    barycentric coordinates with the sum 1; or a point (x, y, z), which means the nearest one of the surface.
 
     Raises InputError for other shapes and types, vertices that do not exist, positions that are not finite.
     """
@@ -83,11 +85,11 @@ class Mesh:
         return self._core.notes()
 
     def geodesic(self, source: Place, target: Place) -> Geodesic:
-        """The shortest path between two vertices or points, with a proof. Raises NoPathError, InputError."""
+        """The shortest path between two places, with a proof. Raises NoPathError, InputError."""
         return Geodesic(*self._core.geodesic(self._place(source), self._place(target)))
 
     def geodesics(self, pairs: Iterable[tuple[Place, Place]] | NDArray[np.integer[Any]]) -> list[Geodesic]:
-        """The shortest path of each pair: an integer array of shape (k, 2), or pairs of vertices and points."""
+        """The shortest path of each pair: an integer array of shape (k, 2), or pairs of places."""
         return [self.geodesic(source, target) for source, target in pairs]
 
     def distances(
@@ -95,7 +97,7 @@ class Mesh:
     ) -> Any:
         """(n,): distance of each vertex, in the order of V, from the nearest source, in units of V.
 
-        sources: a vertex, a point, or several; an array of shape (k, 3) is points. Infinite: no path, or no face, or
+        sources: a place, or several; an array of shape (k, 3) is points, and a face is in a tuple. Infinite: no path, or no face, or
         farther than max_distance. bounds: return (lower, upper) instead, between which the distances are proved to
         lie. Warns where a distance is known from above alone.
         """
@@ -107,15 +109,20 @@ class Mesh:
         return (lower, upper) if bounds else distance
 
     def _place(self, place: Place) -> _leastcost.SurfacePoint:
-        if isinstance(place, (int, np.integer)) and not isinstance(place, bool):
-            return self._core.vertex(int(place))
-        point = np.asarray(place)
-        if point.shape != (3,) or point.dtype.kind not in "fiu":
-            raise InputError(f"a place on a mesh is the number of a vertex or a point (x, y, z), not {place!r}")
-        return self._core.nearest(*point.tolist())
+        if is_number(place):
+            return self._core.vertex(int(place))  # type: ignore[arg-type]
+        if is_on_face(place):
+            return self._core.on_face(*on_face(place, "a place"))
+        x = point(place)
+        if x is None or x.shape != (3,):
+            raise InputError(
+                f"a place on a mesh is the number of a vertex, (face, (b0, b1, b2)) or a point (x, y, z), not {place!r}"
+            )
+        return self._core.nearest(*x.tolist())
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        return (Mesh, (self.V, self.F))
+    @property
+    def _external(self) -> _leastcost.External:
+        return self._core.external()
 
     def __repr__(self) -> str:
         return f"<leastcost.Mesh: {len(self.V)} vertices, {len(self.F)} triangles>"
@@ -144,8 +151,8 @@ def _faces(F: ArrayLike, vertices: int) -> NDArray[np.int32]:
 
 
 def _several(sources: Place | Iterable[Place]) -> list[Any]:
-    """One vertex or point as a list of one. Three numbers are a point only if they are not all integers."""
-    if isinstance(sources, (int, np.integer)):
+    """One place as a list of one. Three numbers are a point only if they are not all integers."""
+    if isinstance(sources, (int, np.integer)) or (isinstance(sources, tuple) and is_on_face(sources)):
         return [sources]
     listed = list(sources)
     if len(listed) == 3 and all(np.ndim(x) == 0 for x in listed) and np.asarray(listed).dtype.kind == "f":

@@ -9,7 +9,8 @@ namespace leastcost::python {
 /// C++ exceptions become those of leastcost/_errors.py.
 void translate_errors();
 
-void bind_run(pybind11::module_& module);
+void bind_externals(pybind11::module_& module);
 void bind_mesh(pybind11::module_& module);
+void bind_run(pybind11::module_& module);
 
 }  // namespace leastcost::python

@@ -3,12 +3,16 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <array>
 #include <limits>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "python/src/arrays.hpp"
 #include "python/src/bind.hpp"
+#include "python/src/external.hpp"
 #include "python/src/mesh.hpp"
 #include "python/src/signals.hpp"
 
@@ -72,14 +76,32 @@ py::tuple distances(const Mesh& mesh, const std::vector<SurfacePoint>& sources, 
                         found.out_of_memory);
 }
 
+using Whole = py::array_t<std::int32_t, py::array::c_style>;
+
+/// All that a mesh was made of.
+py::tuple state_of(const Mesh& mesh) {
+  const PolygonSoup& soup = mesh.soup();
+  const auto array = [](const std::vector<std::int32_t>& numbers) {
+    return Whole(static_cast<py::ssize_t>(numbers.size()), numbers.data());
+  };
+  return py::make_tuple(rows_of(mesh.vertices()), array(soup.corners), array(soup.polygon_begin), soup.source,
+                        mesh.weld());
+}
+
+std::unique_ptr<Mesh> mesh_of(const py::tuple& state) {
+  const auto list = [&](std::size_t i) {
+    const Whole numbers = state[i].cast<Whole>();
+    return std::vector<std::int32_t>(numbers.data(), numbers.data() + numbers.size());
+  };
+  PolygonSoup soup{{}, list(1), list(2), state[3].cast<std::string>()};
+  soup.positions = vectors_of(state[0].cast<Numbers>());
+  return std::make_unique<Mesh>(std::move(soup), state[4].cast<bool>());
+}
+
 }  // namespace
 
 void bind_mesh(py::module_& module) {
-  py::class_<SurfacePoint>(module, "SurfacePoint")
-      .def_readonly("face", &SurfacePoint::face)
-      .def_property_readonly("barycentric", [](const SurfacePoint& p) {
-        return py::make_tuple(p.barycentric[0], p.barycentric[1], p.barycentric[2]);
-      });
+  py::class_<SurfacePoint>(module, "SurfacePoint");  // a place on the triangles that the library makes of F
   using Released = py::call_guard<py::gil_scoped_release>;
   py::class_<Mesh>(module, "Mesh")
       .def(py::init<const Mesh::Vertices&, const Mesh::Faces&, bool>(), "V"_a, "F"_a, "weld"_a, Released())
@@ -94,8 +116,27 @@ void bind_mesh(py::module_& module) {
             return mesh.nearest({x, y, z});
           },
           "x"_a, "y"_a, "z"_a, Released())
+      .def(
+          "on_face",
+          [](const Mesh& mesh, std::int64_t face, const std::array<double, 3>& barycentric) {
+            return mesh.on_face(face, Eigen::Vector3d(barycentric.data()));
+          },
+          "face"_a, "barycentric"_a)
+      .def(
+          "position",
+          [](const Mesh& mesh, const SurfacePoint& place) {
+            const Eigen::Vector3d x = mesh.mesh().point(place);
+            return py::make_tuple(x[0], x[1], x[2]);
+          },
+          "place"_a)
       .def("geodesic", &geodesic, "source"_a, "target"_a)
-      .def("distances", &distances, "sources"_a, "max_distance"_a);
+      .def("distances", &distances, "sources"_a, "max_distance"_a)
+      .def("external",
+           [](const Mesh& mesh) {
+             const std::shared_ptr<const ConstraintManifold> manifold = mesh.manifold();
+             return External{manifold};
+           })
+      .def(py::pickle(&state_of, &mesh_of));
 }
 
 }  // namespace leastcost::python

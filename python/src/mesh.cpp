@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "python/src/mesh.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <string>
+#include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
@@ -23,12 +26,6 @@ PolygonSoup soup_of(const Mesh::Vertices& vertices, const Mesh::Faces& faces) {
   return soup;
 }
 
-Eigen::Matrix3Xd columns(const std::vector<Eigen::Vector3d>& points) {
-  Eigen::Matrix3Xd out(3, static_cast<Eigen::Index>(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i) out.col(static_cast<Eigen::Index>(i)) = points[i];
-  return out;
-}
-
 std::string text_of(const TriangleMesh& mesh, const SurfacePoint& p) {
   if (const std::int32_t v = vertex_at(mesh, p); v >= 0) return "vertex " + std::to_string(mesh.file_vertex(v));
   return "a point of face " + std::to_string(mesh.file_face(p.face));
@@ -40,30 +37,47 @@ Mesh::Mesh(const Vertices& vertices, const Faces& faces, bool weld) : Mesh(soup_
 
 Mesh::Mesh(const std::filesystem::path& file, bool weld) : Mesh(read_mesh(file), weld) {}
 
-Mesh::Mesh(const PolygonSoup& soup, bool weld)
-    : vertices_(columns(soup.positions)), mesh_(soup, {.weld = weld}), exact_(mesh_) {}
+Mesh::Mesh(PolygonSoup soup, bool weld)
+    : soup_(std::move(soup)),
+      weld_(weld),
+      manifold_(std::make_shared<MeshManifold>(TriangleMesh(soup_, {.weld = weld}))),
+      exact_(mesh()) {}
+
+Eigen::Matrix3Xd Mesh::vertices() const {
+  Eigen::Matrix3Xd out(3, static_cast<Eigen::Index>(soup_.positions.size()));
+  for (std::size_t i = 0; i < soup_.positions.size(); ++i) out.col(static_cast<Eigen::Index>(i)) = soup_.positions[i];
+  return out;
+}
 
 Eigen::Matrix<std::int32_t, 3, Eigen::Dynamic> Mesh::faces() const {
-  Eigen::Matrix<std::int32_t, 3, Eigen::Dynamic> out(3, mesh_.face_count());
-  for (std::int32_t f = 0; f < mesh_.face_count(); ++f)
-    for (std::size_t k = 0; k < 3; ++k) out(static_cast<Eigen::Index>(k), f) = mesh_.file_vertex(mesh_.face(f)[k]);
+  Eigen::Matrix<std::int32_t, 3, Eigen::Dynamic> out(3, mesh().face_count());
+  for (std::int32_t f = 0; f < mesh().face_count(); ++f)
+    for (std::size_t k = 0; k < 3; ++k) out(static_cast<Eigen::Index>(k), f) = mesh().file_vertex(mesh().face(f)[k]);
   return out;
 }
 
 SurfacePoint Mesh::vertex(std::int64_t v) const {
-  if (v < 0 || v >= mesh_.file_vertex_count())
+  if (v < 0 || v >= mesh().file_vertex_count())
     throw InputError("there is no vertex " + std::to_string(v) + ": vertices are numbered from 0 to " +
-                     std::to_string(mesh_.file_vertex_count() - 1));
-  const std::int32_t own = mesh_.vertex_of_file(static_cast<std::int32_t>(v));
+                     std::to_string(mesh().file_vertex_count() - 1));
+  const std::int32_t own = mesh().vertex_of_file(static_cast<std::int32_t>(v));
   if (own < 0) throw InputError("vertex " + std::to_string(v) + " belongs to no face");
-  return vertex_point(mesh_, own);
+  return vertex_point(mesh(), own);
+}
+
+SurfacePoint Mesh::on_face(std::int64_t face, const Eigen::Vector3d& barycentric) const {
+  const auto number = static_cast<int>(std::clamp<std::int64_t>(face, -1, std::numeric_limits<int>::max()));
+  try {
+    const PathEnd end = manifold_->on_face(number, barycentric);
+    return mesh().locate(number, barycentric);
+  } catch (const OptionError& e) {
+    throw InputError(e.what());
+  }
 }
 
 SurfacePoint Mesh::nearest(const Eigen::Vector3d& point) const {
   if (!point.allFinite()) throw InputError("a point of the mesh must be finite");
-  const std::scoped_lock lock(mutex_);
-  if (!tree_) tree_ = std::make_unique<ClosestPointTree>(mesh_);
-  const SurfacePoint where = tree_->nearest(point).where;
+  const SurfacePoint where = manifold_->tree().nearest(point).where;
   if (where.face < 0) throw InputError("a point is too far from the mesh for its numbers");
   return where;
 }
@@ -72,8 +86,8 @@ ExactResult Mesh::geodesic(const SurfacePoint& source, const SurfacePoint& targe
   Workspace workspace = borrow();  // not given back by an exception: it may be in any state
   const Geodesic first = workspace.routes.shortest(source, target, {.stop = stop, .routes = 1});
   if (!first.found() && !(stop && stop()))
-    throw InitializationError("there is no path on the mesh from " + text_of(mesh_, source) + " to " +
-                              text_of(mesh_, target));
+    throw InitializationError("there is no path on the mesh from " + text_of(mesh(), source) + " to " +
+                              text_of(mesh(), target));
   const SurfacePath* start = first.found() ? &first.result.path : nullptr;
   ExactResult found = exact_.shortest(source, target, workspace.exact, {.stop = stop, .start = start});
   give_back(std::move(workspace));
@@ -89,7 +103,7 @@ ExactDistances Mesh::distances(std::span<const SurfacePoint> sources, double max
 
 Mesh::Workspace Mesh::borrow() const {
   const std::scoped_lock lock(mutex_);
-  if (idle_.empty()) return {ExactSearch::Workspace(exact_), GeodesicSearch(mesh_)};
+  if (idle_.empty()) return {ExactSearch::Workspace(exact_), GeodesicSearch(mesh())};
   Workspace last = std::move(idle_.back());
   idle_.pop_back();
   return last;

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include <leastcost/problems/exact/exact_search.hpp>
-#include <leastcost/problems/mesh/closest_point.hpp>
+#include <leastcost/problems/manifolds/data/mesh.hpp>
 #include <leastcost/problems/mesh/triangle_mesh.hpp>
 #include <leastcost/problems/straighten/geodesic.hpp>
 
@@ -30,15 +30,23 @@ class Mesh {
   /// V: (n, 3); F: (m, k), rows of vertex numbers. Shapes and numbers are checked by _mesh.py.
   Mesh(const Vertices& vertices, const Faces& faces, bool weld);
   Mesh(const std::filesystem::path& file, bool weld);
+  Mesh(PolygonSoup soup, bool weld);
 
-  const TriangleMesh& mesh() const { return mesh_; }
+  const TriangleMesh& mesh() const { return manifold_->mesh(); }
+  /// The same as a domain.
+  const std::shared_ptr<const MeshManifold>& manifold() const { return manifold_; }
+  /// What it was made of.
+  const PolygonSoup& soup() const { return soup_; }
+  bool weld() const { return weld_; }
   /// As they were given, 3 x n.
-  const Eigen::Matrix3Xd& vertices() const { return vertices_; }
+  Eigen::Matrix3Xd vertices() const;
   /// The triangles, in vertex numbers of V, 3 x m.
   Eigen::Matrix<std::int32_t, 3, Eigen::Dynamic> faces() const;
 
   /// Vertex v of V. Throws InputError.
   SurfacePoint vertex(std::int64_t v) const;
+  /// A point of a triangle in row `face` of F. Throws InputError.
+  SurfacePoint on_face(std::int64_t face, const Eigen::Vector3d& barycentric) const;
   /// The point of the surface nearest to `point`. Throws InputError where it is not finite.
   SurfacePoint nearest(const Eigen::Vector3d& point) const;
 
@@ -52,16 +60,15 @@ class Mesh {
     GeodesicSearch routes;
   };
 
-  Mesh(const PolygonSoup& soup, bool weld);
   Workspace borrow() const;
   void give_back(Workspace workspace) const;
 
-  Eigen::Matrix3Xd vertices_;
-  TriangleMesh mesh_;
+  PolygonSoup soup_;
+  bool weld_;
+  std::shared_ptr<const MeshManifold> manifold_;
   ExactSearch exact_;
   mutable std::mutex mutex_;
-  mutable std::vector<Workspace> idle_;             // guarded by mutex_
-  mutable std::unique_ptr<ClosestPointTree> tree_;  // made by the first nearest(), guarded by mutex_
+  mutable std::vector<Workspace> idle_;  // guarded by mutex_
 };
 
 }  // namespace leastcost::python

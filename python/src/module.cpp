@@ -8,6 +8,7 @@ PYBIND11_MODULE(_leastcost, module) {
       "What leastcost is made of. Use the package leastcost, which checks arguments and says what they mean.";
   module.attr("version") = LEASTCOST_VERSION;
   leastcost::python::translate_errors();
-  leastcost::python::bind_run(module);
+  leastcost::python::bind_externals(module);
   leastcost::python::bind_mesh(module);
+  leastcost::python::bind_run(module);
 }

@@ -4,7 +4,9 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <utility>
 
@@ -14,6 +16,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kStep = 1e-150;      // of a complex step: nothing is subtracted, so that it can be as small as this
 constexpr double kDifference = 1e-5;  // of second derivatives, in lengths of a path
+constexpr double kPartOfMove = 1e-3;  // steps of differences
 
 Points begins(const AmbientPath& path) { return path.x.leftCols(path.segment_count()); }
 Points ends(const AmbientPath& path) { return path.x.rightCols(path.segment_count()); }
@@ -38,30 +41,44 @@ Jet2 apply(const Kernel& kernel, double s) {
 
 }  // namespace
 
-PythonCost::PythonCost(pybind11::function q, int dim, CostTraits traits)
-    : q_(std::move(q)), dim_(dim), traits_(std::move(traits)) {}
+PythonCost::PythonCost(PythonCostOptions options, int dim, std::shared_ptr<CallErrors> errors)
+    : q_(std::move(options.q)),
+      check_(std::move(options.check)),
+      dim_(dim),
+      traits_(std::move(options.traits)),
+      derivatives_(options.derivatives),
+      errors_(std::move(errors)) {}
 
 PythonCost::~PythonCost() {
   const pybind11::gil_scoped_acquire gil;
   q_ = {};
-  first_ = nullptr;
+  check_ = {};
 }
 
-void PythonCost::raise() const {
-  if (first_) std::rethrow_exception(std::exchange(first_, nullptr));
+template <class Call>
+auto PythonCost::guarded(const Call& call) const {
+  const pybind11::gil_scoped_acquire gil;
+  try {
+    return call();
+  } catch (...) {
+    errors_->keep(std::current_exception());
+    throw;
+  }
 }
 
 template <class Scalar>
 PythonCost::Values<Scalar> PythonCost::call(const Rows<Scalar>& a, const Rows<Scalar>& b) const {
-  const pybind11::gil_scoped_acquire gil;
   using Array = pybind11::array_t<Scalar, pybind11::array::c_style | pybind11::array::forcecast>;
-  try {
+  return guarded([&]() -> Values<Scalar> {
     const Array values = q_(Array({a.rows(), a.cols()}, a.data()), Array({b.rows(), b.cols()}, b.data()));
     return Eigen::Map<const Values<Scalar>>(values.data(), values.size());
-  } catch (...) {
-    if (!failed_.exchange(true)) first_ = std::current_exception();
-    throw;
-  }
+  });
+}
+
+void PythonCost::check_once(const AmbientPath& path) const {
+  if (path.segment_count() < 2 || checked_.exchange(true)) return;
+  const Rows<double> points = path.x.array();
+  guarded([&] { check_(pybind11::array_t<double>({points.rows(), points.cols()}, points.data())); });
 }
 
 Eigen::ArrayXd PythonCost::squares(const Points& a, const Points& b) const {
@@ -70,6 +87,10 @@ Eigen::ArrayXd PythonCost::squares(const Points& a, const Points& b) const {
 }
 
 Points PythonCost::gradients(const Points& a, const Points& b) const {
+  return derivatives_ == Derivatives::complex_steps ? complex_steps(a, b) : differences(a, b);
+}
+
+Points PythonCost::complex_steps(const Points& a, const Points& b) const {
   const Index n = a.cols(), d = dim_;
   // One call: block k of n columns has the step on variable k of (a, b).
   Rows<Complex> from = a.array().cast<Complex>().replicate(1, 2 * d);
@@ -82,7 +103,28 @@ Points PythonCost::gradients(const Points& a, const Points& b) const {
   return Eigen::Map<const Rows<Complex>>(q.data(), 2 * d, n).imag().matrix() / kStep;
 }
 
+Points PythonCost::differences(const Points& a, const Points& b) const {
+  const Index n = a.cols(), d = dim_, w = 2 * d;
+  // A part of the length of each move; a power of 2, so that most steps are what they are meant to be.
+  const double least = kDifference * size_of(a, b);
+  const Eigen::ArrayXd step = (b - a).colwise().norm().transpose().unaryExpr(
+      [&](double length) { return std::exp2(std::floor(std::log2(kPartOfMove * (length > 0 ? length : least)))); });
+  constexpr std::array<double, 4> kSteps = {-2, -1, 1, 2};
+  Rows<double> from = a.array().replicate(1, 4 * w), to = b.array().replicate(1, 4 * w);  // one call
+  for (Index k = 0; k < w; ++k)
+    for (Index s = 0; s < 4; ++s)
+      (k < d ? from : to).block(k % d, (4 * k + s) * n, 1, n) += kSteps[static_cast<std::size_t>(s)] * step.transpose();
+  const Values<double> q = call<double>(from, to);
+  Points slopes(w, n);
+  for (Index k = 0; k < w; ++k) {
+    const auto at = [&](Index s) { return q.segment((4 * k + s) * n, n); };
+    slopes.row(k) = ((8 * (at(2) - at(1)) - (at(3) - at(0))) / (12 * step)).matrix().transpose();
+  }
+  return slopes;
+}
+
 Points PythonCost::gradients(const AmbientPath& path) const {
+  check_once(path);
   Points gradient = gradients(begins(path), ends(path));
   if (path.begin_fixed()) gradient.col(0).head(dim_).setZero();
   if (path.end_fixed()) gradient.rightCols(1).bottomRows(dim_).setZero();
@@ -106,6 +148,7 @@ Points PythonCost::hessians(const Points& a, const Points& b) const {
 }
 
 void PythonCost::squared_costs(const AmbientPath& path, std::span<double> q) const {
+  check_once(path);
   const Eigen::ArrayXd values = squares(begins(path), ends(path));
   std::copy(values.begin(), values.end(), q.begin());
 }
@@ -128,6 +171,7 @@ double PythonCost::energy_and_gradient(const AmbientPath& path, const Kernel& ke
 
 void PythonCost::chain_blocks(const AmbientPath& path, const Kernel& kernel, double s0, HessianKind kind,
                               ChainBlocks& out) const {
+  check_once(path);
   const Points a = begins(path), b = ends(path);
   const Eigen::ArrayXd q = squares(a, b);
   const Points slopes = gradients(a, b);
@@ -159,16 +203,19 @@ void PythonCost::residuals(const AmbientPath& path, Points& r, Points* jacobians
 }
 
 double PythonCost::line_element(const Eigen::VectorXd& x, const Eigen::VectorXd& v) const {
-  // q(x, x + e v) = e^2 v' G v + O(e^3). Its derivative by e, by complex steps at +-e, gives v' G v + O(e^2), and with
-  // that at +-e / 2 O(e^4).
-  constexpr double e = 1e-3;
-  const Eigen::Array4d at(e, -e, e / 2, -e / 2);
-  const Rows<Complex> from = x.array().cast<Complex>().replicate(1, 4);
-  Rows<Complex> to = from;
-  for (Index i = 0; i < 4; ++i) to.col(i) += Complex(at[i], kStep) * v.cast<Complex>().array();
-  const Eigen::ArrayXd slope = call<Complex>(from, to).imag() / kStep;
-  const double coarse = (slope[0] - slope[1]) / (4 * e), fine = (slope[2] - slope[3]) / (2 * e);
-  return std::sqrt((4 * fine - coarse) / 3);
+  // q(x, x + e v) / e^2 tends to the square of what is asked for, also of a cost that is not the same backwards.
+  constexpr int kMoves = 4;
+  constexpr double kLongest = 4e-3;
+  const Eigen::Array4d e = kLongest / Eigen::Array4d(1, 2, 4, 8);
+  const auto limit = [&](const Points& a, const Points& b) {
+    Eigen::Array4d f = squares(a, b) / (e * e);
+    for (int level = 1; level < kMoves; ++level)  // Richardson: the error is of order 4
+      for (int i = 0; i + level < kMoves; ++i) f[i] = (std::exp2(level) * f[i + 1] - f[i]) / (std::exp2(level) - 1);
+    return f[0] >= 0 ? std::sqrt(f[0]) : kInfinity;
+  };
+  const Points here = x.replicate(1, kMoves), steps = v * e.matrix().transpose();
+  const double leaving = limit(here, here + steps);
+  return std::isfinite(leaving) ? leaving : limit(here - steps, here);  // at a border of where q is defined
 }
 
 }  // namespace leastcost::python

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 import time
 import traceback
+from concurrent.futures import ThreadPoolExecutor
 
 import leastcost as lc
 import numpy as np
@@ -56,7 +57,7 @@ def test_domains_and_costs_of_configurations():
 )
 def test_a_cost_that_is_not_analytic_is_refused(q, derivative):
     with pytest.raises(lc.InputError, match="not analytic: its derivative by " + derivative):
-        lc.find_path(lc.Plane(), q, (0.5, 0.5), (2, 1))
+        lc.find_path(lc.Plane(), q, (0.5, 0.5), (2, 1), symmetric=False)
 
 
 def test_the_remedy_of_that_message():
@@ -67,14 +68,20 @@ def test_the_remedy_of_that_message():
 
 
 def test_shapes_are_refused_in_words():
-    with pytest.raises(lc.InputError, match=r"returned the shape \(2, 9\); of 9 moves it is \(9,\)"):
+    with pytest.raises(lc.InputError, match=r"returned the shape \(2, (\d+)\); of \1 moves it is \(\1,\)"):
         lc.find_path(lc.Plane(), lambda a, b: (b - a) ** 2, (0, 0), (1, 0))
+    with pytest.raises(lc.InputError, match="values of the type bool"):
+        lc.find_path(lc.Plane(), lambda a, b: a[0] > 0, (0, 0), (1, 0))
     with pytest.raises(lc.InputError, match="target has 3 coordinates"):
         lc.find_path(lc.Plane(), chute, (0, 0), (1, 0, 0))
     with pytest.raises(lc.InputError, match="source is a point"):
         lc.find_path(lc.Plane(), chute, [[0, 0]], (1, 0))
-    with pytest.raises(lc.InputError, match="needs Plane"):
-        lc.find_path({"type": "sphere"}, chute, (0, 0), (1, 0))
+    with pytest.raises(lc.InputError, match="source is 3, but Plane.* has no vertices"):
+        lc.find_path(lc.Plane(), chute, 3, (1, 0))
+    with pytest.raises(lc.InputError, match="has no faces"):
+        lc.find_path(lc.Plane(), chute, (3, (1, 0, 0)), (1, 0))
+    with pytest.raises(lc.InputError, match="are of a function"):
+        lc.find_path(lc.Plane(), "euclidean", (0, 0), (1, 0), additive=True)
 
 
 def test_a_shape_that_changes_later_is_refused():
@@ -84,6 +91,79 @@ def test_a_shape_that_changes_later_is_refused():
 
     with pytest.raises(ValueError, match=r"the shape \(31,\); of 32 moves it is \(32,\)"):
         lc.find_path(lc.Plane(), q, (0, 0), PI, points=40)
+
+
+def test_promises_are_verified():
+    def uphill(a, b):
+        return (np.sqrt(((b - a) ** 2).sum(0)) + 0.3 * (b[1] - a[1])) ** 2
+
+    with pytest.raises(lc.InputError, match="not symmetric: the move from .* costs .*, and the way back .*symmetric=F"):
+        lc.find_path(lc.Plane(), uphill, (0, 0), (1, 1))
+    there = lc.find_path(lc.Plane(), uphill, (0, 0), (1, 1), symmetric=False, additive=True)
+    assert there.certified and there.cost == pytest.approx(np.sqrt(2) + 0.3, rel=1e-12)
+
+    def middle(a, b):
+        return ((b - a) ** 2).sum(0) * (1 + ((a + b) / 2)[0] ** 2) ** 2
+
+    with pytest.raises(lc.InputError, match="not additive: the move from .* costs .*, and its two halves"):
+        lc.find_path(lc.Plane(), middle, (0, 0), (1, 1), additive=True)
+    assert lc.find_path(lc.Plane(), middle, (0, 0), (1, 1)).certified
+
+
+def test_differences_where_a_function_is_not_analytic():
+    def q(a, b):
+        return ((b - a) ** 2).sum(0) * (1 + np.abs((a[0] + b[0]) / 2)) ** 2
+
+    def analytic(a, b):
+        return ((b - a) ** 2).sum(0) * (1 + (a[0] + b[0]) / 2) ** 2
+
+    ends = (0.5, 0), (2, 1)
+    own = lc.find_path(lc.Plane(), q, *ends, derivatives="differences")
+    exact = lc.find_path(lc.Plane(), analytic, *ends)
+    assert own.certified and own.cost == pytest.approx(exact.cost, rel=1e-10)
+    with pytest.raises(lc.InputError, match='"complex" or "differences"'):
+        lc.find_path(lc.Plane(), q, *ends, derivatives="forward")
+
+
+def test_differences_of_the_chute():
+    own = lc.find_path(lc.Plane(), chute, (0, 0), PI, points=40, additive=True, derivatives="differences")
+    assert own.certified and abs(own.cost - np.pi) <= 3 * own.error < 1e-6
+
+
+def test_a_function_starts_straight():
+    """A search on all sides would call it for every cell."""
+    calls = 0
+
+    def q(a, b):
+        nonlocal calls
+        calls += 1
+        return ((b - a) ** 2).sum(0) * (1 + a[0] ** 2) * (1 + b[0] ** 2)
+
+    assert lc.find_path(lc.Plane(), q, (0.5, 0.5), (2, 1)).certified
+    assert calls < 3000
+
+
+def test_threads_share_a_cost():
+    cost = lc.Cost(chute, unit="s", additive=True)
+    alone = lc.find_path(lc.Plane(), cost, (0, 0), PI, points=40).cost
+    with ThreadPoolExecutor(4) as pool:
+        found = pool.map(lambda _: lc.find_path(lc.Plane(), cost, (0, 0), PI, points=40).cost, range(12))
+        assert list(found) == [alone] * 12
+
+
+def test_an_exception_in_one_thread_is_its_own():
+    def fails(a, b):
+        raise ZeroDivisionError("mine")
+
+    def cost_of(q):
+        try:
+            return lc.find_path(lc.Plane(), q, (0, 0), PI, points=20).cost
+        except ZeroDivisionError:
+            return "mine"
+
+    with ThreadPoolExecutor(4) as pool:
+        found = list(pool.map(cost_of, [chute, fails] * 6))
+    assert found[1::2] == ["mine"] * 6 and len({*found[::2]}) == 1
 
 
 @pytest.mark.parametrize("calls", [10, 20, 60])

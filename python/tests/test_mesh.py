@@ -34,6 +34,30 @@ def test_between_points(cube):
     assert cube.geodesic(np.array([0, 0, 3]), 7).points[0].tolist() == [0, 0, 1]  # the nearest one of the surface
 
 
+def test_places_on_faces(configs):
+    mesh = lc.Mesh.read(configs / "data/hill.obj")
+    corners = mesh.V[mesh.F[7]]
+    weights = np.array([0.2, 0.3, 0.5])
+    on_face = mesh.geodesic((7, weights), (3, (1, 0, 0)))
+    assert np.allclose(on_face.points[0], weights @ corners, atol=1e-12)
+    assert on_face.length == pytest.approx(mesh.geodesic(weights @ corners, int(mesh.F[3][0])).length, rel=1e-9)
+    distances = mesh.distances((7, (0.2, 0.3, 0.5)))
+    assert distances[mesh.F[7][0]] == pytest.approx(np.linalg.norm(weights @ corners - corners[0]), rel=1e-9)
+    assert np.array_equal(mesh.distances([(7, weights)]), distances)
+    assert mesh.distances([7, (0.2, 0.3, 0.5)])[7] == 0  # a list: a vertex and a point
+    with pytest.raises(lc.InputError, match="sum 1, not 0.9"):
+        mesh.geodesic((7, (0.2, 0.3, 0.4)), 0)
+
+
+def test_faces_are_numbered_as_given():
+    """A square and a triangle; the square is cut in two."""
+    V = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [2, 0, 0]], dtype=float)
+    mesh = lc.Mesh(V[[0, 1, 2, 3, 4, 4]], [[0, 1, 2, 3], [1, 4, 5, 2]])
+    assert set(mesh.geodesic(0, 4).faces.tolist()) <= {0, 1}
+    triangles = lc.Mesh(V, [[0, 1, 2], [0, 2, 3], [1, 4, 2]])
+    assert triangles.geodesic((2, (0, 1, 0)), 0).length == pytest.approx(2, rel=1e-12)
+
+
 def test_distances_in_the_order_of_v(cube):
     distances = cube.distances(0)
     assert distances.shape == (9,)
@@ -73,8 +97,20 @@ def test_threads_share_a_mesh(configs):
         assert list(pool.map(lambda t: mesh.geodesic(0, t).length, range(1, 81))) == alone
 
 
-def test_pickle(cube):
-    assert pickle.loads(pickle.dumps(cube)).geodesic(0, 7).length == cube.geodesic(0, 7).length
+def test_pickle(cube, configs):
+    copy = pickle.loads(pickle.dumps(cube))
+    assert copy.geodesic(0, 7).length == cube.geodesic(0, 7).length
+    assert np.array_equal(copy.V, cube.V) and np.array_equal(copy.F, cube.F) and copy.notes == cube.notes
+    with pytest.raises(lc.InputError, match="polygon"):  # faces are still those of F
+        copy.geodesic((0, (1, 0, 0)), 3)
+    geodesic = pickle.loads(pickle.dumps(cube.geodesic(0, 7)))
+    assert geodesic.proved and geodesic.length == pytest.approx(np.sqrt(20), rel=1e-12)
+
+
+def test_pickle_keeps_what_was_welded():
+    V = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], dtype=float)
+    welded = lc.Mesh(V, [[0, 1, 2], [3, 5, 4]], weld=True)
+    assert pickle.loads(pickle.dumps(welded)).geodesic(0, 5).length == welded.geodesic(0, 5).length > 1
 
 
 @pytest.mark.parametrize(
@@ -102,10 +138,17 @@ def test_arrays_are_refused_in_words(V, F, message):
         (9, "no vertex 9: vertices are numbered from 0 to 8"),
         (-1, "no vertex -1"),
         (8, "vertex 8 belongs to no face"),
-        ((0, 0), "vertex or a point"),
-        ("a", "vertex or a point"),
+        ((0, 0), "number of a vertex"),
+        ("a", "number of a vertex"),
         ((0, 0, np.nan), "finite"),
-        (True, "vertex or a point"),
+        (True, "number of a vertex"),
+        ((2.0, (1, 0, 0)), "the number of a face is a whole number, a row of F, not 2.0"),
+        ((2, (1, 0)), "barycentric coordinates are three real numbers"),
+        ((0, (1, 0, 0)), "polygon"),
+        ((6, (1, 0, 0)), "faces 0 to 5, not 6"),
+        ((-1, (1, 0, 0)), "faces 0 to 5, not -1"),
+        ([[0, 1], [2]], "the number of a face is a whole number"),
+        ([[0, 1], 2], "number of a vertex"),
     ],
 )
 def test_places_are_refused_in_words(cube, place, message):

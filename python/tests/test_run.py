@@ -1,7 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The leastcost authors
 # SPDX-License-Identifier: MIT
 import json
+import pickle
 import subprocess
+from concurrent.futures import ThreadPoolExecutor
 
 import leastcost as lc
 import numpy as np
@@ -71,6 +73,22 @@ def test_written_files_hold_the_same_points(tmp_path):
     with pytest.raises(lc.OutputError):
         result.write(tmp_path / "chute")
     assert result.write(tmp_path / "chute", replace=True) == folder
+
+
+def test_pickle(tmp_path):
+    result = lc.run(CHUTE)
+    copy = pickle.loads(pickle.dumps(result))
+    assert np.array_equal(copy.points, result.points) and np.array_equal(copy.curve, result.curve)
+    assert copy.report == result.report and repr(copy) == repr(result)
+    assert pickle.loads(pickle.dumps(copy)).cost == result.cost
+    with pytest.raises(lc.OutputError, match="write it before"):
+        copy.write(tmp_path / "copy")
+
+
+def test_threads_run_at_once():
+    with ThreadPoolExecutor(4) as pool:
+        costs = list(pool.map(lambda n: lc.run(CHUTE, set={"path.points": n}).cost, [20, 30, 40, 50] * 3))
+    assert costs == [lc.run(CHUTE, set={"path.points": n}).cost for n in [20, 30, 40, 50]] * 3
 
 
 def test_arrays_outlive_the_result():

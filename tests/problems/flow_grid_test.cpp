@@ -6,6 +6,8 @@
 #include <string>
 
 #include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
+#include <leastcost/problems/costs/zermelo.hpp>
 #include "problems/costs/flow_grid.hpp"
 #include "problems/readers/flow_reader.hpp"
 #include "tests/support/catch.hpp"
@@ -112,6 +114,23 @@ TEST_CASE("flow grid: in space") {
   const Eigen::Vector3d p(1.234, 4.321, 8.765);
   const Eigen::Vector3d w = grid(Point<double, 3>(p));
   CHECK((w - Eigen::Vector3d(p[0] * p[1], p[2] * p[2] - p[0], p[1] * p[2] + p[0] * p[0])).norm() < 1e-12);
+}
+
+TEST_CASE("flow grid: nodes in memory make the cost that a file of them makes") {
+  const ScratchDir folder;
+  {
+    std::ofstream out(folder / "flow.csv");
+    for (int k = 0; k < 12; ++k) out << k % 4 << ' ' << k / 4 << ' ' << 0.1 * k << ' ' << -0.02 * k * k << '\n';
+  }
+  const Eigen::MatrixXd nodes = read_flow(folder / "flow.csv", 2);
+  const auto of_file = make_zermelo_cost({.speed = "3", .flow = flow::Grid{"flow.csv"}}, 2, folder.path());
+  const auto in_memory = make_zermelo_cost({.speed = "3"}, nodes, 2);
+  const Eigen::Vector2d a(0.3, 0.4), b(2.5, 1.7);
+  CHECK(move_cost(*in_memory, a, b) == move_cost(*of_file, a, b));
+  CHECK(move_cost(*in_memory, a, b) != move_cost(*in_memory, b, a));
+  CHECK(std::isinf(move_cost(*in_memory, a, Eigen::Vector2d(3.5, 1))));
+  CHECK_THROWS_AS(make_zermelo_cost({.speed = "3"}, nodes, 3), InputError);
+  CHECK_THROWS_AS(make_zermelo_cost({.speed = "-3"}, nodes, 2), OptionError);
 }
 
 TEST_CASE("flow files: what they may say") {

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include <leastcost/catalogue/run/run.hpp>
+
+namespace leastcost::python {
+
+/// A finished run, or what pickle keeps of one: its numbers, not the objects that it was made of.
+class Outcome {
+ public:
+  explicit Outcome(RunOutcome run) : run_(std::move(run)) {}
+  /// Of state().
+  explicit Outcome(pybind11::tuple state) : state_(std::move(state)) {}
+
+  pybind11::object points() const;
+  pybind11::object curve() const;
+  pybind11::object json() const;
+  /// Throws OutputError, also where only numbers are left.
+  std::filesystem::path write(const std::filesystem::path& folder, bool replace) const;
+  /// (points, curve, json).
+  pybind11::tuple state() const;
+
+ private:
+  std::optional<RunOutcome> run_;
+  pybind11::tuple state_;  // without run_
+};
+
+}  // namespace leastcost::python

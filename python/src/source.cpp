@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "python/src/source.hpp"
+
+#include <cstdint>
+#include <utility>
+#include <variant>
+
+#include <leastcost/framework/base/errors.hpp>
+#include "catalogue/config/load_config.hpp"
+#include "catalogue/plugins/kinds.hpp"
+#include "catalogue/run/compose.hpp"
+
+namespace leastcost::python {
+namespace {
+
+namespace py = pybind11;
+
+constexpr const char* kName = "config";  // of what has no file
+
+LoadedConfig load(const Source& source, const std::vector<Override>& overrides, const Externals& externals) {
+  if (source.file) return load_config(*source.file, overrides, externals);
+  if (source.tree) return parse_config(*source.tree, kName, source.folder, overrides, externals);
+  return parse_config(source.text, kName, source.folder, overrides, externals);
+}
+
+/// Of the space in which points are. What is wrong with the manifold is said when the run is read.
+int dimension_of(const PluginChoice& manifold, const std::filesystem::path& folder) {
+  using Made = std::shared_ptr<const ConstraintManifold>;
+  constexpr int kAny = 2;
+  if (!manifold) return kAny;
+  if (waits_for<Made>(manifold) != WaitsFor::nothing) return manifold.plugin->ambient;
+  try {
+    BuildContext context;
+    context.folder = folder;
+    return make<Made>(manifold, context)->dimensions().ambient;
+  } catch (const Error&) {
+    return kAny;
+  }
+}
+
+ConfigValue value_of(const py::handle& plain) {
+  if (plain.is_none()) return {};
+  if (py::isinstance<py::bool_>(plain)) return plain.cast<bool>();
+  if (py::isinstance<py::int_>(plain)) return plain.cast<std::int64_t>();
+  if (py::isinstance<py::float_>(plain)) return plain.cast<double>();
+  if (py::isinstance<py::str>(plain)) return plain.cast<std::string>();
+  if (py::isinstance<py::dict>(plain)) return block_of(py::reinterpret_borrow<py::dict>(plain));
+  ConfigValue::List list;
+  for (const py::handle item : py::reinterpret_borrow<py::list>(plain)) list.push_back(value_of(item));
+  return list;
+}
+
+}  // namespace
+
+std::vector<Override> Source::overrides() const {
+  std::vector<Override> list;
+  for (const std::string& assignment : assignments) list.push_back({assignment, "set: " + assignment});
+  return list;
+}
+
+Externals Source::objects(const std::shared_ptr<CallErrors>& errors) const {
+  Externals all;
+  for (const auto& [name, external] : externals)
+    if (const auto* object = std::get_if<ExternalObject>(&external.made)) all.emplace(name, *object);
+  if (all.size() == externals.size()) return all;
+  const LoadedConfig loaded = load(*this, overrides(), all);
+  const int dimension = dimension_of(loaded.config.manifold, loaded.folder);
+  for (const auto& [name, external] : externals)
+    if (const auto* maker = std::get_if<CostMaker>(&external.made)) all.emplace(name, (*maker)(dimension, errors));
+  return all;
+}
+
+Run Source::read(const BuildProgress& progress, const std::shared_ptr<CallErrors>& errors) const {
+  const Externals made = objects(errors);
+  if (file) return load_run(*file, overrides(), progress, made);
+  if (tree) return parse_run(*tree, kName, folder, overrides(), progress, made);
+  return parse_run(text, kName, folder, overrides(), progress, made);
+}
+
+void Source::validate() const {
+  LoadedConfig loaded = load(*this, overrides(), objects(std::make_shared<CallErrors>()));
+  if (loaded.errors.empty()) check_parts(loaded);
+  if (!loaded.errors.empty()) throw ConfigError(loaded.errors);
+}
+
+ConfigValue::Block block_of(const py::dict& plain) {
+  ConfigValue::Block block;
+  for (const auto& [key, value] : plain) block.push_back({key.cast<std::string>(), value_of(value)});
+  return block;
+}
+
+}  // namespace leastcost::python
