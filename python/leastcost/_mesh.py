@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
     from typing import Union
 
+    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike, NDArray
 
     #: A vertex, by its row in V, or a point (x, y, z), which means the nearest one of the surface.
@@ -45,6 +46,14 @@ class Geodesic:
     def proved(self) -> bool:
         """Whether no path on the mesh is shorter, within 1e-9 of the length."""
         return self.outcome in ("proved", "improved")
+
+    def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
+        """Draws the path with matplotlib, and returns the axes: `geodesic.plot(mesh.plot())` with the mesh below it.
+
+        ax: None makes new ones; else they need projection="3d". style: as for Axes.plot."""
+        from ._plot import plot_geodesic
+
+        return plot_geodesic(self, ax, style)
 
 
 class Mesh:
@@ -105,6 +114,14 @@ class Mesh:
             why = "memory ran out" if out_of_memory else "paths run over faces without height"
             warnings.warn(f"{why}: some distances are upper bounds", RuntimeWarning, stacklevel=2)
         return (lower, upper) if bounds else distance
+
+    def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
+        """Draws the mesh with matplotlib, a large one coarsened, and returns the axes.
+
+        ax: None makes new ones; else they need projection="3d". style: as for Axes3D.plot_trisurf."""
+        from ._plot import plot_mesh
+
+        return plot_mesh(self, ax, style)
 
     def _place(self, place: Place) -> _leastcost.SurfacePoint:
         if isinstance(place, (int, np.integer)) and not isinstance(place, bool):

@@ -10,4 +10,5 @@ PYBIND11_MODULE(_leastcost, module) {
   leastcost::python::translate_errors();
   leastcost::python::bind_run(module);
   leastcost::python::bind_mesh(module);
+  leastcost::python::bind_report(module);
 }
