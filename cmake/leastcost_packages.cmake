@@ -93,9 +93,9 @@ if(TARGET leastcost)
   leastcost_package(program leastcost math "the program" program_needs)
 endif()
 
-if(TARGET leastcost_python)  # the module is of one version of Python
-  math(EXPR next "${Python_VERSION_MINOR} + 1")
-  set(python_needs "python3 (>= 3.${Python_VERSION_MINOR})" "python3 (<< 3.${next})" python3-numpy)
+if(TARGET leastcost_python)
+  math(EXPR next "${LEASTCOST_PYTHON_MINOR} + 1")
+  set(python_needs "python3 (>= 3.${LEASTCOST_PYTHON_MINOR})" "python3 (<< 3.${next})" python3-numpy)
   if(BUILD_SHARED_LIBS)
     list(APPEND python_needs ${below_libraries})
   endif()

@@ -3,7 +3,7 @@
 
 // The geodesics of measure.py in C++: geodesics MESH pairs.txt. Not part of a build:
 //   c++ -std=c++20 -O2 -I build/release/include -isystem /usr/include/eigen3 python/benchmarks/geodesics.cpp \
-//     build/release/problems/libleastcost_{mesh,core}.a build/release/framework/*.a ...
+//     build/release/problems/libleastcost_{mesh,core}.a build/release/framework/{,numbers/}libleastcost_*.a
 #include <cstdio>
 #include <ctime>
 #include <fstream>
@@ -23,19 +23,17 @@ int main(int, char** arguments) {
   std::vector<std::pair<int, int>> pairs;
   std::ifstream in(arguments[2]);
   for (int s = 0, t = 0; in >> s >> t;) pairs.emplace_back(s, t);
-  for (int round = 0; round < 2; ++round) {
-    const std::clock_t start = std::clock();
-    double sum = 0;
-    int proved = 0;
-    for (const auto& [s, t] : pairs) {
-      const SurfacePoint from = vertex_point(mesh, mesh.vertex_of_file(s));
-      const SurfacePoint to = vertex_point(mesh, mesh.vertex_of_file(t));
-      const Geodesic first = routes.shortest(from, to, {.routes = 1});
-      const ExactResult found = exact.shortest(from, to, workspace, {.start = &first.result.path});
-      sum += found.length;
-      proved += found.is_proved() ? 1 : 0;
-    }
-    std::printf("%zu geodesics: %.2f CPU s, sum %.12f, proved %d\n", pairs.size(),
-                static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, sum, proved);
+  const std::clock_t start = std::clock();
+  double sum = 0;
+  int proved = 0;
+  for (const auto& [s, t] : pairs) {
+    const SurfacePoint from = vertex_point(mesh, mesh.vertex_of_file(s));
+    const SurfacePoint to = vertex_point(mesh, mesh.vertex_of_file(t));
+    const Geodesic first = routes.shortest(from, to, {.routes = 1});
+    const ExactResult found = exact.shortest(from, to, workspace, {.start = &first.result.path});
+    sum += found.length;
+    proved += found.is_proved() ? 1 : 0;
   }
+  std::printf("%zu geodesics: %.2f CPU s, sum %.12f, proved %d\n", pairs.size(),
+              static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, sum, proved);
 }

@@ -104,8 +104,12 @@ def _draw_rasters(scene: Scene, ax: Axes) -> None:
         ax.imshow(values, extent=extent, origin="lower", cmap="gray", vmin=-0.4, vmax=1.1, zorder=0)
     if "cost" in scene:
         values, extent = _raster(scene["cost"])
-        image = ax.imshow(values, extent=extent, origin="lower", cmap="YlOrBr", zorder=0, interpolation="bilinear")
-        ax.get_figure().colorbar(image, ax=ax, label="cost per unit of length")
+        most = float(np.nanpercentile(values, 98))  # beside a singularity the rest would have one shade
+        clipped = float(np.nanmax(values)) > 2 * most
+        options = {"vmax": most} if clipped else {}
+        image = ax.imshow(values, extent=extent, origin="lower", cmap="YlOrBr", zorder=0, **options)
+        extend = "max" if clipped else "neither"
+        ax.get_figure().colorbar(image, ax=ax, label="cost per unit of length", extend=extend)
     if "potential" in scene:
         values, extent = _raster(scene["potential"])
         x, y = (np.linspace(extent[2 * i], extent[2 * i + 1], values.shape[1 - i]) for i in (0, 1))
@@ -227,7 +231,7 @@ def _turn(ax: Axes, scene: Scene, vertices: NDArray[np.float64], curve: NDArray[
     flat = float(np.hypot(x, y))
     turned = flat > 1e-3 * float(np.linalg.norm(np.ptp(vertices, axis=0)))
     azimuth = float(np.degrees(np.arctan2(y, x))) if turned else -60.0
-    elevation = float(np.clip(np.degrees(np.arctan2(z, flat)), 15, 60))
+    elevation = float(np.clip(np.degrees(np.arctan2(z, flat)), 15, 45))
     ax.view_init(elev=elevation, azim=azimuth, vertical_axis="xyz"[up])
 
 
