@@ -2,6 +2,7 @@
 #   leastcost                                        the program
 #   libleastcost-dev, libleastcost-<part>-dev        headers, CMake and pkg-config files, archives or links
 #   libleastcost0, libleastcost-<part>0              shared libraries, of a build with BUILD_SHARED_LIBS
+#   python3-leastcost                                the Python package, of a build with LEASTCOST_BUILD_PYTHON
 # with <part> = nlopt, ceres, ompl, gdal, catalogue. What a binary needs dpkg-shlibdeps finds out; what a static archive
 # needs is the -dev package of that library.
 set(CPACK_GENERATOR DEB)
@@ -90,6 +91,16 @@ if(TARGET leastcost)
     set(program_needs ${below_libraries})
   endif()
   leastcost_package(program leastcost math "the program" program_needs)
+endif()
+
+if(TARGET leastcost_python)
+  math(EXPR next "${LEASTCOST_PYTHON_MINOR} + 1")
+  set(python_needs "python3 (>= 3.${LEASTCOST_PYTHON_MINOR})" "python3 (<< 3.${next})" python3-numpy)
+  if(BUILD_SHARED_LIBS)
+    list(APPEND python_needs ${below_libraries})
+  endif()
+  leastcost_package(python python3-leastcost python "the Python package" python_needs)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS python3-matplotlib)
 endif()
 
 # dpkg-shlibdeps reads our shared libraries where they are built.

@@ -28,7 +28,8 @@ def text_of(docstring: str | None) -> str:
             continue
         lines = re.sub(r"\n +", " ", paragraph).split("\n")
         if all(re.match(r"[\w, *]+: ", line) for line in lines) and len(lines) > 1:
-            out.append("\n".join(re.sub(r"^([\w, *]+): ", r"* `\1`: ", escaped(line)) for line in lines))
+            items = (line.split(": ", 1) for line in lines)
+            out.append("\n".join(f"* `{name}`: {escaped(said)}" for name, said in items))
         else:
             items = []
             for line in lines:

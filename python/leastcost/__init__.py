@@ -23,6 +23,7 @@ from ._errors import ConfigError, Error, InputError, NoPathError, OutputError, T
 from ._find_path import find_path
 from ._leastcost import version as __version__
 from ._mesh import Geodesic, Mesh
+from ._plugins import cost, initializer, kernel, manifold, obstacle, post_processor, robot, solver
 from ._result import Failure, Result
 from ._run import run, validate
 
@@ -44,7 +45,15 @@ __all__ = [
     "Terrain",
     "TimeLimitError",
     "Wind",
+    "cost",
     "find_path",
+    "initializer",
+    "kernel",
+    "manifold",
+    "obstacle",
+    "post_processor",
+    "robot",
     "run",
+    "solver",
     "validate",
 ]

@@ -17,6 +17,7 @@ from ._places import is_number, is_on_face, on_face, point
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike, NDArray
 
     from ._places import Place
@@ -44,6 +45,14 @@ class Geodesic:
     def proved(self) -> bool:
         """Whether no path on the mesh is shorter, within 1e-9 of the length."""
         return self.outcome in ("proved", "improved")
+
+    def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
+        """Draws the path with matplotlib, and returns the axes: `geodesic.plot(mesh.plot())` with the mesh below it.
+
+        ax: None makes new ones; else they need projection="3d". style: as for Axes.plot."""
+        from ._plot import plot_geodesic
+
+        return plot_geodesic(self, ax, style)
 
 
 class Mesh:
@@ -107,6 +116,14 @@ class Mesh:
             why = "memory ran out" if out_of_memory else "paths run over faces without height"
             warnings.warn(f"{why}: some distances are upper bounds", RuntimeWarning, stacklevel=2)
         return (lower, upper) if bounds else distance
+
+    def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
+        """Draws the mesh with matplotlib, a large one coarsened, and returns the axes.
+
+        ax: None makes new ones; else they need projection="3d". style: as for Axes3D.plot_trisurf."""
+        from ._plot import plot_mesh
+
+        return plot_mesh(self, ax, style)
 
     def _place(self, place: Place) -> _leastcost.SurfacePoint:
         if is_number(place):

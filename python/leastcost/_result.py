@@ -6,6 +6,7 @@ import json
 import os
 from dataclasses import dataclass
 from functools import cached_property
+from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -44,57 +45,57 @@ class Result:
         return self._outcome.curve()
 
     @cached_property
-    def report(self) -> dict[str, Any]:
-        """The content of result.json."""
+    def details(self) -> dict[str, Any]:
+        """Everything that is known, as in result.json."""
         content: dict[str, Any] = json.loads(self._outcome.json())
         return content
 
     @property
     def status(self) -> str:
         """"certified", "uncertified", "collapsed" or "interrupted"."""
-        return str(self.report["status"])
+        return str(self.details["status"])
 
     @property
     def certified(self) -> bool:
         """Whether every check of the certificate has passed."""
-        return bool(self.report["certified"])
+        return bool(self.details["certified"])
 
     @property
     def cost(self) -> float:
         """Cost of the path, in `unit`; NaN if there is no path."""
-        return _number(self.report["cost"]["value"])
+        return _number(self.details["cost"]["value"])
 
     @property
     def error(self) -> float:
         """Estimated error of the cost, in `unit`; NaN if not measured."""
-        return _number(self.report["cost"]["error_estimate"])
+        return _number(self.details["cost"]["error_estimate"])
 
     @property
     def unit(self) -> str:
         """Unit of the cost, in words: "length", "s"."""
-        return str(self.report["cost"]["unit"])
+        return str(self.details["cost"]["unit"])
 
     @property
     def scope(self) -> str | None:
         """What the certificate speaks of: "local", "global_on_polyhedron", ... (docs/theory/certificate.md)."""
-        scope: str | None = self.report["scope"]
+        scope: str | None = self.details["scope"]
         return scope
 
     @property
     def failures(self) -> list[Failure]:
         """Why the path is not certified; empty if it is."""
-        return [Failure(failure["name"], failure["message"]) for failure in self.report["failures"]]
+        return [Failure(failure["name"], failure["message"]) for failure in self.details["failures"]]
 
     @property
     def certificate(self) -> dict[str, Any]:
         """What was measured, as in result.json."""
-        certificate: dict[str, Any] = self.report["certificate"]
+        certificate: dict[str, Any] = self.details["certificate"]
         return certificate
 
     @property
     def notes(self) -> list[str]:
         """What a user should know about the search."""
-        return list(self.report["notes"])
+        return list(self.details["notes"])
 
     def write(self, folder: str | os.PathLike[str], *, replace: bool = False) -> Path:
         """Writes the files that the program writes, without its report, and returns their folder.
@@ -102,18 +103,48 @@ class Result:
         replace: a folder of an earlier run may be replaced. Raises OutputError."""
         return self._outcome.write(Path(folder), replace)
 
-    def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
-        """Draws the curve and its points with matplotlib, and returns the axes.
+    def report(self) -> str:
+        """The text of report.html, as the program makes it: a page of its own, without network."""
+        return _leastcost.report(self._outcome)
 
-        ax: None makes new ones. style: of the line, as for Axes.plot. Beyond three dimensions: each coordinate over the
-        share of the cost."""
+    def figure(self, *, width: float = 84, font_size: float = 8) -> str:
+        """The picture that `leastcost figure` makes, as SVG. width: mm; font_size: pt. To restyle one, see plot().
+
+        Raises InputError where that size leaves no room, or where there is no path."""
+        return _leastcost.figure(self._outcome, float(width), float(font_size))
+
+    def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
+        """Draws the path and what surrounds it with matplotlib, and returns the axes.
+
+        In the plane: obstacles and their clearance, the cost per unit of length, a terrain seen from above. In space:
+        the surface or the cloud, and the path on top of it. Robots: poses, where the configuration has one. Otherwise,
+        beyond three dimensions: each coordinate over the share of the cost.
+
+        ax: None makes new axes; of a picture in space they need projection="3d". style: of the path, as for Axes.plot.
+        Raises ImportError without matplotlib."""
         from ._plot import plot
 
-        return plot(self, ax, **style)
+        return plot(self, json.loads(_leastcost.scene(self._outcome)), ax, style)
 
     def __repr__(self) -> str:
+        return f"<leastcost.Result {self.status}: {self._cost_in_words()}, {len(self.points)} points>"
+
+    def _repr_html_(self) -> str:
+        """For notebooks: cost, verdict and picture."""
+        name = escape(str(self.details["name"]))
+        lines = [f"<b>{name}</b>: {escape(self._cost_in_words())}", escape(self._verdict())]
+        if len(self.points):
+            lines.append(self.figure(width=120))
+        return '<div style="background:#fff;color:#222;max-width:40em;padding:.5em">' + "<br>".join(lines) + "</div>"
+
+    def _cost_in_words(self) -> str:
         error = "" if np.isnan(self.error) else f" +- {self.error:.2g}"
-        return f"<leastcost.Result {self.status}: {self.cost:.10g}{error} {self.unit}, {len(self.points)} points>"
+        return f"{self.cost:.10g}{error} {self.unit}"
+
+    def _verdict(self) -> str:
+        if self.certified:
+            return f"certified ({self.scope})"
+        return "; ".join([self.status, *(failure.message for failure in self.failures)])
 
 
 def _number(value: float | None) -> float:

@@ -24,7 +24,7 @@ def test_brachistochrone_takes_pi(configs):
     assert abs(result.cost - np.pi) < 3 * result.error < 1e-6
     assert result.points.shape[1] == 2 and result.points.dtype == np.float64
     assert result.curve.shape[1] == 2
-    assert result.certificate == result.report["certificate"]
+    assert result.certificate == result.details["certificate"]
 
 
 @pytest.mark.parametrize("name", ["brachistochrone", "snell", "plan_taut", "bunny_geodesic"])
@@ -33,7 +33,7 @@ def test_same_result_as_the_program(configs, program, tmp_path, name):
     run = [program, "run", f"configs/{name}.yaml", "-o", tmp_path / "out"]
     subprocess.run(run, cwd=configs.parent, capture_output=True, check=False)
     theirs = json.loads((tmp_path / "out/result.json").read_text())
-    ours = lc.run(configs / f"{name}.yaml").report
+    ours = lc.run(configs / f"{name}.yaml").details
     for key in ("cost", "scope", "status", "failures", "points", "spacing", "notes"):
         assert ours[key] == theirs[key], key
 
@@ -52,7 +52,7 @@ def test_a_text_and_a_dict_are_configurations_too():
 
 
 def test_set_replaces_options():
-    assert lc.run(CHUTE, set={"path.points": 20}).report["points"] == 20
+    assert lc.run(CHUTE, set={"path.points": 20}).details["points"] == 20
     assert lc.run(CHUTE, set={"ends.target.point": np.array([1.0, -1.0])}).points[-1].tolist() == [1, -1]
 
 
@@ -99,16 +99,3 @@ def test_arrays_outlive_the_result():
 
 def test_repr_says_what_is_known():
     assert repr(lc.run(CHUTE)).startswith("<leastcost.Result certified: 3.1415926")
-
-
-def test_plot_draws_the_curve():
-    matplotlib = pytest.importorskip("matplotlib")
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
-    result = lc.run(CHUTE)
-    axes = result.plot(color="black")
-    line, dots = axes.get_lines()
-    assert np.array_equal(line.get_xydata(), result.curve) and line.get_color() == "black"
-    assert np.array_equal(dots.get_xydata(), result.points)
-    pyplot.close("all")

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+
+// What the program makes of the files of a run: its report and its figure. The files are written into a temporary
+// folder, so that both are made exactly as by the program.
+#include <pybind11/pybind11.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <system_error>
+
+#include <leastcost/catalogue/output/write_run.hpp>
+#include "app/figure/figure.hpp"
+#include "app/report/report.hpp"
+#include "catalogue/scene/scene.hpp"
+#include "python/src/bind.hpp"
+
+namespace leastcost::python {
+namespace {
+
+namespace py = pybind11;
+using namespace py::literals;
+
+/// A new folder, removed with all it holds.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::error_code error;
+    std::string name = (std::filesystem::temp_directory_path(error) / "leastcost-XXXXXX").string();
+    if (error) throw OutputError("there is no folder for temporary files (TMPDIR): " + error.message());
+    if (mkdtemp(name.data()) == nullptr) throw OutputError(name + ": cannot make a temporary folder");
+    folder_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const std::filesystem::path& path() const { return folder_; }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// The content of report.html.
+std::string report(const RunOutcome& outcome) {
+  const py::gil_scoped_release released;
+  const TemporaryFolder temporary;
+  return app::make_report(write_run(outcome, temporary.path() / outcome.name)).front().content;
+}
+
+/// The picture for a paper, as SVG: width in mm, font size in pt.
+std::string figure(const RunOutcome& outcome, double width, double font_size) {
+  const py::gil_scoped_release released;
+  const TemporaryFolder temporary;
+  const app::PrintSize size = app::print_size(std::to_string(width) + "mm", std::to_string(font_size));
+  return app::make_figure({.folder = write_run(outcome, temporary.path() / outcome.name), .size = size}).svg;
+}
+
+/// The content of scene.json.
+std::string scene(const RunOutcome& outcome) {
+  const py::gil_scoped_release released;
+  const std::span<const FamilyMember> family(outcome.family);
+  return scene_json(make_scene(outcome.parts.problem, outcome.result, family.subspan(family.empty() ? 0 : 1)));
+}
+
+}  // namespace
+
+void bind_report(py::module_& module) {
+  module.def("report", &report, "outcome"_a);
+  module.def("figure", &figure, "outcome"_a, "width"_a, "font_size"_a);
+  module.def("scene", &scene, "outcome"_a);
+}
+
+}  // namespace leastcost::python
