@@ -13,6 +13,9 @@
 
     chute = lambda a, b: 2 * ((b - a) ** 2).sum(0) / ((-a[1]) ** 0.5 + (-b[1]) ** 0.5) ** 2
     fastest = lc.find_path(lc.Plane(), chute, (0, 0), (3, -2), unit="s", additive=True)
+    over_land = lc.find_path(lc.Terrain(heights, cell=30), lc.CostMap(costs, cell=30), (100, 200), (4000, 900))
+    by_air = lc.find_path(lc.Plane(), lc.Wind(u, v, speed=12, cell=1000), (5000, 2000), (90000, 40000))
+    result = lc.run({"manifold": mesh, "cost": "euclidean", "ends": ends})  # objects in a configuration
 
 Arrays of results have one point per row. Searches release the GIL and end within 50 ms of Ctrl-C.
 """

@@ -90,6 +90,9 @@ External cost_map(const Numbers& costs, const Plane& origin, const Plane& cell, 
 External wind(const Numbers& nodes, std::string speed, std::string unit) {
   return {CostMaker([table = Eigen::MatrixXd(columns_of(nodes).transpose()), speed = std::move(speed),
                      unit = std::move(unit)](int dimension, const Errors&) {
+    if (dimension != 2)
+      throw InputError("a wind from arrays is in the plane, but these points have " + std::to_string(dimension) +
+                       " coordinates");
     return made([&] { return make_zermelo_cost({.speed = speed, .unit = unit}, table, dimension); });
   })};
 }

@@ -68,7 +68,7 @@ SurfacePoint Mesh::vertex(std::int64_t v) const {
 SurfacePoint Mesh::on_face(std::int64_t face, const Eigen::Vector3d& barycentric) const {
   const auto number = static_cast<int>(std::clamp<std::int64_t>(face, -1, std::numeric_limits<int>::max()));
   try {
-    const PathEnd end = manifold_->on_face(number, barycentric);
+    manifold_->on_face(number, barycentric);  // says what is wrong
     return mesh().locate(number, barycentric);
   } catch (const OptionError& e) {
     throw InputError(e.what());

@@ -19,10 +19,12 @@ class Outcome {
   /// Of state().
   explicit Outcome(pybind11::tuple state) : state_(std::move(state)) {}
 
+  /// Throws OutputError where only numbers are left.
+  const RunOutcome& run() const;
   pybind11::object points() const;
   pybind11::object curve() const;
   pybind11::object json() const;
-  /// Throws OutputError, also where only numbers are left.
+  /// Throws OutputError.
   std::filesystem::path write(const std::filesystem::path& folder, bool replace) const;
   /// (points, curve, json).
   pybind11::tuple state() const;

@@ -184,6 +184,16 @@ def test_a_speed_that_is_none():
         lc.find_path(lc.Plane(), lc.Wind(still, still, speed=-1), (1, 1), (4, 4))
 
 
+def test_costs_of_the_plane_are_refused_elsewhere():
+    still, ones = np.zeros((5, 5)), np.ones((5, 5))
+    with pytest.raises(lc.InputError, match="in the plane, but these points have 3 coordinates"):
+        lc.find_path(lc.Terrain(still), lc.Wind(still, still, speed=1), (1, 1), (4, 4))
+    with pytest.raises(lc.InputError, match="cost_map"):
+        lc.find_path(lc.Space(4), lc.CostMap(ones), (1, 1, 1, 1), (4, 4, 4, 4))
+    with pytest.raises(lc.Error, match="cells"):
+        lc.find_path(lc.Terrain(still), lc.CostMap(ones, interpolation="cells"), (1, 1), (4, 4))
+
+
 def test_around_obstacles():
     """Around a disc: two tangents and an arc."""
     disc = {"type": "ball", "center": [0, 0], "radius": 1}

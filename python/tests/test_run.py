@@ -81,7 +81,7 @@ def test_pickle(tmp_path):
     assert np.array_equal(copy.points, result.points) and np.array_equal(copy.curve, result.curve)
     assert copy.report == result.report and repr(copy) == repr(result)
     assert pickle.loads(pickle.dumps(copy)).cost == result.cost
-    with pytest.raises(lc.OutputError, match="write it before"):
+    with pytest.raises(lc.OutputError, match="no files and no picture any more"):
         copy.write(tmp_path / "copy")
 
 
