@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 
-// The geodesics of measure.py in C++: geodesics MESH pairs.txt. Not part of a build:
+// The geodesics of measure.py in C++: geodesics MESH results/pairs.txt. Not part of a build:
 //   c++ -std=c++20 -O2 -I build/release/include -isystem /usr/include/eigen3 python/benchmarks/geodesics.cpp \
 //     build/release/problems/libleastcost_{mesh,core}.a build/release/framework/{,numbers/}libleastcost_*.a
 #include <cstdio>

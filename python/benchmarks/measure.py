@@ -4,7 +4,7 @@
 
     PYTHONPATH=build/release/python /usr/bin/python3 python/benchmarks/measure.py MESH [PAIRS] [SOLVES]
 
-The same geodesics in C++: python/benchmarks/geodesics.cpp, with the pairs that this writes as pairs.txt.
+The same geodesics in C++: python/benchmarks/geodesics.cpp, with the pairs that this writes as results/pairs.txt.
 """
 
 import os
@@ -35,7 +35,8 @@ def main() -> None:
     mesh = lc.Mesh.read(sys.argv[1])
     count = int(sys.argv[2]) if len(sys.argv) > 2 else 1000
     pairs = np.random.default_rng(1).integers(0, len(mesh.V), (count, 2))
-    np.savetxt("pairs.txt", pairs, fmt="%d")
+    Path("results").mkdir(exist_ok=True)
+    np.savetxt("results/pairs.txt", pairs, fmt="%d")
     start = time.process_time()
     total, proved = 0.0, 0
     for s, t in pairs.tolist():
