@@ -16,6 +16,7 @@
 #include "app/report/report.hpp"
 #include "catalogue/scene/scene.hpp"
 #include "python/src/bind.hpp"
+#include "python/src/outcome.hpp"
 
 namespace leastcost::python {
 namespace {
@@ -46,14 +47,16 @@ class TemporaryFolder {
 };
 
 /// The content of report.html.
-std::string report(const RunOutcome& outcome) {
+std::string report(const Outcome& result) {
+  const RunOutcome& outcome = result.run();
   const py::gil_scoped_release released;
   const TemporaryFolder temporary;
   return app::make_report(write_run(outcome, temporary.path() / outcome.name)).front().content;
 }
 
 /// The picture for a paper, as SVG: width in mm, font size in pt.
-std::string figure(const RunOutcome& outcome, double width, double font_size) {
+std::string figure(const Outcome& result, double width, double font_size) {
+  const RunOutcome& outcome = result.run();
   const py::gil_scoped_release released;
   const TemporaryFolder temporary;
   const app::PrintSize size = app::print_size(std::to_string(width) + "mm", std::to_string(font_size));
@@ -61,7 +64,8 @@ std::string figure(const RunOutcome& outcome, double width, double font_size) {
 }
 
 /// The content of scene.json.
-std::string scene(const RunOutcome& outcome) {
+std::string scene(const Outcome& result) {
+  const RunOutcome& outcome = result.run();
   const py::gil_scoped_release released;
   const std::span<const FamilyMember> family(outcome.family);
   return scene_json(make_scene(outcome.parts.problem, outcome.result, family.subspan(family.empty() ? 0 : 1)));

@@ -52,7 +52,7 @@ def test_a_cost_in_a_dict_and_in_a_file(tmp_path):
     assert lc.run(fall(cost=chute)).cost == named.cost
     file = tmp_path / "fall.yaml"
     file.write_text(CHUTE)
-    assert lc.run(file, chute=chute, set={"path.points": 20}).report["points"] == 20
+    assert lc.run(file, chute=chute, set={"path.points": 20}).details["points"] == 20
 
 
 def test_a_mesh_has_the_recipe_of_a_mesh(configs, hill):
@@ -95,7 +95,7 @@ def test_numbers_and_paths_of_a_dict(configs, tmp_path):
 
 
 def test_set_in_a_dict():
-    assert lc.run(fall(), set={"path.points": 20}).report["points"] == 20
+    assert lc.run(fall(), set={"path.points": 20}).details["points"] == 20
     assert lc.run(fall(), set={"ends.target.point": np.array([1.0, -1.0])}).points[-1].tolist() == [1, -1]
     assert lc.run(fall(solver="newton"), set={"solver.tolerance": 1e-8}).certified
     config = fall()

@@ -79,7 +79,7 @@ def test_pickle(tmp_path):
     result = lc.run(CHUTE)
     copy = pickle.loads(pickle.dumps(result))
     assert np.array_equal(copy.points, result.points) and np.array_equal(copy.curve, result.curve)
-    assert copy.report == result.report and repr(copy) == repr(result)
+    assert copy.details == result.details and repr(copy) == repr(result)
     assert pickle.loads(pickle.dumps(copy)).cost == result.cost
     with pytest.raises(lc.OutputError, match="no files and no picture any more"):
         copy.write(tmp_path / "copy")
