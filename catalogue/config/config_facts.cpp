@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include <leastcost/catalogue/plugins/abilities.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include "catalogue/config/choice_options.hpp"
 #include "catalogue/config/raster_reading.hpp"
-#include "catalogue/plugins/abilities.hpp"
 
 namespace leastcost {
 namespace {

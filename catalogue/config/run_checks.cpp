@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <array>
 
+#include <leastcost/catalogue/plugins/abilities.hpp>
 #include "catalogue/config/choice_options.hpp"
 #include "catalogue/config/config_defaults.hpp"
 #include "catalogue/config/config_facts.hpp"
 #include "catalogue/config/raster_reading.hpp"
-#include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/registry/registry.hpp"
 #include "catalogue/yaml/scalars.hpp"
