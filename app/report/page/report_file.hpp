@@ -4,11 +4,11 @@
 
 #include <string>
 
-namespace leastcost::app {
+namespace leastcost {
 
 struct ReportFile {
   std::string name;  ///< relative to the folder of the results
   std::string content;
 };
 
-}  // namespace leastcost::app
+}  // namespace leastcost
