@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include <leastcost/app/figure/write_figure.hpp>
+#include <leastcost/app/figure/paper_figure.hpp>
 #include "app/figure/figure.hpp"
 
 namespace leastcost::app {

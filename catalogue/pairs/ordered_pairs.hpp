@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include <leastcost/catalogue/pairs/solve_pairs.hpp>
+#include <leastcost/catalogue/pairs/pair_result.hpp>
 #include "catalogue/pairs/pair_reader.hpp"
 
 namespace leastcost {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include <leastcost/catalogue/pairs/solve_pairs.hpp>
+#include <leastcost/catalogue/pairs/pair_result.hpp>
 
 namespace leastcost {
 

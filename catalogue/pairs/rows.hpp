@@ -5,7 +5,8 @@
 #include <functional>
 #include <optional>
 
-#include <leastcost/catalogue/pairs/solve_pairs.hpp>
+#include <leastcost/catalogue/pairs/pair_result.hpp>
+#include <leastcost/catalogue/run/run.hpp>
 #include "catalogue/pairs/pair_reader.hpp"
 
 namespace leastcost {
