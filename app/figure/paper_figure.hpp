@@ -19,6 +19,7 @@ struct FigureOptions {
   double dpi = 300;              ///< of a PNG, and of a shaded surface
 };
 
+/// What was drawn.
 struct WrittenFigure {
   double width = 0, height = 0;                        ///< mm; 0 of a file for 3D programs
   std::optional<std::pair<double, double>> view = {};  ///< of a picture in space: azimuth and elevation, degrees

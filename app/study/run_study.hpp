@@ -13,6 +13,7 @@
 
 namespace leastcost {
 
+/// How a study is run, and who hears of it.
 struct StudyOptions {
   std::filesystem::path output = {};  ///< folder of the results; empty: results/<name of the study>
   bool replace = false;               ///< begin anew in the folder of an earlier study

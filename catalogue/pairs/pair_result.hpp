@@ -44,6 +44,7 @@ struct PairResult {
   bool certified() const { return outcome == "certified"; }
 };
 
+/// How pairs are solved, and what is kept of each.
 struct PairsOptions {
   int threads = 1;
   bool points = true;  ///< results have the points of their paths

@@ -63,6 +63,7 @@ class OwnOptions {
   virtual void fields(FieldVisitor& visit) = 0;
 };
 
+/// Those of the type Options.
 template <class Options>
 class OwnOptionsOf final : public OwnOptions {
  public:
@@ -94,6 +95,7 @@ template <class Interface>
 struct MadeFor {
   using Type = std::shared_ptr<const Interface>;
 };
+/// Of obstacles.
 template <>
 struct MadeFor<Obstacle> {
   using Type = std::vector<std::shared_ptr<const Obstacle>>;
@@ -140,33 +142,39 @@ void register_plugin(std::string type, std::string summary, PluginFacts facts = 
   register_plugin<Interface, Options>(std::move(type), std::move(summary), build, std::move(facts));
 }
 
-/// register_cost<Options>(type, summary, build, facts) or register_cost<Class, Options>(type, summary, facts), where
-/// Options may be left out; so do all of the following.
+/// A cost: register_cost<Options>(type, summary, build, facts), or register_cost<Class, Options>(type, summary, facts).
+/// Options may be left out. The functions for the other kinds take the same.
 template <class... Types, class... Arguments>
 void register_cost(std::string type, std::string summary, Arguments&&... arguments) {
   register_plugin<SegmentCost, Types...>(std::move(type), std::move(summary), std::forward<Arguments>(arguments)...);
 }
+/// A solver, as by register_cost().
 template <class... Types, class... Arguments>
 void register_solver(std::string type, std::string summary, Arguments&&... arguments) {
   register_plugin<Solver, Types...>(std::move(type), std::move(summary), std::forward<Arguments>(arguments)...);
 }
+/// A manifold: a domain of paths, as by register_cost().
 template <class... Types, class... Arguments>
 void register_manifold(std::string type, std::string summary, Arguments&&... arguments) {
   register_plugin<ConstraintManifold, Types...>(std::move(type), std::move(summary),
                                                 std::forward<Arguments>(arguments)...);
 }
+/// An obstacle, or several by one entry, as by register_cost().
 template <class... Types, class... Arguments>
 void register_obstacle(std::string type, std::string summary, Arguments&&... arguments) {
   register_plugin<Obstacle, Types...>(std::move(type), std::move(summary), std::forward<Arguments>(arguments)...);
 }
+/// A kernel, also as a function H alone, as by register_cost().
 template <class... Types, class... Arguments>
 void register_kernel(std::string type, std::string summary, Arguments&&... arguments) {
   register_plugin<Kernel, Types...>(std::move(type), std::move(summary), std::forward<Arguments>(arguments)...);
 }
+/// An initializer: how the first path is found, as by register_cost().
 template <class... Types, class... Arguments>
 void register_initializer(std::string type, std::string summary, Arguments&&... arguments) {
   register_plugin<Initializer, Types...>(std::move(type), std::move(summary), std::forward<Arguments>(arguments)...);
 }
+/// A post-processor: a step after the solve, as by register_cost().
 template <class... Types, class... Arguments>
 void register_post_processor(std::string type, std::string summary, Arguments&&... arguments) {
   register_plugin<PostProcessor, Types...>(std::move(type), std::move(summary), std::forward<Arguments>(arguments)...);

@@ -6,6 +6,7 @@
 
 namespace leastcost {
 
+/// One file of a report.
 struct ReportFile {
   std::string name;  ///< relative to the folder of the results
   std::string content;
