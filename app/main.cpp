@@ -1,10 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "app/cli/command_line.hpp"
-#include "app/cli/process.hpp"
+#include <leastcost/app/app.hpp>
 
-int main(int argc, char** argv) {
-  leastcost::app::prepare_process();
-  const std::vector<std::string> arguments(argv, argv + argc);
-  return leastcost::app::run_program(arguments, leastcost::app::standard_streams());
-}
+int main(int argc, char** argv) { return leastcost::run_program(argc, argv); }

@@ -10,8 +10,12 @@
 ///     leastcost::RunOutcome outcome = leastcost::solve(run);
 ///     leastcost::write_run(outcome, "results/slide");
 ///
+/// Plug-ins of your own join them: catalogue/registry/register.hpp.
+///
 /// What this header reaches is public and installed; everything else in the folder is internal.
 
 #include <leastcost/catalogue/output/write_run.hpp>
+#include <leastcost/catalogue/pairs/solve_pairs.hpp>
+#include <leastcost/catalogue/registry/register.hpp>
 #include <leastcost/catalogue/run/load_run.hpp>
 #include <leastcost/catalogue/run/solve.hpp>

@@ -1,8 +1,8 @@
 # install, export, pkg-config, .deb. One export set per component, so that find_package(leastcost COMPONENTS framework)
 # asks for what the framework needs and for nothing else.
 #
-# Components of the installation: `program`, `libraries` (shared) and `development` (headers, archives, links); back ends
-# and catalogue have `<name>_libraries` and `<name>_development` of their own.
+# Components of the installation: `program`, `libraries` (shared) and `development` (headers, archives, links); back ends,
+# catalogue and app have `<name>_libraries` and `<name>_development` of their own. study and report are with app.
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/leastcost)
@@ -27,9 +27,12 @@ while(public)
   list(REMOVE_DUPLICATES includes)
   list(APPEND public ${includes})
 endwhile()
-set(apart nlopt ceres ompl gdal catalogue)  # components with packages of their own
+set(apart nlopt ceres ompl gdal catalogue app)  # components with packages of their own
 function(leastcost_part result component kind)
   set(${result} ${kind} PARENT_SCOPE)
+  if(component MATCHES "^(study|report)$")
+    set(component app)
+  endif()
   if(component IN_LIST apart)
     set(${result} ${component}_${kind} PARENT_SCOPE)
   endif()

@@ -12,6 +12,8 @@
 #   it (recipes/offers).
 # LINKS: of a static build, for pkg-config.
 # FINDS: packages that a consumer has to find as well, the private ones of a static build included.
+# PRECOMPILES: headers that it precompiles for itself; PRECOMPILED_BY: the library whose precompiled headers it takes;
+#   default: numbers.
 include(GNUInstallDirs)
 include(${CMAKE_CURRENT_LIST_DIR}/leastcost_alignment.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/leastcost_objects.cmake)
@@ -21,7 +23,7 @@ find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 # <leastcost/...> in the tree, as it will be installed: <leastcost/framework/path/path.hpp> is framework/path/path.hpp.
 set(LEASTCOST_INCLUDE_DIR ${PROJECT_BINARY_DIR}/include)
 file(MAKE_DIRECTORY ${LEASTCOST_INCLUDE_DIR}/leastcost)
-foreach(folder IN ITEMS framework problems solvers recipes ompl gdal catalogue)
+foreach(folder IN ITEMS framework problems solvers recipes ompl gdal catalogue app)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${LEASTCOST_INCLUDE_DIR}/leastcost/${folder} SYMBOLIC)
 endforeach()
 leastcost_alignment()
@@ -64,7 +66,8 @@ function(leastcost_parts result)
 endfunction()
 
 function(leastcost_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PUBLIC;OFFERS" "NEEDS;FINDS;EXCEPT;ONLY;ALSO;LINKS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PUBLIC;OFFERS;PRECOMPILED_BY"
+    "NEEDS;FINDS;EXCEPT;ONLY;ALSO;LINKS;PRECOMPILES")
   set(target leastcost_${name})
   if(NOT arg_ONLY)
     set(arg_ONLY .)
@@ -113,12 +116,17 @@ function(leastcost_library name)
     LEASTCOST_FINDS "${arg_FINDS}")
   leastcost_warnings(${target})
   leastcost_unity(${target})
-  # One precompiled header for all: parsing Eigen is a third of the compile time. CI also compiles without it.
+  # One precompiled header for nearly all: parsing Eigen is a third of the compile time. CI also compiles without it.
   if(name STREQUAL "numbers")
-    target_precompile_headers(${target} PRIVATE
+    set(arg_PRECOMPILES
       <Eigen/Core> <algorithm> <array> <cmath> <functional> <limits> <memory> <optional> <span> <string> <vector>)
+  elseif(NOT arg_PRECOMPILED_BY)
+    set(arg_PRECOMPILED_BY numbers)
+  endif()
+  if(arg_PRECOMPILES)
+    target_precompile_headers(${target} PRIVATE ${arg_PRECOMPILES})
   else()
-    target_precompile_headers(${target} REUSE_FROM leastcost_numbers)
+    target_precompile_headers(${target} REUSE_FROM leastcost_${arg_PRECOMPILED_BY})
   endif()
   set_property(GLOBAL APPEND PROPERTY LEASTCOST_COMPONENTS ${name})
   set_property(GLOBAL APPEND PROPERTY LEASTCOST_COMPONENT_FOLDERS ${CMAKE_CURRENT_BINARY_DIR})

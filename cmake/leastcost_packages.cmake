@@ -3,7 +3,7 @@
 #   libleastcost-dev, libleastcost-<part>-dev        headers, CMake and pkg-config files, archives or links
 #   libleastcost0, libleastcost-<part>0              shared libraries, of a build with BUILD_SHARED_LIBS
 #   python3-leastcost                                the Python package, of a build with LEASTCOST_BUILD_PYTHON
-# with <part> = nlopt, ceres, ompl, gdal, catalogue. What a binary needs dpkg-shlibdeps finds out; what a static archive
+# with <part> = nlopt, ceres, ompl, gdal, catalogue, app. What a binary needs dpkg-shlibdeps finds out; what a static archive
 # needs is the -dev package of that library.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "The leastcost authors <leastcost@invalid>")
@@ -45,6 +45,7 @@ set(archive_needs_gdal "libgdal-dev (>= 3.4)")
 set(about_nlopt "the NLopt solvers")
 set(about_ceres "the Ceres solvers")
 set(about_catalogue "configurations, results")
+set(about_app "the program as a library: studies, reports, the command line")
 set(about_ompl "OMPL's plans polished, its planners")
 set(about_gdal "rasters that GDAL reads")
 
@@ -66,7 +67,7 @@ foreach(part IN LISTS apart)
   endif()
   set(part_libraries "libleastcost${soname} ${same}")
   set(part_development "libleastcost-dev ${same}")
-  if(part STREQUAL "catalogue")  # knows the back ends
+  if(part MATCHES "^(catalogue|app)$")  # they know the back ends
     set(part_libraries ${below_libraries})
     set(part_development ${below_development})
   endif()

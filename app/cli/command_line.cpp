@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <ostream>
 
@@ -19,6 +20,7 @@
 #include "app/cli/shell/command_table.hpp"
 #include "app/cli/shell/completion.hpp"
 #include "app/cli/shell/man_pages.hpp"
+#include "app/figure/figure_request.hpp"
 #include "app/reference/describe.hpp"
 #include "app/reference/markdown.hpp"
 #include "catalogue/output/manifest.hpp"
@@ -39,8 +41,7 @@ Override pairs_option(const std::string& file) {
 /// What the options of all commands write into; a command reads what it has declared.
 struct Values {
   std::string config, output, pairs, seed, kind, type, name, mesh, shard, timeout, repetitions, weld, format = "text";
-  std::string width = "84mm", font = "8", what, picture = "best", view, unit;
-  double dpi = 300;
+  FigureOptions figure;
   std::vector<std::string> configs, set;
   int parallel = 1;
   DistancesArguments distances;
@@ -223,31 +224,15 @@ constexpr const char* kFigureHelp =
     "leastcost figure results/bunny_geodesic -o bunny.vtp                     surface and path, for ParaView\n"
     ".svg needs no other program, .pdf and .png need rsvg-convert (Debian: librsvg2-bin).";
 
-/// What an option says; a fault of it is one of usage.
-template <class Parse>
-auto option_of(const char* option, Parse parse) {
-  try {
-    return parse();
-  } catch (const InputError& e) {
-    throw CLI::ValidationError(option, e.what());
-  }
-}
-
 FigureArguments figure_arguments(const Values& v) {
-  FigureArguments figure;
-  figure.output = v.output;
-  FigureRequest& request = figure.request;
-  request.folder = v.config;
-  option_of("--output", [&] { return figure_format(v.output); });
-  option_of("--width", [&] { return paper_width(v.width); });
-  request.size = option_of("--font-size", [&] { return print_size(v.width, v.font); });
-  request.size.dpi = v.dpi;
-  request.parts = option_of("--what", [&] { return parts_shown(v.what); });
-  request.points_asked = !v.what.empty();
-  request.picture = option_of("--picture", [&] { return picture_named(v.picture); });
-  if (!v.view.empty()) request.from = option_of("--view", [&] { return view_angles(v.view); });
-  request.unit = v.unit;
-  return figure;
+  const auto read = [](const char* option, const std::function<void()>& value) {
+    try {
+      value();
+    } catch (const InputError& e) {
+      throw CLI::ValidationError(option, e.what());
+    }
+  };
+  return {figure_request(v.config, v.output, v.figure, read), v.output};
 }
 
 void add_figure(CLI::App& app, Values& v, const Streams& streams, Command& chosen) {
@@ -259,18 +244,19 @@ void add_figure(CLI::App& app, Values& v, const Streams& streams, Command& chose
       ->required()
       ->type_name("FILE")
       ->check(empty_fault);
-  c.add_option("--width", v.width, "Width in mm, cm, in or pt; default: 84mm, one column")->type_name("WIDTH");
-  c.add_option("--font-size", v.font, "Size of all letters in points; default: 8")->type_name("PT");
-  c.add_option("--what", v.what, "What is drawn: some of " + joined(figure_parts()) + "; default: all that fits")
+  c.add_option("--width", v.figure.width, "Width in mm, cm, in or pt; default: 84mm, one column")->type_name("WIDTH");
+  c.add_option("--font-size", v.figure.font_size, "Size of all letters in points; default: 8")->type_name("PT");
+  c.add_option("--what", v.figure.what, "What is drawn: some of " + joined(figure_parts()) + "; default: all that fits")
       ->type_name("LIST");
-  c.add_option("--picture", v.picture,
+  c.add_option("--picture", v.figure.picture,
                "Which picture: space, map, poses, coordinates or convergence; default: the best one that there is")
       ->type_name("NAME");
-  c.add_option("--view", v.view, "Look at space from these angles: azimuth and elevation in degrees, like 30,20")
+  c.add_option("--view", v.figure.view, "Look at space from these angles: azimuth and elevation in degrees, like 30,20")
       ->type_name("AZ,EL");
-  c.add_option("--unit", v.unit, "Unit of the coordinates, for the axes; default: m if the cost is in m, else none")
+  c.add_option("--unit", v.figure.unit,
+               "Unit of the coordinates, for the axes; default: m if the cost is in m, else none")
       ->type_name("TEXT");
-  c.add_option("--dpi", v.dpi, "Pixels per inch of a PNG and of a shaded surface; default: 300")
+  c.add_option("--dpi", v.figure.dpi, "Pixels per inch of a PNG and of a shaded surface; default: 300")
       ->type_name("N")
       ->check(CLI::Range(kLeastDpi, kMostDpi));
   c.callback([&] { chosen = [&, figure = figure_arguments(v)] { return figure_command(figure, streams); }; });
@@ -367,6 +353,15 @@ void add_helpers(CLI::App& app, Values& v, const Streams& streams, Command& chos
   });
 }
 
+/// A text for those who install the program, under the name that this one has.
+std::string renamed(std::string text, const std::string& program) {
+  static const std::string kName = "leastcost";
+  if (program == kName) return text;
+  for (std::size_t at = text.find(kName); at != std::string::npos; at = text.find(kName, at + program.size()))
+    text.replace(at, kName.size(), program);
+  return text;
+}
+
 /// For those who install the program: made of the same tables as --help.
 void add_shell(CLI::App& app, Values& v, const Streams& streams, Command& chosen) {
   CLI::App& completion = *app.add_subcommand("completion", "Print the script that completes commands in a shell");
@@ -382,9 +377,10 @@ void add_shell(CLI::App& app, Values& v, const Streams& streams, Command& chosen
   completion.callback([&] {
     chosen = [&] {
       const CommandTable table = command_table(app);
-      streams.out << (v.name == "bash"  ? bash_completion(table)
-                      : v.name == "zsh" ? zsh_completion(table)
-                                        : fish_completion(table));
+      const std::string script = v.name == "bash"  ? bash_completion(table)
+                                 : v.name == "zsh" ? zsh_completion(table)
+                                                   : fish_completion(table);
+      streams.out << renamed(script, app.get_name());
       return Exit::certified;
     };
   });
@@ -394,7 +390,10 @@ void add_shell(CLI::App& app, Values& v, const Streams& streams, Command& chosen
   man.add_option("folder", v.output, "Folder")->required()->type_name("DIR")->check(empty_fault);
   man.callback([&] {
     chosen = [&] {
-      return pages_command(man_pages(command_table(app), std::string(program_version())), v.output, streams);
+      std::map<std::string, std::string> pages;
+      for (const auto& [name, text] : man_pages(command_table(app), std::string(program_version())))
+        pages[renamed(name, app.get_name())] = renamed(text, app.get_name());
+      return pages_command(pages, v.output, streams);
     };
   });
 }
@@ -434,12 +433,13 @@ Exit parse_outcome(const CLI::App& app, const CLI::ParseError& e, const std::vec
     message = fmt::format("not expected here: {}", fmt::join(extra, " "));
   std::replace(message.begin(), message.end(), '\n', ' ');
   streams.err << "error: " << message << option_hint(app, arguments)
-              << "\nTry: leastcost --help, leastcost COMMAND --help\n";
+              << fmt::format("\nTry: {0} --help, {0} COMMAND --help\n", app.get_name());
   return Exit::usage;
 }
 
 Exit parse_and_run(const std::vector<std::string>& arguments, const Streams& streams, Values& values) {
-  CLI::App app("Find least-cost paths on manifolds, with points equally spaced in cost", "leastcost");
+  CLI::App app("Find least-cost paths on manifolds, with points equally spaced in cost",
+               std::filesystem::path(arguments.front()).filename().string());
   app.set_version_flag("--version", "leastcost " + std::string(program_version()));
   app.require_subcommand(1);
   app.footer(

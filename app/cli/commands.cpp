@@ -11,8 +11,8 @@
 #include <ostream>
 #include <string_view>
 
+#include <leastcost/app/report/report.hpp>
 #include "app/reference/describe.hpp"
-#include "app/report/report.hpp"
 #include "app/study/rows/journal.hpp"
 #include "app/study/study_files.hpp"
 #include "catalogue/back_ends/back_ends.hpp"

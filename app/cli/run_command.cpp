@@ -23,7 +23,8 @@ std::string error_label(const Streams& streams) { return streams.color ? "\033[1
 
 /// Whether options that only a run of many pairs has are given to one without.
 bool misses_pairs(const RunArguments& arguments, const Run& run, const Streams& streams) {
-  if (run.origin->pairs || !(arguments.json_lines || arguments.resume || arguments.threads > 1)) return false;
+  if (run.origin->config.has_pairs() || !(arguments.json_lines || arguments.resume || arguments.threads > 1))
+    return false;
   streams.err << error_label(streams)
               << " --resume, -j and --format jsonl are for runs of many pairs of ends: add --pairs FILE, or ends: "
                  "{pairs: FILE} in the configuration\n";
@@ -33,7 +34,7 @@ bool misses_pairs(const RunArguments& arguments, const Run& run, const Streams& 
 Exit dry_run(const RunArguments& arguments, const Streams& streams) {
   const Run prepared = load(arguments.request);
   if (misses_pairs(arguments, prepared, streams)) return Exit::usage;
-  if (prepared.origin->pairs) return pairs_command(prepared, arguments, streams);
+  if (prepared.origin->config.has_pairs()) return pairs_command(prepared, arguments, streams);
   streams.out << (arguments.json ? dry_run_json(arguments.request, prepared)
                                  : dry_run_text(arguments.request, prepared));
   return Exit::certified;
@@ -107,7 +108,7 @@ Exit run_command(const RunArguments& arguments, const Streams& streams) {
   try {
     Run loaded = load_or_end(request, arguments.json, streams);
     if (misses_pairs(arguments, loaded, streams)) return Exit::usage;
-    if (loaded.origin->pairs) {
+    if (loaded.origin->config.has_pairs()) {
       progress.clear();
       return pairs_command(loaded, arguments, streams);
     }

@@ -7,10 +7,10 @@
 #include <ostream>
 #include <utility>
 
+#include <leastcost/app/report/report.hpp>
 #include "app/cli/commands.hpp"
 #include "app/cli/interrupt.hpp"
 #include "app/cli/study_progress.hpp"
-#include "app/report/report.hpp"
 #include "app/study/study_summary.hpp"
 #include "catalogue/output/json_numbers.hpp"
 #include "catalogue/output/output_folder.hpp"

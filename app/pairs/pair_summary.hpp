@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "app/pairs/pair_line.hpp"
+#include "app/pairs/pair_facts.hpp"
 
 namespace leastcost::app {
 

@@ -14,15 +14,13 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/problems/chart/is_geographic.hpp>
-#include <leastcost/problems/manifolds/file_places.hpp>
-#include "app/pairs/ordered_pairs.hpp"
 #include "app/pairs/pair_log.hpp"
 #include "catalogue/output/growing_folder.hpp"
 #include "catalogue/output/json_numbers.hpp"
 #include "catalogue/output/manifest.hpp"
 #include "catalogue/output/output_folder.hpp"
 #include "catalogue/output/results.hpp"
+#include "catalogue/pairs/rows.hpp"
 #include "catalogue/run/run_origin.hpp"
 
 namespace leastcost::app {
@@ -34,15 +32,6 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kLog = "paths.jsonl";
 constexpr const char* kManifest = "manifest.json";
 constexpr const char* kConfig = "config.resolved.yaml";
-
-PairReader reader_of(const RunOrigin& origin) {
-  const PairComposer& composer = *origin.pairs;
-  const Problem& problem = composer.parts().problem;
-  const bool vertices = find_ability<HasVertices>(*problem.manifold) != nullptr;
-  const bool on_earth = find_ability<IsGeographic>(*problem.manifold) != nullptr ||
-                        find_ability<IsGeographic>(problem.cost.get()) != nullptr;
-  return {origin.folder / origin.config.pairs, composer.coordinates(), vertices, on_earth};
-}
 
 std::string bytes_of(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -125,7 +114,7 @@ std::string result_json(const PairsOutcome& outcome, const std::string& name) {
 }
 
 PairsLook look_at_pairs(const Run& run) {
-  PairReader reader = reader_of(*run.origin);
+  PairReader reader = reader_of_pairs(run);
   PairsLook look;
   look.by_number = reader.by_number();
   while (const std::optional<PairRow> row = reader.next()) {
@@ -139,12 +128,11 @@ PairsLook look_at_pairs(const Run& run) {
 
 PairsOutcome run_pairs(const Run& run, const PairsRequest& request) {
   const RunOrigin& origin = *run.origin;
-  const PairComposer& composer = *origin.pairs;
-  PairReader reader = reader_of(origin);
+  PairReader reader = reader_of_pairs(run);
   PairsOutcome outcome;
   outcome.threads = request.threads;
   outcome.seconds = run.seconds;
-  outcome.unit = composer.parts().problem.cost->traits().unit;
+  outcome.unit = run.parts.problem.cost->traits().unit;
   outcome.output =
       prepare_folder({output_of(request.run, run), kLog, "run of many pairs", request.run.force, request.resume});
   const fs::path& folder = outcome.output;
@@ -163,19 +151,16 @@ PairsOutcome run_pairs(const Run& run, const PairsRequest& request) {
   reader.skip(outcome.found);
 
   const auto start = std::chrono::steady_clock::now();
-  OrderedPairs work{reader, {}, {}, request.stop_requested, request.threads};
-  work.solve = [&](const PairRow& row) {
-    Monitor monitor;
-    monitor.stop_requested = request.stop_requested;
-    return solve_pair(composer, row, origin.config.pair_points, monitor);
-  };
-  work.line = [&](const PairLine& line) {
-    outcome.summary.add(line.facts);
-    const bool written = log.append(line.text);
-    if (request.line) request.line(line.text, written);
+  const auto done = [&](const PairResult& result) {
+    const std::string line = result.line + "\n";
+    outcome.summary.add(facts_of(result));
+    const bool written = log.append(line);
+    if (request.line) request.line(line, written);
     if (request.observe) request.observe({outcome.summary.count, reader.part()});
   };
-  outcome.interrupted = !solve_in_order(work);
+  const PairsOptions options{request.threads, origin.config.pair_points, true, request.stop_requested};
+  outcome.interrupted = !solve_rows(
+      run, [&] { return reader.next(); }, done, options);
   log.finish();
   outcome.seconds.search = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   write_manifest(folder, origin, request.run);

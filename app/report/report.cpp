@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "app/report/report.hpp"
+#include <leastcost/app/report/report.hpp>
 
 #include <leastcost/framework/base/errors.hpp>
 #include "app/report/page/results_folder.hpp"
@@ -8,16 +8,16 @@
 #include "app/report/study/study_report.hpp"
 #include "catalogue/output/output_folder.hpp"
 
-namespace leastcost::app {
+namespace leastcost {
 
 namespace fs = std::filesystem;
 
 std::vector<ReportFile> make_report(const fs::path& folder) {
-  const std::string kind = kind_of_results(folder);
-  if (kind == "study") return study_report(folder);
+  const std::string kind = app::kind_of_results(folder);
+  if (kind == "study") return app::study_report(folder);
   if (kind == "pairs")
     throw InputError(folder.string() + ": a run of many pairs has no report; the results are in paths.jsonl");
-  return {{"report.html", run_report(folder)}};
+  return {{"report.html", app::run_report(folder)}};
 }
 
 fs::path write_report(const fs::path& folder) {
@@ -25,4 +25,4 @@ fs::path write_report(const fs::path& folder) {
   return folder / "report.html";
 }
 
-}  // namespace leastcost::app
+}  // namespace leastcost

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "app/report/page/report_file.hpp"
+#include <leastcost/app/report/page/report_file.hpp>
 
-namespace leastcost::app {
+namespace leastcost {
 
 /// The report on a folder of results, made from its files alone: report.html, for a study its figures as files of their
 /// own too. One self-contained page each; nothing in it asks for anything outside. Throws InputError that names the
@@ -19,4 +19,4 @@ std::vector<ReportFile> make_report(const std::filesystem::path& folder);
 /// Returns report.html. Throws InputError; OutputError when a file cannot be written.
 std::filesystem::path write_report(const std::filesystem::path& folder);
 
-}  // namespace leastcost::app
+}  // namespace leastcost

@@ -8,7 +8,7 @@
 #include <new>
 #include <utility>
 
-#include "app/report/report.hpp"
+#include <leastcost/app/report/report.hpp>
 #include "catalogue/config/load_config.hpp"
 #include "catalogue/output/results.hpp"
 #include "catalogue/run/run_origin.hpp"

@@ -83,9 +83,20 @@ CellResult result_of(const Task& task, IsolatedEnd end) {
   return result;
 }
 
-std::vector<InputFile> inputs_of(const StudyGrid& grid, const StudyFacts& facts) {
+StudyGrid grid_of(const StudyRequest& request) {
+  const fs::path& file = request.config_file;
+  if (!request.text) return load_grid(file, request.overrides);
+  return checked_grid(parse_study(*request.text, file.string(), file.parent_path(), request.overrides));
+}
+
+std::vector<InputFile> inputs_of(const StudyRequest& request, const StudyGrid& grid, const StudyFacts& facts) {
   std::vector<InputFile> inputs;
-  for (const fs::path& file : grid.inputs)
+  std::vector<fs::path> files = grid.inputs;
+  if (request.text) {
+    inputs.push_back({"configuration", "<" + files.front().string() + ">", sha256_of_text(*request.text)});
+    files.erase(files.begin());
+  }
+  for (const fs::path& file : files)
     inputs.push_back({"configuration", fs::absolute(file).lexically_normal(), sha256_of_file(file)});
   for (const auto& [file, hash] : facts.data)
     inputs.push_back({"data", fs::absolute(grid.file.parent_path() / file).lexically_normal(), hash});
@@ -142,13 +153,13 @@ StudyOutcome run_study(const StudyRequest& request) {
   manifest.kind = "study";
   manifest.arguments = request.arguments;
   manifest.started = std::chrono::system_clock::now();
-  const StudyGrid grid = load_grid(request.config_file, request.overrides);
+  const StudyGrid grid = grid_of(request);
   StudyOutcome outcome;
   outcome.output = prepare_folder({output_of(request, grid), "journal.jsonl", "study", request.force, request.resume});
   const StudyFacts facts = facts_of(grid);
   if (request.loaded) request.loaded();
   manifest.seed = facts.seed;
-  manifest.inputs = inputs_of(grid, facts);
+  manifest.inputs = inputs_of(request, grid, facts);
   const auto write_manifest = [&] {
     manifest.finished = std::chrono::system_clock::now();
     write_whole_file(outcome.output / "manifest.json", manifest_json(manifest));

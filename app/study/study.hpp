@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct StudyProgress {
 
 struct StudyRequest {
   std::filesystem::path config_file;
+  std::optional<std::string> text = {};  ///< of the study, where it is in memory: config_file is then its name
   std::vector<Override> overrides;
   std::filesystem::path output;  ///< empty: results/<name>
   bool force = false;            ///< begin anew in the folder of an earlier study

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
+#include <leastcost/catalogue/plugins/abilities.hpp>
 #include <leastcost/problems/initializers/dijkstra.hpp>
 #include <leastcost/problems/obstacles/has_walls.hpp>
 #include <leastcost/recipes/facts.hpp>
 #include "catalogue/config/choice_options.hpp"
 #include "catalogue/config/raster_reading.hpp"
-#include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/external_plugin.hpp"
 
 namespace leastcost {

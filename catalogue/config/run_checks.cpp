@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <array>
 
+#include <leastcost/catalogue/plugins/abilities.hpp>
 #include <leastcost/problems/obstacles/has_walls.hpp>
 #include "catalogue/config/choice_options.hpp"
 #include "catalogue/config/config_defaults.hpp"
 #include "catalogue/config/config_facts.hpp"
 #include "catalogue/config/raster_reading.hpp"
-#include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/external_plugin.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/registry/registry.hpp"

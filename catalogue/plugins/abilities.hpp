@@ -42,4 +42,18 @@ std::vector<std::string> ability_words() {
   return words;
 }
 
+/// What the pointer that a factory makes points to, or each of those that it makes.
+template <class Pointer>
+struct MadeBy {
+  using Class = std::remove_const_t<typename Pointer::element_type>;
+};
+template <class Pointer>
+struct MadeBy<std::vector<Pointer>> : MadeBy<Pointer> {};
+
+/// The words for the abilities of what a factory makes.
+template <class Made>
+std::vector<std::string> abilities_of() {
+  return ability_words<typename MadeBy<Made>::Class>();
+}
+
 }  // namespace leastcost

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "catalogue/plugins/abilities.hpp"
+#include <leastcost/catalogue/plugins/abilities.hpp>
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/plugins/run_visitor.hpp"
 

@@ -2,20 +2,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
-#include <filesystem>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include <leastcost/catalogue/plugins/build_context.hpp>
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/base/options.hpp>
-#include <leastcost/framework/domain/manifold.hpp>
-#include <leastcost/problems/distance/build_progress.hpp>
 
 namespace leastcost {
 
@@ -36,26 +32,6 @@ class OptionsOf final : public AnyOptions {
   T value;
 };
 
-/// What a factory may look at besides its own options.
-struct BuildContext {
-  std::filesystem::path folder;                             ///< of the configuration; files are relative to it
-  int dimension = 0;                                        ///< of the ambient space; 0 while the manifold is made
-  std::optional<Eigen::VectorXd> source = {};               ///< projected onto the manifold, ambient; none in a ring
-  std::optional<Eigen::VectorXd> target = {};               ///< the same; none where there are many
-  std::vector<std::string> coordinates = {};                ///< names of the coordinates in which points are given
-  int seed = 0;                                             ///< master seed of the run
-  std::shared_ptr<const ConstraintManifold> manifold = {};  ///< null while it is made, or waits for its files
-  BuildProgress progress = {};                              ///< told how far a long build is; may throw to stop
-  std::function<void(std::string)> note = {};               ///< told what belongs beside every result
-};
-
-/// What has to be there before an object can be made.
-enum class WaitsFor {
-  nothing,  ///< its options are enough; making it is quick
-  domain,   ///< the manifold and the placed source
-  files     ///< its own, or it takes a while to make
-};
-
 /// What is known about a plug-in of any kind. What one plug-in provides and another needs are the words of abilities
 /// (framework/base/ability.hpp: "mesh", "constant metric", "ring"); what does not fit is refused before anything is
 /// read or computed. An ability that depends on options (a level set may be a surface) is provided if it may be there.
@@ -64,7 +40,8 @@ struct PluginEntry {
   std::string summary;  ///< one sentence
   std::vector<std::string> provides, needs;
   std::string missing;  ///< why this build has it not, and how to get it; empty: it is there
-  std::string library;  ///< third party it stands on, with version: "NLopt 2.7.1"; empty: none
+  std::string library;  ///< third party it stands on, with version: "NLopt 2.7.1", or that the program has registered
+                        ///< it itself; empty: none
   std::function<std::unique_ptr<AnyOptions>()> defaults;
   bool follows_source = false;  ///< a cost that is another one for another source
   int ambient = 3;              ///< of a manifold that waits for its files: the dimension of the space that it lies in

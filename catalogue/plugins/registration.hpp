@@ -4,31 +4,21 @@
 
 #include <memory>
 #include <type_traits>
-#include <vector>
 
-#include "catalogue/plugins/abilities.hpp"
+#include <leastcost/catalogue/plugins/abilities.hpp>
 #include "catalogue/plugins/plugin.hpp"
 #include "catalogue/plugins/run_visitor.hpp"
 
 namespace leastcost {
 
-/// What the pointer that a factory makes points to, or each of those that it makes.
-template <class Made>
-struct MadeBy {
-  using Class = typename Made::element_type;
-};
-template <class Pointer>
-struct MadeBy<std::vector<Pointer>> : MadeBy<Pointer> {};
-
 /// Registers `build(options, context)`, whose options are of type Options. It provides the abilities of the class that
 /// `build` returns a pointer to.
 template <class P, class Options, class Build>
 P plugin(const char* type, const char* summary, Build build) {
-  using Made = typename MadeBy<std::invoke_result_t<Build, const Options&, const BuildContext&>>::Class;
   P entry;
   entry.type = type;
   entry.summary = summary;
-  entry.provides = ability_words<std::remove_const_t<Made>>();
+  entry.provides = abilities_of<std::invoke_result_t<Build, const Options&, const BuildContext&>>();
   entry.defaults = [] { return std::make_unique<OptionsOf<Options>>(); };
   entry.make = [build](const AnyOptions& options, const BuildContext& context) {
     return build(static_cast<const OptionsOf<Options>&>(options).value, context);

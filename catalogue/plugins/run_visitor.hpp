@@ -8,22 +8,12 @@
 #include <string_view>
 #include <vector>
 
+#include <leastcost/catalogue/plugins/end_options.hpp>
 #include <leastcost/framework/base/options.hpp>
 #include "catalogue/plugins/plugin.hpp"
 #include "catalogue/yaml/config_node.hpp"
 
 namespace leastcost {
-
-/// Where an end of the path is: exactly one of vertex, face + barycentric, point, lonlat.
-struct EndOptions {
-  std::optional<int> vertex = {};                   ///< of the file
-  std::optional<int> face = {};                     ///< of the file
-  std::optional<Eigen::VectorXd> barycentric = {};  ///< three numbers
-  std::optional<Eigen::VectorXd> point = {};
-  std::optional<Eigen::VectorXd> lonlat = {};  ///< on the Earth: longitude, latitude, degrees
-  std::optional<double> tolerance = {};        ///< of a point, length units; else the default of the manifold
-  void fields(FieldVisitor& visit);
-};
 
 using PluginList = std::vector<PluginChoice>;
 

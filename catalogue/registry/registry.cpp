@@ -394,8 +394,8 @@ PluginKind kind_of(std::string name, std::string plural, std::string summary, co
 
 }  // namespace
 
-const std::vector<PluginKind>& plugin_kinds() {
-  static const std::vector<PluginKind> all = {
+std::vector<PluginKind> built_in_kinds() {
+  return {
       kind_of("manifold", "manifolds", "where points lie", manifolds()),
       kind_of("obstacle", "obstacles", "regions that paths avoid", obstacles()),
       kind_of("robot", "robots", "bodies that move among obstacles", robots()),
@@ -405,7 +405,6 @@ const std::vector<PluginKind>& plugin_kinds() {
       kind_of("solver", "solvers", "how the path is improved", solvers()),
       kind_of("post_processor", "post_processors", "steps after the solve", post_processors()),
   };
-  return all;
 }
 
 const PluginKind* find_kind(std::string_view name) {

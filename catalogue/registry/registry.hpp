@@ -9,7 +9,11 @@
 
 namespace leastcost {
 
-/// Everything that a configuration can name: one registration line per plug-in, in registry.cpp.
+/// Everything that the library has for configurations: one registration line per plug-in, in registry.cpp.
+std::vector<PluginKind> built_in_kinds();
+
+/// Everything that a configuration can name: that, then what the program has registered until now (register.hpp). The
+/// reference stays valid; it does not see later registrations.
 const std::vector<PluginKind>& plugin_kinds();
 
 /// The kind with this name or plural; null when there is none.

@@ -13,6 +13,7 @@
 #include <utility>
 #include <variant>
 
+#include <leastcost/catalogue/plugins/abilities.hpp>
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/domain/has_box.hpp>
 #include <leastcost/framework/problem/clearance.hpp>
@@ -31,7 +32,6 @@
 #include <leastcost/problems/robots/robot_walls.hpp>
 #include "catalogue/config/choice_options.hpp"
 #include "catalogue/config/config_facts.hpp"
-#include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/external_plugin.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/registry/registry.hpp"
@@ -436,7 +436,7 @@ void check_parts(LoadedConfig& loaded) {
 }
 
 std::shared_ptr<const PairComposer> Composer::pairs(const RunParts& parts) const {
-  if (!config_.has_pairs()) return nullptr;
+  if (config_.ring) return nullptr;
   BuildContext context = context_;
   context.note = {};  // the composer will be gone
   return std::make_shared<const PairComposer>(config_, std::move(context), open_domain_, parts);

@@ -33,7 +33,7 @@ class Composer {
   void make_from_files(const BuildProgress& progress = {});
   /// Complete after both steps, unless something was refused.
   RunParts take();
-  /// Of a configuration with many pairs of ends, whose `parts` have none: what makes those of each; else null.
+  /// What makes the parts for other ends out of these `parts`; null of a ring.
   std::shared_ptr<const PairComposer> pairs(const RunParts& parts) const;
   /// Of the files and the domains made from them.
   double read_seconds() const { return read_seconds_; }

@@ -17,12 +17,30 @@ PairComposer::PairComposer(RunConfig config, BuildContext context,
       open_domain_(std::move(open_domain)),
       parts_(std::move(parts)) {}
 
-RunParts PairComposer::compose(EndOptions source, EndOptions target) const {
-  source = in_coordinates(std::move(source), *open_domain_, parts_.problem.cost.get(), "source");
-  target = in_coordinates(std::move(target), *open_domain_, parts_.problem.cost.get(), "target");
+/// The cost for the ends of a problem.
+std::shared_ptr<const SegmentCost> PairComposer::cost_between(const Problem& problem) const {
+  using Cost = std::shared_ptr<const SegmentCost>;
+  BuildContext context = context_;
+  if (config_.cost.plugin->follows_source) {
+    context.source = source_position(problem);
+    context.target = positions(*problem.manifold, {problem.target.u, {}, true});
+    return make<Cost>(config_.cost, context);
+  }
+  if (config_.has_pairs() || waits_for<Cost>(config_.cost) != WaitsFor::domain) return problem.cost;
+  std::call_once(made_, [&] {  // the one that was composed may have looked at the ends of the configuration
+    context.source = Eigen::VectorXd::Zero(context.dimension);
+    context.target.reset();
+    cost_of_all_ = make<Cost>(config_.cost, context);
+  });
+  return cost_of_all_;
+}
+
+RunParts PairComposer::compose(EndOptions source, EndOptions target, const RunParts& all) const {
+  source = in_coordinates(std::move(source), *open_domain_, all.problem.cost.get(), "source");
+  target = in_coordinates(std::move(target), *open_domain_, all.problem.cost.get(), "target");
   for (EndOptions* end : {&source, &target})
     if (end->point && !end->tolerance) end->tolerance = config_.pair_tolerance;
-  RunParts out = parts_;
+  RunParts out = all;
   out.notes.clear();
   Problem& problem = out.problem;
   // As for one path: ends are placed before the obstacles are, and one within a clearance is refused, not moved.
@@ -30,16 +48,11 @@ RunParts PairComposer::compose(EndOptions source, EndOptions target) const {
   out.source = place_end(*open_domain_, source, "source");
   problem.source = out.source.end;
   place_target(target, "target", out);
-  problem.manifold = parts_.problem.manifold;
+  problem.manifold = all.problem.manifold;
   refuse_end_in_clearance(problem, problem.source, "source");
   refuse_end_in_clearance(problem, problem.target, "target");
   if (are_one_place(problem)) return out;
-  if (config_.cost.plugin->follows_source) {
-    BuildContext context = context_;
-    context.source = source_position(problem);
-    context.target = positions(*problem.manifold, {problem.target.u, {}, true});
-    problem.cost = make<std::shared_ptr<const SegmentCost>>(config_.cost, context);
-  }
+  if (problem.cost == parts_.problem.cost) problem.cost = cost_between(problem);  // else it was replaced in memory
   take_cheapest_image(config_, open_domain_, out);
   if (asks_for_preparation(out, false)) std::call_once(prepared_, [&] { prepare(problem); });
   return out;

@@ -21,9 +21,10 @@ struct RunOrigin {
   std::filesystem::path folder;   ///< files of the configuration are relative to it
   std::vector<InputFile> inputs;  ///< the configuration, then its data, as they were when they were read
   std::chrono::system_clock::time_point started;
-  RunParts parts;                             ///< as they were composed
-  std::vector<std::string> why;               ///< the methods are what they are, where the configuration left them open
-  std::shared_ptr<const PairComposer> pairs;  ///< of a run of many pairs of ends, whose parts have none; else null
+  RunParts parts;                ///< as they were composed
+  std::vector<std::string> why;  ///< the methods are what they are, where the configuration left them open
+  std::shared_ptr<const PairComposer>
+      pairs;  ///< makes the parts for other ends, for many pairs of them; null of a ring
 };
 
 }  // namespace leastcost

@@ -104,10 +104,10 @@ std::vector<std::string> replaced_parts(const RunParts& parts, const RunParts& a
 
 RunOutcome solve(Run run, const Monitor& monitor) {
   if (!run.origin) throw InputError("a run must be made by load_run() or parse_run()");
-  if (run.origin->pairs)
+  if (run.origin->config.has_pairs())
     throw InputError(
         "solve() finds one path, but the configuration has many pairs of ends (ends.pairs): give a 'source' and a "
-        "'target'");
+        "'target', or call solve_pairs()");
   if (!run.parts.solver || !run.parts.initializer) throw InputError("the run has no solver or no initializer");
   const Clock::time_point start = Clock::now();
   RunOutcome outcome;

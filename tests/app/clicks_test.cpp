@@ -6,9 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <leastcost/app/report/report.hpp>
 #include "app/report/page/clicks_module.hpp"
 #include "app/report/page/json_file.hpp"
-#include "app/report/report.hpp"
 #include "app/report/run/clicks_part.hpp"
 #include "app/run/run.hpp"
 #include "tests/support/catch.hpp"
@@ -32,7 +32,7 @@ fs::path folder_of_run(const ScratchDir& dir, const std::string& config) {
   return dir / "run";
 }
 
-std::string page_of(const fs::path& folder) { return app::make_report(folder).front().content; }
+std::string page_of(const fs::path& folder) { return make_report(folder).front().content; }
 
 const char* const kOnRoof = R"(manifold: {type: mesh, file: roof.obj}
 cost: euclidean

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <fstream>
 
-#include "app/report/report.hpp"
+#include <leastcost/app/report/report.hpp>
 #include "app/study/cell/isolation.hpp"
 #include "app/study/rows/journal.hpp"
 #include "app/study/rows/row_json.hpp"
@@ -128,7 +128,7 @@ TEST_CASE("large inputs: the report of many rows shows the first ones and counts
     manifest.kind = "study";
     write_whole_file(dir / "manifest.json", manifest_json(manifest));
     write_whole_file(dir / "study.resolved.yaml", "name: many\n");
-    app::write_report(dir.path());
+    write_report(dir.path());
   });
   const std::string page = content(dir / "report.html");
   CHECK(page.size() < 20'000'000);

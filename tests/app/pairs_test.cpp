@@ -14,8 +14,8 @@
 #include <sstream>
 
 #include <leastcost/catalogue/catalogue.hpp>
-#include "app/pairs/ordered_pairs.hpp"
 #include "app/pairs/pair_summary.hpp"
+#include "catalogue/pairs/ordered_pairs.hpp"
 #include "tests/app/called.hpp"
 #include "tests/app/child_program.hpp"
 #include "tests/support/catch.hpp"
@@ -478,44 +478,50 @@ TEST_CASE("pairs in threads: in order, in a window, and whatever is thrown ends 
   constexpr long kMany = 20000;
   for (long i = 0; i < kMany; ++i) text += "0,1\n";
   put(dir / "pairs.csv", text);
-  app::PairReader reader(dir / "pairs.csv", {"x"}, false);
+  PairReader reader(dir / "pairs.csv", {"x"}, false);
   long delivered = 0;
   std::atomic<long> known{0}, farthest{0};
-  app::OrderedPairs work{reader, {}, {}, [] { return false; }, 3};
-  work.solve = [&](const app::PairRow& row) {
+  OrderedPairs work{[&] { return reader.next(); }, {}, {}, {}, 3};
+  const auto certified = [](long number) {
+    PairResult result;
+    result.number = number;
+    result.outcome = "certified";
+    return result;
+  };
+  work.solve = [&](const PairRow& row) {
     if (row.number % 5000 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(30));
     long ahead = farthest.load();
     while (row.number - known > ahead && !farthest.compare_exchange_weak(ahead, row.number - known)) {
     }
-    return app::PairLine{"", {row.number, "certified", "", 0, 0}};
+    return certified(row.number);
   };
-  work.line = [&](const app::PairLine& line) {
-    REQUIRE(line.facts.number == delivered);
+  work.done = [&](const PairResult& result) {
+    REQUIRE(result.number == delivered);
     known = ++delivered;
   };
-  CHECK(app::solve_in_order(work));
+  CHECK(solve_in_order(work));
   CHECK(delivered == kMany);
   CHECK(farthest > 3);         // others went on while one took long
   CHECK(farthest <= 3 * 256);  // but not far
 
   const auto again = [&](auto change) {
-    app::PairReader other(dir / "pairs.csv", {"x"}, false);
+    PairReader other(dir / "pairs.csv", {"x"}, false);
     delivered = 0;
-    app::OrderedPairs broken{other, work.solve, work.line, work.stop_requested, 3};
+    OrderedPairs broken{[&] { return other.next(); }, work.solve, work.done, work.stop_requested, 3};
     change(broken);
-    return app::solve_in_order(broken);
+    return solve_in_order(broken);
   };
-  CHECK_THROWS_WITH(again([](app::OrderedPairs& broken) {
-                      broken.solve = [](const app::PairRow& row) -> app::PairLine {
+  CHECK_THROWS_WITH(again([&](OrderedPairs& broken) {
+                      broken.solve = [&](const PairRow& row) {
                         if (row.number == 700) throw InputError("out of paper");
-                        return {"", {row.number, "certified", "", 0, 0}};
+                        return certified(row.number);
                       };
                     }),
                     "out of paper");
   CHECK_THROWS_WITH(
-      again([](app::OrderedPairs& broken) { broken.line = [](const app::PairLine&) { throw InputError("no disk"); }; }),
+      again([](OrderedPairs& broken) { broken.done = [](const PairResult&) { throw InputError("no disk"); }; }),
       "no disk");
-  CHECK_FALSE(again([&](app::OrderedPairs& broken) { broken.stop_requested = [&] { return known > 1000; }; }));
+  CHECK_FALSE(again([&](OrderedPairs& broken) { broken.stop_requested = [&] { return known > 1000; }; }));
   CHECK(delivered >= 1000);
   CHECK(delivered < kMany);
 }

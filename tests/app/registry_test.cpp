@@ -7,10 +7,10 @@
 #include <map>
 #include <set>
 
+#include <leastcost/catalogue/plugins/abilities.hpp>
 #include <leastcost/problems/costs/metric_tensor.hpp>
 #include "app/reference/describe.hpp"
 #include "app/reference/field_list.hpp"
-#include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/run/compose_run.hpp"
 #include "catalogue/run/run_origin.hpp"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "app/report/report.hpp"
+#include <leastcost/app/report/report.hpp>
 
 #include <algorithm>
 #include <fstream>
@@ -119,7 +119,7 @@ TEST_CASE("report: made again from its folder it is the one that the run wrote")
   check_stands_alone(first);
   fs::remove(folder / "report.html");
   const std::vector<std::string> before = names_in(folder);
-  CHECK(app::write_report(folder) == folder / "report.html");
+  CHECK(write_report(folder) == folder / "report.html");
   CHECK(content(folder / "report.html") == first);
   fs::remove(folder / "report.html");
   CHECK(names_in(folder) == before);  // nothing else was left behind
@@ -232,21 +232,21 @@ TEST_CASE("report: what is missing, damaged or not ours is named, and the old re
     fs::remove(folder / damage.file);
   else
     write_bytes(folder / damage.file, damage.text);
-  CHECK_THROWS_AS(app::write_report(folder), InputError);
-  CHECK_THROWS_WITH(app::write_report(folder), Contains(damage.says) && Contains(damage.file));
+  CHECK_THROWS_AS(write_report(folder), InputError);
+  CHECK_THROWS_WITH(write_report(folder), Contains(damage.says) && Contains(damage.file));
   CHECK(content(folder / "report.html") == before);
 }
 
 TEST_CASE("report: no folder, an empty folder, a file") {
   const ScratchDir dir;
-  CHECK_THROWS_WITH(app::make_report(dir / "nowhere"), Contains("nowhere: is not a folder"));
-  CHECK_THROWS_WITH(app::make_report(dir.path()), Contains("has no manifest.json"));
+  CHECK_THROWS_WITH(make_report(dir / "nowhere"), Contains("nowhere: is not a folder"));
+  CHECK_THROWS_WITH(make_report(dir.path()), Contains("has no manifest.json"));
 }
 
 TEST_CASE("report: of a study, with its figures as files") {
   const ScratchDir dir;
   const fs::path folder = study_in(dir / "study");
-  app::write_report(folder);
+  write_report(folder);
   const std::string page = content(folder / "report.html");
   check_holds(page, {"a study", "torus &lt;b&gt;, n\u00a0=\u00a09", "3 of 4 solves certified", "Performance profiles",
                      "timeout"});
@@ -263,27 +263,26 @@ TEST_CASE("report: of a study, with its figures as files") {
   check_holds(page, {">−2.0<", ">−4.0<", "the reported value", "at some time in its run"});
   check_lacks(page, "incomplete");
   const std::string again = content(folder / "report.html");
-  app::write_report(folder);
+  write_report(folder);
   CHECK(content(folder / "report.html") == again);
 }
 
 TEST_CASE("report: of a study with runs that are missing, and with solvers that stop by rules of their own") {
   const ScratchDir dir;
   const fs::path folder = study_in(dir / "study");
-  check_lacks(app::make_report(folder)[0].content, "of their own");
+  check_lacks(make_report(folder)[0].content, "of their own");
   write_bytes(folder / "summary.json", R"({"name": "a part", "missing": [[4, 0], [5, 0]]})");
   std::string runs = content(folder / "runs.csv");
   for (std::size_t at = runs.find("plain"); at != std::string::npos; at = runs.find("plain"))
     runs.replace(at, 5, "georce");
   write_bytes(folder / "runs.csv", runs);
-  check_holds(app::make_report(folder)[0].content,
-              {"incomplete, 2 runs missing: 3 of 4 solves certified", "of their own"});
+  check_holds(make_report(folder)[0].content, {"incomplete, 2 runs missing: 3 of 4 solves certified", "of their own"});
 }
 
 TEST_CASE("report: of a study, a warning where ranks by time may be chance") {
   const ScratchDir dir;
   const fs::path folder = study_in(dir / "study");
-  check_holds(app::make_report(folder)[0].content, {"that of one repetition", "repetitions: 5"});
+  check_holds(make_report(folder)[0].content, {"that of one repetition", "repetitions: 5"});
   // Five repetitions, all alike; then some that took twice as long.
   app::RunTable runs = app::read_runs_csv(content(folder / "runs.csv"), "runs.csv");
   const std::vector<app::RunRow> once = runs.rows;
@@ -295,7 +294,7 @@ TEST_CASE("report: of a study, a warning where ranks by time may be chance") {
         if (row.repetition == 4 && row.s_solve) *runs.rows.back().s_solve *= slower;
       }
     write_bytes(folder / "runs.csv", app::runs_csv(runs));
-    const std::string page = app::make_report(folder)[0].content;
+    const std::string page = make_report(folder)[0].content;
     check_lacks(page, "that of one repetition");
     slower == 1 ? check_lacks(page, "The machine was busy") : check_holds(page, {"The machine was busy: in 3 of"});
   }
@@ -308,8 +307,8 @@ TEST_CASE("report: a damaged study is named") {
       {{"runs.csv", "cell\n"}, {"traces.csv", "cell,repetition\n0"}, {"summary.json", "{}"}, {"runs.csv", ""}}));
   CAPTURE(file, text);
   write_bytes(folder / file, text);
-  CHECK_THROWS_AS(app::make_report(folder), InputError);
-  CHECK_THROWS_WITH(app::make_report(folder), Contains(file));
+  CHECK_THROWS_AS(make_report(folder), InputError);
+  CHECK_THROWS_WITH(make_report(folder), Contains(file));
   CHECK_FALSE(fs::exists(folder / "report.html"));
 }
 

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include <leastcost/framework/base/errors.hpp>
-#include "app/study/rows/csv_text.hpp"
 #include "app/study/rows/run_table.hpp"
+#include "catalogue/output/csv_text.hpp"
 #include "tests/support/catch.hpp"
 
 namespace leastcost::test {
@@ -59,15 +59,14 @@ TEST_CASE("runs.csv: a text that a spreadsheet would take for a formula is none,
   const std::vector<std::string> texts = {"=1+1", "+x", "-cmd", "@SUM(A1)", "\tx", "'quoted'", "=\"a\",b", "'"};
   for (const std::string& text : texts) {
     CAPTURE(text);
-    const std::string field = app::csv_text_field(text);
+    const std::string field = csv_text_field(text);
     CHECK((field[0] == '\'' || field.substr(0, 2) == "\"'"));
     formulas.rows[0].problem = formulas.rows[0].message = text;
     const app::RunTable back = app::read_runs_csv(app::runs_csv(formulas), "runs.csv");
     CHECK(back.rows[0].problem == text);
     CHECK(back.rows[0].message == text);
   }
-  for (const std::string number : {"-1", "+2.5", "-1e-3", "-inf", "plain", ""})
-    CHECK(app::csv_text_field(number) == number);
+  for (const std::string number : {"-1", "+2.5", "-1e-3", "-inf", "plain", ""}) CHECK(csv_text_field(number) == number);
 }
 
 TEST_CASE("runs.csv: windows line breaks and other column orders are read") {
@@ -92,7 +91,7 @@ TEST_CASE("runs.csv: what cannot be read is named with its line") {
                                          "0,0,1,2,3,4,x,5\n",
                                          "t.csv"),
                     Contains("t.csv:2: column 'cost_error' must hold a number (found 'x')"));
-  CHECK_THROWS_WITH(app::csv_records("a,\"b\nc", "t.csv"), Contains("t.csv:1: a quote is never closed"));
+  CHECK_THROWS_WITH(csv_records("a,\"b\nc", "t.csv"), Contains("t.csv:1: a quote is never closed"));
 }
 
 }  // namespace leastcost::test

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "app/study/grid/grid.hpp"
-#include "app/study/rows/csv_text.hpp"
 #include "app/study/rows/run_table.hpp"
 #include "app/study/study.hpp"
+#include "catalogue/output/csv_text.hpp"
 
 namespace leastcost::test {
 

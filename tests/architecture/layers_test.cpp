@@ -129,12 +129,14 @@ const Arrows& rooms() {
       {"catalogue/run",
        {"catalogue/config", "catalogue/yaml", "catalogue/inputs", "catalogue/plugins", "catalogue/registry"}},
       {"catalogue/scene", {}},
+      {"catalogue/pairs",
+       {"catalogue/config", "catalogue/output", "catalogue/plugins", "catalogue/run", "catalogue/yaml"}},
       {"catalogue/output",
        {"catalogue/config", "catalogue/run", "catalogue/back_ends", "catalogue/inputs", "catalogue/options",
         "catalogue/registry", "catalogue/scene"}},
       {"app/plot", {}},
       {"app/report/page", {"app/plot"}},
-      {"app/report/run", {"app/report/page", "app/plot", "app/study/rows"}},
+      {"app/report/run", {"app/report/page", "app/plot"}},
       {"app/report/study", {"app/report/page", "app/plot", "app/study", "app/study/rows"}},
       {"app/figure", {"app/plot", "app/report/page", "app/report/run"}},
       {"app/report", {"app/report/page", "app/report/run", "app/report/study"}},
@@ -269,10 +271,18 @@ std::set<std::string> public_headers(const std::vector<Include>& includes) {
   std::multimap<std::string, std::string> reaches;
   for (const Include& include : includes)
     if (include.open) reaches.emplace(include.file, include.target);
-  std::vector<std::string> open = {
-      "framework/numbers/numbers.hpp", "framework/check/check.hpp", "framework/framework.hpp", "problems/problems.hpp",
-      "solvers/solvers.hpp",           "recipes/recipes.hpp",       "ompl/ompl.hpp",           "gdal/gdal.hpp",
-      "catalogue/catalogue.hpp"};
+  std::vector<std::string> open = {"framework/numbers/numbers.hpp",
+                                   "framework/check/check.hpp",
+                                   "framework/framework.hpp",
+                                   "problems/problems.hpp",
+                                   "solvers/solvers.hpp",
+                                   "recipes/recipes.hpp",
+                                   "ompl/ompl.hpp",
+                                   "gdal/gdal.hpp",
+                                   "catalogue/catalogue.hpp",
+                                   "app/study.hpp",
+                                   "app/report.hpp",
+                                   "app/app.hpp"};
   for (const Include& include : includes)
     for (const std::string& file : {include.file, include.target})
       if (is_back_end_header(file)) open.push_back(file);

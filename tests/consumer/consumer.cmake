@@ -53,6 +53,18 @@ function(catalogue_consumer prefix build)
   endif()
 endfunction()
 
+# The program with a cost and a solver of its own: a study of all cells that ends, and its report.
+function(app_consumer prefix build)
+  file(REMOVE_RECURSE ${SCRATCH}/compare_own)
+  configure_and_build(${SOURCE_DIR}/examples/own_program ${build} -D CMAKE_PREFIX_PATH=${prefix} ${ARGN})
+  run("describe" ${build}/own_program describe cost ray_time)
+  run("run own_program" ${build}/own_program study ${SOURCE_DIR}/examples/own_program/compare.yaml
+    -o ${SCRATCH}/compare_own)
+  if(NOT output MATCHES "gauss_newton" OR NOT EXISTS ${SCRATCH}/compare_own/report.html)
+    message(FATAL_ERROR "own_program compared nothing, or made no report: ${output}")
+  endif()
+endfunction()
+
 # The libraries of others that are hidden from find_package: only Eigen is left.
 set(without "")
 foreach(package IN ITEMS Boost nanoflann NLopt Ceres ompl GDAL yaml-cpp fmt OpenSSL PNG CLI11 nlohmann_json)

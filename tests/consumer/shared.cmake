@@ -31,6 +31,7 @@ if(dpkg_deb AND dpkg_shlibdeps AND file_program)
   pkg_config_consumer(${SCRATCH}/unpacked_static/usr leastcost-catalogue
     PROGRAM ${SCRATCH}/catalogue_static/CMakeFiles/load_run.dir/main.cpp.o
     ARGUMENTS ${SOURCE_DIR}/examples/load_run/slide.yaml ${SCRATCH}/slide)  # and so do its flags for pkg-config
+  app_consumer(${SCRATCH}/unpacked_static/usr ${SCRATCH}/app_static)
   run("the program of archives" ${SCRATCH}/unpacked_static/usr/bin/leastcost --version)
 else()
   skip("Debian packages" "no dpkg-shlibdeps (package dpkg-dev) or no file")
@@ -49,6 +50,7 @@ function(needs_all_libraries program)
 endfunction()
 needs_all_libraries(${SCRATCH}/hello/hello)
 catalogue_consumer(${prefix} ${SCRATCH}/catalogue ${without})
+app_consumer(${prefix} ${SCRATCH}/app ${without})
 set(hello ${SCRATCH}/hello/CMakeFiles/hello.dir/main.cpp.o)
 set(load_run ${SCRATCH}/catalogue/CMakeFiles/load_run.dir/main.cpp.o)
 set(slide ARGUMENTS ${SOURCE_DIR}/examples/load_run/slide.yaml ${SCRATCH}/slide)

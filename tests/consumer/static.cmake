@@ -29,6 +29,7 @@ find_package_consumer(${prefix} ${SCRATCH}/hello ${without})
 components_consumer(${prefix} ${SCRATCH}/components)
 if(DEFINED ENV{LEASTCOST_NIGHTLY})  # shared.cmake does the same with the packages of this build
   catalogue_consumer(${prefix} ${SCRATCH}/catalogue)
+  app_consumer(${prefix} ${SCRATCH}/app)
 endif()
 if("nlopt" IN_LIST BACK_ENDS AND "ceres" IN_LIST BACK_ENDS)
   configure_and_build(${SOURCE_DIR}/examples/compare_solvers ${SCRATCH}/compare -D CMAKE_PREFIX_PATH=${prefix})

@@ -5,6 +5,7 @@
 // one, random options past the checks of a configuration, bad numbers, bad ends. One process for all, as in a host.
 // LEASTCOST_RANDOM_PROBLEMS: how many (10,000 before a release); LEASTCOST_RANDOM_SEED: the first one's seed. A failure
 // names the seed of its problem.
+#include <leastcost/catalogue/plugins/abilities.hpp>
 #include <leastcost/framework/search/find_path.hpp>
 
 #include <algorithm>
@@ -15,7 +16,6 @@
 #include <set>
 
 #include <leastcost/framework/base/errors.hpp>
-#include "catalogue/plugins/abilities.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/registry/registry.hpp"
 #include "problems/formula/coordinate_names.hpp"

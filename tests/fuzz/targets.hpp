@@ -21,7 +21,6 @@
 #include <leastcost/problems/readers/point_cloud_reader.hpp>
 #include <leastcost/problems/readers/sdf_reader.hpp>
 #include <leastcost/problems/readers/tensor_reader.hpp>
-#include "app/pairs/pair_reader.hpp"
 #include "app/report/page/json_file.hpp"
 #include "app/report/run/run_files.hpp"
 #include "app/study/grid/grid.hpp"
@@ -29,6 +28,7 @@
 #include "app/study/rows/run_table.hpp"
 #include "catalogue/config/load_config.hpp"
 #include "catalogue/inputs/map_file.hpp"
+#include "catalogue/pairs/pair_reader.hpp"
 #include "catalogue/run/compose.hpp"
 #include "catalogue/scene/scene.hpp"
 #include "catalogue/yaml/diagnostics.hpp"
@@ -188,7 +188,7 @@ inline const std::vector<Target>& targets() {
        }},
       {"pairs",
        [](std::string_view b) {
-         app::PairReader reader(file_with(b, ".csv"), {"x", "y"}, true);
+         PairReader reader(file_with(b, ".csv"), {"x", "y"}, true);
          while (reader.next()) {
          }
        }},

@@ -4,11 +4,12 @@
 
 #include <string>
 
-namespace leastcost::app {
+namespace leastcost {
 
+/// One file of a report.
 struct ReportFile {
   std::string name;  ///< relative to the folder of the results
   std::string content;
 };
 
-}  // namespace leastcost::app
+}  // namespace leastcost

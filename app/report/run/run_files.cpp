@@ -8,7 +8,7 @@
 #include <limits>
 
 #include <leastcost/framework/base/errors.hpp>
-#include "app/study/rows/csv_text.hpp"
+#include "catalogue/output/csv_text.hpp"
 #include "problems/formula/coordinate_names.hpp"
 
 namespace leastcost::app {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "app/report/page/report_file.hpp"
+#include <leastcost/app/report/page/report_file.hpp>
 
 namespace leastcost::app {
 

@@ -8,7 +8,7 @@
 
 #include <leastcost/catalogue/run/solve.hpp>
 #include <leastcost/framework/path/kernel.hpp>
-#include "app/study/rows/csv_text.hpp"
+#include "catalogue/output/csv_text.hpp"
 #include "catalogue/run/compose_run.hpp"
 #include "catalogue/run/run_origin.hpp"
 

@@ -272,11 +272,14 @@ StudyGrid make_grid(LoadedStudy& study, CellChecks checks) {
   return GridBuilder(study, checks).build();
 }
 
-StudyGrid load_grid(const std::filesystem::path& file, const std::vector<Override>& overrides) {
-  LoadedStudy study = load_study(file, overrides);
+StudyGrid checked_grid(LoadedStudy study) {
   StudyGrid grid = make_grid(study);
   if (!study.errors.empty()) throw ConfigError(study.errors);
   return grid;
+}
+
+StudyGrid load_grid(const std::filesystem::path& file, const std::vector<Override>& overrides) {
+  return checked_grid(load_study(file, overrides));
 }
 
 }  // namespace leastcost::app

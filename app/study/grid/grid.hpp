@@ -43,6 +43,9 @@ enum class CellChecks {
 /// with that in the file of the problem; the grid is usable only when there are none.
 StudyGrid make_grid(LoadedStudy& study, CellChecks checks = CellChecks::options);
 
+/// make_grid() with `options`. Throws ConfigError.
+StudyGrid checked_grid(LoadedStudy study);
+
 /// load_study() and make_grid() with `options`: what only composing a cell shows is its outcome. Throws ConfigError, or
 /// InputError when the file cannot be read.
 StudyGrid load_grid(const std::filesystem::path& file, const std::vector<Override>& overrides);

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
-#include "app/study/rows/csv_text.hpp"
+#include "catalogue/output/csv_text.hpp"
 
 namespace leastcost::app {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "app/pairs/ordered_pairs.hpp"
+#include "catalogue/pairs/ordered_pairs.hpp"
 
 #include <condition_variable>
 #include <exception>
@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-namespace leastcost::app {
+namespace leastcost {
 namespace {
 
-/// Lines that may wait for an earlier one, per thread: a pair that takes long holds up no other thread meanwhile.
+/// Results that may wait for an earlier one, per thread: a pair that takes long holds up no other thread meanwhile.
 constexpr long kWindowPerThread = 256;
 
 class Crew {
@@ -35,13 +35,15 @@ class Crew {
   }
 
  private:
+  bool stop_requested() const { return work_.stop_requested && work_.stop_requested(); }
+
   void serve() {
     try {
       while (const std::optional<PairRow> row = take()) {
-        PairLine line = work_.solve(*row);
+        PairResult result = work_.solve(*row);
         // What was solved after the request may have been cut short by it.
-        if (work_.stop_requested()) return stop();
-        deliver(row->number, std::move(line));
+        if (stop_requested()) return stop();
+        deliver(row->number, std::move(result));
       }
     } catch (...) {
       fail(std::current_exception());
@@ -51,9 +53,9 @@ class Crew {
   std::optional<PairRow> take() {
     std::unique_lock lock(mutex_);
     moved_.wait(lock, [this] { return ended_ || in_hand_ < window_; });
-    if (!ended_ && work_.stop_requested()) stopped_ = ended_ = true;
+    if (!ended_ && stop_requested()) stopped_ = ended_ = true;
     std::optional<PairRow> row;
-    if (!ended_) row = work_.reader.next();
+    if (!ended_) row = work_.next();
     if (!row) {
       ended_ = true;
       moved_.notify_all();
@@ -65,11 +67,11 @@ class Crew {
     return row;
   }
 
-  void deliver(long number, PairLine line) {
+  void deliver(long number, PairResult result) {
     const std::lock_guard lock(mutex_);
-    waiting_.emplace(number, std::move(line));
+    waiting_.emplace(number, std::move(result));
     for (auto at = waiting_.begin(); at != waiting_.end() && at->first == next_; at = waiting_.begin()) {
-      work_.line(std::move(at->second));
+      work_.done(std::move(at->second));
       waiting_.erase(at);
       ++next_;
       --in_hand_;
@@ -94,9 +96,9 @@ class Crew {
   const long window_;
   std::mutex mutex_;
   std::condition_variable moved_;
-  std::map<long, PairLine> waiting_;  // for an earlier one
-  long next_ = 0;                     // to be delivered
-  long in_hand_ = 0;                  // taken, and not delivered
+  std::map<long, PairResult> waiting_;  // for an earlier one
+  long next_ = 0;                       // to be delivered
+  long in_hand_ = 0;                    // taken, and not delivered
   bool first_ = true, ended_ = false, stopped_ = false;
   std::exception_ptr error_;
 };
@@ -105,4 +107,4 @@ class Crew {
 
 bool solve_in_order(const OrderedPairs& work) { return Crew(work).run(); }
 
-}  // namespace leastcost::app
+}  // namespace leastcost

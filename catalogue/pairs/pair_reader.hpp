@@ -10,7 +10,7 @@
 
 #include "catalogue/plugins/run_visitor.hpp"
 
-namespace leastcost::app {
+namespace leastcost {
 
 /// One row of a file of pairs: two ends, or why it is none.
 struct PairRow {
@@ -66,4 +66,4 @@ class PairReader {
   std::optional<PairRow> first_;  // read to know that there is one
 };
 
-}  // namespace leastcost::app
+}  // namespace leastcost

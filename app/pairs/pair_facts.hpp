@@ -4,8 +4,7 @@
 
 #include <string>
 
-#include "app/pairs/pair_reader.hpp"
-#include "catalogue/run/pair_composer.hpp"
+#include <leastcost/catalogue/pairs/pair_result.hpp>
 
 namespace leastcost::app {
 
@@ -18,15 +17,7 @@ struct PairFacts {
   double seconds = 0;
 };
 
-/// A line of paths.jsonl, with its line break.
-struct PairLine {
-  std::string text;
-  PairFacts facts;
-};
-
-/// Finds the path of one pair and says what became of it: one JSON object, the same at every run but for `seconds`.
-/// Whatever is wrong with the pair is a line too. `points`: those of the path are in it, ambient.
-PairLine solve_pair(const PairComposer& composer, const PairRow& row, bool points, const Monitor& monitor);
+PairFacts facts_of(const PairResult& result);
 
 /// What an earlier program wrote. Throws InputError where it is no such line.
 PairFacts read_pair_line(const std::string& text);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "app/pairs/pair_reader.hpp"
+#include "catalogue/pairs/pair_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -12,9 +12,9 @@
 
 #include <leastcost/catalogue/yaml/diagnostics.hpp>
 #include <leastcost/framework/base/errors.hpp>
-#include "app/study/rows/csv_text.hpp"
+#include "catalogue/output/csv_text.hpp"
 
-namespace leastcost::app {
+namespace leastcost {
 namespace {
 
 constexpr std::size_t kLongestLine = 1 << 20;
@@ -218,4 +218,4 @@ void PairReader::skip(long count) {
 
 double PairReader::part() const { return size_ > 0 ? std::min(1.0, read_ / size_) : 1; }
 
-}  // namespace leastcost::app
+}  // namespace leastcost

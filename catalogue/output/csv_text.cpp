@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "app/study/rows/csv_text.hpp"
+#include "catalogue/output/csv_text.hpp"
 
 #include <array>
 #include <charconv>
@@ -10,7 +10,7 @@
 
 #include <leastcost/framework/base/errors.hpp>
 
-namespace leastcost::app {
+namespace leastcost {
 namespace {
 
 /// Walks through the characters of a CSV text.
@@ -122,4 +122,4 @@ std::optional<double> csv_double(const std::string& text) {
 
 std::optional<long> csv_long(const std::string& text) { return number_from<long>(text); }
 
-}  // namespace leastcost::app
+}  // namespace leastcost

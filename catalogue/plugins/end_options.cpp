@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "catalogue/plugins/run_visitor.hpp"
+#include <leastcost/catalogue/plugins/end_options.hpp>
 
 namespace leastcost {
 

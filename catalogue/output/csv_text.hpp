@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace leastcost::app {
+namespace leastcost {
 
 /// RFC 4180 records of a text, with the line on which each begins.
 struct CsvRecord {
@@ -32,4 +32,4 @@ std::string csv_number(double value);
 std::optional<double> csv_double(const std::string& text);
 std::optional<long> csv_long(const std::string& text);
 
-}  // namespace leastcost::app
+}  // namespace leastcost

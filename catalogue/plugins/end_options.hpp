@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include <leastcost/framework/base/options.hpp>
+
+namespace leastcost {
+
+/// Where an end of the path is: exactly one of vertex, face + barycentric, point, lonlat.
+struct EndOptions {
+  std::optional<int> vertex = {};                   ///< of the file
+  std::optional<int> face = {};                     ///< of the file
+  std::optional<Eigen::VectorXd> barycentric = {};  ///< three numbers
+  std::optional<Eigen::VectorXd> point = {};
+  std::optional<Eigen::VectorXd> lonlat = {};  ///< on the Earth: longitude, latitude, degrees
+  std::optional<double> tolerance = {};        ///< of a point, length units; else the default of the manifold
+  void fields(FieldVisitor& visit);
+};
+
+}  // namespace leastcost
