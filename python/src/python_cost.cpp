@@ -10,6 +10,8 @@
 #include <limits>
 #include <utility>
 
+#include <leastcost/framework/base/errors.hpp>
+
 namespace leastcost::python {
 namespace {
 
@@ -57,6 +59,7 @@ PythonCost::~PythonCost() {
 
 template <class Call>
 auto PythonCost::guarded(const Call& call) const {
+  if (errors_->any()) throw Interrupted("a function has raised an exception");
   const pybind11::gil_scoped_acquire gil;
   try {
     return call();

@@ -46,6 +46,7 @@ Outcome run(const Source& source, std::optional<double> max_seconds) {
     throw;
   }
   errors->raise();
+  errors->end();
   if (outcome->result.status == Status::interrupted && outcome->result.path.u.cols() > 0)
     signals.deliver();
   else

@@ -59,19 +59,20 @@ def test_a_run_returns_the_best_so_far(configs):
 
 
 def test_a_run_with_a_cost_in_python():
-    """It is raised within the function, or heard between two calls of it."""
+    """It is raised within the function, which is not called any more."""
+    calls = []
 
     def slow(a, b):
-        time.sleep(0.002)
-        return ((b - a) ** 2).sum(0) * (1 + np.sin(40 * (a[0] + b[0])) ** 2 * np.sin(40 * (a[1] + b[1])) ** 2)
+        calls.append(time.monotonic())
+        if len(calls) == 20:
+            os.kill(os.getpid(), signal.SIGINT)
+        time.sleep(0.001)
+        return ((b - a) ** 2).sum(0) * (1 + a[0] ** 2) * (1 + b[0] ** 2)
 
-    before = time.monotonic()
-    threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT)).start()
-    try:
-        assert lc.find_path(lc.Plane(), slow, (0, 0), (1, 0.3)).status == "interrupted"
-    except KeyboardInterrupt:
-        pass
-    assert time.monotonic() - before < 2
+    with pytest.raises(KeyboardInterrupt):
+        lc.find_path(lc.Plane(), slow, (0, 0), (1, 0.3))
+    assert len(calls) == 20
+    assert time.monotonic() - calls[-1] < 0.5  # on a busy machine
 
 
 def test_own_handlers_are_heard():
