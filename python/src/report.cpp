@@ -51,7 +51,7 @@ std::string report(const Outcome& result) {
   const RunOutcome& outcome = result.run();
   const py::gil_scoped_release released;
   const TemporaryFolder temporary;
-  return app::make_report(write_run(outcome, temporary.path() / outcome.name)).front().content;
+  return make_report(write_run(outcome, temporary.path() / outcome.name)).front().content;
 }
 
 /// The picture for a paper, as SVG: width in mm, font size in pt.
