@@ -19,6 +19,7 @@ struct ConfigValue {
   using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, List, Block>;
 
   ConfigValue() = default;
+  // NOLINTBEGIN(google-explicit-constructor): a value is written as it is, {"points", 40}
   ConfigValue(bool given);
   ConfigValue(int given);
   ConfigValue(std::int64_t given);
@@ -27,6 +28,7 @@ struct ConfigValue {
   ConfigValue(std::string text);
   ConfigValue(List list);
   ConfigValue(Block block);
+  // NOLINTEND(google-explicit-constructor)
 
   Value value;  ///< nothing: a key without a value
 };

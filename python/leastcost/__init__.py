@@ -26,9 +26,11 @@ from ._errors import ConfigError, Error, InputError, NoPathError, OutputError, T
 from ._find_path import find_path
 from ._leastcost import version as __version__
 from ._mesh import Geodesic, Mesh
+from ._pairs import PairResult, solve_pairs
 from ._plugins import cost, initializer, kernel, manifold, obstacle, post_processor, robot, solver
 from ._result import Failure, Result
 from ._run import run, validate
+from ._study import Study, run_study
 
 __all__ = [
     "Cloud",
@@ -42,9 +44,11 @@ __all__ = [
     "Mesh",
     "NoPathError",
     "OutputError",
+    "PairResult",
     "Plane",
     "Result",
     "Space",
+    "Study",
     "Terrain",
     "TimeLimitError",
     "Wind",
@@ -57,6 +61,8 @@ __all__ = [
     "post_processor",
     "robot",
     "run",
+    "run_study",
+    "solve_pairs",
     "solver",
     "validate",
 ]

@@ -53,6 +53,15 @@ def source_of(
     raise TypeError(f"a configuration is a path, a text or a dict, not {type(config).__name__}")
 
 
+def text_of(value: Any, where: str) -> str:
+    """Plain values as JSON, which is YAML as well. Raises TypeError for objects."""
+    reader = _Reader({})
+    text = json.dumps(reader.plain(value, where))
+    if reader.externals:
+        raise TypeError(f"{where}: a study has numbers, texts, lists and dicts, no objects")
+    return text
+
+
 class _Reader:
     """Plain values of a configuration; objects get names."""
 

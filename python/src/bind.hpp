@@ -12,6 +12,8 @@ void translate_errors();
 void bind_externals(pybind11::module_& module);
 void bind_mesh(pybind11::module_& module);
 void bind_run(pybind11::module_& module);
+void bind_pairs(pybind11::module_& module);
 void bind_report(pybind11::module_& module);
+void bind_study(pybind11::module_& module);
 
 }  // namespace leastcost::python

@@ -11,5 +11,7 @@ PYBIND11_MODULE(_leastcost, module) {
   leastcost::python::bind_externals(module);
   leastcost::python::bind_mesh(module);
   leastcost::python::bind_run(module);
+  leastcost::python::bind_pairs(module);
   leastcost::python::bind_report(module);
+  leastcost::python::bind_study(module);
 }

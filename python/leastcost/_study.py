@@ -1,0 +1,90 @@
+# SPDX-FileCopyrightText: 2026 The leastcost authors
+# SPDX-License-Identifier: MIT
+"""Comparison studies."""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+from collections.abc import Mapping
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from . import _leastcost
+from ._config import text_of
+
+if TYPE_CHECKING:
+    from ._config import Config
+
+
+class Study:
+    """The results of a study, which are the files of its folder (docs/studies.md)."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+
+    @cached_property
+    def rows(self) -> list[dict[str, Any]]:
+        """One dict per run, with the columns of runs.csv: `problem`, `solver`, `outcome`, `cost`, `seconds`, ... Numbers
+        are floats, empty cells None. pandas.DataFrame(study.rows) is a table."""
+        with open(self.folder / "runs.csv", newline="", encoding="utf-8") as file:
+            return [{key: _cell(text) for key, text in row.items()} for row in csv.DictReader(file)]
+
+    @cached_property
+    def summary(self) -> dict[str, Any]:
+        """The content of summary.json."""
+        content: dict[str, Any] = json.loads((self.folder / "summary.json").read_text(encoding="utf-8"))
+        return content
+
+    def write_report(self) -> Path:
+        """Writes report.html, with the figures, into the folder, and returns the file."""
+        return _leastcost.write_report(self.folder)
+
+    def __repr__(self) -> str:
+        return f"<leastcost.Study {self.folder}: {len(self.rows)} runs>"
+
+
+def run_study(
+    study: Config,
+    output: str | os.PathLike[str],
+    *,
+    set: Mapping[str, Any] | None = None,
+    folder: str | os.PathLike[str] = "",
+    replace: bool = False,
+    resume: bool = False,
+    parallel: int = 1,
+) -> Study:
+    """Runs a grid of problems, solvers, kernels and numbers of points: the same as `leastcost study`.
+
+    study: the path of a YAML file, its text (with a line break), or the same as a dict.
+    output: the folder of the results, which is made.
+    set: options that are replaced or added, as of --set.
+    folder: what the files named in a text or a dict are relative to; empty: the current folder.
+    replace, resume: begin anew in a folder of an earlier study, or go on where it ended.
+    parallel: runs at once, each of which is a process. Fork copies this thread alone: call it while no other thread
+      uses leastcost.
+
+    A run that fails is a row. Ctrl-C raises KeyboardInterrupt; `resume` goes on from there. Raises ConfigError,
+    InputError, OutputError."""
+    assignments = [f"{key}={text_of(value, f'set[{key!r}]')}" for key, value in (set or {}).items()]
+    file, text = None, ""
+    if isinstance(study, Mapping):
+        text = text_of(study, "study")
+    elif isinstance(study, str) and "\n" in study:
+        text = study
+    elif isinstance(study, (str, os.PathLike)):
+        file = Path(study)
+    else:
+        raise TypeError(f"a study is a path, a text or a dict, not {type(study).__name__}")
+    return Study(_leastcost.study(file, text, Path(folder), assignments, Path(output), replace, resume, parallel))
+
+
+def _cell(text: str) -> Any:
+    if text == "":
+        return None
+    try:
+        return float(text)
+    except ValueError:
+        return text

@@ -1,0 +1,104 @@
+# SPDX-FileCopyrightText: 2026 The leastcost authors
+# SPDX-License-Identifier: MIT
+"""Many pairs of ends, and studies."""
+
+import os
+import signal
+import subprocess
+import threading
+
+import numpy as np
+import pytest
+
+import leastcost as lc
+
+PLANE = {"manifold": {"type": "euclidean", "dimension": 2}, "cost": "euclidean"}
+ENDS = {"source": {"point": [0, 0]}, "target": {"point": [1, 0]}}
+STUDY = """name: two
+problems:
+  - name: line
+    config:
+      manifold: {type: euclidean, dimension: 2}
+      cost: {type: metric_tensor, matrix: [[2, 0], [0, 1]]}
+      ends: {source: {point: [0, 0]}, target: {point: [3, 4]}}
+solvers: [newton, lbfgs]
+points: [10, 20]
+"""
+
+
+def test_pairs_are_solved_in_their_order(configs):
+    mesh = lc.Mesh.read(configs / "data/hill.obj")
+    pairs = [(0, 80), (3, (12, (0.2, 0.3, 0.5))), (mesh.V[5], 40)]
+    config = {"manifold": mesh, "cost": "euclidean", "ends": {"source": {"vertex": 0}, "target": {"vertex": 1}}}
+    results = lc.solve_pairs(config, pairs, threads=2)
+    for pair, result in zip(pairs, results):
+        assert result.certified and not result.message and result.scope == "global_on_polyhedron"
+        assert result.cost == pytest.approx(mesh.geodesic(*pair).length, rel=1e-9)
+        assert result.lower_bound <= result.cost and result.points.shape[1] == 3
+    alone = lc.run({**config, "ends": {"source": {"vertex": 0}, "target": {"vertex": 80}}})
+    assert results[0].cost == alone.cost
+    assert not lc.solve_pairs(config, pairs[:1], points=False)[0].points.size
+
+
+def test_a_pair_without_a_path_is_a_result():
+    wrong, right = lc.solve_pairs({**PLANE, "ends": ENDS}, [((0, 0), (1, 2, 3)), ((0, 0), (3, 4))])
+    assert wrong.outcome == "bad_pair" and wrong.message and np.isnan(wrong.cost)
+    assert right.certified and right.cost == pytest.approx(5)
+
+
+def test_pairs_of_a_file(tmp_path):
+    (tmp_path / "pairs.csv").write_text("source_x,source_y,target_x,target_y\n0,0,3,4\n0,0,6,8\n")
+    config = {**PLANE, "ends": {"pairs": str(tmp_path / "pairs.csv")}}
+    assert [r.cost for r in lc.solve_pairs(config)] == pytest.approx([5, 10])
+
+
+def test_pairs_of_a_cost_in_python():
+    twice = lc.Cost(lambda a, b: 4 * ((b - a) ** 2).sum(0), additive=True)
+    config = {**PLANE, "cost": twice, "ends": ENDS}
+    costs = [r.cost for r in lc.solve_pairs(config, [((0, 0), (3, 4)), ((0, 0), (0, 1))], threads=2)]
+    assert costs == pytest.approx([10, 2])
+
+
+def test_pairs_that_are_none_are_refused():
+    config = {**PLANE, "ends": ENDS}
+    with pytest.raises(lc.InputError, match=r"pairs\[1\] is \(source, target\)"):
+        lc.solve_pairs(config, [((0, 0), (1, 1)), (0, 1, 2)])
+    with pytest.raises(lc.InputError, match=r"pairs\[0\]\[1\] is a vertex"):
+        lc.solve_pairs(config, [((0, 0), (1, np.nan))])
+    with pytest.raises(lc.InputError, match="threads is 0"):
+        lc.solve_pairs(config, [], threads=0)
+
+
+def test_pairs_stop_at_once():
+    many = [((0, 0), (3, 4 + i / 1e5)) for i in range(100_000)]
+    threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
+    with pytest.raises(KeyboardInterrupt):
+        lc.solve_pairs({**PLANE, "ends": ENDS}, many)
+
+
+def test_a_study_is_that_of_the_program(tmp_path, program):
+    study = lc.run_study(STUDY, tmp_path / "ours", parallel=2)
+    (tmp_path / "two.yaml").write_text(STUDY)
+    subprocess.run([program, "study", tmp_path / "two.yaml", "-o", tmp_path / "theirs", "-q"], check=True)
+    theirs = lc.run_study(tmp_path / "two.yaml", tmp_path / "theirs", resume=True)
+    key = ("problem", "solver", "points", "outcome", "cost")
+    assert len(study.rows) == 4
+    assert sorted([r[k] for k in key] for r in study.rows) == sorted([r[k] for k in key] for r in theirs.rows)
+    assert {r["outcome"] for r in study.rows} == {"certified"}
+    assert study.summary.keys() == theirs.summary.keys()
+    assert "<html" in study.write_report().read_text()
+    assert "4 runs" in repr(study)
+
+
+def test_a_study_as_a_dict_and_its_errors(tmp_path):
+    tree = {
+        "problems": [{"name": "line", "config": {**PLANE, "ends": ENDS}}],
+        "solvers": ["newton"],
+        "points": np.array([10]),
+    }
+    assert len(lc.run_study(tree, tmp_path / "one").rows) == 1
+    with pytest.raises(lc.OutputError):
+        lc.run_study(tree, tmp_path / "one")
+    assert len(lc.run_study(tree, tmp_path / "one", replace=True, set={"points": [10, 20]}).rows) == 2
+    with pytest.raises(lc.ConfigError, match="did you mean 'solvers'"):
+        lc.run_study({**tree, "solver": ["newton"]}, tmp_path / "no")
