@@ -291,7 +291,8 @@ TEST_CASE("figure: PDF and PNG by rsvg-convert, in words where it is not") {
   CHECK_THROWS_WITH(app::converted_svg(figure.svg, app::FigureFormat::png, 300, "false"),
                     Contains("false could not make the .png"));
   try {
-    CHECK(app::converted_svg(figure.svg, app::FigureFormat::pdf, 300).substr(0, 5) == "%PDF-");
+    const std::string pdf = app::converted_svg(figure.svg, app::FigureFormat::pdf, 300);
+    CHECK(pdf.substr(0, 5) == "%PDF-");
     const std::string png = app::converted_svg(figure.svg, app::FigureFormat::png, 300);
     CHECK(static_cast<unsigned char>(png[19]) == std::ceil(10 / 25.4 * 300));
   } catch (const HostError&) {
