@@ -18,4 +18,4 @@ def program() -> Path:
     """The command line program of the same build: LEASTCOST_PROGRAM."""
     if "LEASTCOST_PROGRAM" not in os.environ:
         pytest.skip("LEASTCOST_PROGRAM names no program to compare with")
-    return Path(os.environ["LEASTCOST_PROGRAM"])
+    return PROJECT / os.environ["LEASTCOST_PROGRAM"]
