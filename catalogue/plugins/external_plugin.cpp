@@ -6,6 +6,7 @@
 
 #include <array>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -50,7 +51,7 @@ std::shared_ptr<const PluginEntry> plugin_for(const Object& object) {
   entry->provides = words_of(object);
   if constexpr (std::is_same_v<Object, ConstraintManifold>) entry->ambient = object.dimensions().ambient;
   entry->make = [](const AnyOptions& options, const BuildContext& context) -> MadeOf<Object> {
-    const std::shared_ptr<const Object>& made = static_cast<const External<Object>&>(options).object();
+    const auto& made = std::get<std::shared_ptr<const Object>>(static_cast<const External&>(options).object());
     if constexpr (std::is_same_v<Object, SegmentCost>) check_dimension(*made, context);
     static_cast<void>(context);
     return MadeOf<Object>{made};
@@ -64,10 +65,10 @@ void ExternalName::fields(FieldVisitor& visit) {
   visit.field("name", name, {.help = "Name under which the calling program hands over the object.", .required = true});
 }
 
-template <class Object>
-void External<Object>::fields(RunVisitor& visit) {
-  name_.fields(visit);
-}
+External::External(std::string name, ExternalObject object, std::shared_ptr<const PluginEntry> plugin)
+    : name_{std::move(name)}, object_(std::move(object)), plugin_(std::move(plugin)) {}
+
+void External::fields(RunVisitor& visit) { name_.fields(visit); }
 
 std::string_view kind_of(const ExternalObject& object) { return kKinds.at(object.index()); }
 
@@ -83,14 +84,9 @@ const PluginEntry& external_plugin() {
 }
 
 PluginChoice choose_external(const ExternalObject& object, std::string name, std::string path) {
-  return std::visit(
-      [&]<class Object>(const std::shared_ptr<const Object>& given) {
-        const std::shared_ptr<const PluginEntry> plugin = plugin_for(*given);
-        auto options = std::make_shared<External<Object>>(std::move(name), given);
-        options->keep(plugin);
-        return PluginChoice{plugin.get(), std::move(options), std::move(path)};
-      },
-      object);
+  const std::shared_ptr<const PluginEntry> plugin =
+      std::visit([](const auto& given) { return plugin_for(*given); }, object);
+  return {plugin.get(), std::make_shared<External>(std::move(name), object, plugin), std::move(path)};
 }
 
 }  // namespace leastcost

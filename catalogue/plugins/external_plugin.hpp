@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <utility>
+#include <variant>
 
 #include <leastcost/catalogue/plugins/externals.hpp>
 #include "catalogue/plugins/plugin.hpp"
@@ -24,27 +24,25 @@ struct ExternalName {
 
 /// The same with the object of this name: what a choice has in the place of its options once the object is found. Keeps
 /// the plug-in of the choice, which knows the abilities of the object.
-template <class Object>
 class External final : public AnyOptions {
  public:
-  External(std::string name, std::shared_ptr<const Object> object) : object_(std::move(object)) {
-    name_.name = std::move(name);
-  }
+  External(std::string name, ExternalObject object, std::shared_ptr<const PluginEntry> plugin);
   void fields(RunVisitor& visit) override;
-  const std::shared_ptr<const Object>& object() const { return object_; }
-  void keep(std::shared_ptr<const PluginEntry> plugin) { plugin_ = std::move(plugin); }
+  const ExternalObject& object() const { return object_; }
 
  private:
   ExternalName name_;
-  std::shared_ptr<const Object> object_;
+  ExternalObject object_;
   std::shared_ptr<const PluginEntry> plugin_;
 };
 
 /// The object that was chosen by its name; null for every other choice. Object: ConstraintManifold, SegmentCost, ...
 template <class Object>
 const Object* external_object(const PluginChoice& choice) {
-  const auto* external = dynamic_cast<const External<Object>*>(choice.options.get());
-  return external == nullptr ? nullptr : external->object().get();
+  if (!choice || choice.plugin->type != kExternal) return nullptr;
+  const ExternalObject& object = static_cast<const External&>(*choice.options).object();
+  const auto* found = std::get_if<std::shared_ptr<const Object>>(&object);
+  return found == nullptr ? nullptr : found->get();
 }
 
 /// The name of the kind that an object is of: "cost".

@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include <leastcost/framework/base/errors.hpp>
+#include "catalogue/plugins/external_plugin.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/plugins/plugin.hpp"
 #include "catalogue/plugins/run_visitor.hpp"
@@ -92,6 +93,7 @@ void add(const char* kind, OwnPlugin<Made> own) {
     throw InputError(fmt::format("cannot register the {} '{}': {}", kind, own.type, why));
   };
   if (!is_word(own.type)) refuse("a name has lower-case letters, digits and _, and begins with a letter");
+  if (own.type == kExternal) refuse("this name stands for the objects that a program hands over");
   if (own.summary.empty()) refuse("give a sentence that says what it is");
   auto entry = std::make_shared<Plugin<Made>>();
   entry->type = std::move(own.type);

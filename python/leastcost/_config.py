@@ -42,7 +42,7 @@ def source_of(
     objects: Mapping[str, Object] | None = None,
 ) -> _leastcost.Source:
     """A path is read; a text with a line break is the configuration itself, and so is a dict."""
-    reader = _Reader(objects or {})
+    reader = _Reader(objects or {}, isinstance(config, Mapping) and _reads_cells(config, set or {}))
     assignments = [f"{key}={json.dumps(reader.plain(value, f'set[{key!r}]'))}" for key, value in (set or {}).items()]
     if isinstance(config, Mapping):
         return _leastcost.Source(None, "", reader.plain(config, "config"), Path(folder), assignments, reader.externals)
@@ -55,7 +55,7 @@ def source_of(
 
 def text_of(value: Any, where: str) -> str:
     """Plain values as JSON, which is YAML as well. Raises TypeError for objects."""
-    reader = _Reader({})
+    reader = _Reader({}, False)
     text = json.dumps(reader.plain(value, where))
     if reader.externals:
         raise TypeError(f"{where}: a study has numbers, texts, lists and dicts, no objects")
@@ -65,8 +65,9 @@ def text_of(value: Any, where: str) -> str:
 class _Reader:
     """Plain values of a configuration; objects get names."""
 
-    def __init__(self, objects: Mapping[str, Object]) -> None:
-        self.externals = {name: _external(value, name) for name, value in objects.items()}
+    def __init__(self, objects: Mapping[str, Object], cells: bool) -> None:
+        self._cells = cells
+        self.externals = {name: _external(value, name, cells) for name, value in objects.items()}
         self._names: dict[int, str] = {}
 
     def plain(self, value: Any, where: str) -> Any:
@@ -109,13 +110,24 @@ class _Reader:
         if id(value) not in self._names:
             stem = kind or ("cost" if callable(value) else type(value).__name__.lower())
             name = next(name for i in range(1, 2 + len(self.externals)) if (name := f"{stem}_{i}") not in self.externals)
-            self.externals[name] = _external(value, name)
+            self.externals[name] = _external(value, name, self._cells)
             self._names[id(value)] = name
         return {"type": "external", "name": self._names[id(value)]}
 
 
-def _external(value: Object, name: str) -> _leastcost.External:
-    if isinstance(value, _OBJECTS):
+def _reads_cells(config: Mapping[str, Any], set: Mapping[str, Any]) -> bool:
+    """What interpolation="auto" of a cost map means: the rule of configurations (docs/domains.md)."""
+    domain, path = config.get("manifold"), config.get("path")
+    plane = isinstance(domain, Mapping) and domain.get("type") == "euclidean" and domain.get("dimension") == 2
+    ring = isinstance(path, Mapping) and bool(path.get("ring"))
+    asked = {key.split(".")[0] for key in (*config, *set)}
+    return plane and not ring and not asked & {"obstacles", "robot", "clearance", "solver", "post_process"}
+
+
+def _external(value: Object, name: str, cells: bool) -> _leastcost.External:
+    if isinstance(value, CostMap):
+        return value._external_of(cells)
+    if isinstance(value, (Mesh, Cloud, Terrain, Cost, Wind)):
         return value._external
     if isinstance(value, np.ndarray):
         return _leastcost.waypoints(points(value, name))

@@ -84,24 +84,34 @@ class CostMap:
       images and in raster files; columns go east (x grows). NaN, or masked: no data, which paths go round.
     origin: (x, y) of the outer corner of the cell of the last row and the first column: the lower left corner.
     cell: side of a cell, or (along x, along y), length units.
-    interpolation: "smooth": a bicubic spline near the values, without kinks. "cells": constant in each cell; in the
-      plane without obstacles only, where the path is then exact.
+    interpolation: "cells": constant in each cell; in the plane without obstacles only, where the path is then exact.
+      "smooth": a bicubic spline near the values, without kinks. "auto": as in a configuration, cells where that can be
+      solved: between two ends in the plane, unless obstacles, a clearance, a solver or a post-processor are asked for.
+      What a file or a text names is smooth then.
 
     In the plane, or over a Terrain, whose map it shares. Raises InputError.
     """
 
     def __init__(
-        self, costs: ArrayLike, *, origin: ArrayLike = (0, 0), cell: ArrayLike = 1, interpolation: str = "smooth"
+        self, costs: ArrayLike, *, origin: ArrayLike = (0, 0), cell: ArrayLike = 1, interpolation: str = "auto"
     ) -> None:
         array = raster(costs, "costs")
         wrong = np.argwhere(array <= 0)
         if len(wrong):
             row, column = wrong[0]
             raise InputError(f"costs[{row}, {column}] is {array[row, column]}; costs are above 0, or NaN for no data")
-        if interpolation not in ("smooth", "cells"):
-            raise InputError(f'the interpolation is "smooth" or "cells", not {interpolation!r}')
+        if interpolation not in ("auto", "cells", "smooth"):
+            raise InputError(f'the interpolation is "auto", "cells" or "smooth", not {interpolation!r}')
         self._state = (array, pair(origin, "origin"), pair(cell, "cell", positive=True), interpolation)
-        self._external = _leastcost.cost_map(*self._state[:3], interpolation == "cells")
+        self._read: dict[bool, _leastcost.External] = {}
+
+    def _external_of(self, cells: bool) -> _leastcost.External:
+        """Made when it is first used. cells: what "auto" means."""
+        array, origin, cell, interpolation = self._state
+        cells = interpolation == "cells" or (cells and interpolation == "auto")
+        if cells not in self._read:
+            self._read[cells] = _leastcost.cost_map(array, origin, cell, cells)
+        return self._read[cells]
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (_cost_map, self._state)

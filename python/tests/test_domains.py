@@ -168,7 +168,7 @@ def test_north_of_a_wind():
         (lambda: lc.Terrain(np.zeros((5, 5)), origin=3), r"origin has the shape \(\)"),
         (lambda: lc.Terrain(np.zeros((5, 5), dtype=bool)), "heights has the type bool"),
         (lambda: lc.CostMap(np.zeros((5, 5))), r"costs\[0, 0\] is 0.0; costs are above 0"),
-        (lambda: lc.CostMap(np.ones((5, 5)), interpolation="linear"), '"smooth" or "cells", not'),
+        (lambda: lc.CostMap(np.ones((5, 5)), interpolation="linear"), '"auto", "cells" or "smooth", not'),
         (lambda: lc.Wind(np.zeros((5, 5)), np.zeros((5, 4)), speed=1), r"u has the shape \(5, 5\), and v \(5, 4\)"),
         (lambda: lc.Wind(np.zeros((2, 5)), np.zeros((2, 5)), speed=1), "3 x 3 velocities"),
     ],
