@@ -147,6 +147,13 @@
     lines = document.getElementById("ask-lines"), inputs = [document.getElementById("ask-from"), document.getElementById("ask-to")];
   const mesh = data.mesh ? unpackedMesh(data.mesh) : null;
   globalThis.leastcostClicks = { mesh };
+  // On a small screen the panel is below the picture: what is said after a click stays in sight.
+  let clicked = false, away = false;
+  const stayInSight = () => say.classList.toggle("afloat", clicked && away);
+  new IntersectionObserver((entries) => {
+    away = !entries.at(-1).isIntersecting;
+    stayInSight();
+  }).observe(document.getElementById("ask-form"));
   const speak = (text) => { say.textContent = text; };
   if (typeof WebAssembly !== "object" || typeof DecompressionStream !== "function") {
     document.documentElement.dataset.clicks = "none";
@@ -251,6 +258,8 @@
   function choose(end) {
     if (chosen.length === 2) chosen = [];
     chosen.push(end);
+    clicked = true;
+    stayInSight();
     const input = inputs[chosen.length - 1];
     input.value = end.text;
     input.end = end;

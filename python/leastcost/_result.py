@@ -27,6 +27,21 @@ class Failure:
     message: str
 
 
+class Page:
+    """A page of its own in a cell of a notebook."""
+
+    def __init__(self, html: str, height: str) -> None:
+        self.html = html
+        self.height = height
+
+    def _repr_html_(self) -> str:
+        style = f"width:100%;height:{escape(self.height)};border:0"
+        return f'<iframe srcdoc="{escape(self.html)}" style="{style}"></iframe>'
+
+    def __repr__(self) -> str:
+        return f"<a page of {len(self.html) // 1000} kB: a notebook shows it>"
+
+
 class Result:
     """A path, and what is known about it."""
 
@@ -106,6 +121,10 @@ class Result:
     def report(self) -> str:
         """The text of report.html, as the program makes it: a page of its own, without network."""
         return _leastcost.report(self._outcome)
+
+    def page(self, *, height: str = "45em") -> Page:
+        """The report in a cell of a notebook, where it answers clicks as in a browser. height: of the cell, in CSS."""
+        return Page(self.report(), height)
 
     def figure(self, *, width: float = 84, font_size: float = 8) -> str:
         """The picture that `leastcost figure` makes, as SVG. width: mm; font_size: pt. To restyle one, see plot().

@@ -45,6 +45,14 @@ def test_notebooks_show_cost_verdict_and_picture(configs):
     ET.fromstring(html.replace("<br>", "<br/>"))
 
 
+def test_notebooks_show_the_page_that_answers(configs):
+    result = lc.run(configs / "plan_taut.yaml")
+    cell = ET.fromstring(result.page(height="30em")._repr_html_())
+    assert cell.tag == "iframe" and "height:30em" in cell.get("style")
+    page, report = cell.get("srcdoc"), result.report()
+    assert len(page) == len(report) and page.split()[:40] == report.split()[:40] and 'id="ask-form"' in page
+
+
 def test_notebooks_say_why_a_path_is_not_certified(configs):
     result = lc.run(configs / "kernel_linear.yaml")
     assert not result.certified

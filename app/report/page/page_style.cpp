@@ -58,6 +58,8 @@ align-items:center}
 border:1px solid var(--soft);border-radius:3px;max-width:100%}.ask button{cursor:pointer}
 .ask button:focus-visible,.ask input:focus-visible{outline:2px solid #0072B2;outline-offset:2px}
 #ask-answer{min-height:1.5em;font-variant-numeric:tabular-nums}
+#ask-answer.afloat{position:fixed;left:0;right:0;bottom:0;z-index:2;margin:0;padding:.5rem 1rem;background:var(--paper);
+border-top:1px solid var(--soft)}
 .copied{position:relative}.copied button{position:absolute;top:.4rem;right:.4rem;font-size:.78rem}
 @media (max-width:560px){#plane>svg text{font-size:16px}}
 svg.clickable{cursor:crosshair}.asked{fill:none;stroke:var(--asked);stroke-width:3.5}
