@@ -15,7 +15,7 @@ namespace leastcost {
 
 /// How a study is run, and who hears of it.
 struct StudyOptions {
-  std::filesystem::path output = {};  ///< folder of the results; empty: results/<name of the study>
+  std::filesystem::path output = {};  ///< folder of the results; empty: that of its name in results/
   bool replace = false;               ///< begin anew in the folder of an earlier study
   bool resume = false;                ///< go on where its journal ends; begin where there is none
   int parallel = 1;                   ///< cells at once, each a process of its own

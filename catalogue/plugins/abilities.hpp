@@ -26,7 +26,7 @@ namespace leastcost {
 using NamedAbilities = std::tuple<HasMesh, IsSurface, HasSeams, HasGraph, HasLevelSet, HasDistanceGrid, HasVertices,
                                   HasFaces, HasConstantMetric, HasLayers, MixesMoves, MakesRings>;
 
-/// Calls visit.operator()<Ability>() for each of them.
+/// Calls the templated operator() of `visit` for each of them.
 template <class Visit>
 void for_each_ability(Visit visit) {
   [&]<class... A>(std::tuple<A...>*) { (visit.template operator()<A>(), ...); }(static_cast<NamedAbilities*>(nullptr));

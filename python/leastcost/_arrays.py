@@ -27,6 +27,17 @@ def numbers(values: ArrayLike, name: str) -> NDArray[np.float64]:
     return plain
 
 
+def seconds(value: float | None) -> float | None:
+    """A time budget, s."""
+    if value is None:
+        return None
+    if isinstance(value, bool) or not isinstance(value, (int, float, np.integer, np.floating)):
+        raise InputError(f"max_seconds is {value!r}; it is a number of seconds, or None")
+    if not 0 < value <= 1e9:
+        raise InputError(f"max_seconds is {value}; it is above 0 and at most 1e9, or None for no limit")
+    return float(value)
+
+
 def points(values: ArrayLike, name: str, dimension: int | None = None) -> NDArray[np.float64]:
     """(n, d), finite."""
     array = numbers(values, name)

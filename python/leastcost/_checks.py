@@ -25,6 +25,7 @@ def check(q: SquaredCost, points: NDArray[np.float64], symmetric: bool, additive
     """points: (d, m), a path. Raises InputError for a promise that is not kept: the search would go astray, or its
     certificate would be wrong. Where the cost is infinite nothing is known."""
     a, b = _moves(points)
+    _check_squared(q, a, b)
     if symmetric:
         _check_symmetric(q, a, b)
     if additive:
@@ -41,6 +42,18 @@ def _moves(points: NDArray[np.float64]) -> tuple[NDArray[Any], NDArray[Any]]:
     size = np.linalg.norm(points.max(axis=1) - points.min(axis=1))
     along += np.random.default_rng(1).normal(scale=0.02 * size, size=along.shape)
     return along[:, :-1], along[:, 1:]
+
+
+def _check_squared(q: SquaredCost, a: NDArray[Any], b: NDArray[Any]) -> None:
+    """Of a move of half the length, a quarter is left of a square, and half of what was not squared."""
+    with np.errstate(all="ignore"):
+        ratios = q(a, a + 1e-4 * (b - a)) / q(a, a + 5e-5 * (b - a))
+    ratios = ratios[np.isfinite(ratios)]
+    if len(ratios) and np.all(np.abs(ratios - 2) < 0.02):
+        raise InputError(
+            "the function returns costs, not their squares: of short moves, one of half the length has half of it, where "
+            "a square has a quarter; return the square, q = cost**2"
+        )
 
 
 def _check_symmetric(q: SquaredCost, a: NDArray[Any], b: NDArray[Any]) -> None:
@@ -66,7 +79,8 @@ def _check_additive(q: SquaredCost, a: NDArray[Any], b: NDArray[Any]) -> None:
 
 def _check_analytic(q: SquaredCost, a: NDArray[Any], b: NDArray[Any]) -> None:
     """Compares derivatives by complex steps with differences."""
-    h = 1e-5 * float(np.linalg.norm(b - a, axis=0).mean())
+    with np.errstate(all="ignore"):
+        h = 1e-5 * float(np.linalg.norm(b - a, axis=0).mean())
     for end, name in ((0, "a"), (1, "b")):
         for axis in range(len(a)):
             exact = _moved(q, a, b, end, axis, 1j * _STEP).imag / _STEP
@@ -84,13 +98,13 @@ def _check_analytic(q: SquaredCost, a: NDArray[Any], b: NDArray[Any]) -> None:
 
 
 def _costs(q: SquaredCost, a: NDArray[Any], b: NDArray[Any]) -> NDArray[Any]:
-    with np.errstate(invalid="ignore"):
+    with np.errstate(all="ignore"):
         return np.sqrt(q(a, b))
 
 
 def _worst(one: NDArray[Any], other: NDArray[Any]) -> int | None:
     """Where two costs differ most, if they do; not where one is NaN."""
-    with np.errstate(invalid="ignore"):
+    with np.errstate(all="ignore"):
         off = np.abs(one - other) - _ROUNDING * np.maximum(one, other)
     off[np.isnan(off)] = -1
     i = int(np.argmax(off))

@@ -15,7 +15,7 @@ import numpy as np
 from . import _leastcost
 from ._arrays import points
 from ._cost import Cost, CostMap, Wind
-from ._domains import Cloud, Terrain
+from ._domains import Cloud, Space, Terrain
 from ._errors import ConfigError
 from ._mesh import Mesh
 
@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 
 _OBJECTS = (Mesh, Cloud, Terrain, Cost, CostMap, Wind)
 _MOST = 2**63  # of a whole number
+_DEEPEST = 50  # the deepest configuration has eight levels
 
 
 def source_of(
@@ -42,6 +43,8 @@ def source_of(
     objects: Mapping[str, Object] | None = None,
 ) -> _leastcost.Source:
     """A path is read; a text with a line break is the configuration itself, and so is a dict."""
+    if not isinstance(set or {}, Mapping) or not all(isinstance(key, str) for key in set or {}):
+        raise TypeError(f"set is a dict of options, {{'path.points': 200}}, not {set!r}")
     reader = _Reader(objects or {}, isinstance(config, Mapping) and _reads_cells(config, set or {}))
     assignments = [f"{key}={json.dumps(reader.plain(value, f'set[{key!r}]'))}" for key, value in (set or {}).items()]
     if isinstance(config, Mapping):
@@ -58,7 +61,10 @@ def text_of(value: Any, where: str) -> str:
     reader = _Reader({}, False)
     text = json.dumps(reader.plain(value, where))
     if reader.externals:
-        raise TypeError(f"{where}: a study has numbers, texts, lists and dicts, no objects")
+        raise TypeError(
+            f"{where}: a study has numbers, texts, lists and dicts, no objects; a program in C++ can register a cost or "
+            "a solver for studies (docs/extend.md)"
+        )
     return text
 
 
@@ -70,8 +76,10 @@ class _Reader:
         self.externals = {name: _external(value, name, cells) for name, value in objects.items()}
         self._names: dict[int, str] = {}
 
-    def plain(self, value: Any, where: str) -> Any:
+    def plain(self, value: Any, where: str, depth: int = 0) -> Any:
         """With None, bool, int, float, str, list and dict alone. Raises TypeError and ConfigError with the place."""
+        if depth > _DEEPEST:
+            raise ConfigError(f"{where[:80]}...: lies below more than {_DEEPEST} others")
         if isinstance(value, np.generic):
             value = value.item()
         if value is None or isinstance(value, (bool, float)):
@@ -81,13 +89,17 @@ class _Reader:
                 raise ConfigError(f"{where}: {value} is too large for a whole number; write it as a float")
             return int(value)
         if isinstance(value, (str, os.PathLike)):
-            return str(os.fspath(value))
+            return self._text(str(os.fspath(value)), where)
         if isinstance(value, Mapping):
-            return {self._key(key, where): self._entry(key, part, f"{where}[{key!r}]") for key, part in value.items()}
+            return {self._key(key, where): self._entry(key, part, f"{where}[{key!r}]", depth + 1) for key, part in value.items()}
         if isinstance(value, np.ndarray) and value.dtype.kind in "fiub":
             return value.tolist()
         if isinstance(value, (list, tuple, np.ndarray)):
-            return [self.plain(part, f"{where}[{i}]") for i, part in enumerate(value)]
+            return [self.plain(part, f"{where}[{i}]", depth + 1) for i, part in enumerate(value)]
+        if isinstance(value, Space):
+            return value.config()
+        if isinstance(value, type):
+            raise TypeError(f"{where} is the class {value.__name__}; write {value.__name__}(...)")
         if isinstance(value, _OBJECTS) or callable(value):
             return self._named(value)
         raise TypeError(
@@ -98,13 +110,20 @@ class _Reader:
     def _key(self, key: Any, where: str) -> str:
         if not isinstance(key, str):
             raise TypeError(f"{where}: keys are texts, not {key!r}")
-        return str(key)
+        return self._text(str(key), where)
 
-    def _entry(self, key: str, value: Any, where: str) -> Any:
+    def _text(self, text: str, where: str) -> str:
+        try:
+            text.encode()
+        except UnicodeEncodeError:
+            raise ConfigError(f"{where}: {text!r} is not a text in Unicode") from None
+        return text
+
+    def _entry(self, key: str, value: Any, where: str, depth: int) -> Any:
         """Under `initializer`, points are a first path."""
         if key == "initializer" and isinstance(value, (np.ndarray, list, tuple)):
             return self._named(points(value, where), "path")
-        return self.plain(value, where)
+        return self.plain(value, where, depth)
 
     def _named(self, value: Object, kind: str | None = None) -> dict[str, str]:
         if id(value) not in self._names:

@@ -172,8 +172,8 @@ def checked(q: SquaredCost) -> SquaredCost:
     """The same with its shape checked and without warnings: outside its domain a cost may be NaN, which is infinite."""
 
     def call(a: NDArray[Any], b: NDArray[Any]) -> NDArray[Any]:
-        with np.errstate(all="ignore"):
-            values = np.asarray(q(a, b))
+        with np.errstate(all="ignore"):  # what is masked is infinite, too
+            values: NDArray[Any] = np.ma.filled(q(a, b), np.nan)  # type: ignore[no-untyped-call]
         if values.shape != (a.shape[1],):
             raise InputError(f"the cost returned the shape {values.shape}; of {a.shape[1]} moves it is ({a.shape[1]},)")
         if values.dtype.kind not in "fiuc":

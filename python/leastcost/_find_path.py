@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from . import _leastcost
+from ._arrays import seconds
 from ._config import source_of
 from ._cost import Cost
 from ._domains import Cloud, Space, Terrain
@@ -62,7 +63,10 @@ def find_path(
     if callable(cost):
         cost = Cost(cost, unit=unit, symmetric=symmetric, additive=additive, derivatives=derivatives)
     elif (unit, symmetric, additive, derivatives) != ("cost", True, False, "complex"):
-        raise InputError("unit, symmetric, additive and derivatives are of a function; this cost has its own")
+        raise InputError(
+            "unit, symmetric, additive and derivatives are of a function; those of a Cost are given to it, and names, "
+            "dicts, CostMap and Wind have their own"
+        )
     config: dict[str, Any] = {
         "manifold": domain.config() if isinstance(domain, Space) else domain,
         "cost": cost,
@@ -75,7 +79,7 @@ def find_path(
         config["clearance"] = clearance
     if initializer is not None:
         config["initializer"] = initializer
-    return Result(_leastcost.run(source_of(config, set=set), max_seconds))
+    return Result(_leastcost.run(source_of(config, set=set), seconds(max_seconds)))
 
 
 def _end(place: Any, name: str, domain: Domain) -> Mapping[str, Any]:

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _leastcost
+from ._arrays import numbers
 from ._errors import InputError
-from ._places import is_number, is_on_face, on_face, point
+from ._places import is_number, is_on_face, number, on_face, point
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -106,10 +107,13 @@ class Mesh:
     ) -> Any:
         """(n,): distance of each vertex, in the order of V, from the nearest source, in units of V.
 
-        sources: a place, or several; an array of shape (k, 3) is points, and a face is in a tuple. Infinite: no path, or no face, or
+        sources: a place, or several; an array of shape (k, 3) is points, and a face is in a tuple. Infinite: no path, or
+        no face, or
         farther than max_distance. bounds: return (lower, upper) instead, between which the distances are proved to
         lie. Warns where a distance is known from above alone.
         """
+        if not max_distance >= 0:
+            raise InputError(f"max_distance is {max_distance}; it is at least 0")
         places = [self._place(place) for place in _several(sources)]
         distance, lower, upper, blocked, out_of_memory = self._core.distances(places, max_distance)
         if blocked or out_of_memory:
@@ -127,7 +131,7 @@ class Mesh:
 
     def _place(self, place: Place) -> _leastcost.SurfacePoint:
         if is_number(place):
-            return self._core.vertex(int(place))  # type: ignore[arg-type]
+            return self._core.vertex(number(place, "a place"))
         if is_on_face(place):
             return self._core.on_face(*on_face(place, "a place"))
         x = point(place)
@@ -146,16 +150,17 @@ class Mesh:
 
 
 def _vertices(V: ArrayLike) -> NDArray[np.float64]:
-    array = np.asarray(V)
+    array = numbers(V, "V")
     if array.ndim != 2 or array.shape[1] != 3:
         raise InputError(f"V has the shape {array.shape}; positions have the shape (n, 3)")
-    if array.dtype.kind not in "fiu":
-        raise InputError(f"V has the type {array.dtype}; positions are real numbers")
-    return np.ascontiguousarray(array, dtype=np.float64)
+    return np.ascontiguousarray(array)
 
 
 def _faces(F: ArrayLike, vertices: int) -> NDArray[np.int32]:
-    array = np.asarray(F)
+    try:
+        array = np.asarray(F)
+    except ValueError:
+        raise InputError("F has rows of different lengths; cut its polygons into triangles") from None
     if array.ndim != 2 or array.shape[1] < 3:
         raise InputError(f"F has the shape {array.shape}; faces have the shape (m, 3)")
     if array.dtype.kind not in "iu":

@@ -13,7 +13,7 @@ import numpy as np
 from . import _leastcost
 from ._config import source_of
 from ._errors import InputError
-from ._places import is_number, is_on_face, on_face
+from ._places import is_number, is_on_face, number, on_face
 
 if TYPE_CHECKING:
     import os
@@ -68,7 +68,8 @@ def solve_pairs(
 ) -> list[PairResult]:
     """One path for each pair of ends, in a domain that is made once; in the order of the pairs, whatever the threads.
 
-    config, set, folder, objects: as of run(). The ends of the configuration are not used.
+    config, set, folder, objects: as of run(). The configuration needs ends, as for one path; the
+      pairs take their place.
     pairs: (source, target) each; an end is a vertex number, (face, (b0, b1, b2)) or a point (d,). None: the pairs of
       the file that the configuration names, `ends: {pairs: FILE}`.
     threads: at once. A cost written in Python keeps them waiting for each other.
@@ -76,8 +77,8 @@ def solve_pairs(
 
     A pair that has no path, or cannot have one, is a result with a message. Ctrl-C raises KeyboardInterrupt before the
     next pair. Raises ConfigError, InputError."""
-    if threads < 1:
-        raise InputError(f"threads is {threads}; it is at least 1")
+    if isinstance(threads, bool) or not isinstance(threads, (int, np.integer)) or not 1 <= threads <= 1024:
+        raise InputError(f"threads is {threads!r}; it is a whole number from 1 to 1024")
     ends = None if pairs is None else [_pair(pair, f"pairs[{i}]") for i, pair in enumerate(pairs)]
     source = source_of(config, set=set, folder=folder, objects=objects)
     return [PairResult(**result) for result in _leastcost.pairs(source, ends, threads, points)]
@@ -91,7 +92,7 @@ def _pair(pair: Any, name: str) -> tuple[Any, ...]:
 
 def _end(end: Any, name: str) -> tuple[Any, ...]:
     if is_number(end):
-        return "vertex", int(end)
+        return "vertex", number(end, name)
     if is_on_face(end):
         face, weights = on_face(end, name)
         return "face", face, weights

@@ -26,6 +26,13 @@ def is_number(place: Any) -> bool:
     return isinstance(place, (int, np.integer)) and not isinstance(place, bool)
 
 
+def number(place: Any, name: str) -> int:
+    """Of a vertex or a face. Raises InputError for one that no mesh has."""
+    if not -(2**31) <= int(place) < 2**31:
+        raise InputError(f"{name} is {place}; numbers of vertices and faces are below 2**31")
+    return int(place)
+
+
 def is_on_face(place: Any) -> bool:
     """A pair whose second part is three weights, whatever the first is."""
     return isinstance(place, (tuple, list)) and len(place) == 2 and np.ndim(_array(place[1])) == 1
@@ -38,7 +45,7 @@ def on_face(place: Any, name: str) -> tuple[int, tuple[float, float, float]]:
         raise InputError(f"{name} is {place!r}: the number of a face is a whole number, a row of F, not {face!r}")
     if weights.shape != (3,) or weights.dtype.kind not in "fiu":
         raise InputError(f"{name} is {place!r}: barycentric coordinates are three real numbers with the sum 1")
-    return int(face), (float(weights[0]), float(weights[1]), float(weights[2]))
+    return number(face, name), (float(weights[0]), float(weights[1]), float(weights[2]))
 
 
 def point(place: Any) -> NDArray[np.float64] | None:

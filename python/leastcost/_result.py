@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _leastcost
+from ._errors import OutputError
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -153,7 +154,10 @@ class Result:
         name = escape(str(self.details["name"]))
         lines = [f"<b>{name}</b>: {escape(self._cost_in_words())}", escape(self._verdict())]
         if len(self.points):
-            lines.append(self.figure(width=120))
+            try:
+                lines.append(self.figure(width=120))
+            except OutputError as e:  # of a result that was pickled
+                lines.append(escape(str(e)))
         return '<div style="background:#fff;color:#222;max-width:40em;padding:.5em">' + "<br>".join(lines) + "</div>"
 
     def _cost_in_words(self) -> str:

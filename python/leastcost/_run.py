@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from . import _leastcost
+from ._arrays import seconds
 from ._config import source_of
 from ._result import Result
 
@@ -30,7 +31,7 @@ def run(
     set: options that are replaced or added, as of --set: {"path.points": 200}.
     folder: what the files named in a text or a dict are relative to; empty: the current folder.
     max_seconds: wall time for the search, s; None: as the configuration says.
-    objects: what the configuration names, `cost: {type: external, name: chute}` as chute=...: a Mesh, Cloud or Terrain
+    objects: not named config, set, folder or max_seconds; what the configuration names, `cost: {type: external, name: chute}` as chute=...: a Mesh, Cloud or Terrain
       as a manifold; a Cost, a CostMap, a Wind or a function q(a, b) (see Cost) as a cost; an array of points, (n, d), as
       a first path. They are checked as what a configuration describes.
 
@@ -40,7 +41,7 @@ def run(
 
     Raises ConfigError, InputError, NoPathError, TimeLimitError.
     """
-    return Result(_leastcost.run(source_of(config, set=set, folder=folder, objects=objects), max_seconds))
+    return Result(_leastcost.run(source_of(config, set=set, folder=folder, objects=objects), seconds(max_seconds)))
 
 
 def validate(

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _leastcost
 from ._config import text_of
+from ._errors import InputError
 
 if TYPE_CHECKING:
     from ._config import Config
@@ -28,7 +29,7 @@ class Study:
     @cached_property
     def rows(self) -> list[dict[str, Any]]:
         """One dict per run, with the columns of runs.csv: `problem`, `solver`, `outcome`, `cost`, `seconds`, ... Numbers
-        are floats, empty cells None. pandas.DataFrame(study.rows) is a table."""
+        are int or float, empty cells None. pandas.DataFrame(study.rows) is a table."""
         with open(self.folder / "runs.csv", newline="", encoding="utf-8") as file:
             return [{key: _cell(text) for key, text in row.items()} for row in csv.DictReader(file)]
 
@@ -68,6 +69,10 @@ def run_study(
 
     A run that fails is a row. Ctrl-C raises KeyboardInterrupt; `resume` goes on from there. Raises ConfigError,
     InputError, OutputError."""
+    if not 1 <= parallel <= 1024:
+        raise InputError(f"parallel is {parallel}; it is from 1 to 1024")
+    if replace and resume:
+        raise InputError("a study begins anew (replace) or goes on (resume), not both")
     assignments = [f"{key}={text_of(value, f'set[{key!r}]')}" for key, value in (set or {}).items()]
     file, text = None, ""
     if isinstance(study, Mapping):
@@ -84,7 +89,9 @@ def run_study(
 def _cell(text: str) -> Any:
     if text == "":
         return None
-    try:
-        return float(text)
-    except ValueError:
-        return text
+    for number in (int, float):
+        try:
+            return number(text)
+        except ValueError:
+            pass
+    return text

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/version.hpp>
 #include "python/src/bind.hpp"
+#include "python/src/signals.hpp"
 
 PYBIND11_MODULE(_leastcost, module) {
   module.doc() =
@@ -14,4 +15,5 @@ PYBIND11_MODULE(_leastcost, module) {
   leastcost::python::bind_pairs(module);
   leastcost::python::bind_report(module);
   leastcost::python::bind_study(module);
+  pybind11::module_::import("atexit").attr("register")(pybind11::cpp_function(&leastcost::python::Signals::end_all));
 }

@@ -4,6 +4,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <atomic>
 #include <chrono>
 #include <optional>
 
@@ -13,7 +14,17 @@ namespace leastcost::python {
 /// Python's handlers run at most every 20 ms, because taking the GIL has to wait for other threads.
 class Signals {
  public:
-  /// True once a handler has raised. Without the GIL.
+  /// With the GIL. Throws InputError when the interpreter is ending.
+  Signals();
+  ~Signals();
+  Signals(const Signals&) = delete;
+  Signals& operator=(const Signals&) = delete;
+
+  /// Before the interpreter ends: stops the searches of daemon threads and waits for them, for five seconds at most.
+  /// One that came back later would be torn out of its C++ frames, which ends the process. With the GIL.
+  static void end_all();
+
+  /// True once a handler has raised, or the interpreter is ending. Without the GIL.
   bool stop();
   /// Raises what the handler has raised, if it did. With the GIL.
   void raise();
@@ -23,6 +34,8 @@ class Signals {
  private:
   using Clock = std::chrono::steady_clock;
   static constexpr std::chrono::milliseconds kEvery{20};
+  static std::atomic<int> searches_;
+  static std::atomic<bool> ending_;
 
   Clock::time_point next_ = Clock::now();
   std::optional<pybind11::error_already_set> raised_;
