@@ -222,7 +222,7 @@ constexpr const char* kFigureHelp =
     "leastcost figure results/bunny_geodesic -o bunny.pdf                     one column of a paper\n"
     "leastcost figure results/bunny_geodesic -o bunny.pdf --view 30,20 --what path,ends,shading\n"
     "leastcost figure results/bunny_geodesic -o bunny.vtp                     surface and path, for ParaView\n"
-    ".svg needs no other program, .pdf and .png need rsvg-convert (Debian: librsvg2-bin).";
+    ".svg needs no other program; .pdf and .png need rsvg-convert (Debian: librsvg2-bin).";
 
 FigureArguments figure_arguments(const Values& v) {
   const auto read = [](const char* option, const std::function<void()>& value) {
@@ -245,11 +245,11 @@ void add_figure(CLI::App& app, Values& v, const Streams& streams, Command& chose
       ->type_name("FILE")
       ->check(empty_fault);
   c.add_option("--width", v.figure.width, "Width in mm, cm, in or pt; default: 84mm, one column")->type_name("WIDTH");
-  c.add_option("--font-size", v.figure.font_size, "Size of all letters in points; default: 8")->type_name("PT");
-  c.add_option("--what", v.figure.what, "What is drawn: some of " + joined(figure_parts()) + "; default: all that fits")
+  c.add_option("--font-size", v.figure.font_size, "Font size of all text, in points; default: 8")->type_name("PT");
+  c.add_option("--what", v.figure.what, "What to draw: any of " + joined(figure_parts()) + "; default: all that fits")
       ->type_name("LIST");
   c.add_option("--picture", v.figure.picture,
-               "Which picture: space, map, poses, coordinates or convergence; default: the best one that there is")
+               "Which picture: space, map, poses, coordinates or convergence; default: the best one available")
       ->type_name("NAME");
   c.add_option("--view", v.figure.view, "Look at space from these angles: azimuth and elevation in degrees, like 30,20")
       ->type_name("AZ,EL");
@@ -280,7 +280,7 @@ void add_reference(CLI::App& app, Values& v, const Streams& streams, Command& ch
       ->type_name("TYPE");
   describe
       .add_option("--markdown", v.output,
-                  "Instead: write a page of Markdown for each type, each kind, run and study here")
+                  "Instead: write a Markdown page for each type, each kind, run and study into this folder")
       ->type_name("DIR")
       ->check(empty_fault);
   describe.callback([&] {
@@ -301,8 +301,8 @@ void add_helpers(CLI::App& app, Values& v, const Streams& streams, Command& chos
       "init", "Write a commented starting configuration that runs, or, without a name, print the list of templates");
   init.footer(
       "Each template becomes a folder: the configuration, the sample data that it reads, and leastcost.schema.json, "
-      "which\n"
-      "its first line names, for editors with the YAML language server. Files that exist are not overwritten.\n"
+      "which the first line of the configuration names, for editors with the YAML language server. Files that exist "
+      "are not overwritten.\n"
       "  leastcost init mesh                      mesh/mesh.yaml, ...\n"
       "  leastcost init mesh -o work/first.yaml   work/first.yaml, ...\n"
       "  leastcost init mesh -o -                 the configuration alone, on standard output");

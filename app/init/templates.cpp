@@ -351,7 +351,7 @@ const std::vector<Template>& templates() {
       starter("cloud", "a geodesic on a point cloud", kCloud, {{"cloud.xyz", sample_cloud}}),
       starter("terrain", "the quickest walk over a raster of heights", kTerrain, {{"hills.asc", sample_heights}}),
       starter("cost_map", "a path over a raster of costs", kCostMap, {{"marsh.csv", sample_costs}}),
-      starter("earth", "the shortest way between two places of the Earth", kEarth),
+      starter("earth", "the shortest way between two places on the Earth", kEarth),
       starter("parametric", "a geodesic on a surface given by formulas in u and v", kParametric),
       starter("implicit", "a geodesic on a surface f(x, y, z) = 0", kImplicit),
       starter("signed_distance", "a geodesic on a surface given by a grid of distances", kSignedDistance),

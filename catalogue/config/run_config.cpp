@@ -36,7 +36,7 @@ Words<TargetImageChoice> words(TargetImageChoice) {
 
 void RunConfig::fields(RunVisitor& visit) {
   visit.field("name", name, {.help = "Name of the run and of its output folder; default: that of the file."});
-  visit.field("seed", seed, {.help = "Master seed of everything random.", .minimum = 0});
+  visit.field("seed", seed, {.help = "Master seed of all random numbers.", .minimum = 0});
   visit.plugin("manifold", manifold, "manifold", {.help = "The domain: where points lie.", .required = true});
   visit.plugins("obstacles", obstacles, "obstacle",
                 {.help = "Regions that paths avoid, in a flat domain; contact is allowed."});
@@ -73,8 +73,8 @@ void RunConfig::fields(RunVisitor& visit) {
                {.help = "Solve with few segments first, then double their number until all points are used."});
     path.choice("target_image", target_image,
                 {.help = "For a target with several coordinates (seams and poles of a chart, quaternions, angles). "
-                         "cheapest: a straight start goes to the cheapest of them, unless the given ones state a "
-                         "winding, a period or more from the source. given: it goes to those in 'ends'."});
+                         "cheapest: a straight start goes to the cheapest of them, unless the given ones are a period "
+                         "or more from the source and so state a winding. given: it goes to those in 'ends'."});
     path.field("escape_saddle", escape_saddle, {.help = "At a saddle, step towards lower energy and solve again."});
   });
   visit.plugin("initializer", initializer, "initializer",

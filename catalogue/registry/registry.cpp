@@ -379,7 +379,7 @@ const auto& post_processors() {
           "refract_cells",
           "The locally least-cost path over the cells of a cost map, with Snell's law at every cell side."),
       made_of<PostProcessorPlugin, SwitchbackPostProcessor, SwitchbackOptions>(
-          "switchbacks", "The zigzag of given width that a walking path stands for on steep slopes.")
+          "switchbacks", "The zigzag of given width that a walking path represents on steep slopes.")
           .needing<MixesMoves>(),
   };
   return all;

@@ -21,7 +21,7 @@ void CertificateOptions::fields(FieldVisitor& visit) {
                 {.help = "Proof that no path at all costs less, where possible: for the Euclidean cost on a mesh, or "
                          "among obstacles in the plane."});
   visit.field("refine", refine,
-              {.help = "How often the points are doubled if too few are the reason not to certify; the requested "
+              {.help = "How often the points may be doubled if there are too few to certify the path; the requested "
                        "number of points is delivered. 0: never.",
                .minimum = 0,
                .maximum = 16});

@@ -43,7 +43,8 @@ void Torus::fields(FieldVisitor& visit) {
 }
 void Gyroid::fields(FieldVisitor& visit) { length_field(visit, "period", period, "Period along each coordinate."); }
 void Formula::fields(FieldVisitor& visit) {
-  visit.field("f", f, {.help = "Formula that is zero on the surface, with a gradient that is not.", .required = true});
+  visit.field("f", f,
+              {.help = "Formula that is zero on the surface and has a nonzero gradient there.", .required = true});
   visit.field("dimension", dimension,
               {.help = "3: a surface in x, y, z. 2: a curve in x, y.", .minimum = 2, .maximum = 3});
   visit.field("parameters", parameters, {.help = "Constants that the formula uses, by name."});

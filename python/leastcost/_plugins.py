@@ -1070,7 +1070,7 @@ class post_processor:
 
     @staticmethod
     def switchbacks(*, width: float) -> dict[str, Any]:
-        """The zigzag of given width that a walking path stands for on steep slopes.
+        """The zigzag of given width that a walking path represents on steep slopes.
 
         width: Largest total width of the zigzag across the path. [length] (> 0)
         """
