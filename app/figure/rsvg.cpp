@@ -9,39 +9,18 @@
 
 #include <array>
 #include <cerrno>
-#include <cstdlib>
 #include <filesystem>
 #include <system_error>
 #include <vector>
 
 #include "app/report/page/json_file.hpp"
 #include "catalogue/output/output_folder.hpp"
+#include "catalogue/output/temporary_folder.hpp"
 
 namespace leastcost::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder for files in between, gone at the end.
-class PassingFolder {
- public:
-  PassingFolder() {
-    std::string name = (fs::temp_directory_path() / "leastcost-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr)
-      throw HostError("a temporary folder cannot be made as " + name + ": " + std::generic_category().message(errno));
-    path_ = name;
-  }
-  ~PassingFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  PassingFolder(const PassingFolder&) = delete;
-  PassingFolder& operator=(const PassingFolder&) = delete;
-  fs::path operator/(const char* name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
 
 constexpr int kNotStarted = 127;
 
@@ -71,7 +50,8 @@ int exit_of(std::vector<std::string> arguments, const fs::path& in, const fs::pa
 }  // namespace
 
 std::string converted_svg(const std::string& svg, FigureFormat format, double dpi, const std::string& program) {
-  const PassingFolder passing;
+  const TemporaryFolder temporary;
+  const fs::path& passing = temporary.path();
   const fs::path in = passing / "figure.svg", out = passing / "figure", err = passing / "words";
   write_whole_file(in, svg);
   const std::string word = format == FigureFormat::pdf ? "pdf" : "png";

@@ -85,8 +85,8 @@ PluginChoice OptionsReader::find_external(const ConfigNode& node, const PluginCh
   if (std::visit([](const auto& object) { return object == nullptr; }, found->second))
     return refuse(fmt::format("the object {} is null", in_quotes(name)));
   if (kind_of(found->second) != kind.name)
-    return refuse(fmt::format("the object {} can stand for a {}, not for a {}", in_quotes(name), kind_of(found->second),
-                              kind.name));
+    return refuse(fmt::format("the object {} is of the kind '{}', and this key takes one of the kind '{}'",
+                              in_quotes(name), kind_of(found->second), kind.name));
   return choose_external(found->second, name, asked.path);
 }
 

@@ -18,6 +18,12 @@ nlohmann::ordered_json number(const std::optional<double>& value) {
   return number(*value);
 }
 
+nlohmann::ordered_json numbers(const Eigen::VectorXd& values) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const double value : values) list.push_back(number(value));
+  return list;
+}
+
 std::string to_text(const nlohmann::ordered_json& json) {
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }

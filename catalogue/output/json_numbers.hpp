@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@ inline constexpr int kSchemaVersion = 1;
 /// JSON knows finite numbers only. NaN (not measured) is null; infinities are the texts "Infinity" and "-Infinity".
 nlohmann::ordered_json number(double value);
 nlohmann::ordered_json number(const std::optional<double>& value);
+nlohmann::ordered_json numbers(const Eigen::VectorXd& values);
 
 /// Indented, with a final line break. Bytes that are not UTF-8 (in file names) are replaced, never an exception.
 std::string to_text(const nlohmann::ordered_json& json);

@@ -18,12 +18,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json list(const Eigen::VectorXd& x) {
-  Json out = Json::array();
-  for (const double value : x) out.push_back(number(value));
-  return out;
-}
-
 Json failures(const Certificate& certificate) {
   Json out = Json::array();
   for (const CertificateFailure& f : certificate.failures) out.push_back({{"name", f.name()}, {"message", f.message}});
@@ -102,9 +96,9 @@ double where_measured(const Certificate& c, double value) {
 /// How near a path comes to an obstacle; null where there are none.
 Json clearance_json(const std::optional<Clearance>& clearance) {
   if (!clearance) return nullptr;
-  return {{"lower", number(clearance->lower)}, {"upper", number(clearance->upper)},
-          {"obstacle", clearance->obstacle},   {"segment", clearance->segment},
-          {"place", list(clearance->place)},   {"collision", clearance->proved ? "proved" : "sampled"}};
+  return {{"lower", number(clearance->lower)},  {"upper", number(clearance->upper)},
+          {"obstacle", clearance->obstacle},    {"segment", clearance->segment},
+          {"place", numbers(clearance->place)}, {"collision", clearance->proved ? "proved" : "sampled"}};
 }
 
 /// What the straight moves between the waypoints cost more than the path, and how near they come to an obstacle.
@@ -130,8 +124,8 @@ Json global_json(const std::optional<GlobalBound>& global) {
               {"reason", global->reason.empty() ? Json(nullptr) : Json(global->reason)}};
   if (!global->grid) return out;
   out["upper_bound"] = number(global->grid->upper);
-  out["box"] = {{"lower", list(Eigen::VectorXd(global->grid->box.min()))},
-                {"upper", list(Eigen::VectorXd(global->grid->box.max()))}};
+  out["box"] = {{"lower", numbers(Eigen::VectorXd(global->grid->box.min()))},
+                {"upper", numbers(Eigen::VectorXd(global->grid->box.max()))}};
   out["grid"] = global->grid->cells;
   return out;
 }
@@ -141,7 +135,7 @@ Json crossings_json(const HasInterfaces& cost, const Points& curve, const Constr
   constexpr double kDegrees = 180 / std::numbers::pi;
   Json out = Json::array();
   for (const Crossing& c : cost.crossings(curve, domain))
-    out.push_back({{"place", list(c.place)},
+    out.push_back({{"place", numbers(c.place)},
                    {"interface", c.interface},
                    {"layers", {c.from, c.to}},
                    {"indices", {number(c.index_before), number(c.index_after)}},
@@ -206,7 +200,7 @@ Json solver_json(const RunOutcome& run) {
 }
 
 Json end_json(const PlacedEnd& end) {
-  return {{"given", list(end.given)}, {"placed", list(end.end.u)}, {"moved", number(end.moved)}};
+  return {{"given", numbers(end.given)}, {"placed", numbers(end.end.u)}, {"moved", number(end.moved)}};
 }
 
 Json family(const RunOutcome& run) {

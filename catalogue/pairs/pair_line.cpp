@@ -13,23 +13,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json list_of(const Eigen::VectorXd& values) {
-  Json out = Json::array();
-  for (const double value : values) out.push_back(number(value));
-  return out;
-}
-
 /// As it was given; null where it could not be read.
 Json end_json(const EndOptions& end) {
   if (end.vertex) return *end.vertex;
-  if (end.face && end.barycentric) return {{"face", *end.face}, {"barycentric", list_of(*end.barycentric)}};
-  if (end.lonlat) return list_of(*end.lonlat);
-  return end.point ? list_of(*end.point) : Json(nullptr);
+  if (end.face && end.barycentric) return {{"face", *end.face}, {"barycentric", numbers(*end.barycentric)}};
+  if (end.lonlat) return numbers(*end.lonlat);
+  return end.point ? numbers(*end.point) : Json(nullptr);
 }
 
 Json points_json(const Points& points) {
   Json out = Json::array();
-  for (Eigen::Index i = 0; i < points.cols(); ++i) out.push_back(list_of(points.col(i)));
+  for (Eigen::Index i = 0; i < points.cols(); ++i) out.push_back(numbers(points.col(i)));
   return out;
 }
 

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "catalogue/plugins/external_plugin.hpp"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <type_traits>
 #include <utility>
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include <leastcost/catalogue/plugins/abilities.hpp>
+#include "catalogue/plugins/check_dimension.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/plugins/run_visitor.hpp"
 
@@ -37,12 +36,6 @@ std::vector<std::string> words_of(const Object& object) {
   return words;
 }
 
-void check_dimension(const SegmentCost& cost, const BuildContext& context) {
-  if (context.dimension == 0 || cost.dim() == context.dimension) return;
-  throw OptionError("name", fmt::format("the cost is one of moves in R^{}, but the manifold lies in R^{}", cost.dim(),
-                                        context.dimension));
-}
-
 template <class Object>
 std::shared_ptr<const PluginEntry> plugin_for(const Object& object) {
   auto entry = std::make_shared<Plugin<MadeOf<Object>>>();
@@ -52,7 +45,7 @@ std::shared_ptr<const PluginEntry> plugin_for(const Object& object) {
   if constexpr (std::is_same_v<Object, ConstraintManifold>) entry->ambient = object.dimensions().ambient;
   entry->make = [](const AnyOptions& options, const BuildContext& context) -> MadeOf<Object> {
     const auto& made = std::get<std::shared_ptr<const Object>>(static_cast<const External&>(options).object());
-    if constexpr (std::is_same_v<Object, SegmentCost>) check_dimension(*made, context);
+    if constexpr (std::is_same_v<Object, SegmentCost>) check_dimension(*made, context, "name");
     static_cast<void>(context);
     return MadeOf<Object>{made};
   };

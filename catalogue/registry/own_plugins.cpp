@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include <leastcost/framework/base/errors.hpp>
+#include "catalogue/plugins/check_dimension.hpp"
 #include "catalogue/plugins/external_plugin.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/plugins/plugin.hpp"
@@ -79,12 +80,7 @@ void check_made(const Made& made, const std::string& type, const BuildContext& c
   if constexpr (requires { made == nullptr; }) {
     if (made == nullptr) throw InputError(fmt::format("the factory of '{}' returned a null pointer", type));
   }
-  if constexpr (std::is_same_v<Made, std::shared_ptr<const SegmentCost>>) {
-    if (made->dim() != context.dimension)
-      throw OptionError(
-          "type", fmt::format("is a cost of points with {} coordinates, but the manifold has points of {}", made->dim(),
-                              context.dimension));
-  }
+  if constexpr (std::is_same_v<Made, std::shared_ptr<const SegmentCost>>) check_dimension(*made, context, "type");
 }
 
 template <class Made>

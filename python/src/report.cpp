@@ -5,15 +5,14 @@
 // folder, so that both are made exactly as by the program.
 #include <pybind11/pybind11.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <span>
 #include <string>
-#include <system_error>
 
 #include <leastcost/catalogue/output/write_run.hpp>
 #include "app/figure/figure.hpp"
 #include "app/report/report.hpp"
+#include "catalogue/output/temporary_folder.hpp"
 #include "catalogue/scene/scene.hpp"
 #include "python/src/bind.hpp"
 #include "python/src/outcome.hpp"
@@ -23,28 +22,6 @@ namespace {
 
 namespace py = pybind11;
 using namespace py::literals;
-
-/// A new folder, removed with all it holds.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::error_code error;
-    std::string name = (std::filesystem::temp_directory_path(error) / "leastcost-XXXXXX").string();
-    if (error) throw OutputError("there is no folder for temporary files (TMPDIR): " + error.message());
-    if (mkdtemp(name.data()) == nullptr) throw OutputError(name + ": cannot make a temporary folder");
-    folder_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const std::filesystem::path& path() const { return folder_; }
-
- private:
-  std::filesystem::path folder_;
-};
 
 /// The content of report.html.
 std::string report(const Outcome& result) {

@@ -108,9 +108,12 @@ TEST_CASE("externals: the objects of a shipped configuration get the methods tha
     CAPTURE(entry.path().filename().string());
     const LoadedConfig loaded = load_config(entry.path(), {});
     const RunConfig& config = loaded.config;
-    if (!loaded.errors.empty() || config.has_pairs() || !config.obstacles.empty() || config.robot ||
-        !files_are_there(loaded))
+    REQUIRE(loaded.errors.empty());
+    if (config.has_pairs() || !config.obstacles.empty() || config.robot) continue;  // planned among obstacles: below
+    if (!files_are_there(loaded)) {
+      record_skip("externals: " + entry.path().stem().string(), "a file that it names is not installed");
       continue;
+    }
     const Run described = load_run(entry.path());
     const Externals objects = {{"domain", open_domain(described)}, {"price", described.origin->parts.problem.cost}};
     const Run named =
@@ -180,7 +183,7 @@ TEST_CASE("externals: names without an object are errors with their place") {
   CHECK_THAT(errors_of(kNamed, {{"rooms", plane()}}),
              Contains("there is no object 'room' (did you mean 'rooms'?); objects: rooms"));
   CHECK_THAT(errors_of(kNamed, {{"room", make_euclidean_cost(2)}}),
-             Contains("the object 'room' can stand for a cost, not for a manifold"));
+             Contains("the object 'room' is of the kind 'cost', and this key takes one of the kind 'manifold'"));
   CHECK_THAT(errors_of(kNamed, {{"room", nothing}}), Contains("the object 'room' is null"));
   CHECK_THAT(errors_of("manifold: external\ncost: euclidean\n", {{"room", plane()}}),
              Contains("missing key 'name' in manifold"));
