@@ -100,6 +100,10 @@ function(leastcost_library name)
   if(BUILD_SHARED_LIBS AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
     target_link_options(${target} PRIVATE LINKER:--no-undefined)  # a layer that calls upwards must not link
   endif()
+  if(BUILD_SHARED_LIBS)  # another library may hold functions of Eigen that were compiled from another version of it
+    target_link_options(${target} PRIVATE LINKER:--version-script=${PROJECT_SOURCE_DIR}/cmake/hide_eigen.map)
+    set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/hide_eigen.map)
+  endif()
 
   set_target_properties(${target} PROPERTIES
     EXPORT_NAME ${name}

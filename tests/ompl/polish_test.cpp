@@ -3,8 +3,11 @@
 #include <leastcost/ompl/polish.hpp>
 
 #include <ompl/base/OptimizationObjective.h>
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/base/spaces/DubinsStateSpace.h>
 #include <ompl/geometric/SimpleSetup.h>
+#include <ompl/geometric/planners/informedtrees/BITstar.h>
+#include <ompl/geometric/planners/rrt/InformedRRTstar.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
@@ -75,6 +78,33 @@ std::shared_ptr<const SegmentCost> heavier_to_the_right() {
 }
 
 }  // namespace
+
+/// Planners that sample within ellipsoids do so with OMPL's own Eigen, whatever the program was compiled with.
+TEST_CASE("polish: plans of informed planners") {
+  ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+  ompl::RNG::setSeed(1);
+  og::SimpleSetup setup(square(3, -3, 3));
+  setup.setStateValidityChecker([](const ob::State* state) {
+    const double* x = state->as<ob::RealVectorStateSpace::StateType>()->values;
+    return std::hypot(x[0], x[1], x[2]) > 1;
+  });
+  ob::ScopedState<> from(setup.getStateSpace()), to(setup.getStateSpace());
+  for (unsigned k = 0; k < 3; ++k) {
+    from[k] = -2;
+    to[k] = 2;
+  }
+  setup.setStartAndGoalStates(from, to);
+  const auto& space = setup.getSpaceInformation();
+  setup.setOptimizationObjective(std::make_shared<ob::PathLengthOptimizationObjective>(space));
+  if (GENERATE(true, false))
+    setup.setPlanner(std::make_shared<og::BITstar>(space));
+  else
+    setup.setPlanner(std::make_shared<og::InformedRRTstar>(space));
+  REQUIRE(setup.solve(0.3) == ob::PlannerStatus::EXACT_SOLUTION);
+  const Polished plan = polish(setup.getSolutionPath());
+  CHECK(plan.cost <= plan.given_cost);
+  CHECK(plan.cost > 2 * std::sqrt(12.0));
+}
 
 TEST_CASE("polish: around a disc, by what is known of it") {
   const PlannerSpace space = among(square(), kOneDisc);
