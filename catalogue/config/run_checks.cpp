@@ -61,6 +61,8 @@ void check_pairs(LoadedConfig& loaded) {
            "'files' is for runs of one path: remove it; runs of many pairs write paths.jsonl and result.json");
   if (config.waypoints.wanted())
     refuse("output.waypoints", "waypoints are for runs of one path, not for pairs: remove them");
+  if (config.trajectory.wanted())
+    refuse("output.trajectory", "a trajectory is for runs of one path, not for pairs: remove it");
 }
 
 void check_files_of_output(LoadedConfig& loaded) {

@@ -101,7 +101,7 @@ void RunConfig::fields(RunVisitor& visit) {
     v.field("files", output_files,
             {.help = "Files that a run of one path writes in addition to manifest.json; default: all. Choices: result, "
                      "path, curve, vtp, obj, geojson (on the Earth, with the points in a second file), gpkg "
-                     "(GeoPackage, for rasters on the Earth, in builds with GDAL), residuals, waypoints, history, "
+                     "(GeoPackage, for rasters on the Earth, in builds with GDAL), residuals, waypoints, trajectory, history, "
                      "first_path, scene, clicks (for the shortest paths between clicked points in the report), "
                      "config, report. A report needs result, path, history, scene and config."});
     v.field("pair_points", pair_points,
@@ -109,6 +109,10 @@ void RunConfig::fields(RunVisitor& visit) {
     v.block("waypoints",
             {.help = "Also write waypoints.csv: points of the path, equally spaced in cost, by count or by spacing."},
             [&](RunVisitor& w) { waypoints.fields(w); });
+    v.block("trajectory",
+            {.help = "Also write trajectory.csv and trajectory.json: the quickest motion along the path under limits of "
+                     "velocity and acceleration, from rest to rest."},
+            [&](RunVisitor& t) { trajectory.fields(t); });
   });
 }
 

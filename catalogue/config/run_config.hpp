@@ -10,6 +10,7 @@
 
 #include <leastcost/framework/certificate/certificate.hpp>
 #include <leastcost/framework/replan/waypoints.hpp>
+#include <leastcost/framework/trajectory/trajectory.hpp>
 #include "catalogue/options/options_writer.hpp"
 #include "catalogue/plugins/run_visitor.hpp"
 
@@ -33,9 +34,9 @@ enum class TargetImageChoice { cheapest, given };
 Words<TargetImageChoice> words(TargetImageChoice);
 
 /// What `output.files` can name: parts of what a run of one path leaves in its folder, beside manifest.json.
-inline constexpr std::array<std::string_view, 15> kRunFiles = {
+inline constexpr std::array<std::string_view, 16> kRunFiles = {
     "result",    "path",    "curve",      "vtp",   "obj",    "geojson", "gpkg",  "residuals",
-    "waypoints", "history", "first_path", "scene", "clicks", "config",  "report"};
+    "waypoints", "trajectory", "history", "first_path", "scene", "clicks", "config",  "report"};
 
 /// One run as its configuration describes it. Everything typed, checked and with its default in place; nothing read
 /// from the disk and nothing computed yet.
@@ -64,6 +65,7 @@ struct RunConfig {
   std::vector<std::string> output_files;     ///< which of kRunFiles a run of one path writes; empty: all of them
   bool pair_points = false;                  ///< the lines of a run of pairs have the points of the paths
   WaypointOptions waypoints;                 ///< of the output
+  TrajectoryOptions trajectory;              ///< of the output
 
   void fields(RunVisitor& visit);
   bool has_pairs() const { return !pairs.empty(); }

@@ -111,6 +111,20 @@ Json waypoints_json(const Waypoints& points) {
   return out;
 }
 
+/// How long the motion along the path takes, and what the rounding of its corners does.
+Json trajectory_json(const Trajectory& motion) {
+  Json out = {{"duration", number(motion.duration)},
+              {"least_duration", number(motion.least_duration)},
+              {"samples", motion.time.size()},
+              {"deviation", number(motion.deviation)},
+              {"clearance", clearance_json(motion.clearance)}};
+  if (motion.clearance) {
+    out["checked_within"] = number(motion.checked_within);
+    out["touches"] = motion.touches;
+  }
+  return out;
+}
+
 /// What a proof over all paths says; null where none was tried.
 Json global_json(const std::optional<GlobalBound>& global) {
   if (!global) return nullptr;
@@ -278,6 +292,7 @@ std::string result_json(const RunOutcome& run) {
       cost != nullptr && result.curve.least_of_class)
     out["crossings"] = crossings_json(*cost, result.curve.x, *run.parts.problem.manifold);
   if (run.waypoints) out["waypoints"] = waypoints_json(*run.waypoints);
+  if (run.trajectory) out["trajectory"] = trajectory_json(*run.trajectory);
   out["notes"] = notes(run);
   return to_text(out);
 }

@@ -16,8 +16,10 @@
 #include "catalogue/output/geojson.hpp"
 #include "catalogue/output/manifest.hpp"
 #include "catalogue/output/path_table.hpp"
+#include "catalogue/output/trajectory_files.hpp"
 #include "catalogue/run/run_origin.hpp"
 #include "catalogue/scene/scene.hpp"
+#include "problems/formula/coordinate_names.hpp"
 #include "problems/raster/raster_cells.hpp"
 
 namespace leastcost {
@@ -122,6 +124,11 @@ void write_results(RunOutcome& outcome, const std::vector<std::string>& argument
   write_paths(outcome, folder);
   if (outcome.waypoints && config.writes("waypoints"))
     folder.write("waypoints.csv", csv_text(waypoint_table(outcome.parts.problem, *outcome.waypoints)));
+  if (outcome.trajectory && config.writes("trajectory")) {
+    const std::vector<std::string> names = space_coordinates(*outcome.parts.problem.manifold);
+    folder.write("trajectory.csv", trajectory_csv(*outcome.trajectory, names));
+    folder.write("trajectory.json", trajectory_json(*outcome.trajectory, names));
+  }
   if (config.writes("history")) folder.write("history.csv", history_csv(outcome.result.solve.history));
   if (config.writes("first_path"))
     folder.write("first_path.csv", first_path_csv(outcome.parts.problem, outcome.result.first));

@@ -100,6 +100,19 @@ void fill_options(const RunConfig& config, RunParts& out) {
   out.options.certificate = config.certificate;
   out.options.certificate.global = GlobalOff{};  // add_proof() has seen to it
   out.waypoints = config.waypoints;
+  out.trajectory = config.trajectory;
+}
+
+/// Before the path is sought: limits that do not fit the domain.
+void refuse_trajectory(const Problem& problem, const TrajectoryOptions& wanted) {
+  if (!wanted.wanted()) return;
+  try {
+    check_trajectory(problem, wanted);
+  } catch (const OptionError& error) {
+    throw OptionError("output.trajectory." + std::string(error.key()), error.what());
+  } catch (const InputError& error) {
+    throw OptionError("output.trajectory", error.what());
+  }
 }
 
 /// A proof over all paths, after the step that makes the curve it speaks of. Not for families: their members are paths
@@ -246,6 +259,7 @@ void Composer::take_domain() {
   check_all_needs();
   out_.problem.ring = config_.ring;
   out_.problem.based = config_.ring && config_.source.has_value();
+  attempt([&] { refuse_trajectory(out_.problem, config_.trajectory); });
   if (config_.has_pairs()) context_.source = Eigen::VectorXd::Zero(dimension);  // every pair has its own
   if (config_.has_pairs() || (config_.ring && !out_.problem.based)) return;
   if (wants_place_of_cost(config_, dimension) && !out_.problem.cost)  // the raster says where on the Earth ends are

@@ -46,9 +46,10 @@ struct RunOutcome {
   std::string name;
   RunParts parts;  ///< with the target that was reached: of a family perhaps another image of the same point
   Result result;
-  std::vector<FamilyMember> family;    ///< distinct paths, the delivered one first; empty without a family
-  std::optional<Waypoints> waypoints;  ///< where they were asked for
-  std::vector<std::string> replaced;   ///< parts that are not as they were read, in words: "cost", "ends"
+  std::vector<FamilyMember> family;      ///< distinct paths, the delivered one first; empty without a family
+  std::optional<Waypoints> waypoints;    ///< where they were asked for
+  std::optional<Trajectory> trajectory;  ///< the same
+  std::vector<std::string> replaced;     ///< parts that are not as they were read, in words: "cost", "ends"
   RunSeconds seconds;
   std::chrono::system_clock::time_point finished;
   std::shared_ptr<const RunOrigin> origin;

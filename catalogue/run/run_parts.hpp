@@ -9,6 +9,7 @@
 #include <leastcost/framework/family/family.hpp>
 #include <leastcost/framework/replan/waypoints.hpp>
 #include <leastcost/framework/search/find_path.hpp>
+#include <leastcost/framework/trajectory/trajectory.hpp>
 
 namespace leastcost {
 
@@ -35,6 +36,7 @@ struct RunParts {
   std::shared_ptr<const Solver> solver;
   FindOptions options;  ///< the post-processors among them
   WaypointOptions waypoints;
+  TrajectoryOptions trajectory;
   PlacedEnd source, target;  ///< where problem.source and problem.target came from; empty in a ring
   std::vector<std::string> notes;
 

@@ -64,6 +64,22 @@ void place_waypoints(RunOutcome& outcome) {
                         "; use more waypoints");
 }
 
+/// The same.
+void make_trajectory(RunOutcome& outcome) {
+  RunParts& parts = outcome.parts;
+  if (!parts.trajectory.wanted()) return;
+  try {
+    outcome.trajectory = make_trajectory(parts.problem, outcome.result, parts.trajectory);
+  } catch (const Error& error) {
+    parts.notes.push_back(std::string("no trajectory was written: ") + error.what());
+    return;
+  }
+  if (outcome.trajectory->touches)
+    parts.notes.push_back("the trajectory rounds the corners of the path and comes " +
+                          short_number(std::abs(outcome.trajectory->clearance->upper)) + " too close to " +
+                          outcome.trajectory->clearance->obstacle + "; use more points");
+}
+
 bool same_end(const PathEnd& a, const PathEnd& b) { return a.u.size() == b.u.size() && a.u == b.u; }
 
 bool same_family(const RunParts& a, const RunParts& b) {
@@ -134,6 +150,7 @@ RunOutcome solve(Run run, const Monitor& monitor) {
   outcome.result.seconds.prepare += prepared;
   outcome.seconds.search = seconds_since(start);
   place_waypoints(outcome);
+  make_trajectory(outcome);
   compare_with_cells(outcome);
   outcome.finished = std::chrono::system_clock::now();
   return outcome;

@@ -80,6 +80,8 @@ const Arrows& rooms() {
       {"framework/replan",
        {"framework/base", "framework/cost", "framework/domain", "framework/energy", "framework/path",
         "framework/problem", "framework/result", "framework/search"}},
+      {"framework/trajectory",
+       {"framework/base", "framework/domain", "framework/path", "framework/problem", "framework/result"}},
       {"framework/check", {"framework/base", "framework/cost", "framework/domain", "framework/path"}},
       {"problems/chart", {}},
       {"problems/cloud", {"problems/graph"}},
