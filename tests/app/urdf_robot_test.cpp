@@ -182,8 +182,8 @@ TEST_CASE("urdf: pairs are those that the SRDF leaves or without one those that 
   options.group = "arm";
   const std::set<std::string> pairs = pairs_of(*gantry_arm(options));
   CHECK(pairs.count("beam upper_arm") == 1);
-  CHECK(pairs.count("beam slide") == 0);      // disabled
-  CHECK(pairs.count("forearm wrist") == 1);   // the fingers, which are one with the wrist
+  CHECK(pairs.count("beam slide") == 0);     // disabled
+  CHECK(pairs.count("forearm wrist") == 1);  // the fingers, which are one with the wrist
   options = {};
   options.file = "gantry_arm.urdf";
   const std::set<std::string> all = pairs_of(*make_urdf_robot(options, project_dir() / "configs/data"));
@@ -209,8 +209,9 @@ TEST_CASE("urdf: wrong files are refused with their line") {
     return Written(with("<joint name=\"j\" type=\"" + type + "\">\n" + inner + "\n</joint>\n")).message();
   };
   const std::string links = "<parent link='a'/><child link='b'/>";
-  CHECK(joint("revolute", links) == "robot.urdf:4: the revolute joint 'j' has no limits: give <limit lower=\"..\" "
-                                    "upper=\"..\"/>, or make it continuous");
+  CHECK(joint("revolute", links) ==
+        "robot.urdf:4: the revolute joint 'j' has no limits: give <limit lower=\"..\" "
+        "upper=\"..\"/>, or make it continuous");
   CHECK_THAT(joint("prismatic", links + "<limit effort='1'/>"), Contains("the prismatic joint 'j' has no limits"));
   CHECK_THAT(joint("revolute", links + "<limit lower='1' upper='0'/>"), Contains("robot.urdf:5: 'lower' of the joint"));
   CHECK(joint("continuous", "<parent link='c'/><child link='b'/>") ==
@@ -227,8 +228,7 @@ TEST_CASE("urdf: wrong files are refused with their line") {
   CHECK_THAT(joint("fixed", links), Contains("no joint of it moves"));
   CHECK_THAT(joint("continuous", links + "<mimic joint='j'/>"), Contains("mimics 'j', which is no joint that moves"));
   CHECK_THAT(Written(with(kHinge + kHinge)).message(), Contains("a second joint 'j'") || Contains("one parent"));
-  const std::string back =
-      "<joint name='k' type='continuous'><parent link='b'/><child link='a'/></joint>\n";
+  const std::string back = "<joint name='k' type='continuous'><parent link='b'/><child link='a'/></joint>\n";
   CHECK(Written(with(kHinge + back)).message() ==
         "robot.urdf:1: every link is the child of a joint: the joints are in a cycle");
   CHECK(Written(with("<link name='c'/>\n" + kHinge + back)).message() ==
@@ -269,7 +269,8 @@ TEST_CASE("urdf: options that do not fit the files are refused by their keys") {
     return Written(with(kHinge), "<robot name='r'>\n" + inner + "</robot>").message();
   };
   CHECK_THAT(srdf("<group name='g'><joint name='x'/></group>"), Contains("robot.srdf:2: 'x' is no joint of"));
-  CHECK_THAT(srdf("<group name='g'><group name='g'/></group>"), Contains("robot.srdf:2: the group 'g' is part of itself"));
+  CHECK_THAT(srdf("<group name='g'><group name='g'/></group>"),
+             Contains("robot.srdf:2: the group 'g' is part of itself"));
   CHECK_THAT(srdf("<group name='g'><chain base_link='b' tip_link='a'/></group>"),
              Contains("robot.srdf:2: the base_link 'b' of this chain is not on the way"));
   CHECK_THAT(srdf("<group_state name='s' group='g'><joint name='j' value='inf'/></group_state>"),
@@ -277,9 +278,10 @@ TEST_CASE("urdf: options that do not fit the files are refused by their keys") {
 }
 
 TEST_CASE("urdf: meshes are found and covered") {
-  const std::string mesh = "<robot name='r'><link name='a'/><link name='b'>\n<collision><origin xyz='0 0 1'/><geometry>"
-                           "<mesh filename='package://arm/meshes/part.obj' scale='2 1 1'/></geometry></collision></link>\n" +
-                           kHinge + "</robot>";
+  const std::string mesh =
+      "<robot name='r'><link name='a'/><link name='b'>\n<collision><origin xyz='0 0 1'/><geometry>"
+      "<mesh filename='package://arm/meshes/part.obj' scale='2 1 1'/></geometry></collision></link>\n" +
+      kHinge + "</robot>";
   Written files(mesh);
   CHECK_THAT(files.message(), Contains("robot.urdf:2: the mesh 'package://arm/meshes/part.obj' was not found") &&
                                   Contains("set 'packages'"));
@@ -306,7 +308,7 @@ TEST_CASE("urdf: meshes are found and covered") {
 
 TEST_CASE("urdf: the Panda and the UR5 of their makers stand as their joints say") {
   const auto panda = data_file("planning/mbm/panda.urdf"), spheres = data_file("planning/mbm/panda_spherized.urdf"),
-             ur5 = data_file("planning/mbm/ur5.urdf");
+             ur5 = data_file("planning/mbm/ur5_spherized.urdf");
   if (!panda || !spheres || !ur5) return;
   UrdfRobotOptions options;
   options.file = "panda_spherized.urdf";
@@ -318,8 +320,9 @@ TEST_CASE("urdf: the Panda and the UR5 of their makers stand as their joints say
   CHECK(robot->states.count("ready") == 1);
   // Franka Emika's modified table of Denavit and Hartenberg.
   constexpr double kQuarter = 1.57079632679489662;
-  const double table[7][3] = {{0, 0, 0.333},           {0, -kQuarter, 0}, {0, kQuarter, 0.316}, {0.0825, kQuarter, 0},
-                              {-0.0825, -kQuarter, 0.384}, {0, kQuarter, 0},  {0.088, kQuarter, 0}};
+  const double table[7][3] = {{0, 0, 0.333},         {0, -kQuarter, 0},           {0, kQuarter, 0.316},
+                              {0.0825, kQuarter, 0}, {-0.0825, -kQuarter, 0.384}, {0, kQuarter, 0},
+                              {0.088, kQuarter, 0}};
   std::mt19937 engine(9);
   std::uniform_real_distribution<double> unit(-1, 1);
   std::vector<Frame> links;
@@ -330,7 +333,8 @@ TEST_CASE("urdf: the Panda and the UR5 of their makers stand as their joints say
     for (int i = 0; i < 7; ++i) {
       frame = frame * AngleAxisd(table[i][1], Vector3d::UnitX()) * Translation3d(table[i][0], 0, 0) *
               AngleAxisd(q[i], Vector3d::UnitZ()) * Translation3d(0, 0, table[i][2]);
-      CHECK((affine(links[static_cast<std::size_t>(i) + 1]).matrix() - frame.matrix()).norm() < 1e-9);  // pi as 1.57079632679
+      CHECK((affine(links[static_cast<std::size_t>(i) + 1]).matrix() - frame.matrix()).norm() <
+            1e-9);  // pi as 1.57079632679
     }
   }
   // Meshes: every corner in a capsule of its link.
@@ -348,7 +352,7 @@ TEST_CASE("urdf: the Panda and the UR5 of their makers stand as their joints say
     CHECK(outside <= 1e-12);
   }
   options = {};
-  options.file = "ur5.urdf";
+  options.file = "ur5_spherized.urdf";
   options.srdf = "ur5.srdf";
   const RobotPtr second = make_urdf_robot(options, ur5->parent_path());
   CHECK(second->kinematics->dimension() == 6);
