@@ -24,3 +24,4 @@
 #include <leastcost/problems/robots/arm_models.hpp>
 #include <leastcost/problems/robots/rigid_body.hpp>
 #include <leastcost/problems/robots/robot_walls.hpp>
+#include <leastcost/problems/robots/tree_kinematics.hpp>

@@ -76,7 +76,8 @@ Json end_schema(const FieldInfo& field) {
   out["oneOf"] = {{{"required", {"vertex"}}},
                   {{"required", {"face", "barycentric"}}},
                   {{"required", {"point"}}},
-                  {{"required", {"lonlat"}}}};
+                  {{"required", {"lonlat"}}},
+                  {{"required", {"state"}}}};
   return out;
 }
 

@@ -22,6 +22,9 @@ std::vector<SolverPlugin> back_ends();
 /// The same for first paths: OMPL's planners (ompl/CMakeLists.txt).
 std::vector<InitializerPlugin> planners();
 
+/// The same for robots: those of URDF files (urdf/CMakeLists.txt).
+std::vector<RobotPlugin> robots_of_libraries();
+
 /// Reads a raster file; throws InputError.
 using RasterReader = RasterFile (*)(const std::filesystem::path& file);
 /// GDAL (gdal/CMakeLists.txt); null in builds without it.

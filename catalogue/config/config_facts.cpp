@@ -77,7 +77,7 @@ ProblemFacts facts_of_types(const PluginEntry* manifold, std::string_view cost) 
     return manifold != nullptr && std::count(manifold->provides.begin(), manifold->provides.end(), ability) > 0;
   };
   ProblemFacts facts;
-  facts.euclidean = domain == "euclidean";
+  facts.euclidean = is_one_of(domain, {"euclidean", "robot"});
   facts.terrain = domain == "terrain";
   facts.chart = is_one_of(domain, {"terrain", "parametric", "earth"});
   facts.mesh = provides(HasMesh::kAbility);

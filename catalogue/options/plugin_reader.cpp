@@ -166,10 +166,10 @@ void OptionsReader::end(std::string_view key, std::optional<EndOptions>& value, 
   end.fields(reader);
   reader.finish();
   if (errors_.size() > before) return;
-  const int ways =
-      (end.vertex ? 1 : 0) + (end.face || end.barycentric ? 1 : 0) + (end.point ? 1 : 0) + (end.lonlat ? 1 : 0);
+  const int ways = (end.vertex ? 1 : 0) + (end.face || end.barycentric ? 1 : 0) + (end.point ? 1 : 0) +
+                   (end.lonlat ? 1 : 0) + (end.state ? 1 : 0);
   if (ways != 1)
-    fault(key, e->place, "must have exactly one of: vertex; face and barycentric; point; lonlat");
+    fault(key, e->place, "must have exactly one of: vertex; face and barycentric; point; lonlat; state");
   else if (end.face.has_value() != end.barycentric.has_value())
     fault(key, e->place, "must have both face and barycentric, like {face: 12, barycentric: [0.2, 0.3, 0.5]}");
   else if (end.barycentric && end.barycentric->size() != 3)

@@ -18,6 +18,7 @@ Json end_json(const EndOptions& end) {
   if (end.vertex) return *end.vertex;
   if (end.face && end.barycentric) return {{"face", *end.face}, {"barycentric", numbers(*end.barycentric)}};
   if (end.lonlat) return numbers(*end.lonlat);
+  if (end.state) return *end.state;
   return end.point ? numbers(*end.point) : Json(nullptr);
 }
 

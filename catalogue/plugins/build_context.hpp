@@ -12,6 +12,7 @@
 
 #include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/distance/build_progress.hpp>
+#include <leastcost/problems/robots/robot.hpp>
 
 namespace leastcost {
 
@@ -24,6 +25,7 @@ struct BuildContext {
   std::vector<std::string> coordinates = {};                ///< names of the coordinates in which points are given
   int seed = 0;                                             ///< master seed of the run
   std::shared_ptr<const ConstraintManifold> manifold = {};  ///< null while it is made, or waits for its files
+  std::shared_ptr<const Robot> robot = {};                  ///< null where there is none, or it waits for its files
   BuildProgress progress = {};                              ///< told how far a long build is; may throw to stop
   std::function<void(std::string)> note = {};               ///< told what belongs beside every result
 };
@@ -31,6 +33,7 @@ struct BuildContext {
 /// What has to be there before an object can be made.
 enum class WaitsFor {
   nothing,  ///< its options are enough; making it is quick
+  robot,    ///< the robot of the run
   domain,   ///< the manifold and the placed source
   files     ///< its own, or it takes a while to make
 };

@@ -16,6 +16,7 @@ void EndOptions::fields(FieldVisitor& visit) {
               {.help = "On the Earth, and on rasters with a CRS or in degrees: [longitude, latitude] on WGS84, in this "
                        "order.",
                .unit = "degrees"});
+  visit.field("state", state, {.help = "Name of a state of the robot: a group_state of its SRDF."});
   visit.field("tolerance", tolerance,
               {.help = "Largest distance by which `point` is moved; default: 1 % of the diameter of a mesh, a cloud or "
                        "the box of a grid, elsewhere rounding only.",

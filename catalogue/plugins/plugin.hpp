@@ -44,7 +44,8 @@ struct PluginEntry {
                         ///< it itself; empty: none
   std::function<std::unique_ptr<AnyOptions>()> defaults;
   bool follows_source = false;  ///< a cost that is another one for another source
-  int ambient = 3;              ///< of a manifold that waits for its files: the dimension of the space that it lies in
+  /// Of a manifold that waits for its files: the dimension of the space that it lies in; 0: the files say it.
+  int ambient = 3;
 };
 
 /// A plug-in that makes objects of type Made.

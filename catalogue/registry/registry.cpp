@@ -182,9 +182,27 @@ const auto& costs() {
   return all;
 }
 
+/// A joint without limits has none in the box.
+std::shared_ptr<const EuclideanManifold> joint_box(const std::shared_ptr<const Robot>& robot) {
+  if (robot == nullptr)
+    throw OptionError("type", "'robot' is the box of joint limits of a robot, but there is none: give 'robot'");
+  const Kinematics& kinematics = *robot->kinematics;
+  if (kinematics.link_count() == 1)
+    throw OptionError("type",
+                      "'robot' is the box of joint limits of an arm, but a rigid body has no joints: give its "
+                      "positions, as {type: euclidean, dimension: 3} in the plane");
+  EuclideanManifoldOptions options{.dimension = static_cast<int>(kinematics.dimension())};
+  options.box = {kinematics.lower(), kinematics.upper()};
+  return std::make_shared<const EuclideanManifold>(options);
+}
+
 const auto& manifolds() {
   static const std::vector<ManifoldPlugin> all = {
       made_of<ManifoldPlugin, EuclideanManifold, EuclideanManifoldOptions>("euclidean", "R^d, or a box in it."),
+      plugin<ManifoldPlugin, NoOptions>("robot", "The configurations of the robot: the box of its joint limits.",
+                                        [](const NoOptions&, const BuildContext& c) { return joint_box(c.robot); })
+          .waiting<NoOptions>([](const NoOptions&) { return WaitsFor::robot; })
+          .of_dimension(0),
       plugin<ManifoldPlugin, MeshManifoldOptions>(
           "mesh", "A triangle mesh in R^3, read from an OBJ, OFF, PLY or STL file.",
           [](const MeshManifoldOptions& o, const BuildContext& c) { return make_mesh_manifold(o, c.folder); })
@@ -281,23 +299,26 @@ const auto& obstacles() {
   return all;
 }
 
-const auto& robots() {
-  static const std::vector<RobotPlugin> all = {
-      plugin<RobotPlugin, DhArmOptions>(
-          "dh_arm",
-          "An arm with revolute joints, from a Denavit-Hartenberg table; a configuration is its joint angles.",
-          [](const DhArmOptions& o, const BuildContext&) { return make_dh_arm(o); }),
-      plugin<RobotPlugin, RigidBodyOptions>(
-          "rigid_body", "A body of balls and capsules, in the plane (x, y, angle) or in space (x, y, z, quaternion).",
-          [](const RigidBodyOptions& o, const BuildContext&) { return make_rigid_body(o); }),
-  };
-  return all;
-}
-
 template <class P>
 std::vector<P> with_those_of_libraries(std::vector<P> own, std::vector<P> others) {
   std::move(others.begin(), others.end(), std::back_inserter(own));
   return own;
+}
+
+const auto& robots() {
+  static const std::vector<RobotPlugin> all = with_those_of_libraries<RobotPlugin>(
+      {
+          plugin<RobotPlugin, DhArmOptions>(
+              "dh_arm",
+              "An arm with revolute joints, from a Denavit-Hartenberg table; a configuration is its joint angles.",
+              [](const DhArmOptions& o, const BuildContext&) { return make_dh_arm(o); }),
+          plugin<RobotPlugin, RigidBodyOptions>(
+              "rigid_body",
+              "A body of balls and capsules, in the plane (x, y, angle) or in space (x, y, z, quaternion).",
+              [](const RigidBodyOptions& o, const BuildContext&) { return make_rigid_body(o); }),
+      },
+      robots_of_libraries());
+  return all;
 }
 
 const auto& initializers() {

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -174,6 +175,12 @@ bool wants_place_of_cost(const RunConfig& config, int dimension) {
 }
 
 using ManifoldPtr = std::shared_ptr<const ConstraintManifold>;
+using RobotPtr = std::shared_ptr<const Robot>;
+
+/// Of what the dimension of the space has to be known first.
+template <class Made>
+constexpr bool kOfSpace = std::is_same_v<Made, std::shared_ptr<const SegmentCost>> ||
+                          std::is_same_v<Made, std::shared_ptr<const Initializer>>;
 
 }  // namespace
 
@@ -202,6 +209,8 @@ template <class Made>
 bool Composer::waits(const PluginChoice& choice) const {
   if (files_) return false;
   const WaitsFor what = waits_for<Made>(choice);
+  if (what == WaitsFor::robot) return config_.robot && !context_.robot;
+  if (kOfSpace<Made> && context_.dimension == 0) return true;
   return what == WaitsFor::files || (what == WaitsFor::domain && !context_.manifold);
 }
 
@@ -216,9 +225,15 @@ void Composer::make_or_check(const PluginChoice& choice, Made& made) {
   });
 }
 
-/// What is known of a domain that waits for its files: a surface in R^3, or a part of the plane.
+void Composer::make_robot() {
+  if (config_.robot) make_or_check(config_.robot, context_.robot);
+}
+
+/// What is known of a domain that waits for its files: a surface in R^3, or a part of the plane. Of the configurations
+/// of a robot nothing is.
 void Composer::assume_domain() {
   const int ambient = config_.manifold.plugin->ambient;
+  if (ambient == 0) return;
   check_memory({ambient, ambient, 2});
   context_.dimension = ambient;
   context_.coordinates = coordinate_names(ambient);
@@ -265,7 +280,8 @@ void Composer::take_domain() {
   if (wants_place_of_cost(config_, dimension) && !out_.problem.cost)  // the raster says where on the Earth ends are
     attempt([&] { out_.problem.cost = make<std::shared_ptr<const SegmentCost>>(config_.cost, context_); });
   const auto end = [&](const std::optional<EndOptions>& given, const char* path) {
-    return in_coordinates(given.value_or(EndOptions{}), manifold, out_.problem.cost.get(), path);
+    return in_coordinates(with_state(given.value_or(EndOptions{}), context_.robot.get(), path), manifold,
+                          out_.problem.cost.get(), path);
   };
   const bool placed = attempt([&] {
     out_.source = place_end(manifold, end(config_.source, "ends.source"), "ends.source");
@@ -346,8 +362,9 @@ void Composer::place_obstacles() {
     context_.manifold = out_.problem.manifold;  // a cost map may have been waited for
     return;
   }
-  if (voids_wait || std::any_of(config_.obstacles.begin(), config_.obstacles.end(),
-                                [&](const PluginChoice& choice) { return waits<FreeSpace::Obstacles>(choice); })) {
+  if (voids_wait || (config_.robot && !context_.robot && waits<RobotPtr>(config_.robot)) ||
+      std::any_of(config_.obstacles.begin(), config_.obstacles.end(),
+                  [&](const PluginChoice& choice) { return waits<FreeSpace::Obstacles>(choice); })) {
     for (const PluginChoice& choice : config_.obstacles)
       attempt([&] { check_options<FreeSpace::Obstacles>(choice, context_); });
     context_.manifold.reset();  // what asks for the domain asks for the one among obstacles
@@ -355,13 +372,12 @@ void Composer::place_obstacles() {
   }
   obstacles_placed_ = true;
   std::vector<std::size_t> entry_of(void_count, 0);  // the entry that an obstacle comes from
-  std::shared_ptr<const Robot> robot;
-  bool made = !config_.robot || attempt([&] {
-    robot = make<std::shared_ptr<const Robot>>(config_.robot, context_);
-    check_limits(*robot, *out_.problem.manifold);
-    if (config_.obstacles.empty() && robot->self.empty())
-      throw OptionError("robot", "has nothing to collide with: give 'obstacles'");
-  });
+  const RobotPtr& robot = context_.robot;
+  bool made = !config_.robot || (robot != nullptr && attempt([&] {
+                                   check_limits(*robot, *out_.problem.manifold);
+                                   if (config_.obstacles.empty() && robot->self.empty())
+                                     throw OptionError("robot", "has nothing to collide with: give 'obstacles'");
+                                 }));
   for (std::size_t i = 0; i < config_.obstacles.size(); ++i) {
     made = attempt([&] {
              for (auto& one : make<FreeSpace::Obstacles>(config_.obstacles[i], context_)) {
@@ -403,6 +419,7 @@ void Composer::make_parts() {
 
 void Composer::make_from_options() {
   context_.seed = config_.seed;
+  make_robot();
   if (waits<ManifoldPtr>(config_.manifold)) {
     attempt([&] { check_options<ManifoldPtr>(config_.manifold, context_); });
     assume_domain();
@@ -416,9 +433,11 @@ void Composer::make_from_options() {
 
 void Composer::make_from_files(const BuildProgress& progress) {
   files_ = true;
+  make_robot();
   if (!out_.problem.manifold) {
     const auto start = std::chrono::steady_clock::now();
     BuildContext reading{context_.folder};
+    reading.robot = context_.robot;
     reading.progress = progress;
     reading.note = context_.note;
     if (!attempt([&] { out_.problem.manifold = make<ManifoldPtr>(config_.manifold, reading); })) return;

@@ -45,6 +45,7 @@ class Composer {
   bool waits(const PluginChoice& choice) const;
   template <class Made>
   void make_or_check(const PluginChoice& choice, Made& made);
+  void make_robot();
   void assume_domain();
   void check_all_needs();
   void check_memory(const Dimensions& dimensions);

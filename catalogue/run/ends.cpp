@@ -151,6 +151,23 @@ PlacedEnd at_point(const ConstraintManifold& manifold, const EndOptions& options
 
 }  // namespace
 
+EndOptions with_state(EndOptions options, const Robot* robot, const std::string& path) {
+  if (!options.state) return options;
+  const std::string key = path + ".state";
+  if (robot == nullptr) throw OptionError(key, "needs a robot with named states: give {point: [..]}");
+  const auto found = robot->states.find(*options.state);
+  if (found == robot->states.end()) {
+    std::vector<std::string> names;
+    for (const auto& [name, state] : robot->states) names.push_back(name);
+    throw OptionError(key, names.empty() ? "the robot has no named states: give {point: [..]}"
+                                         : fmt::format("the robot has no state '{}'; it has: {}", *options.state,
+                                                       fmt::join(names, ", ")));
+  }
+  options.point = found->second;
+  options.state.reset();
+  return options;
+}
+
 EndOptions in_coordinates(EndOptions options, const ConstraintManifold& manifold, const SegmentCost* cost,
                           const std::string& path) {
   if (!options.lonlat) return options;

@@ -6,10 +6,15 @@
 #include <string>
 
 #include <leastcost/catalogue/run/run_parts.hpp>
+#include <leastcost/problems/robots/robot.hpp>
 #include "catalogue/config/run_config.hpp"
 #include "catalogue/plugins/run_visitor.hpp"
 
 namespace leastcost {
+
+/// The end with a point in the place of the name of a state. `robot` may be null. Throws OptionError where it has no
+/// such state.
+EndOptions with_state(EndOptions options, const Robot* robot, const std::string& path);
 
 /// The end with a point in the place of its longitude and latitude, which the domain or the cost (may be null) knows.
 /// Throws OptionError where neither does.

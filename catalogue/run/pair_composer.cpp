@@ -36,8 +36,10 @@ std::shared_ptr<const SegmentCost> PairComposer::cost_between(const Problem& pro
 }
 
 RunParts PairComposer::compose(EndOptions source, EndOptions target, const RunParts& all) const {
-  source = in_coordinates(std::move(source), *open_domain_, all.problem.cost.get(), "source");
-  target = in_coordinates(std::move(target), *open_domain_, all.problem.cost.get(), "target");
+  source = in_coordinates(with_state(std::move(source), context_.robot.get(), "source"), *open_domain_,
+                          all.problem.cost.get(), "source");
+  target = in_coordinates(with_state(std::move(target), context_.robot.get(), "target"), *open_domain_,
+                          all.problem.cost.get(), "target");
   for (EndOptions* end : {&source, &target})
     if (end->point && !end->tolerance) end->tolerance = config_.pair_tolerance;
   RunParts out = all;

@@ -42,7 +42,7 @@ def markdown(element: ElementTree.Element | None) -> str:
 def helps() -> dict[tuple[str, str], str]:
     """(struct, option) -> its help, and (struct, "") -> kHelp."""
     found: dict[tuple[str, str], str] = {}
-    for folder in ("framework", "problems", "solvers", "recipes", "ompl", "gdal", "catalogue"):
+    for folder in ("framework", "problems", "solvers", "recipes", "ompl", "gdal", "urdf", "catalogue"):
         for file in [*(ROOT / folder).rglob("*.cpp"), *(ROOT / folder).rglob("*.hpp")]:
             text = file.read_text()
             for body in re.finditer(r"^(?:inline )?void (?:\w+::)*(\w+)::fields\(\w+Visitor& \w+\) \{(.*?)^\}", text,

@@ -51,6 +51,14 @@ class Kinematics {
                         const Eigen::Vector3d& point, Eigen::Matrix3Xd& derivative) const = 0;
   /// For each coordinate how far it moves a point of a link (its coordinates), per unit, in any configuration, at most.
   virtual Vector reach(int link, const Eigen::Vector3d& local) const = 0;
+  /// The same as seen from another link, for steepest() and motion() as seen from there. Of a chain the reaches are the
+  /// same: what lies before the other link is left out there.
+  virtual Vector reach_from(int /*seen_from*/, int link, const Eigen::Vector3d& local) const {
+    return reach(link, local);
+  }
+  /// Whether all that moves a link moves another one with it: whether it lies on the way from the base to that one. Of
+  /// a chain every link before it.
+  virtual bool carries(int link, int other) const { return link <= other; }
   /// How far a point with these reaches moves at most as the configuration moves by 1, as seen from another link.
   virtual double steepest(const Vector& reach, int seen_from) const = 0;
   /// During the move from a to b, of any point with at most these reaches, as seen from another link.

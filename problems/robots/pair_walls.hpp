@@ -17,8 +17,9 @@ class PairWalls : public Walls {
     int part = 0;
     int other = 0;
     bool self = false;
-    double required = 0;  ///< of the distance between the cores: the axis or triangle, the obstacle's or another axis
-    double steepest = 0;  ///< length units that the part moves at most as the configuration moves by 1
+    double required = 0;    ///< of the distance between the cores: the axis or triangle, the obstacle's or another axis
+    double steepest = 0;    ///< length units that the part moves at most as the configuration moves by 1
+    bool branches = false;  ///< the other's link does not carry that of the part: both move
   };
   struct PairGap {
     Pair pair;

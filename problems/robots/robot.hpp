@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -35,6 +36,7 @@ struct Robot {
   std::vector<std::pair<int, int>> self = {};  ///< numbers of capsules on different links
   std::vector<Plate> plates = {};
   std::string whose = {};  ///< what the parts stand for, for people: a clearance is one of theirs
+  std::map<std::string, Eigen::VectorXd> states = {};  ///< configurations that have a name: "home"
 
   /// Parts are numbered: the capsules, then the plates.
   std::size_t parts() const { return capsules.size() + plates.size(); }

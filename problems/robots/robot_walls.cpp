@@ -45,6 +45,14 @@ void to_space(const Vector3d& x, Eigen::VectorXd& out) {
   for (Eigen::Index i = 0; i < out.size(); ++i) out[i] = x[i];
 }
 
+/// Of any of the corners.
+template <class Corners>
+Eigen::VectorXd reach_of(const Kinematics& kinematics, int seen_from, int link, const Corners& corners) {
+  Eigen::VectorXd reach = kinematics.reach_from(seen_from, link, corners[0]);
+  for (const Vector3d& corner : corners) reach = reach.cwiseMax(kinematics.reach_from(seen_from, link, corner)).eval();
+  return reach;
+}
+
 }  // namespace
 
 /// A robot on its way from a to b.
@@ -95,8 +103,7 @@ class RobotWalls::OnMove final : public DistancesOnMove {
   }
 
   MotionBound bound(const Pair& pair) const {
-    const Body& body = walls_->bodies_[static_cast<std::size_t>(pair.part)];
-    return kinematics().motion(a_, b_, body.reach, walls_->seen_from(pair));
+    return kinematics().motion(a_, b_, walls_->reach(pair), walls_->seen_from(pair));
   }
 
   /// The least of (distance - offset) / scale over some pairs; offset and scale are those of scaled(pair, distance).
@@ -162,8 +169,7 @@ RobotWalls::RobotWalls(std::shared_ptr<const Robot> robot, Obstacles obstacles, 
   const Kinematics& kinematics = *robot_->kinematics;
   const auto add_body = [&](int link, double radius, const auto& corners) {
     Body body;
-    body.reach = kinematics.reach(link, corners[0]);
-    for (const Vector3d& corner : corners) body.reach = body.reach.cwiseMax(kinematics.reach(link, corner)).eval();
+    body.reach = reach_of(kinematics, 0, link, corners);
     body.radius = radius;
     body.steepest = kinematics.steepest(body.reach, 0);
     farthest_ = std::max(farthest_, body.reach.maxCoeff());
@@ -201,15 +207,19 @@ void RobotWalls::add_obstacles(Obstacles obstacles, double clearance) {
   }
 }
 
-/// Seen from the link that is nearer to the base.
+/// Seen from the link that is nearer to the base. Where both move, their distance changes by no more than both do.
 void RobotWalls::add_self_pairs() {
+  const Kinematics& kinematics = *robot_->kinematics;
   int number = static_cast<int>(bodies_.size() * obstacles_.size());
   for (auto [i, j] : robot_->self) {
-    const auto link = [&](int k) { return robot_->capsules[static_cast<std::size_t>(k)].link; };
-    if (link(i) > link(j)) std::swap(i, j);
+    const auto capsule = [&](int k) -> const Capsule& { return robot_->capsules[static_cast<std::size_t>(k)]; };
+    if (capsule(i).link > capsule(j).link) std::swap(i, j);
     const Body &near = bodies_[static_cast<std::size_t>(i)], &far = bodies_[static_cast<std::size_t>(j)];
-    const double steepest = robot_->kinematics->steepest(far.reach, link(i));
-    self_.push_back({number++, j, i, true, near.radius + far.radius, steepest});
+    const int from = capsule(i).link, link = capsule(j).link;
+    self_reach_.push_back(reach_of(kinematics, from, link, std::array{capsule(j).from, capsule(j).to}));
+    const bool branches = !kinematics.carries(from, link);
+    const double steepest = branches ? near.steepest + far.steepest : kinematics.steepest(self_reach_.back(), from);
+    self_.push_back({number++, j, i, true, near.radius + far.radius, steepest, branches});
   }
 }
 
@@ -259,7 +269,7 @@ void RobotWalls::pairs_within(const RobotPose& pose, const Margin& margin, std::
   for (const Pair& pair : self_) {
     const CoreBox &first = own[static_cast<std::size_t>(pair.part)],
                   &second = own[static_cast<std::size_t>(pair.other)];
-    const double within = pair.required + margin(pair.part);
+    const double within = pair.required + margin(pair.part) + (pair.branches ? margin(pair.other) : 0.0);
     if (!farther_apart(first.lower, first.upper, second.lower, second.upper, within)) found.push_back(pair);
   }
 }
@@ -291,6 +301,11 @@ RobotWalls::Between RobotWalls::between(const RobotPose& pose, const Pair& pair)
 
 int RobotWalls::seen_from(const Pair& pair) const {
   return pair.self ? robot_->capsules[static_cast<std::size_t>(pair.other)].link : 0;
+}
+
+const RobotWalls::Vector& RobotWalls::reach(const Pair& pair) const {
+  if (!pair.self) return bodies_[static_cast<std::size_t>(pair.part)].reach;
+  return self_reach_[static_cast<std::size_t>(pair.number) - bodies_.size() * obstacles_.size()];
 }
 
 bool RobotWalls::convex(const Pair& pair) const {
@@ -432,7 +447,8 @@ bool RobotWalls::clears(const Vector& a, const Vector& b) const {
     for (Pair& pair : pairs) {
       const double room = move.distance(0.5, pair) - pair.required;
       if (room < -rounding) return false;
-      if (room > move.fastest() / 2 + rounding) pair.part = -1;  // nowhere on this part of the move
+      const double moved = pair.branches ? move.fastest() : move.fastest() / 2;
+      if (room > moved + rounding) pair.part = -1;  // nowhere on this part of the move
     }
     std::erase_if(pairs, [](const Pair& pair) { return pair.part < 0; });
     if (pairs.empty() && !many) continue;

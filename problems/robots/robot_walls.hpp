@@ -89,6 +89,7 @@ class RobotWalls final : public PairWalls,
   Plane plane(const Pair& pair, const Between& nearest) const;
   Vector slope(const RobotPose& pose, const Pair& pair, const Between& nearest) const;
   int seen_from(const Pair& pair) const;
+  const Vector& reach(const Pair& pair) const;
   bool convex(const Pair& pair) const;
   double rounding(const Vector& a, const Vector& b) const;
 
@@ -99,6 +100,7 @@ class RobotWalls final : public PairWalls,
   std::vector<double> required_;                   ///< of the obstacles: radius and clearance
   std::vector<Body> bodies_;
   std::vector<Pair> self_;
+  std::vector<Vector> self_reach_;  ///< of their parts, as seen from the others
   double size_ = 0, farthest_ = 0;
 };
 

@@ -29,7 +29,8 @@ int dimension_of(const PluginChoice& manifold, const std::filesystem::path& fold
   using Made = std::shared_ptr<const ConstraintManifold>;
   constexpr int kAny = 2;
   if (!manifold) return kAny;
-  if (waits_for<Made>(manifold) != WaitsFor::nothing) return manifold.plugin->ambient;
+  if (waits_for<Made>(manifold) != WaitsFor::nothing)
+    return manifold.plugin->ambient > 0 ? manifold.plugin->ambient : kAny;
   try {
     BuildContext context;
     context.folder = folder;

@@ -63,6 +63,24 @@ TEST_CASE("robot: its obstacles are of the workspace, its domain of its configur
   CHECK_THAT(errors_of(kArm + "clearance: 0.1\n"), Contains("needs obstacles, but there are none"));
 }
 
+TEST_CASE("robot: the manifold can be the box of its limits") {
+  const std::string box = kArm.substr(0, kArm.find("cost:"));
+  const std::string arm = replaced(kArm, box, "manifold: robot\n");
+  CHECK(errors_of(arm) == "");
+  LoadedConfig loaded = parse(arm), by_hand = parse(kArm);
+  CHECK(loaded.config.initializer.plugin->type == by_hand.config.initializer.plugin->type);
+  CHECK(loaded.config.solver.plugin->type == by_hand.config.solver.plugin->type);
+  CHECK_THAT(errors_of(replaced(arm, "[-1.2, 0.4", "[-1.2, 4")), Contains("ends.source") || Contains("'point'"));
+  CHECK_THAT(errors_of(replaced(arm, "robot: {type: dh_arm, model: panda}\n", "")),
+             Contains("'robot' is the box of joint limits of a robot, but there is none"));
+  CHECK_THAT(errors_of(replaced(kBody, "{type: euclidean, dimension: 3}", "robot")),
+             Contains("a rigid body has no joints"));
+  CHECK_THAT(errors_of(replaced(arm, "{point: [-1.2, 0.4, 0, -1.8, 0, 2.2, 0.7]}", "{state: home}")),
+             Contains("the robot has no named states"));
+  CHECK_THAT(errors_of(replaced(kBody, "{point: [0, 0, 0]}", "{point: [0, 0, 0], state: home}")),
+             Contains("must have exactly one of"));
+}
+
 TEST_CASE("robot: its options are named where they are wrong") {
   CHECK_THAT(errors_of(replaced(kArm, "panda", "pandda")), Contains("unknown model 'pandda'") || Contains("'pandda'"));
   CHECK_THAT(errors_of(replaced(kBody, "0.5, 0, 0.1]]", "0.5, 0, -0.1]]")),

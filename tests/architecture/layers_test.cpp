@@ -30,6 +30,7 @@ const Arrows& layers() {
                                {"recipes", {"framework", "problems", "solvers"}},
                                {"ompl", {"framework", "problems", "solvers"}},
                                {"gdal", {"framework", "problems"}},
+                               {"urdf", {"framework", "problems"}},
                                {"catalogue", {"framework", "problems", "solvers", "recipes"}},
                                {"app", {"framework", "problems", "solvers", "recipes", "catalogue"}}};
   return table;
@@ -178,6 +179,8 @@ std::string third_party_fault(const Include& include) {
     return starts_with(file, "ompl/") && !is_header(file) ? "" : "only .cpp files of ompl use OMPL";
   if (starts_with(target, "gdal") || starts_with(target, "cpl_") || starts_with(target, "ogr_"))
     return starts_with(file, "gdal/") && !is_header(file) ? "" : "only .cpp files of gdal use GDAL";
+  if (target == "tinyxml2.h")
+    return starts_with(file, "urdf/") && !is_header(file) ? "" : "only .cpp files of urdf use TinyXML-2";
   const bool program = starts_with(file, "catalogue/") || starts_with(file, "app/");
   if (file == "problems/graph/compressed_rows.hpp" && starts_with(target, "boost/")) return "";
   if (!program && is_header(file)) return "a header of the library includes no third party but Eigen";
@@ -281,6 +284,7 @@ std::set<std::string> public_headers(const std::vector<Include>& includes) {
                                    "recipes/recipes.hpp",
                                    "ompl/ompl.hpp",
                                    "gdal/gdal.hpp",
+                                   "urdf/urdf.hpp",
                                    "catalogue/catalogue.hpp",
                                    "app/study.hpp",
                                    "app/report.hpp",
@@ -430,6 +434,7 @@ TEST_CASE("layers: every wrong arrow is caught") {
       Wrong{"problems/initializers/a.cpp", "#include <ompl/base/State.h>", "only .cpp files of ompl use OMPL"},
       Wrong{"gdal/gdal_raster.hpp", "#include <gdal.h>", "only .cpp files of gdal use GDAL"},
       Wrong{"catalogue/inputs/a.cpp", "#include <cpl_conv.h>", "only .cpp files of gdal use GDAL"},
+      Wrong{"urdf/xml_file.hpp", "#include <tinyxml2.h>", "only .cpp files of urdf use TinyXML-2"},
       Wrong{"gdal/a.cpp", "#include \"solvers/b.hpp\"", "gdal must not include solvers"},
       Wrong{"catalogue/run/a.cpp", "#include \"ompl/b.hpp\"", "catalogue must not include ompl"},
       Wrong{"ompl/a.cpp", "#include \"catalogue/b.hpp\"", "ompl must not include catalogue"},

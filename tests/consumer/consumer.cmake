@@ -67,7 +67,7 @@ endfunction()
 
 # The libraries of others that are hidden from find_package: only Eigen is left.
 set(without "")
-foreach(package IN ITEMS Boost nanoflann NLopt Ceres ompl GDAL yaml-cpp fmt OpenSSL PNG CLI11 nlohmann_json)
+foreach(package IN ITEMS Boost nanoflann NLopt Ceres ompl GDAL tinyxml2 yaml-cpp fmt OpenSSL PNG CLI11 nlohmann_json)
   list(APPEND without -D CMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
 endforeach()
 
