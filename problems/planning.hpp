@@ -11,11 +11,16 @@
 #include <leastcost/problems/manifolds/data/map.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
+#include <leastcost/problems/obstacles/capsule_obstacle.hpp>
 #include <leastcost/problems/obstacles/checker_walls.hpp>
+#include <leastcost/problems/obstacles/cone.hpp>
+#include <leastcost/problems/obstacles/cylinder.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/problems/obstacles/grid_obstacle.hpp>
+#include <leastcost/problems/obstacles/half_space.hpp>
 #include <leastcost/problems/obstacles/map_obstacles.hpp>
 #include <leastcost/problems/obstacles/mesh_obstacle.hpp>
+#include <leastcost/problems/obstacles/point_obstacle.hpp>
 #include <leastcost/problems/obstacles/polygon.hpp>
 #include <leastcost/problems/obstacles/raster_obstacles.hpp>
 #include <leastcost/problems/occupancy/occupancy_options.hpp>

@@ -58,7 +58,8 @@ bool is_taut_around(const Walls& walls, Eigen::Index dimension) {
 /// Whether a path can be pulled tight around it, in the plane or in space.
 bool is_taut_around(const PluginChoice& obstacle, Eigen::Index dimension) {
   if (const auto* object = external_object<Obstacle>(obstacle)) return dimension == 2 || object->convex();
-  return is_type(obstacle, {"ball", "box"}) || (dimension != 3 && is_type(obstacle, {"polygon", "map"}));
+  return is_type(obstacle, {"ball", "box", "capsule"}) || (dimension != 3 && is_type(obstacle, {"polygon", "map"})) ||
+         (dimension == 3 && is_type(obstacle, {"cone", "cylinder", "half_space"}));
 }
 
 /// A first path that states no class: waypoints, other routes and the like are given for the sake of their class.
@@ -99,8 +100,8 @@ std::string why_not_taut(const RunConfig& config) {
   if (walls != nullptr && !is_taut_around(*walls, d)) return "needs obstacles that a path can be pulled tight around";
   for (const PluginChoice& obstacle : config.obstacles)
     if (obstacle && !is_taut_around(obstacle, d))
-      return d == 3 ? "needs convex obstacles: balls or boxes"
-                    : "needs obstacles that are balls, boxes, polygons or maps";
+      return d == 3 ? "needs convex obstacles: balls, boxes, capsules, cones, cylinders or half-spaces"
+                    : "needs obstacles that are balls, boxes, capsules, polygons or maps";
   return "";
 }
 

@@ -45,9 +45,14 @@
 #include <leastcost/problems/manifolds/pose.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
+#include <leastcost/problems/obstacles/capsule_obstacle.hpp>
+#include <leastcost/problems/obstacles/cone.hpp>
+#include <leastcost/problems/obstacles/cylinder.hpp>
 #include <leastcost/problems/obstacles/grid_obstacle.hpp>
+#include <leastcost/problems/obstacles/half_space.hpp>
 #include <leastcost/problems/obstacles/map_obstacles.hpp>
 #include <leastcost/problems/obstacles/mesh_obstacle.hpp>
+#include <leastcost/problems/obstacles/point_obstacle.hpp>
 #include <leastcost/problems/obstacles/polygon.hpp>
 #include <leastcost/problems/obstacles/raster_obstacles.hpp>
 #include <leastcost/problems/post_processors/on_surface.hpp>
@@ -68,6 +73,7 @@
 #include <leastcost/solvers/vfcs.hpp>
 #include "catalogue/back_ends/back_ends.hpp"
 #include "catalogue/inputs/map_file.hpp"
+#include "catalogue/inputs/planning_scene.hpp"
 #include "catalogue/inputs/raster_file.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/plugins/registration.hpp"
@@ -266,8 +272,20 @@ const auto& obstacles() {
           "ball", "A ball; in the plane, a disc.",
           [](const BallOptions& o, const BuildContext&) { return Obstacles{make_ball(o)}; }),
       plugin<ObstaclePlugin, BoxObstacleOptions>(
-          "box", "An axis-aligned box, in the plane a rectangle; requires a clearance.",
+          "box", "A box, turned or along the axes; in the plane a rectangle; requires a clearance.",
           [](const BoxObstacleOptions& o, const BuildContext&) { return Obstacles{make_box_obstacle(o)}; }),
+      plugin<ObstaclePlugin, CapsuleObstacleOptions>(
+          "capsule", "All points within a radius of a segment.",
+          [](const CapsuleObstacleOptions& o, const BuildContext&) { return Obstacles{make_capsule(o)}; }),
+      plugin<ObstaclePlugin, CylinderOptions>(
+          "cylinder", "A cylinder with flat ends in space; requires a clearance.",
+          [](const CylinderOptions& o, const BuildContext&) { return Obstacles{make_cylinder(o)}; }),
+      plugin<ObstaclePlugin, ConeOptions>(
+          "cone", "A cone or a frustum of one in space; requires a clearance.",
+          [](const ConeOptions& o, const BuildContext&) { return Obstacles{make_cone(o)}; }),
+      plugin<ObstaclePlugin, HalfSpaceOptions>(
+          "half_space", "All points behind a plane, such as the ground; requires a clearance.",
+          [](const HalfSpaceOptions& o, const BuildContext&) { return Obstacles{make_half_space(o)}; }),
       plugin<ObstaclePlugin, PolygonOptions>(
           "polygon", "A polygon in the plane, convex or not; requires a clearance.",
           [](const PolygonOptions& o, const BuildContext&) { return Obstacles{make_polygon(o)}; }),
@@ -288,6 +306,16 @@ const auto& obstacles() {
           [](const MeshObstacleOptions& o, const BuildContext& c) {
             return Obstacles{make_mesh_obstacle(o, c.folder)};
           })
+          .waiting(),
+      plugin<ObstaclePlugin, PointObstacleOptions>("points",
+                                                   "A point cloud in space: all places within a radius of a point.",
+                                                   [](const PointObstacleOptions& o, const BuildContext& c) {
+                                                     return Obstacles{make_point_obstacle(o, c.folder)};
+                                                   })
+          .waiting(),
+      plugin<ObstaclePlugin, PlanningSceneOptions>(
+          "scene", "The objects of a planning scene in space, from a file; requires a clearance.",
+          [](const PlanningSceneOptions& o, const BuildContext& c) { return read_planning_scene(o, c.folder, c.note); })
           .waiting(),
       plugin<ObstaclePlugin, GridObstacleOptions>(
           "distance_grid", "A signed distance on a regular grid in space; requires a clearance or a thickness.",

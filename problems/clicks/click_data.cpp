@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "problems/clicks/click_data.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 
 #include <leastcost/framework/cost/has_constant_metric.hpp>
 #include <leastcost/framework/domain/has_box.hpp>
@@ -37,7 +39,8 @@ ClickedMesh clicked(const TriangleMesh& mesh) {
   return out;
 }
 
-ClickedPlan clicked(const HasRounds& walls) {
+/// Nothing where an obstacle is a capsule: the page makes balls and polygons.
+std::optional<ClickedPlan> clicked(const HasRounds& walls) {
   constexpr double kFar = std::numeric_limits<double>::max();
   ClickedPlan out;
   int before = -1;
@@ -50,6 +53,7 @@ ClickedPlan clicked(const HasRounds& walls) {
     ++out.counts.back();
     out.corners.insert(out.corners.end(), {round.center[0], round.center[1]});
   }
+  if (std::count(out.counts.begin(), out.counts.end(), 2) > 0) return std::nullopt;
   const int obstacles = static_cast<int>(out.counts.size());
   if (obstacles <= kMostClickedObstacles) return out;
   out = {};
@@ -72,6 +76,7 @@ ClickData click_data(const Problem& problem) {
   const auto* discs = find_ability<HasRounds>(walled->walls());
   if (discs == nullptr) return out;
   out.plan = clicked(*discs);
+  if (!out.plan) return out;
   if (const auto* box = find_ability<HasBox>(domain)) {
     out.plan->lower = box->box_lower();
     out.plan->upper = box->box_upper();

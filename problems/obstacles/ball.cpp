@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/obstacles/meets_triangles.hpp>
@@ -16,9 +17,10 @@ namespace {
 
 class Ball final : public Obstacle, public MeetsTriangles {
  public:
-  explicit Ball(const BallOptions& options) : center_(options.center), radius_(options.radius) {}
+  Ball(const BallOptions& options, std::string name)
+      : name_(std::move(name)), center_(options.center), radius_(options.radius) {}
 
-  std::string name() const override { return "the ball at " + point_text(center_); }
+  std::string name() const override { return name_; }
   Box core_bounds() const override { return {center_, center_}; }
   double radius() const override { return radius_; }
   bool convex() const override { return true; }
@@ -48,6 +50,7 @@ class Ball final : public Obstacle, public MeetsTriangles {
  private:
   bool measures_triangles() const override { return center_.size() == 3; }
 
+  std::string name_;
   Vector center_;
   double radius_;
 };
@@ -60,12 +63,12 @@ void BallOptions::fields(FieldVisitor& visit) {
               {.help = "Radius.", .unit = "length", .minimum = 0, .exclusive_minimum = true, .required = true});
 }
 
-std::shared_ptr<const Obstacle> make_ball(const BallOptions& options) {
+std::shared_ptr<const Obstacle> make_ball(const BallOptions& options, const std::string& name) {
   if (options.center.size() == 0 || !options.center.allFinite())
     throw OptionError("center", "must be a point, with finite coordinates");
   if (!(options.radius > 0) || !std::isfinite(options.radius))
     throw OptionError("radius", "must be a number greater than 0");
-  return std::make_shared<Ball>(options);
+  return std::make_shared<Ball>(options, name.empty() ? "the ball at " + point_text(options.center) : name);
 }
 
 }  // namespace leastcost

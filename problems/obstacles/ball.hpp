@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <string>
 
 #include <leastcost/framework/base/options.hpp>
 #include <leastcost/problems/obstacles/obstacle.hpp>
@@ -17,7 +18,8 @@ struct BallOptions {
   void fields(FieldVisitor& visit);
 };
 
-/// Throws OptionError for a centre that is no point and a radius that is not positive.
-std::shared_ptr<const Obstacle> make_ball(const BallOptions& options);
+/// `name`: for messages; empty: by its place. Throws OptionError for a centre that is no point and a radius that is not
+/// positive.
+std::shared_ptr<const Obstacle> make_ball(const BallOptions& options, const std::string& name = {});
 
 }  // namespace leastcost

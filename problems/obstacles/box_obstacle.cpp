@@ -5,16 +5,24 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include <leastcost/framework/base/errors.hpp>
-#include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include "framework/base/point_text.hpp"
+#include "problems/obstacles/in_space.hpp"
+#include "problems/obstacles/posed_obstacle.hpp"
 #include "problems/obstacles/segment_tree.hpp"
 
 namespace leastcost {
 namespace {
+
+struct BoxCorners {
+  Eigen::VectorXd lower, upper;
+};
 
 /// Two triangles on each of the six sides.
 std::vector<SegmentTree::Triangle> sides_of(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper) {
@@ -33,19 +41,27 @@ std::vector<SegmentTree::Triangle> sides_of(const Eigen::Vector3d& lower, const 
   return all;
 }
 
-class BoxObstacle final : public Obstacle, public MeetsTriangles {
+class BoxObstacle final : public ConvexCore {
  public:
-  BoxObstacle(const BoxObstacleOptions& options, const BoxLook& look)
-      : look_(look), lower_(options.lower), upper_(options.upper) {
+  BoxObstacle(const BoxCorners& corners, std::string name, bool drawn)
+      : name_(std::move(name)), drawn_(drawn), lower_(corners.lower), upper_(corners.upper) {
     if (lower_.size() == 3) sides_.emplace(sides_of(lower_, upper_));
   }
 
-  std::string name() const override { return look_.name + " from " + point_text(lower_) + " to " + point_text(upper_); }
-  bool drawn() const override { return look_.drawn; }
+  std::string name() const override { return name_; }
+  bool drawn() const override { return drawn_; }
   Box core_bounds() const override { return {lower_, upper_}; }
   double radius() const override { return 0; }
-  bool convex() const override { return true; }
+  double support(const Vector& direction) const override {
+    return lower_.cwiseProduct(direction).cwiseMax(upper_.cwiseProduct(direction)).sum();
+  }
   Eigen::MatrixXd corners() const override {
+    if (lower_.size() == 3) {
+      Eigen::MatrixXd all(3, 8);
+      for (Eigen::Index k = 0; k < 8; ++k)
+        for (Eigen::Index i = 0; i < 3; ++i) all(i, k) = ((k >> i) & 1) != 0 ? upper_[i] : lower_[i];
+      return all;
+    }
     Eigen::MatrixXd all(2, 4);
     all << lower_[0], upper_[0], upper_[0], lower_[0], lower_[1], lower_[1], upper_[1], upper_[1];
     return all;
@@ -64,19 +80,35 @@ class BoxObstacle final : public Obstacle, public MeetsTriangles {
     return -std::min(to_lower, to_upper);
   }
 
+  double distance_of_segment(const Vector& a, const Vector& b, double& t) const override {
+    if (a.size() > 3) {
+      std::vector<double> bends(static_cast<std::size_t>(2 * a.size() + 2));
+      return least_along(a, b, bends, t);
+    }
+    std::array<double, 8> bends;
+    return least_along(a, b, bends, t);
+  }
+
+  double distance_of_triangle(const std::array<Eigen::Vector3d, 3>& corners, Eigen::Vector3d& nearest) const override {
+    nearest = corners[0];
+    if ((nearest.array() >= lower_.array()).all() && (nearest.array() <= upper_.array()).all()) return 0;
+    return sides_->distance(corners, nearest);
+  }
+
+ private:
+  bool measures_triangles() const override { return sides_.has_value(); }
+
   /// The square of the distance is convex in t and a parabola between the places where the segment meets the planes of
   /// the sides: its slope is followed from one to the next, to where it changes its sign.
-  double distance_of_segment(const Vector& a, const Vector& b, double& t) const override {
-    std::vector<double> bends;
-    bends.reserve(static_cast<std::size_t>(2 * a.size() + 2));
-    bends.push_back(0);
-    bends.push_back(1);
+  double least_along(const Vector& a, const Vector& b, std::span<double> bends, double& t) const {
+    std::size_t count = 0;
+    bends[count++] = 0;
     for (Eigen::Index i = 0; i < a.size(); ++i)
-      for (const double side : {lower_[i], upper_[i]}) {
-        const double bend = (side - a[i]) / (b[i] - a[i]);
-        if (bend > 0 && bend < 1) bends.push_back(bend);
-      }
-    std::sort(bends.begin(), bends.end());
+      for (const double side : {lower_[i], upper_[i]})
+        if ((a[i] < side && side < b[i]) || (b[i] < side && side < a[i]))
+          bends[count++] = std::min(1.0, (side - a[i]) / (b[i] - a[i]));
+    bends[count++] = 1;
+    std::sort(bends.begin(), bends.begin() + static_cast<std::ptrdiff_t>(count));
     const auto slope = [&](double at) {
       double sum = 0;
       for (Eigen::Index i = 0; i < a.size(); ++i) sum += outside(a, b, at, i) * (b[i] - a[i]);
@@ -85,7 +117,7 @@ class BoxObstacle final : public Obstacle, public MeetsTriangles {
     t = 1;
     double left = slope(0);
     if (left >= 0) t = 0;
-    for (std::size_t k = 1; t == 1 && k < bends.size(); ++k) {
+    for (std::size_t k = 1; t == 1 && k < count; ++k) {
       const double right = slope(bends[k]);
       if (right >= 0) {
         const double share = right > left ? -left / (right - left) : 0;
@@ -99,34 +131,29 @@ class BoxObstacle final : public Obstacle, public MeetsTriangles {
     return std::sqrt(square);
   }
 
-  double distance_of_triangle(const std::array<Eigen::Vector3d, 3>& corners, Eigen::Vector3d& nearest) const override {
-    nearest = corners[0];
-    if ((nearest.array() >= lower_.array()).all() && (nearest.array() <= upper_.array()).all()) return 0;
-    return sides_->distance(corners, nearest);
-  }
-
- private:
-  bool measures_triangles() const override { return sides_.has_value(); }
-
   /// How far a place on the way from a to b is off the box, along one axis.
   double outside(const Vector& a, const Vector& b, double t, Eigen::Index i) const {
     const double x = a[i] + t * (b[i] - a[i]);
     return x - std::min(std::max(x, lower_[i]), upper_[i]);
   }
 
-  BoxLook look_;
+  std::string name_;
+  bool drawn_;
   Vector lower_, upper_;
   std::optional<SegmentTree> sides_ = {};  ///< in space
 };
 
-}  // namespace
-
-void BoxObstacleOptions::fields(FieldVisitor& visit) {
-  visit.field("lower", lower, {.help = "Corner with the smallest coordinates.", .unit = "length", .required = true});
-  visit.field("upper", upper, {.help = "Corner with the largest coordinates.", .unit = "length", .required = true});
-}
-
-std::shared_ptr<const Obstacle> make_box_obstacle(const BoxObstacleOptions& options, const BoxLook& look) {
+/// In the frame of the box.
+BoxCorners corners_of(const BoxObstacleOptions& options) {
+  if (options.size.size() > 0) {
+    if (options.lower.size() > 0 || options.upper.size() > 0)
+      throw OptionError("size", "goes without lower and upper: a box has either");
+    if (!options.size.allFinite() || !(options.size.array() >= 0).all())
+      throw OptionError("size", "must be finite numbers, at least 0");
+    return {-options.size / 2, options.size / 2};
+  }
+  if (options.lower.size() == 0 && options.upper.size() == 0)
+    throw OptionError("lower", "is missing: a box has lower and upper, its corners, or size, its edges");
   if (options.lower.size() == 0 || !options.lower.allFinite())
     throw OptionError("lower", "must be a point, with finite coordinates");
   if (options.upper.size() != options.lower.size() || !options.upper.allFinite())
@@ -134,7 +161,47 @@ std::shared_ptr<const Obstacle> make_box_obstacle(const BoxObstacleOptions& opti
                                    "), all of them finite");
   if (!(options.lower.array() <= options.upper.array()).all())
     throw OptionError("upper", "must not be below lower in any coordinate");
-  return std::make_shared<BoxObstacle>(options, look);
+  return {options.lower, options.upper};
+}
+
+bool is_given(const ShapePose& pose) {
+  return pose.position.size() > 0 || pose.rpy.size() > 0 || pose.quaternion.size() > 0 || pose.rotation.size() > 0 ||
+         pose.angle;
+}
+
+}  // namespace
+
+void BoxObstacleOptions::fields(FieldVisitor& visit) {
+  visit.field("lower", lower, {.help = "Corner with the smallest coordinates, with upper.", .unit = "length"});
+  visit.field("upper", upper, {.help = "Corner with the largest coordinates.", .unit = "length"});
+  visit.field("size", size,
+              {.help = "Edge lengths, in place of lower and upper: the origin is in its middle.", .unit = "length"});
+  visit_pose(visit, pose);
+}
+
+/// One that is only moved needs no frame of its own.
+std::shared_ptr<const Obstacle> make_box_obstacle(const BoxObstacleOptions& options, const BoxLook& look) {
+  BoxCorners corners = corners_of(options);
+  const Eigen::Index d = corners.lower.size();
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  if (is_given(options.pose)) {
+    if (d != 2 && d != 3) throw OptionError("pose", "is for boxes in the plane and in space");
+    pose = pose_of(options.pose, d);
+  }
+  const bool turned = !pose.linear().isIdentity(0);
+  if (!turned && is_given(options.pose)) {
+    corners.lower += pose.translation().head(d);
+    corners.upper += pose.translation().head(d);
+  }
+  std::string name = look.name;
+  if (look.with_place && turned)
+    name += " of size " + point_text(corners.upper - corners.lower) + " at " +
+            point_text((pose * in_space((corners.lower + corners.upper) / 2)).head(d));
+  else if (look.with_place)
+    name += " from " + point_text(corners.lower) + " to " + point_text(corners.upper);
+  auto box = std::make_shared<const BoxObstacle>(corners, name, look.drawn);
+  if (!turned) return box;
+  return std::make_shared<PosedObstacle>(std::move(box), pose, name);
 }
 
 }  // namespace leastcost

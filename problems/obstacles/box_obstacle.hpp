@@ -8,20 +8,25 @@
 
 #include <leastcost/framework/base/options.hpp>
 #include <leastcost/problems/obstacles/obstacle.hpp>
+#include <leastcost/problems/obstacles/shape_pose.hpp>
 
 namespace leastcost {
 
-/// A box with sides along the axes, in the plane a rectangle. Its corners are sharp: it asks for a clearance.
+/// A box, in the plane a rectangle: in its frame with sides along the axes, between two corners or around the origin.
+/// Its corners are sharp: it asks for a clearance.
 struct BoxObstacleOptions {
   Eigen::VectorXd lower = {};
   Eigen::VectorXd upper = {};
+  Eigen::VectorXd size = {};  ///< its edges, in place of the corners
+  ShapePose pose = {};        ///< in the plane and in space
   void fields(FieldVisitor& visit);
 };
 
-/// What a box is called in messages, before its corners, and whether pictures show it.
+/// What a box is called in messages, and whether pictures show it.
 struct BoxLook {
   std::string name = "the box";
   bool drawn = true;
+  bool with_place = true;  ///< where it is follows its name
 };
 
 /// Throws OptionError where the corners do not fit or the box is empty.

@@ -16,12 +16,15 @@ namespace {
 
 namespace bg = boost::geometry;
 
+bool is_finite(const BroadPhase::Box& box) { return box.min().allFinite() && box.max().allFinite(); }
+
 template <std::size_t D>
 class BoxTree {
  public:
   using Point = bg::model::point<double, D, bg::cs::cartesian>;
   using Value = std::pair<bg::model::box<Point>, int>;
 
+  /// Of the finite ones.
   explicit BoxTree(const std::vector<BroadPhase::Box>& boxes) : tree_(values(boxes)) {}
 
   void meeting(const BroadPhase::Box& box, std::vector<int>& found) const {
@@ -40,7 +43,8 @@ class BoxTree {
   static std::vector<Value> values(const std::vector<BroadPhase::Box>& boxes) {
     std::vector<Value> all;
     all.reserve(boxes.size());
-    for (const BroadPhase::Box& box : boxes) all.emplace_back(of(box), static_cast<int>(all.size()));
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      if (is_finite(boxes[i])) all.emplace_back(of(boxes[i]), static_cast<int>(i));
     return all;
   }
 
@@ -60,12 +64,14 @@ BroadPhase::BroadPhase(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
   if (dimension == 2) tree->plane.emplace(boxes_);
   if (dimension == 3) tree->space.emplace(boxes_);
   tree_ = std::move(tree);
+  for (std::size_t i = 0; i < boxes_.size() && (tree_->plane || tree_->space); ++i)
+    if (!is_finite(boxes_[i])) everywhere_.push_back(static_cast<int>(i));
 }
 
 BroadPhase::~BroadPhase() = default;
 
 void BroadPhase::meeting(const Box& box, std::vector<int>& found) const {
-  found.clear();
+  found = everywhere_;
   if (tree_->plane) {
     tree_->plane->meeting(box, found);
   } else if (tree_->space) {

@@ -14,7 +14,7 @@ class BroadPhase {
  public:
   using Box = Eigen::AlignedBox<double, Eigen::Dynamic>;
 
-  /// Boxes of one dimension.
+  /// Boxes of one dimension; one that is infinite meets all.
   explicit BroadPhase(std::vector<Box> boxes);
   ~BroadPhase();
   BroadPhase(const BroadPhase&) = delete;
@@ -26,6 +26,7 @@ class BroadPhase {
  private:
   struct Tree;
   std::vector<Box> boxes_;
+  std::vector<int> everywhere_;  ///< the infinite ones
   std::unique_ptr<const Tree> tree_;
 };
 

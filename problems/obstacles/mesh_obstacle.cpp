@@ -44,12 +44,8 @@ std::string why_hollow(const TriangleMesh& mesh, const FaceOrientation& orientat
 
 class MeshObstacle final : public Obstacle, public MeetsTriangles {
  public:
-  MeshObstacle(const TriangleMesh& mesh, MeshInside inside, double radius)
-      : name_("the mesh " + std::filesystem::path(mesh.source()).filename().string()),
-        radius_(radius),
-        box_(3),
-        nearest_(mesh),
-        segments_(triangles_of(mesh)) {
+  MeshObstacle(const TriangleMesh& mesh, MeshInside inside, double radius, std::string name)
+      : name_(std::move(name)), radius_(radius), box_(3), nearest_(mesh), segments_(triangles_of(mesh)) {
     for (const Vector3d& p : mesh.positions()) box_.extend(Vector(p));
     for (std::int32_t f = 0; f < mesh.face_count(); ++f) normals_.push_back(mesh.face_normal(f));
     if (inside == MeshInside::surface) return;
@@ -139,12 +135,14 @@ void MeshObstacleOptions::fields(FieldVisitor& visit) {
   visit.field("translation", translation, {.help = "Translation, applied last.", .unit = "length"});
 }
 
-std::shared_ptr<const Obstacle> make_mesh_obstacle(const TriangleMesh& mesh, MeshInside inside, double radius) {
-  return std::make_shared<MeshObstacle>(mesh, inside, radius);
+std::shared_ptr<const Obstacle> make_mesh_obstacle(const TriangleMesh& mesh, MeshInside inside, double radius,
+                                                   const std::string& name) {
+  const std::string by_file = "the mesh " + std::filesystem::path(mesh.source()).filename().string();
+  return std::make_shared<MeshObstacle>(mesh, inside, radius, name.empty() ? by_file : name);
 }
 
 std::shared_ptr<const Obstacle> make_mesh_obstacle(const MeshObstacleOptions& options,
-                                                   const std::filesystem::path& folder) {
+                                                   const std::filesystem::path& folder, const std::string& name) {
   const Vector3d turn = three("rotation", options.rotation), move = three("translation", options.translation);
   if (!(options.radius >= 0) || !std::isfinite(options.radius))
     throw OptionError("radius", "must be a number, at least 0");
@@ -156,7 +154,7 @@ std::shared_ptr<const Obstacle> make_mesh_obstacle(const MeshObstacleOptions& op
       angle > 0 ? Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix() : Eigen::Matrix3d::Identity().eval();
   for (Vector3d& p : soup.positions) p = rotation * (options.scale * p) + move;
   return make_mesh_obstacle(TriangleMesh(soup, {options.weld, 0, options.scale * options.weld_within}), options.inside,
-                            options.radius);
+                            options.radius, name);
 }
 
 }  // namespace leastcost

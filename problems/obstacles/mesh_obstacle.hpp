@@ -32,11 +32,13 @@ struct MeshObstacleOptions {
 
 /// A mesh as it is, with distances that are exact to rounding. A solid one has an inside where its winding number is
 /// not 0, faces that disagree with their neighbours turned first; a path there is in it. Throws InputError where it is
-/// to be solid and has borders, edges with more than two faces, or one side only.
-std::shared_ptr<const Obstacle> make_mesh_obstacle(const TriangleMesh& mesh, MeshInside inside, double radius);
+/// to be solid and has borders, edges with more than two faces, or one side only. `name`: for messages; empty: by its
+/// file.
+std::shared_ptr<const Obstacle> make_mesh_obstacle(const TriangleMesh& mesh, MeshInside inside, double radius,
+                                                   const std::string& name = {});
 
 /// Reads (relative to `folder`) and places it. Throws OptionError, InputError.
 std::shared_ptr<const Obstacle> make_mesh_obstacle(const MeshObstacleOptions& options,
-                                                   const std::filesystem::path& folder);
+                                                   const std::filesystem::path& folder, const std::string& name = {});
 
 }  // namespace leastcost

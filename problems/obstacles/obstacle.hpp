@@ -18,14 +18,15 @@ class Obstacle : public HasAbilities<Obstacle> {
 
   /// For messages: "the ball at (1, 2)".
   virtual std::string name() const = 0;
-  /// The box of the core; its dimension is that of the space.
+  /// The box of the core; its dimension is that of the space. Infinite on all sides around a half-space.
   virtual Box core_bounds() const = 0;
   virtual double radius() const = 0;
   /// Whether the core is known to be convex.
   virtual bool convex() const { return false; }
   /// Whether pictures show it; else something else of the domain does.
   virtual bool drawn() const { return true; }
-  /// Corners of the core in the plane, 2 x m, counterclockwise (one: a point).
+  /// Corners of the core in the plane, 2 x m, counterclockwise (one: a point; none: a half-space). In space, for
+  /// pictures: points whose hull looks like the core, 3 x m; none: as its box does.
   virtual Eigen::MatrixXd corners() const = 0;
   /// Distance of x from the core, negative within it, and its derivative: the direction in which it grows fastest, of
   /// length one. What is sampled may say less than the distance, nowhere more, and grow at a rate of less than one.

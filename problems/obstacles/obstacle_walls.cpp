@@ -48,7 +48,14 @@ ObstacleWalls::ObstacleWalls(Eigen::Index dimension, Obstacles obstacles, double
     const double r = obstacle->radius() + clearance_;
     boxes.push_back(around(core.min(), core.max(), r));
     least_required_ = std::min(least_required_, r);
-    size_ = std::max({size_, core.min().cwiseAbs().maxCoeff(), core.max().cwiseAbs().maxCoeff(), r});
+    size_ = std::max(size_, r);
+    if (!core.min().allFinite() || !core.max().allFinite()) {
+      Vector away(dimension_);
+      size_ = std::max(size_, std::abs(obstacle->distance(Vector::Zero(dimension_), away)));
+      bounded_ = false;
+      continue;
+    }
+    size_ = std::max({size_, core.min().cwiseAbs().maxCoeff(), core.max().cwiseAbs().maxCoeff()});
   }
   tree_ = std::make_unique<const BroadPhase>(std::move(boxes));
 }
@@ -91,6 +98,15 @@ double ObstacleWalls::room(const Vector& a, const Vector& b, double reach) const
   return room;
 }
 
+/// How deep a move that meets a core goes into it, at most: as deep as that is wide; into a half-space, as deep as the
+/// deeper of its ends.
+double ObstacleWalls::depth(int i, const Vector& a, const Vector& b) const {
+  const double width = obstacle(i).core_bounds().diagonal().norm();
+  if (std::isfinite(width)) return width;
+  Vector away(a.size());
+  return std::max(-obstacle(i).distance(a, away), -obstacle(i).distance(b, away));
+}
+
 MoveClearance ObstacleWalls::clearance(const Vector& a, const Vector& b) const {
   MoveClearance least;
   least.lower = least.upper = kInfinity;
@@ -112,11 +128,11 @@ MoveClearance ObstacleWalls::clearance(const Vector& a, const Vector& b) const {
     // required that is no rounding.
     if (from_core <= 0 && a == b) {
       Vector away(a.size());
-      const double depth = std::max(-width(i), obstacle(i).distance(a, away)) - required(i);
+      const double depth = std::max(-this->depth(i, a, b), obstacle(i).distance(a, away)) - required(i);
       if (depth < least.upper) least = {depth - kOfCoordinates * (size + required(i)), depth, i, a};
       continue;
     }
-    const double distance = (from_core > 0 ? from_core : -width(i)) - required(i);
+    const double distance = (from_core > 0 ? from_core : -depth(i, a, b)) - required(i);
     if (distance >= least.upper) continue;
     least = {distance - kOfCoordinates * (size + required(i)), distance, i, a + t * (b - a)};
   }

@@ -40,16 +40,17 @@ class ObstacleWalls final : public Walls,
   void draw(const DrawnPaths& paths, Drawing& out) const override;
 
  private:
-  bool has_rounds() const override { return dimension_ == 2; }
+  bool has_rounds() const override { return dimension_ == 2 && bounded_; }
   const Obstacle& obstacle(int i) const { return *obstacles_[static_cast<std::size_t>(i)]; }
   double required(int i) const { return obstacle(i).radius() + clearance_; }
-  double width(int i) const { return obstacle(i).core_bounds().diagonal().norm(); }
+  double depth(int i, const Vector& a, const Vector& b) const;
 
   Eigen::Index dimension_;
   Obstacles obstacles_;
   double clearance_;
   double least_required_;
   double size_ = 0;
+  bool bounded_ = true;                     ///< all of them
   std::unique_ptr<const BroadPhase> tree_;  ///< of what is required
 };
 

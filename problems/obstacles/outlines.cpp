@@ -35,7 +35,7 @@ Points outline(const Eigen::MatrixXd& corners, double off) {
       arc(corners.col(0), 0, 2 * std::numbers::pi);
     } else {
       const double before = normal(i + m - 1), turn = std::remainder(normal(i) - before, 2 * std::numbers::pi);
-      arc(corners.col(i), before, turn);
+      arc(corners.col(i), before, m == 2 ? std::numbers::pi : turn);  // half round the ends of a segment
     }
   }
   points.push_back(points.front());
@@ -54,9 +54,11 @@ void draw_outlines(const std::vector<std::shared_ptr<const Obstacle>>& obstacles
   }
   std::size_t count = 0;
   for (const auto& obstacle : obstacles) {
-    if (!obstacle->drawn() || ++count > kMost) continue;
-    out.obstacles.push_back(outline(obstacle->corners(), obstacle->radius()));
-    if (clearance > 0) out.margins.push_back(outline(obstacle->corners(), obstacle->radius() + clearance));
+    const Eigen::MatrixXd corners = obstacle->corners();
+    if (corners.cols() == 0) out.notes.push_back(obstacle->name() + " is not drawn");
+    if (corners.cols() == 0 || !obstacle->drawn() || ++count > kMost) continue;
+    out.obstacles.push_back(outline(corners, obstacle->radius()));
+    if (clearance > 0) out.margins.push_back(outline(corners, obstacle->radius() + clearance));
   }
   if (count > kMost)
     out.notes.push_back("of " + std::to_string(count) + " obstacles " + std::to_string(kMost) + " are drawn");

@@ -68,6 +68,8 @@ Points outline_of(const Obstacle& obstacle, int space) {
   if (space == 2) {
     const Eigen::MatrixXd all = obstacle.corners();
     for (const auto corner : all.colwise()) corners.emplace_back(corner);
+  } else if (const Eigen::MatrixXd all = obstacle.corners(); all.rows() == 3) {
+    for (const auto corner : all.colwise()) corners.push_back(projected(Eigen::Vector3d(corner), space));
   } else {
     for (int k = 0; k < 8; ++k)
       corners.push_back(projected({(k & 1 ? core.max() : core.min())[0], (k & 2 ? core.max() : core.min())[1],
@@ -98,7 +100,8 @@ PoseStrip robot_strip(const Robot& robot, const std::vector<std::shared_ptr<cons
   const int space = robot.kinematics->space();
   PoseStrip strip;
   for (std::size_t i = 0; i < std::min(kMostDrawn, obstacles.size()); ++i)
-    strip.obstacles.push_back(outline_of(*obstacles[i], space));
+    if (std::isfinite(obstacles[i]->core_bounds().diagonal().norm()))  // a half-space is everywhere
+      strip.obstacles.push_back(outline_of(*obstacles[i], space));
   RobotPose pose;
   for (int k = 0; k < kPosesOfStrip; ++k) {
     pose.place(robot, at_part(configurations, static_cast<double>(k) / (kPosesOfStrip - 1)));

@@ -203,7 +203,11 @@ void RobotWalls::add_obstacles(Obstacles obstacles, double clearance) {
     box.upper.head(space) = core.max();
     boxes_.push_back(box);
     required_.push_back(obstacles_[i]->radius() + clearance);
-    size_ = std::max({size_, box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff(), required_.back()});
+    size_ = std::max(size_, required_.back());
+    Vector away(space);
+    size_ = std::max(size_, box.lower.allFinite() && box.upper.allFinite()
+                                ? std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff())
+                                : std::abs(obstacles_[i]->distance(Vector::Zero(space), away)));
   }
 }
 

@@ -11,14 +11,21 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
+#include <leastcost/problems/obstacles/capsule_obstacle.hpp>
+#include <leastcost/problems/obstacles/cone.hpp>
+#include <leastcost/problems/obstacles/cylinder.hpp>
 #include <leastcost/problems/obstacles/grid_obstacle.hpp>
+#include <leastcost/problems/obstacles/half_space.hpp>
 #include <leastcost/problems/obstacles/map_obstacles.hpp>
 #include <leastcost/problems/obstacles/mesh_obstacle.hpp>
+#include <leastcost/problems/obstacles/point_obstacle.hpp>
 #include <leastcost/problems/obstacles/polygon.hpp>
 #include <leastcost/problems/obstacles/raster_obstacles.hpp>
+#include "catalogue/inputs/planning_scene.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/problems/sample_rasters.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/data.hpp"
 
 namespace leastcost {
 namespace {
@@ -111,6 +118,47 @@ TEST_CASE("obstacle contract: ball") {
 TEST_CASE("obstacle contract: box") {
   check_obstacle(*make_box_obstacle({Vector2d(-1, -0.5), Vector2d(0.5, 1)}));
   check_obstacle(*make_box_obstacle({Vector3d(-1, -0.5, 0), Vector3d(0.5, 1, 0.2)}));
+}
+
+TEST_CASE("obstacle contract: box, turned") {
+  check_obstacle(*make_box_obstacle({.size = Vector2d(1, 2), .pose = {.position = Vector2d(0.3, 1), .angle = 0.7}}));
+  check_obstacle(*make_box_obstacle(
+      {.size = Vector3d(1, 2, 0.5), .pose = {.position = Vector3d(0.3, 1, 0), .rpy = Vector3d(0.5, -1, 2)}}));
+}
+
+TEST_CASE("obstacle contract: capsule") {
+  check_obstacle(*make_capsule({Vector2d(-1, 0.5), Vector2d(1, 0.7), 0.2}));
+  check_obstacle(*make_capsule({Vector3d(-1, 0.5, 0), Vector3d(1, 0.7, 1), 0.2}));
+}
+
+TEST_CASE("obstacle contract: cylinder") {
+  check_obstacle(*make_cylinder({0.6, 1.5, {.position = Vector3d(0.2, 0.4, -0.1), .rpy = Vector3d(0.3, 0.9, 0)}}));
+}
+
+TEST_CASE("obstacle contract: cone") {
+  check_obstacle(*make_cone({0.9, 1.5, 0, {.rpy = Vector3d(0.3, 0.9, 0)}}));
+  check_obstacle(*make_cone({0.9, 1.5, 0.3, {.rotation = Vector3d(0.3, 0.9, 0)}}));
+  check_obstacle(*make_cone({0.2, 1, 0.8, {.quaternion = Eigen::Vector4d(1, 1, 0, 0)}}));  // wider at its top
+}
+
+TEST_CASE("obstacle contract: half_space") {
+  check_obstacle(*make_half_space({Vector2d(1, 2), 0.3}));
+  check_obstacle(*make_half_space({Vector3d(1, -2, 0.5), -0.3}));
+}
+
+TEST_CASE("obstacle contract: points") {
+  check_obstacle(*make_point_obstacle(test::sphere(2).positions, 0.1, "the points"));
+}
+
+/// Its objects are obstacles of the kinds above, in places and with names of their own.
+TEST_CASE("obstacle contract: scene") {
+  PlanningSceneOptions options;
+  options.file = "configs/data/shelf.yaml";
+  const auto all = read_planning_scene(options, test::project_dir(), {});
+  REQUIRE(all.size() == 7);
+  CHECK(all[0]->name() == "the box 'board_low'");
+  CHECK(all[6]->name() == "the cylinder 'can'");
+  for (const auto& obstacle : all) check_obstacle(*obstacle);
 }
 
 TEST_CASE("obstacle contract: polygon") {

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Geometry>
+#include <memory>
+#include <string>
+
+#include "problems/obstacles/convex_core.hpp"
+
+namespace leastcost {
+
+/// A core in the plane or in space, turned and moved. Places are taken into its frame, where it is asked for distances:
+/// a turned box takes as long as one along the axes.
+class PosedObstacle final : public Obstacle, public MeetsTriangles {
+ public:
+  /// In the plane the pose is one about the z axis. `name`: for messages.
+  PosedObstacle(std::shared_ptr<const ConvexCore> core, const Eigen::Isometry3d& pose, std::string name);
+
+  std::string name() const override { return name_; }
+  Box core_bounds() const override { return bounds_; }
+  double radius() const override { return core_->radius(); }
+  bool convex() const override { return true; }
+  bool drawn() const override { return core_->drawn(); }
+  Eigen::MatrixXd corners() const override;
+  double distance(const Vector& x, Eigen::Ref<Vector> away) const override;
+  double distance_of_segment(const Vector& a, const Vector& b, double& t) const override;
+  double distance_of_triangle(const std::array<Eigen::Vector3d, 3>& corners, Eigen::Vector3d& nearest) const override;
+
+ private:
+  bool measures_triangles() const override { return core_->present(); }
+  void to_own(const Vector& x, Vector& own) const;
+
+  std::shared_ptr<const ConvexCore> core_;
+  Eigen::Matrix3d turn_;
+  Eigen::Vector3d position_;
+  std::string name_;
+  Box bounds_;
+};
+
+}  // namespace leastcost
