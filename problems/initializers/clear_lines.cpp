@@ -29,10 +29,32 @@ double length(Places::const_iterator from, Places::const_iterator to) {
 ClearLines::ClearLines(const Problem& problem, double step)
     : problem_(problem),
       obstacles_(find_ability<ChecksMoves>(*problem.manifold)),
+      box_(find_ability<HasBox>(*problem.manifold)),
       step_(step),
-      lines_(*problem.manifold) {}
+      lines_(*problem.manifold) {
+  if (box_ != nullptr || find_ability<HasBounds>(*problem.manifold) == nullptr)
+    decides_ = find_ability<DecidesMoves>(*problem.manifold);
+}
+
+/// Among quick obstacles a place is not pushed out of them: there will be others.
+std::optional<Place> ClearLines::nearest(const Place& x) {
+  if (!quick()) return lines_.nearest(x);
+  return box_ != nullptr ? Place(x.cwiseMax(box_->box_lower()).cwiseMin(box_->box_upper())) : x;
+}
+
+/// The domain is flat, and convex: a box.
+bool ClearLines::append_straight(const Place& a, const Place& b, Places& out) {
+  const int pieces = std::max(1, static_cast<int>(std::ceil(kPiecesOfStep * (b - a).norm() / step_)));
+  for (int k = 1; k <= pieces; ++k) {
+    const double t = static_cast<double>(k) / pieces;
+    out.push_back(k < pieces ? Place((1 - t) * a + t * b) : b);
+    if (!std::isfinite(move_cost(*problem_.cost, k > 1 ? out[out.size() - 2] : a, out.back()))) return false;
+  }
+  return decides_->clears(a, b);
+}
 
 bool ClearLines::append(const Place& a, const Place& b, std::vector<Place>& out) {
+  if (quick()) return append_straight(a, b, out);
   const double distance = (b - a).norm();
   const int pieces = std::max(1, static_cast<int>(std::ceil(kPiecesOfStep * distance / step_)));
   if (!lines_.append(a, b, pieces, kLongestPiece * step_ / kPiecesOfStep, out)) return false;

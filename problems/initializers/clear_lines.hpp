@@ -8,7 +8,9 @@
 
 #include <leastcost/framework/base/monitor.hpp>
 #include <leastcost/framework/domain/checks_moves.hpp>
+#include <leastcost/framework/domain/has_box.hpp>
 #include <leastcost/framework/problem/problem.hpp>
+#include <leastcost/problems/methods/decides_moves.hpp>
 #include "problems/section/projected_line.hpp"
 
 namespace leastcost {
@@ -21,7 +23,9 @@ class ClearLines {
   ClearLines(const Problem& problem, double step);
 
   /// The nearest point of the domain, if there is one.
-  std::optional<Eigen::VectorXd> nearest(const Eigen::VectorXd& x) { return lines_.nearest(x); }
+  std::optional<Eigen::VectorXd> nearest(const Eigen::VectorXd& x);
+  /// Whether the domain is flat and its obstacles tell quickly whether a whole line is clear.
+  bool quick() const { return decides_ != nullptr; }
   /// The projection of a -> b into `out`, which is empty, without that of a; false where there is no continuous one,
   /// its cost is infinite or an obstacle is in the way.
   bool append(const Eigen::VectorXd& a, const Eigen::VectorXd& b, std::vector<Eigen::VectorXd>& out);
@@ -33,8 +37,12 @@ class ClearLines {
                                          const Monitor& monitor);
 
  private:
+  bool append_straight(const Eigen::VectorXd& a, const Eigen::VectorXd& b, std::vector<Eigen::VectorXd>& out);
+
   const Problem& problem_;
   const ChecksMoves* obstacles_;
+  const DecidesMoves* decides_ = nullptr;
+  const HasBox* box_;
   double step_;
   LineProjector lines_;
   std::vector<Eigen::VectorXd> line_;

@@ -46,6 +46,8 @@ RandomTrees::RandomTrees(const Problem& problem, const RrtOptions& options, std:
   around_trees_ = around_ends_;
   if (const auto* domain = find_ability<HasSampleBox>(*problem.manifold))
     of_use_ = domain->sample_box(problem.source.u, problem.target.u);
+  else if (const auto* box = lines_.quick() ? find_ability<HasBox>(*problem.manifold) : nullptr)
+    of_use_ = {box->box_lower(), box->box_upper()};
 }
 
 /// The box of the ellipsoid whose foci are the ends (Gammell, Srinivasa and Barfoot 2014, informed RRT*).

@@ -11,6 +11,7 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include "framework/base/point_text.hpp"
+#include "problems/obstacles/core_box.hpp"
 #include "problems/obstacles/segment_tree.hpp"
 
 namespace leastcost {
@@ -33,7 +34,7 @@ std::vector<SegmentTree::Triangle> sides_of(const Eigen::Vector3d& lower, const 
   return all;
 }
 
-class BoxObstacle final : public Obstacle, public MeetsTriangles {
+class BoxObstacle final : public Obstacle, public MeetsTriangles, public HasCoreBox {
  public:
   BoxObstacle(const BoxObstacleOptions& options, const BoxLook& look)
       : look_(look), lower_(options.lower), upper_(options.upper) {
@@ -105,7 +106,15 @@ class BoxObstacle final : public Obstacle, public MeetsTriangles {
     return sides_->distance(corners, nearest);
   }
 
+  OrientedBox core_box() const override {
+    OrientedBox box;
+    box.center.head(lower_.size()) = (lower_ + upper_) / 2;
+    box.half.head(lower_.size()) = (upper_ - lower_) / 2;
+    return box;
+  }
+
  private:
+  bool has_core_box() const override { return lower_.size() <= 3; }
   bool measures_triangles() const override { return sides_.has_value(); }
 
   /// How far a place on the way from a to b is off the box, along one axis.
