@@ -87,8 +87,7 @@ inline void add_spheres(const std::vector<std::pair<Vector3d, double>>& spheres,
       if (first == i || radius != spheres[first].second) return false;
       const Vector3d last = x - spheres[i - 1].first;
       const Vector3d all_way = x - spheres[first].first;
-      return last.norm() <= 2 * radius && last.dot(all_way) > 0 &&
-             last.cross(all_way).norm() < 1e-6 * all_way.norm();
+      return last.norm() <= 2 * radius && last.dot(all_way) > 0 && last.cross(all_way).norm() < 1e-6 * all_way.norm();
     };
     if (straight()) {
       all.back().to = x;

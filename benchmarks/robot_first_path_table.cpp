@@ -33,12 +33,12 @@ namespace {
 
 using namespace leastcost;
 
-constexpr double kClearance = 1e-4;    ///< m
-constexpr double kLookEvery = 0.004;   ///< rad
-constexpr double kTouches = 1e-7;      ///< rad: gaps below minus this are collisions
-constexpr double kMostSeconds = 20;    ///< of OMPL
-constexpr double kOmplRange = 1;       ///< rad
-constexpr double kOmplChecks = 0.03;   ///< rad
+constexpr double kClearance = 1e-4;   ///< m
+constexpr double kLookEvery = 0.004;  ///< rad
+constexpr double kTouches = 1e-7;     ///< rad: gaps below minus this are collisions
+constexpr double kMostSeconds = 20;   ///< of OMPL
+constexpr double kOmplRange = 1;      ///< rad
+constexpr double kOmplChecks = 0.03;  ///< rad
 
 double thread_seconds() {
   timespec t{};
@@ -96,8 +96,8 @@ Points points_of(og::PathGeometric& path) {
   return out;
 }
 
-void plan_with_ompl(const bench::MbmProblem& problem, const Robot& robot, const std::shared_ptr<const RobotWalls>& walls,
-                    Row& plain, Row& simplified) {
+void plan_with_ompl(const bench::MbmProblem& problem, const Robot& robot,
+                    const std::shared_ptr<const RobotWalls>& walls, Row& plain, Row& simplified) {
   const auto space = std::make_shared<ob::RealVectorStateSpace>(7);
   ob::RealVectorBounds bounds(7);
   for (unsigned j = 0; j < 7; ++j) {
@@ -170,8 +170,8 @@ int main(int count, char** arguments) {
     }
     Problem problem;
     problem.manifold = std::make_shared<const FreeSpace>(
-        std::make_shared<const EuclideanManifold>(EuclideanManifoldOptions{
-            .dimension = 7, .box = {robot->kinematics->lower(), robot->kinematics->upper()}}),
+        std::make_shared<const EuclideanManifold>(
+            EuclideanManifoldOptions{.dimension = 7, .box = {robot->kinematics->lower(), robot->kinematics->upper()}}),
         walls);
     problem.cost = make_euclidean_cost(7);
     problem.kernel = make_kernel<Expm1Square>();
@@ -195,7 +195,9 @@ int main(int count, char** arguments) {
 #endif
   }
   std::printf("%d problems without free ends\n", no_ends);
-  std::printf("| method, CPU [ms]             | runs | none | touch|   median |      p95 |    worst |     mean | length |    p95 |\n");
+  std::printf(
+      "| method, CPU [ms]             | runs | none | touch|   median |      p95 |    worst |     mean | length |    "
+      "p95 |\n");
   rrt.print("rrt");
   for (const auto& [scenario, row] : by_scenario) row.print(("  " + scenario).c_str());
   if (with_ompl && !plain.seconds.empty()) {

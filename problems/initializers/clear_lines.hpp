@@ -32,12 +32,19 @@ class ClearLines {
   bool is_clear(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
 
   /// The path through `nodes` on the domain, from which `tries` random shortcuts leave out what lies between two of its
-  /// points whose line is shorter; fewer where the monitor says stop. Throws Interrupted after its deadline.
-  std::vector<Eigen::VectorXd> shortened(const std::vector<Eigen::VectorXd>& nodes, int tries, std::mt19937_64& engine,
-                                         const Monitor& monitor);
+  /// points whose line is shorter; fewer where the monitor says stop. Throws Interrupted after its deadline. Where
+  /// quick() is true the lines between the nodes are clear already, and there are fewer tries where they gain little or
+  /// the path would be longer than `longest`, of use to nobody.
+  std::vector<Eigen::VectorXd> shortened(const std::vector<Eigen::VectorXd>& nodes, int tries, double longest,
+                                         std::mt19937_64& engine, const Monitor& monitor);
 
  private:
-  bool append_straight(const Eigen::VectorXd& a, const Eigen::VectorXd& b, std::vector<Eigen::VectorXd>& out);
+  using Places = std::vector<Eigen::VectorXd>;
+
+  bool goes_straight(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
+  int pieces_of(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
+  Places in_pieces(const Places& nodes) const;
+  Places straightened(Places path, int tries, double longest, std::mt19937_64& engine, const Monitor& monitor);
 
   const Problem& problem_;
   const ChecksMoves* obstacles_;

@@ -10,7 +10,6 @@
 
 #include <leastcost/framework/base/ability.hpp>
 #include "problems/obstacles/box_distance.hpp"
-#include "problems/robots/segment_distance.hpp"
 
 namespace leastcost {
 namespace {
@@ -20,6 +19,16 @@ using Eigen::Vector3d;
 constexpr int kMostTogether = 64;  ///< parts of a link, pairs of two links: bits of Open::which
 
 constexpr std::uint64_t all_of(int count) { return ~std::uint64_t{0} >> (kMostTogether - count); }
+
+/// A vector in the axes of a box.
+Vector3d seen_from(const OrientedBox& box, const Vector3d& x) {
+  return {box.axes.col(0).dot(x), box.axes.col(1).dot(x), box.axes.col(2).dot(x)};
+}
+
+Vector3d in_workspace(const Frame& link, const Vector3d& local) {
+  return link.origin + local[0] * link.rotation.col(0) + local[1] * link.rotation.col(1) +
+         local[2] * link.rotation.col(2);
+}
 
 OrientedBox box_around(const Obstacle& obstacle, bool& exact) {
   const auto* has = find_ability<HasCoreBox>(obstacle);
@@ -34,40 +43,63 @@ OrientedBox box_around(const Obstacle& obstacle, bool& exact) {
 
 }  // namespace
 
-/// The robot in one configuration, its capsules as they are asked for.
-struct MoveSieve::Pose {
+/// A robot on its way from a to b: one place of it, its capsules as they are asked for.
+struct MoveSieve::OnMove {
+  const MoveSieve* sieve = nullptr;
+  Vector way, place;
+  std::vector<MotionBound> bounds;  ///< of the links, then the pairs of links
   std::vector<Frame> frames;
   std::vector<Vector3d> centers;
   std::vector<char> placed;  ///< links
   std::vector<Segment3> axes;
-  std::vector<double> far;  ///< of the links, then the pairs of links: how far they go on the move, at most
+  std::vector<double> speeds;  ///< of the parts, here; negative: not asked for yet
 
-  void place(const MoveSieve& sieve, const Vector& configuration) {
-    sieve.robot_->kinematics->place(configuration, frames);
-    centers.resize(sieve.links_.size());
+  void go_to(const Vector& configuration) {
+    place = configuration;
+    sieve->robot_->kinematics->place(place, frames);
+    centers.resize(sieve->links_.size());
     for (std::size_t i = 0; i < centers.size(); ++i)
-      centers[i] = frames[static_cast<std::size_t>(sieve.links_[i].number)].at(sieve.links_[i].center);
+      centers[i] = in_workspace(frames[static_cast<std::size_t>(sieve->links_[i].number)], sieve->links_[i].center);
     placed.assign(centers.size(), 0);
-    axes.resize(sieve.parts_.size());
+    axes.resize(sieve->parts_.size());
+    speeds.assign(sieve->parts_.size(), -1);
   }
-  void place_parts(const MoveSieve& sieve, int link) {
+
+  void place_parts(int link) {
     char& done = placed[static_cast<std::size_t>(link)];
     if (done != 0) return;
     done = 1;
-    const Link& of = sieve.links_[static_cast<std::size_t>(link)];
+    const Link& of = sieve->links_[static_cast<std::size_t>(link)];
     const Frame& frame = frames[static_cast<std::size_t>(of.number)];
     for (int k = of.first; k < of.last; ++k) {
-      const Capsule& capsule = sieve.parts_[static_cast<std::size_t>(k)].capsule;
-      axes[static_cast<std::size_t>(k)] = {frame.at(capsule.from), frame.at(capsule.to)};
+      const Capsule& capsule = sieve->parts_[static_cast<std::size_t>(k)].capsule;
+      axes[static_cast<std::size_t>(k)] = {in_workspace(frame, capsule.from), in_workspace(frame, capsule.to)};
     }
+  }
+
+  /// Of the ends of a part's axis, and so of all of it.
+  double speed_of(std::size_t part, int seen_from) const {
+    const Kinematics& kinematics = *sieve->robot_->kinematics;
+    const auto speed = [&](const Vector3d& x) {
+      return kinematics.moving(place, frames, way, sieve->parts_[part].capsule.link, x, seen_from).velocity.norm();
+    };
+    const Segment3& axis = axes[part];
+    return sieve->parts_[part].half > 0 ? std::max(speed(axis.from), speed(axis.to)) : speed(axis.from);
+  }
+
+  double speed_here(std::size_t part) {
+    if (speeds[part] < 0) speeds[part] = speed_of(part, 0);
+    return speeds[part];
   }
 };
 
 MoveSieve::MoveSieve(std::shared_ptr<const Robot> robot, Obstacles obstacles, const std::vector<double>& required)
     : robot_(std::move(robot)), obstacles_(std::move(obstacles)) {
   for (std::size_t i = 0; i < obstacles_.size(); ++i) {
-    Thing thing{{}, required[i], false};
+    Thing thing;
+    thing.required = required[i];
     thing.box = box_around(*obstacles_[i], thing.exact);
+    thing.reach = thing.box.half.norm();
     things_.push_back(thing);
   }
   std::vector<int> order(robot_->capsules.size());  // by links
@@ -148,12 +180,10 @@ void MoveSieve::add_link_pairs(const std::vector<int>& order) {
     }
 }
 
-double MoveSieve::distance(const Pose& pose, int part, std::size_t thing) const {
-  const Segment3& axis = pose.axes[static_cast<std::size_t>(part)];
+double MoveSieve::distance(const Segment3& axis, std::size_t thing) const {
   const OrientedBox& box = things_[thing].box;
   if (things_[thing].exact)
-    return distance_to_box(box.axes.transpose() * (axis.from - box.center), box.axes.transpose() * (axis.to - axis.from),
-                           box.half);
+    return distance_to_box(seen_from(box, axis.from - box.center), seen_from(box, axis.to - axis.from), box.half);
   thread_local Vector from, to;
   const int space = robot_->kinematics->space();
   from = axis.from.head(space);
@@ -162,60 +192,62 @@ double MoveSieve::distance(const Pose& pose, int part, std::size_t thing) const 
   return obstacles_[thing]->distance_of_segment(from, to, t);
 }
 
-MoveSieve::Found MoveSieve::look_at_thing(Pose& pose, Open& open, double far, double rounding) const {
+MoveSieve::Found MoveSieve::look_at_thing(OnMove& move, Open& open, double half, double rounding) const {
   const Link& link = links_[static_cast<std::size_t>(open.link)];
   const auto number = static_cast<std::size_t>(open.thing);
   const Thing& thing = things_[number];
-  const Vector3d center = thing.box.axes.transpose() * (pose.centers[static_cast<std::size_t>(open.link)] - thing.box.center);
-  if (distance_to_box(center, thing.box.half) >= link.radius + thing.required + far + rounding) return Found::clear;
-  pose.place_parts(*this, open.link);
+  const MotionBound& bound = move.bounds[static_cast<std::size_t>(open.link)];
+  const double far = half * bound.speed, wanted = link.radius + thing.required + far + rounding;
+  const Vector3d apart = move.centers[static_cast<std::size_t>(open.link)] - thing.box.center;
+  if (apart.squaredNorm() >= (wanted + thing.reach) * (wanted + thing.reach)) return Found::clear;
+  if (distance_to_box(seen_from(thing.box, apart), thing.box.half) >= wanted) return Found::clear;
+  move.place_parts(open.link);
   for (int k = link.first; k < link.last; ++k) {
     const std::uint64_t bit = std::uint64_t{1} << (k - link.first);
     if ((open.which & bit) == 0) continue;
-    const Part& part = parts_[static_cast<std::size_t>(k)];
-    const Segment3& axis = pose.axes[static_cast<std::size_t>(k)];
+    const auto i = static_cast<std::size_t>(k);
+    const Part& part = parts_[i];
     const double required = thing.required + part.capsule.radius;
-    const Vector3d middle = thing.box.axes.transpose() * (axis.at(0.5) - thing.box.center);
-    double least = distance_to_box(middle, thing.box.half);
-    if (least - part.half >= required + far + rounding) {
-      open.which &= ~bit;
-      continue;
+    double least = distance_to_box(seen_from(thing.box, move.axes[i].at(0.5) - thing.box.center), thing.box.half);
+    bool clear = least - part.half >= required + far + rounding;
+    if (!clear) {
+      if (!thing.exact || part.half > 0) least = distance(move.axes[i], number);
+      if (least < required - rounding) return Found::touches;
+      clear = least >= required + far + rounding ||
+              least >= required + half * (move.speed_here(i) + half * bound.acceleration / 2) + rounding;
     }
-    if (!thing.exact || part.half > 0) least = distance(pose, k, number);
-    if (least < required - rounding) return Found::touches;
-    if (least >= required + far + rounding) open.which &= ~bit;
+    if (clear) open.which &= ~bit;
   }
   return open.which == 0 ? Found::clear : Found::open;
 }
 
-MoveSieve::Found MoveSieve::look_at_pair(Pose& pose, Open& open, double far, double rounding) const {
+MoveSieve::Found MoveSieve::look_at_pair(OnMove& move, Open& open, double half, double rounding) const {
   const LinkPair& both = link_pairs_[static_cast<std::size_t>(open.link)];
   const auto first = static_cast<std::size_t>(both.far), second = static_cast<std::size_t>(both.near);
-  const double apart = (pose.centers[first] - pose.centers[second]).norm();
-  if (apart >= links_[first].radius + links_[second].radius + far + rounding) return Found::clear;
-  pose.place_parts(*this, both.far);
-  pose.place_parts(*this, both.near);
+  const MotionBound& bound = move.bounds[links_.size() + static_cast<std::size_t>(open.link)];
+  const double far = half * bound.speed, wanted = links_[first].radius + links_[second].radius + far + rounding;
+  if ((move.centers[first] - move.centers[second]).squaredNorm() >= wanted * wanted) return Found::clear;
+  move.place_parts(both.far);
+  move.place_parts(both.near);
   for (int k = both.first; k < both.last; ++k) {
     const std::uint64_t bit = std::uint64_t{1} << (k - both.first);
     if ((open.which & bit) == 0) continue;
     const Pair& pair = pairs_[static_cast<std::size_t>(k)];
     const auto i = static_cast<std::size_t>(pair.far), j = static_cast<std::size_t>(pair.near);
     const double halves = parts_[i].half + parts_[j].half;
-    double least = (pose.axes[i].at(0.5) - pose.axes[j].at(0.5)).norm();
-    if (least - halves >= pair.required + far + rounding) {
-      open.which &= ~bit;
-      continue;
+    double least = (move.axes[i].at(0.5) - move.axes[j].at(0.5)).norm();
+    bool clear = least - halves >= pair.required + far + rounding;
+    if (!clear) {
+      double s = 0, t = 0;
+      if (halves > 0) least = distance_of_segments(move.axes[i], move.axes[j], s, t);
+      if (least < pair.required - rounding) return Found::touches;
+      clear = least >= pair.required + far + rounding ||
+              least >= pair.required + rounding +
+                           half * (move.speed_of(i, links_[second].number) + half * bound.acceleration / 2);
     }
-    double s = 0, t = 0;
-    if (halves > 0) least = distance_of_segments(pose.axes[i], pose.axes[j], s, t);
-    if (least < pair.required - rounding) return Found::touches;
-    if (least >= pair.required + far + rounding) open.which &= ~bit;
+    if (clear) open.which &= ~bit;
   }
   return open.which == 0 ? Found::clear : Found::open;
-}
-
-MoveSieve::Found MoveSieve::look(Pose& pose, Open& open, double far, double rounding) const {
-  return open.thing < 0 ? look_at_pair(pose, open, far, rounding) : look_at_thing(pose, open, far, rounding);
 }
 
 bool MoveSieve::passes(const Vector& a, const Vector& b, double rounding, double finest, Pieces& left) const {
@@ -223,31 +255,29 @@ bool MoveSieve::passes(const Vector& a, const Vector& b, double rounding, double
     double from, to;
     std::size_t first, last;  // of what is open there
   };
-  thread_local Pose pose;
+  thread_local OnMove move;
   thread_local std::vector<Piece> pieces, halves;
   thread_local std::vector<Open> open, still;
-  thread_local Vector place;
   left.clear();
   open.clear();
-  pose.far.clear();
+  move.sieve = this;
+  move.way = b - a;
+  move.bounds.clear();
   const Kinematics& kinematics = *robot_->kinematics;
   double farthest = 0;
-  const auto add_far = [&](const Vector& reach, int seen_from) {
-    pose.far.push_back(kinematics.motion(a, b, reach, seen_from).speed);
-    farthest = std::max(farthest, pose.far.back());
+  const auto add_bound = [&](const Vector& reach, int seen_from) {
+    move.bounds.push_back(kinematics.motion(a, b, reach, seen_from));
+    farthest = std::max(farthest, move.bounds.back().speed);
   };
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const Link& link = links_[i];
-    if (link.moves)
-      add_far(link.reach, 0);
-    else
-      pose.far.push_back(0);
+    add_bound(link.reach, 0);
     for (std::size_t o = 0; o < things_.size() && link.moves; ++o)
       open.push_back({static_cast<int>(i), static_cast<int>(o), all_of(link.last - link.first)});
   }
   for (std::size_t i = 0; i < link_pairs_.size(); ++i) {
     const LinkPair& both = link_pairs_[i];
-    add_far(both.reach, links_[static_cast<std::size_t>(both.near)].number);
+    add_bound(both.reach, links_[static_cast<std::size_t>(both.near)].number);
     open.push_back({static_cast<int>(i), -1, all_of(both.last - both.first)});
   }
   if (!std::isfinite(farthest)) {  // nothing is known of places in between
@@ -260,13 +290,12 @@ bool MoveSieve::passes(const Vector& a, const Vector& b, double rounding, double
     still.clear();
     for (const Piece& piece : pieces) {
       const double middle = (piece.from + piece.to) / 2, half = (piece.to - piece.from) / 2;
-      place = a + middle * (b - a);
-      pose.place(*this, place);
+      move.go_to(a + middle * move.way);
       const std::size_t first = still.size();
       for (std::size_t k = piece.first; k < piece.last; ++k) {
         Open one = open[k];
-        const std::size_t number = static_cast<std::size_t>(one.link) + (one.thing < 0 ? links_.size() : 0);
-        const Found found = look(pose, one, half * pose.far[number], rounding);
+        const Found found =
+            one.thing < 0 ? look_at_pair(move, one, half, rounding) : look_at_thing(move, one, half, rounding);
         if (found == Found::touches) return false;
         if (found == Found::open) still.push_back(one);
       }

@@ -10,6 +10,7 @@
 #include <leastcost/problems/obstacles/obstacle.hpp>
 #include <leastcost/problems/robots/robot.hpp>
 #include "problems/obstacles/core_box.hpp"
+#include "problems/robots/segment_distance.hpp"
 
 namespace leastcost {
 
@@ -49,6 +50,7 @@ class MoveSieve {
   };
   struct Thing {
     OrientedBox box;
+    double reach = 0;  ///< of its corners from its center
     double required = 0;
     bool exact = false;  ///< the box is the core, else it holds the core
   };
@@ -57,25 +59,25 @@ class MoveSieve {
     double required = 0;
   };
   struct LinkPair {
-    int far = 0, near = 0;  ///< numbers in links_
+    int far = 0, near = 0;    ///< numbers in links_
     int first = 0, last = 0;  ///< pairs_
     Vector reach = {};        ///< of the parts of the farther link that are among them
     double required = 0;      ///< of the balls around the links, at most
   };
-  /// What is not done with yet on a piece: a link and a thing, or a pair of links (thing < 0), and which of their parts.
+  /// What is not done with yet on a piece: a link and a thing, or a pair of links (thing < 0), and which of their
+  /// parts.
   struct Open {
     int link = 0, thing = 0;
     std::uint64_t which = 0;
   };
-  struct Pose;
+  struct OnMove;
   enum class Found { clear, touches, open };
 
   void add_links(const std::vector<int>& order);
   void add_link_pairs(const std::vector<int>& order);
-  Found look(Pose& pose, Open& open, double far, double rounding) const;
-  Found look_at_thing(Pose& pose, Open& open, double far, double rounding) const;
-  Found look_at_pair(Pose& pose, Open& open, double far, double rounding) const;
-  double distance(const Pose& pose, int part, std::size_t thing) const;
+  Found look_at_thing(OnMove& move, Open& open, double half, double rounding) const;
+  Found look_at_pair(OnMove& move, Open& open, double half, double rounding) const;
+  double distance(const Segment3& axis, std::size_t thing) const;
 
   std::shared_ptr<const Robot> robot_;
   Obstacles obstacles_;

@@ -105,7 +105,8 @@ std::shared_ptr<const RobotWalls> walls_of(int which, std::mt19937& engine) {
 }
 
 Place somewhere(const Walls& walls, std::mt19937& engine) {
-  return Place::NullaryExpr(walls.dimension(), [&] { return 2.5 * (2 * unit(engine) - 1) * (walls.dimension() > 3 ? 1 : 0.4); });
+  return Place::NullaryExpr(walls.dimension(),
+                            [&] { return 2.5 * (2 * unit(engine) - 1) * (walls.dimension() > 3 ? 1 : 0.4); });
 }
 
 double least_gap(const Walls& walls, const Place& x) {
@@ -125,7 +126,7 @@ Problem through_slot(double slot) {
   table.upper = Place::Constant(3, 3);
   table.shape = Eigen::MatrixXd(3, 8);
   table.shape << 1, -0.5, 0, 0, 0, 0, 0, 0.02,  //
-      2, -0.5, 0, 0, 0, 0, 0, 0.02,            //
+      2, -0.5, 0, 0, 0, 0, 0, 0.02,             //
       3, -0.5, 0, 0, 0, 0, 0, 0.02;
   table.self = Eigen::MatrixXd(1, 2);
   *table.self << 0, 2;
@@ -136,8 +137,8 @@ Problem through_slot(double slot) {
   const RobotWalls::Obstacles wall = {part(-2, -slot / 2), part(slot / 2, 2)};
   Problem problem;
   problem.manifold = std::make_shared<const FreeSpace>(
-      std::make_shared<const EuclideanManifold>(EuclideanManifoldOptions{
-          .dimension = 3, .box = {robot->kinematics->lower(), robot->kinematics->upper()}}),
+      std::make_shared<const EuclideanManifold>(
+          EuclideanManifoldOptions{.dimension = 3, .box = {robot->kinematics->lower(), robot->kinematics->upper()}}),
       std::make_shared<const RobotWalls>(robot, wall, 0.001));
   problem.source.u = Vector3d(2, 0.5, 0.5);  // behind the wall
   problem.target.u = Vector3d(0, 0, 0);      // through the slot
@@ -196,8 +197,9 @@ TEST_CASE("move sieve: what does not pass touches and nothing touches outside of
     for (const auto& thing : things) required.push_back(thing->radius());
     Eigen::MatrixXd shape(1, 5);
     shape << -0.1, 0.05, 0.2, 0.1, 0.03;
-    const std::shared_ptr<const Robot> robot =
-        which == 0 ? make_dh_arm({}) : which == 1 ? make_dh_arm({.model = arm_model::Ur5{}}) : make_rigid_body({shape});
+    const std::shared_ptr<const Robot> robot = which == 0   ? make_dh_arm({})
+                                               : which == 1 ? make_dh_arm({.model = arm_model::Ur5{}})
+                                                            : make_rigid_body({shape});
     const RobotWalls reference(robot, things, 0);
     const MoveSieve sieve(robot, things, required);
     int passed = 0;
