@@ -24,17 +24,49 @@ double length(Places::const_iterator from, Places::const_iterator to) {
   return sum;
 }
 
+/// The k-th of the ends of equal pieces; the last is b itself.
+Place part_way(const Place& a, const Place& b, int k, int pieces) {
+  return k == pieces ? b : Place(a + static_cast<double>(k) / pieces * (b - a));
+}
+
 }  // namespace
 
 ClearLines::ClearLines(const Problem& problem, double step)
     : problem_(problem),
       obstacles_(find_ability<ChecksMoves>(*problem.manifold)),
+      box_(find_ability<HasBox>(*problem.manifold)),
       step_(step),
-      lines_(*problem.manifold) {}
+      lines_(*problem.manifold) {
+  if (box_ != nullptr || find_ability<HasBounds>(*problem.manifold) == nullptr)
+    decides_ = find_ability<DecidesMoves>(*problem.manifold);
+}
+
+/// Among quick obstacles a place is not pushed out of them: there will be others.
+std::optional<Place> ClearLines::nearest(const Place& x) {
+  if (!quick()) return lines_.nearest(x);
+  return box_ != nullptr ? Place(x.cwiseMax(box_->box_lower()).cwiseMin(box_->box_upper())) : x;
+}
+
+/// The domain is flat, and convex: a box.
+bool ClearLines::goes_straight(const Place& a, const Place& b) {
+  if (!decides_->clears(a, b)) return false;
+  const int pieces = pieces_of(a, b);
+  for (int k = 0; k < pieces; ++k)
+    if (!std::isfinite(move_cost(*problem_.cost, part_way(a, b, k, pieces), part_way(a, b, k + 1, pieces))))
+      return false;
+  return true;
+}
+
+int ClearLines::pieces_of(const Place& a, const Place& b) const {
+  return std::max(1, static_cast<int>(std::ceil(kPiecesOfStep * (b - a).norm() / step_)));
+}
 
 bool ClearLines::append(const Place& a, const Place& b, std::vector<Place>& out) {
-  const double distance = (b - a).norm();
-  const int pieces = std::max(1, static_cast<int>(std::ceil(kPiecesOfStep * distance / step_)));
+  const int pieces = pieces_of(a, b);
+  if (quick()) {
+    for (int k = 1; k <= pieces; ++k) out.push_back(part_way(a, b, k, pieces));
+    return goes_straight(a, b);
+  }
   if (!lines_.append(a, b, pieces, kLongestPiece * step_ / kPiecesOfStep, out)) return false;
   const Place* from = &a;
   for (const Place& to : out) {
@@ -46,13 +78,61 @@ bool ClearLines::append(const Place& a, const Place& b, std::vector<Place>& out)
 }
 
 bool ClearLines::is_clear(const Place& a, const Place& b) {
+  if (quick()) return goes_straight(a, b);
   line_.clear();
   return append(a, b, line_);
 }
 
-std::vector<Place> ClearLines::shortened(const std::vector<Place>& nodes, int tries, std::mt19937_64& engine,
-                                         const Monitor& monitor) {
+Places ClearLines::in_pieces(const Places& nodes) const {
+  Places path = {nodes.front()};
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    const int pieces = pieces_of(nodes[i], nodes[i + 1]);
+    for (int k = 1; k <= pieces; ++k) path.push_back(part_way(nodes[i], nodes[i + 1], k, pieces));
+  }
+  return path;
+}
+
+/// Between any two places of it, until a round of tries has gained little, or what is left is hopelessly long.
+Places ClearLines::straightened(Places path, int tries, double longest, std::mt19937_64& engine,
+                                const Monitor& monitor) {
+  constexpr int kRounds = 8;
+  constexpr double kWorth = 1e-3, kOfRound = 5e-3;  // of the length: a shortcut that is tried, a round that goes on
+  constexpr double kHopeless = 1.5;                 // of the longest that is of use
+  std::vector<double> ends;                         // of the segments, from the first node on
+  const auto measure = [&] {
+    ends.clear();
+    double sum = 0;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) ends.push_back(sum += (path[i + 1] - path[i]).norm());
+  };
+  measure();
+  double before = ends.back();
+  const int round = std::max(1, tries / kRounds);
+  for (int k = 0; k < tries && path.size() > 2 && !monitor.interrupted(); ++k) {
+    if (k > 0 && k % round == 0) {
+      if (before - ends.back() < kOfRound * before || ends.back() > kHopeless * longest) break;
+      before = ends.back();
+    }
+    const auto [from, to] = std::minmax({uniform_number(engine) * ends.back(), uniform_number(engine) * ends.back()});
+    const auto segment_at = [&](double s) { return std::upper_bound(ends.begin(), ends.end() - 1, s) - ends.begin(); };
+    const std::ptrdiff_t i = segment_at(from), j = segment_at(to);
+    if (i == j) continue;
+    const auto place = [&](std::ptrdiff_t segment, double s) -> Place {
+      const auto n = static_cast<std::size_t>(segment);
+      const double begin = n == 0 ? 0 : ends[n - 1], length = ends[n] - begin;
+      return length > 0 ? Place(path[n] + (s - begin) / length * (path[n + 1] - path[n])) : path[n];
+    };
+    const Place a = place(i, from), b = place(j, to);
+    if (!(to - from - (b - a).norm() > kWorth * ends.back()) || !goes_straight(a, b)) continue;
+    path.insert(path.erase(path.begin() + i + 1, path.begin() + j + 1), {a, b});
+    measure();
+  }
+  return path;
+}
+
+Places ClearLines::shortened(const Places& nodes, int tries, double longest, std::mt19937_64& engine,
+                             const Monitor& monitor) {
   constexpr double kShorter = 1 - 1e-9;
+  if (quick()) return in_pieces(straightened(nodes, tries, longest, engine, monitor));
   Places path = {nodes.front()};
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
     look_at_clock(monitor.deadline);

@@ -8,7 +8,9 @@
 
 #include <leastcost/framework/base/monitor.hpp>
 #include <leastcost/framework/domain/checks_moves.hpp>
+#include <leastcost/framework/domain/has_box.hpp>
 #include <leastcost/framework/problem/problem.hpp>
+#include <leastcost/problems/methods/decides_moves.hpp>
 #include "problems/section/projected_line.hpp"
 
 namespace leastcost {
@@ -21,20 +23,33 @@ class ClearLines {
   ClearLines(const Problem& problem, double step);
 
   /// The nearest point of the domain, if there is one.
-  std::optional<Eigen::VectorXd> nearest(const Eigen::VectorXd& x) { return lines_.nearest(x); }
+  std::optional<Eigen::VectorXd> nearest(const Eigen::VectorXd& x);
+  /// Whether the domain is flat and its obstacles tell quickly whether a whole line is clear.
+  bool quick() const { return decides_ != nullptr; }
   /// The projection of a -> b into `out`, which is empty, without that of a; false where there is no continuous one,
   /// its cost is infinite or an obstacle is in the way.
   bool append(const Eigen::VectorXd& a, const Eigen::VectorXd& b, std::vector<Eigen::VectorXd>& out);
   bool is_clear(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
 
   /// The path through `nodes` on the domain, from which `tries` random shortcuts leave out what lies between two of its
-  /// points whose line is shorter; fewer where the monitor says stop. Throws Interrupted after its deadline.
-  std::vector<Eigen::VectorXd> shortened(const std::vector<Eigen::VectorXd>& nodes, int tries, std::mt19937_64& engine,
-                                         const Monitor& monitor);
+  /// points whose line is shorter; fewer where the monitor says stop. Throws Interrupted after its deadline. Where
+  /// quick() is true the lines between the nodes are clear already, and there are fewer tries where they gain little or
+  /// the path would be longer than `longest`, of use to nobody.
+  std::vector<Eigen::VectorXd> shortened(const std::vector<Eigen::VectorXd>& nodes, int tries, double longest,
+                                         std::mt19937_64& engine, const Monitor& monitor);
 
  private:
+  using Places = std::vector<Eigen::VectorXd>;
+
+  bool goes_straight(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
+  int pieces_of(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
+  Places in_pieces(const Places& nodes) const;
+  Places straightened(Places path, int tries, double longest, std::mt19937_64& engine, const Monitor& monitor);
+
   const Problem& problem_;
   const ChecksMoves* obstacles_;
+  const DecidesMoves* decides_ = nullptr;
+  const HasBox* box_;
   double step_;
   LineProjector lines_;
   std::vector<Eigen::VectorXd> line_;

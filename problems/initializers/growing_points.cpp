@@ -27,8 +27,9 @@ int GrowingPoints::add(const Eigen::VectorXd& x) {
 int GrowingPoints::nearest(const Eigen::VectorXd& x) const {
   double best = std::numeric_limits<double>::infinity();
   int found = 0;
-  std::vector<std::pair<int, double>> open = {
-      {0, 0.0}};  // nodes to visit, with a lower bound of their squared distance
+  thread_local std::vector<std::pair<int, double>>
+      open;  // nodes to visit, with a lower bound of their squared distance
+  open.assign(1, {0, 0.0});
   while (!open.empty()) {
     const auto [i, bound] = open.back();
     open.pop_back();

@@ -11,10 +11,23 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr double kLongest = 3;             ///< an edge may be so many steps long
-constexpr int kSamplesPerNode = 20;        ///< samples that may fail for each node that is allowed
-constexpr double kShortestStep = 1.0 / 8;  ///< of a step that is taken where a whole one is blocked
-constexpr double kProgress = 0.1;          ///< of a step: a node that brings less would only be in the way
+constexpr double kLongest = 3;                  ///< an edge may be so many steps long
+constexpr int kSamplesPerNode = 20;             ///< samples that may fail for each node that is allowed
+constexpr double kShortestStep = 1.0 / 8;       ///< of a step that is taken where a whole one is blocked
+constexpr double kShortestQuickStep = 1.0 / 2;  ///< where further samples cost little
+constexpr double kProgress = 0.1;               ///< of a step: a node that brings less would only be in the way
+
+/// A sixteenth of the distance of the ends. Where moves are told quickly long ones cost little: a sixteenth of the
+/// diagonal of the domain, which for the joints of an arm is 1 to 2 rad.
+double step_by_default(const Problem& problem) {
+  constexpr double kSteps = 16;
+  const auto* box = find_ability<HasBox>(*problem.manifold);
+  if (find_ability<DecidesMoves>(*problem.manifold) != nullptr && box != nullptr) {
+    const double diagonal = (box->box_upper() - box->box_lower()).norm();
+    if (diagonal > 0 && std::isfinite(diagonal)) return diagonal / kSteps;
+  }
+  return (problem.target.u - problem.source.u).norm() / kSteps;
+}
 
 }  // namespace
 
@@ -35,7 +48,7 @@ std::vector<Vector> RandomTree::branch(int node) const {
 
 RandomTrees::RandomTrees(const Problem& problem, const RrtOptions& options, std::uint64_t seed)
     : options_(options),
-      step_(options.step.value_or((problem.target.u - problem.source.u).norm() / 16)),
+      step_(options.step.value_or(step_by_default(problem))),
       shell_(options.shell.value_or(step_ / 4)),
       engine_(seed),
       lines_(problem, step_),
@@ -46,6 +59,8 @@ RandomTrees::RandomTrees(const Problem& problem, const RrtOptions& options, std:
   around_trees_ = around_ends_;
   if (const auto* domain = find_ability<HasSampleBox>(*problem.manifold))
     of_use_ = domain->sample_box(problem.source.u, problem.target.u);
+  else if (const auto* box = lines_.quick() ? find_ability<HasBox>(*problem.manifold) : nullptr)
+    of_use_ = {box->box_lower(), box->box_upper()};
 }
 
 /// The box of the ellipsoid whose foci are the ends (Gammell, Srinivasa and Barfoot 2014, informed RRT*).
@@ -64,6 +79,8 @@ void RandomTrees::look_for(double length) {
 
 std::optional<std::vector<Vector>> RandomTrees::joined(int most_nodes, const Monitor& monitor) {
   most_nodes_ = most_nodes;
+  const Vector &source = trees_[0].foot(0), &target = trees_[1].foot(0);
+  if (lines_.quick() && lines_.is_clear(source, target)) return std::vector<Vector>{source, target};
   const long most = static_cast<long>(kSamplesPerNode) * most_nodes;
   for (int tree = 0; samples_ < most; tree = 1 - tree, ++samples_) {
     if (is_over(monitor)) return {};
@@ -81,8 +98,8 @@ std::optional<std::vector<Vector>> RandomTrees::joined(int most_nodes, const Mon
   return {};
 }
 
-std::vector<Vector> RandomTrees::shortened(const std::vector<Vector>& nodes, const Monitor& monitor) {
-  return lines_.shortened(nodes, options_.shortcuts, engine_, monitor);
+std::vector<Vector> RandomTrees::shortened(const std::vector<Vector>& nodes, const Monitor& monitor, double longest) {
+  return lines_.shortened(nodes, options_.shortcuts, longest, engine_, monitor);
 }
 
 /// Whether the limit of nodes is reached or the monitor says stop.
@@ -111,7 +128,8 @@ int RandomTrees::extend(int tree, int from, const Vector& x) {
   const Vector start = growing.node(from), way = x - start;
   const double distance = way.norm(), whole = std::min(step_, distance);
   if (!(distance > 0)) return -1;
-  for (double length = whole; length >= kShortestStep * whole; length /= 2) {
+  const double shortest = lines_.quick() ? kShortestQuickStep : kShortestStep;
+  for (double length = whole; length >= shortest * whole; length /= 2) {
     Vector moved = start + length / distance * way;
     const std::optional<Vector> foot = lines_.nearest(moved);
     if (!foot) continue;

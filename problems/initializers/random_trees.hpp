@@ -51,8 +51,9 @@ class RandomTrees {
   std::optional<std::vector<Eigen::VectorXd>> joined(int most_nodes, const Monitor& monitor);
 
   /// The whole path on the domain, without what lies between two of its points whose straight line projects to
-  /// something shorter.
-  std::vector<Eigen::VectorXd> shortened(const std::vector<Eigen::VectorXd>& nodes, const Monitor& monitor);
+  /// something shorter. Longer than `longest` it would be of no use.
+  std::vector<Eigen::VectorXd> shortened(const std::vector<Eigen::VectorXd>& nodes, const Monitor& monitor,
+                                         double longest = std::numeric_limits<double>::infinity());
 
   int size() const { return trees_[0].size() + trees_[1].size(); }
   long samples() const { return samples_; }

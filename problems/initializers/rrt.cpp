@@ -61,7 +61,7 @@ std::vector<Eigen::VectorXd> shortest_of(int paths, std::vector<Eigen::VectorXd>
       trees.look_for(polyline_length(best));
       const std::optional<std::vector<Eigen::VectorXd>> nodes = trees.joined(most, within);
       if (!nodes) continue;
-      std::vector<Eigen::VectorXd> path = trees.shortened(*nodes, within);
+      std::vector<Eigen::VectorXd> path = trees.shortened(*nodes, within, polyline_length(best));
       if (polyline_length(path) < polyline_length(best)) best = std::move(path);
     }
   } catch (const Interrupted&) {  // there is a path

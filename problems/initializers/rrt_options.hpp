@@ -9,7 +9,8 @@
 namespace leastcost {
 
 struct RrtOptions {
-  std::optional<double> step = {};   ///< length units; else a sixteenth of the distance of the ends
+  std::optional<double> step =
+      {};  ///< length units; else a sixteenth of the distance of the ends, or of a robot's limits
   std::optional<double> shell = {};  ///< length units; else a quarter of the step
   double goal_bias = 0.1;
   double reach = 1;

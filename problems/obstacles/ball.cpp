@@ -10,12 +10,13 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include "framework/base/point_text.hpp"
+#include "problems/obstacles/core_box.hpp"
 #include "problems/obstacles/triangle_foot.hpp"
 
 namespace leastcost {
 namespace {
 
-class Ball final : public Obstacle, public MeetsTriangles {
+class Ball final : public Obstacle, public MeetsTriangles, public HasCoreBox {
  public:
   Ball(const BallOptions& options, std::string name)
       : name_(std::move(name)), center_(options.center), radius_(options.radius) {}
@@ -47,7 +48,14 @@ class Ball final : public Obstacle, public MeetsTriangles {
     return (nearest - Eigen::Vector3d(center_)).norm();
   }
 
+  OrientedBox core_box() const override {
+    OrientedBox box;
+    box.center.head(center_.size()) = center_;
+    return box;
+  }
+
  private:
+  bool has_core_box() const override { return center_.size() <= 3; }
   bool measures_triangles() const override { return center_.size() == 3; }
 
   std::string name_;

@@ -13,6 +13,7 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include "framework/base/point_text.hpp"
+#include "problems/obstacles/core_box.hpp"
 #include "problems/obstacles/in_space.hpp"
 #include "problems/obstacles/posed_obstacle.hpp"
 #include "problems/obstacles/segment_tree.hpp"
@@ -41,7 +42,7 @@ std::vector<SegmentTree::Triangle> sides_of(const Eigen::Vector3d& lower, const 
   return all;
 }
 
-class BoxObstacle final : public ConvexCore {
+class BoxObstacle final : public ConvexCore, public HasCoreBox {
  public:
   BoxObstacle(const BoxCorners& corners, std::string name, bool drawn)
       : name_(std::move(name)), drawn_(drawn), lower_(corners.lower), upper_(corners.upper) {
@@ -95,7 +96,15 @@ class BoxObstacle final : public ConvexCore {
     return sides_->distance(corners, nearest);
   }
 
+  OrientedBox core_box() const override {
+    OrientedBox box;
+    box.center.head(lower_.size()) = (lower_ + upper_) / 2;
+    box.half.head(lower_.size()) = (upper_ - lower_) / 2;
+    return box;
+  }
+
  private:
+  bool has_core_box() const override { return lower_.size() <= 3; }
   bool measures_triangles() const override { return sides_.has_value(); }
 
   /// The square of the distance is convex in t and a parabola between the places where the segment meets the planes of

@@ -461,6 +461,8 @@ bool FreeSpace::bend(const CoordinatePath& path, Index column, const Vector& gra
 
 MoveClearance FreeSpace::clearance(const Vector& a, const Vector& b) const { return walls_->clearance(a, b); }
 
+bool FreeSpace::clears(const Vector& a, const Vector& b) const { return leastcost::clears(*walls_, a, b); }
+
 std::optional<bool> FreeSpace::same_class(const Points& a, const Points& b) const {
   return of_one_class(*walls_, a, b);
 }

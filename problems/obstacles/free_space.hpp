@@ -38,6 +38,7 @@ class FreeSpace final : public ConstraintManifold,
                         public HasCurvature,
                         public SeesBounds,
                         public ChecksMoves,
+                        public DecidesMoves,
                         public FitsSegments,
                         public HasWalls,
                         public DrawsItself,
@@ -72,6 +73,8 @@ class FreeSpace final : public ConstraintManifold,
   /// Known in the plane, where the walls are made of discs.
   std::optional<bool> same_class(const Points& a, const Points& b) const override;
   std::string obstacle_name(int obstacle) const override;
+  /// Known in a flat domain whose walls know it.
+  bool clears(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const override;
 
   std::shared_ptr<const ConstraintManifold> unfitted(const CoordinatePath& path) const override;
   std::shared_ptr<const ConstraintManifold> fitted(const CoordinatePath& path) const override;
@@ -88,6 +91,7 @@ class FreeSpace final : public ConstraintManifold,
   struct Point;
   bool knows_curvature() const override { return flat_; }
   bool has_poses() const override;
+  bool decides_moves() const override { return flat_ && find_ability<DecidesMoves>(*walls_) != nullptr; }
   /// By how much a wall is beyond its margin.
   double room(const Wall& wall) const { return wall.gap - margins_.of(wall); }
   double slack(const Eigen::VectorXd& x) const;

@@ -46,6 +46,7 @@ class MappedWalls final : public Walls,
 
  private:
   bool gaps_are_distances() const override;
+  bool decides_moves() const override { return find_ability<DecidesMoves>(*walls_) != nullptr; }
   bool has_poses() const override;
   bool all_rows() const { return dimension_ == walls_->dimension(); }
   Vector mapped(const Vector& x) const { return x(rows_); }

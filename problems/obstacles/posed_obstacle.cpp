@@ -28,6 +28,10 @@ PosedObstacle::PosedObstacle(std::shared_ptr<const ConvexCore> core, const Eigen
     bounds_.min()[i] = least - rounding;
     bounds_.max()[i] = most + rounding;
   }
+  if (const auto* has = find_ability<HasCoreBox>(*core_)) {
+    const OrientedBox own = has->core_box();
+    core_box_ = OrientedBox{pose * own.center, turn_ * own.axes, own.half};
+  }
 }
 
 /// Its own frame is asked in these, without memory being asked for.

@@ -4,15 +4,17 @@
 
 #include <Eigen/Geometry>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "problems/obstacles/convex_core.hpp"
+#include "problems/obstacles/core_box.hpp"
 
 namespace leastcost {
 
 /// A core in the plane or in space, turned and moved. Places are taken into its frame, where it is asked for distances:
 /// a turned box takes as long as one along the axes.
-class PosedObstacle final : public Obstacle, public MeetsTriangles {
+class PosedObstacle final : public Obstacle, public MeetsTriangles, public HasCoreBox {
  public:
   /// In the plane the pose is one about the z axis. `name`: for messages.
   PosedObstacle(std::shared_ptr<const ConvexCore> core, const Eigen::Isometry3d& pose, std::string name);
@@ -26,8 +28,10 @@ class PosedObstacle final : public Obstacle, public MeetsTriangles {
   double distance(const Vector& x, Eigen::Ref<Vector> away) const override;
   double distance_of_segment(const Vector& a, const Vector& b, double& t) const override;
   double distance_of_triangle(const std::array<Eigen::Vector3d, 3>& corners, Eigen::Vector3d& nearest) const override;
+  OrientedBox core_box() const override { return *core_box_; }
 
  private:
+  bool has_core_box() const override { return core_box_.has_value(); }
   bool measures_triangles() const override { return core_->present(); }
   void to_own(const Vector& x, Vector& own) const;
 
@@ -36,6 +40,7 @@ class PosedObstacle final : public Obstacle, public MeetsTriangles {
   Eigen::Vector3d position_;
   std::string name_;
   Box bounds_;
+  std::optional<OrientedBox> core_box_ = {};
 };
 
 }  // namespace leastcost

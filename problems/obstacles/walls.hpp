@@ -10,6 +10,7 @@
 
 #include <leastcost/framework/base/ability.hpp>
 #include <leastcost/framework/domain/checks_moves.hpp>
+#include <leastcost/problems/methods/decides_moves.hpp>
 
 namespace leastcost {
 
@@ -111,14 +112,6 @@ class Remembers {
   virtual ~Remembers() = default;
   /// The same walls, which answer alike and may be shared by threads. Null: there is nothing to gain.
   virtual std::shared_ptr<const Walls> remembering() const = 0;
-};
-
-/// Ability of walls that tell more quickly whether a move is clear than how clear it is.
-class DecidesMoves {
- public:
-  virtual ~DecidesMoves() = default;
-  /// Contact included, as far as it can be told.
-  virtual bool clears(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const = 0;
 };
 
 inline bool clears(const Walls& walls, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {

@@ -13,6 +13,7 @@
 #include <leastcost/framework/base/errors.hpp>
 #include "problems/robots/least_on_move.hpp"
 #include "problems/robots/least_value.hpp"
+#include "problems/robots/move_sieve.hpp"
 #include "problems/robots/remembering_walls.hpp"
 #include "problems/robots/robot_pose.hpp"
 #include "problems/robots/robot_strip.hpp"
@@ -181,6 +182,7 @@ RobotWalls::RobotWalls(std::shared_ptr<const Robot> robot, Obstacles obstacles, 
   for (const Plate& plate : robot_->plates) add_body(plate.link, plate.radius, plate.corners);
   add_obstacles(std::move(obstacles), clearance);
   add_self_pairs();
+  if (robot_->plates.empty()) sieve_ = std::make_shared<const MoveSieve>(robot_, obstacles_, required_);
 }
 
 void RobotWalls::add_obstacles(Obstacles obstacles, double clearance) {
@@ -429,12 +431,24 @@ MoveClearance RobotWalls::clearance(const Vector& a, const Vector& b) const {
           move.place(found.at)};
 }
 
+/// What seems to be in contact is left to second-order bounds.
+bool RobotWalls::clears(const Vector& a, const Vector& b) const {
+  constexpr double kFinest = 1e-3;  // sizes: how far a part goes on the shortest pieces that are looked at
+  if (!a.allFinite() || !b.allFinite()) return false;
+  if (sieve_ == nullptr) return clears_closely(a, b);
+  MoveSieve::Pieces left;
+  if (!sieve_->passes(a, b, rounding(a, b), kFinest * size_, left)) return false;
+  return std::all_of(left.begin(), left.end(), [&](const std::pair<double, double>& piece) {
+    const auto place = [&](double t) { return t == 1 ? b : Vector(a + t * (b - a)); };
+    return clears_closely(place(piece.first), place(piece.second));
+  });
+}
+
 /// Long moves in halves, the coarse ones first, so that what is in the way is met early; what few pairs may be in the
 /// way of is bisected for these alone.
-bool RobotWalls::clears(const Vector& a, const Vector& b) const {
+bool RobotWalls::clears_closely(const Vector& a, const Vector& b) const {
   constexpr std::size_t kFewPairs = 12, kManyPairs = 60;
   constexpr double kShort = 1e-3;  // sizes
-  if (!a.allFinite() || !b.allFinite()) return false;
   const auto gap = [](const Pair& pair, MovingDistance known) {
     known.offset = pair.required;
     return known;
@@ -463,7 +477,8 @@ bool RobotWalls::clears(const Vector& a, const Vector& b) const {
       continue;
     }
     const MovePrecision precision{.accuracy = kDecided * size_, .enough = 0, .too_low = -rounding};
-    if (move.least(pairs, gap, precision).upper < -rounding) return false;
+    const LeastOnMove least = move.least(pairs, gap, precision);
+    if (least.upper < -rounding || !(least.lower >= -2 * precision.accuracy - rounding)) return false;
   }
   return true;
 }

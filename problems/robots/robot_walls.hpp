@@ -17,6 +17,7 @@
 namespace leastcost {
 
 struct RobotPose;
+class MoveSieve;
 
 /// What keeps a robot out of a configuration: the obstacles of its workspace, each of which is a wall for each of its
 /// parts (capsules, plates), and its own parts. A part that nothing moves meets no obstacle: the base may stand on one.
@@ -80,6 +81,7 @@ class RobotWalls final : public PairWalls,
   void add_obstacles(Obstacles obstacles, double clearance);
   void add_self_pairs();
   void add_near(const RobotPose& pose, const std::vector<Pair>& pairs, double reach, std::vector<Wall>& found) const;
+  bool clears_closely(const Vector& a, const Vector& b) const;
   void add_along(OnMove& move, const std::vector<Pair>& pairs, double reach, std::vector<Wall>& found) const;
   double room(OnMove& move, const std::vector<PairGap>& pairs, double reach) const;
   template <class Margin>
@@ -102,6 +104,7 @@ class RobotWalls final : public PairWalls,
   std::vector<Pair> self_;
   std::vector<Vector> self_reach_;  ///< of their parts, as seen from the others
   double size_ = 0, farthest_ = 0;
+  std::shared_ptr<const MoveSieve> sieve_;  ///< null where there are plates
 };
 
 }  // namespace leastcost
