@@ -166,10 +166,12 @@ void OptionsReader::end(std::string_view key, std::optional<EndOptions>& value, 
   end.fields(reader);
   reader.finish();
   if (errors_.size() > before) return;
-  const int ways = (end.vertex ? 1 : 0) + (end.face || end.barycentric ? 1 : 0) + (end.point ? 1 : 0) +
-                   (end.lonlat ? 1 : 0) + (end.state ? 1 : 0);
-  if (ways != 1)
-    fault(key, e->place, "must have exactly one of: vertex; face and barycentric; point; lonlat; state");
+  if (e->value.find("tool") != nullptr && !end.tool.given())
+    fault("tool", e->value.find("tool")->place, "must have a position, like {tool: {position: [0.4, 0, 0.5]}}");
+  else if (end.ways() != 1)
+    fault(key, e->place, EndOptions::kWays);
+  else if (end.is_several() && key != "target")
+    fault(key, e->place, "must be one point: only a target can have several goals, or a pose of the tool");
   else if (end.face.has_value() != end.barycentric.has_value())
     fault(key, e->place, "must have both face and barycentric, like {face: 12, barycentric: [0.2, 0.3, 0.5]}");
   else if (end.barycentric && end.barycentric->size() != 3)

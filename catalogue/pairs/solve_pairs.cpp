@@ -28,9 +28,8 @@ namespace {
 /// Why an end from memory is none; empty: it is one. Those of files are checked where they are read.
 std::string end_fault(const EndOptions& end) {
   const bool on_face = end.face || end.barycentric;
-  const int ways =
-      (end.vertex ? 1 : 0) + (on_face ? 1 : 0) + (end.point ? 1 : 0) + (end.lonlat ? 1 : 0) + (end.state ? 1 : 0);
-  if (ways != 1) return "must have exactly one of: vertex; face and barycentric; point; lonlat; state";
+  if (end.ways() != 1) return EndOptions::kWays;
+  if (end.is_several()) return "must be one point: several goals and poses of a tool are for runs of one path";
   if (on_face && !(end.face && end.barycentric && end.barycentric->size() == 3))
     return "must have a face and three barycentric numbers";
   if (end.lonlat && end.lonlat->size() != 2) return "lonlat must have two numbers, longitude and latitude";

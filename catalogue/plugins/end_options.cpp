@@ -4,6 +4,13 @@
 
 namespace leastcost {
 
+void ToolPose::fields(FieldVisitor& visit) {
+  visit.field("link", link, {.help = "The link that carries the tool; default: the last one."});
+  visit.field("offset", offset,
+              {.help = "The tool, in the frame of the link; default: the origin of the frame.", .unit = "length"});
+  pose.fields(visit);
+}
+
 void EndOptions::fields(FieldVisitor& visit) {
   visit.field(
       "vertex", vertex,
@@ -17,11 +24,24 @@ void EndOptions::fields(FieldVisitor& visit) {
                        "order.",
                .unit = "degrees"});
   visit.field("state", state, {.help = "Name of a state of the robot: a group_state of its SRDF."});
+  visit.field("points", points,
+              {.help = "Of a target: several goals, one a row. The path ends at the one that is cheapest to reach.",
+               .unit = "length"});
+  visit.group(
+      "tool",
+      {.help = "Of a target: a pose of the robot's tool. The path ends at the configuration that is cheapest to "
+               "reach, of those that inverse kinematics finds."},
+      [&](FieldVisitor& inner) { tool.fields(inner); });
   visit.field("tolerance", tolerance,
               {.help = "Largest distance by which `point` is moved; default: 1 % of the diameter of a mesh, a cloud or "
                        "the box of a grid, elsewhere rounding only.",
                .unit = "length",
                .minimum = 0});
+}
+
+int EndOptions::ways() const {
+  return (vertex ? 1 : 0) + (face || barycentric ? 1 : 0) + (point ? 1 : 0) + (lonlat ? 1 : 0) + (state ? 1 : 0) +
+         (points ? 1 : 0) + (tool.given() ? 1 : 0);
 }
 
 }  // namespace leastcost

@@ -289,7 +289,7 @@ void Composer::take_domain() {
     context_.source = source_position(out_.problem);
   });
   if (!placed) context_.source = Eigen::VectorXd::Zero(dimension);  // the other parts are checked all the same
-  if (!config_.ring && placed)
+  if (!config_.ring && placed && !(config_.target && config_.target->is_several()))  // else place_goals()
     attempt([&] {
       place_target(end(config_.target, "ends.target"), "ends.target", out_);
       refuse_one_place(out_.problem, "ends.target");
@@ -406,6 +406,20 @@ void Composer::place_obstacles() {
     if (end->u.size() > 0) attempt([&, end = end, key = key] { refuse_end_in_clearance(out_.problem, *end, key); });
 }
 
+/// Goals that obstacles or the domain do not let be ends are left out; what is left of them is tried.
+void Composer::place_goals() {
+  const bool several = !config_.ring && config_.target && config_.target->is_several();
+  if (!several || !obstacles_placed_ || !out_.problem.manifold || out_.problem.target.u.size() > 0) return;
+  attempt([&] {
+    std::vector<PlacedEnd> all = goals_of(*config_.target, context_.robot.get(), out_);
+    out_.target = all.front();
+    out_.problem.target = out_.target.end;
+    out_.goals.assign(all.begin() + 1, all.end());
+    refuse_one_place(out_.problem, "ends.target");
+    context_.target = positions(*out_.problem.manifold, {out_.problem.target.u, {}, true});
+  });
+}
+
 void Composer::make_parts() {
   make_or_check(config_.cost, out_.problem.cost);
   make_or_check(config_.kernel, out_.problem.kernel);
@@ -427,6 +441,7 @@ void Composer::make_from_options() {
     if (!attempt([&] { out_.problem.manifold = make<ManifoldPtr>(config_.manifold, context_); })) return;
     take_domain();
     place_obstacles();
+    place_goals();
   }
   make_parts();
 }
@@ -445,6 +460,7 @@ void Composer::make_from_files(const BuildProgress& progress) {
     take_domain();
   }
   if (!obstacles_placed_) place_obstacles();
+  place_goals();
   make_parts();
   go_round_voids();
   if (out_.problem.cost && find_ability<IsGeographic>(*out_.problem.manifold) == nullptr)
@@ -481,10 +497,16 @@ std::vector<FamilyStart> family_starts(const RunParts& parts) {
   std::vector<TargetImage> problems = target_images(parts.problem, parts.windings);
   if (problems.empty()) problems.push_back({parts.problem, ""});
   std::vector<FamilyStart> starts;
+  const auto add = [&](const Problem& problem, const std::string& where) {
+    for (const FamilyWay& way : ways) starts.push_back({way.name + where, problem, way.initializer});
+  };
   for (const TargetImage& image : problems)
-    for (const FamilyWay& way : ways)
-      starts.push_back({image.winding.empty() ? way.name : fmt::format("{}, winding {}", way.name, image.winding),
-                        image.problem, way.initializer});
+    add(image.problem, image.winding.empty() ? "" : fmt::format(", winding {}", image.winding));
+  for (const PlacedEnd& goal : parts.goals) {
+    Problem problem = parts.problem;
+    problem.target = goal.end;
+    add(problem, fmt::format(", goal ({:.4g})", fmt::join(goal.end.u, ", ")));
+  }
   return starts;
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -16,6 +17,7 @@
 #include <leastcost/problems/manifolds/file_places.hpp>
 #include <leastcost/problems/manifolds/made_from_data.hpp>
 #include <leastcost/problems/occupancy/names_cells.hpp>
+#include <leastcost/problems/robots/inverse_kinematics.hpp>
 #include "framework/base/point_text.hpp"
 
 namespace leastcost {
@@ -212,6 +214,95 @@ void place_target(const EndOptions& options, const std::string& path, RunParts& 
   out.target = place_end(*out.problem.manifold, options, path);
   out.problem.target = out.target.end;
   note_latitudes(out);
+}
+
+namespace {
+
+/// The link by its name, or the last one.
+int link_of(const Kinematics& kinematics, const std::string& name) {
+  if (name.empty()) return kinematics.link_count() - 1;
+  std::vector<std::string> names;
+  for (int link = 0; link < kinematics.link_count(); ++link) {
+    names.push_back(kinematics.link_name(link));
+    if (names.back() == name) return link;
+  }
+  throw OptionError("ends.target.tool.link",
+                    fmt::format("the robot has no link '{}'; it has: {}", name, fmt::join(names, ", ")));
+}
+
+ToolGoal goal_of(const ToolPose& tool, const Kinematics& kinematics) {
+  const int space = kinematics.space();
+  ToolGoal goal{.link = link_of(kinematics, tool.link)};
+  if (tool.offset.size() > 0) {
+    if (tool.offset.size() != space || !tool.offset.allFinite())
+      throw OptionError("ends.target.tool.offset", fmt::format("must be {} finite numbers", space));
+    goal.tool.head(space) = tool.offset;
+  }
+  Eigen::Isometry3d pose;
+  try {
+    pose = pose_of(tool.pose, space);
+  } catch (const OptionError& error) {  // "pose.rpy"
+    const std::string key(error.key());
+    throw OptionError("ends.target.tool" + key.substr(std::min(key.size(), std::string("pose").size())), error.what());
+  }
+  goal.position = pose.translation();
+  const ShapePose& given = tool.pose;
+  if (given.rpy.size() > 0 || given.quaternion.size() > 0 || given.rotation.size() > 0 || given.angle)
+    goal.rotation = pose.linear();
+  return goal;
+}
+
+std::vector<PlacedEnd> configurations_of(const ToolPose& tool, const Robot* robot, const RunParts& out) {
+  if (robot == nullptr) throw OptionError("ends.target.tool", "needs a robot: give 'robot', or {point: [..]}");
+  const Kinematics& kinematics = *robot->kinematics;
+  const ToolGoal goal = goal_of(tool, kinematics);
+  const auto free = [&](const Eigen::VectorXd& x) { return why_in_clearance(out.problem, {x}).empty(); };
+  const auto found = inverse_kinematics(kinematics, goal, out.problem.source.u, free);
+  if (found.empty()) {
+    const auto any = [](const Eigen::VectorXd&) { return true; };
+    const bool reached = !inverse_kinematics(kinematics, goal, out.problem.source.u, any).empty();
+    throw OptionError("ends.target.tool",
+                      reached ? "every configuration that was found for this pose touches an obstacle, or the robot "
+                                "itself: move the pose, or lower 'clearance'"
+                              : "no configuration within the joint limits was found that brings the tool there: "
+                                "check that it is within reach, or leave out the rotation");
+  }
+  std::vector<PlacedEnd> ends;
+  for (const Eigen::VectorXd& x : found) ends.push_back({x, {x}, 0});
+  return ends;
+}
+
+std::vector<PlacedEnd> free_points(const Eigen::MatrixXd& points, RunParts& out) {
+  std::vector<PlacedEnd> ends;
+  std::string first_why;
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    const EndOptions one{.point = Eigen::VectorXd(points.row(i))};
+    PlacedEnd placed = place_end(*out.problem.manifold, one, "ends.target");
+    const std::string why = why_in_clearance(out.problem, placed.end);
+    if (why.empty()) {
+      ends.push_back(std::move(placed));
+      continue;
+    }
+    out.notes.push_back(fmt::format("goal {} of the target was left out: it {}", i + 1, why));
+    if (first_why.empty()) first_why = why;
+  }
+  if (ends.empty())
+    throw OptionError("ends.target.points", "end_in_clearance: none of them is free; the first one " + first_why);
+  return ends;
+}
+
+}  // namespace
+
+std::vector<PlacedEnd> goals_of(const EndOptions& options, const Robot* robot, RunParts& out) {
+  std::vector<PlacedEnd> all =
+      options.points ? free_points(*options.points, out) : configurations_of(options.tool, robot, out);
+  const Eigen::VectorXd& source = out.problem.source.u;
+  std::stable_sort(all.begin(), all.end(), [&](const PlacedEnd& a, const PlacedEnd& b) {
+    return (a.end.u - source).squaredNorm() < (b.end.u - source).squaredNorm();
+  });
+  if (options.tool.given())
+    out.notes.push_back(fmt::format("configurations that bring the tool to its pose, tried as goals: {}", all.size()));
+  return all;
 }
 
 bool are_one_place(const Problem& problem) {

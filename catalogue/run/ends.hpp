@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <leastcost/catalogue/run/run_parts.hpp>
 #include <leastcost/problems/robots/robot.hpp>
@@ -28,6 +29,11 @@ PlacedEnd place_end(const ConstraintManifold& manifold, const EndOptions& option
 /// The same for the target of parts whose source is placed, and in the domain without its obstacles. It may be the
 /// place of the source.
 void place_target(const EndOptions& options, const std::string& path, RunParts& out);
+
+/// The ends that a target of several stands for, in the domain with its obstacles: its points, or the configurations
+/// that bring the tool of a robot (may be null) to its pose, nearest to the source first. What cannot be an end is left
+/// out, with a note. Throws OptionError where nothing is left.
+std::vector<PlacedEnd> goals_of(const EndOptions& options, const Robot* robot, RunParts& out);
 
 /// Throws OptionError with this key for a target that is the place of the source.
 void refuse_one_place(const Problem& problem, const std::string& key);

@@ -37,10 +37,11 @@ struct RunParts {
   FindOptions options;  ///< the post-processors among them
   WaypointOptions waypoints;
   TrajectoryOptions trajectory;
-  PlacedEnd source, target;  ///< where problem.source and problem.target came from; empty in a ring
+  PlacedEnd source, target;      ///< where problem.source and problem.target came from; empty in a ring
+  std::vector<PlacedEnd> goals;  ///< besides the target: the cheapest to reach is taken
   std::vector<std::string> notes;
 
-  bool wants_family() const { return !family.empty() || windings > 0; }
+  bool wants_family() const { return !family.empty() || windings > 0 || !goals.empty(); }
 };
 
 }  // namespace leastcost

@@ -32,7 +32,9 @@ void find(RunOutcome& outcome, const Monitor& monitor) {
   parts.notes.insert(parts.notes.end(), family.notes.begin(), family.notes.end());
   outcome.family = std::move(family.members);
   outcome.result = outcome.family.front().result;
-  parts.problem = outcome.family.front().problem;  // its target may be another image of the same point
+  parts.problem = outcome.family.front().problem;  // its target may be another image of the same point, or another goal
+  for (const PlacedEnd& goal : parts.goals)
+    if (goal.end.u == parts.problem.target.u) parts.target = goal;
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ Eigen::Matrix3d rotation_of(const ShapePose& options) {
 }  // namespace
 
 void ShapePose::fields(FieldVisitor& visit) {
-  visit.field("position", position, {.help = "Where the origin of the shape's frame is.", .unit = "length"});
+  visit.field("position", position, {.help = "Position of the origin of its frame.", .unit = "length"});
   visit.field("rpy", rpy, {.help = "Roll, pitch and yaw about the fixed axes x, y, z, as in URDF.", .unit = "rad"});
   visit.field("quaternion", quaternion, {.help = "Rotation as a quaternion [w, x, y, z]."});
   visit.field("rotation", rotation, {.help = "Rotation vector, axis times angle.", .unit = "rad"});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -36,6 +37,10 @@ OrientedBox box_around(const Obstacle& obstacle, bool& exact) {
   if (exact) return has->core_box();
   const Obstacle::Box core = obstacle.core_bounds();
   OrientedBox box;
+  if (!core.min().allFinite() || !core.max().allFinite()) {  // of a half-space: all that is known is its distance
+    box.half.setConstant(std::numeric_limits<double>::infinity());
+    return box;
+  }
   box.center.head(core.dim()) = (core.min() + core.max()) / 2;
   box.half.head(core.dim()) = (core.max() - core.min()) / 2;
   return box;

@@ -19,7 +19,10 @@
 #include <leastcost/problems/manifolds/euclidean.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
+#include <leastcost/problems/obstacles/capsule_obstacle.hpp>
+#include <leastcost/problems/obstacles/cylinder.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
+#include <leastcost/problems/obstacles/half_space.hpp>
 #include <leastcost/problems/obstacles/polygon.hpp>
 #include <leastcost/problems/robots/arm_models.hpp>
 #include <leastcost/problems/robots/rigid_body.hpp>
@@ -40,38 +43,6 @@ Vector3d in_cube(std::mt19937& engine, double half) {
   return Vector3d::NullaryExpr([&] { return half * (2 * unit(engine) - 1); });
 }
 
-/// A box that is turned: by its own distances, it and what it says of its core.
-class Turned final : public Obstacle, public HasCoreBox {
- public:
-  Turned(const Vector3d& center, const Vector3d& turn, const Vector3d& half) : box_(make_box_obstacle({-half, half})) {
-    core_ = {center, Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix(), half};
-  }
-  std::string name() const override { return "a turned box"; }
-  Box core_bounds() const override {
-    const Vector3d reach = core_.axes.cwiseAbs() * core_.half;
-    return {core_.center - reach, core_.center + reach};
-  }
-  double radius() const override { return 0.01; }
-  bool convex() const override { return true; }
-  Eigen::MatrixXd corners() const override { return {}; }
-  double distance(const Vector& x, Eigen::Ref<Vector> away) const override {
-    Vector own(3);
-    const double distance = box_->distance(seen(x), own);
-    away = core_.axes * own;
-    return distance;
-  }
-  double distance_of_segment(const Vector& a, const Vector& b, double& t) const override {
-    return box_->distance_of_segment(seen(a), seen(b), t);
-  }
-  OrientedBox core_box() const override { return core_; }
-
- private:
-  Vector seen(const Vector& x) const { return core_.axes.transpose() * (x - core_.center); }
-
-  OrientedBox core_;
-  std::shared_ptr<const Obstacle> box_;
-};
-
 RobotWalls::Obstacles things_in_space(std::mt19937& engine) {
   RobotWalls::Obstacles all;
   for (int i = 0; i < 8; ++i) {
@@ -81,9 +52,15 @@ RobotWalls::Obstacles things_in_space(std::mt19937& engine) {
       all.push_back(make_ball({center, half[0]}));
     else if (i % 4 == 1)
       all.push_back(make_box_obstacle({center - half, center + half}));
+    else if (i % 4 == 2)
+      all.push_back(
+          make_box_obstacle({.size = 2 * half, .pose = {.position = center, .rotation = in_cube(engine, 3)}}));
     else
-      all.push_back(std::make_shared<Turned>(center, in_cube(engine, 3), half));
+      all.push_back(make_cylinder(
+          {.radius = half[0], .height = half[1], .pose = {.position = center, .rotation = in_cube(engine, 3)}}));
   }
+  all.push_back(make_capsule({.from = Vector3d(0.9, 0, 0), .to = Vector3d(0.9, 0.2, 0.4), .radius = 0.1}));
+  all.push_back(make_half_space({.normal = Vector3d(0.1, 0, 1), .offset = -0.4}));
   return all;
 }
 
