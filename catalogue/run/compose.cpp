@@ -420,6 +420,8 @@ void Composer::make_from_options() {
 void Composer::make_from_files(const BuildProgress& progress) {
   files_ = true;
   make_robot();
+  if (config_.robot && !context_.robot && waits_for<ManifoldPtr>(config_.manifold) == WaitsFor::robot)
+    return;  // what was wrong with the robot has been said
   if (!out_.problem.manifold) {
     const auto start = std::chrono::steady_clock::now();
     BuildContext reading{context_.folder};
