@@ -46,6 +46,7 @@ class Composer {
   template <class Made>
   void make_or_check(const PluginChoice& choice, Made& made);
   void make_robot();
+  bool domain_waits() const;
   void assume_domain();
   void check_all_needs();
   void check_memory(const Dimensions& dimensions);
