@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <leastcost/urdf/urdf_robot.hpp>
+#include <leastcost/urdf/urdf_options.hpp>
 #include "urdf/srdf_model.hpp"
 #include "urdf/urdf_model.hpp"
 
