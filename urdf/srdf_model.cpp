@@ -98,9 +98,7 @@ SrdfModel read_srdf(const std::filesystem::path& file, const UrdfModel& robot) {
       const std::string name = joint.text("name");
       const int found = robot.find_joint(name);
       if (found < 0) joint.fail("'" + name + "' is no joint of " + robot.file);
-      const UrdfJoint::Kind kind = robot.joints[static_cast<std::size_t>(found)].kind;
-      if (kind == UrdfJoint::Kind::turns || kind == UrdfJoint::Kind::slides)
-        state.joints[name] = joint.required_number("value");
+      if (robot.joints[static_cast<std::size_t>(found)].moves()) state.joints[name] = joint.required_number("value");
     }
     model.states.push_back(std::move(state));
   }

@@ -128,7 +128,7 @@ ReadJoint joint_of(const XmlElement& element, const UrdfModel& model) {
   } else if (joint.type != "fixed") {
     element.fail("'" + joint.type + "' is no type of joint: give revolute, continuous, prismatic or fixed");
   }
-  if (joint.kind != UrdfJoint::Kind::turns && joint.kind != UrdfJoint::Kind::slides) return read;
+  if (!joint.moves()) return read;
   if (const auto axis = element.child("axis")) {
     joint.axis = vector_of(*axis, "xyz", Vector3d::UnitX());
     if (!(joint.axis.norm() > 0)) axis->fail("the axis of the joint '" + joint.name + "' is zero");
@@ -156,8 +156,7 @@ void resolve_mimics(std::vector<ReadJoint>& joints) {
       all.offset += all.factor * at->joint.mimic->offset;
       all.factor *= at->joint.mimic->factor;
       const auto next = find(at->mimics);
-      if (next == joints.end() || steps > joints.size() ||
-          (next->joint.kind != UrdfJoint::Kind::turns && next->joint.kind != UrdfJoint::Kind::slides))
+      if (next == joints.end() || steps > joints.size() || !next->joint.moves())
         read.element.fail("the joint '" + read.joint.name + "' mimics '" + at->mimics +
                           "', which is no joint that moves by itself");
       at = next;

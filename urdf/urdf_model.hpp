@@ -58,7 +58,9 @@ struct UrdfJoint {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
   double lower = 0, upper = 0;            ///< infinite for a continuous one
   double soft_lower = 0, soft_upper = 0;  ///< the same, narrowed by its safety_controller
-  std::optional<UrdfMimic> mimic = {};    ///< of a joint that mimics none
+  std::optional<UrdfMimic> mimic = {};    ///< of one that follows another
+
+  bool moves() const { return kind == Kind::turns || kind == Kind::slides; }
 };
 
 /// What a URDF says about links and joints.

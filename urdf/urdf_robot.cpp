@@ -2,17 +2,22 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/urdf/urdf_robot.hpp>
 
+#include <tinyxml2.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <set>
+
 #include <utility>
 #include <vector>
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/robots/tree_kinematics.hpp>
+#include "urdf/always_touching.hpp"
+#include "urdf/joint_choice.hpp"
 #include "urdf/link_shapes.hpp"
 #include "urdf/srdf_model.hpp"
 #include "urdf/urdf_model.hpp"
@@ -30,18 +35,6 @@ Affine3d turned(const Vector3d& rpy) {
 
 Frame frame_of(const Affine3d& place) { return {place.linear(), place.translation()}; }
 
-/// "'a', 'b'"
-template <class Names>
-std::string listed(const Names& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "'" : ", '") + name + "'";
-  return text.empty() ? "none" : text;
-}
-
-bool moves(const UrdfJoint& joint) {
-  return joint.kind == UrdfJoint::Kind::turns || joint.kind == UrdfJoint::Kind::slides;
-}
-
 /// Builds the robot of a model: which joints move, which links stand still against each other, and their shapes.
 class RobotBuilder {
  public:
@@ -51,96 +44,19 @@ class RobotBuilder {
   }
 
   std::shared_ptr<const Robot> build() {
-    choose_coordinates();
-    hold_the_others();
+    choice_ = choose_joints(options_, urdf_, srdf_ ? &*srdf_ : nullptr);
+    tree_.lower = choice_.lower;
+    tree_.upper = choice_.upper;
     join_links();
     add_shapes();
     add_pairs();
     name_states();
     robot_.kinematics = std::make_shared<const TreeKinematics>(tree_);
+    leave_out_what_always_touches(robot_);
     return make_robot(std::move(robot_));
   }
 
  private:
-  const UrdfJoint& joint(int number) const { return urdf_.joints[static_cast<std::size_t>(number)]; }
-  double lower(const UrdfJoint& joint) const { return options_.soft_limits ? joint.soft_lower : joint.lower; }
-  double upper(const UrdfJoint& joint) const { return options_.soft_limits ? joint.soft_upper : joint.upper; }
-
-  std::set<int> group() const {
-    std::set<int> all;
-    if (options_.group.empty()) {
-      for (int i = 0; i < static_cast<int>(urdf_.joints.size()); ++i) all.insert(i);
-      return all;
-    }
-    if (!srdf_) throw OptionError("group", "needs the SRDF that says what it is: give 'srdf'");
-    const auto found = srdf_->groups.find(options_.group);
-    if (found != srdf_->groups.end()) return found->second;
-    std::vector<std::string> names;
-    for (const auto& [name, joints] : srdf_->groups) names.push_back(name);
-    throw OptionError("group", "the SRDF has no group '" + options_.group + "'; it has: " + listed(names));
-  }
-
-  /// A joint that is held and one whose limits leave it one value have none.
-  void choose_coordinates() {
-    coordinates_.assign(urdf_.joints.size(), -1);
-    std::vector<double> least, most;
-    for (const int i : group()) {
-      const UrdfJoint& one = joint(i);
-      if (one.kind == UrdfJoint::Kind::unsupported)
-        throw OptionError(options_.group.empty() ? "file" : "group",
-                          "the joint '" + one.name + "' is " + one.type +
-                              "; joints that turn or slide can move: choose a group of the SRDF without it");
-      if (!moves(one) || one.mimic || options_.hold.count(one.name) > 0 || !(lower(one) < upper(one))) continue;
-      coordinates_[static_cast<std::size_t>(i)] = static_cast<int>(least.size());
-      least.push_back(lower(one));
-      most.push_back(upper(one));
-      names_.push_back(one.name);
-    }
-    if (least.empty()) throw OptionError(options_.group.empty() ? "file" : "group", "no joint of it moves");
-    const auto count = static_cast<Eigen::Index>(least.size());
-    tree_.lower = Eigen::Map<Eigen::VectorXd>(least.data(), count);
-    tree_.upper = Eigen::Map<Eigen::VectorXd>(most.data(), count);
-  }
-
-  void hold_the_others() {
-    std::map<std::string, double> given;
-    if (!options_.hold_state.empty()) {
-      const SrdfState* state = nullptr;
-      std::vector<std::string> names;
-      if (srdf_) {
-        for (const SrdfState& one : srdf_->states) {
-          names.push_back(one.name);
-          if (one.name == options_.hold_state) given.insert(one.joints.begin(), one.joints.end()), state = &one;
-        }
-      }
-      if (state == nullptr)
-        throw OptionError("hold_state",
-                          "the SRDF has no state '" + options_.hold_state + "'; it has: " + listed(names));
-    }
-    for (const auto& [name, value] : options_.hold) {
-      const int found = urdf_.find_joint(name);
-      if (found < 0 || !moves(joint(found)) || joint(found).mimic) {
-        std::vector<std::string> names;
-        for (const UrdfJoint& one : urdf_.joints)
-          if (moves(one) && !one.mimic) names.push_back(one.name);
-        throw OptionError("hold", "'" + name + "' is no joint that moves by itself; there are: " + listed(names));
-      }
-      if (!(value >= joint(found).lower && value <= joint(found).upper))
-        throw OptionError("hold", "the value of '" + name + "' is outside its limits");
-      given[name] = value;
-    }
-    values_.assign(urdf_.joints.size(), 0);
-    for (std::size_t i = 0; i < urdf_.joints.size(); ++i) {
-      const UrdfJoint& one = urdf_.joints[i];
-      if (!moves(one) || one.mimic) continue;
-      const auto value = given.find(one.name);
-      values_[i] = value != given.end() ? value->second : std::clamp(0.0, one.lower, one.upper);
-    }
-    for (std::size_t i = 0; i < urdf_.joints.size(); ++i)
-      if (const auto& mimic = urdf_.joints[i].mimic)
-        values_[i] = mimic->factor * values_[static_cast<std::size_t>(mimic->joint)] + mimic->offset;
-  }
-
   /// Links of the tree are what moves as one; each link of the file has its place in one of them.
   void join_links() {
     tree_.base = frame_of(Eigen::Translation3d(options_.position.head<3>()) * turned(options_.rpy));
@@ -151,9 +67,9 @@ class RobotBuilder {
       const UrdfJoint& one = urdf_.joints[i];
       const auto parent = static_cast<std::size_t>(one.parent), child = static_cast<std::size_t>(one.child);
       const Affine3d origin = places_[parent] * one.origin;
-      const int coordinate = coordinates_[one.mimic ? static_cast<std::size_t>(one.mimic->joint) : i];
+      const int coordinate = choice_.coordinates[one.mimic ? static_cast<std::size_t>(one.mimic->joint) : i];
       const double factor = one.mimic ? one.mimic->factor : 1;
-      if (moves(one) && coordinate >= 0 && factor != 0) {
+      if (one.moves() && coordinate >= 0 && factor != 0) {
         bodies_[child] = static_cast<int>(tree_.links.size());
         tree_.links.push_back(urdf_.links[child].name);
         tree_.joints.push_back({bodies_[parent], frame_of(origin), one.axis, one.kind == UrdfJoint::Kind::slides,
@@ -162,8 +78,9 @@ class RobotBuilder {
       }
       bodies_[child] = bodies_[parent];
       places_[child] = origin;
-      if (one.kind == UrdfJoint::Kind::turns) places_[child] = origin * Eigen::AngleAxisd(values_[i], one.axis);
-      if (one.kind == UrdfJoint::Kind::slides) places_[child] = origin * Eigen::Translation3d(values_[i] * one.axis);
+      if (one.kind == UrdfJoint::Kind::turns) places_[child] = origin * Eigen::AngleAxisd(choice_.values[i], one.axis);
+      if (one.kind == UrdfJoint::Kind::slides)
+        places_[child] = origin * Eigen::Translation3d(choice_.values[i] * one.axis);
     }
   }
 
@@ -241,10 +158,10 @@ class RobotBuilder {
   void name_states() {
     if (!srdf_) return;
     for (const SrdfState& state : srdf_->states) {
-      Eigen::VectorXd values(static_cast<Eigen::Index>(names_.size()));
+      Eigen::VectorXd values(static_cast<Eigen::Index>(choice_.names.size()));
       bool all = true;
-      for (std::size_t c = 0; c < names_.size(); ++c) {
-        const auto value = state.joints.find(names_[c]);
+      for (std::size_t c = 0; c < choice_.names.size(); ++c) {
+        const auto value = state.joints.find(choice_.names[c]);
         all = all && value != state.joints.end();
         if (all) values[static_cast<Eigen::Index>(c)] = value->second;
       }
@@ -260,9 +177,7 @@ class RobotBuilder {
   std::filesystem::path folder_;
   UrdfModel urdf_;
   std::optional<SrdfModel> srdf_;
-  std::vector<int> coordinates_;     ///< of the joints of the file; -1: it has none
-  std::vector<double> values_;       ///< of the joints that are held
-  std::vector<std::string> names_;   ///< of the coordinates
+  JointChoice choice_;
   std::vector<int> bodies_, links_;  ///< of links of the file: those of the tree; of capsules: links of the file
   std::vector<Affine3d> places_;     ///< of the links of the file, in the frames of those of the tree
   JointTree tree_;
@@ -271,22 +186,9 @@ class RobotBuilder {
 
 }  // namespace
 
-void UrdfRobotOptions::fields(FieldVisitor& visit) {
-  visit.file("file", file, {.help = "URDF file.", .required = true});
-  visit.file("srdf", srdf, {.help = "SRDF file: groups of joints, named states, pairs of links that may touch."});
-  visit.field("group", group, {.help = "Group of the SRDF whose joints move; default: all joints."});
-  visit.field("hold", hold,
-              {.help = "Values at which joints are held, {finger: 0.02}; default: 0, or the limit nearest to it.",
-               .unit = "rad or length"});
-  visit.field("hold_state", hold_state, {.help = "State of the SRDF from which the others have their values."});
-  visit.field("soft_limits", soft_limits,
-              {.help = "Keep to the soft limits of a safety_controller where they are narrower."});
-  visit.group("base", {.help = "Where the root link stands."}, [this](FieldVisitor& base) {
-    base.field("position", position, {.help = "Of its origin.", .unit = "length"});
-    base.field("rpy", rpy, {.help = "Its roll, pitch and yaw: turns about the fixed x, y and z.", .unit = "rad"});
-  });
-  visit.file("packages", packages,
-             {.help = "Folder with the packages of package:// names; meshes are also looked for beside the URDF."});
+std::string tinyxml2_version() {
+  return std::to_string(TINYXML2_MAJOR_VERSION) + "." + std::to_string(TINYXML2_MINOR_VERSION) + "." +
+         std::to_string(TINYXML2_PATCH_VERSION);
 }
 
 std::shared_ptr<const Robot> make_urdf_robot(const UrdfRobotOptions& options, const std::filesystem::path& folder) {

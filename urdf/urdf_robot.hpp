@@ -2,29 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
 
-#include <leastcost/framework/base/options.hpp>
 #include <leastcost/problems/robots/robot.hpp>
+#include <leastcost/urdf/urdf_options.hpp>
 
 namespace leastcost {
-
-struct UrdfRobotOptions {
-  std::string file = {};
-  std::string srdf = {};
-  std::string group = {};                              ///< of the SRDF: whose joints move; empty: all
-  std::map<std::string, double> hold = {};             ///< values of joints that do not move
-  std::string hold_state = {};                         ///< of the SRDF: values of the others
-  bool soft_limits = true;                             ///< those of a safety_controller, where they are narrower
-  std::string packages = {};                           ///< folder of packages for package:// names of meshes
-  Eigen::VectorXd position = Eigen::Vector3d::Zero();  ///< of the root link
-  Eigen::VectorXd rpy = Eigen::Vector3d::Zero();       ///< its roll, pitch and yaw, rad
-  void fields(FieldVisitor& visit);
-};
 
 /// The robot of a URDF file: coordinates are the joints that move, in the order of the tree. Joints without motion are
 /// merged away: links that stand still against each other are one, named by the one that moves first. Shapes are the

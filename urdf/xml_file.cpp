@@ -4,6 +4,7 @@
 
 #include <tinyxml2.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -12,7 +13,6 @@
 #include <leastcost/framework/base/errors.hpp>
 #include "problems/readers/file_content.hpp"
 #include "problems/readers/text_scanner.hpp"
-#include "urdf/urdf_robot.hpp"
 
 namespace leastcost {
 namespace {
@@ -46,11 +46,6 @@ std::string reason(const tinyxml2::XMLDocument& document) {
 }
 
 }  // namespace
-
-std::string tinyxml2_version() {
-  return std::to_string(TINYXML2_MAJOR_VERSION) + "." + std::to_string(TINYXML2_MINOR_VERSION) + "." +
-         std::to_string(TINYXML2_PATCH_VERSION);
-}
 
 std::string XmlElement::name() const { return element_->Name(); }
 

@@ -307,15 +307,10 @@ path: {points: 60}
 )";
 
 constexpr std::string_view kArm =
-    R"(# A motion of a robot arm among balls. A point is a list of joint angles in radians; the box
-# has the joint limits.
-# Other arms: leastcost describe robot dh_arm
+    R"(# A motion of a robot arm among balls. A point is a list of joint angles in radians.
+# Other arms: leastcost describe robot dh_arm, and from URDF files: leastcost describe robot urdf
 name: arm
-manifold:
-  type: euclidean
-  dimension: 7
-  lower: [-2.8973, -1.7628, -2.8973, -3.0718, -2.8973, -0.0175, -2.8973]
-  upper: [2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.7525, 2.8973]
+manifold: robot           # the box of the joint limits
 robot: {type: dh_arm, model: panda}
 obstacles:
   - {type: ball, center: [0.55, 0, 0.45], radius: 0.12}

@@ -229,11 +229,19 @@ void Composer::make_robot() {
   if (config_.robot) make_or_check(config_.robot, context_.robot);
 }
 
+/// Ends that are states of a robot wait for it, and the domain with them.
+bool Composer::domain_waits() const {
+  const auto is_state = [](const std::optional<EndOptions>& end) { return end && end->state; };
+  const bool states = is_state(config_.source) || is_state(config_.target);
+  return waits<ManifoldPtr>(config_.manifold) ||
+         (states && config_.robot && !context_.robot && waits<RobotPtr>(config_.robot));
+}
+
 /// What is known of a domain that waits for its files: a surface in R^3, or a part of the plane. Of the configurations
 /// of a robot nothing is.
 void Composer::assume_domain() {
   const int ambient = config_.manifold.plugin->ambient;
-  if (ambient == 0) return;
+  if (ambient == 0 || !waits<ManifoldPtr>(config_.manifold)) return;
   check_memory({ambient, ambient, 2});
   context_.dimension = ambient;
   context_.coordinates = coordinate_names(ambient);
@@ -434,7 +442,7 @@ void Composer::make_parts() {
 void Composer::make_from_options() {
   context_.seed = config_.seed;
   make_robot();
-  if (waits<ManifoldPtr>(config_.manifold)) {
+  if (domain_waits()) {
     attempt([&] { check_options<ManifoldPtr>(config_.manifold, context_); });
     assume_domain();
   } else {
@@ -449,6 +457,8 @@ void Composer::make_from_options() {
 void Composer::make_from_files(const BuildProgress& progress) {
   files_ = true;
   make_robot();
+  if (config_.robot && !context_.robot && waits_for<ManifoldPtr>(config_.manifold) == WaitsFor::robot)
+    return;  // what was wrong with the robot has been said
   if (!out_.problem.manifold) {
     const auto start = std::chrono::steady_clock::now();
     BuildContext reading{context_.folder};

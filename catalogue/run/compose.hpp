@@ -47,6 +47,7 @@ class Composer {
   void make_or_check(const PluginChoice& choice, Made& made);
   void make_robot();
   void place_goals();
+  bool domain_waits() const;
   void assume_domain();
   void check_all_needs();
   void check_memory(const Dimensions& dimensions);

@@ -43,6 +43,11 @@ class manifold:
         return _block("euclidean", dimension=dimension, lower=lower, upper=upper)
 
     @staticmethod
+    def robot() -> dict[str, Any]:
+        """The configurations of the robot: the box of its joint limits."""
+        return _block("robot")
+
+    @staticmethod
     def mesh(*, file: File, weld: bool | float | None = None, subdivide: int | None = None) -> dict[str, Any]:
         """A triangle mesh in R^3, read from an OBJ, OFF, PLY or STL file.
 
@@ -378,6 +383,34 @@ class robot:
           (x, y, z, qw, qx, qy, qz). [length]
         """
         return _block("rigid_body", shape=shape)
+
+    @staticmethod
+    def urdf(
+        *,
+        file: File,
+        srdf: File | None = None,
+        group: str | None = None,
+        hold: Mapping[str, float] | None = None,
+        hold_state: str | None = None,
+        soft_limits: bool | None = None,
+        base: Mapping[str, Any] | None = None,
+        packages: File | None = None,
+    ) -> dict[str, Any]:
+        """A robot from a URDF file, with the groups, states and pairs of its SRDF; a configuration is its joint values.
+
+        file: URDF file.
+        srdf: SRDF file: groups of joints, named states, pairs of links that may touch.
+        group: Group of the SRDF whose joints move; default: all joints.
+        hold: Values at which joints are held, {finger: 0.02}; default: 0, or the limit nearest to it. [rad or length]
+        hold_state: State of the SRDF from which the others have their values.
+        soft_limits: Keep to the soft limits of a safety_controller where they are narrower. (default: true)
+        base: Where the root link stands. (with position, rpy)
+        packages: Folder with the packages of package:// names; meshes are also looked for beside the URDF.
+        """
+        return _block(
+            "urdf", file=file, srdf=srdf, group=group, hold=hold, hold_state=hold_state, soft_limits=soft_limits,
+            base=base, packages=packages
+        )
 
 
 class cost:

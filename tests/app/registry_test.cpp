@@ -90,6 +90,7 @@ void add_answers(const LoadedConfig& loaded, Words& manifolds, Words& costs) {
   };
   if (complete(config.manifold, manifolds) && complete(config.cost, costs)) return;
   BuildContext context{loaded.folder};
+  if (config.robot) context.robot = make<std::shared_ptr<const Robot>>(config.robot, context);
   context.manifold = make<std::shared_ptr<const ConstraintManifold>>(config.manifold, context);
   context.dimension = context.manifold->dimensions().ambient;
   context.source = Eigen::VectorXd::Zero(context.dimension);

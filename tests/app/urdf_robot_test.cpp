@@ -193,6 +193,16 @@ TEST_CASE("urdf: pairs are those that the SRDF leaves or without one those that 
   CHECK(gantry_arm({})->whose.find("reach out of them by at most") != std::string::npos);
 }
 
+TEST_CASE("urdf: parts that always touch each other are left out and named") {
+  const std::string far =
+      "<link name='c'><collision><geometry><sphere radius='0.05'/></geometry></collision></link>\n"
+      "<joint name='k' type='revolute'><parent link='b'/><child link='c'/><origin xyz='0 0.16 0'/>\n"
+      "<axis xyz='0 0 1'/><limit lower='-1' upper='1'/></joint>\n";
+  const RobotPtr robot = Written(with(kHinge + far), "<robot name='r'/>").robot();
+  CHECK(pairs_of(*robot) == std::set<std::string>{"a c", "b c"});  // 10 mm apart, always
+  CHECK_THAT(robot->whose, Contains("left out are parts that touch each other in every configuration tried: a and b"));
+}
+
 TEST_CASE("urdf: wrong files are refused with their line") {
   CHECK(Written(with(kHinge)).message() == "");
   CHECK(Written("").message() == "robot.urdf:1: not XML: there is no element");

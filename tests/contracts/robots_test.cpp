@@ -1,76 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/problems/robots/robot.hpp>
-
-#include <memory>
-#include <random>
-
-#include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/robots/arm_models.hpp>
 #include <leastcost/problems/robots/rigid_body.hpp>
-#include <leastcost/problems/robots/robot_walls.hpp>
+#include "tests/contracts/robot_contract.hpp"
 #include "tests/support/catch.hpp"
 
 namespace leastcost {
-namespace {
-
-using Configuration = Eigen::VectorXd;
-
-/// What RobotWalls relies on, at random configurations: frames are rotations and follow their derivatives, points stay
-/// within their reach, and a clearance holds at every place of a move.
-void check_robot(const std::shared_ptr<const Robot>& robot) {
-  const Kinematics& kinematics = *robot->kinematics;
-  const Eigen::Index d = kinematics.dimension();
-  REQUIRE((kinematics.space() == 2 || kinematics.space() == 3));
-  REQUIRE(kinematics.lower().size() == d);
-  REQUIRE(kinematics.upper().size() == d);
-  CHECK((kinematics.lower().array() <= kinematics.upper().array()).all());
-  REQUIRE_FALSE(robot->capsules.empty());
-
-  std::mt19937 engine(20261202);
-  std::uniform_real_distribution<double> place(-1, 1);
-  const auto random_configuration = [&]() -> Configuration {
-    Configuration x = Configuration::NullaryExpr(d, [&] { return place(engine); });
-    return x.cwiseMax(kinematics.lower()).cwiseMin(kinematics.upper());
-  };
-  std::vector<Frame> links, moved;
-  Eigen::Matrix3Xd derivative;
-  const Configuration center = Configuration::Constant(kinematics.space(), 0.7);
-  const RobotWalls walls(robot, {make_ball({center, 0.2})}, 0.01);
-  constexpr int kMoves = 50, kPlaces = 50;
-  for (int k = 0; k < kMoves; ++k) {
-    const Configuration a = random_configuration(), b = random_configuration();
-    kinematics.place(a, links);
-    REQUIRE(static_cast<int>(links.size()) == kinematics.link_count());
-    for (const Frame& link : links) {
-      CHECK((link.rotation * link.rotation.transpose()).isIdentity(1e-13));
-      CHECK(link.rotation.determinant() > 0);
-    }
-    constexpr double kStep = 1e-7;
-    const Configuration way = (b - a).normalized();
-    kinematics.place(a + kStep * way, moved);
-    for (const Capsule& capsule : robot->capsules) {
-      const auto link = static_cast<std::size_t>(capsule.link);
-      const Eigen::Vector3d here = links[link].at(capsule.to), there = moved[link].at(capsule.to);
-      kinematics.jacobian(a, links, capsule.link, here, derivative);
-      REQUIRE(derivative.cols() == d);
-      CHECK((there - here - kStep * derivative * way).norm() < 1e-12);
-      CHECK_FALSE(kinematics.link_name(capsule.link).empty());
-    }
-    const MoveClearance found = walls.clearance(a, b);
-    CHECK(found.proved);
-    for (int i = 0; i <= kPlaces; ++i) {
-      const Configuration x = a + (b - a) * i / kPlaces;
-      CHECK(walls.clearance(x, x).upper >= found.lower);
-    }
-  }
-}
-
-}  // namespace
 
 TEST_CASE("robot contract: dh_arm") {
-  check_robot(make_dh_arm({}));
-  check_robot(make_dh_arm({.model = arm_model::Ur5{}, .base = Eigen::Vector3d(0.1, -0.2, 0.3)}));
+  test::check_robot(make_dh_arm({}));
+  test::check_robot(make_dh_arm({.model = arm_model::Ur5{}, .base = Eigen::Vector3d(0.1, -0.2, 0.3)}));
   arm_model::Table planar;
   planar.rows.resize(2, 4);
   planar.rows << 0.5, 0, 0, 0.1,  //
@@ -78,16 +17,16 @@ TEST_CASE("robot contract: dh_arm") {
   planar.shape.resize(2, 8);
   planar.shape << 1, -0.5, 0, 0, 0, 0, 0, 0.05,  //
       2, -0.4, 0, 0, 0, 0, 0, 0.05;
-  check_robot(make_dh_arm({.model = planar}));
+  test::check_robot(make_dh_arm({.model = planar}));
 }
 
 TEST_CASE("robot contract: rigid_body") {
   Eigen::MatrixXd shape(1, 5);
   shape << -0.3, 0, 0.4, 0.1, 0.1;
-  check_robot(make_rigid_body({shape}));
+  test::check_robot(make_rigid_body({shape}));
   shape.resize(1, 7);
   shape << -0.3, 0, 0, 0.4, 0.1, 0.2, 0.1;
-  check_robot(make_rigid_body({shape}));
+  test::check_robot(make_rigid_body({shape}));
 }
 
 }  // namespace leastcost
