@@ -245,13 +245,67 @@ class obstacle:
         return _block("ball", center=center, radius=radius)
 
     @staticmethod
-    def box(*, lower: ArrayLike, upper: ArrayLike) -> dict[str, Any]:
-        """An axis-aligned box, in the plane a rectangle; requires a clearance.
+    def box(
+        *,
+        lower: ArrayLike | None = None,
+        upper: ArrayLike | None = None,
+        size: ArrayLike | None = None,
+        pose: Mapping[str, Any] | None = None,
+    ) -> dict[str, Any]:
+        """A box, turned or along the axes; in the plane a rectangle; requires a clearance.
 
-        lower: Corner with the smallest coordinates. [length]
+        lower: Corner with the smallest coordinates, with upper. [length]
         upper: Corner with the largest coordinates. [length]
+        size: Edge lengths, in place of lower and upper: the origin is in its middle. [length]
+        pose: Position and rotation of the shape's frame. (with position, rpy, quaternion, rotation, angle)
         """
-        return _block("box", lower=lower, upper=upper)
+        return _block("box", lower=lower, upper=upper, size=size, pose=pose)
+
+    @staticmethod
+    def capsule(*, from_: ArrayLike, to: ArrayLike, radius: float) -> dict[str, Any]:
+        """All points within a radius of a segment.
+
+        from_: One end of its axis. [length]
+        to: The other end. [length]
+        radius: Distance of its surface from the axis. [length] (> 0)
+        """
+        return _block("capsule", **{"from": from_}, to=to, radius=radius)
+
+    @staticmethod
+    def cylinder(*, radius: float, height: float, pose: Mapping[str, Any] | None = None) -> dict[str, Any]:
+        """A cylinder with flat ends in space; requires a clearance.
+
+        radius: Radius. [length] (> 0)
+        height: Height, along the z axis of its frame, in whose middle the origin is. [length] (> 0)
+        pose: Position and rotation of the shape's frame. (with position, rpy, quaternion, rotation, angle)
+        """
+        return _block("cylinder", radius=radius, height=height, pose=pose)
+
+    @staticmethod
+    def cone(
+        *,
+        radius: float,
+        height: float,
+        top_radius: float | None = None,
+        pose: Mapping[str, Any] | None = None,
+    ) -> dict[str, Any]:
+        """A cone or a frustum of one in space; requires a clearance.
+
+        radius: Radius of the base, at the lower end. [length] (> 0)
+        height: Height, along the z axis of its frame, in whose middle the origin is. [length] (> 0)
+        top_radius: Radius at the upper end; 0: a tip. [length] (>= 0; default: 0)
+        pose: Position and rotation of the shape's frame. (with position, rpy, quaternion, rotation, angle)
+        """
+        return _block("cone", radius=radius, height=height, top_radius=top_radius, pose=pose)
+
+    @staticmethod
+    def half_space(*, normal: ArrayLike, offset: float | None = None) -> dict[str, Any]:
+        """All points behind a plane, such as the ground; requires a clearance.
+
+        normal: Direction out of the obstacle, of any length.
+        offset: Distance of its plane from the origin, along the normal. [length] (default: 0)
+        """
+        return _block("half_space", normal=normal, offset=offset)
 
     @staticmethod
     def polygon(*, corners: ArrayLike) -> dict[str, Any]:
@@ -350,6 +404,31 @@ class obstacle:
             "mesh", file=file, weld=weld, inside=inside, radius=radius, scale=scale, rotation=rotation,
             translation=translation
         )
+
+    @staticmethod
+    def points(*, file: File, radius: float, pose: Mapping[str, Any] | None = None) -> dict[str, Any]:
+        """A point cloud in space: all places within a radius of a point.
+
+        file: Point cloud file: PLY, XYZ, TXT, CSV or ASC.
+        radius: Radius of a ball around each point. [length] (> 0)
+        pose: Position and rotation of the shape's frame. (with position, rpy, quaternion, rotation, angle)
+        """
+        return _block("points", file=file, radius=radius, pose=pose)
+
+    @staticmethod
+    def scene(
+        *,
+        file: File,
+        pose: Mapping[str, Any] | None = None,
+        without: str | Sequence[str] | None = None,
+    ) -> dict[str, Any]:
+        """The objects of a planning scene in space, from a file; requires a clearance.
+
+        file: Scene file (YAML): objects with poses, or a planning scene of MoveIt.
+        pose: Position and rotation of the shape's frame. (with position, rpy, quaternion, rotation, angle)
+        without: Ids of objects that are left out.
+        """
+        return _block("scene", file=file, pose=pose, without=without)
 
     @staticmethod
     def distance_grid(*, file: File, radius: float | None = None, memory_limit: float | None = None) -> dict[str, Any]:
