@@ -44,6 +44,7 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/domain/has_box.hpp>
 #include <leastcost/framework/domain/has_sample_box.hpp>
+#include <leastcost/framework/domain/limits_moves.hpp>
 #include <leastcost/ompl/objective.hpp>
 #include "framework/base/point_text.hpp"
 #include "ompl/domain_space.hpp"
@@ -171,6 +172,13 @@ void check_positive(const char* key, const std::optional<double>& value) {
   if (value && !(*value > 0)) throw OptionError(key, "must be greater than 0");
 }
 
+/// OMPL's own choice, a fifth of the box, is longer than most clear moves of an arm: its trees hardly grow.
+std::optional<double> range_of_robot(const Problem& problem, double distance) {
+  constexpr double kSteps = 8;
+  const bool robot = find_ability<LimitsMoves>(*problem.manifold) != nullptr;
+  return robot ? std::optional<double>(distance / kSteps) : std::nullopt;
+}
+
 }  // namespace
 
 Words<OmplPlanner> words(OmplPlanner) {
@@ -191,11 +199,13 @@ void OmplOptions::fields(FieldVisitor& visit) {
                .minimum = 0,
                .maximum = kMostSeconds,
                .exclusive_minimum = true});
-  visit.field("range", range,
-              {.help = "Longest move that a planner adds at once; default: OMPL's choice for the space.",
-               .unit = "length",
-               .minimum = 0,
-               .exclusive_minimum = true});
+  visit.field(
+      "range", range,
+      {.help = "Longest move that a planner adds at once; default: for a robot 1/8 of the distance between the ends, "
+               "else OMPL's choice for the space.",
+       .unit = "length",
+       .minimum = 0,
+       .exclusive_minimum = true});
   visit.field(
       "step", step,
       {.help = "Moves are checked in pieces of half this length; default: 1/16 of the distance between the ends.",
@@ -243,7 +253,8 @@ FirstPath OmplInitializer::first_path(const Problem& problem, const Monitor& mon
     definition->setOptimizationObjective(objective_of(space, problem, chosen.improves));
     const ob::PlannerPtr planner = chosen.make(space);
     planner->setProblemDefinition(definition);
-    if (options_.range) planner->params().setParam("range", short_number(*options_.range, 17));
+    const std::optional<double> range = options_.range ? options_.range : range_of_robot(problem, distance);
+    if (range && planner->params().hasParam("range")) planner->params().setParam("range", short_number(*range, 17));
     planner->setup();
 
     const auto end = Monitor::Clock::now() + std::chrono::duration<double>(options_.max_seconds);

@@ -38,7 +38,7 @@ Words<OmplPlanner> words(OmplPlanner);
 struct OmplOptions {
   OmplPlanner planner = OmplPlanner::rrt_connect;
   double max_seconds = 10;
-  std::optional<double> range = {};  ///< length units; else OMPL's own choice
+  std::optional<double> range = {};  ///< length units; else an eighth of the distance for a robot, or OMPL's choice
   std::optional<double> step = {};   ///< length units; else a sixteenth of the distance of the ends
   double reach = 1;
   int shortcuts = 200;

@@ -47,6 +47,22 @@ const ConstraintManifold* object_at(const ConfigNode& tree, std::string_view key
   return domain == nullptr ? nullptr : domain->get();
 }
 
+/// How many points a robot needs depends on how thin its parts are and how far they go: not a number for all of them.
+void count_points_of_robot(ConfigNode& tree) {
+  const ConfigEntry* robot = tree.find("robot");
+  const ConfigNode* ring = node_at(tree, "path.ring");
+  if (robot == nullptr || node_at(tree, "path.points") != nullptr || (ring != nullptr && ring->text == "true")) return;
+  const Place place = robot->place;
+  if (tree.find("path") == nullptr) {
+    ConfigNode block;
+    block.kind = ConfigNode::Kind::block;
+    block.place = place;
+    tree.entries.push_back({"path", place, block});
+  }
+  ConfigNode& path = tree.find("path")->value;
+  if (path.is_block()) path.entries.push_back({"points", place, scalar_node("auto")});
+}
+
 }  // namespace
 
 void fill_defaults(RunConfig& config) {
@@ -70,6 +86,7 @@ void fill_defaults(RunConfig& config) {
 }
 
 void complete_types(ConfigNode& tree, const Externals& externals) {
+  count_points_of_robot(tree);
   const auto text_at = [&](std::string_view path) {
     const ConfigNode* node = node_at(tree, path);
     return node != nullptr && node->is_scalar() ? node->text : std::string();

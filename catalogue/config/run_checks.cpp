@@ -242,6 +242,7 @@ void check_points(LoadedConfig& loaded) {
   if (config.ring && config.points.value_or(kFewestInRing) < kFewestInRing)
     loaded.errors.error(place, fmt::format("a ring needs at least {} points", kFewestInRing));
   if (config.points || !config.manifold || config.manifold.provides<HasGraph>()) return;
+  if (config.robot && !config.ring) return;
   loaded.errors.error(
       place,
       fmt::format(

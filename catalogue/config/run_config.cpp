@@ -60,10 +60,12 @@ void RunConfig::fields(RunVisitor& visit) {
                     .minimum = 0});
       });
   visit.block("path", {.help = "The discrete path."}, [&](RunVisitor& path) {
-    path.points("points", points,
-                {.help = "Number n of free points; auto: as many as the first edge path has, at least 8.",
-                 .minimum = 1,
-                 .maximum = 1e7});
+    path.points(
+        "points", points,
+        {.help = "Number n of free points; auto: as many as the first edge path has, at least 8, and for a robot as "
+                 "many as its thin parts need, 64 to 200. Default: auto for a robot.",
+         .minimum = 1,
+         .maximum = 1e7});
     path.field("ring", ring, {.help = "A closed path without ends."});
     path.field_or_zero("reference_cost", reference_cost,
                        {.help = "s0 of the energy sum H(c / s0); 0: the mean segment cost of the first path.",

@@ -159,7 +159,10 @@ class Certifier {
     measure_stationarity();
     c_.index = path_index(energy_, path_.chain, options_.index_shift);
     measure_chart_jumps();
-    const Refinement refinement = refine_levels(problem_, path_.chain, monitor_);
+    // Where a bound holds the path no order is asked for, and half as many points may find no way between obstacles.
+    const bool is_solved = *c_.stationarity <= options_.stationarity;
+    const Refinement refinement =
+        refine_levels(problem_, path_.chain, monitor_, {.by_order = !hugs_bound_, .is_solved = is_solved});
     c_.levels = refinement.levels;
     if (monitor_.interrupted()) return;  // run() says so; half a refinement says nothing
     if (!refinement.trouble.empty())

@@ -28,6 +28,14 @@ double mean_cost(const Problem& problem, const CoordinatePath& path, const Monit
 /// As a reference cost: a path may cost nothing, or infinitely much.
 bool usable(double s0) { return s0 > 0 && std::isfinite(s0); }
 
+/// A chain that is solved already, on the domain that is fitted to it.
+void take_level(const Problem& problem, const CoordinatePath& path, const Monitor& monitor, Refinement& result) {
+  const Eigen::VectorXd costs = PathEnergy(problem, 1, monitor.deadline).costs(path);
+  result.levels.push_back({static_cast<int>(path.segment_count()), costs.sum(), 0, spread(costs), 0, 0});
+  result.paths.push_back(path);
+  result.domains.push_back(problem.manifold);
+}
+
 /// Solves one level; false where there is nothing to solve, or it came to nothing.
 bool solve_level(const Problem& problem, CoordinatePath& path, const Monitor& monitor, Refinement& result) {
   const int segments = static_cast<int>(path.segment_count());
@@ -64,26 +72,31 @@ std::optional<double> solved_cost(const Problem& problem, const CoordinatePath& 
   return PathEnergy(solved.problem, s0, monitor.deadline).cost(path);
 }
 
-Refinement refine_levels(const Problem& problem, const CoordinatePath& chain, const Monitor& monitor) {
+Refinement refine_levels(const Problem& problem, const CoordinatePath& chain, const Monitor& monitor,
+                         const RefinementPlan& plan) {
   Refinement result;
   // Fewer segments than were asked for may not go between obstacles at all.
   const bool fits = find_ability<FitsSegments>(*problem.manifold) != nullptr;
   const int segments = static_cast<int>(chain.segment_count());
   const int coarse = std::max(4, fits ? segments : (segments + 1) / 2);
-  MaybeChain sampled = sample(problem, chain, coarse, monitor);
+  const bool begins_solved = plan.is_solved && fits && coarse == segments;
+  MaybeChain sampled = begins_solved ? MaybeChain{chain, ""} : sample(problem, chain, coarse, monitor);
   if (!sampled) {
     result.trouble = sampled.why_not;
     result.collapsed = chain.ring && chain.u == chain.u.col(0).replicate(1, chain.u.cols());
     return result;
   }
   CoordinatePath& path = *sampled.chain;
-  for (int k = 0; k < 3; ++k) {
+  if (begins_solved) take_level(problem, path, monitor, result);
+  for (int k = begins_solved ? 1 : 0; k < 3; ++k) {
     if (k > 0) path = refine(problem, path, monitor.deadline);
     if (!solve_level(problem, path, monitor, result)) return result;
   }
   // Half as many segments as the first level: one more difference to judge the others by.
-  result.coarser_segments = std::max(chain.ring ? 3 : 2, result.levels[0].segments / 2);
-  result.coarser = solved_cost(problem, chain, result.coarser_segments, monitor);
+  if (plan.by_order) {
+    result.coarser_segments = std::max(chain.ring ? 3 : 2, result.levels[0].segments / 2);
+    result.coarser = solved_cost(problem, chain, result.coarser_segments, monitor);
+  }
   // Energies of all levels at one s0, that of the middle level, so that they can be compared.
   const double s0 = result.levels[1].cost / result.levels[1].segments;
   if (!usable(s0)) {

@@ -39,7 +39,13 @@ struct Refinement {
 std::optional<double> solved_cost(const Problem& problem, const CoordinatePath& chain, int segments,
                                   const Monitor& monitor);
 
+struct RefinementPlan {
+  bool by_order = true;    ///< the levels will be judged by the order at which their costs fall: with the coarser chain
+  bool is_solved = false;  ///< the chain is: on a domain that is fitted to it, it is the first level as it stands
+};
+
 /// Throws Interrupted after the monitor's deadline.
-Refinement refine_levels(const Problem& problem, const CoordinatePath& chain, const Monitor& monitor);
+Refinement refine_levels(const Problem& problem, const CoordinatePath& chain, const Monitor& monitor,
+                         const RefinementPlan& plan = {});
 
 }  // namespace leastcost

@@ -21,8 +21,8 @@ namespace leastcost {
 /// certificate lacks (`certificate.refine`; a path that stays refused costs up to `certificate.refine_work` times the
 /// first search; 0 where there is no time for them).
 struct FindOptions {
-  /// Free points n >= 1; nothing: max(8, interior vertices of the first edge path), VFCS 5.1. Doubled, which a note
-  /// says, as long as the moves between them cannot go between the obstacles of the domain.
+  /// Free points n >= 1; nothing: max(8, interior vertices of the first edge path), VFCS 5.1; of a robot LimitsMoves.
+  /// Doubled, which a note says, as long as the moves between them cannot go between the obstacles of the domain.
   std::optional<int> points = 64;
   /// s0 > 0, units of the cost; nothing: the mean segment cost of the first path.
   std::optional<double> reference_cost = {};

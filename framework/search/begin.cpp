@@ -9,6 +9,7 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/cost/has_constant_metric.hpp>
 #include <leastcost/framework/domain/checks_moves.hpp>
+#include <leastcost/framework/domain/limits_moves.hpp>
 #include <leastcost/framework/energy/path_energy.hpp>
 #include "framework/energy/spacing.hpp"
 #include "framework/result/find_path_checks.hpp"
@@ -20,11 +21,26 @@
 namespace leastcost {
 namespace {
 
-int point_count(const FindOptions& options, const FirstPath& first) {
+double length_of(const Points& x) {
+  return (x.rightCols(x.cols() - 1) - x.leftCols(x.cols() - 1)).colwise().norm().sum();
+}
+
+/// As many that moves are no longer than the domain's thin obstacles, or parts of a robot, are thick: longer ones keep
+/// away from them by a margin of first order. A bound on all motions overstates most, so that a cap costs little.
+int count_for_thin_obstacles(const LimitsMoves& domain, const FirstPath& first) {
+  constexpr double kFewest = 64, kMost = 200;
+  return static_cast<int>(std::clamp(std::ceil(length_of(first.path.u) / domain.longest_move()), kFewest, kMost));
+}
+
+int point_count(const FindOptions& options, const Problem& problem, const FirstPath& first) {
   if (options.points) return *options.points;
-  if (!first.graph_vertices)
-    throw InputError("points: auto counts the vertices of an edge path, but this domain has no graph; give a number");
-  return std::max(8, *first.graph_vertices);
+  if (first.graph_vertices) return std::max(8, *first.graph_vertices);
+  const auto* domain = find_ability<LimitsMoves>(*problem.manifold);
+  if (domain == nullptr || problem.ring)
+    throw InputError(
+        "points: auto counts the vertices of an edge path, or fits moves to the thin parts of a robot, but this domain "
+        "has no graph and no robot; give a number");
+  return count_for_thin_obstacles(*domain, first);
 }
 
 /// Among obstacles the message begins with no_passage.
@@ -48,7 +64,7 @@ int spacing_passes(const Search& search, const Problem& problem) {
 CoordinatePath samples_of_first_path(const Search& search, const Outcome& out) {
   const Problem& problem = out.problem;
   const CoordinatePath& path = out.result.first.path;
-  Sampling sampling(point_count(search.options, out.result.first));
+  Sampling sampling(point_count(search.options, problem, out.result.first));
   sampling.passes = spacing_passes(search, problem);
   const Deadline& deadline = search.monitor.deadline;
   MaybeChain chain = try_sampling(problem, path, sampling, deadline);

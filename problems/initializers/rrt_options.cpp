@@ -29,7 +29,8 @@ void RrtOptions::fields(FieldVisitor& visit) {
   visit.field(
       "paths", paths,
       {.help =
-           "Number of paths to find, of which the shortest is taken; default: 8 among obstacles in space, otherwise 1.",
+           "Number of paths to find, of which the shortest is taken; default: among obstacles 8 in space and 4 in more "
+           "dimensions (a robot), otherwise 1.",
        .minimum = 1});
   visit.field("seed", seed, {.help = "Seed of the samples; default: the seed of the run.", .minimum = 0});
 }

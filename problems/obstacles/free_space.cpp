@@ -11,7 +11,9 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/domain/has_box.hpp>
+#include <leastcost/problems/obstacles/has_thinnest_core.hpp>
 #include "problems/obstacles/crossing_word.hpp"
+#include "problems/obstacles/least_push.hpp"
 #include "problems/obstacles/sweep.hpp"
 #include "problems/obstacles/walls_in.hpp"
 
@@ -33,7 +35,7 @@ constexpr double kLeastAdvance = 0.02;  ///< of a step: how finely walls are loo
 constexpr double kBending = 1e-5;       ///< of the distance from a core: the step of a difference of slopes
 constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
 
-double longest_move(const Points& x, const CoordinatePath& path) {
+double longest_of(const Points& x, const CoordinatePath& path) {
   double longest = 0;
   for (Index i = 0; i < path.segment_count(); ++i)
     longest = std::max(longest, (x.col((i + 1) % x.cols()) - x.col(i)).norm());
@@ -155,6 +157,33 @@ void FreeSpace::push(Point& point, const Wall& wall, double by) const {
   if (steep > 0) point.step(by / steep * slope);
 }
 
+/// One least step onto those that hold the point and out of all others, sides of a box among them, as their gaps, taken
+/// to be linear, say. A push out of one wall alone leads into the one that faces it, and between two at an angle a what
+/// is missing falls by the square of cos(a) only. Where no step clears all of them, it goes onto those that it is in.
+void FreeSpace::push_out_of_all(Point& point, const std::vector<int>& held, double by) const {
+  constexpr double kBeside = 4, kFarthest = 64;  // of what is missing: what is heeded, and how far to go at once
+  look(point, kBeside * by);
+  std::vector<WallToClear> all;
+  for (const Wall& wall : point.walls) {
+    const bool holds = std::find(held.begin(), held.end(), wall.obstacle) != held.end();
+    all.push_back({point.slope(wall), -room(wall), holds});
+  }
+  const auto* box = flat_ ? find_ability<HasBox>(*domain_) : nullptr;
+  for (Index i = 0; box != nullptr && i < point.u().size(); ++i) {
+    const Vector side = Vector::Unit(point.u().size(), i);
+    const double below = point.u()[i] - box->box_lower()[i], above = box->box_upper()[i] - point.u()[i];
+    if (below < kFarthest * by) all.push_back({side, -below, false});
+    if (above < kFarthest * by) all.push_back({-side, -above, false});
+  }
+  std::optional<Vector> step = least_push(all);
+  if (!step) {
+    std::erase_if(all, [](const WallToClear& wall) { return !wall.exactly && !(wall.missing > 0); });
+    for (WallToClear& wall : all) wall.exactly = true;
+    step = least_push(all);
+  }
+  if (step && step->norm() > 0) point.step(std::min(1.0, kFarthest * by / step->norm()) * *step);
+}
+
 /// Moves a point onto the walls that hold it and, if bounded, out of those that it has come into, to the nearest place;
 /// false where they leave none.
 bool FreeSpace::settle(Point& point, const std::vector<int>& held, bool bounded, double reach) const {
@@ -194,7 +223,9 @@ bool FreeSpace::settle(Point& point, const std::vector<int>& held, bool bounded,
     before = std::abs(by);
     idle = before < best / 2 ? 0 : idle + 1;
     best = std::min(best, before);
-    if (k < kOneByOne || counting.size() == 1)
+    if (k >= kOneByOne && bounded && flat_)
+      push_out_of_all(point, held, before);
+    else if (k < kOneByOne || counting.size() == 1)
       push(point, *worst, -by);
     else
       push_onto_all(counting);
@@ -218,7 +249,8 @@ bool FreeSpace::carry(Point& point) const {
     const double before = margins_.before(wall);
     if (std::abs(wall.gap - before) > slack(point.x())) continue;
     held.push_back(wall.obstacle);
-    gone = std::max(gone, std::abs(margins_.of(wall) - before));
+    const double steep = point.slope(wall).norm();  // below 1 where a robot's part moves less than it might
+    if (steep > 0) gone = std::max(gone, std::abs(margins_.of(wall) - before) / steep);
   }
   if (held.empty()) return false;
   Point carried = point;
@@ -474,7 +506,7 @@ std::shared_ptr<const ConstraintManifold> FreeSpace::unfitted(const CoordinatePa
   std::shared_ptr<const Walls> walls = remembering(*walls_);
   if (walls == nullptr) walls = walls_;
   auto unfitted = std::make_shared<FreeSpace>(domain_, std::move(walls));
-  unfitted->margins_ = WallMargins(longest_move(positions(*domain_, path), path));
+  unfitted->margins_ = WallMargins(longest_of(positions(*domain_, path), path));
   return unfitted;
 }
 
@@ -491,7 +523,7 @@ std::shared_ptr<const ConstraintManifold> FreeSpace::fitted(const CoordinatePath
   }
   const double size = std::max(walls_->size(), x.cwiseAbs().maxCoeff());
   const double agree = std::max(kFitted * extent_of(x), kOn * size);
-  std::optional<WallMargins> margins = margins_.fitted(least, longest_move(x, path), agree, kRounding * size);
+  std::optional<WallMargins> margins = margins_.fitted(least, longest_of(x, path), agree, kRounding * size);
   if (!margins) return nullptr;
   auto fitted = std::make_shared<FreeSpace>(domain_, walls_);
   fitted->margins_ = std::move(*margins);
@@ -520,6 +552,13 @@ std::vector<MarginCost> FreeSpace::margin_costs(const CoordinatePath& path, cons
   listed.reserve(costs.size());
   for (const auto& [obstacle, cost] : costs) listed.push_back({obstacle, cost});
   return listed;
+}
+
+double FreeSpace::longest_move() const { return 2 * find_ability<HasThinnestCore>(*walls_)->thinnest(); }
+
+bool FreeSpace::limits_moves() const {
+  const auto* cores = find_ability<HasThinnestCore>(*walls_);
+  return cores != nullptr && std::isfinite(cores->thinnest());
 }
 
 void FreeSpace::draw(const DrawnPaths& paths, Drawing& out) const {

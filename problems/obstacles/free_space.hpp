@@ -12,6 +12,7 @@
 #include <leastcost/framework/domain/fits_segments.hpp>
 #include <leastcost/framework/domain/goes_beyond_bounds.hpp>
 #include <leastcost/framework/domain/has_curvature.hpp>
+#include <leastcost/framework/domain/limits_moves.hpp>
 #include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/framework/domain/sees_bounds.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
@@ -40,6 +41,7 @@ class FreeSpace final : public ConstraintManifold,
                         public ChecksMoves,
                         public DecidesMoves,
                         public FitsSegments,
+                        public LimitsMoves,
                         public HasWalls,
                         public DrawsItself,
                         public DrawsPoses {
@@ -80,6 +82,9 @@ class FreeSpace final : public ConstraintManifold,
   std::shared_ptr<const ConstraintManifold> fitted(const CoordinatePath& path) const override;
   std::vector<MarginCost> margin_costs(const CoordinatePath& path, const Points& gradient) const override;
 
+  /// Where walls know their thinnest core: longer moves make points keep away from it by more than it is thick.
+  double longest_move() const override;
+
   /// The domain, and the walls.
   void draw(const DrawnPaths& paths, Drawing& out) const override;
   PoseStrip pose_strip(const Points& configurations) const override;
@@ -92,12 +97,14 @@ class FreeSpace final : public ConstraintManifold,
   bool knows_curvature() const override { return flat_; }
   bool has_poses() const override;
   bool decides_moves() const override { return flat_ && find_ability<DecidesMoves>(*walls_) != nullptr; }
+  bool limits_moves() const override;
   /// By how much a wall is beyond its margin.
   double room(const Wall& wall) const { return wall.gap - margins_.of(wall); }
   double slack(const Eigen::VectorXd& x) const;
   void look(Point& point, double reach) const;
   bool anything_near(const Eigen::VectorXd& x, double reach, std::vector<Wall>& found) const;
   void push(Point& point, const Wall& wall, double by) const;
+  void push_out_of_all(Point& point, const std::vector<int>& held, double by) const;
   bool settle(Point& point, const std::vector<int>& held, bool bounded, double reach) const;
   bool carry(Point& point) const;
   bool clear_way(const Point& start, const std::vector<int>& held, Point& end) const;

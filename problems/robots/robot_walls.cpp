@@ -584,6 +584,17 @@ std::string RobotWalls::obstacle_name(int obstacle) const {
          std::to_string(other) + ")";
 }
 
+/// What is required of pairs, by how far the part moves at most as the configuration moves by 1.
+double RobotWalls::thinnest() const {
+  double thinnest = kUnbounded;
+  for (const Body& body : bodies_)
+    for (const double required : required_)
+      if (body.steepest > 0) thinnest = std::min(thinnest, (required + body.radius) / body.steepest);
+  for (const Pair& pair : self_)
+    if (pair.steepest > 0) thinnest = std::min(thinnest, pair.required / pair.steepest);
+  return thinnest;
+}
+
 std::shared_ptr<const Walls> RobotWalls::remembering() const {
   std::shared_ptr<const RobotWalls> shared = weak_from_this().lock();
   return shared != nullptr ? std::make_shared<const RememberingWalls>(std::move(shared)) : nullptr;

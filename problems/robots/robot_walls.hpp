@@ -9,6 +9,7 @@
 
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/drawing/draws_poses.hpp>
+#include <leastcost/problems/obstacles/has_thinnest_core.hpp>
 #include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include <leastcost/problems/obstacles/obstacle.hpp>
 #include <leastcost/problems/robots/pair_walls.hpp>
@@ -28,6 +29,7 @@ class MoveSieve;
 class RobotWalls final : public PairWalls,
                          public Remembers,
                          public DecidesMoves,
+                         public HasThinnestCore,
                          public DrawsItself,
                          public DrawsPoses,
                          public std::enable_shared_from_this<RobotWalls> {
@@ -47,6 +49,7 @@ class RobotWalls final : public PairWalls,
   void along(const Vector& a, const Vector& b, double reach, std::vector<Wall>& found) const override;
   double room(const Vector& a, const Vector& b, double reach) const override;
   std::string obstacle_name(int obstacle) const override;
+  double thinnest() const override;
   void draw(const DrawnPaths& paths, Drawing& out) const override;
   PoseStrip pose_strip(const Points& configurations) const override;
   /// Null for walls that no shared pointer owns.

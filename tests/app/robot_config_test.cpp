@@ -89,4 +89,15 @@ TEST_CASE("robot: its options are named where they are wrong") {
              Contains("end_in_clearance: it is") && Contains("too close to the body and the ball at (0.2, 0.1)"));
 }
 
+TEST_CASE("robot: without a number of points it gets as many as its thin parts need") {
+  CHECK_FALSE(parse(kBody).config.points);
+  CHECK_FALSE(parse(kArm).config.points);
+  CHECK(parse(kBody + "path: {points: 30}\n").config.points == 30);
+  const LoadedConfig with_path = parse(kBody + "path: {cascade: true}\n");
+  CHECK(with_path.errors.render() == "");
+  CHECK_FALSE(with_path.config.points);
+  CHECK(with_path.config.cascade);
+  CHECK(parse(replaced(kBody, "robot: {type: rigid_body, shape: [[-0.5, 0, 0.5, 0, 0.1]]}\n", "")).config.points == 64);
+}
+
 }  // namespace leastcost::test

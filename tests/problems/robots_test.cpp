@@ -527,4 +527,33 @@ TEST_CASE("robots: the listed parts of the arms can touch, and stay apart in the
   }
 }
 
+TEST_CASE("robot walls: as the configuration moves by the thinnest core no part moves farther than it is thick") {
+  std::mt19937 engine(7);
+  std::normal_distribution<double> normal;
+  constexpr double kRadius = 0.05, kClearance = 0.01;
+  for (const RobotPtr& robot : all_robots()) {
+    const int space = robot->kinematics->space();
+    const RobotWalls walls(robot, {make_ball({RobotVector::Constant(space, 0.7), kRadius})}, kClearance);
+    const double thinnest = walls.thinnest();
+    REQUIRE(thinnest > 0);
+    CHECK(RobotWalls(robot, {make_ball({RobotVector::Constant(space, 0.7), 2 * kRadius})}, kClearance).thinnest() >=
+          thinnest);
+    std::vector<Frame> before, after;
+    for (int k = 0; k < 50; ++k) {
+      const RobotVector x = random_configuration(*robot->kinematics, engine);
+      const RobotVector way = RobotVector::NullaryExpr(x.size(), [&] { return normal(engine); }).normalized();
+      robot->kinematics->place(x, before);
+      robot->kinematics->place(x + thinnest * way, after);
+      for (const Capsule& part : robot->capsules) {
+        const auto link = static_cast<std::size_t>(part.link);
+        const double gone = (after[link].at(part.to) - before[link].at(part.to)).norm();
+        const bool meets_parts = std::any_of(robot->self.begin(), robot->self.end(), [&](const auto& pair) {
+          return &robot->capsules[static_cast<std::size_t>(pair.second)] == &part;
+        });
+        if (!meets_parts) CHECK(gone <= part.radius + kRadius + kClearance);
+      }
+    }
+  }
+}
+
 }  // namespace leastcost
