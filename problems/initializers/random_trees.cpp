@@ -11,11 +11,10 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr double kLongest = 3;                  ///< an edge may be so many steps long
-constexpr int kSamplesPerNode = 20;             ///< samples that may fail for each node that is allowed
-constexpr double kShortestStep = 1.0 / 8;       ///< of a step that is taken where a whole one is blocked
-constexpr double kShortestQuickStep = 1.0 / 2;  ///< where further samples cost little
-constexpr double kProgress = 0.1;               ///< of a step: a node that brings less would only be in the way
+constexpr double kLongest = 3;             ///< an edge may be so many steps long
+constexpr int kSamplesPerNode = 20;        ///< samples that may fail for each node that is allowed
+constexpr double kShortestStep = 1.0 / 8;  ///< of a step that is taken where a whole one is blocked
+constexpr double kProgress = 0.1;          ///< of a step: a node that brings less would only be in the way
 
 /// A sixteenth of the distance of the ends. Where moves are told quickly long ones cost little: a sixteenth of the
 /// diagonal of the domain, which for the joints of an arm is 1 to 2 rad.
@@ -122,20 +121,27 @@ Vector RandomTrees::sample(const Vector& other_end) {
   return low + Vector::NullaryExpr(low.size(), [&] { return uniform_number(engine_); }).cwiseProduct(high - low);
 }
 
+/// Where samples cost little long steps alone are tried, until there have been so many that the way must be narrow.
+double RandomTrees::shortest_quick_step() const {
+  constexpr double kAtFirst = 1.0 / 2, kAtLast = 1.0 / 64;
+  constexpr double kSamplesPerHalving = 1000;
+  return std::max(kAtLast, kAtFirst * std::exp2(-std::floor(static_cast<double>(samples_) / kSamplesPerHalving)));
+}
+
 /// One step from a node towards x, then into the shell; less than a step where that is blocked. The new node, or -1.
 int RandomTrees::extend(int tree, int from, const Vector& x) {
   RandomTree& growing = trees_[static_cast<std::size_t>(tree)];
   const Vector start = growing.node(from), way = x - start;
   const double distance = way.norm(), whole = std::min(step_, distance);
   if (!(distance > 0)) return -1;
-  const double shortest = lines_.quick() ? kShortestQuickStep : kShortestStep;
+  const double shortest = lines_.quick() ? shortest_quick_step() : kShortestStep;
   for (double length = whole; length >= shortest * whole; length /= 2) {
     Vector moved = start + length / distance * way;
     const std::optional<Vector> foot = lines_.nearest(moved);
     if (!foot) continue;
     const double off = (moved - *foot).norm();
     if (off > shell_) moved = *foot + shell_ / off * (moved - *foot);
-    if ((*foot - growing.foot(from)).norm() < kProgress * whole) return -1;
+    if ((*foot - growing.foot(from)).norm() < std::min(kProgress, shortest / 2) * whole) return -1;
     if (!joins(tree, from, *foot)) continue;
     around_trees_.lower = around_trees_.lower.cwiseMin(moved - margin_);
     around_trees_.upper = around_trees_.upper.cwiseMax(moved + margin_);

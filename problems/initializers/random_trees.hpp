@@ -62,6 +62,7 @@ class RandomTrees {
 
  private:
   bool is_over(const Monitor& monitor);
+  double shortest_quick_step() const;  ///< of a step
   Eigen::VectorXd sample(const Eigen::VectorXd& other_end);
   int extend(int tree, int from, const Eigen::VectorXd& x);
   int connect(int tree, const Eigen::VectorXd& foot, const Monitor& monitor);
