@@ -3,10 +3,12 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <functional>
 #include <memory>
 #include <string>
 
-#include "problems/obstacles/convex_core.hpp"
+#include <leastcost/problems/obstacles/meets_triangles.hpp>
+#include <leastcost/problems/obstacles/obstacle.hpp>
 
 namespace leastcost {
 
@@ -14,8 +16,12 @@ namespace leastcost {
 /// a turned box takes as long as one along the axes.
 class PosedObstacle final : public Obstacle, public MeetsTriangles {
  public:
-  /// In the plane the pose is one about the z axis. `name`: for messages.
-  PosedObstacle(std::shared_ptr<const ConvexCore> core, const Eigen::Isometry3d& pose, std::string name);
+  /// The largest scalar product of a direction with a point of the core, in its frame.
+  using Support = std::function<double(const Eigen::Vector3d&)>;
+
+  /// A bounded, convex core. In the plane the pose is one about the z axis. `name`: for messages.
+  PosedObstacle(std::shared_ptr<const Obstacle> core, const Support& support, const Eigen::Isometry3d& pose,
+                std::string name);
 
   std::string name() const override { return name_; }
   Box core_bounds() const override { return bounds_; }
@@ -28,10 +34,11 @@ class PosedObstacle final : public Obstacle, public MeetsTriangles {
   double distance_of_triangle(const std::array<Eigen::Vector3d, 3>& corners, Eigen::Vector3d& nearest) const override;
 
  private:
-  bool measures_triangles() const override { return core_->present(); }
+  bool measures_triangles() const override { return triangles_ != nullptr; }
   void to_own(const Vector& x, Vector& own) const;
 
-  std::shared_ptr<const ConvexCore> core_;
+  std::shared_ptr<const Obstacle> core_;
+  const MeetsTriangles* triangles_;  ///< the same; null in the plane
   Eigen::Matrix3d turn_;
   Eigen::Vector3d position_;
   std::string name_;
