@@ -12,13 +12,13 @@
 #include <random>
 #include <vector>
 
-#include <leastcost/problems/obstacles/box_obstacle.hpp>
-#include <leastcost/problems/obstacles/capsule_obstacle.hpp>
-#include <leastcost/problems/obstacles/cone.hpp>
-#include <leastcost/problems/obstacles/cylinder.hpp>
 #include <leastcost/problems/obstacles/mesh_obstacle.hpp>
 #include <leastcost/problems/robots/arm_models.hpp>
 #include <leastcost/problems/robots/robot_walls.hpp>
+#include <leastcost/problems/shapes/box.hpp>
+#include <leastcost/problems/shapes/capsule_obstacle.hpp>
+#include <leastcost/problems/shapes/cone.hpp>
+#include <leastcost/problems/shapes/cylinder.hpp>
 
 namespace {
 
@@ -98,8 +98,8 @@ int main() {
   const auto pose = [](const Place& place) { return ShapePose{.position = place.position, .rpy = place.turn}; };
   const std::vector<std::pair<const char*, Obstacles>> kinds = {
       {"boxes along the axes",
-       of_all([](const Place& p) { return make_box_obstacle({.size = p.size, .pose = {.position = p.position}}); })},
-      {"turned boxes", of_all([&](const Place& p) { return make_box_obstacle({.size = p.size, .pose = pose(p)}); })},
+       of_all([](const Place& p) { return make_box({.size = p.size, .pose = {.position = p.position}}); })},
+      {"turned boxes", of_all([&](const Place& p) { return make_box({.size = p.size, .pose = pose(p)}); })},
       {"turned boxes as meshes",
        of_all([](const Place& p) { return make_mesh_obstacle(TriangleMesh(box_mesh(p)), MeshInside::solid, 0); })},
       {"cylinders", of_all([&](const Place& p) {

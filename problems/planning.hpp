@@ -11,16 +11,11 @@
 #include <leastcost/problems/manifolds/data/map.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
-#include <leastcost/problems/obstacles/capsule_obstacle.hpp>
 #include <leastcost/problems/obstacles/checker_walls.hpp>
-#include <leastcost/problems/obstacles/cone.hpp>
-#include <leastcost/problems/obstacles/cylinder.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/problems/obstacles/grid_obstacle.hpp>
-#include <leastcost/problems/obstacles/half_space.hpp>
 #include <leastcost/problems/obstacles/map_obstacles.hpp>
 #include <leastcost/problems/obstacles/mesh_obstacle.hpp>
-#include <leastcost/problems/obstacles/point_obstacle.hpp>
 #include <leastcost/problems/obstacles/polygon.hpp>
 #include <leastcost/problems/obstacles/raster_obstacles.hpp>
 #include <leastcost/problems/occupancy/occupancy_options.hpp>
@@ -30,3 +25,9 @@
 #include <leastcost/problems/robots/rigid_body.hpp>
 #include <leastcost/problems/robots/robot_walls.hpp>
 #include <leastcost/problems/robots/tree_kinematics.hpp>
+#include <leastcost/problems/shapes/box.hpp>
+#include <leastcost/problems/shapes/capsule_obstacle.hpp>
+#include <leastcost/problems/shapes/cone.hpp>
+#include <leastcost/problems/shapes/cylinder.hpp>
+#include <leastcost/problems/shapes/half_space.hpp>
+#include <leastcost/problems/shapes/point_obstacle.hpp>

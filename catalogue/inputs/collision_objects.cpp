@@ -12,12 +12,12 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
-#include <leastcost/problems/obstacles/box_obstacle.hpp>
-#include <leastcost/problems/obstacles/cone.hpp>
-#include <leastcost/problems/obstacles/cylinder.hpp>
-#include <leastcost/problems/obstacles/half_space.hpp>
-#include <leastcost/problems/obstacles/shape_pose.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
+#include <leastcost/problems/shapes/box.hpp>
+#include <leastcost/problems/shapes/cone.hpp>
+#include <leastcost/problems/shapes/cylinder.hpp>
+#include <leastcost/problems/shapes/half_space.hpp>
+#include <leastcost/problems/shapes/shape_pose.hpp>
 #include "catalogue/inputs/scene_objects.hpp"
 
 namespace leastcost {
@@ -81,7 +81,7 @@ void add_primitive(SceneBlock& part, const Isometry3d& pose, const std::string& 
   const std::string name = fmt::format("the {} {}", kTypes[which], id);
   const ShapePose where = shape_pose(pose);
   scene.add(part, [&]() -> SceneObjects::Made {
-    if (which == 0) return make_box_obstacle({{}, {}, size, where}, {.name = name, .with_place = false});
+    if (which == 0) return make_box({{}, {}, size, where}, name);
     if (which == 1) return make_ball({pose.translation(), size[0]}, name);
     if (which == 2) return make_cylinder({size[1], size[0], where}, name);
     return make_cone({size[1], size[0], 0, where}, name);

@@ -9,13 +9,13 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
-#include <leastcost/problems/obstacles/box_obstacle.hpp>
-#include <leastcost/problems/obstacles/capsule_obstacle.hpp>
-#include <leastcost/problems/obstacles/cone.hpp>
-#include <leastcost/problems/obstacles/cylinder.hpp>
-#include <leastcost/problems/obstacles/half_space.hpp>
-#include <leastcost/problems/obstacles/shape_pose.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
+#include <leastcost/problems/shapes/box.hpp>
+#include <leastcost/problems/shapes/capsule_obstacle.hpp>
+#include <leastcost/problems/shapes/cone.hpp>
+#include <leastcost/problems/shapes/cylinder.hpp>
+#include <leastcost/problems/shapes/half_space.hpp>
+#include <leastcost/problems/shapes/shape_pose.hpp>
 #include "catalogue/yaml/suggest.hpp"
 
 namespace leastcost {
@@ -77,10 +77,10 @@ void read_shape(const std::string& type, const std::string& name, SceneBlock& bl
   const ShapePose given = read_pose(block, scene.errors());
   const auto placed = [&] { return scene_pose * pose_of(given, 3); };
   if (type == "box") {
-    BoxObstacleOptions box{block.numbers("lower", 3), block.numbers("upper", 3), block.numbers("size", 3), {}};
+    BoxShapeOptions box{block.numbers("lower", 3), block.numbers("upper", 3), block.numbers("size", 3), {}};
     return scene.add(block, [&] {
       box.pose = shape_pose(placed());
-      return make_box_obstacle(box, {.name = name, .with_place = false});
+      return make_box(box, name);
     });
   }
   if (type == "mesh") {

@@ -44,15 +44,9 @@
 #include <leastcost/problems/manifolds/parametric.hpp>
 #include <leastcost/problems/manifolds/pose.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
-#include <leastcost/problems/obstacles/box_obstacle.hpp>
-#include <leastcost/problems/obstacles/capsule_obstacle.hpp>
-#include <leastcost/problems/obstacles/cone.hpp>
-#include <leastcost/problems/obstacles/cylinder.hpp>
 #include <leastcost/problems/obstacles/grid_obstacle.hpp>
-#include <leastcost/problems/obstacles/half_space.hpp>
 #include <leastcost/problems/obstacles/map_obstacles.hpp>
 #include <leastcost/problems/obstacles/mesh_obstacle.hpp>
-#include <leastcost/problems/obstacles/point_obstacle.hpp>
 #include <leastcost/problems/obstacles/polygon.hpp>
 #include <leastcost/problems/obstacles/raster_obstacles.hpp>
 #include <leastcost/problems/post_processors/on_surface.hpp>
@@ -64,6 +58,12 @@
 #include <leastcost/problems/post_processors/trace.hpp>
 #include <leastcost/problems/robots/arm_models.hpp>
 #include <leastcost/problems/robots/rigid_body.hpp>
+#include <leastcost/problems/shapes/box.hpp>
+#include <leastcost/problems/shapes/capsule_obstacle.hpp>
+#include <leastcost/problems/shapes/cone.hpp>
+#include <leastcost/problems/shapes/cylinder.hpp>
+#include <leastcost/problems/shapes/half_space.hpp>
+#include <leastcost/problems/shapes/point_obstacle.hpp>
 #include <leastcost/solvers/georce.hpp>
 #include <leastcost/solvers/gradient_descent.hpp>
 #include <leastcost/solvers/lbfgs.hpp>
@@ -271,9 +271,9 @@ const auto& obstacles() {
       plugin<ObstaclePlugin, BallOptions>(
           "ball", "A ball; in the plane, a disc.",
           [](const BallOptions& o, const BuildContext&) { return Obstacles{make_ball(o)}; }),
-      plugin<ObstaclePlugin, BoxObstacleOptions>(
+      plugin<ObstaclePlugin, BoxShapeOptions>(
           "box", "A box, turned or along the axes; in the plane a rectangle; requires a clearance.",
-          [](const BoxObstacleOptions& o, const BuildContext&) { return Obstacles{make_box_obstacle(o)}; }),
+          [](const BoxShapeOptions& o, const BuildContext&) { return Obstacles{make_box(o)}; }),
       plugin<ObstaclePlugin, CapsuleObstacleOptions>(
           "capsule", "All points within a radius of a segment.",
           [](const CapsuleObstacleOptions& o, const BuildContext&) { return Obstacles{make_capsule(o)}; }),

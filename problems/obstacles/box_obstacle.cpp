@@ -12,18 +12,13 @@
 #include <vector>
 
 #include <leastcost/framework/base/errors.hpp>
+#include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include "framework/base/point_text.hpp"
 #include "problems/obstacles/core_box.hpp"
-#include "problems/obstacles/in_space.hpp"
-#include "problems/obstacles/posed_obstacle.hpp"
 #include "problems/obstacles/segment_tree.hpp"
 
 namespace leastcost {
 namespace {
-
-struct BoxCorners {
-  Eigen::VectorXd lower, upper;
-};
 
 /// Two triangles on each of the six sides.
 std::vector<SegmentTree::Triangle> sides_of(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper) {
@@ -42,9 +37,9 @@ std::vector<SegmentTree::Triangle> sides_of(const Eigen::Vector3d& lower, const 
   return all;
 }
 
-class BoxObstacle final : public ConvexCore, public HasCoreBox {
+class BoxObstacle final : public Obstacle, public MeetsTriangles, public HasCoreBox {
  public:
-  BoxObstacle(const BoxCorners& corners, std::string name, bool drawn)
+  BoxObstacle(const BoxObstacleOptions& corners, std::string name, bool drawn)
       : name_(std::move(name)), drawn_(drawn), lower_(corners.lower), upper_(corners.upper) {
     if (lower_.size() == 3) sides_.emplace(sides_of(lower_, upper_));
   }
@@ -53,9 +48,7 @@ class BoxObstacle final : public ConvexCore, public HasCoreBox {
   bool drawn() const override { return drawn_; }
   Box core_bounds() const override { return {lower_, upper_}; }
   double radius() const override { return 0; }
-  double support(const Vector& direction) const override {
-    return lower_.cwiseProduct(direction).cwiseMax(upper_.cwiseProduct(direction)).sum();
-  }
+  bool convex() const override { return true; }
   Eigen::MatrixXd corners() const override {
     if (lower_.size() == 3) {
       Eigen::MatrixXd all(3, 8);
@@ -152,17 +145,9 @@ class BoxObstacle final : public ConvexCore, public HasCoreBox {
   std::optional<SegmentTree> sides_ = {};  ///< in space
 };
 
-/// In the frame of the box.
-BoxCorners corners_of(const BoxObstacleOptions& options) {
-  if (options.size.size() > 0) {
-    if (options.lower.size() > 0 || options.upper.size() > 0)
-      throw OptionError("size", "goes without lower and upper: a box has either");
-    if (!options.size.allFinite() || !(options.size.array() >= 0).all())
-      throw OptionError("size", "must be finite numbers, at least 0");
-    return {-options.size / 2, options.size / 2};
-  }
-  if (options.lower.size() == 0 && options.upper.size() == 0)
-    throw OptionError("lower", "is missing: a box has lower and upper, its corners, or size, its edges");
+}  // namespace
+
+std::shared_ptr<const Obstacle> make_box_obstacle(const BoxObstacleOptions& options, const BoxLook& look) {
   if (options.lower.size() == 0 || !options.lower.allFinite())
     throw OptionError("lower", "must be a point, with finite coordinates");
   if (options.upper.size() != options.lower.size() || !options.upper.allFinite())
@@ -170,47 +155,9 @@ BoxCorners corners_of(const BoxObstacleOptions& options) {
                                    "), all of them finite");
   if (!(options.lower.array() <= options.upper.array()).all())
     throw OptionError("upper", "must not be below lower in any coordinate");
-  return {options.lower, options.upper};
-}
-
-bool is_given(const ShapePose& pose) {
-  return pose.position.size() > 0 || pose.rpy.size() > 0 || pose.quaternion.size() > 0 || pose.rotation.size() > 0 ||
-         pose.angle;
-}
-
-}  // namespace
-
-void BoxObstacleOptions::fields(FieldVisitor& visit) {
-  visit.field("lower", lower, {.help = "Corner with the smallest coordinates, with upper.", .unit = "length"});
-  visit.field("upper", upper, {.help = "Corner with the largest coordinates.", .unit = "length"});
-  visit.field("size", size,
-              {.help = "Edge lengths, in place of lower and upper: the origin is in its middle.", .unit = "length"});
-  visit_pose(visit, pose);
-}
-
-/// One that is only moved needs no frame of its own.
-std::shared_ptr<const Obstacle> make_box_obstacle(const BoxObstacleOptions& options, const BoxLook& look) {
-  BoxCorners corners = corners_of(options);
-  const Eigen::Index d = corners.lower.size();
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  if (is_given(options.pose)) {
-    if (d != 2 && d != 3) throw OptionError("pose", "is for boxes in the plane and in space");
-    pose = pose_of(options.pose, d);
-  }
-  const bool turned = !pose.linear().isIdentity(0);
-  if (!turned && is_given(options.pose)) {
-    corners.lower += pose.translation().head(d);
-    corners.upper += pose.translation().head(d);
-  }
   std::string name = look.name;
-  if (look.with_place && turned)
-    name += " of size " + point_text(corners.upper - corners.lower) + " at " +
-            point_text((pose * in_space((corners.lower + corners.upper) / 2)).head(d));
-  else if (look.with_place)
-    name += " from " + point_text(corners.lower) + " to " + point_text(corners.upper);
-  auto box = std::make_shared<const BoxObstacle>(corners, name, look.drawn);
-  if (!turned) return box;
-  return std::make_shared<PosedObstacle>(std::move(box), pose, name);
+  if (look.with_place) name += " from " + point_text(options.lower) + " to " + point_text(options.upper);
+  return std::make_shared<BoxObstacle>(options, std::move(name), look.drawn);
 }
 
 }  // namespace leastcost

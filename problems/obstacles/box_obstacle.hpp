@@ -6,20 +6,14 @@
 #include <memory>
 #include <string>
 
-#include <leastcost/framework/base/options.hpp>
 #include <leastcost/problems/obstacles/obstacle.hpp>
-#include <leastcost/problems/obstacles/shape_pose.hpp>
 
 namespace leastcost {
 
-/// A box, in the plane a rectangle: in its frame with sides along the axes, between two corners or around the origin.
-/// Its corners are sharp: it asks for a clearance.
+/// A box with sides along the axes, in the plane a rectangle. Its corners are sharp: it asks for a clearance.
 struct BoxObstacleOptions {
   Eigen::VectorXd lower = {};
   Eigen::VectorXd upper = {};
-  Eigen::VectorXd size = {};  ///< its edges, in place of the corners
-  ShapePose pose = {};        ///< in the plane and in space
-  void fields(FieldVisitor& visit);
 };
 
 /// What a box is called in messages, and whether pictures show it.

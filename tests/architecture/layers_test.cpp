@@ -112,6 +112,7 @@ const Arrows& rooms() {
       {"problems/bracket/cells", {"problems/bracket"}},
       {"problems/bracket/search", {"problems/bracket", "problems/bracket/cells"}},
       {"problems/taut", {"problems/obstacles"}},
+      {"problems/shapes", {"problems/mesh", "problems/obstacles", "problems/readers"}},
       {"problems/clicks", {"problems/mesh", "problems/obstacles"}},
       {"problems/robots", {"problems/drawing", "problems/obstacles"}},
       {"problems/kernels", {}},

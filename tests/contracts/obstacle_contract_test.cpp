@@ -11,16 +11,17 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
-#include <leastcost/problems/obstacles/capsule_obstacle.hpp>
-#include <leastcost/problems/obstacles/cone.hpp>
-#include <leastcost/problems/obstacles/cylinder.hpp>
 #include <leastcost/problems/obstacles/grid_obstacle.hpp>
-#include <leastcost/problems/obstacles/half_space.hpp>
 #include <leastcost/problems/obstacles/map_obstacles.hpp>
 #include <leastcost/problems/obstacles/mesh_obstacle.hpp>
-#include <leastcost/problems/obstacles/point_obstacle.hpp>
 #include <leastcost/problems/obstacles/polygon.hpp>
 #include <leastcost/problems/obstacles/raster_obstacles.hpp>
+#include <leastcost/problems/shapes/box.hpp>
+#include <leastcost/problems/shapes/capsule_obstacle.hpp>
+#include <leastcost/problems/shapes/cone.hpp>
+#include <leastcost/problems/shapes/cylinder.hpp>
+#include <leastcost/problems/shapes/half_space.hpp>
+#include <leastcost/problems/shapes/point_obstacle.hpp>
 #include "catalogue/inputs/planning_scene.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/problems/sample_rasters.hpp"
@@ -121,9 +122,9 @@ TEST_CASE("obstacle contract: box") {
 }
 
 TEST_CASE("obstacle contract: box, turned") {
-  check_obstacle(*make_box_obstacle({.size = Vector2d(1, 2), .pose = {.position = Vector2d(0.3, 1), .angle = 0.7}}));
-  check_obstacle(*make_box_obstacle(
-      {.size = Vector3d(1, 2, 0.5), .pose = {.position = Vector3d(0.3, 1, 0), .rpy = Vector3d(0.5, -1, 2)}}));
+  check_obstacle(*make_box({.size = Vector2d(1, 2), .pose = {.position = Vector2d(0.3, 1), .angle = 0.7}}));
+  check_obstacle(
+      *make_box({.size = Vector3d(1, 2, 0.5), .pose = {.position = Vector3d(0.3, 1, 0), .rpy = Vector3d(0.5, -1, 2)}}));
 }
 
 TEST_CASE("obstacle contract: capsule") {

@@ -19,14 +19,15 @@
 #include <leastcost/problems/manifolds/euclidean.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
-#include <leastcost/problems/obstacles/capsule_obstacle.hpp>
-#include <leastcost/problems/obstacles/cylinder.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
-#include <leastcost/problems/obstacles/half_space.hpp>
 #include <leastcost/problems/obstacles/polygon.hpp>
 #include <leastcost/problems/robots/arm_models.hpp>
 #include <leastcost/problems/robots/rigid_body.hpp>
 #include <leastcost/problems/robots/robot_walls.hpp>
+#include <leastcost/problems/shapes/box.hpp>
+#include <leastcost/problems/shapes/capsule_obstacle.hpp>
+#include <leastcost/problems/shapes/cylinder.hpp>
+#include <leastcost/problems/shapes/half_space.hpp>
 #include "problems/obstacles/box_distance.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/trials.hpp"
@@ -53,8 +54,7 @@ RobotWalls::Obstacles things_in_space(std::mt19937& engine) {
     else if (i % 4 == 1)
       all.push_back(make_box_obstacle({center - half, center + half}));
     else if (i % 4 == 2)
-      all.push_back(
-          make_box_obstacle({.size = 2 * half, .pose = {.position = center, .rotation = in_cube(engine, 3)}}));
+      all.push_back(make_box({.size = 2 * half, .pose = {.position = center, .rotation = in_cube(engine, 3)}}));
     else
       all.push_back(make_cylinder(
           {.radius = half[0], .height = half[1], .pose = {.position = center, .rotation = in_cube(engine, 3)}}));

@@ -12,15 +12,15 @@
 
 #include <leastcost/framework/base/ability.hpp>
 #include <leastcost/framework/base/errors.hpp>
-#include <leastcost/problems/obstacles/box_obstacle.hpp>
-#include <leastcost/problems/obstacles/capsule_obstacle.hpp>
-#include <leastcost/problems/obstacles/cone.hpp>
-#include <leastcost/problems/obstacles/cylinder.hpp>
-#include <leastcost/problems/obstacles/half_space.hpp>
 #include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include <leastcost/problems/obstacles/obstacle_walls.hpp>
-#include <leastcost/problems/obstacles/point_obstacle.hpp>
 #include <leastcost/problems/obstacles/polygon.hpp>
+#include <leastcost/problems/shapes/box.hpp>
+#include <leastcost/problems/shapes/capsule_obstacle.hpp>
+#include <leastcost/problems/shapes/cone.hpp>
+#include <leastcost/problems/shapes/cylinder.hpp>
+#include <leastcost/problems/shapes/half_space.hpp>
+#include <leastcost/problems/shapes/point_obstacle.hpp>
 #include "problems/obstacles/triangle_foot.hpp"
 #include "tests/support/catch.hpp"
 
@@ -106,9 +106,8 @@ struct Shape {
 
 Shape shape(int kind, const Sizes& s) {
   if (kind == 0)
-    return {"box", box_foot(s), [s](const ShapePose& pose) {
-              return make_box_obstacle({.size = Vector3d(s[0], s[1], s[2]), .pose = pose});
-            }};
+    return {"box", box_foot(s),
+            [s](const ShapePose& pose) { return make_box({.size = Vector3d(s[0], s[1], s[2]), .pose = pose}); }};
   if (kind == 1)
     return {"cylinder", cylinder_foot(s[0], s[1]), [s](const ShapePose& pose) {
               return make_cylinder({s[0], s[1], pose});
@@ -227,7 +226,7 @@ TEST_CASE("posed obstacles: a turned box of the plane is its polygon") {
   for (int k = 0; k < 300; ++k) {
     const double angle = random.number(-4, 4);
     const Vector2d size(random.number(0.1, 2), random.number(0.1, 2)), at(random.number(-1, 1), random.number(-1, 1));
-    const auto box = make_box_obstacle({.size = size, .pose = {.position = at, .angle = angle}});
+    const auto box = make_box({.size = size, .pose = {.position = at, .angle = angle}});
     const auto polygon = make_polygon({box->corners().transpose()});
     const Vector a = random.point(3).head(2), b = random.point(3).head(2);
     CAPTURE(k, angle, size.transpose(), a.transpose(), b.transpose());
@@ -239,8 +238,7 @@ TEST_CASE("posed obstacles: a turned box of the plane is its polygon") {
     CHECK(box->core_bounds().isApprox(polygon->core_bounds(), 1e-12));
     CHECK(box->convex());
   }
-  const auto moved =
-      make_box_obstacle({.lower = Vector2d(0, 0), .upper = Vector2d(1, 2), .pose = {.position = Vector2d(5, 5)}});
+  const auto moved = make_box({.lower = Vector2d(0, 0), .upper = Vector2d(1, 2), .pose = {.position = Vector2d(5, 5)}});
   CHECK(moved->name() == "the box from (5, 5) to (6, 7)");
 }
 
@@ -271,7 +269,7 @@ TEST_CASE("capsules and half-spaces against their formulas") {
 TEST_CASE("half-spaces: walls among other obstacles, near and far") {
   const ObstacleWalls walls(3,
                             {make_half_space({Vector3d(0, 0, 2), -1}),
-                             make_box_obstacle({.size = Vector3d(1, 1, 1), .pose = {.position = Vector3d(0, 0, 2)}})},
+                             make_box({.size = Vector3d(1, 1, 1), .pose = {.position = Vector3d(0, 0, 2)}})},
                             0.1);
   std::vector<Wall> found;
   walls.near(Vector3d(50, -70, -0.5), 1, found);
@@ -331,19 +329,19 @@ TEST_CASE("posed obstacles: faults name their option") {
              }),
              StartsWith("to: must have as many"));
   CHECK_THAT(key_of([] { make_capsule({Vector::Zero(4), Vector::Zero(4), 1}); }), StartsWith("from"));
-  CHECK_THAT(key_of([] { make_box_obstacle({}); }), StartsWith("lower: is missing"));
-  CHECK_THAT(key_of([&] { make_box_obstacle({.lower = one, .upper = one, .size = one}); }), StartsWith("size"));
-  CHECK_THAT(key_of([&] { make_box_obstacle({.size = -one}); }), StartsWith("size"));
-  CHECK_THAT(key_of([&] { make_box_obstacle({.size = one, .pose = {.position = Vector2d(1, 2)}}); }),
+  CHECK_THAT(key_of([] { make_box({}); }), StartsWith("lower: is missing"));
+  CHECK_THAT(key_of([&] { make_box({.lower = one, .upper = one, .size = one}); }), StartsWith("size"));
+  CHECK_THAT(key_of([&] { make_box({.size = -one}); }), StartsWith("size"));
+  CHECK_THAT(key_of([&] { make_box({.size = one, .pose = {.position = Vector2d(1, 2)}}); }),
              StartsWith("pose.position: must be 3 finite numbers"));
-  CHECK_THAT(key_of([&] { make_box_obstacle({.size = one, .pose = {.rpy = one, .rotation = one}}); }),
+  CHECK_THAT(key_of([&] { make_box({.size = one, .pose = {.rpy = one, .rotation = one}}); }),
              StartsWith("pose: must have at most one"));
-  CHECK_THAT(key_of([&] { make_box_obstacle({.size = one, .pose = {.angle = 1.0}}); }), StartsWith("pose.angle"));
-  CHECK_THAT(key_of([&] { make_box_obstacle({.size = Vector2d(1, 1), .pose = {.rpy = one}}); }),
+  CHECK_THAT(key_of([&] { make_box({.size = one, .pose = {.angle = 1.0}}); }), StartsWith("pose.angle"));
+  CHECK_THAT(key_of([&] { make_box({.size = Vector2d(1, 1), .pose = {.rpy = one}}); }),
              StartsWith("pose: in the plane"));
-  CHECK_THAT(key_of([&] { make_box_obstacle({.size = one, .pose = {.quaternion = Vector::Zero(4)}}); }),
+  CHECK_THAT(key_of([&] { make_box({.size = one, .pose = {.quaternion = Vector::Zero(4)}}); }),
              StartsWith("pose.quaternion: must not be zero"));
-  CHECK_THAT(key_of([] { make_box_obstacle({.size = Vector::Ones(7), .pose = {.position = Vector::Ones(7)}}); }),
+  CHECK_THAT(key_of([] { make_box({.size = Vector::Ones(7), .pose = {.position = Vector::Ones(7)}}); }),
              StartsWith("pose: is for boxes in the plane"));
 }
 

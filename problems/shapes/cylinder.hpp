@@ -7,7 +7,7 @@
 
 #include <leastcost/framework/base/options.hpp>
 #include <leastcost/problems/obstacles/obstacle.hpp>
-#include <leastcost/problems/obstacles/shape_pose.hpp>
+#include <leastcost/problems/shapes/shape_pose.hpp>
 
 namespace leastcost {
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/problems/obstacles/cone.hpp>
+#include <leastcost/problems/shapes/cone.hpp>
 
-#include <leastcost/problems/obstacles/cylinder.hpp>
+#include <leastcost/problems/shapes/cylinder.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,8 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include "framework/base/point_text.hpp"
-#include "problems/obstacles/posed_obstacle.hpp"
-#include "problems/obstacles/round_core.hpp"
+#include "problems/shapes/posed_obstacle.hpp"
+#include "problems/shapes/round_core.hpp"
 
 namespace leastcost {
 namespace {
@@ -37,6 +37,11 @@ class Frustum final : public RoundCore {
       all.col(2 * k + 1) << top_ * std::cos(at), top_ * std::sin(at), half_;
     }
     return all;
+  }
+
+  double reach(const Vector3d& direction) const override {
+    const double off = direction.head<2>().norm(), up = direction[2] * half_;
+    return std::max(radius_ * off - up, top_ * off + up);
   }
 
  private:
@@ -72,11 +77,6 @@ class Frustum final : public RoundCore {
     return distance;
   }
 
-  double reach(const Vector3d& direction) const override {
-    const double off = direction.head<2>().norm(), up = direction[2] * half_;
-    return std::max(radius_ * off - up, top_ * off + up);
-  }
-
   double radius_, top_, half_, length_;
 };
 
@@ -89,7 +89,9 @@ std::shared_ptr<const Obstacle> placed(const Frustum& core, const ShapePose& opt
                                        const std::string& name) {
   const Eigen::Isometry3d pose = pose_of(options, 3);
   const std::string by_place = "the " + std::string(kind) + " at " + point_text(pose.translation());
-  return std::make_shared<PosedObstacle>(std::make_shared<Frustum>(core), pose, name.empty() ? by_place : name);
+  return std::make_shared<PosedObstacle>(
+      std::make_shared<Frustum>(core), [&](const Vector3d& direction) { return core.reach(direction); }, pose,
+      name.empty() ? by_place : name);
 }
 
 void visit_sizes(FieldVisitor& visit, double& radius, double& height, const char* of_radius) {

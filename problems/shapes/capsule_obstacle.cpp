@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/problems/obstacles/capsule_obstacle.hpp>
+#include <leastcost/problems/shapes/capsule_obstacle.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include "framework/base/point_text.hpp"
-#include "problems/obstacles/in_space.hpp"
 #include "problems/obstacles/segment_tree.hpp"
+#include "problems/shapes/in_space.hpp"
 
 namespace leastcost {
 namespace {

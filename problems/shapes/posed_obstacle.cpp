@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/obstacles/posed_obstacle.hpp"
+#include "problems/shapes/posed_obstacle.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "problems/obstacles/in_space.hpp"
+#include <leastcost/framework/base/ability.hpp>
+#include "problems/shapes/in_space.hpp"
 
 namespace leastcost {
 namespace {
@@ -16,14 +17,19 @@ using Eigen::Vector3d;
 
 }  // namespace
 
-PosedObstacle::PosedObstacle(std::shared_ptr<const ConvexCore> core, const Eigen::Isometry3d& pose, std::string name)
-    : core_(std::move(core)), turn_(pose.linear()), position_(pose.translation()), name_(std::move(name)) {
+PosedObstacle::PosedObstacle(std::shared_ptr<const Obstacle> core, const Support& support,
+                             const Eigen::Isometry3d& pose, std::string name)
+    : core_(std::move(core)),
+      triangles_(find_ability<MeetsTriangles>(*core_)),
+      turn_(pose.linear()),
+      position_(pose.translation()),
+      name_(std::move(name)) {
   constexpr double kOutwards = 8 * std::numeric_limits<double>::epsilon();
   const Eigen::Index d = core_->core_bounds().dim();
   bounds_ = Box(d);
   for (Eigen::Index i = 0; i < d; ++i) {
-    const Vector along = turn_.row(i).head(d);
-    const double least = position_[i] - core_->support(-along), most = position_[i] + core_->support(along);
+    const Vector3d along = turn_.row(i);
+    const double least = position_[i] - support(-along), most = position_[i] + support(along);
     const double rounding = kOutwards * std::max({std::abs(least), std::abs(most), std::abs(position_[i])});
     bounds_.min()[i] = least - rounding;
     bounds_.max()[i] = most + rounding;
@@ -68,7 +74,7 @@ double PosedObstacle::distance_of_segment(const Vector& a, const Vector& b, doub
 double PosedObstacle::distance_of_triangle(const std::array<Vector3d, 3>& corners, Vector3d& nearest) const {
   std::array<Vector3d, 3> own;
   for (std::size_t k = 0; k < 3; ++k) own[k] = turn_.transpose() * (corners[k] - position_);
-  const double distance = core_->distance_of_triangle(own, nearest);
+  const double distance = triangles_->distance_of_triangle(own, nearest);
   nearest = (turn_ * nearest + position_).eval();
   return distance;
 }

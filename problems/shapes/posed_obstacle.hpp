@@ -3,11 +3,13 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
-#include "problems/obstacles/convex_core.hpp"
+#include <leastcost/problems/obstacles/meets_triangles.hpp>
+#include <leastcost/problems/obstacles/obstacle.hpp>
 #include "problems/obstacles/core_box.hpp"
 
 namespace leastcost {
@@ -16,8 +18,12 @@ namespace leastcost {
 /// a turned box takes as long as one along the axes.
 class PosedObstacle final : public Obstacle, public MeetsTriangles, public HasCoreBox {
  public:
-  /// In the plane the pose is one about the z axis. `name`: for messages.
-  PosedObstacle(std::shared_ptr<const ConvexCore> core, const Eigen::Isometry3d& pose, std::string name);
+  /// The largest scalar product of a direction with a point of the core, in its frame.
+  using Support = std::function<double(const Eigen::Vector3d&)>;
+
+  /// A bounded, convex core. In the plane the pose is one about the z axis. `name`: for messages.
+  PosedObstacle(std::shared_ptr<const Obstacle> core, const Support& support, const Eigen::Isometry3d& pose,
+                std::string name);
 
   std::string name() const override { return name_; }
   Box core_bounds() const override { return bounds_; }
@@ -32,10 +38,11 @@ class PosedObstacle final : public Obstacle, public MeetsTriangles, public HasCo
 
  private:
   bool has_core_box() const override { return core_box_.has_value(); }
-  bool measures_triangles() const override { return core_->present(); }
+  bool measures_triangles() const override { return triangles_ != nullptr; }
   void to_own(const Vector& x, Vector& own) const;
 
-  std::shared_ptr<const ConvexCore> core_;
+  std::shared_ptr<const Obstacle> core_;
+  const MeetsTriangles* triangles_;  ///< the same; null in the plane
   Eigen::Matrix3d turn_;
   Eigen::Vector3d position_;
   std::string name_;

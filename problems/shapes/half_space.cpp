@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/problems/obstacles/half_space.hpp>
+#include <leastcost/problems/shapes/half_space.hpp>
 
 #include <algorithm>
 #include <array>

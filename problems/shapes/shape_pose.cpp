@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/problems/obstacles/shape_pose.hpp>
+#include <leastcost/problems/shapes/shape_pose.hpp>
 
 #include <cmath>
 #include <string>

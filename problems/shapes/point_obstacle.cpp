@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/problems/obstacles/point_obstacle.hpp>
+#include <leastcost/problems/shapes/point_obstacle.hpp>
 
 #include <algorithm>
 #include <array>
@@ -10,9 +10,9 @@
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
+#include <leastcost/problems/mesh/median_tree.hpp>
 #include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include <leastcost/problems/readers/point_cloud_reader.hpp>
-#include "problems/mesh/median_tree.hpp"
 #include "problems/obstacles/triangle_foot.hpp"
 
 namespace leastcost {

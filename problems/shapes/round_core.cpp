@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/obstacles/round_core.hpp"
+#include "problems/shapes/round_core.hpp"
 
 #include <limits>
 
-#include "problems/obstacles/convex_least.hpp"
+#include "problems/shapes/convex_least.hpp"
 
 namespace leastcost {
 namespace {
