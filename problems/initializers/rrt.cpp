@@ -51,9 +51,10 @@ Monitor for_further_paths(const Monitor& monitor) {
 /// shortest of all that there is time for.
 std::vector<Eigen::VectorXd> shortest_of(int paths, std::vector<Eigen::VectorXd> best, int nodes_of_first,
                                          const Problem& problem, const RrtOptions& options, const Monitor& monitor) {
-  constexpr int kTimesFirst = 4, kFewest = 200;
-  constexpr std::uint64_t kNextSeed = 0x9E3779B97F4A7C15;  // far from the seeds that people take
-  const int most = std::min(options.max_nodes, std::max(kFewest, kTimesFirst * nodes_of_first));
+  constexpr int kTimesFirst = 4, kTimesFirstOfRobot = 1, kFewest = 200;  // moves of a robot take long to check
+  constexpr std::uint64_t kNextSeed = 0x9E3779B97F4A7C15;                // far from the seeds that people take
+  const int times = problem.source.u.size() > 3 ? kTimesFirstOfRobot : kTimesFirst;
+  const int most = std::min(options.max_nodes, std::max(kFewest, times * nodes_of_first));
   const Monitor within = for_further_paths(monitor);
   auto seed = static_cast<std::uint64_t>(*options.seed);
   try {
