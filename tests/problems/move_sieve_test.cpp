@@ -24,7 +24,7 @@
 #include <leastcost/problems/robots/arm_models.hpp>
 #include <leastcost/problems/robots/rigid_body.hpp>
 #include <leastcost/problems/robots/robot_walls.hpp>
-#include "problems/obstacles/box_distance.hpp"
+#include "problems/robots/box_distance.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/trials.hpp"
 
