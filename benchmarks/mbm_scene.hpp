@@ -21,7 +21,6 @@
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
 #include <leastcost/problems/robots/arm_models.hpp>
 #include <leastcost/problems/robots/robot_walls.hpp>
-#include "problems/obstacles/core_box.hpp"
 
 /// The Panda problems of MotionBenchMaker as VAMP ships them: spheres of a URDF, pairs of an SRDF, scenes of a JSON
 /// file.

@@ -10,7 +10,6 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include "framework/base/point_text.hpp"
-#include "problems/obstacles/core_box.hpp"
 #include "problems/obstacles/triangle_foot.hpp"
 
 namespace leastcost {

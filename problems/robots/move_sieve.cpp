@@ -10,7 +10,7 @@
 #include <numeric>
 
 #include <leastcost/framework/base/ability.hpp>
-#include "problems/obstacles/box_distance.hpp"
+#include "problems/robots/box_distance.hpp"
 
 namespace leastcost {
 namespace {

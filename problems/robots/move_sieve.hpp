@@ -9,7 +9,6 @@
 
 #include <leastcost/problems/obstacles/obstacle.hpp>
 #include <leastcost/problems/robots/robot.hpp>
-#include "problems/obstacles/core_box.hpp"
 #include "problems/robots/segment_distance.hpp"
 
 namespace leastcost {

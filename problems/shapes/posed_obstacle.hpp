@@ -10,7 +10,6 @@
 
 #include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include <leastcost/problems/obstacles/obstacle.hpp>
-#include "problems/obstacles/core_box.hpp"
 
 namespace leastcost {
 

@@ -882,12 +882,13 @@ class initializer:
     ) -> dict[str, Any]:
         """A random tree in the shell around a smooth domain, shortened.
 
-        step: Length of an edge of the tree; default: 1/16 of the distance between the ends. [length] (> 0)
+        step: Length of an edge of the tree; default: 1/16 of the distance between the ends; of a robot, of the diagonal
+          of its limits. [length] (> 0)
         shell: Largest distance of a node from the domain; default: a quarter of the step. [length] (>= 0)
         goal_bias: Share of samples placed at the other end. (>= 0 and <= 1; default: 0.1)
         reach: How far beyond the tree samples are taken, in units of the distance between the ends. (> 0; default: 1)
         max_nodes: Number of nodes in both trees at which the search gives up. (>= 1; default: 20000)
-        shortcuts: Number of random shortcuts tried on the path found. (>= 0; default: 200)
+        shortcuts: Number of random shortcuts tried on the path found; of a robot's, at most. (>= 0; default: 200)
         paths: Number of paths to find, of which the shortest is taken; default: 8 among obstacles in space, otherwise
           1. (>= 1)
         seed: Seed of the samples; default: the seed of the run. (>= 0)

@@ -28,7 +28,7 @@
 #include <leastcost/problems/shapes/capsule_obstacle.hpp>
 #include <leastcost/problems/shapes/cylinder.hpp>
 #include <leastcost/problems/shapes/half_space.hpp>
-#include "problems/obstacles/box_distance.hpp"
+#include "problems/robots/box_distance.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/trials.hpp"
 
