@@ -4,12 +4,13 @@
 #include "problems/obstacles/least_push.hpp"
 
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <leastcost/problems/manifolds/euclidean.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
-#include <leastcost/problems/obstacles/box_obstacle.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include "tests/support/catch.hpp"
 
@@ -17,7 +18,6 @@ namespace leastcost {
 namespace {
 
 using Eigen::Vector2d;
-using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 /// The least step by looking at all of a fine grid.
@@ -77,17 +77,6 @@ TEST_CASE("least push: a point in the notch of two balls that nearly face each o
     CHECK((path.u.col(0) - Vector2d(apart, 0)).norm() >= 1 - 1e-9);
     CHECK((path.u.col(0) - Vector2d(0, notch)).norm() <= 0.3 * notch);
   }
-}
-
-TEST_CASE("least push: a side of the box holds a point as a wall does") {
-  const auto box = std::make_shared<const EuclideanManifold>(
-      EuclideanManifoldOptions{.dimension = 2, .box = {Vector2d(0, -5), Vector2d(5, 5)}});
-  const FreeSpace space(box, {make_ball({Vector2d(0.999, 0), 1})}, 0);
-  CoordinatePath path{Points(2, 1), {}, true};
-  path.u << 0.0005, 0.01;
-  CHECK(space.project(path).failed.empty());
-  CHECK(path.u(0, 0) == Approx(0).margin(1e-9));
-  CHECK(path.u(1, 0) == Approx(std::sqrt(1 - 0.999 * 0.999)).epsilon(1e-6));
 }
 
 }  // namespace leastcost
