@@ -18,9 +18,11 @@
 #include <utility>
 #include <vector>
 
-#include <leastcost/problems/obstacles/box_obstacle.hpp>
 #include <leastcost/problems/robots/arm_models.hpp>
 #include <leastcost/problems/robots/robot_walls.hpp>
+#include <leastcost/problems/shapes/box.hpp>
+#include <leastcost/problems/shapes/capsule_obstacle.hpp>
+#include <leastcost/problems/shapes/cylinder.hpp>
 
 /// The Panda problems of MotionBenchMaker as VAMP ships them: spheres of a URDF, pairs of an SRDF, scenes of a JSON
 /// file.
@@ -28,38 +30,6 @@ namespace leastcost::bench {
 
 namespace pt = boost::property_tree;
 using Eigen::Vector3d;
-
-/// A box that is turned, with a radius around it; a capsule where two of its edges are 0.
-class TurnedBox final : public Obstacle, public HasCoreBox {
- public:
-  TurnedBox(const Eigen::Isometry3d& place, const Vector3d& half, double radius)
-      : place_(place), back_(place.inverse()), half_(half), radius_(radius), box_(make_box_obstacle({-half, half})) {}
-
-  std::string name() const override { return "a box"; }
-  Box core_bounds() const override {
-    const Vector3d reach = place_.linear().cwiseAbs() * half_;
-    return {place_.translation() - reach, place_.translation() + reach};
-  }
-  double radius() const override { return radius_; }
-  bool convex() const override { return true; }
-  Eigen::MatrixXd corners() const override { return {}; }
-  double distance(const Vector& x, Eigen::Ref<Vector> away) const override {
-    Vector own(3);
-    const double distance = box_->distance(back_ * Vector3d(x), own);
-    away = place_.linear() * Vector3d(own);
-    return distance;
-  }
-  double distance_of_segment(const Vector& a, const Vector& b, double& t) const override {
-    return box_->distance_of_segment(back_ * Vector3d(a), back_ * Vector3d(b), t);
-  }
-  OrientedBox core_box() const override { return {place_.translation(), place_.linear(), half_}; }
-
- private:
-  Eigen::Isometry3d place_, back_;
-  Vector3d half_;
-  double radius_;
-  std::shared_ptr<const Obstacle> box_;
-};
 
 inline Vector3d three_of(const std::string& text) {
   std::istringstream in(text);
@@ -164,10 +134,12 @@ inline std::shared_ptr<const Obstacle> obstacle_of(const pt::ptree& object, bool
     for (const auto& [inner, value] : row) m.push_back(value.get_value<double>());
   Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
   for (int i = 0; i < 12; ++i) place(i / 4, i % 4) = m[static_cast<std::size_t>(i)];
+  const ShapePose pose = shape_pose(place);
   if (object.get<std::string>("type") == "box")
-    return std::make_shared<TurnedBox>(place, Vector3d(dim[0], dim[1], dim[2]) / 2, 0);
-  if (round) return std::make_shared<TurnedBox>(place, Vector3d(0, 0, dim[0] / 2), dim[1]);
-  return std::make_shared<TurnedBox>(place, Vector3d(dim[1], dim[1], dim[0] / 2), 0);
+    return make_box({.size = Vector3d(dim[0], dim[1], dim[2]), .pose = pose});
+  if (!round) return make_cylinder({.radius = dim[1], .height = dim[0], .pose = pose});
+  const Vector3d half(0, 0, dim[0] / 2);
+  return make_capsule({.from = place * half, .to = place * Vector3d(-half), .radius = dim[1]});
 }
 
 inline Eigen::VectorXd configuration_of(const pt::ptree& joints) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/shapes/capsule_obstacle.hpp>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -17,7 +18,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-class CapsuleObstacle final : public Obstacle, public MeetsTriangles {
+class CapsuleObstacle final : public Obstacle, public MeetsTriangles, public HasCoreBox {
  public:
   CapsuleObstacle(const CapsuleObstacleOptions& options, std::string name)
       : name_(std::move(name)),
@@ -55,6 +56,14 @@ class CapsuleObstacle final : public Obstacle, public MeetsTriangles {
 
   double distance_of_triangle(const std::array<Vector3d, 3>& corners, Vector3d& nearest) const override {
     return axis_.distance(corners, nearest);
+  }
+
+  OrientedBox core_box() const override {
+    const Vector3d from = in_space(from_), to = in_space(to_);
+    OrientedBox box{.center = (from + to) / 2};
+    box.axes = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitX(), to - from).toRotationMatrix();
+    box.half[0] = (to - from).norm() / 2;
+    return box;
   }
 
  private:
