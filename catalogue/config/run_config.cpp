@@ -100,21 +100,24 @@ void RunConfig::fields(RunVisitor& visit) {
                          "metric is constant."});
   visit.block("output", {.help = "Where results are written."}, [&](RunVisitor& v) {
     v.field("folder", output_folder, {.help = "Output folder, relative to the current one; default: results/<name>."});
-    v.field("files", output_files,
-            {.help = "Files that a run of one path writes in addition to manifest.json; default: all. Choices: result, "
-                     "path, curve, vtp, obj, geojson (on the Earth, with the points in a second file), gpkg "
-                     "(GeoPackage, for rasters on the Earth, in builds with GDAL), residuals, waypoints, trajectory, history, "
-                     "first_path, scene, clicks (for the shortest paths between clicked points in the report), "
-                     "config, report. A report needs result, path, history, scene and config."});
+    v.field(
+        "files", output_files,
+        {.help =
+             "Files that a run of one path writes in addition to manifest.json; default: all. Choices: result, "
+             "path, curve, vtp, obj, geojson (on the Earth, with the points in a second file), gpkg "
+             "(GeoPackage, for rasters on the Earth, in builds with GDAL), residuals, waypoints, trajectory, history, "
+             "first_path, scene, clicks (for the shortest paths between clicked points in the report), "
+             "config, report. A report needs result, path, history, scene and config."});
     v.field("pair_points", pair_points,
             {.help = "With ends.pairs: also write the points to the lines of paths.jsonl."});
     v.block("waypoints",
             {.help = "Also write waypoints.csv: points of the path, equally spaced in cost, by count or by spacing."},
             [&](RunVisitor& w) { waypoints.fields(w); });
-    v.block("trajectory",
-            {.help = "Also write trajectory.csv and trajectory.json: the quickest motion along the path under limits of "
-                     "velocity and acceleration, from rest to rest."},
-            [&](RunVisitor& t) { trajectory.fields(t); });
+    v.block(
+        "trajectory",
+        {.help = "Also write trajectory.csv and trajectory.json: the quickest motion along the path under limits of "
+                 "velocity and acceleration, from rest to rest."},
+        [&](RunVisitor& t) { trajectory.fields(t); });
   });
 }
 

@@ -35,8 +35,8 @@ Words<TargetImageChoice> words(TargetImageChoice);
 
 /// What `output.files` can name: parts of what a run of one path leaves in its folder, beside manifest.json.
 inline constexpr std::array<std::string_view, 16> kRunFiles = {
-    "result",    "path",    "curve",      "vtp",   "obj",    "geojson", "gpkg",  "residuals",
-    "waypoints", "trajectory", "history", "first_path", "scene", "clicks", "config",  "report"};
+    "result",    "path",       "curve",   "vtp",        "obj",   "geojson", "gpkg",   "residuals",
+    "waypoints", "trajectory", "history", "first_path", "scene", "clicks",  "config", "report"};
 
 /// One run as its configuration describes it. Everything typed, checked and with its default in place; nothing read
 /// from the disk and nothing computed yet.

@@ -31,8 +31,9 @@ std::string failure(const RandomTrees& trees, const RrtOptions& options, double 
   return out.str();
 }
 
-/// Neither a string in space nor the chain of a robot leaves the class that it begins in, and one random path in ten is
-/// of a class that is dear. A robot's moves take longer to check than a point's: fewer paths do for it.
+/// Neither a string in space nor the chain of a robot leaves the class that it begins in, and a random path may be of a
+/// dear one: with one path 4 of 70 problems of MotionBenchMaker ended more than 2 % above the best known. A robot's
+/// moves take longer to check than a point's: fewer paths do for it.
 int paths_by_default(const Problem& problem) {
   constexpr int kInSpace = 8, kOfRobot = 4;
   if (find_ability<ChecksMoves>(*problem.manifold) == nullptr || problem.source.u.size() < 3) return 1;

@@ -42,7 +42,7 @@ std::vector<Json> lines_of(const fs::path& folder) {
 }
 
 /// What two runs must have in common.
-std::vector<Json> without_seconds(const fs::path& folder) {
+std::vector<Json> lines_without_seconds(const fs::path& folder) {
   std::vector<Json> lines = lines_of(folder);
   for (Json& line : lines) line.erase("seconds");
   return lines;
@@ -254,11 +254,11 @@ TEST_CASE("pairs: threads, and what was cut off and is resumed, give the same li
     pairs += '\n';
   }
   run_pairs_of(dir, kAroundDisc, pairs);
-  const std::vector<Json> whole = without_seconds(dir / "out");
+  const std::vector<Json> whole = lines_without_seconds(dir / "out");
   const std::string text = content(dir / "out/paths.jsonl");
   REQUIRE(whole.size() == 60);
   run_pairs_of(dir, kAroundDisc, pairs, {"--force", "-j", "3"});
-  CHECK(without_seconds(dir / "out") == whole);
+  CHECK(lines_without_seconds(dir / "out") == whole);
 
   // As a kill leaves it: the last line is torn, and nothing stands at the end.
   const fs::path log = dir / "out/paths.jsonl";
@@ -268,7 +268,7 @@ TEST_CASE("pairs: threads, and what was cut off and is resumed, give the same li
     fs::remove(dir / "out/result.json");
     const auto lines_kept = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(kept), '\n');
     const Called called = run_pairs_of(dir, kAroundDisc, pairs, {"--resume", "-j", "2", "--format", "jsonl"});
-    CHECK(without_seconds(dir / "out") == whole);
+    CHECK(lines_without_seconds(dir / "out") == whole);
     CHECK(content(log).substr(0, kept / 2) == text.substr(0, kept / 2));  // what was whole was not made again
     CHECK(std::count(called.out.begin(), called.out.end(), '\n') == 60 - lines_kept);
     CHECK(Json::parse(content(dir / "out/result.json"))["pairs"] == 60);
@@ -429,7 +429,7 @@ TEST_CASE("pairs on the bunny: killed and resumed with two threads, the same lin
     return start(dir, more);
   };
   CHECK(begin("whole", {}).wait() == 7);  // the last pair is none
-  const std::vector<Json> whole = without_seconds(dir / "whole");
+  const std::vector<Json> whole = lines_without_seconds(dir / "whole");
   REQUIRE(whole.size() == 25);
   CHECK_THAT(whole.back()["message"].get<std::string>(), Contains("0 to 34834, not 34835"));
   CHECK(std::count_if(whole.begin(), whole.end(), [](const Json& line) { return line["certified"] == true; }) == 24);
@@ -446,7 +446,7 @@ TEST_CASE("pairs on the bunny: killed and resumed with two threads, the same lin
   CHECK(left > 0);
   CHECK(left < 25);
   CHECK(begin("out", {"--resume", "-j", "2"}).wait() == 7);
-  CHECK(without_seconds(dir / "out") == whole);
+  CHECK(lines_without_seconds(dir / "out") == whole);
 }
 
 TEST_CASE("pairs: told to stop, the program says how to go on, and does") {

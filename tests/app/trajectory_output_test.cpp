@@ -16,17 +16,16 @@ namespace fs = std::filesystem;
 using Catch::Contains;
 using Json = nlohmann::json;
 
-const fs::path kAmongDiscs = "configs/plan_discs.yaml";
+const fs::path kDiscs = "configs/plan_discs.yaml";
 
 }  // namespace
 
 TEST_CASE("trajectory: files among discs, with the corners rounded as far as that stays clear") {
   const ScratchDir dir;
-  const fs::path folder =
-      write_run(solve(load_run(project_dir() / kAmongDiscs, {{"output.trajectory.velocity=[1]"},
-                                                             {"output.trajectory.acceleration=[2, 2]"},
-                                                             {"output.trajectory.interval=0.05"}})),
-                dir / "out");
+  const fs::path folder = write_run(solve(load_run(project_dir() / kDiscs, {{"output.trajectory.velocity=[1]"},
+                                                                            {"output.trajectory.acceleration=[2, 2]"},
+                                                                            {"output.trajectory.interval=0.05"}})),
+                                    dir / "out");
   const Json result = Json::parse(content(folder / "result.json")).at("trajectory");
   CHECK(result["touches"] == false);
   CHECK(result["duration"] >= result["least_duration"]);
@@ -44,7 +43,7 @@ TEST_CASE("trajectory: files among discs, with the corners rounded as far as tha
 
 TEST_CASE("trajectory: limits that do not fit are refused before the path is sought") {
   const auto refused = [](const std::vector<Override>& overrides, const std::string& why) {
-    CHECK_THROWS_WITH(load_run(project_dir() / kAmongDiscs, overrides), Contains(why));
+    CHECK_THROWS_WITH(load_run(project_dir() / kDiscs, overrides), Contains(why));
   };
   refused({{"output.trajectory.velocity=[0]"}, {"output.trajectory.acceleration=[1]"}}, "greater than 0");
   refused({{"output.trajectory.velocity=[1]"}}, "needs limits of both velocity and acceleration");

@@ -45,7 +45,8 @@ struct Given {
   Problem problem;
   Result result;
   explicit Given(const Points& x) {
-    problem.manifold = std::make_shared<EuclideanManifold>(static_cast<int>(x.rows()));
+    problem.manifold =
+        std::make_shared<EuclideanManifold>(EuclideanManifoldOptions{.dimension = static_cast<int>(x.rows())});
     result.path.u = result.curve.x = x;
   }
 };
@@ -87,7 +88,7 @@ TEST_CASE("trajectory: limits hold between the samples too, and one of them is n
       const double v = (motion.velocity.col(k).array().abs() / fastest.array()).maxCoeff();
       const double a = (motion.acceleration.col(k).array().abs() / strongest.array()).maxCoeff();
       if (v > 1 + 1e-9 || a > 1 + 1e-9) FAIL("a limit is exceeded: " << v << ", " << a);
-      if (v < 0.98 && a < 0.98) ++idle;
+      if (v < 0.95 && a < 0.95) ++idle;
     }
     CHECK(idle < 0.03 * static_cast<double>(motion.time.size()));
     // Velocities are those of the places, accelerations those of the velocities.
@@ -123,7 +124,7 @@ TEST_CASE("trajectory: a path back the way it came, and points that repeat") {
       {.velocity = Eigen::VectorXd::Constant(1, 1.0), .acceleration = Eigen::VectorXd::Constant(1, 4.0)});
   CHECK(std::isfinite(motion.duration));
   CHECK(motion.x.maxCoeff() <= 1);
-  CHECK(motion.x.maxCoeff() >= 1 - motion.deviation);
+  CHECK(motion.x.maxCoeff() >= 1 - motion.deviation - 1e-4);
   CHECK(motion.x.rightCols(1)(0, 0) == Approx(-0.5));
 }
 
@@ -134,7 +135,8 @@ TEST_CASE("trajectory: the rounding of a polygon around a disc that it touches s
   for (int i = 0; i < corners; ++i)
     x.col(i) << std::cos(2 * half * i) / std::cos(half), std::sin(2 * half * i) / std::cos(half);
   double least = 2;
-  for (const PathPiece& piece : rounded(x).pieces())
+  const BlendedPath path = rounded(x);
+  for (const PathPiece& piece : path.pieces())
     for (int k = 0; k <= 50; ++k) least = std::min(least, piece.place(piece.from + piece.length() * k / 50).norm());
   CHECK(least >= 1 - 1e-12);
 }

@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -13,14 +12,13 @@
 #include <leastcost/problems/readers/mesh_reader.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
+#include "tests/support/pi.hpp"
 #include "tests/support/refused_key.hpp"
 
 namespace leastcost::test {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kPi = std::numbers::pi;
 
 /// Of a point from the nearest capsule, negative inside; in extended precision.
 double outside(const Covering& cover, const Vector3d& point) {

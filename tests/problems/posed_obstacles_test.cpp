@@ -98,13 +98,13 @@ struct Random {
   }
 };
 
-struct Shape {
+struct Drawn {
   std::string name;
   Foot foot;
   std::function<std::shared_ptr<const Obstacle>(const ShapePose&)> make;
 };
 
-Shape shape(int kind, const Sizes& s) {
+Drawn shape(int kind, const Sizes& s) {
   if (kind == 0)
     return {"box", box_foot(s),
             [s](const ShapePose& pose) { return make_box({.size = Vector3d(s[0], s[1], s[2]), .pose = pose}); }};
@@ -120,7 +120,7 @@ Shape shape(int kind, const Sizes& s) {
 
 /// A segment of one of the kinds that go wrong: any, along and across the axis, ending on the surface, touching it, a
 /// point.
-std::array<Vector3d, 2> segment(Random& random, int kind, const Shape& shape, double spread) {
+std::array<Vector3d, 2> segment(Random& random, int kind, const Drawn& shape, double spread) {
   Vector3d a = random.point(spread), b = random.point(spread);
   if (kind == 1) b = a + Vector3d(0, 0, random.number(-spread, spread));
   if (kind == 2) b[2] = a[2];
@@ -146,7 +146,7 @@ TEST_CASE("posed obstacles: boxes, cylinders and cones in random poses against t
     const double unit = std::array{1.0, 1.0, 1e-3, 300.0}[static_cast<std::size_t>(k % 4)];
     const Sizes sizes = {unit * random.number(0.05, 1), unit * random.number(0.05, 1),
                          unit * random.number(0.05, k % 5 == 0 ? 5 : 1)};
-    const Shape tried = shape(k % 4 == 3 ? (k / 4) % 4 : k % 4, sizes);
+    const Drawn tried = shape(k % 4 == 3 ? (k / 4) % 4 : k % 4, sizes);
     const Eigen::Isometry3d pose = k % 7 == 0 ? Eigen::Isometry3d::Identity() : random.pose(2 * unit);
     const auto obstacle = tried.make(shape_pose(pose));
     const auto [a, b] = segment(random, k % 6, tried, 2 * unit);
@@ -182,7 +182,7 @@ TEST_CASE("posed obstacles: triangles") {
   constexpr int kSteps = 40;
   for (int k = 0; k < 300; ++k) {
     const Sizes sizes = {random.number(0.1, 1), random.number(0.1, 1), random.number(0.1, 1)};
-    const Shape tried = shape(k % 4, sizes);
+    const Drawn tried = shape(k % 4, sizes);
     const Eigen::Isometry3d pose = random.pose(1);
     const auto obstacle = tried.make(shape_pose(pose));
     Triangle own = {random.point(2), random.point(2), random.point(2)}, placed;
