@@ -23,3 +23,4 @@
 #include <leastcost/framework/result/other_images.hpp>
 #include <leastcost/framework/result/prove.hpp>
 #include <leastcost/framework/search/find_path.hpp>
+#include <leastcost/framework/trajectory/trajectory.hpp>

@@ -419,7 +419,7 @@ void Composer::place_goals() {
   const bool several = !config_.ring && config_.target && config_.target->is_several();
   if (!several || !obstacles_placed_ || !out_.problem.manifold || out_.problem.target.u.size() > 0) return;
   attempt([&] {
-    std::vector<PlacedEnd> all = goals_of(*config_.target, context_.robot.get(), out_);
+    std::vector<PlacedEnd> all = goals_of(*config_.target, context_.robot.get(), *open_domain_, out_);
     out_.target = all.front();
     out_.problem.target = out_.target.end;
     out_.goals.assign(all.begin() + 1, all.end());

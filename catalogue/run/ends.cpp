@@ -272,12 +272,13 @@ std::vector<PlacedEnd> configurations_of(const ToolPose& tool, const Robot* robo
   return ends;
 }
 
-std::vector<PlacedEnd> free_points(const Eigen::MatrixXd& points, RunParts& out) {
+std::vector<PlacedEnd> free_points(const Eigen::MatrixXd& points, const ConstraintManifold& open_domain,
+                                   RunParts& out) {
   std::vector<PlacedEnd> ends;
   std::string first_why;
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
     const EndOptions one{.point = Eigen::VectorXd(points.row(i))};
-    PlacedEnd placed = place_end(*out.problem.manifold, one, "ends.target");
+    PlacedEnd placed = place_end(open_domain, one, "ends.target");
     const std::string why = why_in_clearance(out.problem, placed.end);
     if (why.empty()) {
       ends.push_back(std::move(placed));
@@ -293,9 +294,10 @@ std::vector<PlacedEnd> free_points(const Eigen::MatrixXd& points, RunParts& out)
 
 }  // namespace
 
-std::vector<PlacedEnd> goals_of(const EndOptions& options, const Robot* robot, RunParts& out) {
+std::vector<PlacedEnd> goals_of(const EndOptions& options, const Robot* robot, const ConstraintManifold& open_domain,
+                                RunParts& out) {
   std::vector<PlacedEnd> all =
-      options.points ? free_points(*options.points, out) : configurations_of(options.tool, robot, out);
+      options.points ? free_points(*options.points, open_domain, out) : configurations_of(options.tool, robot, out);
   const Eigen::VectorXd& source = out.problem.source.u;
   std::stable_sort(all.begin(), all.end(), [&](const PlacedEnd& a, const PlacedEnd& b) {
     return (a.end.u - source).squaredNorm() < (b.end.u - source).squaredNorm();

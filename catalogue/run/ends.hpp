@@ -30,10 +30,11 @@ PlacedEnd place_end(const ConstraintManifold& manifold, const EndOptions& option
 /// place of the source.
 void place_target(const EndOptions& options, const std::string& path, RunParts& out);
 
-/// The ends that a target of several stands for, in the domain with its obstacles: its points, or the configurations
-/// that bring the tool of a robot (may be null) to its pose, nearest to the source first. What cannot be an end is left
-/// out, with a note. Throws OptionError where nothing is left.
-std::vector<PlacedEnd> goals_of(const EndOptions& options, const Robot* robot, RunParts& out);
+/// The ends that a target of several stands for, among the obstacles of the problem (`open_domain`: without them): its
+/// points, or the configurations that bring the tool of a robot (may be null) to its pose, nearest to the source first.
+/// What cannot be an end is left out, with a note. Throws OptionError where nothing is left.
+std::vector<PlacedEnd> goals_of(const EndOptions& options, const Robot* robot, const ConstraintManifold& open_domain,
+                                RunParts& out);
 
 /// Throws OptionError with this key for a target that is the place of the source.
 void refuse_one_place(const Problem& problem, const std::string& key);

@@ -140,7 +140,10 @@ void TrajectoryOptions::fields(FieldVisitor& visit) {
 
 void check_trajectory(const Problem& problem, const TrajectoryOptions& options) {
   const ConstraintManifold& domain = *problem.manifold;
-  if (domain.shape() != Shape::flat || find_ability<HasChart>(domain) != nullptr)
+  const Dimensions d = domain.dimensions();  // the free part of a flat domain has a boundary that is not
+  const bool flat = domain.shape() == Shape::flat || (find_ability<ChecksMoves>(domain) != nullptr &&
+                                                      d.coordinate == d.ambient && d.tangent == d.ambient);
+  if (!flat || find_ability<HasChart>(domain) != nullptr)
     throw InputError("a trajectory needs a flat domain (euclidean coordinates, or the joints of a robot)");
   if (problem.ring) throw InputError("a trajectory starts and ends at rest: a ring has no ends");
   for_each("velocity", options.velocity, domain.dimensions().ambient);

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include <leastcost/framework/base/errors.hpp>
-#include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include "framework/base/point_text.hpp"
 #include "problems/obstacles/segment_tree.hpp"
 

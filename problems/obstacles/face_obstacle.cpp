@@ -11,7 +11,6 @@
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
-#include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include "problems/obstacles/segment_tree.hpp"
 #include "problems/obstacles/triangle_foot.hpp"
 

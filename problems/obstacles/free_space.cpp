@@ -11,7 +11,6 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/domain/has_box.hpp>
-#include <leastcost/problems/obstacles/has_thinnest_core.hpp>
 #include "problems/obstacles/crossing_word.hpp"
 #include "problems/obstacles/least_push.hpp"
 #include "problems/obstacles/sweep.hpp"

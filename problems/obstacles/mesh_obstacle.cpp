@@ -11,7 +11,6 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/mesh/closest_point.hpp>
 #include <leastcost/problems/mesh/mesh_report.hpp>
-#include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
 #include "problems/distance/orient_faces.hpp"
 #include "problems/distance/winding_number.hpp"

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <string>
 
 #include <leastcost/framework/base/ability.hpp>
@@ -34,6 +35,21 @@ class Obstacle : public HasAbilities<Obstacle> {
   /// The least distance of a point a + t (b - a) from the core, and that t; 0 where the segment meets it, and the t of
   /// where it does so first.
   virtual double distance_of_segment(const Vector& a, const Vector& b, double& t) const = 0;
+};
+
+/// Ability of an obstacle in space: how far triangles are from it is known, so that bodies made of them can meet it.
+class MeetsTriangles {
+ public:
+  virtual ~MeetsTriangles() = default;
+  /// The least distance of a point of the triangle from the core, and such a point; 0 where they meet, and where. A
+  /// degenerate triangle counts as the segment or point that it is.
+  virtual double distance_of_triangle(const std::array<Eigen::Vector3d, 3>& corners,
+                                      Eigen::Vector3d& nearest) const = 0;
+  /// False in the plane.
+  bool present() const { return measures_triangles(); }
+
+ private:
+  virtual bool measures_triangles() const { return true; }
 };
 
 /// A box in space that may be turned; a segment or a point where half edges are 0. In the plane z is 0.

@@ -106,6 +106,14 @@ class GapsAreDistances {
   virtual bool gaps_are_distances() const { return true; }
 };
 
+/// Ability of walls that are made of cores with a distance to be kept from each: a robot's parts among obstacles.
+class HasThinnestCore {
+ public:
+  virtual ~HasThinnestCore() = default;
+  /// The least distance that is required from any core, in length units of the places; infinity where there is none.
+  virtual double thinnest() const = 0;
+};
+
 /// Ability of walls for a solve, whose looks are mostly beside earlier ones: they may remember what they saw.
 class Remembers {
  public:

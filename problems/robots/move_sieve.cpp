@@ -153,6 +153,19 @@ void MoveSieve::add_links(const std::vector<int>& order) {
   }
 }
 
+/// Of all parts of a link, as seen from another one.
+MoveSieve::Vector MoveSieve::reach_from(int seen_from, int link) const {
+  const Kinematics& kinematics = *robot_->kinematics;
+  const Link &from = links_[static_cast<std::size_t>(seen_from)], &of = links_[static_cast<std::size_t>(link)];
+  Vector reach = Vector::Zero(kinematics.dimension());
+  for (int k = of.first; k < of.last; ++k) {
+    const Capsule& capsule = parts_[static_cast<std::size_t>(k)].capsule;
+    for (const Vector3d& end : {capsule.from, capsule.to})
+      reach = reach.cwiseMax(kinematics.reach_from(from.number, of.number, end)).eval();
+  }
+  return reach;
+}
+
 /// Seen from the link that is nearer to the base.
 void MoveSieve::add_link_pairs(const std::vector<int>& order) {
   std::vector<int> place(parts_.size());  // of the robot's capsules in parts_
@@ -177,7 +190,7 @@ void MoveSieve::add_link_pairs(const std::vector<int>& order) {
         both.far = links.first;
         both.near = links.second;
         both.first = both.last = static_cast<int>(pairs_.size());
-        both.reach = links_[static_cast<std::size_t>(both.far)].reach;
+        both.reach = reach_from(both.near, both.far);
         link_pairs_.push_back(std::move(both));
       }
       ++link_pairs_.back().last;

@@ -60,7 +60,7 @@ class MoveSieve {
   struct LinkPair {
     int far = 0, near = 0;    ///< numbers in links_
     int first = 0, last = 0;  ///< pairs_
-    Vector reach = {};        ///< of the parts of the farther link that are among them
+    Vector reach = {};        ///< of the parts of the farther link, as seen from the nearer one
     double required = 0;      ///< of the balls around the links, at most
   };
   /// What is not done with yet on a piece: a link and a thing, or a pair of links (thing < 0), and which of their
@@ -74,6 +74,7 @@ class MoveSieve {
 
   void add_links(const std::vector<int>& order);
   void add_link_pairs(const std::vector<int>& order);
+  Vector reach_from(int seen_from, int link) const;
   Found look_at_thing(OnMove& move, Open& open, double half, double rounding) const;
   Found look_at_pair(OnMove& move, Open& open, double half, double rounding) const;
   double distance(const Segment3& axis, std::size_t thing) const;

@@ -9,8 +9,6 @@
 
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/drawing/draws_poses.hpp>
-#include <leastcost/problems/obstacles/has_thinnest_core.hpp>
-#include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include <leastcost/problems/obstacles/obstacle.hpp>
 #include <leastcost/problems/robots/pair_walls.hpp>
 #include <leastcost/problems/robots/robot.hpp>

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
-#include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include "framework/base/point_text.hpp"
 #include "problems/obstacles/segment_tree.hpp"
 #include "problems/shapes/in_space.hpp"

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
-#include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include "framework/base/point_text.hpp"
 
 namespace leastcost {

@@ -11,7 +11,6 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/mesh/median_tree.hpp>
-#include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include <leastcost/problems/readers/point_cloud_reader.hpp>
 #include "problems/obstacles/triangle_foot.hpp"
 

@@ -8,7 +8,6 @@
 #include <optional>
 #include <string>
 
-#include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include <leastcost/problems/obstacles/obstacle.hpp>
 
 namespace leastcost {

@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 
-#include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include <leastcost/problems/obstacles/obstacle.hpp>
 
 namespace leastcost {

@@ -12,7 +12,6 @@
 
 #include <leastcost/framework/base/ability.hpp>
 #include <leastcost/framework/base/errors.hpp>
-#include <leastcost/problems/obstacles/meets_triangles.hpp>
 #include <leastcost/problems/obstacles/obstacle_walls.hpp>
 #include <leastcost/problems/obstacles/polygon.hpp>
 #include <leastcost/problems/shapes/box.hpp>
