@@ -40,6 +40,8 @@ function(leastcost_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized)  # false alarms inside Eigen (GCC 12)
+  elseif(CMAKE_UNITY_BUILD)
+    target_compile_options(${target} PRIVATE -Wno-shadow)  # Clang also means names of other sources of the unit
   endif()
   if(LEASTCOST_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)
