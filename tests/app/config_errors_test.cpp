@@ -73,7 +73,8 @@ nmae: x
             "a.yaml:2:36: error: 'gravity' in cost must be greater than 0 (found '-1')",
             "a.yaml:2:46: error: 'rule' in cost must be one of: chute, midpoint; found 'chut' (did you mean 'chute'?)",
             "a.yaml:4:23: error: 'point' in ends.source has an entry that must be a number, .inf or -.inf (found 'x')",
-            "a.yaml:5:3: error: 'target' in ends must have exactly one of: vertex; face and barycentric; point; lonlat; state; points; tool",
+            "a.yaml:5:3: error: 'target' in ends must have exactly one of: vertex; face and barycentric; point; "
+            "lonlat; state; points; tool",
             "a.yaml:5:35: error: 'euclidean' has no vertices: give the end as {point: [..]}",
             "a.yaml:6:16: error: 'points' in path must be at least 1 and at most 10000000 (found '0')",
             "a.yaml:6:19: error: unknown key 'rng' in path (did you mean 'ring'?)",
