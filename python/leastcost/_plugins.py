@@ -889,8 +889,8 @@ class initializer:
         reach: How far beyond the tree samples are taken, in units of the distance between the ends. (> 0; default: 1)
         max_nodes: Number of nodes in both trees at which the search gives up. (>= 1; default: 20000)
         shortcuts: Number of random shortcuts tried on the path found; of a robot's, at most. (>= 0; default: 200)
-        paths: Number of paths to find, of which the shortest is taken; default: 8 among obstacles in space, otherwise
-          1. (>= 1)
+        paths: Number of paths to find, of which the shortest is taken; default: among obstacles 8 in space and 4 in
+          more dimensions (a robot), otherwise 1. (>= 1)
         seed: Seed of the samples; default: the seed of the run. (>= 0)
         """
         return _block(
@@ -948,7 +948,8 @@ class initializer:
         planner: Planner of OMPL; those from PRMstar on improve their path until max_seconds have passed. (default:
           "RRTConnect")
         max_seconds: Time after which the planner gives up. [s] (> 0 and <= 1e+06; default: 10)
-        range: Longest move that a planner adds at once; default: OMPL's choice for the space. [length] (> 0)
+        range: Longest move that a planner adds at once; default: for a robot 1/8 of the distance between the ends, else
+          OMPL's choice for the space. [length] (> 0)
         step: Moves are checked in pieces of half this length; default: 1/16 of the distance between the ends. [length]
           (> 0)
         reach: How far beyond the ends samples are taken along unbounded coordinates, in units of the distance between
