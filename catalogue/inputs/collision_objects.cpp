@@ -33,7 +33,7 @@ Isometry3d read_ros_pose(const ConfigNode& node, const std::string& of, Diagnost
   const auto read = [&](const char* key, std::size_t count, const std::vector<std::string>& names) {
     const ConfigNode* given = block.find(key);
     std::string fault;
-    const auto numbers = given == nullptr ? std::nullopt : numbers_of(*given, count, names, fault);
+    auto numbers = given == nullptr ? std::nullopt : numbers_of(*given, count, names, fault);
     if (!fault.empty()) block.fault(key, fault);
     return numbers;
   };

@@ -242,7 +242,7 @@ ToolGoal goal_of(const ToolPose& tool, const Kinematics& kinematics) {
   try {
     pose = pose_of(tool.pose, space);
   } catch (const OptionError& error) {  // "pose.rpy"
-    const std::string key(error.key());
+    const std::string& key = error.key();
     throw OptionError("ends.target.tool" + key.substr(std::min(key.size(), std::string("pose").size())), error.what());
   }
   goal.position = pose.translation();
@@ -268,6 +268,7 @@ std::vector<PlacedEnd> configurations_of(const ToolPose& tool, const Robot* robo
                                 "check that it is within reach, or leave out the rotation");
   }
   std::vector<PlacedEnd> ends;
+  ends.reserve(found.size());
   for (const Eigen::VectorXd& x : found) ends.push_back({x, {x}, 0});
   return ends;
 }

@@ -43,8 +43,8 @@ class ToolSolve {
     marks_ = {goal.tool};
     if (goal.rotation) {  // places of three points not in line say how a link is turned
       const double arm = 0.1 * size_;
-      marks_.push_back(goal.tool + arm * Vector3d::UnitX());
-      marks_.push_back(goal.tool + arm * Vector3d::UnitY());
+      marks_.emplace_back(goal.tool + arm * Vector3d::UnitX());
+      marks_.emplace_back(goal.tool + arm * Vector3d::UnitY());
     }
     tolerance_ = tolerance * size_;
   }

@@ -54,7 +54,7 @@ class PointObstacle final : public Obstacle, public MeetsTriangles {
 
   double distance(const Vector& x, Eigen::Ref<Vector> away) const override {
     const Vector3d place = x;
-    const Vector3d point = nearest([&](const Vector3d&) { return place; });
+    const Vector3d point = nearest([&](const Vector3d&) -> const Vector3d& { return place; });
     away = place - point;
     const double distance = away.norm();
     if (distance > 0)
