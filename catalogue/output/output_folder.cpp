@@ -46,7 +46,7 @@ bool is_result_file(const fs::path& file) {
   static const std::set<std::string> ours = {
       "clicks.json", "config.resolved.yaml", "curve.csv", "first_path.csv", "history.csv", "manifest.json", "path.csv",
       "path.geojson", "path_points.geojson", "path.gpkg", "path.obj", "path.vtp", "report.html", "residuals.csv",
-      "result.json", "scene.json", "waypoints.csv",
+      "result.json", "scene.json", "trajectory.csv", "trajectory.json", "waypoints.csv",
       "paths.jsonl",  // of many pairs of ends
       // of studies
       "journal.jsonl", "runs.csv", "study.resolved.yaml", "summary.json", "traces.csv", "accuracy.svg", "data.svg",

@@ -98,7 +98,7 @@ double off_chords(const BlendedPath& path) {
 
 void sample(const BlendedPath& path, const SpeedProfile& profile, double interval, Trajectory& out) {
   const double duration = profile.duration();
-  if (duration / interval > kMostSamples)
+  if (!(duration / interval <= kMostSamples))
     throw OptionError("interval", "would make more than a million samples: give a longer interval");
   const Index moves = std::max<Index>(1, static_cast<Index>(std::ceil(duration / interval - kNegligible)));
   const Index d = path.pieces().front().at.size();
@@ -125,12 +125,12 @@ void sample(const BlendedPath& path, const SpeedProfile& profile, double interva
 
 void TrajectoryOptions::fields(FieldVisitor& visit) {
   visit.field("velocity", velocity,
-              {.help = "Largest velocity of each coordinate, or one number for all.",
+              {.help = "Largest velocity: a list with one number for all coordinates, or one each.",
                .unit = "coordinates/s",
                .minimum = 0,
                .exclusive_minimum = true});
   visit.field("acceleration", acceleration,
-              {.help = "Largest acceleration of each coordinate, or one number for all.",
+              {.help = "Largest acceleration: a list with one number for all coordinates, or one each.",
                .unit = "coordinates/s^2",
                .minimum = 0,
                .exclusive_minimum = true});

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <leastcost/catalogue/catalogue.hpp>
+#include "catalogue/output/output_folder.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
 
@@ -26,6 +27,7 @@ TEST_CASE("trajectory: files among discs, with the corners rounded as far as tha
                                                                             {"output.trajectory.acceleration=[2, 2]"},
                                                                             {"output.trajectory.interval=0.05"}})),
                                     dir / "out");
+  for (const auto& file : fs::directory_iterator(folder)) CHECK(is_result_file(file.path()));  // may be replaced
   const Json result = Json::parse(content(folder / "result.json")).at("trajectory");
   CHECK(result["touches"] == false);
   CHECK(result["duration"] >= result["least_duration"]);
