@@ -46,16 +46,21 @@ struct Outcome {
 /// One step of a search. Throws Interrupted.
 using Step = void (*)(const Search&, Outcome&);
 
+/// Adds the time of its life to `seconds`, also when an exception ends it.
+struct StageTimer {
+  explicit StageTimer(double& sum) : seconds(sum) {}
+  StageTimer(const StageTimer&) = delete;
+  StageTimer& operator=(const StageTimer&) = delete;
+  ~StageTimer() { seconds += std::chrono::duration<double>(Monitor::Clock::now() - start).count(); }
+  double& seconds;
+  Monitor::Clock::time_point start = Monitor::Clock::now();
+};
+
 /// Runs a part of a search as one of the stages that an observer sees, and adds up its time, also if it throws.
 template <class Work>
 void timed(Stage stage, const Search& search, double& seconds, Work work) {
-  struct Timer {
-    double& seconds;
-    Monitor::Clock::time_point start = Monitor::Clock::now();
-    ~Timer() { seconds += std::chrono::duration<double>(Monitor::Clock::now() - start).count(); }
-  };
   search.monitor.report({stage, nullptr});
-  const Timer timer{seconds};
+  const StageTimer timer(seconds);
   work();
 }
 

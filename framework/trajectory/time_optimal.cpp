@@ -12,7 +12,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// x = (ds/dt)^2 at the first station of an interval, u = d^2 s/dt^2 in it: which of them keep the limits.
-struct Interval {
+struct PathInterval {
   double step = 0;                   ///< of s
   Eigen::VectorXd begin, end, bend;  ///< q' at its stations, q''
   double fastest = kInfinity;        ///< x, by the velocities
@@ -40,18 +40,18 @@ struct Interval {
   }
 };
 
-std::vector<Interval> intervals_of(const BlendedPath& path, const Eigen::VectorXd& velocity, int stations,
+std::vector<PathInterval> intervals_of(const BlendedPath& path, const Eigen::VectorXd& velocity, int stations,
                                    SpeedProfile& profile) {
   const std::vector<PathPiece>& pieces = path.pieces();
   const int each = std::max(4, (stations + static_cast<int>(pieces.size()) - 1) / static_cast<int>(pieces.size()));
-  std::vector<Interval> intervals;
+  std::vector<PathInterval> intervals;
   std::vector<double> at = {0};
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     const PathPiece& piece = pieces[p];
     for (int k = 0; k < each; ++k) {
       const double from = piece.from + piece.length() * k / each, to = piece.from + piece.length() * (k + 1) / each;
       if (!(to > from)) continue;
-      Interval interval{to - from, piece.direction(from), piece.direction(to), piece.bend};
+      PathInterval interval{to - from, piece.direction(from), piece.direction(to), piece.bend};
       for (Index j = 0; j < velocity.size(); ++j) {
         const double rate = std::max(std::abs(interval.begin[j]), std::abs(interval.end[j]));
         if (rate > 0) interval.fastest = std::min(interval.fastest, std::pow(velocity[j] / rate, 2));
@@ -67,7 +67,7 @@ std::vector<Interval> intervals_of(const BlendedPath& path, const Eigen::VectorX
 
 /// The greatest x of an interval from which some u leads to an x of at most `next`. Those that do are an interval from
 /// 0 on: standing still keeps every limit. Bisection, from below: what is returned has been seen to do.
-double controllable(const Interval& interval, double most, double next, const Eigen::VectorXd& acceleration) {
+double controllable(const PathInterval& interval, double most, double next, const Eigen::VectorXd& acceleration) {
   const auto can = [&](double x) {
     double low, high;
     interval.range(x, next, acceleration, low, high);
@@ -91,7 +91,7 @@ double controllable(const Interval& interval, double most, double next, const Ei
 SpeedProfile time_optimal(const BlendedPath& path, const Eigen::VectorXd& velocity, const Eigen::VectorXd& acceleration,
                           int stations) {
   SpeedProfile profile;
-  const std::vector<Interval> intervals = intervals_of(path, velocity, stations, profile);
+  const std::vector<PathInterval> intervals = intervals_of(path, velocity, stations, profile);
   const auto count = static_cast<Index>(intervals.size());
   Eigen::VectorXd fastest(count + 1);
   fastest[count] = 0;
@@ -102,7 +102,7 @@ SpeedProfile time_optimal(const BlendedPath& path, const Eigen::VectorXd& veloci
   }
   profile.square = profile.time = Eigen::VectorXd::Zero(count + 1);
   for (Index i = 0; i < count; ++i) {
-    const Interval& interval = intervals[static_cast<std::size_t>(i)];
+    const PathInterval& interval = intervals[static_cast<std::size_t>(i)];
     double& next = profile.square[i + 1];
     double low, high;
     interval.range(profile.square[i], fastest[i + 1], acceleration, low, high);
