@@ -41,7 +41,7 @@ struct PathInterval {
 };
 
 std::vector<PathInterval> intervals_of(const BlendedPath& path, const Eigen::VectorXd& velocity, int stations,
-                                   SpeedProfile& profile) {
+                                       SpeedProfile& profile) {
   const std::vector<PathPiece>& pieces = path.pieces();
   const int each = std::max(4, (stations + static_cast<int>(pieces.size()) - 1) / static_cast<int>(pieces.size()));
   std::vector<PathInterval> intervals;
