@@ -6,9 +6,9 @@
     mbm.py DATA PROGRAM [--choose develop|held] [--count 5] [--scenario NAME] [--set 'key: value'] [--out FOLDER]
 
 DATA holds panda_even.json.gz, panda_spherized.urdf and panda.srdf, as shipped by KavrakiLab/vamp. Each problem becomes
-a configuration without options: the 59 spheres merged into 24 capsules that cover them, boxes, and cylinders as
-capsules (in the scenario `box` as boxes of their size, which is what their makers take them for). The first joint turns
-the world so that most boxes are along its axes; the others are meshes.
+a configuration without options, as an engineer would write it: the URDF with its spheres, the SRDF with its pairs,
+boxes with their poses, and cylinders as capsules (in the scenario `box` as boxes of their size, which is what their
+makers take them for).
 
 `develop`: indices that 6 divides; `held`: those that leave 2. The judge knows nothing of the program: kinematics of the
 URDF, spheres against exact boxes and capsules, every 0.004 rad.
@@ -28,10 +28,7 @@ import numpy as np
 
 JUDGED_EVERY = 0.004  # rad
 CLEARANCE = 1e-4      # m
-TABLE = [[0, 0, 0.333], [0, -math.pi / 2, 0], [0, math.pi / 2, 0.316], [0.0825, math.pi / 2, 0],
-         [-0.0825, -math.pi / 2, 0.384], [0, math.pi / 2, 0], [0.088, math.pi / 2, 0]]  # a, alpha, d; modified
-# Spheres of a link by number, merged into a capsule from the first to the last: those between lie in it.
-MERGE_WITHIN = 1e-9
+LONGEST = 60          # s, of a run
 
 
 def numbers(text):
@@ -58,8 +55,6 @@ class Robot:
             self.joints.append((joint.find("parent").get("link"), joint.find("child").get("link"), frame,
                                 joint.get("type") == "revolute", joint))
         self.names = [j[4].get("name") for j in self.joints if j[3]]
-        self.lower = [float(j[4].find("limit").get("lower")) for j in self.joints if j[3]]
-        self.upper = [float(j[4].find("limit").get("upper")) for j in self.joints if j[3]]
         self.spheres = []  # link, centre, radius
         for link in urdf.findall("link"):
             for collision in link.findall("collision"):
@@ -87,44 +82,6 @@ class Robot:
                 j += 1
             found[child] = at
         return found
-
-    def rigid(self):
-        """Link of the table (0: base, 1 to 7) and frame in it, of each link."""
-        found, link = {"panda_link0": (0, np.eye(4))}, 0
-        for parent, child, frame, revolute, _ in self.joints:
-            link += revolute
-            found[child] = (link, np.eye(4)) if revolute else (found[parent][0], found[parent][1] @ frame)
-        return found
-
-    def capsules(self):
-        """Link by name, its ends in the frames of the table, its radius. Greedy: the pair of spheres whose capsule
-        covers most others without being larger than the larger of the two by more than a tenth."""
-        found = []
-        rigid = self.rigid()
-        for name in dict.fromkeys(s[0] for s in self.spheres):
-            left = [(c, r) for link, c, r in self.spheres if link == name]
-            while left:
-                best = ([], None)
-                for a, ra in left:
-                    for b, rb in left:
-                        radius = max(ra, rb)
-                        if min(ra, rb) < 0.9 * radius:
-                            continue
-                        covered = [k for k, (c, r) in enumerate(left)
-                                   if 0.8 * radius <= r and to_segment(c, a, b) + r <= radius + MERGE_WITHIN]
-                        if len(covered) > len(best[0]):
-                            best = (covered, (a, b, radius))
-                covered, (a, b, radius) = best
-                link, frame = rigid[name]
-                found.append((name, link, frame[:3, :3] @ a + frame[:3, 3], frame[:3, :3] @ b + frame[:3, 3], radius))
-                left = [s for k, s in enumerate(left) if k not in covered]
-        return found
-
-
-def to_segment(p, a, b):
-    way = b - a
-    t = np.clip((p - a) @ way / max(way @ way, 1e-300), 0, 1)
-    return np.linalg.norm(p - a - t * way)
 
 
 def obstacles_of(scenario, problem):
@@ -185,64 +142,39 @@ def deepest(robot, obstacles, path):
     return worst, touching.mean()
 
 
-def yaw_of(obstacles):
-    """The turn about z that most boxes have, modulo a quarter."""
-    yaws = [math.atan2(f[1, 0], f[0, 0]) % (math.pi / 2) for kind, _, f in obstacles
-            if kind == "box" and abs(f[2, 2]) > 1 - 1e-9]
-    return max(yaws, key=lambda y: sum(abs(math.remainder(y - o, math.pi / 2)) < 1e-6 for o in yaws), default=0)
-
-
 def flat(values):
     return "[" + ", ".join(repr(float(v)) for v in values) + "]"
 
 
-def mesh_of(corners):
-    quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
-    lines = ["v " + " ".join(repr(float(v)) for v in c) for c in corners]
-    for a, b, c, d in quads:
-        lines += [f"f {a + 1} {b + 1} {c + 1}", f"f {a + 1} {c + 1} {d + 1}"]
-    return "\n".join(lines) + "\n"
+def pose_of(frame):
+    """Position and rotation vector, as the shapes of a configuration have them."""
+    turn = frame[:3, :3]
+    about = np.array([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]])
+    angle = math.atan2(np.linalg.norm(about), np.trace(turn) - 1)
+    if np.linalg.norm(about) < 1e-9 and angle > 1:  # half a turn: the axis is the largest column of (R + 1) / 2
+        columns = (turn + np.eye(3)) / 2
+        about = columns[:, np.argmax(np.diag(columns))]
+    axis = about / max(np.linalg.norm(about), 1e-300)
+    return f"pose: {{ position: {flat(frame[:3, 3])}, rotation: {flat(axis * angle)} }}"
 
 
-def write_configuration(robot, scenario, problem, extra, folder):
+def write_configuration(robot, data, scenario, problem, extra, folder):
     obstacles = obstacles_of(scenario, problem)
-    yaw = yaw_of(obstacles)
-    c, s = math.cos(-yaw), math.sin(-yaw)
-    world = np.array([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
     name = f"{scenario}_{problem['index']:04d}"
-    capsules = robot.capsules()
-    ends = [[problem["start"][n] for n in robot.names], [problem["goals"][0][n] for n in robot.names]]
-    lower = np.minimum(robot.lower, np.min(ends, axis=0))
-    upper = np.maximum(robot.upper, np.max(ends, axis=0))
-    lines = [f"name: {name}", "manifold:", "  type: euclidean", "  dimension: 7", f"  lower: {flat(lower)}",
-             f"  upper: {flat(upper)}", "robot:", "  type: dh_arm", "  model:", "    type: table",
-             "    convention: modified", "    rows:"]
-    lines += [f"      - {flat(row + [-yaw if k == 0 else 0])}" for k, row in enumerate(TABLE)]
-    lines += [f"    lower: {flat(lower)}", f"    upper: {flat(upper)}", "    shape:"]
-    lines += [f"      - [{link}, " + flat([*a, *b, r])[1:] for _, link, a, b, r in capsules]
-    self_pairs = [[i, j] for i, a in enumerate(capsules) for j, b in enumerate(capsules[:i])
-                  if a[1] != b[1] and ((a[0], b[0]) in robot.pairs or (b[0], a[0]) in robot.pairs)]
-    lines += [f"    self: {[sorted(p) for p in self_pairs]}", "obstacles:"]
-    for k, (kind, size, frame) in enumerate(obstacles):
-        at = world @ frame
-        if kind == "capsule":
-            half, radius = size
-            tip, foot = at[:3, 3] + half * at[:3, 2], at[:3, 3] - half * at[:3, 2]
-            aside = 5e-6 * at[:3, 0]  # a triangle so narrow is a segment
-            text = "".join("v " + " ".join(repr(float(v)) for v in p) + "\n" for p in (tip, foot - aside, foot + aside))
-            open(os.path.join(folder, f"{name}_{k}.obj"), "w").write(text + "f 1 2 3\n")
-            lines.append(f"  - {{ type: mesh, file: {name}_{k}.obj, inside: surface, radius: {radius!r} }}")
-            continue
-        corners = [at[:3, 3] + at[:3, :3] @ (size * np.array([x, y, z]))
-                   for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
-        if np.abs(np.abs(at[:3, :3]).max(axis=1) - 1).max() < 1e-9:
-            lines.append(f"  - {{ type: box, lower: {flat(np.min(corners, axis=0))}, "
-                         f"upper: {flat(np.max(corners, axis=0))} }}")
+    data = os.path.abspath(data)
+    lines = [f"name: {name}", "manifold: robot", "robot:", "  type: urdf",
+             f"  file: {os.path.join(data, 'panda_spherized.urdf')}", f"  srdf: {os.path.join(data, 'panda.srdf')}",
+             "  group: panda_arm", "  soft_limits: false", "obstacles:"]
+    for kind, size, frame in obstacles:
+        if kind == "box":
+            lines.append(f"  - {{ type: box, size: {flat(2 * size)}, {pose_of(frame)} }}")
         else:
-            open(os.path.join(folder, f"{name}_{k}.obj"), "w").write(mesh_of(corners))
-            lines.append(f"  - {{ type: mesh, file: {name}_{k}.obj }}")
-    lines += [f"clearance: {CLEARANCE!r}", "cost: euclidean", "ends:", f"  source: {{ point: {flat(ends[0])} }}",
-              f"  target: {{ point: {flat(ends[1])} }}", *extra]
+            half, radius = size
+            foot, tip = frame[:3, 3] - half * frame[:3, 2], frame[:3, 3] + half * frame[:3, 2]
+            lines.append(f"  - {{ type: capsule, from: {flat(foot)}, to: {flat(tip)}, radius: {radius!r} }}")
+    ends = [flat([point[n] for n in robot.names]) for point in (problem["start"], problem["goals"][0])]
+    lines += [f"clearance: {CLEARANCE!r}", "cost: euclidean", "ends:", f"  source: {{ point: {ends[0]} }}",
+              f"  target: {{ point: {ends[1]} }}", *extra]
     path = os.path.join(folder, name + ".yaml")
     open(path, "w").write("\n".join(lines) + "\n")
     return path, obstacles
@@ -251,7 +183,11 @@ def write_configuration(robot, scenario, problem, extra, folder):
 def run(program, configuration, output):
     """The result, and the seconds of processor that it took."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    done = subprocess.run([program, "run", configuration, "--output", output, "--quiet"], capture_output=True, text=True)
+    try:
+        done = subprocess.run([program, "run", configuration, "--output", output, "--quiet"], capture_output=True,
+                              text=True, timeout=LONGEST)
+    except subprocess.TimeoutExpired:
+        return None, LONGEST, f"did not end within {LONGEST} s"
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     used = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
     path = os.path.join(output, "result.json")
@@ -286,7 +222,7 @@ def main():
     for scenario in given.scenario or problems:
         chosen = [p for p in problems[scenario] if p["index"] % 6 == rest][:given.count]
         for problem in [p for p in problems[scenario] if p["index"] in given.index] if given.index else chosen:
-            configuration, obstacles = write_configuration(robot, scenario, problem, given.set, folder)
+            configuration, obstacles = write_configuration(robot, given.data, scenario, problem, given.set, folder)
             output = configuration[:-5]
             result, used, message = run(given.program, configuration, output)
             label = f"{scenario} {problem['index']}"

@@ -3,6 +3,7 @@
 #include "framework/newton/bounded_step.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "framework/domain/in_parts.hpp"
@@ -13,7 +14,9 @@ namespace {
 
 constexpr Index kLooksAtOnce = 16;  ///< between two looks at the clock
 constexpr double kPassed = 0.01;    ///< of a point's move: so far beyond a bound it is worth a program
+constexpr double kHeeded = 2;       ///< of the largest move: bounds farther away than that stay out of the program
 constexpr double kEndsOn = 1e-7;    ///< of the largest move: nearer to a bound than that a step ends on it
+constexpr double kFewer = 16;       ///< less is added to a Hessian that shortened too much
 
 }  // namespace
 
@@ -57,21 +60,73 @@ bool BoundedStep::find_hessian(const CoordinatePath& path, const ChainModel& mod
   return false;
 }
 
+/// Adds to the Hessian until the step is as long as the radius, within a factor of two: by bisection of the exponent.
+bool BoundedStep::shorten(const Eigen::VectorXd& gradient) {
+  constexpr int kMostFactors = 40;
+  ChainSystem identity;
+  identity.resize(hessian_.block(), hessian_.count(), false);
+  identity.set_zero();
+  double steepest = 0;
+  for (Index i = 0; i < hessian_.count(); ++i) {
+    identity.diagonal(i).setIdentity();
+    steepest = std::max(steepest, gradient.segment(hessian_.block() * i, hessian_.block()).norm());
+  }
+  double most = steepest / radius_, least = 0, added = most;  // with `most` alone no point moves farther
+  Eigen::VectorXd step;
+  for (int k = 0; k < kMostFactors; ++k) {
+    scaled_ = hessian_;
+    scaled_.add(added, identity);
+    if (!energy_.factor(scaled_)) return false;
+    step = -gradient;
+    scaled_.solve(step);
+    energy_.from_tangent(frames_, step, moves_);
+    const double length = moves_.colwise().norm().maxCoeff();
+    if (!(length > radius_ / 2)) {
+      most = added;
+    } else if (length > radius_) {
+      least = added;
+    } else {
+      hessian_.add(added, identity);
+      return true;
+    }
+    added = least > 0 ? std::sqrt(least * most) : most / kFewer;
+  }
+  return false;
+}
+
 /// Lengths are in units of the largest move, energies in those of the model's decrease.
 bool BoundedStep::solve(const CoordinatePath& path, const ChainModel& model) {
-  if (bounds_ == nullptr || path.ring || !passes_bounds(path, model.moves) || !find_hessian(path, model)) return false;
-  const double length = model.moves.colwise().norm().maxCoeff(), gain = model.decrement;
+  if (bounds_ == nullptr || path.ring) return false;
+  moves_ = model.moves;
+  double gain = model.decrement;
+  Eigen::VectorXd gradient;
+  const bool is_long = moves_.colwise().norm().maxCoeff() > radius_;
+  if (is_long) {
+    if (!find_hessian(path, model)) return false;
+    energy_.to_tangent(frames_, model.gradient, gradient);
+    if (!shorten(gradient)) return false;
+    gain = -model.gradient.cwiseProduct(moves_).sum();
+  }
+  const double length = moves_.colwise().norm().maxCoeff();
   if (!(length > 0) || !(gain > 0)) return false;
+  if (!passes_bounds(path, moves_)) {
+    slope_ = -gain;
+    ends_on_.assign(near_.size(), {});
+    return is_long;
+  }
+  if (!is_long) {
+    if (!find_hessian(path, model)) return false;
+    energy_.to_tangent(frames_, model.gradient, gradient);
+  }
   const int k = hessian_.block();
   const Index n = hessian_.count();
-  Eigen::VectorXd gradient;
-  energy_.to_tangent(frames_, model.gradient, gradient);
   scaled_.set_zero();
   scaled_.add(length * length / gain, hessian_);
   ChainHalfSpaces rows(k);
   for (Index i = 0; i < n; ++i)
     for (const NearBound& bound : near_[static_cast<std::size_t>(i)])
-      rows.add(i, frames_.bases.middleCols(k * i, k).transpose() * bound.slope, -std::max(0.0, bound.gap) / length);
+      if (bound.gap <= kHeeded * bound.slope.norm() * length)
+        rows.add(i, frames_.bases.middleCols(k * i, k).transpose() * bound.slope, -std::max(0.0, bound.gap) / length);
   const std::optional<Eigen::VectorXd> z =
       least_of_chain(scaled_, -length / gain * gradient, rows, Eigen::VectorXd::Zero(k * n), energy_.deadline());
   energy_.count({.linear_solves = 1});
@@ -80,6 +135,11 @@ bool BoundedStep::solve(const CoordinatePath& path, const ChainModel& model) {
   slope_ = length * gradient.dot(*z);
   end_on_bounds(length);
   return slope_ < 0;
+}
+
+void BoundedStep::took(double t) {
+  constexpr double kFarther = 2;
+  radius_ = t < 1 ? t * moves_.colwise().norm().maxCoeff() : kFarther * radius_;
 }
 
 /// A program ends a hair before its bounds. Where the retraction itself stops points at a bound, a hair too far ends on

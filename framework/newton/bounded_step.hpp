@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include <leastcost/framework/domain/sees_bounds.hpp>
@@ -14,6 +15,11 @@ namespace leastcost {
 /// bounds, a step of the whole chain gains nothing unless it is shortened until hardly any point moves; this one comes
 /// to rest on the bounds that will hold it. (A step of sequential quadratic programming: Nocedal and Wright 2006,
 /// Ch. 18.)
+///
+/// No point moves farther than a radius that follows the steps which were taken. Bounds are straight only near by, and
+/// those within reach of a long step are many: a step that is cut down after the program has heeded walls which it
+/// never comes near. A step too long is shortened by adding a multiple of the identity to the Hessian (ibid., Ch. 4.3),
+/// in which the stiff directions keep their moves.
 class BoundedStep {
  public:
   explicit BoundedStep(PathEnergy& energy);
@@ -21,18 +27,21 @@ class BoundedStep {
   /// Whether the domain sees bounds (SeesBounds).
   bool possible() const { return bounds_ != nullptr; }
 
-  /// Where the domain sees bounds and the model's own step would pass over one: solves for the step that
-  /// does not. False elsewhere, for a ring, and where that fails; then there is no such step.
+  /// Where the domain sees bounds and the model's own step would pass over one, or is longer than the radius: solves
+  /// for the step that does not. False elsewhere, for a ring, and where that fails; then there is no such step.
   bool solve(const CoordinatePath& path, const ChainModel& model);
 
   const Points& moves() const { return moves_; }  ///< coordinate x n
   double slope() const { return slope_; }         ///< of the energy along the step, below 0
   /// The whole step, onto the bounds that it ends on.
   void retract(const CoordinatePath& from, CoordinatePath& to) const;
+  /// The part `t` of the step was taken: the next radius.
+  void took(double t);
 
  private:
   bool passes_bounds(const CoordinatePath& path, const Points& moves);
   bool find_hessian(const CoordinatePath& path, const ChainModel& model);
+  bool shorten(const Eigen::VectorXd& gradient);
   void end_on_bounds(double length);
 
   PathEnergy& energy_;
@@ -42,6 +51,7 @@ class BoundedStep {
   ChainSystem hessian_, scaled_;
   Points moves_;
   double slope_ = 0;
+  double radius_ = std::numeric_limits<double>::infinity();
   BoundsOfPoints ends_on_;
 };
 

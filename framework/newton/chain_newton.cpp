@@ -17,6 +17,7 @@ namespace {
 
 constexpr int kNewtonHalvings = 40;
 constexpr int kHalvingsAmongBounds = 20;  ///< which steps heed beforehand
+constexpr double kAbsurd = 100;           ///< times as much energy as before: a step among bounds is far too long
 constexpr double kCrawl = 0.01;           ///< of the predicted gain: less, among bounds, leads nowhere
 constexpr int kMostCrawls = 5;            ///< in a row
 constexpr int kMostIdle = 8;              ///< steps in a row that do not halve the least error on the cost
@@ -39,12 +40,13 @@ class NewtonSolve {
       if (stationary()) return stationary_report();
       if (jitters()) return loop_.finish(Termination::round_off, "no decrease above rounding", model_.value);
       if (const std::optional<Termination> end = loop_.must_end(path_)) return loop_.finish(*end, "", model_.value);
-      const double before = model_.value, predicted = model_.decrement / 2;
+      const double before = model_.value;
+      predicted_ = model_.decrement / 2;
       const bool moved = undecided() ? take_unit_step() : search() || search_again();
-      if (kinked_ && !(before - model_.value > kKinkedGain * predicted))
+      if (kinked_ && !(before - model_.value > kKinkedGain * predicted_))
         return descend_by_bundles(energy_, path_, loop_);
       if (!moved) return stuck_report();
-      crawled_ = bounded_.possible() && !undecided() && before - model_.value < kCrawl * predicted ? crawled_ + 1 : 0;
+      crawled_ = bounded_.possible() && !undecided() && before - model_.value < kCrawl * predicted_ ? crawled_ + 1 : 0;
       if (crawled_ == kMostCrawls) return stuck_report();
     }
   }
@@ -79,19 +81,22 @@ class NewtonSolve {
     const bool bounded = bounded_.solve(path_, model_);
     const Points& moves = bounded ? bounded_.moves() : model_.moves;
     const double slope = bounded ? bounded_.slope() : -model_.decrement;
+    predicted_ = -slope / 2;
     const double slack = rounding_slack(model_.value, path_.segment_count());
     const int most = bounded_.possible() ? kHalvingsAmongBounds : kNewtonHalvings;
-    double t = 1;
-    for (int i = 0; i < most; ++i, t /= 2) {
+    double t = 1, less = 2;
+    for (int i = 0; i < most; ++i, t /= less) {
       trial_step_ = t * moves;
       if (bounded && t == 1)
         bounded_.retract(path_, trial_);
       else
         energy_.retract(path_, trial_step_, trial_);
       const double value = energy_.value(trial_);
+      less = bounded && value > kAbsurd * model_.value ? 4 : 2;
       if (!(value <= model_.value + kArmijo * t * slope + slack)) continue;
       if (!next_.evaluate(energy_, trial_)) continue;
       next_.solve(energy_, trial_, HessianKind::exact);
+      if (bounded) bounded_.took(t);
       accept(t == 1);
       return true;
     }
@@ -153,6 +158,7 @@ class NewtonSolve {
   ChainModel model_, next_;
   CoordinatePath trial_;
   Points trial_step_;
+  double predicted_ = 0;  ///< decrease by the whole step
   double largest_move_ = 0;
   bool unit_ = true;
   int crawled_ = 0;
