@@ -184,7 +184,7 @@ def run(program, configuration, output):
     """The result, and the seconds of processor that it took."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     try:
-        done = subprocess.run([program, "run", configuration, "--output", output, "--quiet"], capture_output=True,
+        done = subprocess.run([program, "run", configuration, "--output", output, "--quiet", "--force"], capture_output=True,
                               text=True, timeout=LONGEST)
     except subprocess.TimeoutExpired:
         return None, LONGEST, f"did not end within {LONGEST} s"
