@@ -137,9 +137,14 @@ bool BoundedStep::solve(const CoordinatePath& path, const ChainModel& model) {
   return slope_ < 0;
 }
 
-void BoundedStep::took(double t) {
+double BoundedStep::part_within(const Points& moves) const {
+  const double length = moves.colwise().norm().maxCoeff();
+  return length > radius_ ? radius_ / length : 1;
+}
+
+void BoundedStep::took(double length, bool all) {
   constexpr double kFarther = 2;
-  radius_ = t < 1 ? t * moves_.colwise().norm().maxCoeff() : kFarther * radius_;
+  radius_ = all ? kFarther * radius_ : length;
 }
 
 /// A program ends a hair before its bounds. Where the retraction itself stops points at a bound, a hair too far ends on

@@ -35,8 +35,10 @@ class BoundedStep {
   double slope() const { return slope_; }         ///< of the energy along the step, below 0
   /// The whole step, onto the bounds that it ends on.
   void retract(const CoordinatePath& from, CoordinatePath& to) const;
-  /// The part `t` of the step was taken: the next radius.
-  void took(double t);
+  /// Of a step that heeds no bounds: how much of it the radius leaves, 1 where that is all.
+  double part_within(const Points& moves) const;
+  /// A step with this largest move was taken, or what its trials left of it: the next radius.
+  void took(double length, bool all);
 
  private:
   bool passes_bounds(const CoordinatePath& path, const Points& moves);

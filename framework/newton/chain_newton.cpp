@@ -84,7 +84,7 @@ class NewtonSolve {
     predicted_ = -slope / 2;
     const double slack = rounding_slack(model_.value, path_.segment_count());
     const int most = bounded_.possible() ? kHalvingsAmongBounds : kNewtonHalvings;
-    double t = 1, less = 2;
+    double t = bounded ? 1 : bounded_.part_within(moves), less = 2;
     for (int i = 0; i < most; ++i, t /= less) {
       trial_step_ = t * moves;
       if (bounded && t == 1)
@@ -96,8 +96,8 @@ class NewtonSolve {
       if (!(value <= model_.value + kArmijo * t * slope + slack)) continue;
       if (!next_.evaluate(energy_, trial_)) continue;
       next_.solve(energy_, trial_, HessianKind::exact);
-      if (bounded) bounded_.took(t);
       accept(t == 1);
+      if (bounded) bounded_.took(largest_move_, i == 0);
       return true;
     }
     return false;
