@@ -81,6 +81,7 @@ class RobotBuilder {
       if (one.kind == UrdfJoint::Kind::turns) places_[child] = origin * Eigen::AngleAxisd(choice_.values[i], one.axis);
       if (one.kind == UrdfJoint::Kind::slides)
         places_[child] = origin * Eigen::Translation3d(choice_.values[i] * one.axis);
+      robot_.frames[urdf_.links[child].name] = {bodies_[child], frame_of(places_[child])};
     }
   }
 
