@@ -171,22 +171,38 @@ class Case:
 
     def make_scene(self):
         rng = self.rng
-        reach = sum(np.linalg.norm(j["xyz"]) for j in self.joints) + 0.3
-        base = self.robot.base
-        scene = frame_of(rpy_matrix(pose := rng.uniform(-1, 1, 3)), place := rng.uniform(-0.2, 0.2, 3))
+        robot, base = self.robot, self.robot.base
+        lower, upper = np.maximum(robot.lower, -3.1), np.minimum(robot.upper, 3.1)
+        self.tries = lower + (upper - lower) * rng.random((40, len(lower)))
+        frames = robot.frames(self.tries)
+        moved = [(link, c) for link, c, _ in robot.rough if robot.body[link] != robot.top] or [(robot.top, np.zeros(3))]
+        pose, place = rng.uniform(-1, 1, 3), rng.uniform(-0.2, 0.2, 3)
+        scene = frame_of(rpy_matrix(pose), place)
         self.scene_pose = {"position": list(place), "rpy": list(pose)} if rng.random() < 0.5 else None
         if self.scene_pose is None:
             scene = np.eye(4)
         inside, outside = [], []
-        for k in range(int(rng.integers(1, 8))):
-            way = rng.normal(size=3)
-            at = base[:3, 3] + way / np.linalg.norm(way) * reach * rng.uniform(0.25, 0.8)
+        free = robot.rough_gaps(self.tries, []) > self.clearance
+        enough = min(int(rng.integers(3, 20)), free.sum())  # of the tries: what would leave fewer is left out
+        wanted = int(rng.integers(1, 8))
+        for k in range(3 * wanted):
+            link, centre = moved[rng.integers(len(moved))]  # where a part of it may be
+            frame = frames[link][rng.integers(len(self.tries))]
+            at = frame[:3, :3] @ centre + frame[:3, 3] + rng.normal(size=3) * 0.08
             turn = random_rotation(rng) if rng.random() < 0.8 else np.eye(3)
-            block, bodies = random_obstacle(rng, self.folder, k, at, turn, base)
-            world = rng.random() < 0.3 or block["type"] == "points"
+            world = rng.random() < 0.3
             frame = np.eye(4) if world else scene
+            at, home = [frame[:3, :3].T @ (place - frame[:3, 3]) for place in (at, base[:3, 3])]
+            block, bodies = random_obstacle(rng, self.folder, k, at, frame[:3, :3].T @ turn, home, world)
+            bodies = [(kind, numbers, frame @ local) for kind, numbers, local in bodies]
+            left = free & (robot.rough_gaps(self.tries, bodies) > self.clearance)
+            if left.sum() < enough:
+                continue
+            free = left
             (outside if world else inside).append(block if world else {"id": f"thing_{k}", **block})
-            self.obstacles += [(kind, numbers, frame @ local) for kind, numbers, local in bodies]
+            self.obstacles += bodies
+            if len(inside) + len(outside) == wanted:
+                break
         self.blocks = outside
         if inside:
             self.blocks = outside + [{"type": "scene", "file": "scene.yaml",
@@ -202,15 +218,15 @@ class Case:
         if self.kind == "state" and not self.group:
             self.kind = "points"
         lower, upper = np.maximum(robot.lower, -3.1), np.minimum(robot.upper, 3.1)
-        q = lower + (upper - lower) * rng.random((40, len(lower)))
+        q = self.tries
         gaps = robot.rough_gaps(q, self.obstacles)
         free, bad = q[gaps > self.clearance], q[gaps < 0]
         if len(free) < 2:
             free = q[np.argsort(-gaps)[:2]]
         if len(bad) == 0:
             bad = q[np.argsort(gaps)[:1]]
-        pairs = [rng.choice(len(free), 2, replace=False) for _ in range(5)]
-        if rng.random() < 0.5:  # one whose straight way is blocked
+        pairs = [rng.choice(len(free), 2, replace=False) for _ in range(8)]
+        if rng.random() < 0.7:  # one whose straight way is blocked
             middle = [np.min(robot.rough_gaps(free[a] + np.linspace(0.15, 0.85, 5)[:, None] * (free[b] - free[a]),
                                               self.obstacles)) for a, b in pairs]
             pairs = [pairs[int(np.argmin(middle))]]
@@ -248,9 +264,10 @@ class Case:
 
     def write_run(self):
         robot = {"type": "urdf", "file": "robot.urdf", **({"srdf": "robot.srdf"} if self.srdf else {}), **self.options}
-        lines = ["name: random", "manifold: robot", f"robot: {flow(robot)}", "obstacles:"]
+        lines = ["name: random", "manifold: robot", f"robot: {flow(robot)}"] + ["obstacles:"] * bool(self.blocks)
         lines += [f"  - {flow(block)}" for block in self.blocks]
-        lines += [f"clearance: {self.clearance!r}", "cost: euclidean", f"ends: {flow(self.blocks_of_ends)}",
+        lines += [f"clearance: {self.clearance!r}"] * bool(self.blocks)
+        lines += ["cost: euclidean", f"ends: {flow(self.blocks_of_ends)}",
                   "max_seconds: 1.5", "output: {files: [result, path]}"]
         if self.rng.random() < 0.5:
             lines.append(f"path: {{points: {int(self.rng.integers(5, 60))}}}")

@@ -98,11 +98,13 @@ def write_mesh(path, vertices, faces):
         out.writelines(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in faces)
 
 
-def random_obstacle(rng, folder, number, at, turn, base):
-    """Its block in the configuration, and (kind, numbers, frame) for the judge. `at` is in the frame of the list
-    that it stands in."""
+def random_obstacle(rng, folder, number, at, turn, home, world):
+    """Its block in the configuration, and (kind, numbers, frame) for the judge. `at`, `turn` and
+    the place of the robot's base, `home`, are in the frame of the list that it stands in: the world, or a scene."""
     kind = str(rng.choice(["ball", "box", "box_along", "capsule", "cylinder", "cone", "frustum", "half_space", "mesh",
                            "points"], p=[0.1, 0.22, 0.06, 0.1, 0.12, 0.08, 0.06, 0.06, 0.15, 0.05]))
+    if kind == "points" and not world:
+        kind = "ball"
     radius, frame = float(rng.uniform(0.03, 0.14)), frame_of(turn, at)
     height = float(rng.uniform(0.08, 0.5))
     pose = {"position": list(at), "rpy": rpy_of(turn)}
@@ -134,7 +136,7 @@ def random_obstacle(rng, folder, number, at, turn, base):
         return {"type": "cone", "radius": radius, "top_radius": top, "height": height, "pose": pose}, \
             [("hull", [vertices, outward(vertices, faces)], frame)]
     if kind == "half_space":  # behind a place away from the base
-        normal = base[:3, 3] - at
+        normal = home - at
         normal /= np.linalg.norm(normal)
         offset = float(normal @ at)
         return {"type": kind, "normal": list(normal * rng.uniform(0.5, 3)), "offset": offset}, \

@@ -236,6 +236,9 @@ TEST_CASE("urdf: wrong files are refused with their line") {
   CHECK_THAT(joint("screw", links), Contains("'screw' is no type of joint"));
   CHECK_THAT(joint("floating", links), Contains("the joint 'j' is floating"));
   CHECK_THAT(joint("fixed", links), Contains("no joint of it moves"));
+  CHECK_THAT(Written("<robot name='r'><link name='a'><collision><geometry><sphere radius='1'/></geometry></collision>"
+                     "</link><link name='b'/>" + kHinge + "</robot>").message(),
+             Contains("no link that moves has a collision shape"));
   CHECK_THAT(joint("continuous", links + "<mimic joint='j'/>"), Contains("mimics 'j', which is no joint that moves"));
   const std::string loop =
       "<link name='c'/>\n<joint name='k' type='continuous'><parent link='a'/><child link='b'/><mimic "
