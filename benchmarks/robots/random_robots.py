@@ -111,7 +111,8 @@ def judged(program, judge, seed, folder):
         row["faults"].append("the exit code and the result do not fit each other")
     if result is not None:
         row["failures"] = [f["name"] for f in result["failures"]]
-        row["beyond_clearance"] = ((result.get("certificate") or {}).get("clearance") or {}).get("lower")
+        known = (result.get("certificate") or {}).get("clearance") or {}
+        row["beyond_clearance"] = float(known.get("lower") or "nan")
         row["left_out"] = len(left_out_pairs(result["notes"]))
         row["faults"], row["places"], row["proved"] = faults_of(judge, case, result)
         if code == 0 and seed % 5 == 0:
@@ -150,7 +151,7 @@ def table(rows):
         print(title + ":" + "".join(f"\n  {n:6d}  {name}" for name, n in counts.most_common(25)))
     wrong = [r for r in rows if r["faults"]]
     refused = [r for r in rows if r["code"] == 3 and r["kind"] in ("points", "state") and not r.get("ends_touch", True)]
-    at_walls = [r for r in rows if r["code"] == 0 and (r.get("beyond_clearance") or 1) < 1e-3]
+    at_walls = [r for r in rows if r["code"] == 0 and r["beyond_clearance"] < 1e-3]
     print(f"certified paths that come nearer than 1 mm to what they have to keep: {len(at_walls)}")
     seconds = sorted(r["seconds"] for r in rows)
     straight = [r["straight_meets"] for r in rows if "straight_meets" in r]

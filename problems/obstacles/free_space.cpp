@@ -222,7 +222,6 @@ bool FreeSpace::settle(Point& point, const std::vector<int>& held, bool bounded,
     before = std::abs(by);
     idle = before < best / 2 ? 0 : idle + 1;
     best = std::min(best, before);
-    const Vector here = point.u();
     if (k >= kOneByOne && bounded && flat_)
       push_out_of_all(point, held, before);
     else if (k < kOneByOne || counting.size() == 1)
@@ -233,7 +232,6 @@ bool FreeSpace::settle(Point& point, const std::vector<int>& held, bool bounded,
     CoordinatePath back = point.path();  // a wall may have pushed it out of the domain
     domain_->project(back);
     if (back.u != point.u()) point.go_to(back.u);
-    if (k > kOneByOne && flat_ && point.u() == here) break;  // no step is right for all: it would not be the next time
   }
   return before <= slack(point.x());
 }

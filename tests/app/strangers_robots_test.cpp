@@ -53,10 +53,9 @@ Isometry3d move(double x, double y, double z) { return Isometry3d(Translation3d(
 /// The frame of the gripper of mobile_manipulator.urdf, its torso and arm moving.
 Isometry3d gripper_of(const VectorXd& q) {
   const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
-  const Isometry3d gripper = move(-0.09, 0, 0.38 + q[0]) * move(0.12, 0, 0.35) * turn(q[1], z) * move(0.117, 0, 0.06) *
-                             turn(q[2], y) * move(0.219, 0, 0) * turn(q[3], x) * move(0.133, 0, 0) * turn(q[4], y) *
-                             move(0.197, 0, 0) * turn(q[5], x) * move(0.1245, 0, 0) * turn(q[6], y) *
-                             move(0.1385, 0, 0) * turn(q[7], x) * move(0.1, 0, 0);
+  return move(-0.09, 0, 0.38 + q[0]) * move(0.12, 0, 0.35) * turn(q[1], z) * move(0.117, 0, 0.06) * turn(q[2], y) *
+         move(0.219, 0, 0) * turn(q[3], x) * move(0.133, 0, 0) * turn(q[4], y) * move(0.197, 0, 0) * turn(q[5], x) *
+         move(0.1245, 0, 0) * turn(q[6], y) * move(0.1385, 0, 0) * turn(q[7], x) * move(0.1, 0, 0);
 }
 
 }  // namespace

@@ -237,14 +237,17 @@ TEST_CASE("urdf: wrong files are refused with their line") {
   CHECK_THAT(joint("floating", links), Contains("the joint 'j' is floating"));
   CHECK_THAT(joint("fixed", links), Contains("no joint of it moves"));
   CHECK_THAT(Written("<robot name='r'><link name='a'><collision><geometry><sphere radius='1'/></geometry></collision>"
-                     "</link><link name='b'/>" + kHinge + "</robot>").message(),
+                     "</link><link name='b'/>" +
+                     kHinge + "</robot>")
+                 .message(),
              Contains("no link that moves has a collision shape"));
-  CHECK_THAT(joint("continuous", links + "<mimic joint='j'/>"), Contains("mimics 'j', which is no joint that moves"));
+  CHECK_THAT(joint("continuous", links + "<mimic joint='j'/>"), Contains("mimics 'j', and so on in a loop"));
   const std::string loop =
       "<link name='c'/>\n<joint name='k' type='continuous'><parent link='a'/><child link='b'/><mimic "
       "joint='m'/></joint>\n"
       "<joint name='m' type='continuous'><parent link='b'/><child link='c'/><mimic joint='k'/></joint>\n";
-  CHECK_THAT(Written(with(loop)).message(), Contains("robot.urdf:5: the joint 'k' mimics 'm', which is no joint"));
+  CHECK_THAT(Written(with(loop)).message(),
+             Contains("robot.urdf:5: the joint 'k' mimics 'm', and so on in a loop: one of them must move by itself"));
   CHECK_THAT(joint("continuous", links + "<mimic joint='x'/>"), Contains("mimics 'x', which is no joint that moves"));
   CHECK_THAT(joint("continuous", "<parent link='a'/><child link='c'/>"),
              Contains("robot.urdf:5: the child 'c' of the joint 'j' is no link of this file"));
