@@ -16,11 +16,12 @@ ENDS = {"points": 0.62, "state": 0.1, "goals": 0.08, "tool": 0.07, "tool_turned"
 
 class Case:
     """Writes robot.urdf, mostly robot.srdf, scene.yaml, meshes and run.yaml into a folder. What the judge is told:
-    `meshes` (file: convex bodies), `obstacles`, `options` of the robot, `ends`, `clearance`."""
+    `meshes` (file: convex bodies), `obstacles`, `options` of the robot, `ends`, `clearance`. `exact`: only shapes of links that are covered exactly, so that
+    paths that are in contact with something are so by the judge as well."""
 
-    def __init__(self, seed, folder):
+    def __init__(self, seed, folder, exact=False):
         self.rng, self.folder = np.random.default_rng([20261127, seed]), folder
-        self.meshes, self.obstacles = {}, []
+        self.meshes, self.obstacles, self.exact = {}, [], exact
         rng = self.rng
         self.make_tree()
         self.write_urdf()
@@ -84,7 +85,8 @@ class Case:
         """(element, origin) of shapes along a bone from the origin of the link."""
         rng = self.rng
         turn, length = along(bone, rng), np.linalg.norm(bone)
-        kind = rng.choice(["spheres", "capsule", "cylinder", "box", "mesh"], p=[0.2, 0.2, 0.25, 0.2, 0.15])
+        kind = rng.choice(["spheres", "capsule", "cylinder", "box", "mesh"],
+                          p=[0.4, 0.6, 0, 0, 0] if self.exact else [0.2, 0.2, 0.25, 0.2, 0.15])
         middle, core = bone * rng.uniform(0.45, 0.6), length * rng.uniform(0.4, 0.75)
         if kind == "spheres":
             found = [(f'<sphere radius="{thick * rng.uniform(0.8, 1.3)!r}"/>', random_rotation(rng), bone * t)
@@ -108,7 +110,7 @@ class Case:
         else:
             found = [(f'<{kind} radius="{thick!r}" length="{core!r}"/>', turn, middle)]
         if rng.random() < 0.25:
-            more = rng.choice(["sphere", "box"])
+            more = "sphere" if self.exact else rng.choice(["sphere", "box"])
             element = f'<sphere radius="{0.8 * thick!r}"/>' if more == "sphere" else \
                 f'<box size="{text(rng.uniform(0.5, 2, 3) * thick)}"/>'
             found.append((element, random_rotation(rng), middle + rng.uniform(-1, 1, 3) * thick))
