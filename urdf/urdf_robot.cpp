@@ -108,8 +108,9 @@ class RobotBuilder {
     }
     if (shapes.empty()) throw OptionError("file", "no link of it has a collision shape");
     if (std::all_of(shapes.begin(), shapes.end(), [](const Shape& shape) { return shape.capsule.link == 0; }))
-      throw OptionError("file", "no link that moves has a collision shape, so that nothing of it could touch anything: "
-                                "give the links <collision> shapes");
+      throw OptionError("file",
+                        "no link that moves has a collision shape, so that nothing of it could touch anything: "
+                        "give the links <collision> shapes");
     std::stable_sort(shapes.begin(), shapes.end(),
                      [](const Shape& a, const Shape& b) { return a.capsule.link < b.capsule.link; });
     for (const Shape& shape : shapes) {
