@@ -156,7 +156,10 @@ void resolve_mimics(std::vector<ReadJoint>& joints) {
       all.offset += all.factor * at->joint.mimic->offset;
       all.factor *= at->joint.mimic->factor;
       const auto next = find(at->mimics);
-      if (next == joints.end() || steps > joints.size() || !next->joint.moves())
+      if (steps > joints.size())
+        read.element.fail("the joint '" + read.joint.name + "' mimics '" + read.mimics +
+                          "', and so on in a loop: one of them must move by itself");
+      if (next == joints.end() || !next->joint.moves())
         read.element.fail("the joint '" + read.joint.name + "' mimics '" + at->mimics +
                           "', which is no joint that moves by itself");
       at = next;

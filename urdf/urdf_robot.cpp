@@ -81,6 +81,7 @@ class RobotBuilder {
       if (one.kind == UrdfJoint::Kind::turns) places_[child] = origin * Eigen::AngleAxisd(choice_.values[i], one.axis);
       if (one.kind == UrdfJoint::Kind::slides)
         places_[child] = origin * Eigen::Translation3d(choice_.values[i] * one.axis);
+      robot_.frames[urdf_.links[child].name] = {bodies_[child], frame_of(places_[child])};
     }
   }
 
@@ -106,6 +107,10 @@ class RobotBuilder {
       }
     }
     if (shapes.empty()) throw OptionError("file", "no link of it has a collision shape");
+    if (std::all_of(shapes.begin(), shapes.end(), [](const Shape& shape) { return shape.capsule.link == 0; }))
+      throw OptionError("file",
+                        "no link that moves has a collision shape, so that nothing of it could touch anything: "
+                        "give the links <collision> shapes");
     std::stable_sort(shapes.begin(), shapes.end(),
                      [](const Shape& a, const Shape& b) { return a.capsule.link < b.capsule.link; });
     for (const Shape& shape : shapes) {

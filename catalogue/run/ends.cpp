@@ -11,6 +11,8 @@
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/domain/has_box.hpp>
+#include <leastcost/framework/domain/has_images.hpp>
 #include <leastcost/framework/problem/clearance.hpp>
 #include <leastcost/framework/result/other_images.hpp>
 #include <leastcost/problems/chart/is_geographic.hpp>
@@ -48,9 +50,26 @@ PlacedEnd on_face(const HasFaces& domain, int face, const std::optional<Eigen::V
   return {end.u, end, 0};
 }
 
+constexpr double kRounding = 1e-9;  ///< of coordinates
+
+/// Throws for the coordinate that is beyond the sides of a box by more than rounding. Each is looked at by itself: one
+/// that is large would forgive the others.
+void check_sides(const ConstraintManifold& manifold, const Eigen::VectorXd& point, const std::string& path) {
+  const auto* box = find_ability<HasBox>(manifold);
+  const bool other_names = find_ability<HasImages>(manifold) != nullptr;  // one of them may be inside
+  if (box == nullptr || other_names || find_ability<MadeFromData>(manifold) != nullptr) return;
+  for (Eigen::Index i = 0; i < std::min(point.size(), box->box_lower().size()); ++i) {
+    const double lower = box->box_lower()[i], upper = box->box_upper()[i];
+    if (std::max(lower - point[i], point[i] - upper) <= kRounding * (1 + std::abs(point[i]))) continue;
+    throw OptionError(path + ".point",
+                      fmt::format("coordinate {} is {}, but must be between {} and {}: move the point, or set "
+                                  "'tolerance' of the end",
+                                  i, point[i], lower, upper));
+  }
+}
+
 /// Data forgives coordinates that were copied with few digits; elsewhere there is nothing to snap to.
 double default_tolerance(const ConstraintManifold& manifold, const Eigen::VectorXd& point) {
-  constexpr double kRounding = 1e-9;
   const auto* data = find_ability<MadeFromData>(manifold);
   return data != nullptr ? data->end_tolerance() : kRounding * (1 + point.norm());
 }
@@ -128,6 +147,7 @@ PlacedEnd at_point(const ConstraintManifold& manifold, const EndOptions& options
                       fmt::format("has {} coordinates, but points of the manifold have {}", point.size(), wanted));
   if (!point.allFinite()) throw OptionError(path + ".point", "coordinates must be finite");
   check_latitude(manifold, point, path);
+  if (!options.tolerance) check_sides(manifold, point, path);
   PlacedEnd placed{point, {}, 0};
   try {
     placed.end = project_end(manifold, point, &placed.moved);
@@ -218,26 +238,31 @@ void place_target(const EndOptions& options, const std::string& path, RunParts& 
 
 namespace {
 
-/// The link by its name, or the last one.
-int link_of(const Kinematics& kinematics, const std::string& name) {
-  if (name.empty()) return kinematics.link_count() - 1;
+/// The frame of a link, also of one that is fixed to another, by its name; without one that of the last link.
+FixedFrame frame_of(const Robot& robot, const std::string& name) {
+  const Kinematics& kinematics = *robot.kinematics;
+  if (name.empty()) return {kinematics.link_count() - 1};
+  if (const auto fixed = robot.frames.find(name); fixed != robot.frames.end()) return fixed->second;
   std::vector<std::string> names;
   for (int link = 0; link < kinematics.link_count(); ++link) {
     names.push_back(kinematics.link_name(link));
-    if (names.back() == name) return link;
+    if (names.back() == name) return {link};
   }
+  for (const auto& [fixed, frame] : robot.frames) names.push_back(fixed);
   throw OptionError("ends.target.tool.link",
                     fmt::format("the robot has no link '{}'; it has: {}", name, fmt::join(names, ", ")));
 }
 
-ToolGoal goal_of(const ToolPose& tool, const Kinematics& kinematics) {
-  const int space = kinematics.space();
-  ToolGoal goal{.link = link_of(kinematics, tool.link)};
+ToolGoal goal_of(const ToolPose& tool, const Robot& robot) {
+  const int space = robot.kinematics->space();
+  const FixedFrame frame = frame_of(robot, tool.link);
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();
   if (tool.offset.size() > 0) {
     if (tool.offset.size() != space || !tool.offset.allFinite())
       throw OptionError("ends.target.tool.offset", fmt::format("must be {} finite numbers", space));
-    goal.tool.head(space) = tool.offset;
+    offset.head(space) = tool.offset;
   }
+  ToolGoal goal{.link = frame.link, .tool = frame.place.at(offset)};
   Eigen::Isometry3d pose;
   try {
     pose = pose_of(tool.pose, space);
@@ -248,14 +273,14 @@ ToolGoal goal_of(const ToolPose& tool, const Kinematics& kinematics) {
   goal.position = pose.translation();
   const ShapePose& given = tool.pose;
   if (given.rpy.size() > 0 || given.quaternion.size() > 0 || given.rotation.size() > 0 || given.angle)
-    goal.rotation = pose.linear();
+    goal.rotation = pose.linear() * frame.place.rotation.transpose();
   return goal;
 }
 
 std::vector<PlacedEnd> configurations_of(const ToolPose& tool, const Robot* robot, const RunParts& out) {
   if (robot == nullptr) throw OptionError("ends.target.tool", "needs a robot: give 'robot', or {point: [..]}");
   const Kinematics& kinematics = *robot->kinematics;
-  const ToolGoal goal = goal_of(tool, kinematics);
+  const ToolGoal goal = goal_of(tool, *robot);
   const auto free = [&](const Eigen::VectorXd& x) { return why_in_clearance(out.problem, {x}).empty(); };
   const auto found = inverse_kinematics(kinematics, goal, out.problem.source.u, free);
   if (found.empty()) {

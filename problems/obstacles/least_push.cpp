@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <set>
+#include <utility>
 
 namespace leastcost {
 namespace {
@@ -50,8 +52,12 @@ std::optional<VectorXd> least_push(const std::vector<WallToClear>& walls) {
     if (walls[i].exactly || walls[i].missing > 0) most = std::max(most, std::abs(walls[i].missing));
   }
   const std::size_t most_changes = 3 * walls.size() + 8;
+  std::set<std::vector<std::size_t>> seen;  // where no step clears all walls, the same sets come again and again
   for (std::size_t changes = 0; changes < most_changes; ++changes) {
     VectorXd step = onto(walls, set);
+    std::vector<std::size_t> sorted = set;
+    std::sort(sorted.begin(), sorted.end());
+    if (!seen.insert(std::move(sorted)).second) return std::nullopt;
     std::size_t next = walls.size();
     double worst = kCleared * most;
     for (std::size_t i = 0; i < walls.size(); ++i) {

@@ -29,6 +29,12 @@ struct Plate {
   double radius = 0;
 };
 
+/// A frame that is fixed to a link, such as that of a flange or of a tool.
+struct FixedFrame {
+  int link = 0;
+  Frame place = {};  ///< coordinates of the link
+};
+
 /// A robot: what moves, its shape, and which of its parts must not touch each other.
 struct Robot {
   std::shared_ptr<const Kinematics> kinematics;
@@ -37,6 +43,7 @@ struct Robot {
   std::vector<Plate> plates = {};
   std::string whose = {};  ///< what the parts stand for, for people: a clearance is one of theirs
   std::map<std::string, Eigen::VectorXd> states = {};  ///< configurations that have a name: "home"
+  std::map<std::string, FixedFrame> frames = {};       ///< those that have a name besides the links themselves
 
   /// Parts are numbered: the capsules, then the plates.
   std::size_t parts() const { return capsules.size() + plates.size(); }

@@ -236,7 +236,21 @@ TEST_CASE("urdf: wrong files are refused with their line") {
   CHECK_THAT(joint("screw", links), Contains("'screw' is no type of joint"));
   CHECK_THAT(joint("floating", links), Contains("the joint 'j' is floating"));
   CHECK_THAT(joint("fixed", links), Contains("no joint of it moves"));
-  CHECK_THAT(joint("continuous", links + "<mimic joint='j'/>"), Contains("mimics 'j', which is no joint that moves"));
+  CHECK_THAT(Written("<robot name='r'><link name='a'><collision><geometry><sphere radius='1'/></geometry></collision>"
+                     "</link><link name='b'/>" +
+                     kHinge + "</robot>")
+                 .message(),
+             Contains("no link that moves has a collision shape"));
+  CHECK_THAT(joint("continuous", links + "<mimic joint='j'/>"), Contains("mimics 'j', and so on in a loop"));
+  const std::string loop =
+      "<link name='c'/>\n<joint name='k' type='continuous'><parent link='a'/><child link='b'/><mimic "
+      "joint='m'/></joint>\n"
+      "<joint name='m' type='continuous'><parent link='b'/><child link='c'/><mimic joint='k'/></joint>\n";
+  CHECK_THAT(Written(with(loop)).message(),
+             Contains("robot.urdf:5: the joint 'k' mimics 'm', and so on in a loop: one of them must move by itself"));
+  CHECK_THAT(joint("continuous", links + "<mimic joint='x'/>"), Contains("mimics 'x', which is no joint that moves"));
+  CHECK_THAT(joint("continuous", "<parent link='a'/><child link='c'/>"),
+             Contains("robot.urdf:5: the child 'c' of the joint 'j' is no link of this file"));
   CHECK_THAT(Written(with(kHinge + kHinge)).message(), Contains("a second joint 'j'") || Contains("one parent"));
   const std::string back = "<joint name='k' type='continuous'><parent link='b'/><child link='a'/></joint>\n";
   CHECK(Written(with(kHinge + back)).message() ==
@@ -283,6 +297,15 @@ TEST_CASE("urdf: options that do not fit the files are refused by their keys") {
              Contains("robot.srdf:2: the group 'g' is part of itself"));
   CHECK_THAT(srdf("<group name='g'><chain base_link='b' tip_link='a'/></group>"),
              Contains("robot.srdf:2: the base_link 'b' of this chain is not on the way"));
+  CHECK_THAT(srdf("<group name='g'><link name='x'/></group>"), Contains("robot.srdf:2: 'x' is no link of"));
+  CHECK_THAT(srdf("<group name='g'>\n<chain base_link='a' tip_link='x'/></group>"),
+             Contains("robot.srdf:3: 'x' is no link of"));
+  CHECK_THAT(srdf("<group name='g'><group name='x'/></group>"),
+             Contains("robot.srdf:2: the group 'x' is not in this file"));
+  CHECK_THAT(srdf("<group_state name='s' group='g'><joint name='x' value='0'/></group_state>"),
+             Contains("robot.srdf:2: 'x' is no joint of"));
+  CHECK_THAT(srdf("<group name='g'>"), Contains("robot.srdf:") && Contains("not XML"));
+  CHECK_THAT(srdf("<disable_collisions link1='a'/>"), Contains("robot.srdf:2:") && Contains("'link2'"));
   CHECK_THAT(srdf("<group_state name='s' group='g'><joint name='j' value='inf'/></group_state>"),
              Contains("robot.srdf:2: 'value' of <joint> must be a finite number, not 'inf'"));
 }
