@@ -218,25 +218,24 @@ void place_target(const EndOptions& options, const std::string& path, RunParts& 
 
 namespace {
 
-/// The link by its name, or the last one.
-int link_of(const Kinematics& kinematics, const std::string& name) {
-  if (name.empty()) return kinematics.link_count() - 1;
-  std::vector<std::string> names;
-  for (int link = 0; link < kinematics.link_count(); ++link) {
-    names.push_back(kinematics.link_name(link));
-    if (names.back() == name) return link;
+NamedFrame frame_of(const ToolPose& tool, const Robot& robot) {
+  try {
+    return find_frame(robot, tool.link);
+  } catch (const OptionError& error) {
+    throw OptionError("ends.target.tool.link", error.what());
   }
-  throw OptionError("ends.target.tool.link",
-                    fmt::format("the robot has no link '{}'; it has: {}", name, fmt::join(names, ", ")));
 }
 
-ToolGoal goal_of(const ToolPose& tool, const Kinematics& kinematics) {
-  const int space = kinematics.space();
-  ToolGoal goal{.link = link_of(kinematics, tool.link)};
+ToolGoal goal_of(const ToolPose& tool, const Robot& robot) {
+  const int space = robot.kinematics->space();
+  const NamedFrame frame = frame_of(tool, robot);
+  ToolGoal goal{.link = frame.link, .tool = frame.place.origin};
   if (tool.offset.size() > 0) {
     if (tool.offset.size() != space || !tool.offset.allFinite())
       throw OptionError("ends.target.tool.offset", fmt::format("must be {} finite numbers", space));
-    goal.tool.head(space) = tool.offset;
+    Eigen::Vector3d offset = Eigen::Vector3d::Zero();
+    offset.head(space) = tool.offset;
+    goal.tool = frame.place.at(offset);
   }
   Eigen::Isometry3d pose;
   try {
@@ -248,14 +247,14 @@ ToolGoal goal_of(const ToolPose& tool, const Kinematics& kinematics) {
   goal.position = pose.translation();
   const ShapePose& given = tool.pose;
   if (given.rpy.size() > 0 || given.quaternion.size() > 0 || given.rotation.size() > 0 || given.angle)
-    goal.rotation = pose.linear();
+    goal.rotation = pose.linear() * frame.place.rotation.transpose();
   return goal;
 }
 
 std::vector<PlacedEnd> configurations_of(const ToolPose& tool, const Robot* robot, const RunParts& out) {
   if (robot == nullptr) throw OptionError("ends.target.tool", "needs a robot: give 'robot', or {point: [..]}");
   const Kinematics& kinematics = *robot->kinematics;
-  const ToolGoal goal = goal_of(tool, kinematics);
+  const ToolGoal goal = goal_of(tool, *robot);
   const auto free = [&](const Eigen::VectorXd& x) { return why_in_clearance(out.problem, {x}).empty(); };
   const auto found = inverse_kinematics(kinematics, goal, out.problem.source.u, free);
   if (found.empty()) {
@@ -271,6 +270,20 @@ std::vector<PlacedEnd> configurations_of(const ToolPose& tool, const Robot* robo
   ends.reserve(found.size());
   for (const Eigen::VectorXd& x : found) ends.push_back({x, {x}, 0});
   return ends;
+}
+
+/// The source among several goals: a path to it has no length, and another goal was meant as well. Where all of them
+/// are the source, the caller says so.
+void leave_out_source(std::vector<PlacedEnd>& goals, RunParts& out) {
+  std::vector<PlacedEnd> others;
+  for (const PlacedEnd& goal : goals) {
+    Problem problem = out.problem;
+    problem.target = goal.end;
+    if (!are_one_place(problem)) others.push_back(goal);
+  }
+  if (others.empty() || others.size() == goals.size()) return;
+  goals = std::move(others);
+  out.notes.emplace_back("the source itself is among the goals of the target, and was left out");
 }
 
 std::vector<PlacedEnd> free_points(const Eigen::MatrixXd& points, const ConstraintManifold& open_domain,
@@ -299,6 +312,7 @@ std::vector<PlacedEnd> goals_of(const EndOptions& options, const Robot* robot, c
                                 RunParts& out) {
   std::vector<PlacedEnd> all =
       options.points ? free_points(*options.points, open_domain, out) : configurations_of(options.tool, robot, out);
+  leave_out_source(all, out);
   const Eigen::VectorXd& source = out.problem.source.u;
   std::stable_sort(all.begin(), all.end(), [&](const PlacedEnd& a, const PlacedEnd& b) {
     return (a.end.u - source).squaredNorm() < (b.end.u - source).squaredNorm();
