@@ -35,10 +35,11 @@ function(leastcost_back_end_source file)
   get_property(entries GLOBAL PROPERTY LEASTCOST_BACK_END_ENTRIES)
   get_property(planners GLOBAL PROPERTY LEASTCOST_PLANNER_ENTRIES)
   get_property(robots GLOBAL PROPERTY LEASTCOST_ROBOT_ENTRIES)
+  get_property(obstacles GLOBAL PROPERTY LEASTCOST_OBSTACLE_ENTRIES)
   get_property(raster_reader GLOBAL PROPERTY LEASTCOST_RASTER_READER)
   get_property(crs_reader GLOBAL PROPERTY LEASTCOST_CRS_READER)
   get_property(geopackage_writer GLOBAL PROPERTY LEASTCOST_GEOPACKAGE_WRITER)
-  file(CONFIGURE OUTPUT ${file} @ONLY CONTENT "// Made by cmake/leastcost_back_end.cmake from solvers/*/CMakeLists.txt, ompl, gdal and urdf.
+  file(CONFIGURE OUTPUT ${file} @ONLY CONTENT "// Made by cmake/leastcost_back_end.cmake from solvers/*/CMakeLists.txt, ompl, gdal, urdf and octomap.
 #include \"catalogue/back_ends/back_ends.hpp\"
 
 @includes@
@@ -55,6 +56,11 @@ std::vector<leastcost::InitializerPlugin> leastcost::planners() {
 std::vector<leastcost::RobotPlugin> leastcost::robots_of_libraries() {
   return {
 @robots@  };
+}
+
+std::vector<leastcost::ObstaclePlugin> leastcost::obstacles_of_libraries() {
+  return {
+@obstacles@  };
 }
 
 leastcost::RasterReader leastcost::raster_reader_of_libraries() { return @raster_reader@; }

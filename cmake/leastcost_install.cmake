@@ -27,7 +27,7 @@ while(public)
   list(REMOVE_DUPLICATES includes)
   list(APPEND public ${includes})
 endwhile()
-set(apart nlopt ceres ompl gdal urdf catalogue app)  # components with packages of their own
+set(apart nlopt ceres ompl gdal urdf octomap catalogue app)  # components with packages of their own
 function(leastcost_part result component kind)
   set(${result} ${kind} PARENT_SCOPE)
   if(component MATCHES "^(study|report)$")

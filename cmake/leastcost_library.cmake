@@ -23,7 +23,7 @@ find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 # <leastcost/...> in the tree, as it will be installed: <leastcost/framework/path/path.hpp> is framework/path/path.hpp.
 set(LEASTCOST_INCLUDE_DIR ${PROJECT_BINARY_DIR}/include)
 file(MAKE_DIRECTORY ${LEASTCOST_INCLUDE_DIR}/leastcost)
-foreach(folder IN ITEMS framework problems solvers recipes ompl gdal urdf catalogue app)
+foreach(folder IN ITEMS framework problems solvers recipes ompl gdal urdf octomap catalogue app)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${LEASTCOST_INCLUDE_DIR}/leastcost/${folder} SYMBOLIC)
 endforeach()
 leastcost_alignment()

@@ -3,7 +3,7 @@
 #   libleastcost-dev, libleastcost-<part>-dev        headers, CMake and pkg-config files, archives or links
 #   libleastcost0, libleastcost-<part>0              shared libraries, of a build with BUILD_SHARED_LIBS
 #   python3-leastcost                                the Python package, of a build with LEASTCOST_BUILD_PYTHON
-# with <part> = nlopt, ceres, ompl, gdal, urdf, catalogue, app. What a binary needs dpkg-shlibdeps finds out; what a static archive
+# with <part> = nlopt, ceres, ompl, gdal, urdf, octomap, catalogue, app. What a binary needs dpkg-shlibdeps finds out; what a static archive
 # needs is the -dev package of that library.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "The leastcost authors <leastcost@invalid>")
@@ -43,6 +43,7 @@ set(archive_needs_catalogue "libyaml-cpp-dev (>= 0.7)" "libfmt-dev (>= 9.1)" "li
 set(archive_needs_ompl "libompl-dev (>= 1.5)")
 set(archive_needs_gdal "libgdal-dev (>= 3.4)")
 set(archive_needs_urdf "libtinyxml2-dev (>= 9.0)")
+set(archive_needs_octomap "liboctomap-dev (>= 1.9)")
 set(about_nlopt "the NLopt solvers")
 set(about_ceres "the Ceres solvers")
 set(about_catalogue "configurations, results")
@@ -50,6 +51,7 @@ set(about_app "the program as a library: studies, reports, the command line")
 set(about_ompl "OMPL's plans polished, its planners")
 set(about_gdal "rasters that GDAL reads")
 set(about_urdf "robots of URDF files")
+set(about_octomap "obstacles of OctoMap files")
 
 # The libraries without back ends, then each of those apart on top of them.
 set(libraries_needs "")

@@ -22,8 +22,10 @@
 #include <leastcost/problems/post_processors/shortest_plan.hpp>
 #include <leastcost/problems/post_processors/taut.hpp>
 #include <leastcost/problems/robots/arm_models.hpp>
+#include <leastcost/problems/robots/attached.hpp>
 #include <leastcost/problems/robots/inverse_kinematics.hpp>
 #include <leastcost/problems/robots/rigid_body.hpp>
+#include <leastcost/problems/robots/robot_trajectory.hpp>
 #include <leastcost/problems/robots/robot_walls.hpp>
 #include <leastcost/problems/robots/tree_kinematics.hpp>
 #include <leastcost/problems/shapes/box.hpp>

@@ -69,6 +69,8 @@ def annotation_of_many(schemas: list[Schema]) -> str:
     kinds = [schema.get("type") for schema in schemas]
     if kinds == ["boolean", "number"]:
         return "bool | float"
+    if kinds == ["number", "array"]:
+        return "ArrayLike"
     if "const" in schemas[-1]:
         return f"int | Literal[{json.dumps(schemas[-1]['const'])}]"
     if kinds[-1] == "array":
@@ -85,6 +87,8 @@ def annotation_of_list(items: Schema) -> str:
 
 
 def range_of(schema: Schema) -> str:
+    if [part.get("type") for part in schema.get("anyOf", [])] == ["number", "array"]:
+        schema = schema["anyOf"][0]
     while schema.get("type") == "array":
         schema = schema["items"]
     words = [(f"> {schema['exclusiveMinimum']:g}") if "exclusiveMinimum" in schema else ""]

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "problems/robots/covering.hpp"
+#include <leastcost/problems/robots/covering.hpp>
 #include "urdf/urdf_model.hpp"
 
 namespace leastcost {

@@ -79,12 +79,14 @@ struct ReadJoint {
 
 void read_limits(const XmlElement& element, UrdfJoint& joint) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
+  const auto limit = element.child("limit");
+  if (const auto velocity = limit ? limit->number("velocity") : std::nullopt; velocity && *velocity > 0)
+    joint.velocity = *velocity;  // many files have 0 where nothing is known
   if (joint.type == "continuous") {
     joint.lower = joint.soft_lower = -kNone;
     joint.upper = joint.soft_upper = kNone;
     return;
   }
-  const auto limit = element.child("limit");
   if (!limit || (!limit->attribute("lower") && !limit->attribute("upper")))
     element.fail("the " + joint.type + " joint '" + joint.name +
                  "' has no limits: give <limit lower=\"..\" upper=\"..\"/>" +
@@ -136,6 +138,8 @@ ReadJoint joint_of(const XmlElement& element, const UrdfModel& model) {
   }
   if (const auto mimic = element.child("mimic")) {
     read.mimics = mimic->text("joint");
+    if (const auto limit = element.child("limit"))
+      if (const auto velocity = limit->number("velocity"); velocity && *velocity > 0) joint.velocity = *velocity;
     joint.mimic = UrdfMimic{-1, mimic->number("multiplier").value_or(1), mimic->number("offset").value_or(0)};
   } else {
     read_limits(element, joint);

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -56,9 +57,10 @@ struct UrdfJoint {
   int parent = -1, child = -1;  ///< links
   Eigen::Affine3d origin = Eigen::Affine3d::Identity();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
-  double lower = 0, upper = 0;            ///< infinite for a continuous one
-  double soft_lower = 0, soft_upper = 0;  ///< the same, narrowed by its safety_controller
-  std::optional<UrdfMimic> mimic = {};    ///< of one that follows another
+  double lower = 0, upper = 0;                                ///< infinite for a continuous one
+  double soft_lower = 0, soft_upper = 0;                      ///< the same, narrowed by its safety_controller
+  double velocity = std::numeric_limits<double>::infinity();  ///< per s; infinite: the file says none
+  std::optional<UrdfMimic> mimic = {};                        ///< of one that follows another
 
   bool moves() const { return kind == Kind::turns || kind == Kind::slides; }
 };

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <set>
 
@@ -16,7 +17,7 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/robots/tree_kinematics.hpp>
-#include "urdf/always_touching.hpp"
+#include "problems/robots/always_touching.hpp"
 #include "urdf/joint_choice.hpp"
 #include "urdf/link_shapes.hpp"
 #include "urdf/srdf_model.hpp"
@@ -51,8 +52,10 @@ class RobotBuilder {
     add_shapes();
     add_pairs();
     name_states();
+    name_frames();
+    limit_velocities();
     robot_.kinematics = std::make_shared<const TreeKinematics>(tree_);
-    leave_out_what_always_touches(robot_);
+    leave_out_what_always_touches(robot_, 0);
     return make_robot(std::move(robot_));
   }
 
@@ -81,7 +84,6 @@ class RobotBuilder {
       if (one.kind == UrdfJoint::Kind::turns) places_[child] = origin * Eigen::AngleAxisd(choice_.values[i], one.axis);
       if (one.kind == UrdfJoint::Kind::slides)
         places_[child] = origin * Eigen::Translation3d(choice_.values[i] * one.axis);
-      robot_.frames[urdf_.links[child].name] = {bodies_[child], frame_of(places_[child])};
     }
   }
 
@@ -116,6 +118,7 @@ class RobotBuilder {
     for (const Shape& shape : shapes) {
       robot_.capsules.push_back(shape.capsule);
       links_.push_back(shape.link);
+      robot_.owners.push_back(urdf_.links[static_cast<std::size_t>(shape.link)].name);
     }
     const std::string file = std::filesystem::path(options_.file).filename().string();
     robot_.whose = "the collision shapes of " + file;
@@ -175,6 +178,25 @@ class RobotBuilder {
         robot_.states[state.name] = values;
       else
         robot_.states.emplace(state.name, values);
+    }
+  }
+
+  void name_frames() {
+    for (std::size_t link = 0; link < urdf_.links.size(); ++link)
+      robot_.frames[urdf_.links[link].name] = {bodies_[link], frame_of(places_[link])};
+  }
+
+  /// Of those that mimic a joint, too.
+  void limit_velocities() {
+    robot_.joints = choice_.names;
+    robot_.velocity = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(choice_.names.size()),
+                                                std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < urdf_.joints.size(); ++i) {
+      const UrdfJoint& one = urdf_.joints[i];
+      const int coordinate = choice_.coordinates[one.mimic ? static_cast<std::size_t>(one.mimic->joint) : i];
+      const double factor = one.mimic ? std::abs(one.mimic->factor) : 1;
+      if (!one.moves() || coordinate < 0 || !(factor > 0)) continue;
+      robot_.velocity[coordinate] = std::min(robot_.velocity[coordinate], one.velocity / factor);
     }
   }
 

@@ -145,7 +145,7 @@ std::string in_words(FieldType type) {
     case FieldType::integer: return "whole number";
     case FieldType::number: return "number";
     case FieldType::text: return "text";
-    case FieldType::numbers: return "list of numbers";
+    case FieldType::numbers: return "list of numbers, or a single one";
     case FieldType::matrix: return "list of rows of numbers";
     case FieldType::named_numbers: return "block of names and numbers";
     case FieldType::texts: return "text or list of texts";

@@ -73,11 +73,10 @@ Json variant_schema(const std::vector<FieldInfo>& types, bool lone_options = fal
 /// Exactly one way to say where an end is.
 Json end_schema(const FieldInfo& field) {
   Json out = object_schema(field.children);
-  out["oneOf"] = {{{"required", {"vertex"}}},
-                  {{"required", {"face", "barycentric"}}},
-                  {{"required", {"point"}}},
-                  {{"required", {"lonlat"}}},
-                  {{"required", {"state"}}}};
+  out["oneOf"] = {{{"required", {"vertex"}}}, {{"required", {"face", "barycentric"}}},
+                  {{"required", {"point"}}},  {{"required", {"lonlat"}}},
+                  {{"required", {"state"}}},  {{"required", {"points"}}},
+                  {{"required", {"tool"}}}};
   return out;
 }
 
@@ -105,7 +104,7 @@ Json value_schema(const FieldInfo& field) {
     case FieldType::number: return ranged("number", field);
     case FieldType::text: return {{"type", {"string", "number", "boolean"}}};  // any scalar is taken as it is written
     case FieldType::file: return {{"type", "string"}, {"minLength", 1}};
-    case FieldType::numbers: return list_of(ranged("number", field));
+    case FieldType::numbers: return {{"anyOf", {ranged("number", field), list_of(ranged("number", field))}}};
     case FieldType::matrix: return list_of(list_of(ranged("number", field)));
     case FieldType::named_numbers: return named_numbers_schema(field);
     case FieldType::texts: return texts_schema();

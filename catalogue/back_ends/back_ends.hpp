@@ -10,6 +10,7 @@
 
 #include <leastcost/problems/raster/raster_options.hpp>
 
+#include "catalogue/plugins/attached_options.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/plugins/registration.hpp"
 
@@ -24,6 +25,9 @@ std::vector<InitializerPlugin> planners();
 
 /// The same for robots: those of URDF files (urdf/CMakeLists.txt).
 std::vector<RobotPlugin> robots_of_libraries();
+
+/// The same for obstacles: those of OctoMap files (octomap/CMakeLists.txt).
+std::vector<ObstaclePlugin> obstacles_of_libraries();
 
 /// Reads a raster file; throws InputError.
 using RasterReader = RasterFile (*)(const std::filesystem::path& file);

@@ -12,6 +12,16 @@ namespace {
 
 bool has_items(const ConfigNode* node) { return node != nullptr && (!node->items.empty() || !node->entries.empty()); }
 
+/// "'can' on panda_hand, 'box' on panda_hand"
+std::string named(const ConfigNode& attached) {
+  std::string list;
+  const auto text = [](const ConfigNode* node) { return node != nullptr && node->is_scalar() ? node->text : "?"; };
+  for (const ConfigNode& one : attached.items)
+    list += (list.empty() ? "" : ", ") + in_quotes(text(node_at(one, "object.id"))) + " on " +
+            text(node_at(one, "link_name"));
+  return list;
+}
+
 /// Of both layouts; neither is an error.
 void read_layout(const ConfigNode& tree, const Eigen::Isometry3d& pose, const std::vector<std::string>& without,
                  SceneObjects& scene, const std::function<void(std::string)>& note) {
@@ -33,8 +43,9 @@ void read_layout(const ConfigNode& tree, const Eigen::Isometry3d& pose, const st
   } else {
     read_collision_objects(root.list("collision_objects"), pose, without, scene);
   }
-  if (note && has_items(node_at(tree, "robot_state.attached_collision_objects")))
-    note("the scene's attached objects, which its robot carries, are not read");
+  if (const ConfigNode* attached = node_at(tree, "robot_state.attached_collision_objects"); note && has_items(attached))
+    note("the scene's attached objects are not read: " + named(*attached) +
+         "; what the robot carries is an option of the robot: 'attached: [{link: .., type: box, size: [..]}]'");
 }
 
 }  // namespace

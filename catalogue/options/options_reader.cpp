@@ -97,8 +97,13 @@ void OptionsReader::field(std::string_view key, Eigen::VectorXd& value, const Fi
   const ConfigEntry* e = entry(key, doc);
   if (e == nullptr) return;
   std::vector<double> numbers;
-  if (!read_numbers(key, e->value, true, numbers)) return;
-  for (std::size_t i = 0; i < numbers.size(); ++i) check_range(key, e->value.items[i], numbers[i], doc);
+  if (const Parsed<double> single = parse_double(e->value, true); single.value) {
+    numbers.push_back(*single.value);
+    check_range(key, e->value, numbers.front(), doc);
+  } else {
+    if (!read_numbers(key, e->value, true, numbers)) return;
+    for (std::size_t i = 0; i < numbers.size(); ++i) check_range(key, e->value.items[i], numbers[i], doc);
+  }
   value = Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
 }
 

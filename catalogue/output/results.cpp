@@ -125,7 +125,9 @@ void write_results(RunOutcome& outcome, const std::vector<std::string>& argument
   if (outcome.waypoints && config.writes("waypoints"))
     folder.write("waypoints.csv", csv_text(waypoint_table(outcome.parts.problem, *outcome.waypoints)));
   if (outcome.trajectory && config.writes("trajectory")) {
-    const std::vector<std::string> names = space_coordinates(*outcome.parts.problem.manifold);
+    const Robot* robot = outcome.parts.robot.get();
+    const std::vector<std::string> names =
+        robot != nullptr && !robot->joints.empty() ? robot->joints : space_coordinates(*outcome.parts.problem.manifold);
     folder.write("trajectory.csv", trajectory_csv(*outcome.trajectory, names));
     folder.write("trajectory.json", trajectory_json(*outcome.trajectory, names));
   }

@@ -75,6 +75,7 @@
 #include "catalogue/inputs/map_file.hpp"
 #include "catalogue/inputs/planning_scene.hpp"
 #include "catalogue/inputs/raster_file.hpp"
+#include "catalogue/plugins/attached_options.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/plugins/registration.hpp"
 #include "catalogue/registry/combined_costs.hpp"
@@ -265,9 +266,15 @@ const auto& manifolds() {
   return all;
 }
 
+template <class P>
+std::vector<P> with_those_of_libraries(std::vector<P> own, std::vector<P> others) {
+  std::move(others.begin(), others.end(), std::back_inserter(own));
+  return own;
+}
+
 const auto& obstacles() {
   using Obstacles = std::vector<std::shared_ptr<const Obstacle>>;
-  static const std::vector<ObstaclePlugin> all = {
+  static const std::vector<ObstaclePlugin> own = {
       plugin<ObstaclePlugin, BallOptions>(
           "ball", "A ball; in the plane, a disc.",
           [](const BallOptions& o, const BuildContext&) { return Obstacles{make_ball(o)}; }),
@@ -324,22 +331,22 @@ const auto& obstacles() {
           })
           .waiting(),
   };
+  static const std::vector<ObstaclePlugin> all = with_those_of_libraries(own, obstacles_of_libraries());
   return all;
-}
-
-template <class P>
-std::vector<P> with_those_of_libraries(std::vector<P> own, std::vector<P> others) {
-  std::move(others.begin(), others.end(), std::back_inserter(own));
-  return own;
 }
 
 const auto& robots() {
   static const std::vector<RobotPlugin> all = with_those_of_libraries<RobotPlugin>(
       {
-          plugin<RobotPlugin, DhArmOptions>(
+          plugin<RobotPlugin, WithAttached<DhArmOptions>>(
               "dh_arm",
               "An arm with revolute joints, from a Denavit-Hartenberg table; a configuration is its joint angles.",
-              [](const DhArmOptions& o, const BuildContext&) { return make_dh_arm(o); }),
+              [](const WithAttached<DhArmOptions>& o, const BuildContext& c) {
+                return attach(make_dh_arm(o.robot), o.attached, c.folder);
+              })
+              .waiting<WithAttached<DhArmOptions>>([](const WithAttached<DhArmOptions>& o) {
+                return has_files(o.attached) ? WaitsFor::files : WaitsFor::nothing;
+              }),
           plugin<RobotPlugin, RigidBodyOptions>(
               "rigid_body",
               "A body of balls and capsules, in the plane (x, y, angle) or in space (x, y, z, quaternion).",

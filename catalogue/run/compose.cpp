@@ -30,6 +30,7 @@
 #include <leastcost/problems/post_processors/bracket.hpp>
 #include <leastcost/problems/post_processors/choose_global_proof.hpp>
 #include <leastcost/problems/raster/has_voids.hpp>
+#include <leastcost/problems/robots/robot_trajectory.hpp>
 #include <leastcost/problems/robots/robot_walls.hpp>
 #include "catalogue/config/choice_options.hpp"
 #include "catalogue/config/config_facts.hpp"
@@ -101,14 +102,16 @@ void fill_options(const RunConfig& config, RunParts& out) {
   out.options.certificate = config.certificate;
   out.options.certificate.global = GlobalOff{};  // add_proof() has seen to it
   out.waypoints = config.waypoints;
-  out.trajectory = config.trajectory;
 }
 
-/// Before the path is sought: limits that do not fit the domain.
-void refuse_trajectory(const Problem& problem, const TrajectoryOptions& wanted) {
-  if (!wanted.wanted()) return;
+/// Its limits, of a robot those of its file where none are given. Before the path is sought: throws OptionError for
+/// limits that do not fit the domain.
+TrajectoryOptions trajectory_of(const TrajectoryOptions& given, const Problem& problem, const Robot* robot) {
+  if (!given.wanted()) return given;
   try {
+    const TrajectoryOptions wanted = robot != nullptr ? with_limits_of(*robot, given) : given;
     check_trajectory(problem, wanted);
+    return wanted;
   } catch (const OptionError& error) {
     throw OptionError("output.trajectory." + std::string(error.key()), error.what());
   } catch (const InputError& error) {
@@ -282,7 +285,8 @@ void Composer::take_domain() {
   check_all_needs();
   out_.problem.ring = config_.ring;
   out_.problem.based = config_.ring && config_.source.has_value();
-  attempt([&] { refuse_trajectory(out_.problem, config_.trajectory); });
+  out_.robot = context_.robot;
+  attempt([&] { out_.trajectory = trajectory_of(config_.trajectory, out_.problem, out_.robot.get()); });
   if (config_.has_pairs()) context_.source = Eigen::VectorXd::Zero(dimension);  // every pair has its own
   if (config_.has_pairs() || (config_.ring && !out_.problem.based)) return;
   if (wants_place_of_cost(config_, dimension) && !out_.problem.cost)  // the raster says where on the Earth ends are

@@ -238,31 +238,25 @@ void place_target(const EndOptions& options, const std::string& path, RunParts& 
 
 namespace {
 
-/// The frame of a link, also of one that is fixed to another, by its name; without one that of the last link.
-FixedFrame frame_of(const Robot& robot, const std::string& name) {
-  const Kinematics& kinematics = *robot.kinematics;
-  if (name.empty()) return {kinematics.link_count() - 1};
-  if (const auto fixed = robot.frames.find(name); fixed != robot.frames.end()) return fixed->second;
-  std::vector<std::string> names;
-  for (int link = 0; link < kinematics.link_count(); ++link) {
-    names.push_back(kinematics.link_name(link));
-    if (names.back() == name) return {link};
+NamedFrame frame_of(const ToolPose& tool, const Robot& robot) {
+  try {
+    return find_frame(robot, tool.link);
+  } catch (const OptionError& error) {
+    throw OptionError("ends.target.tool.link", error.what());
   }
-  for (const auto& [fixed, frame] : robot.frames) names.push_back(fixed);
-  throw OptionError("ends.target.tool.link",
-                    fmt::format("the robot has no link '{}'; it has: {}", name, fmt::join(names, ", ")));
 }
 
 ToolGoal goal_of(const ToolPose& tool, const Robot& robot) {
   const int space = robot.kinematics->space();
-  const FixedFrame frame = frame_of(robot, tool.link);
-  Eigen::Vector3d offset = Eigen::Vector3d::Zero();
+  const NamedFrame frame = frame_of(tool, robot);
+  ToolGoal goal{.link = frame.link, .tool = frame.place.origin};
   if (tool.offset.size() > 0) {
     if (tool.offset.size() != space || !tool.offset.allFinite())
       throw OptionError("ends.target.tool.offset", fmt::format("must be {} finite numbers", space));
+    Eigen::Vector3d offset = Eigen::Vector3d::Zero();
     offset.head(space) = tool.offset;
+    goal.tool = frame.place.at(offset);
   }
-  ToolGoal goal{.link = frame.link, .tool = frame.place.at(offset)};
   Eigen::Isometry3d pose;
   try {
     pose = pose_of(tool.pose, space);
@@ -298,6 +292,20 @@ std::vector<PlacedEnd> configurations_of(const ToolPose& tool, const Robot* robo
   return ends;
 }
 
+/// The source among several goals: a path to it has no length, and another goal was meant as well. Where all of them
+/// are the source, the caller says so.
+void leave_out_source(std::vector<PlacedEnd>& goals, RunParts& out) {
+  std::vector<PlacedEnd> others;
+  for (const PlacedEnd& goal : goals) {
+    Problem problem = out.problem;
+    problem.target = goal.end;
+    if (!are_one_place(problem)) others.push_back(goal);
+  }
+  if (others.empty() || others.size() == goals.size()) return;
+  goals = std::move(others);
+  out.notes.emplace_back("the source itself is among the goals of the target, and was left out");
+}
+
 std::vector<PlacedEnd> free_points(const Eigen::MatrixXd& points, const ConstraintManifold& open_domain,
                                    RunParts& out) {
   std::vector<PlacedEnd> ends;
@@ -324,6 +332,7 @@ std::vector<PlacedEnd> goals_of(const EndOptions& options, const Robot* robot, c
                                 RunParts& out) {
   std::vector<PlacedEnd> all =
       options.points ? free_points(*options.points, open_domain, out) : configurations_of(options.tool, robot, out);
+  leave_out_source(all, out);
   const Eigen::VectorXd& source = out.problem.source.u;
   std::stable_sort(all.begin(), all.end(), [&](const PlacedEnd& a, const PlacedEnd& b) {
     return (a.end.u - source).squaredNorm() < (b.end.u - source).squaredNorm();

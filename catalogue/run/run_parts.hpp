@@ -10,6 +10,7 @@
 #include <leastcost/framework/replan/waypoints.hpp>
 #include <leastcost/framework/search/find_path.hpp>
 #include <leastcost/framework/trajectory/trajectory.hpp>
+#include <leastcost/problems/robots/robot.hpp>
 
 namespace leastcost {
 
@@ -37,6 +38,7 @@ struct RunParts {
   FindOptions options;  ///< the post-processors among them
   WaypointOptions waypoints;
   TrajectoryOptions trajectory;
+  std::shared_ptr<const Robot> robot;  ///< whose configurations the points are; null: of none
   PlacedEnd source, target;      ///< where problem.source and problem.target came from; empty in a ring
   std::vector<PlacedEnd> goals;  ///< besides the target: the cheapest to reach is taken
   std::vector<std::string> notes;

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace leastcost {
 
@@ -28,9 +28,11 @@ inline double distance_to_box(const Eigen::Vector3d& a, const Eigen::Vector3d& w
   for (Eigen::Index i = 0; i < 3; ++i)
     for (const double side : {-half[i], half[i]}) {
       const double bend = (side - a[i]) / way[i];
-      if (bend > 0 && bend < 1) bends[count++] = bend;
+      if (!(bend > 0 && bend < 1)) continue;
+      std::size_t k = count++;  // of six at most: put in order as they come
+      for (; k > 0 && bends[k - 1] > bend; --k) bends[k] = bends[k - 1];
+      bends[k] = bend;
     }
-  std::sort(bends.begin(), bends.begin() + static_cast<std::ptrdiff_t>(count));
   bends[count++] = 1;
   double before = 0;
   for (std::size_t k = 0; k < count; ++k) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/robots/covering.hpp"
+#include <leastcost/problems/robots/covering.hpp>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

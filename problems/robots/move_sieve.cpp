@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include <leastcost/framework/base/ability.hpp>
+#include "problems/obstacles/broad_phase.hpp"
 #include "problems/robots/box_distance.hpp"
 
 namespace leastcost {
@@ -17,7 +18,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kMostTogether = 64;  ///< parts of a link, pairs of two links: bits of Open::which
+constexpr std::size_t kManyThings = 64;  ///< from here on a tree of them is quicker
+constexpr int kMostTogether = 64;        ///< parts of a link, pairs of two links: bits of Open::which
 
 constexpr std::uint64_t all_of(int count) { return ~std::uint64_t{0} >> (kMostTogether - count); }
 
@@ -106,6 +108,13 @@ MoveSieve::MoveSieve(std::shared_ptr<const Robot> robot, Obstacles obstacles, co
     thing.box = box_around(*obstacles_[i], thing.exact);
     thing.reach = thing.box.half.norm();
     things_.push_back(thing);
+    most_required_ = std::max(most_required_, thing.required);
+  }
+  if (things_.size() > kManyThings) {
+    std::vector<BroadPhase::Box> cores;
+    cores.reserve(things_.size());
+    for (const auto& obstacle : obstacles_) cores.push_back(obstacle->core_bounds());
+    tree_ = std::make_shared<const BroadPhase>(std::move(cores));
   }
   std::vector<int> order(robot_->capsules.size());  // by links
   std::iota(order.begin(), order.end(), 0);
@@ -210,6 +219,19 @@ double MoveSieve::distance(const Segment3& axis, std::size_t thing) const {
   return obstacles_[thing]->distance_of_segment(from, to, t);
 }
 
+/// What a link may come near to on the whole move: its ball in the middle, made larger by how far it goes. All there
+/// is, where few are there or nothing is known of the move.
+void MoveSieve::things_near(const OnMove& move, std::size_t link, double rounding, std::vector<int>& found) const {
+  const double reach = links_[link].radius + most_required_ + move.bounds[link].speed / 2 + rounding;
+  if (tree_ == nullptr || !std::isfinite(reach)) {
+    found.resize(things_.size());
+    std::iota(found.begin(), found.end(), 0);
+    return;
+  }
+  const Vector center = move.centers[link].head(robot_->kinematics->space());
+  tree_->meeting({Vector(center.array() - reach), Vector(center.array() + reach)}, found);
+}
+
 MoveSieve::Found MoveSieve::look_at_thing(OnMove& move, Open& open, double half, double rounding) const {
   const Link& link = links_[static_cast<std::size_t>(open.link)];
   const auto number = static_cast<std::size_t>(open.thing);
@@ -276,6 +298,7 @@ bool MoveSieve::passes(const Vector& a, const Vector& b, double rounding, double
   thread_local OnMove move;
   thread_local std::vector<Piece> pieces, halves;
   thread_local std::vector<Open> open, still;
+  thread_local std::vector<int> near;
   left.clear();
   open.clear();
   move.sieve = this;
@@ -287,11 +310,13 @@ bool MoveSieve::passes(const Vector& a, const Vector& b, double rounding, double
     move.bounds.push_back(kinematics.motion(a, b, reach, seen_from));
     farthest = std::max(farthest, move.bounds.back().speed);
   };
+  if (tree_ != nullptr) move.go_to(a + 0.5 * move.way);
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const Link& link = links_[i];
     add_bound(link.reach, 0);
-    for (std::size_t o = 0; o < things_.size() && link.moves; ++o)
-      open.push_back({static_cast<int>(i), static_cast<int>(o), all_of(link.last - link.first)});
+    if (!link.moves) continue;
+    things_near(move, i, rounding, near);
+    for (const int o : near) open.push_back({static_cast<int>(i), o, all_of(link.last - link.first)});
   }
   for (std::size_t i = 0; i < link_pairs_.size(); ++i) {
     const LinkPair& both = link_pairs_[i];

@@ -13,6 +13,8 @@
 
 namespace leastcost {
 
+class BroadPhase;
+
 /// Looks at moves of a robot of capsules among obstacles for where they could touch: at the middle of the move, then of
 /// its halves, and so on, so that what is in the way is mostly met at once. What is farther from everything than it can
 /// go on its piece of the move is done with; only what is not is looked at again on the halves. Links are looked at
@@ -75,6 +77,7 @@ class MoveSieve {
   void add_links(const std::vector<int>& order);
   void add_link_pairs(const std::vector<int>& order);
   Vector reach_from(int seen_from, int link) const;
+  void things_near(const OnMove& move, std::size_t link, double rounding, std::vector<int>& found) const;
   Found look_at_thing(OnMove& move, Open& open, double half, double rounding) const;
   Found look_at_pair(OnMove& move, Open& open, double half, double rounding) const;
   double distance(const Segment3& axis, std::size_t thing) const;
@@ -86,6 +89,8 @@ class MoveSieve {
   std::vector<Thing> things_;
   std::vector<Pair> pairs_;
   std::vector<LinkPair> link_pairs_;
+  double most_required_ = 0;
+  std::shared_ptr<const BroadPhase> tree_;  ///< of the cores, where there are many
 };
 
 }  // namespace leastcost

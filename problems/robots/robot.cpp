@@ -35,7 +35,37 @@ void check_pair(const Robot& robot, std::size_t k) {
     refuse("names two capsules of one link, which do not move relative to each other");
 }
 
+void check_count(const char* key, std::size_t count, std::size_t wanted, const char* of) {
+  if (count != 0 && count != wanted)
+    throw OptionError(key, "must have one for each " + std::string(of) + ", or none (" + std::to_string(count) +
+                               ", and there are " + std::to_string(wanted) + ")");
+}
+
 }  // namespace
+
+std::vector<std::string> frame_names(const Robot& robot) {
+  std::vector<std::string> names;
+  for (const auto& [name, frame] : robot.frames) names.push_back(name);
+  if (names.empty())
+    for (int link = 0; link < robot.kinematics->link_count(); ++link)
+      names.push_back(robot.kinematics->link_name(link));
+  return names;
+}
+
+NamedFrame find_frame(const Robot& robot, const std::string& name) {
+  const Kinematics& kinematics = *robot.kinematics;
+  if (name.empty()) return {kinematics.link_count() - 1, {}};
+  if (const auto found = robot.frames.find(name); found != robot.frames.end()) return found->second;
+  for (int link = 0; link < kinematics.link_count(); ++link)
+    if (robot.frames.empty() && kinematics.link_name(link) == name) return {link, {}};
+  std::string message = "the robot has no link '" + name + "'; it has: ";
+  const char* separator = "";
+  for (const std::string& one : frame_names(robot)) {
+    message += separator + one;
+    separator = ", ";
+  }
+  throw OptionError("link", message);
+}
 
 std::shared_ptr<const Robot> make_robot(Robot robot) {
   if (robot.parts() == 0) throw OptionError("shape", "must have at least one capsule");
@@ -51,6 +81,10 @@ std::shared_ptr<const Robot> make_robot(Robot robot) {
     check_part(robot, "triangle " + std::to_string(i), plate.link, plate.radius, plate.corners);
   }
   for (std::size_t k = 0; k < robot.self.size(); ++k) check_pair(robot, k);
+  const auto dimension = static_cast<std::size_t>(robot.kinematics->dimension());
+  check_count("owners", robot.owners.size(), robot.capsules.size(), "capsule");
+  check_count("joints", robot.joints.size(), dimension, "coordinate");
+  check_count("velocity", static_cast<std::size_t>(robot.velocity.size()), dimension, "coordinate");
   return std::make_shared<const Robot>(std::move(robot));
 }
 

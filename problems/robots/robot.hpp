@@ -29,10 +29,11 @@ struct Plate {
   double radius = 0;
 };
 
-/// A frame that is fixed to a link, such as that of a flange or of a tool.
-struct FixedFrame {
+/// A frame with a name, fixed to a link of the kinematics: of a URDF each link has one, those that stand still against
+/// each other on one link of the kinematics.
+struct NamedFrame {
   int link = 0;
-  Frame place = {};  ///< coordinates of the link
+  Frame place = {};  ///< in the frame of the link
 };
 
 /// A robot: what moves, its shape, and which of its parts must not touch each other.
@@ -43,7 +44,10 @@ struct Robot {
   std::vector<Plate> plates = {};
   std::string whose = {};  ///< what the parts stand for, for people: a clearance is one of theirs
   std::map<std::string, Eigen::VectorXd> states = {};  ///< configurations that have a name: "home"
-  std::map<std::string, FixedFrame> frames = {};       ///< those that have a name besides the links themselves
+  std::map<std::string, NamedFrame> frames = {};       ///< empty: the links of the kinematics
+  std::vector<std::string> owners = {};  ///< of the capsules, for people: "panda_hand"; empty: their links
+  std::vector<std::string> joints = {};  ///< names of the coordinates; empty: they have none
+  Eigen::VectorXd velocity = {};         ///< largest of each coordinate, per s; infinite: not known; empty: of none is
 
   /// Parts are numbered: the capsules, then the plates.
   std::size_t parts() const { return capsules.size() + plates.size(); }
@@ -53,10 +57,20 @@ struct Robot {
   double radius(std::size_t part) const {
     return part < capsules.size() ? capsules[part].radius : plates[part - capsules.size()].radius;
   }
+  /// For messages.
+  std::string part_name(std::size_t part) const {
+    return part < owners.size() ? owners[part] : kinematics->link_name(link(part));
+  }
 };
 
+/// Names of frames, or of the links of the kinematics where there are none.
+std::vector<std::string> frame_names(const Robot& robot);
+/// The frame of this name; without a name that of the last link. Throws OptionError("link") with the names there are.
+NamedFrame find_frame(const Robot& robot, const std::string& name);
+
 /// Throws OptionError("shape") for parts without a radius, of a link that is not there or that are no numbers, for
-/// plates in the plane and where there is no part, and OptionError("self") for pairs that are none.
+/// plates in the plane and where there is no part, OptionError("self") for pairs that are none, and
+/// OptionError("owners"), ("joints"), ("velocity") for lists of another length.
 std::shared_ptr<const Robot> make_robot(Robot robot);
 
 }  // namespace leastcost

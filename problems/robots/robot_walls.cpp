@@ -11,6 +11,7 @@
 
 #include <leastcost/framework/base/ability.hpp>
 #include <leastcost/framework/base/errors.hpp>
+#include "problems/obstacles/broad_phase.hpp"
 #include "problems/robots/least_on_move.hpp"
 #include "problems/robots/least_value.hpp"
 #include "problems/robots/move_sieve.hpp"
@@ -28,6 +29,7 @@ constexpr double kOfLengths = 256 * std::numeric_limits<double>::epsilon();  ///
 constexpr double kDecided = 1e-10;  ///< sizes: so near are the bounds of a clearance in contact
 constexpr double kShareOfGap = 0.5, kShareOfCoreRoom = 0.5;
 constexpr int kFewestPlaces = 4, kMostPlaces = 64;  ///< of a move that are looked at before its least gap is followed
+constexpr std::size_t kManyObstacles = 64;          ///< from here on a tree of them is quicker
 constexpr double kPlacesApart = 0.5;                ///< of what is required: how far a part goes between them
 
 /// Whether the distance of two boxes with sides along the axes is more than this.
@@ -205,11 +207,18 @@ void RobotWalls::add_obstacles(Obstacles obstacles, double clearance) {
     box.upper.head(space) = core.max();
     boxes_.push_back(box);
     required_.push_back(obstacles_[i]->radius() + clearance);
+    most_required_ = std::max(most_required_, required_.back());
     size_ = std::max(size_, required_.back());
     Vector away(space);
     size_ = std::max(size_, box.lower.allFinite() && box.upper.allFinite()
                                 ? std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff())
                                 : std::abs(obstacles_[i]->distance(Vector::Zero(space), away)));
+  }
+  if (boxes_.size() > kManyObstacles) {
+    std::vector<BroadPhase::Box> cores;
+    cores.reserve(boxes_.size());
+    for (const CoreBox& box : boxes_) cores.emplace_back(Vector(box.lower), Vector(box.upper));
+    tree_ = std::make_shared<const BroadPhase>(std::move(cores));
   }
 }
 
@@ -238,6 +247,24 @@ RobotWalls::CoreBox RobotWalls::box(const RobotPose& pose, std::size_t part) con
   return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
 }
 
+/// The obstacles whose cores are no farther from a box than what is required and `farthest`; ascending.
+void RobotWalls::beside(const CoreBox& box, double farthest, std::vector<int>& found) const {
+  thread_local std::vector<int> met;
+  const auto near = [&](std::size_t o) {
+    return !farther_apart(box.lower, box.upper, boxes_[o].lower, boxes_[o].upper, required_[o] + farthest);
+  };
+  found.clear();
+  const double widest = most_required_ + farthest;
+  if (tree_ == nullptr || !std::isfinite(widest) || widest < 0) {
+    for (std::size_t o = 0; o < boxes_.size(); ++o)
+      if (near(o)) found.push_back(static_cast<int>(o));
+    return;
+  }
+  tree_->meeting({Vector(box.lower.array() - widest), Vector(box.upper.array() + widest)}, met);
+  for (const int o : met)
+    if (near(static_cast<std::size_t>(o))) found.push_back(o);
+}
+
 /// Pairs with a distance of at most what is required and margin(part), some others among them; ascending by number.
 /// Obstacles are first looked at for all parts of a link at once.
 template <class Margin>
@@ -255,10 +282,7 @@ void RobotWalls::pairs_within(const RobotPose& pose, const Margin& margin, std::
       all.upper = all.upper.cwiseMax(own[last].upper).eval();
       farthest = std::max(farthest, bodies_[last].radius + margin(static_cast<int>(last)));
     }
-    beside.clear();
-    for (std::size_t o = 0; o < boxes_.size(); ++o)
-      if (!farther_apart(all.lower, all.upper, boxes_[o].lower, boxes_[o].upper, required_[o] + farthest))
-        beside.push_back(static_cast<int>(o));
+    this->beside(all, farthest, beside);
     for (std::size_t i = first; i < last; ++i) {
       const Body& body = bodies_[i];
       if (!(body.steepest > 0)) continue;
@@ -573,7 +597,7 @@ double RobotWalls::room(OnMove& move, const std::vector<PairGap>& pairs, double 
 
 std::string RobotWalls::obstacle_name(int obstacle) const {
   if (obstacle < 0) return "";
-  const auto link_of = [&](std::size_t part) { return robot_->kinematics->link_name(robot_->link(part)); };
+  const auto link_of = [&](std::size_t part) { return robot_->part_name(part); };
   const auto number = static_cast<std::size_t>(obstacle), with_obstacles = bodies_.size() * obstacles_.size();
   if (number >= with_obstacles) {
     const Pair& pair = self_[number - with_obstacles];

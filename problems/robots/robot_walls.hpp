@@ -16,6 +16,7 @@
 namespace leastcost {
 
 struct RobotPose;
+class BroadPhase;
 class MoveSieve;
 
 /// What keeps a robot out of a configuration: the obstacles of its workspace, each of which is a wall for each of its
@@ -85,6 +86,7 @@ class RobotWalls final : public PairWalls,
   bool clears_closely(const Vector& a, const Vector& b) const;
   void add_along(OnMove& move, const std::vector<Pair>& pairs, double reach, std::vector<Wall>& found) const;
   double room(OnMove& move, const std::vector<PairGap>& pairs, double reach) const;
+  void beside(const CoreBox& box, double farthest, std::vector<int>& found) const;
   template <class Margin>
   void pairs_within(const RobotPose& pose, const Margin& margin, std::vector<Pair>& found) const;
   CoreBox box(const RobotPose& pose, std::size_t part) const;
@@ -104,7 +106,8 @@ class RobotWalls final : public PairWalls,
   std::vector<Body> bodies_;
   std::vector<Pair> self_;
   std::vector<Vector> self_reach_;  ///< of their parts, as seen from the others
-  double size_ = 0, farthest_ = 0;
+  double size_ = 0, farthest_ = 0, most_required_ = 0;
+  std::shared_ptr<const BroadPhase> tree_;  ///< of the cores, where there are many
   std::shared_ptr<const MoveSieve> sieve_;  ///< null where there are plates
 };
 

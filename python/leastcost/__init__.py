@@ -15,6 +15,8 @@
     fastest = lc.find_path(lc.Plane(), chute, (0, 0), (3, -2), unit="s", additive=True)
     over_land = lc.find_path(lc.Terrain(heights, cell=30), lc.CostMap(costs, cell=30), (100, 200), (4000, 900))
     by_air = lc.find_path(lc.Plane(), lc.Wind(u, v, speed=12, cell=1000), (5000, 2000), (90000, 40000))
+    arm = lc.Robot.read("panda.urdf", srdf="panda.srdf", group="panda_arm", tool="panda_hand")
+    motion = arm.find_path("ready", "extended", scene="scene.yaml", clearance=0.01).trajectory(acceleration=5)
     result = lc.run({"manifold": mesh, "cost": "euclidean", "ends": ends})  # objects in a configuration
 
 Arrays of results have one point per row. Searches release the GIL and end within 50 ms of Ctrl-C.
@@ -28,7 +30,8 @@ from ._leastcost import version as __version__
 from ._mesh import Geodesic, Mesh
 from ._pairs import PairResult, solve_pairs
 from ._plugins import cost, initializer, kernel, manifold, obstacle, post_processor, robot, solver
-from ._result import Failure, Result
+from ._result import Failure, Result, Trajectory
+from ._robot import Joint, Pose, Robot
 from ._run import run, validate
 from ._study import Study, run_study
 
@@ -41,16 +44,20 @@ __all__ = [
     "Failure",
     "Geodesic",
     "InputError",
+    "Joint",
     "Mesh",
     "NoPathError",
     "OutputError",
     "PairResult",
     "Plane",
+    "Pose",
     "Result",
+    "Robot",
     "Space",
     "Study",
     "Terrain",
     "TimeLimitError",
+    "Trajectory",
     "Wind",
     "cost",
     "find_path",

@@ -51,6 +51,16 @@ def points(values: ArrayLike, name: str, dimension: int | None = None) -> NDArra
     return array
 
 
+def limits(values: ArrayLike | None, name: str) -> NDArray[np.float64] | None:
+    """One number, or (d,), above 0."""
+    if values is None:
+        return None
+    array = np.atleast_1d(numbers(values, name))
+    if array.ndim != 1 or not len(array):
+        raise InputError(f"{name} has the shape {array.shape}; it is one number for all coordinates, or (d,)")
+    return array
+
+
 def raster(values: ArrayLike, name: str) -> NDArray[np.float64]:
     """(rows, columns)."""
     array = numbers(values, name)

@@ -18,6 +18,7 @@ from ._cost import Cost, CostMap, Wind
 from ._domains import Cloud, Space, Terrain
 from ._errors import ConfigError
 from ._mesh import Mesh
+from ._robot import Robot
 
 if TYPE_CHECKING:
     from typing import Union
@@ -28,9 +29,9 @@ if TYPE_CHECKING:
 
     Config = Union[str, os.PathLike[str], Mapping[str, Any]]
     #: What a configuration can name, or a dict can hold: a manifold, a cost, the points of a first path.
-    Object = Union[Mesh, Cloud, Terrain, Cost, CostMap, Wind, SquaredCost, NDArray[Any]]
+    Object = Union[Mesh, Cloud, Terrain, Robot, Cost, CostMap, Wind, SquaredCost, NDArray[Any]]
 
-_OBJECTS = (Mesh, Cloud, Terrain, Cost, CostMap, Wind)
+_OBJECTS = (Mesh, Cloud, Terrain, Robot, Cost, CostMap, Wind)
 _MOST = 2**63  # of a whole number
 _DEEPEST = 50  # the deepest configuration has eight levels
 
@@ -54,6 +55,15 @@ def source_of(
     if isinstance(config, (str, os.PathLike)):
         return _leastcost.Source(Path(config), "", None, Path(), assignments, reader.externals)
     raise TypeError(f"a configuration is a path, a text or a dict, not {type(config).__name__}")
+
+
+def plain_block(block: Mapping[str, Any], where: str) -> dict[str, Any]:
+    """Plain values of a part of a configuration. Raises TypeError for objects."""
+    reader = _Reader({}, False)
+    plain: dict[str, Any] = reader.plain(block, where)
+    if reader.externals:
+        raise TypeError(f"{where} has numbers, texts, lists and dicts, no objects")
+    return plain
 
 
 def text_of(value: Any, where: str) -> str:
@@ -123,6 +133,8 @@ class _Reader:
         """Under `initializer`, points are a first path."""
         if key == "initializer" and isinstance(value, (np.ndarray, list, tuple)):
             return self._named(points(value, where), "path")
+        if key == "manifold" and isinstance(value, Robot):
+            raise ConfigError(f"{where}: a robot goes under 'robot', and its configurations are 'manifold': 'robot'")
         return self.plain(value, where, depth)
 
     def _named(self, value: Object, kind: str | None = None) -> dict[str, str]:
@@ -146,13 +158,13 @@ def _reads_cells(config: Mapping[str, Any], set: Mapping[str, Any]) -> bool:
 def _external(value: Object, name: str, cells: bool) -> _leastcost.External:
     if isinstance(value, CostMap):
         return value._external_of(cells)
-    if isinstance(value, (Mesh, Cloud, Terrain, Cost, Wind)):
+    if isinstance(value, (Mesh, Cloud, Terrain, Robot, Cost, Wind)):
         return value._external
     if isinstance(value, np.ndarray):
         return _leastcost.waypoints(points(value, name))
     if callable(value):
         return Cost(value)._external
     raise TypeError(
-        f"{name} is no object of a configuration: those are Mesh, Cloud, Terrain, Cost, CostMap, Wind, a function that "
+        f"{name} is no object of a configuration: those are Mesh, Cloud, Terrain, Robot, Cost, CostMap, Wind, a function that "
         f"is a cost, and an array of points, not {type(value).__name__}"
     )

@@ -20,9 +20,10 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from ._mesh import Mesh
+    from ._robot import Robot
 
     #: A dict is what a configuration has under `manifold`.
-    Domain = Union["Space", Mesh, "Cloud", "Terrain", Mapping[str, Any]]
+    Domain = Union["Space", Mesh, "Cloud", "Terrain", Robot, Mapping[str, Any]]
 
 
 @dataclass(frozen=True)

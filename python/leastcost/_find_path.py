@@ -14,6 +14,7 @@ from ._errors import InputError
 from ._mesh import Mesh
 from ._places import is_number, is_on_face, on_face, point
 from ._result import Result
+from ._robot import Robot, end_of_robot
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -23,15 +24,16 @@ if TYPE_CHECKING:
     from ._cost import CostMap, SquaredCost, Wind
     from ._domains import Domain
     from ._places import Place
+    from ._robot import Pose
 
 
 def find_path(
     domain: Domain,
-    cost: str | Mapping[str, Any] | Cost | CostMap | Wind | SquaredCost,
-    source: Place | Mapping[str, Any],
-    target: Place | Mapping[str, Any],
+    cost: str | Mapping[str, Any] | Cost | CostMap | Wind | SquaredCost | None,
+    source: Place | Mapping[str, Any] | str,
+    target: Place | Mapping[str, Any] | str | Pose,
     *,
-    points: int = 64,
+    points: int | None = None,
     obstacles: Sequence[Mapping[str, Any]] = (),
     clearance: float = 0,
     initializer: str | Mapping[str, Any] | ArrayLike | None = None,
@@ -44,12 +46,14 @@ def find_path(
 ) -> Result:
     """The path of least cost from one place to another.
 
-    domain: Plane(), Space(d), a Mesh, Cloud or Terrain, or a dict as under `manifold` in a configuration.
+    domain: Plane(), Space(d), a Mesh, Cloud, Terrain or Robot, or a dict as under `manifold` in a configuration.
     cost: a Cost, CostMap or Wind; a name or a dict as under `cost` in a configuration; or a function q(a, b) that
-      returns the squared costs, shape (n,), of straight moves between the points a and b, shape (d, n).
+      returns the squared costs, shape (n,), of straight moves between the points a and b, shape (d, n). None: length.
     source, target: (d,), points; on a Mesh or Cloud also numbers of vertices; on a Mesh also tuples
       (face, (b0, b1, b2)); or dicts as under `ends` in a configuration. A point means the nearest one of a Mesh.
-    points: free points of the path, n >= 1.
+      Of a Robot: configurations (d,), or names of its states; as targets also (k, d), several goals, or a Pose of its
+      tool: the goal that is cheapest to reach is taken.
+    points: free points of the path, n >= 1; None: 64, of a Robot as many as a configuration has without `path`.
     obstacles, clearance: as in a configuration: [{"type": "ball", "center": [1, 0], "radius": 0.5}], length units.
     initializer: where the first path comes from, a name or a dict as in a configuration; or the points that it goes
       through, (n, d). A cost that is a function starts from a straight line, or from the least-cost path along the
@@ -60,6 +64,9 @@ def find_path(
 
     Ctrl-C and errors: as of run(). What the function raises comes out as it is; so does KeyboardInterrupt within it.
     """
+    robot = domain if isinstance(domain, Robot) else None
+    if cost is None:
+        cost = "euclidean"
     if callable(cost):
         cost = Cost(cost, unit=unit, symmetric=symmetric, additive=additive, derivatives=derivatives)
     elif (unit, symmetric, additive, derivatives) != ("cost", True, False, "complex"):
@@ -71,8 +78,11 @@ def find_path(
         "manifold": domain.config() if isinstance(domain, Space) else domain,
         "cost": cost,
         "ends": {"source": _end(source, "source", domain), "target": _end(target, "target", domain)},
-        "path": {"points": points},
     }
+    if robot is not None:
+        config.update(manifold="robot", robot=robot)
+    if points is not None or robot is None:
+        config["path"] = {"points": 64 if points is None else points}
     if len(obstacles) > 0:
         config["obstacles"] = list(obstacles)
     if clearance != 0:
@@ -86,6 +96,8 @@ def _end(place: Any, name: str, domain: Domain) -> Mapping[str, Any]:
     """As in a configuration."""
     if isinstance(place, Mapping):
         return place
+    if isinstance(domain, Robot):
+        return end_of_robot(place, name, domain)
     if is_number(place):
         if isinstance(domain, (Space, Terrain)):
             raise InputError(f"{name} is {place!r}, but {domain!r} has no vertices: give a point")

@@ -440,18 +440,34 @@ class obstacle:
         """
         return _block("distance_grid", file=file, radius=radius, memory_limit=memory_limit)
 
+    @staticmethod
+    def octomap(*, file: File, pose: Mapping[str, Any] | None = None) -> dict[str, Any]:
+        """The occupied space of an OctoMap, as boxes in space; requires a clearance.
+
+        file: OctoMap file, .bt or .ot.
+        pose: Position and rotation of the shape's frame. (with position, rpy, quaternion, rotation, angle)
+        """
+        return _block("octomap", file=file, pose=pose)
+
 
 class robot:
     """Bodies that move among obstacles."""
 
     @staticmethod
-    def dh_arm(*, model: Block | None = None, base: ArrayLike | None = None) -> dict[str, Any]:
+    def dh_arm(
+        *,
+        model: Block | None = None,
+        base: ArrayLike | None = None,
+        attached: Sequence[Mapping[str, Any]] | None = None,
+    ) -> dict[str, Any]:
         """An arm with revolute joints, from a Denavit-Hartenberg table; a configuration is its joint angles.
 
         model: The arm: a named model, or a table. (type: panda, ur5, table; default: "panda")
         base: Position of the base; the z axis of its frame points up. [length] (default: [0, 0, 0])
+        attached: Objects that it carries: shapes on its links. (with id, link, size, radius, height, from, to, file,
+          pose, touches)
         """
-        return _block("dh_arm", model=model, base=base)
+        return _block("dh_arm", model=model, base=base, attached=attached)
 
     @staticmethod
     def rigid_body(*, shape: ArrayLike) -> dict[str, Any]:
@@ -474,6 +490,7 @@ class robot:
         soft_limits: bool | None = None,
         base: Mapping[str, Any] | None = None,
         packages: File | None = None,
+        attached: Sequence[Mapping[str, Any]] | None = None,
     ) -> dict[str, Any]:
         """A robot from a URDF file, with the groups, states and pairs of its SRDF; a configuration is its joint values.
 
@@ -485,10 +502,12 @@ class robot:
         soft_limits: Keep to the soft limits of a safety_controller where they are narrower. (default: true)
         base: Where the root link stands. (with position, rpy)
         packages: Folder with the packages of package:// names; meshes are also looked for beside the URDF.
+        attached: Objects that it carries: shapes on its links. (with id, link, size, radius, height, from, to, file,
+          pose, touches)
         """
         return _block(
             "urdf", file=file, srdf=srdf, group=group, hold=hold, hold_state=hold_state, soft_limits=soft_limits,
-            base=base, packages=packages
+            base=base, packages=packages, attached=attached
         )
 
 

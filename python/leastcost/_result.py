@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from html import escape
 from pathlib import Path
@@ -13,11 +13,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _leastcost
-from ._errors import OutputError
+from ._arrays import limits
+from ._errors import InputError, OutputError
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
 
 @dataclass(frozen=True)
@@ -26,6 +27,31 @@ class Failure:
 
     name: str
     message: str
+
+
+@dataclass(frozen=True, eq=False)
+class Trajectory:
+    """A path with times, from rest to rest, sampled: the quickest motion along it under limits of velocity and
+    acceleration, its corners rounded by parabolas. The limits hold at every instant; the jerk has none."""
+
+    names: list[str]
+    """Of the coordinates: the joints of a robot."""
+    times: NDArray[np.float64] = field(repr=False)
+    """(m,): s, from 0 to the duration."""
+    positions: NDArray[np.float64] = field(repr=False)
+    """(m, d): in coordinates of the domain: rad, or length units."""
+    velocities: NDArray[np.float64] = field(repr=False)
+    """(m, d): per s."""
+    accelerations: NDArray[np.float64] = field(repr=False)
+    """(m, d): per s^2."""
+    duration: float
+    """s."""
+    least_duration: float
+    """No motion between these ends is quicker under these limits, whatever its path; s."""
+    deviation: float
+    """The curve is nowhere farther from the path, in coordinates."""
+    touches: bool
+    """Whether the rounded curve comes too near to an obstacle."""
 
 
 class Page:
@@ -112,6 +138,23 @@ class Result:
     def notes(self) -> list[str]:
         """What a user should know about the search."""
         return list(self.details["notes"])
+
+    def trajectory(
+        self, *, velocity: ArrayLike | None = None, acceleration: ArrayLike | None = None, interval: float = 0.01
+    ) -> Trajectory:
+        """The quickest motion along the path, from rest to rest; in flat domains: the plane, space, joints of a robot.
+
+        velocity, acceleration: largest of the coordinates, a number for all of them or (d,), per s and s^2. velocity:
+          None means that of the robot's URDF; acceleration has no default, as no URDF has it. interval: s, between two
+          samples.
+
+        Raises InputError for limits that do not fit and for other domains, OutputError for a result that was pickled.
+        """
+        if not 0 < interval < float("inf"):
+            raise InputError(f"interval is {interval}; it is a number of seconds above 0")
+        return Trajectory(
+            **self._outcome.trajectory(limits(velocity, "velocity"), limits(acceleration, "acceleration"), interval)
+        )
 
     def write(self, folder: str | os.PathLike[str], *, replace: bool = False) -> Path:
         """Writes the files that the program writes, without its report, and returns their folder.

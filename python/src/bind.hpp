@@ -11,6 +11,7 @@ void translate_errors();
 
 void bind_externals(pybind11::module_& module);
 void bind_mesh(pybind11::module_& module);
+void bind_robot(pybind11::module_& module);
 void bind_run(pybind11::module_& module);
 void bind_pairs(pybind11::module_& module);
 void bind_report(pybind11::module_& module);

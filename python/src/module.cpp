@@ -11,6 +11,7 @@ PYBIND11_MODULE(_leastcost, module) {
   leastcost::python::translate_errors();
   leastcost::python::bind_externals(module);
   leastcost::python::bind_mesh(module);
+  leastcost::python::bind_robot(module);
   leastcost::python::bind_run(module);
   leastcost::python::bind_pairs(module);
   leastcost::python::bind_report(module);

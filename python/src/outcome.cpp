@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "python/src/outcome.hpp"
 
+#include <pybind11/stl.h>
+
 #include <leastcost/catalogue/output/write_run.hpp>
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/problems/robots/robot_trajectory.hpp>
+#include "problems/formula/coordinate_names.hpp"
 #include "python/src/arrays.hpp"
 
 namespace leastcost::python {
@@ -10,7 +15,9 @@ namespace leastcost::python {
 namespace py = pybind11;
 
 const RunOutcome& Outcome::run() const {
-  if (!run_) throw OutputError("a result that was pickled has no files and no picture any more: make them before");
+  if (!run_)
+    throw OutputError(
+        "a result that was pickled has no files, no picture and no trajectory any more: make them before");
   return *run_;
 }
 
@@ -19,6 +26,32 @@ py::object Outcome::points() const { return run_ ? rows_of(run_->result.path.u) 
 py::object Outcome::curve() const { return run_ ? rows_of(run_->result.curve.x) : py::object(state_[1]); }
 
 py::object Outcome::json() const { return run_ ? py::str(result_json(*run_)) : py::object(state_[2]); }
+
+py::dict Outcome::trajectory(std::optional<Eigen::VectorXd> velocity, std::optional<Eigen::VectorXd> acceleration,
+                             double interval) const {
+  using namespace py::literals;
+  const RunOutcome& outcome = run();
+  const Robot* robot = outcome.parts.robot.get();
+  TrajectoryOptions options;
+  options.velocity = std::move(velocity);
+  options.acceleration = std::move(acceleration);
+  options.interval = interval;
+  Trajectory motion;
+  try {
+    const py::gil_scoped_release released;
+    if (robot != nullptr) options = with_limits_of(*robot, std::move(options));
+    motion = make_trajectory(outcome.parts.problem, outcome.result, options);
+  } catch (const OptionError& error) {
+    throw InputError(error.key() + " " + error.what());
+  }
+  const std::vector<std::string> names =
+      robot != nullptr && !robot->joints.empty() ? robot->joints : space_coordinates(*outcome.parts.problem.manifold);
+  return py::dict("names"_a = names, "times"_a = py::array_t<double>(motion.time.size(), motion.time.data()),
+                  "positions"_a = rows_of(motion.x), "velocities"_a = rows_of(motion.velocity),
+                  "accelerations"_a = rows_of(motion.acceleration), "duration"_a = motion.duration,
+                  "least_duration"_a = motion.least_duration, "deviation"_a = motion.deviation,
+                  "touches"_a = motion.touches);
+}
 
 std::filesystem::path Outcome::write(const std::filesystem::path& folder, bool replace) const {
   const RunOutcome& outcome = run();

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <leastcost/catalogue/catalogue.hpp>
+#include "python/src/arrays.hpp"
 #include "python/src/bind.hpp"
 #include "python/src/outcome.hpp"
 #include "python/src/signals.hpp"
@@ -70,6 +71,17 @@ void bind_run(py::module_& module) {
       .def("points", &Outcome::points)
       .def("curve", &Outcome::curve)
       .def("json", &Outcome::json)
+      .def(
+          "trajectory",
+          [](const Outcome& outcome, const std::optional<Numbers>& velocity, const std::optional<Numbers>& acceleration,
+             double interval) {
+            const auto vector_of = [](const std::optional<Numbers>& given) -> std::optional<Eigen::VectorXd> {
+              if (!given) return std::nullopt;
+              return Eigen::Map<const Eigen::VectorXd>(given->data(), given->size());
+            };
+            return outcome.trajectory(vector_of(velocity), vector_of(acceleration), interval);
+          },
+          "velocity"_a, "acceleration"_a, "interval"_a)
       .def("write", &Outcome::write, "folder"_a, "replace"_a)
       .def(py::pickle([](const Outcome& outcome) { return outcome.state(); },
                       [](py::tuple state) { return Outcome(std::move(state)); }));

@@ -25,15 +25,18 @@ LoadedConfig load(const Source& source, const std::vector<Override>& overrides, 
 }
 
 /// Of the space in which points are. What is wrong with the manifold is said when the run is read.
-int dimension_of(const PluginChoice& manifold, const std::filesystem::path& folder) {
+int dimension_of(const RunConfig& config, const std::filesystem::path& folder) {
   using Made = std::shared_ptr<const ConstraintManifold>;
   constexpr int kAny = 2;
+  const PluginChoice& manifold = config.manifold;
   if (!manifold) return kAny;
-  if (waits_for<Made>(manifold) != WaitsFor::nothing)
-    return manifold.plugin->ambient > 0 ? manifold.plugin->ambient : kAny;
   try {
     BuildContext context;
     context.folder = folder;
+    const WaitsFor what = waits_for<Made>(manifold);
+    if (what == WaitsFor::robot && config.robot)
+      return static_cast<int>(make<std::shared_ptr<const Robot>>(config.robot, context)->kinematics->dimension());
+    if (what != WaitsFor::nothing) return manifold.plugin->ambient > 0 ? manifold.plugin->ambient : kAny;
     return make<Made>(manifold, context)->dimensions().ambient;
   } catch (const Error&) {
     return kAny;
@@ -66,7 +69,7 @@ Externals Source::objects(const std::shared_ptr<CallErrors>& errors) const {
     if (const auto* object = std::get_if<ExternalObject>(&external.made)) all.emplace(name, *object);
   if (all.size() == externals.size()) return all;
   const LoadedConfig loaded = load(*this, overrides(), all);
-  const int dimension = dimension_of(loaded.config.manifold, loaded.folder);
+  const int dimension = dimension_of(loaded.config, loaded.folder);
   for (const auto& [name, external] : externals)
     if (const auto* maker = std::get_if<CostMaker>(&external.made)) all.emplace(name, (*maker)(dimension, errors));
   return all;

@@ -93,7 +93,7 @@ def test_arguments(ask, words):
 
 def test_a_notebook_shows_a_result_that_was_pickled():
     copy = pickle.loads(pickle.dumps(lc.run(STRAIGHT)))
-    assert "3.605551275" in copy._repr_html_() and "no picture any more" in copy._repr_html_()
+    assert "3.605551275" in copy._repr_html_() and "no trajectory any more" in copy._repr_html_()
 
 
 @pytest.mark.parametrize("cost", ["'euclidean'", "lambda a, b: ((b - a) ** 2).sum(0) * (1 + a[0] ** 2 + b[0] ** 2)"])

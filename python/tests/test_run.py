@@ -81,7 +81,7 @@ def test_pickle(tmp_path):
     assert np.array_equal(copy.points, result.points) and np.array_equal(copy.curve, result.curve)
     assert copy.details == result.details and repr(copy) == repr(result)
     assert pickle.loads(pickle.dumps(copy)).cost == result.cost
-    with pytest.raises(lc.OutputError, match="no files and no picture any more"):
+    with pytest.raises(lc.OutputError, match="no files, no picture and no trajectory any more"):
         copy.write(tmp_path / "copy")
 
 

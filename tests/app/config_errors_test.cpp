@@ -125,8 +125,8 @@ TEST_CASE("config errors: lists and matrices") {
              Contains("a.yaml:2:46: error: 'matrix' in cost has rows of different length (1 here, 2 in the first)"));
   CHECK_THAT(matrix("[[1, 0], [0, .inf]]"), Contains("has an entry that must be a finite number (found '.inf')"));
   CHECK_THAT(matrix("[]"), Contains("found a list without rows"));
-  CHECK_THAT(errors_of("manifold: {type: euclidean, lower: 3}\n" + kPlane.substr(kPlane.find('\n') + 1)),
-             Contains("'lower' in manifold must be a list of numbers, like [0, 1] (found '3')"));
+  CHECK_THAT(errors_of("manifold: {type: euclidean, lower: three}\n" + kPlane.substr(kPlane.find('\n') + 1)),
+             Contains("'lower' in manifold must be a list of numbers, like [0, 1] (found 'three')"));
 }
 
 TEST_CASE("config errors: what constructors refuse stands at its option") {

@@ -101,7 +101,7 @@ TEST_CASE("planning scenes: those of MoveIt") {
   const Obstacles all = scene.read(R"(
 name: (noname)
 robot_state:
-  attached_collision_objects: [{link_name: hand}]
+  attached_collision_objects: [{link_name: hand, object: {id: can}}]
 world:
   collision_objects:
     - id: table
@@ -144,7 +144,8 @@ world:
   CHECK(distance(*all[5], Vector3d(0.1, 0.1, 0.1)) < 0);     // solid
   CHECK(distance(*all[6], Vector3d(5, 5, 1)) == Approx(1.5));
   REQUIRE(scene.notes.size() == 1);
-  CHECK_THAT(scene.notes[0], Contains("attached objects"));
+  CHECK_THAT(scene.notes[0],
+             Contains("attached objects are not read: 'can' on hand; ") && Contains("attached: [{link: .."));
 }
 
 TEST_CASE("planning scenes: faults have the line of the scene's file") {

@@ -23,8 +23,8 @@ struct Include {
   bool open = false;   ///< written <leastcost/...>: installed
 };
 
-inline constexpr std::array<std::string_view, 9> kLayers = {"framework", "problems", "solvers",   "recipes", "ompl",
-                                                            "gdal",      "urdf",     "catalogue", "app"};
+inline constexpr std::array<std::string_view, 10> kLayers = {"framework", "problems", "solvers", "recipes",   "ompl",
+                                                             "gdal",      "urdf",     "octomap", "catalogue", "app"};
 
 inline constexpr std::string_view kPublic = "leastcost/";
 

@@ -31,6 +31,7 @@ const Arrows& layers() {
                                {"ompl", {"framework", "problems", "solvers"}},
                                {"gdal", {"framework", "problems"}},
                                {"urdf", {"framework", "problems"}},
+                               {"octomap", {"framework", "problems"}},
                                {"catalogue", {"framework", "problems", "solvers", "recipes"}},
                                {"app", {"framework", "problems", "solvers", "recipes", "catalogue"}}};
   return table;
@@ -182,6 +183,8 @@ std::string third_party_fault(const Include& include) {
     return starts_with(file, "gdal/") && !is_header(file) ? "" : "only .cpp files of gdal use GDAL";
   if (target == "tinyxml2.h")
     return starts_with(file, "urdf/") && !is_header(file) ? "" : "only .cpp files of urdf use TinyXML-2";
+  if (starts_with(target, "octomap/"))
+    return starts_with(file, "octomap/") && !is_header(file) ? "" : "only .cpp files of octomap use OctoMap";
   const bool program = starts_with(file, "catalogue/") || starts_with(file, "app/");
   if (file == "problems/graph/compressed_rows.hpp" && starts_with(target, "boost/")) return "";
   if (!program && is_header(file)) return "a header of the library includes no third party but Eigen";
@@ -286,6 +289,7 @@ std::set<std::string> public_headers(const std::vector<Include>& includes) {
                                    "ompl/ompl.hpp",
                                    "gdal/gdal.hpp",
                                    "urdf/urdf.hpp",
+                                   "octomap/octomap.hpp",
                                    "catalogue/catalogue.hpp",
                                    "app/study.hpp",
                                    "app/report.hpp",
@@ -436,6 +440,7 @@ TEST_CASE("layers: every wrong arrow is caught") {
       Wrong{"gdal/gdal_raster.hpp", "#include <gdal.h>", "only .cpp files of gdal use GDAL"},
       Wrong{"catalogue/inputs/a.cpp", "#include <cpl_conv.h>", "only .cpp files of gdal use GDAL"},
       Wrong{"urdf/xml_file.hpp", "#include <tinyxml2.h>", "only .cpp files of urdf use TinyXML-2"},
+      Wrong{"catalogue/inputs/a.cpp", "#include <octomap/OcTree.h>", "only .cpp files of octomap use OctoMap"},
       Wrong{"gdal/a.cpp", "#include \"solvers/b.hpp\"", "gdal must not include solvers"},
       Wrong{"catalogue/run/a.cpp", "#include \"ompl/b.hpp\"", "catalogue must not include ompl"},
       Wrong{"ompl/a.cpp", "#include \"catalogue/b.hpp\"", "ompl must not include catalogue"},

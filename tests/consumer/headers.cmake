@@ -14,7 +14,8 @@ function(no_internal_header prefix)
   set(reached leastcost/leastcost.hpp leastcost/version.hpp leastcost/framework/framework.hpp leastcost/framework/numbers/numbers.hpp
     leastcost/framework/check/check.hpp leastcost/recipes/recipes.hpp
     leastcost/problems/problems.hpp leastcost/solvers/solvers.hpp leastcost/catalogue/catalogue.hpp
-    leastcost/ompl/ompl.hpp leastcost/gdal/gdal.hpp leastcost/urdf/urdf.hpp leastcost/app/study.hpp leastcost/app/report.hpp
+    leastcost/ompl/ompl.hpp leastcost/gdal/gdal.hpp leastcost/urdf/urdf.hpp leastcost/octomap/octomap.hpp
+    leastcost/app/study.hpp leastcost/app/report.hpp
     leastcost/app/app.hpp)
   foreach(back_end IN LISTS BACK_ENDS)
     list(APPEND reached leastcost/solvers/${back_end}/${back_end}_solver.hpp)
@@ -44,7 +45,8 @@ endfunction()
 function(headers_compile prefix eigen)
   file(GLOB_RECURSE sources ${SOURCE_DIR}/framework/*.cpp ${SOURCE_DIR}/problems/*.cpp ${SOURCE_DIR}/solvers/*.cpp
     ${SOURCE_DIR}/recipes/*.cpp
-    ${SOURCE_DIR}/ompl/*.cpp ${SOURCE_DIR}/gdal/*.cpp ${SOURCE_DIR}/urdf/*.cpp ${SOURCE_DIR}/catalogue/*.cpp
+    ${SOURCE_DIR}/ompl/*.cpp ${SOURCE_DIR}/gdal/*.cpp ${SOURCE_DIR}/urdf/*.cpp
+    ${SOURCE_DIR}/octomap/*.cpp ${SOURCE_DIR}/catalogue/*.cpp
     ${SOURCE_DIR}/app/*.cpp)
   set(first "")
   foreach(source IN LISTS sources)

@@ -200,6 +200,46 @@ TEST_CASE("move sieve: what does not pass touches and nothing touches outside of
   }
 }
 
+/// Beyond 64 obstacles a tree of them is asked; halves of them are few enough to be looked at one by one.
+TEST_CASE("robot walls: among many obstacles what is near is what is near among their halves") {
+  for (int which = 0; which < 2; ++which) {
+    std::mt19937 engine(static_cast<unsigned>(31 + which));
+    RobotWalls::Obstacles all;
+    if (which == 1) all.push_back(make_half_space({Vector3d(0, 0, 1), -0.3}));
+    while (all.size() < 110) {
+      const Vector3d center = in_cube(engine, 1.2) + Vector3d(0, 0, 0.4), half = Vector3d(0.03, 0.02, 0.04);
+      if (all.size() % 2 == 0)
+        all.push_back(make_box_obstacle({center - half, center + half}));
+      else
+        all.push_back(make_box({.size = 2 * half, .pose = {.position = center, .rotation = in_cube(engine, 3)}}));
+    }
+    const std::shared_ptr<const Robot> robot = make_dh_arm({});
+    const RobotWalls many(robot, all, 0.01);
+    const RobotWalls first(robot, {all.begin(), all.begin() + 55}, 0.01),
+        second(robot, {all.begin() + 55, all.end()}, 0.01);
+    int clear = 0, touching = 0;
+    for (int k = 0; k < test::trials(150); ++k) {
+      const Place a = somewhere(many, engine), b = a + 0.3 * unit(engine) * (somewhere(many, engine) - a);
+      const bool clears = first.clears(a, b) && second.clears(a, b);
+      CHECK(many.clears(a, b) == clears);
+      (clears ? clear : touching) += 1;
+      const MoveClearance one = first.clearance(a, b), other = second.clearance(a, b), both = many.clearance(a, b);
+      CHECK(both.lower <= std::min(one.upper, other.upper) + 1e-9);
+      CHECK(both.upper >= std::min(one.lower, other.lower) - 1e-9);
+      std::vector<Wall> near, near_first, near_second;
+      many.near(a, 0.05, near);
+      first.near(a, 0.05, near_first);
+      second.near(a, 0.05, near_second);
+      const std::size_t self = std::count_if(near_first.begin(), near_first.end(), [&](const Wall& wall) {
+        return wall.obstacle >= static_cast<int>(robot->parts() * 55);
+      });
+      CHECK(near.size() == near_first.size() + near_second.size() - self);
+    }
+    CHECK(clear > 10);
+    CHECK(touching > 10);
+  }
+}
+
 TEST_CASE("robot walls: numbers that are none are not clear") {
   std::mt19937 engine(1);
   const auto walls = walls_of(0, engine);

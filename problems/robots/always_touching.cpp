@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "urdf/always_touching.hpp"
+#include "problems/robots/always_touching.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -27,38 +28,38 @@ double random_value(double lower, double upper, std::mt19937& engine) {
 
 }  // namespace
 
-void leave_out_what_always_touches(Robot& robot) {
+void leave_out_what_always_touches(Robot& robot, std::size_t first) {
   constexpr int kTrials = 200;
   const Kinematics& kinematics = *robot.kinematics;
   const Eigen::VectorXd lower = kinematics.lower(), upper = kinematics.upper();
   std::mt19937 engine(1);
-  std::vector<std::pair<int, int>> always = robot.self;
+  const auto begin = robot.self.begin() + static_cast<std::ptrdiff_t>(first);
+  std::vector<std::pair<int, int>> always(begin, robot.self.end());
   std::vector<Frame> links;
   Eigen::VectorXd x(lower.size());
   for (int trial = 0; trial < kTrials && !always.empty(); ++trial) {
     for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = random_value(lower[i], upper[i], engine);
     kinematics.place(x, links);
     std::erase_if(always, [&](const std::pair<int, int>& pair) {
-      const Capsule &first = robot.capsules[static_cast<std::size_t>(pair.first)],
-                    &second = robot.capsules[static_cast<std::size_t>(pair.second)];
-      const Frame &one = links[static_cast<std::size_t>(first.link)],
-                  &two = links[static_cast<std::size_t>(second.link)];
+      const Capsule &here = robot.capsules[static_cast<std::size_t>(pair.first)],
+                    &there = robot.capsules[static_cast<std::size_t>(pair.second)];
+      const Frame &one = links[static_cast<std::size_t>(here.link)], &two = links[static_cast<std::size_t>(there.link)];
       double s = 0, t = 0;
-      return distance_of_segments({one.at(first.from), one.at(first.to)}, {two.at(second.from), two.at(second.to)}, s,
-                                  t) > first.radius + second.radius;
+      return distance_of_segments({one.at(here.from), one.at(here.to)}, {two.at(there.from), two.at(there.to)}, s, t) >
+             here.radius + there.radius;
     });
   }
   if (always.empty()) return;
   const std::set<std::pair<int, int>> out(always.begin(), always.end());
-  std::erase_if(robot.self, [&](const std::pair<int, int>& pair) { return out.count(pair) > 0; });
-  std::set<std::pair<int, int>> of_links;
+  robot.self.erase(std::remove_if(begin, robot.self.end(), [&](const auto& pair) { return out.count(pair) > 0; }),
+                   robot.self.end());
+  std::set<std::pair<std::string, std::string>> names;
   for (const auto& [i, j] : always)
-    of_links.emplace(robot.capsules[static_cast<std::size_t>(i)].link,
-                     robot.capsules[static_cast<std::size_t>(j)].link);
+    names.emplace(robot.part_name(static_cast<std::size_t>(i)), robot.part_name(static_cast<std::size_t>(j)));
   robot.whose += "; left out are parts that touch each other in every configuration tried:";
   const char* separator = " ";
-  for (const auto& [link, other] : of_links) {
-    robot.whose += separator + kinematics.link_name(link) + " and " + kinematics.link_name(other);
+  for (const auto& [one, other] : names) {
+    robot.whose += separator + one + " and " + other;
     separator = ", ";
   }
 }
