@@ -26,6 +26,7 @@ constexpr double kAlong = 1e-9;      ///< of a step: what of it may lead off a w
 constexpr double kSameSide = 0.5;    ///< cosine between the ways out before and after a step along a wall
 constexpr int kMostPushes = 100;     ///< between walls that push a point to and fro
 constexpr int kMostIdlePushes = 20;  ///< in a row, none of which leaves half as much
+constexpr int kFewIdlePushes = 4;    ///< the same where time counts more than the last point
 constexpr int kOneByOne = 6;         ///< pushes out of the worst wall before all of them are taken together
 constexpr int kMostHalvings = 30;
 constexpr int kMostRetreats = 6;        ///< of the ends of a segment that would be drawn through an obstacle
@@ -202,7 +203,8 @@ bool FreeSpace::settle(Point& point, const std::vector<int>& held, bool bounded,
   };
   double before = std::numeric_limits<double>::infinity(), best = before;
   int idle = 0;
-  for (int k = 0; k < kMostPushes && idle < kMostIdlePushes; ++k) {
+  const int most_idle = agreement_ > kCloseFit ? kFewIdlePushes : kMostIdlePushes;
+  for (int k = 0; k < kMostPushes && idle < most_idle; ++k) {
     look(point, reach);
     const Wall* worst = nullptr;
     double by = 0;
