@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <set>
@@ -123,17 +124,21 @@ struct MbmProblem {
   std::string scenario;
   int index = 0;
   RobotWalls::Obstacles obstacles;
+  /// Of each obstacle: itself moved by so much; null for what is not a box.
+  std::vector<std::function<std::shared_ptr<const Obstacle>(const Vector3d&)>> movable;
   Eigen::VectorXd source, target;
 };
 
 /// Cylinders are capsules, as VAMP has them, but in `box`, where they are boxes.
-inline std::shared_ptr<const Obstacle> obstacle_of(const pt::ptree& object, bool round) {
+inline std::shared_ptr<const Obstacle> obstacle_of(const pt::ptree& object, bool round,
+                                                   const Vector3d& shift = Vector3d::Zero()) {
   std::vector<double> dim, m;
   for (const auto& [key, value] : object.get_child("dim")) dim.push_back(value.get_value<double>());
   for (const auto& [key, row] : object.get_child("M"))
     for (const auto& [inner, value] : row) m.push_back(value.get_value<double>());
   Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
   for (int i = 0; i < 12; ++i) place(i / 4, i % 4) = m[static_cast<std::size_t>(i)];
+  place.pretranslate(shift);
   const ShapePose pose = shape_pose(place);
   if (object.get<std::string>("type") == "box")
     return make_box({.size = Vector3d(dim[0], dim[1], dim[2]), .pose = pose});
@@ -161,9 +166,16 @@ inline std::vector<MbmProblem> mbm_problems(const std::filesystem::path& file) {
   std::vector<MbmProblem> problems;
   for (const auto& [scenario, list] : all)
     for (const auto& [key, one] : list) {
-      MbmProblem problem{scenario, one.get<int>("index"), {}, {}, {}};
-      for (const auto& [inner, object] : one.get_child("objs"))
-        problem.obstacles.push_back(obstacle_of(object, scenario != "box"));
+      MbmProblem problem{scenario, one.get<int>("index"), {}, {}, {}, {}};
+      const bool round = scenario != "box";
+      for (const auto& [inner, object] : one.get_child("objs")) {
+        problem.obstacles.push_back(obstacle_of(object, round));
+        problem.movable.emplace_back();
+        if (object.get<std::string>("type") == "box")
+          problem.movable.back() = [object = object, round](const Vector3d& shift) {
+            return obstacle_of(object, round, shift);
+          };
+      }
       problem.source = configuration_of(one.get_child("start"));
       problem.target = configuration_of(one.get_child("goals").front().second);
       problems.push_back(std::move(problem));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // First paths of a Panda in the problems of MotionBenchMaker: CPU time, length over that of the straight line, and
 // whether each is clear by an independent look at dense places; the same of OMPL's RRTConnect, alone and with its
-// simplifier, among the same walls and with the same checks of places.
+// simplifier, among the same walls and with the same checks of places; and by our initializer of OMPL with some ranges.
 #include <time.h>
 
 #include <algorithm>
@@ -27,18 +27,21 @@
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
+
+#include <leastcost/ompl/ompl_initializer.hpp>
 #endif
 
 namespace {
 
 using namespace leastcost;
 
-constexpr double kClearance = 1e-4;   ///< m
-constexpr double kLookEvery = 0.004;  ///< rad
-constexpr double kTouches = 1e-7;     ///< rad: gaps below minus this are collisions
-constexpr double kMostSeconds = 20;   ///< of OMPL
-constexpr double kOmplRange = 1;      ///< rad
-constexpr double kOmplChecks = 0.03;  ///< rad
+constexpr double kClearance = 1e-4;           ///< m
+constexpr double kLookEvery = 0.004;          ///< rad
+constexpr double kTouches = 1e-7;             ///< rad: gaps below minus this are collisions
+constexpr double kMostSeconds = 20;           ///< of OMPL
+constexpr double kOmplRange = 1;              ///< rad
+constexpr double kRanges[] = {0, 0.5, 1, 2};  ///< rad, of our initializer; 0: its default
+constexpr double kOmplChecks = 0.03;          ///< rad
 
 double thread_seconds() {
   timespec t{};
@@ -155,6 +158,7 @@ int main(int count, char** arguments) {
   const std::shared_ptr<const Robot> robot = bench::panda_of(folder);
   std::printf("%zu capsules, %zu pairs of them\n", robot->capsules.size(), robot->self.size());
   Row rrt, plain, simplified;
+  std::map<std::string, Row> by_range;
   std::map<std::string, Row> by_scenario;
   int no_ends = 0;
 #ifdef LEASTCOST_HAS_OMPL
@@ -191,6 +195,18 @@ int main(int count, char** arguments) {
       }
     }
 #ifdef LEASTCOST_HAS_OMPL
+    for (const double range : kRanges) {
+      const std::string name = range > 0 ? "ompl, range " + std::to_string(range).substr(0, 4) : "ompl, its default";
+      try {
+        const double begin = thread_seconds();
+        OmplOptions initializer{.max_seconds = kMostSeconds, .seed = 1};
+        if (range > 0) initializer.range = range;
+        const FirstPath first = OmplInitializer(initializer).first_path(problem, {});
+        by_range[name].take(thread_seconds() - begin, first.path.u, *walls);
+      } catch (const std::exception&) {
+        ++by_range[name].failed;
+      }
+    }
     if (with_ompl) plan_with_ompl(one, *robot, walls, plain, simplified);
 #endif
   }
@@ -200,6 +216,9 @@ int main(int count, char** arguments) {
       "p95 |\n");
   rrt.print("rrt");
   for (const auto& [scenario, row] : by_scenario) row.print(("  " + scenario).c_str());
+#ifdef LEASTCOST_HAS_OMPL
+  for (const auto& [range, row] : by_range) row.print(range.c_str());
+#endif
   if (with_ompl && !plain.seconds.empty()) {
     plain.print("OMPL RRTConnect");
     simplified.print("OMPL RRTConnect, simplifyMax");

@@ -19,9 +19,12 @@ struct MarginCost {
 /// on the chain that they belong to.
 class FitsSegments {
  public:
+  static constexpr double kCloseFit = 1e-9;
   virtual ~FitsSegments() = default;
-  /// The same domain for chains with moves as long as those of a path, fitted to nothing else yet.
-  virtual std::shared_ptr<const ConstraintManifold> unfitted(const CoordinatePath& path) const = 0;
+  /// The same domain for chains with moves as long as those of a path, fitted to nothing else yet. `agreement`, of the
+  /// extent of the path: by so much a move may keep away for nothing.
+  virtual std::shared_ptr<const ConstraintManifold> unfitted(const CoordinatePath& path,
+                                                             double agreement = kCloseFit) const = 0;
   /// Fitted anew to a path on this one: by more where its moves come too near, by less where points keep away for
   /// nothing. Null where that would change nothing.
   virtual std::shared_ptr<const ConstraintManifold> fitted(const CoordinatePath& path) const = 0;

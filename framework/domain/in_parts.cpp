@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include <leastcost/framework/domain/fits_segments.hpp>
 #include <leastcost/framework/domain/goes_beyond_bounds.hpp>
 #include <leastcost/framework/domain/makes_on_demand.hpp>
 
@@ -68,9 +69,11 @@ void move_in_parts(const CoordinatePath& from, const Points& step, const Deadlin
 Projection project(const ConstraintManifold& manifold, CoordinatePath& path, const Deadline& deadline) {
   if (const auto* parts = made_on_demand(manifold, deadline); parts != nullptr && parts->is_asked_by(path))
     parts->make(deadline);
-  if (whole(path, deadline)) return manifold.project(path);
+  // Out of several obstacles at once a point may take milliseconds.
+  const Index columns = find_ability<FitsSegments>(manifold) != nullptr ? 1 : kColumnPart;
+  if (!deadline || path.u.cols() <= columns) return manifold.project(path);
   Projection result;
-  in_parts(path.u.cols(), kColumnPart, deadline, [&](Index begin, Index count) {
+  in_parts(path.u.cols(), columns, deadline, [&](Index begin, Index count) {
     CoordinatePath part = part_of(path, begin, count);
     const Projection projection = manifold.project(part);
     path.u.middleCols(begin, count) = part.u;

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
-#include <leastcost/framework/domain/fits_segments.hpp>
 #include <leastcost/framework/energy/path_energy.hpp>
 #include "framework/domain/in_parts.hpp"
 #include "framework/energy/spacing.hpp"
@@ -42,12 +41,12 @@ void space_pushed(const Problem& problem, CoordinatePath& path, const Deadline& 
 }  // namespace
 
 FittedSolve solve_fitted(Problem problem, const Solver& solver, double reference_cost, CoordinatePath& path,
-                         const Monitor& monitor) {
+                         const Monitor& monitor, double agreement) {
   const auto* domain = find_ability<FitsSegments>(*problem.manifold);
   const bool fits = domain != nullptr && solver.moves_points();
   Points agreed;  // the chain to which the domain was fitted without a change: looking again would say the same
   if (fits) {     // to the path as it is, too: a move through an obstacle could not be drawn out of it
-    problem.manifold = domain->unfitted(path);
+    problem.manifold = domain->unfitted(path, agreement);
     project_free(*problem.manifold, path, monitor.deadline);
     space_pushed(problem, path, monitor.deadline);
     auto fitted = find_ability<FitsSegments>(*problem.manifold)->fitted(path);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <leastcost/framework/base/monitor.hpp>
+#include <leastcost/framework/domain/fits_segments.hpp>
 #include <leastcost/framework/energy/solver.hpp>
 #include <leastcost/framework/problem/problem.hpp>
 
@@ -15,8 +16,9 @@ struct FittedSolve {
   Problem problem;
 };
 
-/// Solves a chain. Where the domain fits segments, the chain and what the domain is fitted to are made to agree.
+/// Solves a chain. Where the domain fits segments, the chain and what the domain is fitted to are made to agree, by
+/// `agreement` (FitsSegments::unfitted()).
 FittedSolve solve_fitted(Problem problem, const Solver& solver, double reference_cost, CoordinatePath& path,
-                         const Monitor& monitor);
+                         const Monitor& monitor, double agreement = FitsSegments::kCloseFit);
 
 }  // namespace leastcost

@@ -9,6 +9,7 @@
 
 #include <leastcost/framework/base/deadline.hpp>
 #include <leastcost/framework/domain/checks_moves.hpp>
+#include <leastcost/framework/domain/measures_chains.hpp>
 #include "framework/base/point_text.hpp"
 
 namespace leastcost {
@@ -24,6 +25,15 @@ std::optional<Clearance> measure_clearance(const ConstraintManifold& manifold, c
   const auto* obstacles = find_ability<ChecksMoves>(manifold);
   if (obstacles == nullptr) return std::nullopt;
   Clearance least;
+  look_at_clock(deadline);
+  const auto* chains = find_ability<MeasuresChains>(manifold);
+  if (chains != nullptr && !ring && curve.cols() > 1)
+    if (std::optional<ChainClearance> whole = chains->chain_clearance(curve)) {
+      MoveClearance& move = whole->least;
+      return Clearance{
+          move.lower, move.upper, obstacles->obstacle_name(move.obstacle), whole->segment, std::move(move.place),
+          move.proved};
+    }
   least.lower = least.upper = std::numeric_limits<double>::infinity();
   bool all_proved = true;
   const Index segments = ring ? curve.cols() : curve.cols() - 1;

@@ -5,14 +5,18 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
+#include <typeinfo>
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/domain/fits_segments.hpp>
+#include <leastcost/framework/energy/chain_model.hpp>
 #include <leastcost/framework/energy/path_energy.hpp>
 #include "framework/base/grace_deadline.hpp"
 #include "framework/base/point_text.hpp"
 #include "framework/domain/in_parts.hpp"
+#include "framework/energy/solve_fitted.hpp"
 #include "framework/energy/spacing.hpp"
 #include "framework/replan/shortened.hpp"
 #include "framework/result/find_path_checks.hpp"
@@ -38,12 +42,13 @@ struct Candidate {
 class OneReplan {
  public:
   OneReplan(const Problem& now, const Solver& solver, const Initializer& initializer, const FindOptions& options,
-            const Monitor& monitor, double& seconds_per_move)
+            const Monitor& monitor, const Rest* rest, double& seconds_per_move)
       : problem_(now),
         solver_(solver),
         initializer_(initializer),
         options_(options),
         monitor_(monitor),
+        rest_(rest),
         seconds_per_move_(seconds_per_move) {}
 
   Replan from(const Result& last) {
@@ -53,7 +58,7 @@ class OneReplan {
     old_.result = carried_over(last);
     look_at(old_);
     if (!old_.valid() || !solver_.moves_points()) push_clear();
-    improve();
+    if (!still_at_rest()) improve();
     if (!old_.valid() && !pushed_.valid() && !new_.valid() && !monitor_.interrupted()) {
       unfinished_ = new_.result.path;
       begin_anew();
@@ -62,7 +67,8 @@ class OneReplan {
     out.why_not_old = old_.why_not;
     out.why_not_new = new_.why_not;
     if (pushed_.valid() && (!new_.valid() || pushed_.result.curve.cost < new_.result.curve.cost))
-      new_ = std::move(pushed_);
+      new_ = std::move(pushed_), at_rest_ = false;
+    at_rest_ = at_rest_ && new_.valid();  // an old path that a solve found nothing better than is solved
     const bool take_new =
         new_.valid() && (!old_.valid() || shortened_ || new_.result.curve.cost < old_.result.curve.cost);
     if (take_new) return delivered(std::move(out), ReplanOutcome::new_path, std::move(new_));
@@ -70,6 +76,10 @@ class OneReplan {
     if (unfinished_.u.cols() == 0) unfinished_ = new_.result.path;
     return out;
   }
+
+  /// Whether the old path was kept without a solve, and else whether what is delivered was solved.
+  bool still() const { return still_; }
+  bool at_rest() const { return at_rest_; }
 
   /// Without a valid path, what the search came to: the next one goes on from there.
   CoordinatePath unfinished() { return std::move(unfinished_); }
@@ -113,6 +123,7 @@ class OneReplan {
   void look_at(Candidate& path) {
     Result& result = path.result;
     if (result.curve.x.cols() < 2) return;
+    if (&path != &old_ && asks_for_chain_alone() && has_curve_of_old(result)) return look_as_at_old(path);
     const Clock::time_point begin = Clock::now();
     try {
       const Points& x = result.curve.x;
@@ -125,6 +136,19 @@ class OneReplan {
     } catch (const Interrupted&) {
       path.why_not = "there was no time to check it";
     }
+  }
+
+  bool has_curve_of_old(const Result& result) const {
+    const Points &x = result.curve.x, &old = old_.result.curve.x;
+    return old_.valid() && x.rows() == old.rows() && x.cols() == old.cols() && x == old;
+  }
+
+  void look_as_at_old(Candidate& path) const {
+    path.result.curve.cost = old_.result.curve.cost;
+    path.result.curve_costs = old_.result.curve_costs;
+    path.result.costs = old_.result.costs;
+    path.clearance = old_.clearance;
+    path.why_not.clear();
   }
 
   std::string why_not(const Result& result, const std::optional<Clearance>& clearance) const {
@@ -166,11 +190,66 @@ class OneReplan {
     const Monitor within = with_deadline(old_.valid() || pushed_.valid() ? 1 : kShareOfWarmStart);
     attempt([&] {
       const CoordinatePath start = with_points(from, within.deadline);
-      return improve_path(problem_, start, solver_, options_, within);
+      return asks_for_chain_alone() ? solved_chain(start, within)
+                                    : improve_path(problem_, start, solver_, options_, within);
     });
   }
 
+  /// Then its looks at the path do what else a search does.
+  bool asks_for_chain_alone() const {
+    return !options_.certificate.enabled && options_.post_processors.empty() && !options_.cascade &&
+           !options_.escape_saddle && solver_.moves_points() && !problem_.ring &&
+           find_ability<FitsSegments>(*problem_.manifold) != nullptr;
+  }
+
+  /// Nothing would be cheaper beside the old path even without obstacles: a straight one, mostly.
+  bool rests_without_obstacles() const {
+    constexpr double kAtRest = 1e-12;  // of the cost
+    const ConstraintManifold* open = problem_.manifold->decorated(typeid(void));
+    const CoordinatePath& path = old_.result.path;
+    if (open == nullptr || path.free_count() != options_.points.value() || !(old_.result.curve.cost > 0)) return false;
+    Problem without = problem_;
+    without.manifold = std::shared_ptr<const ConstraintManifold>(problem_.manifold, open);
+    try {
+      PathEnergy energy(without, old_.result.curve.cost / static_cast<double>(path.segment_count()), monitor_.deadline);
+      ChainModel model;
+      if (!model.evaluate(energy, path)) return false;
+      model.solve(energy, path, HessianKind::exact);
+      return model.exact && model.cost_error <= kAtRest;
+    } catch (const Interrupted&) {
+      return false;
+    }
+  }
+
+  /// Whether the old path needs no solve: it is clear, and what held it is where it was, or nothing need hold it.
+  bool still_at_rest() {
+    if (!old_.valid() || shortened_ || !asks_for_chain_alone() || monitor_.interrupted()) return false;
+    new_.why_not = "nothing that holds the old path has moved";
+    still_ = rests_without_obstacles() || rest_->holds(problem_, old_.result.path);
+    if (!still_) new_ = {};
+    return still_;
+  }
+
+  /// Margins are fitted as closely as makes a difference to who drives along the path now.
+  Result solved_chain(const CoordinatePath& start, const Monitor& within) {
+    constexpr double kAgreement = 1e-4;  // of the extent
+    Result out;
+    out.initial = out.path = start;
+    out.initial_cost = PathEnergy(problem_, 1, within.deadline).cost(start);
+    out.reference_cost =
+        options_.reference_cost.value_or(out.initial_cost / static_cast<double>(start.segment_count()));
+    if (!(out.reference_cost > 0) || !std::isfinite(out.reference_cost))
+      throw InitializationError("the path has no cost to begin with that is finite and above 0");
+    const Clock::time_point begin = Clock::now();
+    out.solve = solve_fitted(problem_, solver_, out.reference_cost, out.path, within, kAgreement).report;
+    at_rest_ = is_solved(out.solve.termination) && !out.solve.cycling;
+    out.seconds.solve = seconds_since(begin);
+    out.status = within.interrupted() ? Status::interrupted : Status::uncertified;
+    return out;
+  }
+
   void begin_anew() {
+    at_rest_ = false;
     const Monitor within = with_deadline(1);
     attempt([&] { return find_path(problem_, initializer_, solver_, options_, within); });
     if (new_.valid() || new_.result.first.path.u.cols() == 0) return;
@@ -236,9 +315,11 @@ class OneReplan {
   const Initializer& initializer_;
   const FindOptions& options_;
   const Monitor& monitor_;
+  const Rest* rest_;  ///< of the last path
   double& seconds_per_move_;
   Candidate old_, pushed_, new_;
   CoordinatePath unfinished_;
+  bool at_rest_ = false, still_ = false;
   bool shortened_ =
       false;  ///< the old path, which led between other ends: it is spaced unevenly, hence only a last resort
 };
@@ -264,9 +345,10 @@ Replanner::Replanner(std::shared_ptr<const Solver> solver, std::shared_ptr<const
 
 Replan Replanner::replan(const Problem& now, const Monitor& monitor) {
   check(now);
-  OneReplan once(now, *solver_, *initializer_, options_, monitor, seconds_per_move_);
+  OneReplan once(now, *solver_, *initializer_, options_, monitor, &rest_, seconds_per_move_);
   Replan out = once.from(last_);
   if (out.outcome == ReplanOutcome::no_valid_path) {
+    rest_ = {};
     if (CoordinatePath unfinished = once.unfinished(); unfinished.u.cols() > 0) {
       last_ = {};
       last_.curve.x = PathEnergy(now, 1).ambient(unfinished).x;
@@ -276,6 +358,8 @@ Replan Replanner::replan(const Problem& now, const Monitor& monitor) {
   }
   last_.path = out.result.path;
   last_.curve = out.result.curve;
+  const bool solved = once.at_rest() && !monitor.interrupted();
+  if (!once.still()) rest_ = solved ? Rest(now, last_.path) : Rest();
   return out;
 }
 

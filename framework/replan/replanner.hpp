@@ -9,6 +9,7 @@
 
 #include <leastcost/framework/base/words.hpp>
 #include <leastcost/framework/problem/clearance.hpp>
+#include <leastcost/framework/replan/rest.hpp>
 #include <leastcost/framework/search/find_path.hpp>
 
 namespace leastcost {
@@ -47,24 +48,29 @@ class Replanner {
   /// Throws InputError for options that do not fit.
   Replanner(std::shared_ptr<const Solver> solver, std::shared_ptr<const Initializer> initializer, FindOptions options);
 
-  /// The old path is looked at first. What an obstacle has moved onto is pushed out of it. Then the problem is solved
-  /// from there; from a first path of the initializer where that gives nothing valid. An end that moved cuts the old
-  /// path where it is nearest to it. The deadline of the monitor holds as in find_path(), what it takes to look at
-  /// paths included. Throws InputError for a problem whose parts do not fit; an end within an obstacle and a first path
-  /// that is not found are outcomes.
+  /// The old path is looked at first. Where it is clear, was solved, and nothing beside it has moved, it is returned:
+  /// share the cost between problems, for another object may be another cost. What an obstacle has moved onto is pushed
+  /// out of it. Then the problem is solved from there; from a first path of the initializer where that gives nothing
+  /// valid. An end that moved cuts the old path where it is nearest to it. The deadline of the monitor holds as in
+  /// find_path(), what it takes to look at paths included. Throws InputError for a problem whose parts do not fit; an
+  /// end within an obstacle and a first path that is not found are outcomes.
   Replan replan(const Problem& now, const Monitor& monitor = {});
 
   /// Where the next search begins: the last path that was valid when it was returned, or, after a search that ended
   /// without one, what it came to. Empty before the first.
   const CoordinatePath& path() const { return last_.path; }
   /// Forgets it: the next search begins with a first path.
-  void forget() { last_ = {}; }
+  void forget() {
+    last_ = {};
+    rest_ = {};
+  }
 
  private:
   std::shared_ptr<const Solver> solver_;
   std::shared_ptr<const Initializer> initializer_;
   FindOptions options_;
   Result last_;
+  Rest rest_;                    ///< of the last path, where it was solved
   double seconds_per_move_ = 0;  ///< that it takes to look at a path, as measured last
 };
 

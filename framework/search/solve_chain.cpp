@@ -26,8 +26,10 @@ double depth_of_moves(const Search& search, const Outcome& out) {
 
 void solve_chain(const Search& search, Outcome& out) {
   timed(Stage::solve, search, out.result.seconds.solve, [&] {
-    const auto solve = search.options.cascade ? solve_by_cascade : solve_fitted;
-    FittedSolve solved = solve(out.problem, search.solver, out.result.reference_cost, out.result.path, search.monitor);
+    const double s0 = out.result.reference_cost;
+    FittedSolve solved = search.options.cascade
+                             ? solve_by_cascade(out.problem, search.solver, s0, out.result.path, search.monitor)
+                             : solve_fitted(out.problem, search.solver, s0, out.result.path, search.monitor);
     SolveReport& report = out.result.solve;
     report = report.history.empty() ? std::move(solved.report) : joined(report, std::move(solved.report));
     out.solved = std::move(solved.problem);

@@ -22,11 +22,11 @@ namespace {
 using Vector = Eigen::VectorXd;
 
 constexpr double kOn = 1e-11;        ///< of the size of the scene: a point so near to a wall lies on it
-constexpr double kFitted = 1e-9;     ///< of the path's extent: by so much a move may keep away for nothing
 constexpr double kAlong = 1e-9;      ///< of a step: what of it may lead off a wall that it runs along
 constexpr double kSameSide = 0.5;    ///< cosine between the ways out before and after a step along a wall
 constexpr int kMostPushes = 100;     ///< between walls that push a point to and fro
 constexpr int kMostIdlePushes = 20;  ///< in a row, none of which leaves half as much
+constexpr int kFewIdlePushes = 4;    ///< the same where time counts more than the last point
 constexpr int kOneByOne = 6;         ///< pushes out of the worst wall before all of them are taken together
 constexpr int kMostHalvings = 30;
 constexpr int kMostRetreats = 6;        ///< of the ends of a segment that would be drawn through an obstacle
@@ -203,7 +203,8 @@ bool FreeSpace::settle(Point& point, const std::vector<int>& held, bool bounded,
   };
   double before = std::numeric_limits<double>::infinity(), best = before;
   int idle = 0;
-  for (int k = 0; k < kMostPushes && idle < kMostIdlePushes; ++k) {
+  const int most_idle = agreement_ > kCloseFit ? kFewIdlePushes : kMostIdlePushes;
+  for (int k = 0; k < kMostPushes && idle < most_idle; ++k) {
     look(point, reach);
     const Wall* worst = nullptr;
     double by = 0;
@@ -494,6 +495,10 @@ MoveClearance FreeSpace::clearance(const Vector& a, const Vector& b) const { ret
 
 bool FreeSpace::clears(const Vector& a, const Vector& b) const { return leastcost::clears(*walls_, a, b); }
 
+std::optional<ChainClearance> FreeSpace::chain_clearance(const Points& x) const {
+  return find_ability<MeasuresChains>(*walls_)->chain_clearance(x);
+}
+
 std::optional<bool> FreeSpace::same_class(const Points& a, const Points& b) const {
   return of_one_class(*walls_, a, b);
 }
@@ -501,12 +506,36 @@ std::optional<bool> FreeSpace::same_class(const Points& a, const Points& b) cons
 std::string FreeSpace::obstacle_name(int obstacle) const { return walls_->obstacle_name(obstacle); }
 
 /// A solve begins: its walls may remember.
-std::shared_ptr<const ConstraintManifold> FreeSpace::unfitted(const CoordinatePath& path) const {
+std::shared_ptr<const ConstraintManifold> FreeSpace::unfitted(const CoordinatePath& path, double agreement) const {
   std::shared_ptr<const Walls> walls = remembering(*walls_);
   if (walls == nullptr) walls = walls_;
   auto unfitted = std::make_shared<FreeSpace>(domain_, std::move(walls));
   unfitted->margins_ = WallMargins(longest_of(positions(*domain_, path), path));
+  unfitted->agreement_ = agreement;
   return unfitted;
+}
+
+/// A chain that was at rest, among walls that have moved since: its moves are nearer to a wall than its points are by
+/// about what they will be, once the points rest on it.
+void FreeSpace::take_sags(const Points& x, double agree, std::map<int, Wall>& least) const {
+  std::map<int, double> of_points;
+  std::vector<Wall> found;
+  for (Index i = 0; i < x.cols(); ++i) {
+    walls_->near(x.col(i), margins_.widest(), found);
+    for (const Wall& wall : found) {
+      const auto [entry, first] = of_points.try_emplace(wall.obstacle, wall.gap);
+      if (!first) entry->second = std::min(entry->second, wall.gap);
+    }
+  }
+  for (auto& [obstacle, wall] : least) {
+    const auto points = of_points.find(obstacle);
+    if (points == of_points.end()) continue;
+    const double at_rest = margins_.of(wall) + wall.gap - points->second;
+    if (wall.gap < 0 || wall.gap > agree)
+      wall.gap = std::min(wall.gap, at_rest);
+    else
+      wall.gap = at_rest - wall.gap + agree / 2;  // as it is
+  }
 }
 
 std::shared_ptr<const ConstraintManifold> FreeSpace::fitted(const CoordinatePath& path) const {
@@ -521,11 +550,13 @@ std::shared_ptr<const ConstraintManifold> FreeSpace::fitted(const CoordinatePath
     }
   }
   const double size = std::max(walls_->size(), x.cwiseAbs().maxCoeff());
-  const double agree = std::max(kFitted * extent_of(x), kOn * size);
+  const double agree = std::max(agreement_ * extent_of(x), kOn * size);
+  if (agreement_ > kCloseFit && !margins_.carry()) take_sags(x, agree, least);
   std::optional<WallMargins> margins = margins_.fitted(least, longest_of(x, path), agree, kRounding * size);
   if (!margins) return nullptr;
   auto fitted = std::make_shared<FreeSpace>(domain_, walls_);
   fitted->margins_ = std::move(*margins);
+  fitted->agreement_ = agreement_;
   return fitted;
 }
 

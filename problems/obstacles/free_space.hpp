@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@
 #include <leastcost/framework/domain/has_curvature.hpp>
 #include <leastcost/framework/domain/limits_moves.hpp>
 #include <leastcost/framework/domain/manifold.hpp>
+#include <leastcost/framework/domain/measures_chains.hpp>
 #include <leastcost/framework/domain/sees_bounds.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/drawing/draws_poses.hpp>
@@ -40,6 +42,7 @@ class FreeSpace final : public ConstraintManifold,
                         public SeesBounds,
                         public ChecksMoves,
                         public DecidesMoves,
+                        public MeasuresChains,
                         public FitsSegments,
                         public LimitsMoves,
                         public HasWalls,
@@ -78,7 +81,11 @@ class FreeSpace final : public ConstraintManifold,
   /// Known in a flat domain whose walls know it.
   bool clears(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const override;
 
-  std::shared_ptr<const ConstraintManifold> unfitted(const CoordinatePath& path) const override;
+  /// Known in a flat domain whose walls know it.
+  std::optional<ChainClearance> chain_clearance(const Points& x) const override;
+
+  std::shared_ptr<const ConstraintManifold> unfitted(const CoordinatePath& path,
+                                                     double agreement = kCloseFit) const override;
   std::shared_ptr<const ConstraintManifold> fitted(const CoordinatePath& path) const override;
   std::vector<MarginCost> margin_costs(const CoordinatePath& path, const Points& gradient) const override;
 
@@ -97,10 +104,12 @@ class FreeSpace final : public ConstraintManifold,
   bool knows_curvature() const override { return flat_; }
   bool has_poses() const override;
   bool decides_moves() const override { return flat_ && find_ability<DecidesMoves>(*walls_) != nullptr; }
+  bool measures_chains() const override { return flat_ && find_ability<MeasuresChains>(*walls_) != nullptr; }
   bool limits_moves() const override;
   /// By how much a wall is beyond its margin.
   double room(const Wall& wall) const { return wall.gap - margins_.of(wall); }
   double slack(const Eigen::VectorXd& x) const;
+  void take_sags(const Points& x, double agree, std::map<int, Wall>& least) const;
   void look(Point& point, double reach) const;
   bool anything_near(const Eigen::VectorXd& x, double reach, std::vector<Wall>& found) const;
   void push(Point& point, const Wall& wall, double by) const;
@@ -118,6 +127,7 @@ class FreeSpace final : public ConstraintManifold,
   const HasChart* chart_;
   bool flat_;  ///< and without a chart: places are coordinates, steps are added
   WallMargins margins_;
+  double agreement_ = kCloseFit;  ///< of a path's extent: by so much a move may keep away for nothing
 };
 
 }  // namespace leastcost

@@ -13,11 +13,12 @@ struct ValueAt {
 };
 
 /// A value that f attains on [0, 1], the least as far as `places` of them and the valley of the lowest show: golden
-/// sections and parabolas through three places, to about half the digits in t, hence all of them in f (Brent 1973).
+/// sections and parabolas through three places, to `near` in t (Brent 1973): by default half the digits, hence all of
+/// them in f.
 template <class Function>
-ValueAt least_value(const Function& f, int places) {
+ValueAt least_value(const Function& f, int places, double near = 2e-9) {
   constexpr int kMostSteps = 40;
-  constexpr double kGolden = 0.38196601125010515, kNear = 2e-9;  // (3 - sqrt 5) / 2; of the interval
+  constexpr double kGolden = 0.38196601125010515;  // (3 - sqrt 5) / 2
   double x = 0, fx = f(0.0);
   for (int k = 1; k <= places; ++k) {
     const double t = static_cast<double>(k) / places, ft = f(t);
@@ -27,7 +28,7 @@ ValueAt least_value(const Function& f, int places) {
   double w = x, v = x, fw = fx, fv = fx, step = 0, before = 0;
   for (int k = 0; k < kMostSteps; ++k) {
     const double middle = (from + to) / 2;
-    if (std::abs(x - middle) <= 2 * kNear - (to - from) / 2) break;
+    if (std::abs(x - middle) <= 2 * near - (to - from) / 2) break;
     const double r = (x - w) * (fx - fv);
     double q = (x - v) * (fx - fw), p = (x - v) * q - (x - w) * r;
     q = 2 * (q - r);
@@ -36,7 +37,7 @@ ValueAt least_value(const Function& f, int places) {
     const bool parabola = std::abs(p) < std::abs(q * before / 2) && p > q * (from - x) && p < q * (to - x);
     before = parabola ? step : (x < middle ? to - x : from - x);
     step = parabola ? p / q : kGolden * before;
-    const double u = x + (std::abs(step) >= kNear ? step : std::copysign(kNear, step));
+    const double u = x + (std::abs(step) >= near ? step : std::copysign(near, step));
     const double t = std::clamp(u, 0.0, 1.0), ft = f(t);
     if (ft <= fx) {
       (t < x ? to : from) = x;

@@ -28,9 +28,10 @@ constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 constexpr double kOfLengths = 256 * std::numeric_limits<double>::epsilon();  ///< rounding of frames and distances
 constexpr double kDecided = 1e-10;  ///< sizes: so near are the bounds of a clearance in contact
 constexpr double kShareOfGap = 0.5, kShareOfCoreRoom = 0.5;
-constexpr int kFewestPlaces = 4, kMostPlaces = 64;  ///< of a move that are looked at before its least gap is followed
-constexpr std::size_t kManyObstacles = 64;          ///< from here on a tree of them is quicker
-constexpr double kPlacesApart = 0.5;                ///< of what is required: how far a part goes between them
+constexpr int kFewestPlaces = 4, kMostPlaces = 64;    ///< of a move that are looked at before its least gap is followed
+constexpr std::size_t kManyObstacles = 64;            ///< from here on a tree of them is quicker
+constexpr double kFollowed = 1e-12, kNearest = 1e-3;  // sizes: how closely that is; at least, of the move
+constexpr double kPlacesApart = 0.5;                  ///< of what is required: how far a part goes between them
 
 /// Whether the distance of two boxes with sides along the axes is more than this.
 bool farther_apart(const Vector3d& lower, const Vector3d& upper, const Vector3d& other_lower,
@@ -443,16 +444,128 @@ MoveClearance RobotWalls::clearance(const Vector& a, const Vector& b) const {
   if (pairs.empty()) return least;
   double best = kUnbounded;
   for (const Pair& pair : pairs) best = std::min(best, move.distance(0.5, pair) - pair.required);
-  const double widest = std::max(0.0, best) + rounding(a, b);
-  pairs = move.pairs([&](int) { return widest; });  // no others can be as near
+  return least_gap(move, std::max(0.0, best) + rounding(a, b), rounding(a, b));  // no others can be as near
+}
+
+/// Of the pairs that may come nearer than `widest`; where there are none, that.
+MoveClearance RobotWalls::least_gap(OnMove& move, double widest, double rounding) const {
+  const std::vector<Pair> pairs = move.pairs([&](int) { return widest; });
+  if (pairs.empty()) return {widest - rounding, kUnbounded, -1, {}};
   const auto gap = [](const Pair& pair, MovingDistance known) {
     known.offset = pair.required;
     return known;
   };
   const LeastOnMove found = move.least(pairs, gap, {.accuracy = kDecided * size_, .share = kShareOfGap});
-  if (found.which < 0) return {-kUnbounded, kUnbounded, -1, a};
-  return {found.lower - rounding(a, b), found.upper, pairs[static_cast<std::size_t>(found.which)].number,
+  if (found.which < 0) return {-kUnbounded, kUnbounded, -1, move.place(0)};
+  return {found.lower - rounding, found.upper, pairs[static_cast<std::size_t>(found.which)].number,
           move.place(found.at)};
+}
+
+/// Pieces of a chain, those that may come nearest first: what is near the place in their middle is no nearer anywhere
+/// on them than what its part goes from there. Moves alone are measured as such.
+class RobotWalls::ChainLook {
+ public:
+  ChainLook(const RobotWalls& walls, const Points& x)
+      : walls_(walls), x_(x), gone_(Points::Zero(static_cast<Eigen::Index>(walls.bodies_.size()), x.cols())) {
+    const Kinematics& kinematics = *walls.robot_->kinematics;
+    const Eigen::Index last = x.cols() - 1;
+    rounding_ = std::max(walls.rounding(x.col(0), x.col(last)),
+                         kOfLengths * (walls.size_ + walls.farthest_ * x.cwiseAbs().maxCoeff()));
+    for (Eigen::Index k = 0; k < last; ++k) {
+      const Vector a = x.col(k), b = x.col(k + 1);
+      for (std::size_t i = 0; i < walls.bodies_.size(); ++i) {
+        const Body& body = walls.bodies_[i];
+        const auto row = static_cast<Eigen::Index>(i);
+        gone_(row, k + 1) = gone_(row, k) + (body.steepest > 0 ? kinematics.motion(a, b, body.reach, 0).speed : 0);
+      }
+    }
+    best_.least.lower = best_.least.upper = kUnbounded;
+  }
+
+  std::optional<ChainClearance> run() {
+    if (!gone_.allFinite() || !x_.allFinite()) return std::nullopt;
+    add(0, x_.cols() - 1);
+    while (!open_.empty() && !enough(std::min(settled_, open_.front().lower))) {
+      std::pop_heap(open_.begin(), open_.end());
+      const Piece piece = open_.back();
+      open_.pop_back();
+      split(piece);
+    }
+    const double open = open_.empty() ? kUnbounded : open_.front().lower;
+    best_.least.lower = std::min({settled_, open, best_.least.upper}) - rounding_;
+    return best_;
+  }
+
+ private:
+  struct Piece {
+    Eigen::Index first = 0, last = 0;  ///< columns
+    double lower = 0;
+    bool operator<(const Piece& other) const { return lower > other.lower; }  // the lowest is on top
+  };
+
+  bool enough(double lower) const {
+    const double upper = best_.least.upper;
+    return lower >= upper - kDecided * walls_.size_ || (lower > 0 && lower >= kShareOfGap * upper);
+  }
+
+  void split(const Piece& piece) {
+    if (piece.last - piece.first > 1) {
+      const Eigen::Index middle = (piece.first + piece.last) / 2;
+      add(piece.first, middle);
+      add(middle, piece.last);
+      return;
+    }
+    const Vector a = x_.col(piece.first), b = x_.col(piece.last);
+    OnMove move(walls_, a, b);
+    MoveClearance least = walls_.least_gap(move, std::max(0.0, best_.least.upper) + rounding_, rounding_);
+    settled_ = std::min(settled_, least.lower + rounding_);
+    if (least.upper < best_.least.upper) best_ = {std::move(least), piece.first};
+  }
+
+  void add(Eigen::Index first, Eigen::Index last) {
+    const Eigen::Index middle = (first + last) / 2;
+    pose_.place(*walls_.robot_, x_.col(middle));
+    const auto goes = [&](int part) {
+      return std::max(gone_(part, last) - gone_(part, middle), gone_(part, middle) - gone_(part, first));
+    };
+    const auto look = [&](double beyond) {
+      pairs_.clear();
+      walls_.pairs_within(
+          pose_, [&](int part) { return goes(part) + beyond; }, pairs_);
+    };
+    double beyond = best_.least.upper;
+    if (std::isfinite(beyond)) {
+      look(beyond);
+    } else {  // how near it is, also where nothing is near: ever farther until something is found
+      for (beyond = walls_.size_ / 16; std::isfinite(beyond); beyond *= 4) {
+        look(beyond);
+        if (!pairs_.empty()) break;
+      }
+    }
+    Piece piece{first, last, beyond};
+    for (const Pair& pair : pairs_) {
+      const double gap = walls_.between(pose_, pair).distance - pair.required;
+      piece.lower = std::min(piece.lower, gap - goes(pair.part) - (pair.branches ? goes(pair.other) : 0.0));
+      if (gap >= best_.least.upper) continue;
+      best_ = {{gap, gap, pair.number, x_.col(middle)}, std::min(middle, x_.cols() - 2)};
+    }
+    open_.push_back(piece);
+    std::push_heap(open_.begin(), open_.end());
+  }
+
+  const RobotWalls& walls_;
+  const Points& x_;
+  Points gone_;  ///< parts x places: how far each has gone on the way there, at most
+  double rounding_ = 0, settled_ = kUnbounded;
+  ChainClearance best_;
+  RobotPose pose_;
+  std::vector<Pair> pairs_;
+  std::vector<Piece> open_;
+};
+
+std::optional<ChainClearance> RobotWalls::chain_clearance(const Points& x) const {
+  if (obstacles_.empty() && self_.empty()) return std::nullopt;
+  return ChainLook(*this, x).run();
 }
 
 /// What seems to be in contact is left to second-order bounds.
@@ -539,7 +652,8 @@ void RobotWalls::add_along(OnMove& move, const std::vector<Pair>& pairs, double 
     const auto distance_at = [&](double t) { return move.distance(t, pair); };
     const int places = static_cast<int>(
         std::clamp(std::ceil(speed / (kPlacesApart * pair.required)), double{kFewestPlaces}, double{kMostPlaces}));
-    const ValueAt least = least_value(distance_at, places);
+    const double near = std::sqrt(2 * kFollowed * size_ / bound.acceleration);  // of t, for so much of the distance
+    const ValueAt least = least_value(distance_at, places, std::clamp(near, 2e-9, kNearest));
     const double gap = (least.value - pair.required) / pair.steepest;
     if (!(gap < reach)) continue;
     const RobotPose& there = move.pose(least.at);

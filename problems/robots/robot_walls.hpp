@@ -4,9 +4,11 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include <leastcost/framework/domain/measures_chains.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/drawing/draws_poses.hpp>
 #include <leastcost/problems/obstacles/obstacle.hpp>
@@ -28,6 +30,7 @@ class MoveSieve;
 class RobotWalls final : public PairWalls,
                          public Remembers,
                          public DecidesMoves,
+                         public MeasuresChains,
                          public HasThinnestCore,
                          public DrawsItself,
                          public DrawsPoses,
@@ -45,6 +48,7 @@ class RobotWalls final : public PairWalls,
   void near(const Vector& x, double reach, std::vector<Wall>& found) const override;
   MoveClearance clearance(const Vector& a, const Vector& b) const override;
   bool clears(const Vector& a, const Vector& b) const override;
+  std::optional<ChainClearance> chain_clearance(const Points& x) const override;
   void along(const Vector& a, const Vector& b, double reach, std::vector<Wall>& found) const override;
   double room(const Vector& a, const Vector& b, double reach) const override;
   std::string obstacle_name(int obstacle) const override;
@@ -79,7 +83,9 @@ class RobotWalls final : public PairWalls,
     Eigen::Vector3d point, foot, normal;
   };
   class OnMove;
+  class ChainLook;
 
+  MoveClearance least_gap(OnMove& move, double widest, double rounding) const;
   void add_obstacles(Obstacles obstacles, double clearance);
   void add_self_pairs();
   void add_near(const RobotPose& pose, const std::vector<Pair>& pairs, double reach, std::vector<Wall>& found) const;

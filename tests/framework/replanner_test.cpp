@@ -76,6 +76,34 @@ TEST_CASE("replanner: the old path stays where nothing cheaper is found") {
   CHECK_FALSE(again.from_initializer);
 }
 
+TEST_CASE("replanner: a solved path is kept without a solve until what holds it moves") {
+  const test::Discs begin{{5, 5.2, 1}, {5, 8, 0.5}};
+  Replanner planner({std::make_shared<Newton>(NewtonOptions{.tolerance = 1e-8}), std::make_shared<RrtInitializer>(),
+                     FindOptions{.points = 60, .certificate = {.enabled = false}}});
+  Problem problem = test::across(test::world_of(begin, kKept));
+  const auto now = [&](double holding, double far) {
+    test::Discs discs = begin;
+    discs[0].y += holding;
+    discs[1].y += far;
+    problem.manifold = test::world_of(discs, kKept);
+    return planner.replan(problem);
+  };
+  now(0, 0);
+  const Replan solved = now(0, 0);
+  REQUIRE(solved.outcome != ReplanOutcome::no_valid_path);
+  const Replan kept = now(0, -0.3);
+  CHECK(kept.outcome == ReplanOutcome::old_path);
+  CHECK_THAT(kept.why_not_new, Contains("nothing that holds the old path has moved"));
+  CHECK(kept.result.path.u == solved.result.path.u);
+  const Replan freed = now(0.05, -0.3);
+  CHECK(freed.outcome == ReplanOutcome::new_path);
+  CHECK(freed.result.curve.cost < kept.result.curve.cost - 1e-4);
+  const Replan pushed = now(-0.05, -0.3);
+  CHECK(pushed.outcome == ReplanOutcome::new_path);
+  CHECK(pushed.result.curve.cost > kept.result.curve.cost + 1e-4);
+  CHECK(pushed.clearance.value().lower >= -kNothing);
+}
+
 TEST_CASE("replanner: a change far from the path costs nothing, one that opens a shorter way nearby is used") {
   test::Discs discs{{5, 5.5, 1}};
   Replanner planner = replanner_of(60, std::make_shared<WaypointsInitializer>(through({5, 4})));

@@ -336,7 +336,7 @@ class Restless final : public ConstraintManifold, public ChecksMoves, public Fit
     return {gap, gap, 0, a};
   }
   std::string obstacle_name(int) const override { return "everything"; }
-  std::shared_ptr<const ConstraintManifold> unfitted(const CoordinatePath&) const override {
+  std::shared_ptr<const ConstraintManifold> unfitted(const CoordinatePath&, double) const override {
     return std::make_shared<Restless>();
   }
   std::shared_ptr<const ConstraintManifold> fitted(const CoordinatePath&) const override {
