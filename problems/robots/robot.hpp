@@ -37,6 +37,7 @@ struct Robot {
   std::vector<Plate> plates = {};
   std::string whose = {};  ///< what the parts stand for, for people: a clearance is one of theirs
   std::map<std::string, Eigen::VectorXd> states = {};  ///< configurations that have a name: "home"
+  std::string unit = {};                               ///< of lengths, for people; empty: not known
 
   /// Parts are numbered: the capsules, then the plates.
   std::size_t parts() const { return capsules.size() + plates.size(); }
