@@ -8,8 +8,8 @@
 #include "app/plot/legend.hpp"
 #include "app/report/page/results_folder.hpp"
 #include "app/report/run/run_parts.hpp"
-#include "app/report/run/space_view.hpp"
-#include "app/report/run/workspace_view.hpp"
+#include "app/report/space/space_view.hpp"
+#include "app/report/space/workspace_view.hpp"
 
 namespace leastcost::app {
 namespace {

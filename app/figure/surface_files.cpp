@@ -12,7 +12,7 @@
 #include <leastcost/framework/base/errors.hpp>
 #include "app/report/page/results_folder.hpp"
 #include "app/report/run/run_files.hpp"
-#include "app/report/run/workspace_view.hpp"
+#include "app/report/space/workspace_view.hpp"
 #include "catalogue/output/vtp.hpp"
 
 namespace leastcost::app {

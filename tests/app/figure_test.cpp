@@ -11,7 +11,7 @@
 #include <leastcost/framework/base/errors.hpp>
 #include "app/figure/rsvg.hpp"
 #include "app/plot/text.hpp"
-#include "app/report/run/space_image.hpp"
+#include "app/report/space/space_image.hpp"
 #include "catalogue/inputs/png_image.hpp"
 #include "catalogue/output/write_run.hpp"
 #include "tests/app/called.hpp"

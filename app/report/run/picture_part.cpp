@@ -10,8 +10,8 @@
 #include "app/report/page/viewer_script.hpp"
 #include "app/report/run/clicks_part.hpp"
 #include "app/report/run/run_parts.hpp"
-#include "app/report/run/space_view.hpp"
 #include "app/report/run/viewer_part.hpp"
+#include "app/report/space/space_view.hpp"
 
 namespace leastcost::app {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "app/plot/text.hpp"
 #include "app/report/run/viewer_part.hpp"
-#include "app/report/run/workspace_view.hpp"
+#include "app/report/space/workspace_view.hpp"
 #include "catalogue/scene/workspace_json.hpp"
 
 namespace leastcost::app {

@@ -9,9 +9,10 @@
 #include <iterator>
 #include <numeric>
 
-#include "app/report/run/space_image.hpp"
-#include "app/report/run/space_marks.hpp"
-#include "app/report/run/space_view.hpp"
+#include "app/report/run/run_parts.hpp"
+#include "app/report/space/space_image.hpp"
+#include "app/report/space/space_marks.hpp"
+#include "app/report/space/space_view.hpp"
 #include "problems/drawing/thinned.hpp"
 
 namespace leastcost::app {

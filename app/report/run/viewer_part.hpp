@@ -7,7 +7,7 @@
 
 #include "app/plot/legend.hpp"
 #include "app/report/run/run_parts.hpp"
-#include "app/report/run/space_view.hpp"
+#include "app/report/space/space_view.hpp"
 
 namespace leastcost::app {
 

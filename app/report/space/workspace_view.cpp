@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "app/report/run/workspace_view.hpp"
+#include "app/report/space/workspace_view.hpp"
 
 #include <algorithm>
 #include <array>

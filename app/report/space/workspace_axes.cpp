@@ -4,11 +4,10 @@
 
 #include <array>
 #include <cmath>
-#include <iterator>
 
 #include "app/plot/scale.hpp"
 #include "app/plot/text.hpp"
-#include "app/report/run/workspace_view.hpp"
+#include "app/report/space/workspace_view.hpp"
 
 namespace leastcost::app {
 namespace {
@@ -25,41 +24,43 @@ struct AxisEdge {
 
 Vector2d in_picture(const Projector& projector, const Vector3d& x) { return projector.place(x).head<2>(); }
 
-std::string text_at(const Vector2d& at, const char* anchor, const std::string& text) {
+/// Takes text in, and what room it needs.
+void add_text(const Vector2d& at, const char* anchor, const std::string& text, AxesInSpace& out) {
   constexpr double kHalfHeight = 3.9;  // of a digit
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", at[0], at[1] + kHalfHeight,
-                     anchor, escaped(text));
+  const double width = kDrawnFont * text_width(text);
+  const double left = at[0] - (*anchor == 'e' ? width : *anchor == 'm' ? width / 2 : 0);
+  out.room.extend(Vector2d(left, at[1] - kDrawnFont / 2));
+  out.room.extend(Vector2d(left + width, at[1] + kDrawnFont / 2));
+  out.svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", at[0], at[1] + kHalfHeight,
+                         anchor, escaped(text));
 }
 
-std::string drawn(const AxisEdge& edge, const Projector& projector, const std::string& title) {
-  constexpr double kShortest = 24, kPerTick = 34, kTick = 3.5, kNumber = 7, kBeside = 5;
+void draw(const AxisEdge& edge, const Projector& projector, const std::string& title, AxesInSpace& axes) {
+  constexpr double kShortest = 24, kPerTick = 44, kTick = 3.5, kNumber = 7, kBeside = 5, kAbove = 10;
+  const bool upright = edge.coordinate == 2;
   const Vector2d from = in_picture(projector, edge.from), to = in_picture(projector, edge.to);
   const double length = (to - from).norm();
-  if (!(length > kShortest)) return "";
-  const Vector2d along = (to - from) / length;
+  if (!(length > kShortest)) return;
   Vector2d out = in_picture(projector, edge.from + edge.outwards) - from;
-  out = out.norm() > 0 ? out.normalized() : Vector2d(-1, 0);
-  // Not along the axis itself, where numbers would stand upon it.
-  if (std::abs(out.dot(along)) > 0.9) out = Vector2d(0, 1);
-  std::string text =
+  out = upright ? Vector2d(-1, 0) : out.norm() > 0 ? Vector2d(out.normalized()) : Vector2d(0, 1);
+  const char* anchor = out[0] < -0.5 ? "end" : out[0] > 0.5 ? "start" : "middle";
+  axes.svg +=
       fmt::format("<path class=\"axis\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n", from[0], from[1], to[0], to[1]);
   const double low = edge.from[edge.coordinate], high = edge.to[edge.coordinate];
-  const char* anchor = out[0] < -0.5 ? "end" : out[0] > 0.5 ? "start" : "middle";
   double widest = 0;
   for (const Tick& tick : ticks(ScaleKind::linear, {low, high}, std::max(2, static_cast<int>(length / kPerTick)))) {
     if (tick.at < low || tick.at > high) continue;
     const Vector2d at = from + (to - from) * (tick.at - low) / (high - low);
     const double size = tick.label.empty() ? kTick / 2 : kTick;
-    fmt::format_to(std::back_inserter(text), "<path class=\"axis\" d=\"M{:.1f} {:.1f}l{:.1f} {:.1f}\"/>\n", at[0],
-                   at[1], size * out[0], size * out[1]);
+    axes.svg += fmt::format("<path class=\"axis\" d=\"M{:.1f} {:.1f}l{:.1f} {:.1f}\"/>\n", at[0], at[1], size * out[0],
+                            size * out[1]);
     if (tick.label.empty()) continue;
     widest = std::max(widest, kDrawnFont * text_width(tick.label));
-    text += text_at(at + (kNumber + kBeside * std::abs(out[1])) * out, anchor, tick.label);
+    add_text(at + (kNumber + kBeside * std::abs(out[1])) * out, anchor, tick.label, axes);
   }
-  constexpr double kAbove = 9;
-  if (edge.coordinate == 2) return text + text_at(to + Vector2d(0, -kAbove), "middle", title);
+  if (upright) return add_text(to + Vector2d(0, -kAbove), "middle", title, axes);
   const double aside = kNumber + (std::abs(out[0]) > 0.5 ? widest : 0) + (1 + 1.3 * std::abs(out[1])) * kDrawnFont;
-  return text + text_at((from + to) / 2 + aside * out, anchor, title);
+  add_text((from + to) / 2 + aside * out, anchor, title, axes);
 }
 
 std::array<AxisEdge, 3> edges_of(const Eigen::AlignedBox3d& box, const SpaceView& view) {
@@ -89,13 +90,13 @@ std::vector<Vector3d> ends_of_axes(const Eigen::AlignedBox3d& box, const SpaceVi
   return out;
 }
 
-std::string axes_in_space(const Eigen::AlignedBox3d& box, const SpaceView& view, const Projector& projector,
+AxesInSpace axes_in_space(const Eigen::AlignedBox3d& box, const SpaceView& view, const Projector& projector,
                           const Look& look) {
   constexpr std::array<const char*, 3> kNames = {"x", "y", "z"};
-  std::string text;
+  AxesInSpace axes;
   for (const AxisEdge& edge : edges_of(box, view))
-    text += drawn(edge, projector, look.axis(kNames[static_cast<std::size_t>(edge.coordinate)]));
-  return text;
+    draw(edge, projector, look.axis(kNames[static_cast<std::size_t>(edge.coordinate)]), axes);
+  return axes;
 }
 
 }  // namespace leastcost::app

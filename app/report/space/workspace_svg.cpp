@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "app/report/run/space_image.hpp"
-#include "app/report/run/workspace_view.hpp"
+#include "app/report/space/space_image.hpp"
+#include "app/report/space/workspace_view.hpp"
 #include "problems/drawing/solids.hpp"
 
 namespace leastcost::app {
@@ -75,16 +75,33 @@ Eigen::AlignedBox2d area_of(const std::vector<ImageLayer>& layers, const Eigen::
   return area.intersection(all);
 }
 
+/// Axes need more room the longer their numbers are, which depends on the scale of the drawing.
+Projector with_room_for_axes(const Eigen::AlignedBox3d& box, const Eigen::AlignedBox2d& area, const SpaceView& view,
+                             const Look& look) {
+  constexpr double kLeast = 6, kRim = 4;
+  constexpr int kPasses = 5;
+  Margins margins = {36, 22, 17, 30};
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const Projector projector(area, view, look.width, look.height, margins);
+    const Eigen::AlignedBox2d room = axes_in_space(box, view, projector, look).room;
+    if (room.isEmpty()) break;
+    margins.left = std::max(kLeast, margins.left - room.min()[0] + kRim);
+    margins.top = std::max(kLeast, margins.top - room.min()[1] + kRim);
+    margins.right = std::max(kLeast, margins.right + room.max()[0] - projector.width() + kRim);
+    margins.bottom = std::max(kLeast, margins.bottom + room.max()[1] - projector.height() + kRim);
+  }
+  return {area, view, look.width, look.height, margins};
+}
+
 }  // namespace
 
 Sketch workspace_sketch(const PoseStrip& strip, const SpaceView& view, const Look& look) {
   constexpr int kDepthPixels = 800;
-  constexpr Margins kMargins = {36, 22, 17, 30};
   const Workspace& workspace = strip.workspace;
   const Eigen::AlignedBox3d box(workspace.lower, workspace.upper);
   const std::vector<ImageLayer> layers = layers_of(workspace, look);
   const Eigen::AlignedBox2d area = area_of(layers, box, view);
-  const Projector projector(area, view, look.width, look.height, kMargins);
+  const Projector projector = with_room_for_axes(box, area, view, look);
   std::string out;
   if (look.shading) {
     const double whole = look.image_width > 0 ? look.image_width : kReportPixels;
@@ -92,7 +109,7 @@ Sketch workspace_sketch(const PoseStrip& strip, const SpaceView& view, const Loo
         std::clamp(whole * projector.scale() * area.sizes().maxCoeff() / look.width, 2.0, kMostPixels);
     out += image_element(shaded_image(layers, view, area, static_cast<int>(pixels)), projector);
   }
-  out += axes_in_space(box, view, projector, look);
+  out += axes_in_space(box, view, projector, look).svg;
   if (look.path) {
     TriangleSoup before;
     for (const ImageLayer& layer : layers)

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/report/run/run_parts.hpp"
+#include "app/report/space/look.hpp"
 #include "catalogue/scene/scene.hpp"
 
 namespace leastcost::app {
@@ -64,8 +64,5 @@ Angles angles_of(const SpaceView& view, const Eigen::Vector3d& up);
 
 /// Of a few dozen sides, the one from which most of the path is seen, and at its largest.
 SpaceView choose_view(const Scene& scene);
-
-/// The scene without perspective: hidden parts of the path are thin.
-Sketch space_sketch(const RunFiles& files, const SpaceView& view, const Look& look);
 
 }  // namespace leastcost::app

@@ -5,8 +5,8 @@
 #include <Eigen/Geometry>
 #include <string>
 
-#include "app/report/run/space_image.hpp"
-#include "app/report/run/space_view.hpp"
+#include "app/report/space/space_image.hpp"
+#include "app/report/space/space_view.hpp"
 
 namespace leastcost::app {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "app/report/run/space_marks.hpp"
+#include "app/report/space/space_marks.hpp"
 
 #include <fmt/format.h>
 

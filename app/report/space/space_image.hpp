@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/report/run/space_view.hpp"
+#include "app/report/space/space_view.hpp"
 
 namespace leastcost::app {
 

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "app/plot/legend.hpp"
-#include "app/report/run/look.hpp"
-#include "app/report/run/run_files.hpp"
-#include "app/report/run/space_marks.hpp"
-#include "app/report/run/space_view.hpp"
+#include "app/report/space/look.hpp"
+#include "app/report/space/space_marks.hpp"
+#include "app/report/space/space_view.hpp"
+#include "catalogue/scene/scene.hpp"
 
 namespace leastcost::app {
 
@@ -36,8 +36,13 @@ SpaceView choose_view(const PoseStrip& strip);
 Sketch workspace_sketch(const PoseStrip& strip, const SpaceView& view, const Look& look);
 std::vector<LegendEntry> legend_of_workspace(const PoseStrip& strip, const Look& look);
 
+/// Axes, and the room that their numbers and names need.
+struct AxesInSpace {
+  std::string svg;
+  Eigen::AlignedBox2d room;  ///< px
+};
 /// The edges of a box that are outermost in the view, as axes with ticks and names.
-std::string axes_in_space(const Eigen::AlignedBox3d& box, const SpaceView& view, const Projector& projector,
+AxesInSpace axes_in_space(const Eigen::AlignedBox3d& box, const SpaceView& view, const Projector& projector,
                           const Look& look);
 /// Where these axes begin and end.
 std::vector<Eigen::Vector3d> ends_of_axes(const Eigen::AlignedBox3d& box, const SpaceView& view);
