@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 constexpr Rgb kFirst = {112, 190, 236}, kLast = {0, 114, 178};  ///< Okabe-Ito, the first paler
 constexpr Rgb kStill = {168, 170, 172}, kGround = {252, 251, 249};
 constexpr double kBetween = 0.3;    ///< how opaque poses between are
-constexpr int kReportPixels = 520;  ///< along the width of a report, whose pictures take the time of the run
+constexpr int kReportPixels = 430;  ///< along the width of a report, whose pictures take the time of the run
 
 Rgb between(double part) {
   Rgb out = kFirst;
@@ -96,7 +96,7 @@ Projector with_room_for_axes(const Eigen::AlignedBox3d& box, const Eigen::Aligne
 }  // namespace
 
 Sketch workspace_sketch(const PoseStrip& strip, const SpaceView& view, const Look& look) {
-  constexpr int kDepthPixels = 800;
+  const int depth_pixels = look.image_width > 0 ? 800 : 400;
   const Workspace& workspace = strip.workspace;
   const Eigen::AlignedBox3d box(workspace.lower, workspace.upper);
   const std::vector<ImageLayer> layers = layers_of(workspace, look);
@@ -114,7 +114,7 @@ Sketch workspace_sketch(const PoseStrip& strip, const SpaceView& view, const Loo
     TriangleSoup before;
     for (const ImageLayer& layer : layers)
       if (layer.casts) append(before, layer.surface);
-    out += line_in_space(strip.hand_in_space, "hand", projector, DepthMap(before, view, kDepthPixels));
+    out += line_in_space(strip.hand_in_space, "hand", projector, DepthMap(before, view, depth_pixels));
   }
   return {"The robot along its path",
           "Obstacles, the robot at the start and the target, some poses between, and the way of its hand",

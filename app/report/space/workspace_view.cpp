@@ -3,7 +3,6 @@
 #include "app/report/space/workspace_view.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "problems/drawing/solids.hpp"
@@ -90,39 +89,40 @@ TriangleSoup robot_surface(const Workspace& workspace, std::size_t pose, const s
 }
 
 SpaceView choose_view(const PoseStrip& strip) {
-  constexpr int kSides = 36, kPixels = 80, kCoarse = 8;
-  constexpr double kDegrees = 360, kApart = 2;
+  constexpr int kQuarters = 4, kSides = 6, kPixels = 60, kCoarse = 8;
+  constexpr double kQuarter = 90, kFirst = 20, kStep = 10;  // degrees: not along an axis
+  constexpr double kLow = 22, kHigh = 36, kLikingLow = 0.05, kApart = 2, kOfHand = 0.4, kSpread = 0.5;
   const Workspace& workspace = strip.workspace;
   const std::vector<std::size_t> drawn = poses_drawn(workspace);
   std::vector<std::vector<Vector3d>> points;
   for (const std::size_t pose : drawn) points.push_back(points_of(workspace, pose));
+  points.push_back(points.front());  // the ends count twice
+  points.push_back(points[drawn.size() - 1]);
   std::vector<Vector3d> hand;
   for (const auto x : strip.hand_in_space.colwise()) hand.emplace_back(x);
   TriangleSoup both = robot_surface(workspace, drawn.front(), always, kCoarse);
   append(both, robot_surface(workspace, drawn.back(), always, kCoarse));
-  const double size = (workspace.upper - workspace.lower).norm();
-  SpaceView best;
-  double best_score = -1;
-  // Degrees above the horizon, and how much they are liked.
-  constexpr std::array<std::array<double, 2>, 2> kElevations = {{{22, 0.05}, {36, 0}}};
-  for (const auto& [elevation, liking] : kElevations)
-    for (int k = 0; k < kSides; ++k) {
-      const SpaceView view = view_from({kDegrees * k / kSides, elevation}, Vector3d::UnitZ());
-      const DepthMap obstacles(workspace.obstacles, view, kPixels);
-      double seen = 0;
-      for (const std::vector<Vector3d>& pose : points) seen += part_seen(obstacles, pose);
-      seen += part_seen(obstacles, points.front()) + part_seen(obstacles, points.back());
-      // Poses that stand beside each other fill more of the picture than poses behind each other.
-      const double filled = covered(both, view, kPixels) / (size * size);
-      Eigen::AlignedBox2d spread;
-      for (const Vector3d& x : hand) spread.extend(Eigen::Vector2d((view.axes * x).head<2>()));
-      const double score = seen / static_cast<double>(points.size() + 2) + 0.4 * part_seen(obstacles, hand) +
-                           kApart * filled + 0.5 * (spread.isEmpty() ? 0 : spread.diagonal().norm() / size) + liking;
-      if (score <= best_score) continue;
-      best_score = score;
-      best = view;
-    }
-  return best;
+  const double size = std::max((workspace.upper - workspace.lower).norm(), 1e-300);
+  const auto score = [&](const SpaceView& view) {
+    const DepthMap obstacles(workspace.obstacles, view, kPixels);
+    double seen = 0;
+    for (const std::vector<Vector3d>& pose : points) seen += part_seen(obstacles, pose);
+    // Poses that stand beside each other fill more of the picture than poses behind each other.
+    const double filled = covered(both, view, kPixels) / (size * size);
+    Eigen::AlignedBox2d spread;
+    for (const Vector3d& x : hand) spread.extend(Eigen::Vector2d((view.axes * x).head<2>()));
+    return seen / static_cast<double>(points.size()) + kOfHand * part_seen(obstacles, hand) + kApart * filled +
+           kSpread * (spread.isEmpty() ? 0 : spread.diagonal().norm() / size);
+  };
+  double azimuth = 0, best = -1;
+  for (int k = 0; k < kQuarters * kSides; ++k) {
+    const double turn = kQuarter * (k / kSides) + kFirst + kStep * (k % kSides);
+    const double liked = score(view_from({turn, kLow}, Vector3d::UnitZ()));
+    if (liked > best) azimuth = turn;
+    best = std::max(best, liked);
+  }
+  const SpaceView high = view_from({azimuth, kHigh}, Vector3d::UnitZ());
+  return score(high) > best + kLikingLow ? high : view_from({azimuth, kLow}, Vector3d::UnitZ());
 }
 
 }  // namespace leastcost::app
