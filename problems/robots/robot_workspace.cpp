@@ -115,7 +115,7 @@ void add_obstacles(const std::vector<std::shared_ptr<const Obstacle>>& obstacles
     if (!exact) out.notes.push_back(obstacle->name() + " is drawn as the box around it");
   }
   out.obstacles = thinned(std::move(out.obstacles), Points(3, 0), kMostTriangles);
-  if (left_out > 0) out.notes.push_back(std::to_string(left_out) + " obstacles that are far off are not drawn");
+  if (left_out > 0) out.notes.push_back("obstacles that are far off are not drawn: " + std::to_string(left_out));
   constexpr double kRim = 0.03, kRounding = 1e-9;
   const double size = shown.diagonal().norm();
   const Vector3d rim(kRim * size, kRim * size, 0);
