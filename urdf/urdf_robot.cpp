@@ -122,6 +122,7 @@ class RobotBuilder {
     }
     const std::string file = std::filesystem::path(options_.file).filename().string();
     robot_.whose = "the collision shapes of " + file;
+    robot_.unit = "m";
     if (adds > 0) {
       constexpr double kMillimetres = 1000;
       robot_.whose = "capsules that cover the collision shapes of " + file + " and reach out of them by at most " +

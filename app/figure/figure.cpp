@@ -8,7 +8,8 @@
 #include "app/plot/legend.hpp"
 #include "app/report/page/results_folder.hpp"
 #include "app/report/run/run_parts.hpp"
-#include "app/report/run/space_view.hpp"
+#include "app/report/space/space_view.hpp"
+#include "app/report/space/workspace_view.hpp"
 
 namespace leastcost::app {
 namespace {
@@ -60,7 +61,10 @@ struct Drawn {
 
 Drawn draw(FigurePicture picture, const RunFiles& files, const Look& look, const SpaceView& view) {
   switch (picture) {
-    case FigurePicture::poses: return {strip_sketch(files.scene.strip, look), legend_of(files.scene.strip, look)};
+    case FigurePicture::poses:
+      if (files.scene.strip.workspace.empty())
+        return {strip_sketch(files.scene.strip, look), legend_of(files.scene.strip, look)};
+      return {workspace_sketch(files.scene.strip, view, look), legend_of_workspace(files.scene.strip, look)};
     case FigurePicture::space: return {space_sketch(files, view, look), legend_of(files, look)};
     case FigurePicture::map: return {plane_sketch(files, look), legend_of(files, look, true)};
     case FigurePicture::convergence: return {convergence_sketch(files, look)};
@@ -79,7 +83,9 @@ Figure make_figure(const FigureRequest& request) {
   if (kind == "pairs") throw InputError(request.folder.string() + ": a run of many pairs has no picture");
   const RunFiles files = read_run_files(request.folder);
   const FigurePicture picture = chosen(request, files);
-  const bool space = picture == FigurePicture::space;
+  const PoseStrip& strip = files.scene.strip;
+  const bool robot = picture == FigurePicture::poses && !strip.workspace.empty();
+  const bool space = robot || picture == FigurePicture::space;
   if (request.from && !space)
     throw InputError(fmt::format("--view is for pictures of space, and this one is '{}'", name_of(picture)));
   Look look = request.parts.look;
@@ -88,15 +94,17 @@ Figure make_figure(const FigureRequest& request) {
   look.height = kTallest * look.width;
   look.image_width = request.size.pixels(look.width);
   look.unit = request.unit.empty() && files.result.text("cost.unit") == "m" ? "m" : request.unit;
+  if (robot && look.unit.empty()) look.unit = strip.workspace.unit;
   look.points = look.points && (request.points_asked || files.points.cols() <= kMostPoints);
   SpaceView view;
-  if (space) view = request.from ? view_from(*request.from, files.scene.up) : choose_view(files.scene);
+  const Eigen::Vector3d up = robot ? Eigen::Vector3d::UnitZ().eval() : files.scene.up;
+  if (space) view = request.from ? view_from(*request.from, up) : robot ? choose_view(strip) : choose_view(files.scene);
   const Drawn drawn = draw(picture, files, look, view);
   const Sketch whole =
       request.parts.legend ? below(drawn.sketch, legend_sketch(drawn.legend, look.width)) : drawn.sketch;
   Figure figure{printed_svg(whole, request.size), request.size.width, request.size.width * whole.height / look.width,
                 std::nullopt};
-  if (space) figure.from = angles_of(view, files.scene.up);
+  if (space) figure.from = angles_of(view, up);
   return figure;
 }
 

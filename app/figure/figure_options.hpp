@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/plot/sketch.hpp"
-#include "app/report/run/look.hpp"
+#include "app/report/space/look.hpp"
 
 namespace leastcost::app {
 

@@ -12,6 +12,7 @@
 #include <leastcost/framework/base/errors.hpp>
 #include "app/report/page/results_folder.hpp"
 #include "app/report/run/run_files.hpp"
+#include "app/report/space/workspace_view.hpp"
 #include "catalogue/output/vtp.hpp"
 
 namespace leastcost::app {
@@ -20,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kNone = -1;  ///< of a value that a point does not have
-enum class Part : int { path = 1, other = 2, surface = 3 };
+enum class Part : int { path = 1, other = 2, surface = 3, start = 4, target = 5 };
 
 /// A polyline: so many points from one on.
 struct Line {
@@ -32,6 +33,7 @@ struct Model {
   std::vector<Eigen::Vector3d> points;
   std::vector<double> cumulative_cost, cost_per_length;
   std::vector<std::array<int, 3>> triangles;
+  std::vector<Part> parts;  ///< of the triangles
   std::vector<Line> lines;
   bool has_field = false;
 };
@@ -109,13 +111,33 @@ Points columns_of(const NumberTable& table, const std::vector<std::string>& name
   return x;
 }
 
+void add_surface(Model& model, const TriangleSoup& surface, Part part) {
+  const auto first = static_cast<int>(model.points.size());
+  for (const Eigen::Vector3d& x : surface.vertices) add_point(model, x, kNone, kNone);
+  for (const auto& [a, b, c] : surface.triangles) model.triangles.push_back({first + a, first + b, first + c});
+  model.parts.resize(model.triangles.size(), part);
+}
+
+/// The robot at both ends of its path, and what it moves among.
+void add_workspace(Model& model, const Workspace& workspace) {
+  constexpr int kAround = 32;
+  const auto all = [](std::size_t) { return true; };
+  add_surface(model, workspace.obstacles, Part::surface);
+  add_surface(model, workspace.ground, Part::surface);
+  add_surface(model, robot_surface(workspace, 0, all, kAround), Part::start);
+  add_surface(model, robot_surface(workspace, workspace.poses.size() - 1, all, kAround), Part::target);
+}
+
 Model model_of(const fs::path& folder) {
   const RunFiles files = read_run_files(folder);
   const Scene& scene = files.scene;
   Model model;
-  for (const Eigen::Vector3d& x : scene.surface.vertices) add_point(model, x, kNone, kNone);
-  model.triangles = scene.surface.triangles;
+  if (!scene.strip.workspace.empty())
+    add_workspace(model, scene.strip.workspace);
+  else
+    add_surface(model, scene.surface, Part::surface);
   if (scene.cost) add_plane(model, *scene.cost);
+  model.parts.resize(model.triangles.size(), Part::surface);
   const bool ring = files.result.flag("ring");
   const NumberTable curve(fs::exists(folder / "curve.csv") ? folder / "curve.csv" : folder / "path.csv");
   if (scene.strip.hand_in_space.cols() > 0)
@@ -149,7 +171,7 @@ std::string vtp(const Model& model) {
   if (model.has_field) of_points("cost_per_length", model.cost_per_length);
   text += "      </PointData>\n      <CellData>\n" +
           vtp_array("part", 1, "Int32", rows(lines + faces, [&](std::size_t i) {
-                      return static_cast<int>(i < lines ? model.lines[i].part : Part::surface);
+                      return static_cast<int>(i < lines ? model.lines[i].part : model.parts[i - lines]);
                     }));
   text += "      </CellData>\n      <Points>\n" +
           vtp_array("Points", 3, "Float64", rows(points, [&](std::size_t i) { return xyz(model.points[i]); }));

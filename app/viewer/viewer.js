@@ -3,13 +3,15 @@
 
 // The 3D view of a report: reads the scene beside it, draws on demand, and leaves the still picture in place where there is no WebGL.
 import {
-  BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, Group, HemisphereLight, LineBasicMaterial, LineSegments,
-  Mesh, MeshStandardMaterial, PerspectiveCamera, Points, Raycaster, Scene, ShaderMaterial, Triangle, Vector2, Vector3, WebGLRenderer,
+  BufferAttribute, BufferGeometry, CapsuleGeometry, Color, DirectionalLight, DoubleSide, EdgesGeometry, FrontSide, Group, HemisphereLight,
+  LineBasicMaterial, LineSegments, Mesh, MeshStandardMaterial, PerspectiveCamera, Points, Raycaster, Scene, ShaderMaterial, Triangle, Vector2,
+  Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { Line2 } from "three/examples/jsm/lines/Line2.js";
 import { LineGeometry } from "three/examples/jsm/lines/LineGeometry.js";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
+import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 
 const dark = matchMedia("(prefers-color-scheme: dark)").matches;
 const colours = {
@@ -20,6 +22,12 @@ const colours = {
   end: dark ? "#ef8244" : "#D55E00",
   point: dark ? "#1c1c1b" : "#ffffff",
   box: dark ? "#7a7771" : "#8a867e",
+  ground: dark ? "#3a3936" : "#efeeea",
+  edge: dark ? "#bdbab4" : "#6b675f",
+  hand: dark ? "#ef8244" : "#D55E00",
+  start: "#70beec",
+  between: "#3898cf",
+  target: "#0072B2",
   asked: dark ? "#e58fc4" : "#a3307f",
 };
 // Lines are drawn a little nearer to the eye than they are, so that neither rounding nor triangles, nor the discs of a cloud, hide them.
@@ -163,7 +171,79 @@ function boxEdges({ lower, upper }, ball) {
   return new LineSegments(geometry, new LineBasicMaterial({ color: colours.box }));
 }
 
+const uprightCapsule = new Vector3(0, 1, 0), numbersOfFrame = 7, numbersOfCapsule = 8, numbersOfPlate = 10;
+
+/** The corners of the part of a workspace that is worth a look. */
+function cornersOf({ lower, upper }) {
+  return [0, 1, 2, 3, 4, 5, 6, 7].flatMap((k) => [0, 1, 2].map((i) => ((k >> i) & 1 ? upper : lower)[i]));
+}
+
+/** Solids with sharp and with smooth edges, the sharp ones drawn. */
+function solids(soup, ball, { colour, side, edges }) {
+  const shared = new BufferGeometry(), group = new Group();
+  if (soup.triangles.length === 0) return group;
+  shared.setAttribute("position", new BufferAttribute(inBall(soup.vertices, ball), 3));
+  shared.setIndex(new BufferAttribute(new Uint32Array(soup.triangles), 1));
+  const material = new MeshStandardMaterial({ color: colour, roughness: 0.8, metalness: 0, side, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+  group.add(new Mesh(toCreasedNormals(shared, 0.7), material));
+  if (edges) group.add(new LineSegments(new EdgesGeometry(shared, 40), new LineBasicMaterial({ color: colours.edge })));
+  return group;
+}
+
+/** A robot as one group for each link, so that a pose moves groups only. */
+function robotOf(workspace, ball, { colour, opacity = 1 }) {
+  const robot = new Group(), at = (flat, i) => new Vector3(flat[i], flat[i + 1], flat[i + 2]).divideScalar(ball.radius);
+  const material = new MeshStandardMaterial({ color: colour, roughness: 0.65, metalness: 0, transparent: opacity < 1, opacity, depthWrite: opacity === 1, side: DoubleSide });
+  for (let i = 0; i < workspace.poses[0].length; i += numbersOfFrame) robot.add(new Group());
+  const { capsules, plates } = workspace;
+  for (let i = 0; i < capsules.length; i += numbersOfCapsule) {
+    const from = at(capsules, i + 1), to = at(capsules, i + 4), along = to.clone().sub(from);
+    const capsule = new Mesh(new CapsuleGeometry(capsules[i + 7] / ball.radius, along.length(), 8, 24), material);
+    if (along.length() > 0) capsule.quaternion.setFromUnitVectors(uprightCapsule, along.clone().normalize());
+    capsule.position.copy(from).addScaledVector(along, 0.5);
+    robot.children[capsules[i]].add(capsule);
+  }
+  robot.children.forEach((link, number) => {
+    const places = [];
+    for (let i = 0; i < plates.length; i += numbersOfPlate)
+      if (plates[i] === number) for (let k = 1; k < numbersOfPlate; ++k) places.push(plates[i + k] / ball.radius);
+    if (places.length === 0) return;
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(new Float32Array(places), 3));
+    geometry.computeVertexNormals();
+    link.add(new Mesh(geometry, material));
+  });
+  return robot;
+}
+
+/** Moves the links of a robot to where a pose has them. */
+function take(robot, frames, ball) {
+  robot.children.forEach((link, number) => {
+    const i = numbersOfFrame * number, place = new Vector3(frames[i + 4], frames[i + 5], frames[i + 6]);
+    link.quaternion.set(frames[i], frames[i + 1], frames[i + 2], frames[i + 3]).normalize();
+    link.position.copy(place.sub(ball.centre).divideScalar(ball.radius));
+  });
+}
+
+function buildWorkspace({ workspace, hand }) {
+  const flat = cornersOf(workspace), ball = ballAround({ lines: { path: flat } }), scene = new Scene(), near = new Group(), layers = {};
+  scene.add(solids(workspace.ground, ball, { colour: colours.ground, side: FrontSide, edges: false }));
+  layers.obstacles = solids(workspace.obstacles, ball, { colour: colours.surface, side: DoubleSide, edges: true });
+  layers.start = robotOf(workspace, ball, { colour: colours.start, opacity: 0.35 });
+  layers.target = robotOf(workspace, ball, { colour: colours.target, opacity: 0.35 });
+  layers.between = robotOf(workspace, ball, { colour: colours.between });
+  for (const layer of Object.values(layers)) scene.add(layer);
+  take(layers.start, workspace.poses[0], ball);
+  take(layers.target, workspace.poses.at(-1), ball);
+  layers.path = line(hand, ball, { colour: colours.hand, width: 3, order: 3 });
+  near.add(layers.path);
+  scene.add(near);
+  const pose = (k) => take(layers.between, workspace.poses[k], ball);
+  return { scene, near, layers, seen: [inBall(flat, ball)], ball, pose };
+}
+
 function build(data) {
+  if (data.workspace) return buildWorkspace(data);
   const ball = ballAround(data), scene = new Scene(), near = new Group(), layers = {};
   const surface = data.surface && surfaceMesh(data.surface, ball);
   if (surface) scene.add(surface);
@@ -221,9 +301,18 @@ class Viewer {
     this.canvas.addEventListener("dblclick", () => this.reset());
     this.canvas.addEventListener("pointerdown", (event) => { this.pressed = [event.clientX, event.clientY]; });
     this.canvas.addEventListener("click", (event) => this.click(event));
+    if (this.pose) this.slide(document.getElementById("pose"));
     for (const toggle of this.stage.parentElement.querySelectorAll("input[data-layer]"))
       toggle.addEventListener("change", () => { this.layers[toggle.dataset.layer].visible = toggle.checked; this.render(); });
     new ResizeObserver(() => this.resize()).observe(this.stage);
+  }
+
+  /** The robot goes where the slider is. */
+  slide(slider) {
+    const move = () => { this.pose(Number(slider.value)); this.render(); };
+    slider.addEventListener("input", move);
+    this.pose(Number(slider.value));
+    document.getElementById("pose-row").hidden = false;
   }
 
   key(event) {

@@ -9,6 +9,7 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include "catalogue/scene/scene.hpp"
+#include "catalogue/scene/workspace_json.hpp"
 
 namespace leastcost {
 namespace {
@@ -199,6 +200,8 @@ Scene read(const Json& json) {
     if (json.at("strip").contains("hand")) scene.strip.hand = read_line(json.at("strip").at("hand"), 2);
     if (json.at("strip").contains("hand_in_space"))
       scene.strip.hand_in_space = read_line(json.at("strip").at("hand_in_space"), 3);
+    if (json.at("strip").contains("workspace"))
+      scene.strip.workspace = read_workspace(json.at("strip").at("workspace"));
     for (const Json& pose : json.at("strip").at("poses")) {
       std::vector<Points>& parts = scene.strip.poses.emplace_back();
       for (const Json& part : pose) parts.push_back(read_line(part, 2));
@@ -219,9 +222,10 @@ std::string strip_text(const PoseStrip& strip) {
   const Rounded rounded(extent);
   std::string poses;
   for (const auto& pose : strip.poses) poses += (poses.empty() ? "" : ",\n") + list_of(pose, rounded);
-  return fmt::format("{{\"obstacles\":{},\n\"hand\":{},\n\"hand_in_space\":{},\n\"poses\":[{}]}}",
+  const std::string workspace = strip.workspace.empty() ? "" : ",\n\"workspace\":" + workspace_json(strip.workspace);
+  return fmt::format("{{\"obstacles\":{},\n\"hand\":{},\n\"hand_in_space\":{},\n\"poses\":[{}]{}}}",
                      list_of(strip.obstacles, rounded), vectors(strip.hand.colwise(), rounded),
-                     vectors(strip.hand_in_space.colwise(), rounded), poses);
+                     vectors(strip.hand_in_space.colwise(), rounded), poses, workspace);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
+#include "problems/drawing/draws_surface.hpp"
 #include "problems/obstacles/segment_tree.hpp"
 #include "problems/obstacles/triangle_foot.hpp"
 
@@ -20,7 +21,7 @@ namespace {
 using Eigen::Vector3d;
 using FaceCorners = std::array<Vector3d, 3>;
 
-class FaceObstacle final : public Obstacle, public MeetsTriangles {
+class FaceObstacle final : public Obstacle, public MeetsTriangles, public DrawsSurface {
  public:
   FaceObstacle(std::string name, const FaceCorners& corners, const Vector3d& normal, double radius)
       : name_(std::move(name)), corners_(corners), normal_(normal), radius_(radius), tree_({corners}) {}
@@ -34,6 +35,7 @@ class FaceObstacle final : public Obstacle, public MeetsTriangles {
   double radius() const override { return radius_; }
   bool convex() const override { return true; }
   Eigen::MatrixXd corners() const override { return {}; }  // asked for in the plane
+  TriangleSoup surface() const override { return {{corners_.begin(), corners_.end()}, {{0, 1, 2}}}; }
 
   double distance(const Vector& x, Eigen::Ref<Vector> away) const override {
     away = x - foot_on_triangle(corners_, Vector3d(x));

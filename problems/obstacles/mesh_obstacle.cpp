@@ -14,6 +14,7 @@
 #include <leastcost/problems/readers/mesh_reader.hpp>
 #include "problems/distance/orient_faces.hpp"
 #include "problems/distance/winding_number.hpp"
+#include "problems/drawing/draws_surface.hpp"
 #include "problems/mesh/weld_option.hpp"
 #include "problems/obstacles/segment_tree.hpp"
 
@@ -41,11 +42,13 @@ std::string why_hollow(const TriangleMesh& mesh, const FaceOrientation& orientat
   return "";
 }
 
-class MeshObstacle final : public Obstacle, public MeetsTriangles {
+class MeshObstacle final : public Obstacle, public MeetsTriangles, public DrawsSurface {
  public:
   MeshObstacle(const TriangleMesh& mesh, MeshInside inside, double radius, std::string name)
       : name_(std::move(name)), radius_(radius), box_(3), nearest_(mesh), segments_(triangles_of(mesh)) {
     for (const Vector3d& p : mesh.positions()) box_.extend(Vector(p));
+    surface_.vertices.assign(mesh.positions().begin(), mesh.positions().end());
+    for (const auto& [a, b, c] : mesh.faces()) surface_.triangles.push_back({a, b, c});
     for (std::int32_t f = 0; f < mesh.face_count(); ++f) normals_.push_back(mesh.face_normal(f));
     if (inside == MeshInside::surface) return;
     const FaceOrientation orientation = orient_faces(mesh);
@@ -60,6 +63,7 @@ class MeshObstacle final : public Obstacle, public MeetsTriangles {
   Box core_bounds() const override { return box_; }
   double radius() const override { return radius_; }
   Eigen::MatrixXd corners() const override { return {}; }
+  TriangleSoup surface() const override { return surface_; }
 
   double distance(const Vector& x, Eigen::Ref<Vector> away) const override {
     const Vector3d place = x;
@@ -102,6 +106,7 @@ class MeshObstacle final : public Obstacle, public MeetsTriangles {
   std::string name_;
   double radius_;
   Box box_;
+  TriangleSoup surface_;  ///< for drawing
   ClosestPointTree nearest_;
   SegmentTree segments_;
   std::vector<Vector3d> normals_;  ///< of faces

@@ -69,6 +69,7 @@ ArmModel panda() {
       {7, Vector3d(0.0406, 0.0406, 0.084), Vector3d(-0.0407, -0.0406, 0.084), 0.0291},
   };
   arm.shape.whose = "capsules that cover the collision meshes of franka_description, fingers open to 40 mm each";
+  arm.shape.unit = "m";
   keep_apart(arm.shape, {0, 1, 2}, {5, 6, 7});
   keep_apart(arm.shape, {3}, {7});
   return arm;
@@ -99,6 +100,7 @@ ArmModel ur5() {
       {6, Vector3d(0, 0.0001, -0.0212), Vector3d(0.0001, -0.0032, -0.0209), 0.0401},
   };
   arm.shape.whose = "capsules that cover the collision meshes of ur_description, without a tool";
+  arm.shape.unit = "m";
   keep_apart(arm.shape, {0, 1}, {3, 4, 5, 6});
   keep_apart(arm.shape, {2}, {4, 5, 6});
   keep_apart(arm.shape, {3}, {6});

@@ -48,6 +48,7 @@ struct Robot {
   std::vector<std::string> owners = {};  ///< of the capsules, for people: "panda_hand"; empty: their links
   std::vector<std::string> joints = {};  ///< names of the coordinates; empty: they have none
   Eigen::VectorXd velocity = {};         ///< largest of each coordinate, per s; infinite: not known; empty: of none is
+  std::string unit = {};                 ///< of lengths, for people; empty: not known
 
   /// Parts are numbered: the capsules, then the plates.
   std::size_t parts() const { return capsules.size() + plates.size(); }

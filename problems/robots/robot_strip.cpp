@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "problems/robots/robot_pose.hpp"
+#include "problems/robots/robot_workspace.hpp"
 
 namespace leastcost {
 namespace {
@@ -79,20 +80,6 @@ Points outline_of(const Obstacle& obstacle, int space) {
   return hull_of_discs(corners, obstacle.radius());
 }
 
-/// The configuration that lies a part of the path's length along it.
-Eigen::VectorXd at_part(const Points& path, double part) {
-  Eigen::VectorXd lengths = Eigen::VectorXd::Zero(path.cols());
-  for (Index i = 1; i < path.cols(); ++i) lengths[i] = lengths[i - 1] + (path.col(i) - path.col(i - 1)).norm();
-  const double wanted = part * lengths[lengths.size() - 1];
-  for (Index i = 1; i < path.cols(); ++i) {
-    const double length = lengths[i] - lengths[i - 1];
-    if (lengths[i] >= wanted && length > 0)
-      return path.col(i - 1) +
-             std::clamp((wanted - lengths[i - 1]) / length, 0.0, 1.0) * (path.col(i) - path.col(i - 1));
-  }
-  return path.col(path.cols() - 1);
-}
-
 }  // namespace
 
 PoseStrip robot_strip(const Robot& robot, const std::vector<std::shared_ptr<const Obstacle>>& obstacles,
@@ -104,7 +91,7 @@ PoseStrip robot_strip(const Robot& robot, const std::vector<std::shared_ptr<cons
       strip.obstacles.push_back(outline_of(*obstacles[i], space));
   RobotPose pose;
   for (int k = 0; k < kPosesOfStrip; ++k) {
-    pose.place(robot, at_part(configurations, static_cast<double>(k) / (kPosesOfStrip - 1)));
+    pose.place(robot, along_path(configurations, static_cast<double>(k) / (kPosesOfStrip - 1)));
     std::vector<Points>& parts = strip.poses.emplace_back();
     for (std::size_t i = 0; i < robot.capsules.size(); ++i)
       parts.push_back(hull_of_discs({projected(pose.axes[i].from, space), projected(pose.axes[i].to, space)},
@@ -118,6 +105,7 @@ PoseStrip robot_strip(const Robot& robot, const std::vector<std::shared_ptr<cons
     strip.hand.col(i) = projected(hand, space);
     strip.hand_in_space.col(i) = hand;
   }
+  if (space == 3) strip.workspace = robot_workspace(robot, obstacles, configurations);
   return strip;
 }
 

@@ -11,7 +11,8 @@
 #include <leastcost/framework/base/errors.hpp>
 #include "app/figure/rsvg.hpp"
 #include "app/plot/text.hpp"
-#include "app/report/run/space_view.hpp"
+#include "app/report/space/space_image.hpp"
+#include "catalogue/inputs/png_image.hpp"
 #include "catalogue/output/write_run.hpp"
 #include "tests/app/called.hpp"
 #include "tests/support/catch.hpp"
@@ -49,6 +50,18 @@ obstacles: [{type: ball, center: [2, 5], radius: 0.5}]
 cost: euclidean
 ends: {source: {point: [0, 0, 0]}, target: {point: [4, 1, 0.5]}}
 path: {points: 4}
+certificate: {enabled: false}
+)";
+
+/// An arm that reaches over a board.
+const char* const kFigureArm = R"(manifold: {type: euclidean, dimension: 7}
+robot: {type: dh_arm, model: panda}
+obstacles:
+  - {type: box, lower: [0.3, -0.5, 0.2], upper: [0.8, 0.5, 0.25]}
+  - {type: half_space, normal: [0, 0, 1], offset: -0.05}
+cost: euclidean
+ends: {source: {point: [0.9, -0.785, 0, -2.356, 0, 1.571, 0.785]}, target: {point: [-0.5, -0.785, 0, -2, 0, 1.571, 0.785]}}
+path: {points: 8}
 certificate: {enabled: false}
 )";
 
@@ -214,6 +227,50 @@ TEST_CASE("figure: of a robot the poses and the way of its hand, which its files
   CHECK(has_part(vtp, "Name=\"coordinates\""));
   const std::string points = vtp.substr(vtp.find("Name=\"Points\""));
   CHECK_THAT(points.substr(0, points.find("</DataArray>")), Contains("4 1 0\n"));  // not the angle as a height
+}
+
+TEST_CASE("figure: of a robot in space obstacles and poses as an image, under the way of its hand and axes") {
+  const ScratchDir dir;
+  const std::string svg = figure_of(dir, kFigureArm, {"--view", "30,25"});
+  check_literal_colours(svg);
+  for (const char* part : {"data:image/png;base64,iVBORw0KGgo", ">x (m)<", ">y (m)<", ">z (m)<", ">start<", ">between<",
+                           ">target<", ">obstacles<", "class=\"hand"}) {
+    INFO(part);
+    CHECK(has_part(svg, part));
+  }
+  const Called again = call({"figure", (dir / "run").string(), "-o", (dir / "b.svg").string(), "--what", "obstacles"});
+  REQUIRE(again.exit == 0);
+  CHECK_FALSE(has_part(content(dir / "b.svg"), "class=\"hand"));
+
+  const std::string vtp = (dir / "a.vtp").string();
+  REQUIRE(call({"figure", (dir / "run").string(), "-o", vtp}).exit == 0);
+  const std::string xml = content(vtp), parts = xml.substr(xml.find("Name=\"part\""));
+  const std::string numbers = parts.substr(0, parts.find("</DataArray>"));
+  for (const char* part : {"\n1\n", "\n3\n", "\n4\n", "\n5\n"}) CHECK(has_part(numbers, part));
+}
+
+TEST_CASE("figure: what stands in front hides what is behind, and shines through where it is pale") {
+  // Seen from above: a small square over a large one.
+  const auto square = [](double half, double height) {
+    return TriangleSoup{{{-half, -half, height}, {half, -half, height}, {half, half, height}, {-half, half, height}},
+                        {{0, 1, 2}, {0, 2, 3}}};
+  };
+  const app::SpaceView view = app::view_from({-90, 90}, Eigen::Vector3d::UnitZ());
+  const Eigen::AlignedBox2d area(Eigen::Vector2d(-2, -2), Eigen::Vector2d(2, 2));
+  const auto middle = [&](const std::vector<app::ImageLayer>& layers) {
+    const GreyImage image = read_png(app::shaded_image(layers, view, area, 8).png, "image");
+    return image.values[static_cast<std::size_t>(4 * image.columns + 4)];
+  };
+  const app::ImageLayer below{square(2, 0), {250, 250, 250}}, above{square(1, 1), {100, 100, 100}};
+  app::ImageLayer pale = above, away = above;
+  pale.opacity = 0.5;
+  away.surface.triangles = {{0, 2, 1}, {0, 3, 2}};
+  away.one_sided = true;
+  CHECK(middle({above, below}) == middle({below, above}));
+  CHECK(middle({below, above}) == middle({above}));
+  CHECK(middle({below, away}) == middle({below}));
+  CHECK(middle({below, pale}) > middle({below, above}) + 10);
+  CHECK(middle({below, pale}) < middle({below}) - 10);
 }
 
 TEST_CASE("figure: surface and path as VTP and PLY have as many of everything as they announce") {

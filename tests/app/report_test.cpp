@@ -139,6 +139,23 @@ TEST_CASE("report: the 3D view goes with its script, a still picture is always t
   CHECK(app::viewer_script().find("</script") == std::string_view::npos);
 }
 
+TEST_CASE("report: a robot in space has a picture among its obstacles and a slider for its poses") {
+  const ScratchDir dir;
+  const std::string page = content(run_of(dir, R"(manifold: {type: euclidean, dimension: 7}
+robot: {type: dh_arm, model: panda}
+obstacles: [{type: ball, center: [0.6, 0, 0.9], radius: 0.1}]
+cost: euclidean
+ends: {source: {point: [0.9, -0.785, 0, -2.356, 0, 1.571, 0.785]}, target: {point: [-0.5, -0.785, 0, -2, 0, 1.571, 0.785]}}
+path: {points: 8}
+certificate: {enabled: false}
+)") / "report.html");
+  check_holds(page,
+              {"id=\"stage\"", "class=\"hand", "data:image/png;base64,", "x (m)", "obstacles", "Coordinates along"});
+  if (app::viewer_script().empty()) return;
+  check_holds(page, {"id=\"pose\" min=\"0\"", "\"workspace\":{"});
+  CHECK(page.find("id=\"scene\"") == page.rfind("id=\"scene\""));
+}
+
 TEST_CASE("report: every kind of picture") {
   const ScratchDir dir;
   const std::string plane = content(run_of(dir, kPlane, "plane") / "report.html");

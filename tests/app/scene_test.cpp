@@ -276,4 +276,40 @@ TEST_CASE("scene: obstacles, margins, the free part and the hand of a robot are 
   CHECK(read.strip.hand_in_space.isApprox(scene.strip.hand_in_space));
 }
 
+TEST_CASE("scene: a robot in space and its obstacles are written and read") {
+  Scene scene;
+  scene.dimension = 7;
+  scene.strip.poses = {{Points::Zero(2, 3)}};
+  Workspace& workspace = scene.strip.workspace;
+  workspace.unit = "m";
+  workspace.lower = {-1, -1, 0};
+  workspace.upper = {1, 1, 1};
+  workspace.capsules = {{1, {0, 0, 0.25}, {0, 0.5, 0}, 0.125}};
+  workspace.plates = {{0, {Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()}}};
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()));
+  workspace.poses = {{{}, {turn, {1, 2, 3}}}, {{turn, {3, 2, 1}}, {}}};
+  workspace.obstacles = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  workspace.notes = {"a note"};
+  const std::string text = scene_json(scene);
+  const Workspace read = read_scene(text, "a scene").strip.workspace;
+  CHECK(read.unit == "m");
+  CHECK(read.lower == workspace.lower);
+  CHECK(read.upper == workspace.upper);
+  REQUIRE(read.capsules.size() == 1);
+  CHECK(read.capsules[0].link == 1);
+  CHECK(read.capsules[0].to == workspace.capsules[0].to);
+  CHECK(read.capsules[0].radius == 0.125);
+  REQUIRE(read.plates.size() == 1);
+  CHECK(read.plates[0].corners[2] == Eigen::Vector3d::UnitY());
+  REQUIRE(read.poses.size() == 2);
+  CHECK(read.poses[0][1].turn.angularDistance(turn) < 2e-4);
+  CHECK(read.poses[1][0].origin == Eigen::Vector3d(3, 2, 1));
+  CHECK(read.obstacles.triangles == workspace.obstacles.triangles);
+  CHECK(read.ground.triangles.empty());
+  CHECK(read.notes == workspace.notes);
+  std::string broken = text;
+  broken.replace(broken.find("\"capsules\":[1"), 13, "\"capsules\":[9");
+  CHECK_THROWS_AS(read_scene(broken, "a scene"), InputError);
+}
+
 }  // namespace leastcost::test

@@ -78,9 +78,9 @@ if ! cmp -s "$here/package-lock.json" fetched; then
 fi
 cp "$here/browser.mjs" "$here/open_reports.mjs" "$here/click_reports.mjs" .
 
-# A surface with a family of paths, a curve in the plane, a ring on an equation that goes on for ever; and a study.
+# A surface with a family of paths, a curve in the plane, a ring on an equation that goes on for ever, an arm among obstacles; and a study.
 reports=
-for name in torus_family brachistochrone plane_cut_gyroid; do
+for name in torus_family brachistochrone plane_cut_gyroid arm_at_a_shelf; do
   "$program" run "$configs/$name.yaml" --output "results/$name" --quiet >/dev/null || exit 1
   kind=
   if [ "$viewer" = ON ] && [ "$name" != brachistochrone ]; then kind='=webgl'; fi

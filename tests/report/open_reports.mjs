@@ -33,6 +33,17 @@ async function faults(file, viewer) {
     const after = await canvas.screenshot();
     if (before.equals(after)) found.push("arrow keys do not turn the 3D view");
     await page.keyboard.press("0");
+    // A robot goes where the slider is.
+    const slider = page.locator("#pose");
+    if ((await slider.count()) > 0) {
+      if (!(await slider.isVisible())) found.push("the slider of the robot's poses is hidden");
+      await slider.focus();
+      await page.keyboard.press("Home");
+      const atStart = await canvas.screenshot();
+      await page.keyboard.press("End");
+      if (atStart.equals(await canvas.screenshot())) found.push("the slider does not move the robot");
+      for (let i = 0; i < 20; ++i) await page.keyboard.press("ArrowLeft");
+    }
   }
   const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
   if (wide > 1) found.push(`the page is ${wide} px wider than the window`);

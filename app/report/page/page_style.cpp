@@ -50,6 +50,7 @@ svg{max-width:100%;height:auto}
 display:flex;align-items:center;justify-content:center;overflow:hidden}
 .stage canvas{display:block;width:100%;height:100%;cursor:grab}.stage canvas:active{cursor:grabbing}
 .stage svg{max-height:100%}
+#pose-row label{display:flex;gap:.7em;align-items:center}#pose{flex:1}
 .legend{display:flex;flex-wrap:wrap;gap:.3rem 1.4rem;font-size:.88rem;margin-top:.5rem;color:var(--soft);
 align-items:center}
 .legend label{display:inline-flex;align-items:center;gap:.4rem;cursor:pointer}.legend svg{flex:none}

@@ -10,7 +10,8 @@
 #include "app/report/page/viewer_script.hpp"
 #include "app/report/run/clicks_part.hpp"
 #include "app/report/run/run_parts.hpp"
-#include "app/report/run/space_view.hpp"
+#include "app/report/run/viewer_part.hpp"
+#include "app/report/space/space_view.hpp"
 
 namespace leastcost::app {
 namespace {
@@ -33,36 +34,24 @@ Json flat(const Points& x) { return std::vector<double>(x.data(), x.data() + x.s
 std::string viewer_data(const RunFiles& files, const SpaceView& view) {
   Scene scene = files.scene;
   if (has_clicked_mesh(files)) scene.surface = {};  // what answers clicks has all of it
-  Json extra = {{"markers", flat(files.points)},
-                {"ends", flat(ends_of(files))},
-                {"view",
-                 {{"direction", {view.axes(2, 0), view.axes(2, 1), view.axes(2, 2)}},
-                  {"up", {scene.up[0], scene.up[1], scene.up[2]}}}}};
+  const Json extra = {{"markers", flat(files.points)},
+                      {"ends", flat(ends_of(files))},
+                      {"view", Json::parse(view_json(view, scene.up))}};
   std::string text = scene_json(scene);
   const std::string more = extra.dump();
-  text.replace(text.rfind('}'), 1, "," + more.substr(1));
-  // A script element ends at the first "</script" whatever it holds.
-  std::string safe;
-  for (const char c : text) c == '<' ? safe += "\\u003c" : safe += c;
-  return safe;
+  return text.replace(text.rfind('}'), 1, "," + more.substr(1));
 }
 
 Picture space_picture(const RunFiles& files) {
   const SpaceView view = choose_view(files.scene);
   const std::string still = svg(space_sketch(files, view, {}));
-  const bool viewer = !viewer_script().empty();
-  std::string part = "<figure>\n<div class=\"stage\" id=\"stage\">" + still + "</div>\n";
-  part += legend_html(legend_of(files, {}), viewer);
-  if (viewer)
-    part += "<p class=\"soft\" id=\"no-webgl\" hidden>This browser has no WebGL: the picture is static.</p>\n";
-  part += caption_of(
-      files,
-      viewer ? "Drag to turn; click, then scroll or pinch to zoom; double-click to reset; keys: arrows, +, −, 0."
-             : "This leastcost was built without npm, so it has no 3D view; open path.vtp or path.obj in a viewer.");
-  part += "</figure>\n";
-  if (!viewer) return {part, ""};
-  return {part, "<script type=\"application/json\" id=\"scene\">" + viewer_data(files, view) + "</script>\n<script>" +
-                    std::string(viewer_script()) + "</script>\n"};
+  if (!files.scene.strip.workspace.empty())  // which has the 3D view
+    return {"<figure>\n" + still + legend_html(legend_of(files, {}), false) + caption_of(files, "") + "</figure>\n",
+            ""};
+  return staged({.still = still,
+                 .legend = legend_of(files, {}),
+                 .caption = caption_of(files, about_viewer()),
+                 .data = viewer_data(files, view)});
 }
 
 /// What the level lines of a bracket are; empty where there are none.
@@ -114,8 +103,9 @@ Picture space_of_path(const RunFiles& files) {
 
 Picture picture_of(const RunFiles& files) {
   Picture picture = space_of_path(files);
-  picture.part = strip_part(files) + picture.part + clicks_panel(files);
-  picture.script = clicks_scripts(files) + picture.script;  // the view draws what it unpacks
+  const Picture robot = robot_picture(files);
+  picture.part = (robot.part.empty() ? strip_part(files) : robot.part) + picture.part + clicks_panel(files);
+  picture.script = clicks_scripts(files) + robot.script + picture.script;  // the view draws what it unpacks
   return picture;
 }
 

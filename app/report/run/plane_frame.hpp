@@ -8,7 +8,7 @@
 
 #include <leastcost/framework/path/path.hpp>
 #include "app/plot/scale.hpp"
-#include "app/report/run/look.hpp"
+#include "app/report/space/look.hpp"
 
 namespace leastcost::app {
 

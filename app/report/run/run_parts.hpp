@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "app/plot/legend.hpp"
-#include "app/report/run/look.hpp"
 #include "app/report/run/run_files.hpp"
+#include "app/report/space/look.hpp"
+#include "app/report/space/space_view.hpp"
 
 namespace leastcost::app {
 
@@ -42,6 +43,8 @@ struct PlaneMap {
 PlaneMap plane_map(const RunFiles& files, const Look& look);
 /// Whether a side of the box is in that drawing.
 bool shows_walls(const RunFiles& files);
+/// The scene without perspective: hidden parts of the path are thin.
+Sketch space_sketch(const RunFiles& files, const SpaceView& view, const Look& look);
 /// A robot on its way, the later the stronger, and its obstacles; empty without one.
 Sketch strip_sketch(const PoseStrip& strip, const Look& look);
 std::vector<LegendEntry> legend_of(const PoseStrip& strip, const Look& look);

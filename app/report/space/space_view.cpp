@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "app/report/run/space_view.hpp"
+#include "app/report/space/space_view.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -49,27 +49,41 @@ double size_seen(const SpaceView& view, const Points& path) {
   return (seen.rowwise().maxCoeff() - seen.rowwise().minCoeff()).norm();
 }
 
+std::vector<Eigen::Vector3d> in_view(const TriangleSoup& surface, const SpaceView& view) {
+  std::vector<Eigen::Vector3d> seen;
+  seen.reserve(surface.vertices.size());
+  for (const Eigen::Vector3d& x : surface.vertices) seen.emplace_back(view.axes * x);
+  return seen;
+}
+
 }  // namespace
 
 DepthMap::DepthMap(const TriangleSoup& surface, const SpaceView& view, int pixels) : view_(view) {
   if (surface.triangles.empty()) return;
-  std::vector<Eigen::Vector3d> seen;
-  seen.reserve(surface.vertices.size());
+  const std::vector<Eigen::Vector3d> seen = in_view(surface, view);
   Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& x : surface.vertices) {
-    seen.emplace_back(view.axes * x);
-    box.extend(seen.back());
-  }
-  origin_ = box.min();
-  pixel_ = std::max(box.diagonal().head<2>().maxCoeff() / (pixels - 1), 1e-300);
-  columns_ = 1 + static_cast<int>(std::ceil(box.diagonal()[0] / pixel_ * (1 - 1e-12)));
-  rows_ = 1 + static_cast<int>(std::ceil(box.diagonal()[1] / pixel_ * (1 - 1e-12)));
-  depth_.assign(index(0, rows_), -std::numeric_limits<double>::infinity());
+  for (const Eigen::Vector3d& x : seen) box.extend(x);
+  grid_.origin = box.min().head<2>();
+  grid_.pixel = std::max(box.diagonal().head<2>().maxCoeff() / (pixels - 1), 1e-300);
+  grid_.columns = 1 + static_cast<int>(std::ceil(box.diagonal()[0] / grid_.pixel * (1 - 1e-12)));
+  grid_.rows = 1 + static_cast<int>(std::ceil(box.diagonal()[1] / grid_.pixel * (1 - 1e-12)));
+  draw_all(surface, seen, false);
+}
+
+DepthMap::DepthMap(const TriangleSoup& surface, const SpaceView& view, const PixelGrid& grid, bool one_sided)
+    : view_(view), grid_(grid) {
+  draw_all(surface, in_view(surface, view), one_sided);
+}
+
+void DepthMap::draw_all(const TriangleSoup& surface, const std::vector<Eigen::Vector3d>& seen, bool one_sided) {
+  depth_.assign(index(0, grid_.rows), -std::numeric_limits<double>::infinity());
   front_.assign(depth_.size(), -1);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    const auto& [a, b, c] = surface.triangles[t];
-    draw(static_cast<int>(t), seen[static_cast<std::size_t>(a)], seen[static_cast<std::size_t>(b)],
-         seen[static_cast<std::size_t>(c)]);
+    const auto at = [&](std::size_t k) -> const Eigen::Vector3d& {
+      return seen[static_cast<std::size_t>(surface.triangles[t][k])];
+    };
+    if (one_sided && (at(1) - at(0)).cross(at(2) - at(0))[2] <= 0) continue;
+    draw(static_cast<int>(t), at(0), at(1), at(2));
   }
 }
 
@@ -78,16 +92,19 @@ void DepthMap::draw(int number, const Eigen::Vector3d& a, const Eigen::Vector3d&
   const double area = u[0] * v[1] - u[1] * v[0];
   if (area == 0) return;
   // An edge belongs to both of its triangles, up to a small part of a pixel.
-  const double slack = std::min(0.01, 0.1 * pixel_ * std::max(u.norm(), v.norm()) / std::abs(area));
+  const double slack = std::min(0.01, 0.1 * grid_.pixel * std::max(u.norm(), v.norm()) / std::abs(area));
+  constexpr double kFar = 1e6;  // pixels: beyond any grid
   const auto first = [&](Index i) {
-    return static_cast<int>(std::floor((std::min({a[i], b[i], c[i]}) - origin_[i]) / pixel_));
+    const double at = (std::min({a[i], b[i], c[i]}) - grid_.origin[i]) / grid_.pixel;
+    return static_cast<int>(std::floor(std::clamp(at, -kFar, kFar)));
   };
   const auto last = [&](Index i) {
-    return static_cast<int>(std::ceil((std::max({a[i], b[i], c[i]}) - origin_[i]) / pixel_));
+    const double at = (std::max({a[i], b[i], c[i]}) - grid_.origin[i]) / grid_.pixel;
+    return static_cast<int>(std::ceil(std::clamp(at, -kFar, kFar)));
   };
-  for (int j = std::max(0, first(1)); j <= std::min(rows_ - 1, last(1)); ++j) {
-    for (int i = std::max(0, first(0)); i <= std::min(columns_ - 1, last(0)); ++i) {
-      const Eigen::Vector2d p = origin_.head<2>() + pixel_ * Eigen::Vector2d(i, j) - a.head<2>();
+  for (int j = std::max(0, first(1)); j <= std::min(grid_.rows - 1, last(1)); ++j) {
+    for (int i = std::max(0, first(0)); i <= std::min(grid_.columns - 1, last(0)); ++i) {
+      const Eigen::Vector2d p = grid_.origin + grid_.pixel * Eigen::Vector2d(i, j) - a.head<2>();
       const double s = (p[0] * v[1] - p[1] * v[0]) / area, t = (u[0] * p[1] - u[1] * p[0]) / area;
       if (s < -slack || t < -slack || s + t > 1 + slack) continue;
       const double depth = a[2] + s * (b[2] - a[2]) + t * (c[2] - a[2]);
@@ -101,10 +118,10 @@ void DepthMap::draw(int number, const Eigen::Vector3d& a, const Eigen::Vector3d&
 bool DepthMap::sees(const Eigen::Vector3d& x) const {
   constexpr double kSlack = 4;  // pixels: ground seen at 20 degrees is three of them deeper in the next one
   const Eigen::Vector3d p = view_.axes * x;
-  const int i = static_cast<int>(std::lround((p[0] - origin_[0]) / pixel_)),
-            j = static_cast<int>(std::lround((p[1] - origin_[1]) / pixel_));
-  if (i < 0 || j < 0 || i >= columns_ || j >= rows_) return true;
-  return p[2] >= depth_[index(i, j)] - kSlack * pixel_;
+  const int i = static_cast<int>(std::lround((p[0] - grid_.origin[0]) / grid_.pixel)),
+            j = static_cast<int>(std::lround((p[1] - grid_.origin[1]) / grid_.pixel));
+  if (i < 0 || j < 0 || i >= grid_.columns || j >= grid_.rows) return true;
+  return p[2] >= depth_[index(i, j)] - kSlack * grid_.pixel;
 }
 
 TriangleSoup squares(const Surfels& surfels, double half_side) {
