@@ -39,8 +39,8 @@ struct RunParts {
   WaypointOptions waypoints;
   TrajectoryOptions trajectory;
   std::shared_ptr<const Robot> robot;  ///< whose configurations the points are; null: of none
-  PlacedEnd source, target;      ///< where problem.source and problem.target came from; empty in a ring
-  std::vector<PlacedEnd> goals;  ///< besides the target: the cheapest to reach is taken
+  PlacedEnd source, target;            ///< where problem.source and problem.target came from; empty in a ring
+  std::vector<PlacedEnd> goals;        ///< besides the target: the cheapest to reach is taken
   std::vector<std::string> notes;
 
   bool wants_family() const { return !family.empty() || windings > 0 || !goals.empty(); }
