@@ -21,11 +21,11 @@ namespace {
 using Catch::Contains;
 using Eigen::Vector3d;
 
-enum Child : unsigned { unknown = 0, free = 1, occupied = 2, inner = 3 };
+enum OctreeChild : unsigned { unknown = 0, free = 1, occupied = 2, inner = 3 };
 
-/// A node of a .bt file: 2 bits a child, the first child lowest. Child i is above the middle in x for bit 0 of i, in y
-/// for bit 1, in z for bit 2.
-std::string node(const std::vector<std::pair<int, Child>>& children) {
+/// A node of a .bt file: 2 bits a child, the first child lowest. OctreeChild i is above the middle in x for bit 0 of i,
+/// in y for bit 1, in z for bit 2.
+std::string node(const std::vector<std::pair<int, OctreeChild>>& children) {
   unsigned bits = 0;
   for (const auto& [number, child] : children) bits |= static_cast<unsigned>(child) << (2 * number);
   return {static_cast<char>(bits & 0xFF), static_cast<char>(bits >> 8)};
@@ -91,13 +91,13 @@ TEST_CASE("octomap: leaves of two sizes are where the file says, free and unknow
 }
 
 TEST_CASE("octomap: neighbours are merged, with the same union") {
-  const std::vector<std::pair<int, Child>> full = {{0, occupied}, {1, occupied}, {2, occupied}, {3, occupied},
-                                                   {4, occupied}, {5, occupied}, {6, occupied}, {7, occupied}};
+  const std::vector<std::pair<int, OctreeChild>> full = {{0, occupied}, {1, occupied}, {2, occupied}, {3, occupied},
+                                                         {4, occupied}, {5, occupied}, {6, occupied}, {7, occupied}};
   const auto one = read(file_of(chain(1, node(full))));
   REQUIRE(one.size() == 1);
   CHECK(one[0]->core_bounds().max() == Vector3d(1, 1, 1));
   CHECK(one[0]->core_bounds().min() == Vector3d(0, 0, 0));
-  const std::vector<std::pair<int, Child>> floor(full.begin(), full.begin() + 4);
+  const std::vector<std::pair<int, OctreeChild>> floor(full.begin(), full.begin() + 4);
   CHECK(read(file_of(chain(1, node(floor)))).size() == 1);
 }
 

@@ -22,14 +22,14 @@ using Eigen::Translation3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-std::filesystem::path folder() { return project_dir() / "tests/app/robots"; }
+std::filesystem::path strangers_folder() { return project_dir() / "tests/app/robots"; }
 
-Result solved(const std::string& text) { return solve(parse_run(text, "a.yaml", folder())).result; }
+Result solved(const std::string& text) { return solve(parse_run(text, "a.yaml", strangers_folder())).result; }
 
 /// Why it is refused; empty: it is not.
-std::string refusal(const std::string& text) {
+std::string stranger_refusal(const std::string& text) {
   try {
-    parse_run(text, "a.yaml", folder());
+    parse_run(text, "a.yaml", strangers_folder());
   } catch (const Error& error) {
     return error.what();
   }
@@ -38,7 +38,7 @@ std::string refusal(const std::string& text) {
 
 /// The least value at places along a path.
 template <class Value>
-double least_along(const Points& path, const Value& value) {
+double least_value_along(const Points& path, const Value& value) {
   constexpr int kPlaces = 8;
   double least = value(VectorXd(path.col(0)));
   for (Eigen::Index i = 0; i + 1 < path.cols(); ++i)
@@ -47,15 +47,16 @@ double least_along(const Points& path, const Value& value) {
   return least;
 }
 
-Isometry3d turn(double angle, const Vector3d& axis) { return Isometry3d(AngleAxisd(angle, axis)); }
-Isometry3d move(double x, double y, double z) { return Isometry3d(Translation3d(x, y, z)); }
+Isometry3d turned_by(double angle, const Vector3d& axis) { return Isometry3d(AngleAxisd(angle, axis)); }
+Isometry3d moved_by(double x, double y, double z) { return Isometry3d(Translation3d(x, y, z)); }
 
 /// The frame of the gripper of mobile_manipulator.urdf, its torso and arm moving.
 Isometry3d gripper_of(const VectorXd& q) {
   const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
-  return move(-0.09, 0, 0.38 + q[0]) * move(0.12, 0, 0.35) * turn(q[1], z) * move(0.117, 0, 0.06) * turn(q[2], y) *
-         move(0.219, 0, 0) * turn(q[3], x) * move(0.133, 0, 0) * turn(q[4], y) * move(0.197, 0, 0) * turn(q[5], x) *
-         move(0.1245, 0, 0) * turn(q[6], y) * move(0.1385, 0, 0) * turn(q[7], x) * move(0.1, 0, 0);
+  return moved_by(-0.09, 0, 0.38 + q[0]) * moved_by(0.12, 0, 0.35) * turned_by(q[1], z) * moved_by(0.117, 0, 0.06) *
+         turned_by(q[2], y) * moved_by(0.219, 0, 0) * turned_by(q[3], x) * moved_by(0.133, 0, 0) * turned_by(q[4], y) *
+         moved_by(0.197, 0, 0) * turned_by(q[5], x) * moved_by(0.1245, 0, 0) * turned_by(q[6], y) *
+         moved_by(0.1385, 0, 0) * turned_by(q[7], x) * moved_by(0.1, 0, 0);
 }
 
 }  // namespace
@@ -73,16 +74,16 @@ path: {points: 100}
   CHECK(result.status == Status::certified);
   REQUIRE(result.path.u.rows() == 4);
   // The quill is upright, and lower than the top of the post: both are discs seen from above.
-  const double nearest = least_along(result.path.u, [](const VectorXd& q) {
-    const Isometry3d quill =
-        turn(q[0], Vector3d::UnitZ()) * move(0.3, 0, 0.3) * turn(q[1], Vector3d::UnitZ()) * move(0.25, 0, 0.05 - q[2]);
+  const double nearest = least_value_along(result.path.u, [](const VectorXd& q) {
+    const Isometry3d quill = turned_by(q[0], Vector3d::UnitZ()) * moved_by(0.3, 0, 0.3) *
+                             turned_by(q[1], Vector3d::UnitZ()) * moved_by(0.25, 0, 0.05 - q[2]);
     return (quill.translation() - Vector3d(0.45, 0, 0)).head<2>().norm();
   });
   CHECK(nearest > 0.05 + 0.012 + 0.005);
   // The straight way leads through it.
   const VectorXd a = result.path.u.col(0), b = result.path.u.col(result.path.u.cols() - 1);
   const VectorXd middle = (a + b) / 2;
-  CHECK(least_along(result.path.u, [&](const VectorXd& q) { return (q - middle).norm(); }) > 0.2);
+  CHECK(least_value_along(result.path.u, [&](const VectorXd& q) { return (q - middle).norm(); }) > 0.2);
 }
 
 TEST_CASE("robots of others: a gantry of three slides lifts its gripper over a box") {
@@ -97,9 +98,9 @@ ends: {source: {point: [0.2, 0.3, 0.55]}, target: {point: [1.3, 0.7, 0.55]}}
 )");
   CHECK(result.status == Status::certified);
   REQUIRE(result.path.u.rows() == 3);
-  const double nearest = least_along(result.path.u, [](const VectorXd& q) {
+  const double nearest = least_value_along(result.path.u, [](const VectorXd& q) {
     const Vector3d ball(q[0] + 0.17, q[1], 1 - q[2] - 0.33);
-    const Vector3d local = turn(-0.3, Vector3d::UnitZ()) * Vector3d(ball - Vector3d(0.9, 0.5, 0.25));
+    const Vector3d local = turned_by(-0.3, Vector3d::UnitZ()) * Vector3d(ball - Vector3d(0.9, 0.5, 0.25));
     return (local.cwiseAbs() - Vector3d(0.15, 0.3, 0.25)).cwiseMax(0).norm() - 0.04;
   });
   CHECK(nearest > 0.01 - 1e-9);
@@ -119,7 +120,7 @@ path: {points: 64}
 )");
   CHECK(result.status == Status::certified);
   REQUIRE(result.path.u.rows() == 8);
-  const double nearest = least_along(result.path.u, [](const VectorXd& q) {
+  const double nearest = least_value_along(result.path.u, [](const VectorXd& q) {
     const Isometry3d gripper = gripper_of(q);
     double least = 1;
     for (const double side : {-0.062, 0.062}) {  // the tips of the open fingers
@@ -140,30 +141,33 @@ ends:
   source: {state: tucked}
   target: {tool: {link: gripper_link, offset: [0.07, 0, 0], position: [0.8, 0.1, 1], rpy: [0.2, 0.3, 0.4]}}
 )";
-  const Run run = parse_run(text, "a.yaml", folder());
+  const Run run = parse_run(text, "a.yaml", strangers_folder());
   const VectorXd q = run.parts.problem.target.u;
   REQUIRE(q.size() == 8);
   const Isometry3d gripper = gripper_of(q);
   CHECK((gripper * Vector3d(0.07, 0, 0) - Vector3d(0.8, 0.1, 1)).norm() < 1e-7);
-  const Isometry3d wanted = turn(0.4, Vector3d::UnitZ()) * turn(0.3, Vector3d::UnitY()) * turn(0.2, Vector3d::UnitX());
+  const Isometry3d wanted =
+      turned_by(0.4, Vector3d::UnitZ()) * turned_by(0.3, Vector3d::UnitY()) * turned_by(0.2, Vector3d::UnitX());
   CHECK((gripper.linear() - wanted.linear()).norm() < 1e-7);
   std::string wrong = text;
   wrong.replace(wrong.find("link: gripper_link"), 18, "link: griper_link");
-  CHECK_THAT(refusal(wrong), Contains("a.yaml:6") &&
-                                 Contains("the robot has no link 'griper_link'; it has: base_link") &&
-                                 Contains("gripper_link"));
+  CHECK_THAT(stranger_refusal(wrong), Contains("a.yaml:6") &&
+                                          Contains("the robot has no link 'griper_link'; it has: base_link") &&
+                                          Contains("gripper_link"));
 }
 
 TEST_CASE("robots of others: an end beyond the limits of a joint is refused with the coordinate") {
   const std::string gantry =
       "manifold: robot\nrobot: {type: urdf, file: gantry.urdf}\ncost: euclidean\nends:\n"
       "  source: {point: [0.2, 0.3, 0.55]}\n  target: {point: [1.3, 0.7, 0.65]}\n";
-  CHECK_THAT(refusal(gantry), Contains("a.yaml:6") && Contains("coordinate 2 is 0.65, but must be between 0 and 0.6"));
+  CHECK_THAT(stranger_refusal(gantry),
+             Contains("a.yaml:6") && Contains("coordinate 2 is 0.65, but must be between 0 and 0.6"));
   // A coordinate that is large forgives the others nothing.
   const std::string scara =
       "manifold: robot\nrobot: {type: urdf, file: scara.urdf}\ncost: euclidean\nends:\n"
       "  source: {point: [0, 0.3, 0, 0]}\n  target: {point: [0, 2.9, 0, 1e9]}\n";
-  CHECK_THAT(refusal(scara), Contains("a.yaml:6") && Contains("coordinate 1 is 2.9, but must be between -2.5 and 2.5"));
+  CHECK_THAT(stranger_refusal(scara),
+             Contains("a.yaml:6") && Contains("coordinate 1 is 2.9, but must be between -2.5 and 2.5"));
 }
 
 }  // namespace leastcost::test

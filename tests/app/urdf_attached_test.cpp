@@ -26,7 +26,7 @@ using Json = nlohmann::json;
 
 const std::string kBox = "{id: crate, link: palm, type: box, size: [0.1, 0.06, 0.2], pose: {position: [0, 0, -0.2]}}";
 
-std::string arm(const std::string& attached, const std::string& more = "") {
+std::string carrying_arm(const std::string& attached, const std::string& more = "") {
   return "manifold: robot\n"
          "robot: {type: urdf, file: gantry_arm.urdf, srdf: gantry_arm.srdf, group: arm, hold_state: open" +
          (attached.empty() ? "" : ", attached: [" + attached + "]") +
@@ -39,17 +39,17 @@ std::string arm(const std::string& attached, const std::string& more = "") {
          more;
 }
 
-std::filesystem::path folder() { return project_dir() / "configs/data"; }
+std::filesystem::path attached_folder() { return project_dir() / "configs/data"; }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
+std::string attached_replaced(std::string text, const std::string& from, const std::string& to) {
   REQUIRE(text.find(from) != std::string::npos);
   return text.replace(text.find(from), from.size(), to);
 }
 
 /// Why it is refused; empty: it is not.
-std::string refusal(const std::string& text) {
+std::string attached_refusal(const std::string& text) {
   try {
-    parse_run(text, "a.yaml", folder());
+    parse_run(text, "a.yaml", attached_folder());
   } catch (const Error& error) {
     return error.what();
   }
@@ -74,7 +74,7 @@ double nearest_of_crate(const Points& path) {
   return nearest;
 }
 
-std::set<std::pair<std::string, std::string>> pairs_of(const Robot& robot) {
+std::set<std::pair<std::string, std::string>> named_pairs_of(const Robot& robot) {
   std::set<std::pair<std::string, std::string>> names;
   for (const auto& [i, j] : robot.self) {
     CHECK(robot.link(static_cast<std::size_t>(i)) != robot.link(static_cast<std::size_t>(j)));
@@ -83,18 +83,18 @@ std::set<std::pair<std::string, std::string>> pairs_of(const Robot& robot) {
   return names;
 }
 
-std::shared_ptr<const Robot> gantry() {
+std::shared_ptr<const Robot> carrying_gantry() {
   return make_urdf_robot({.file = "gantry_arm.urdf", .srdf = "gantry_arm.srdf", .group = "arm", .hold_state = "open"},
-                         folder());
+                         attached_folder());
 }
 
 }  // namespace
 
 TEST_CASE("attached: a certified plan keeps the object clear of what the hand alone would pass") {
-  const RunOutcome without = solve(parse_run(arm(""), "a.yaml", folder()));
+  const RunOutcome without = solve(parse_run(carrying_arm(""), "a.yaml", attached_folder()));
   CHECK(without.result.status == Status::certified);
   CHECK(nearest_of_crate(without.result.path.u) < 0.25);  // the crate would go through the ball
-  const RunOutcome with = solve(parse_run(arm(kBox), "a.yaml", folder()));
+  const RunOutcome with = solve(parse_run(carrying_arm(kBox), "a.yaml", attached_folder()));
   CHECK(with.result.status == Status::certified);
   CHECK(nearest_of_crate(with.result.path.u) >= 0.25 + 0.01);
   CHECK(std::any_of(with.parts.notes.begin(), with.parts.notes.end(), [](const std::string& note) {
@@ -103,18 +103,18 @@ TEST_CASE("attached: a certified plan keeps the object clear of what the hand al
 }
 
 TEST_CASE("attached: pairs of the robot keep their links, the object is apart from what it does not touch") {
-  const std::shared_ptr<const Robot> robot = gantry();
+  const std::shared_ptr<const Robot> robot = carrying_gantry();
   AttachedObject stick{.name = "stick", .link = "palm", .shape = {{{0, {0, 0, 0}, {0.3, 0, 0}, 0.02}}, 0}};
   const auto with = with_attached(*robot, {stick});
   CHECK(with->capsules.size() == robot->capsules.size() + 1);
   CHECK(std::is_sorted(with->capsules.begin(), with->capsules.end(),
                        [](const Capsule& a, const Capsule& b) { return a.link < b.link; }));
-  const auto before = pairs_of(*robot), after = pairs_of(*with);
+  const auto before = named_pairs_of(*robot), after = named_pairs_of(*with);
   CHECK(std::includes(after.begin(), after.end(), before.begin(), before.end()));
   CHECK(after.count({"beam", "stick"}) == 1);
   CHECK(after.count({"wrist", "stick"}) == 0);  // they do not move against each other
   stick.touches = {"beam", "slide"};
-  const auto touching = pairs_of(*with_attached(*robot, {stick}));
+  const auto touching = named_pairs_of(*with_attached(*robot, {stick}));
   CHECK(touching.count({"beam", "stick"}) == 0);
   CHECK(touching.count({"slide", "stick"}) == 0);
   CHECK(touching.count({"upper_arm", "stick"}) == 1);
@@ -123,16 +123,17 @@ TEST_CASE("attached: pairs of the robot keep their links, the object is apart fr
 
 TEST_CASE("attached: an end at which the object touches the robot is refused by their names, unless it may") {
   const std::string pole = "{id: pole, link: palm, type: capsule, from: [0, 0, 0], to: [0, 0, 1], radius: 0.02}";
-  CHECK_THAT(refusal(arm(pole)), Contains("end_in_clearance") && Contains("pole"));
-  const std::string may = replaced(pole, "radius: 0.02", "radius: 0.02, touches: [forearm, upper_arm, slide, beam]");
-  CHECK(refusal(arm(may)) == "");
+  CHECK_THAT(attached_refusal(carrying_arm(pole)), Contains("end_in_clearance") && Contains("pole"));
+  const std::string may =
+      attached_replaced(pole, "radius: 0.02", "radius: 0.02, touches: [forearm, upper_arm, slide, beam]");
+  CHECK(attached_refusal(carrying_arm(may)) == "");
 }
 
 TEST_CASE("attached: what does not fit is named with its place") {
   const auto with = [](const std::string& from, const std::string& to) {
-    return refusal(arm(replaced(kBox, from, to)));
+    return attached_refusal(carrying_arm(attached_replaced(kBox, from, to)));
   };
-  CHECK(refusal(arm(kBox)) == "");
+  CHECK(attached_refusal(carrying_arm(kBox)) == "");
   CHECK_THAT(with("link: palm", "link: hand"), Contains("a.yaml:2") && Contains("has no link 'hand'; it has: beam"));
   CHECK_THAT(with("id: crate", "touches: [hand]"),
              Contains("a.yaml:2") && Contains("has no link 'hand'; it has: beam"));
@@ -144,31 +145,33 @@ TEST_CASE("attached: what does not fit is named with its place") {
 }
 
 TEST_CASE("trajectory of a robot: velocities and names of its URDF; acceleration is asked for") {
-  const std::string three = replaced(arm(""), "hold_state: open", "hold_state: open, hold: {roll: 0}");
-  const Run run = parse_run(three + "output: {trajectory: {acceleration: 4}}\n", "a.yaml", folder());
+  const std::string three =
+      attached_replaced(carrying_arm(""), "hold_state: open", "hold_state: open, hold: {roll: 0}");
+  const Run run = parse_run(three + "output: {trajectory: {acceleration: 4}}\n", "a.yaml", attached_folder());
   REQUIRE(run.parts.trajectory.velocity.has_value());
   CHECK(*run.parts.trajectory.velocity == Vector3d(1, 2, 3));
   const ScratchDir dir;
   const std::filesystem::path out = write_run(solve(run), dir / "out");
   CHECK(Json::parse(content(out / "trajectory.json"))["joint_names"] == Json({"rail", "shoulder", "elbow"}));
-  CHECK_THAT(refusal(three + "output: {trajectory: {velocity: 1}}\n"),
+  CHECK_THAT(attached_refusal(three + "output: {trajectory: {velocity: 1}}\n"),
              Contains("a.yaml") && Contains("acceleration") && Contains("joint_limits.yaml"));
-  CHECK_THAT(refusal(arm("", "output: {trajectory: {acceleration: [4]}}\n")), Contains("none for the joint 'roll'"));
-  CHECK(refusal(arm("", "output: {trajectory: {velocity: 1, acceleration: 4}}\n")) == "");
+  CHECK_THAT(attached_refusal(carrying_arm("", "output: {trajectory: {acceleration: [4]}}\n")),
+             Contains("none for the joint 'roll'"));
+  CHECK(attached_refusal(carrying_arm("", "output: {trajectory: {velocity: 1, acceleration: 4}}\n")) == "");
 }
 
 TEST_CASE("goals: the source among several is left out, alone it is refused") {
   const std::string source = "[-0.7, 0.3, -0.4, 0]";
   const auto to = [&](const std::string& rows) {
-    return replaced(arm(""), "target: {state: right_bin}", "target: {points: [" + rows + "]}");
+    return attached_replaced(carrying_arm(""), "target: {state: right_bin}", "target: {points: [" + rows + "]}");
   };
-  const Run run = parse_run(to(source + ", [0.7, -0.2, 0.3, 1.5]"), "a.yaml", folder());
+  const Run run = parse_run(to(source + ", [0.7, -0.2, 0.3, 1.5]"), "a.yaml", attached_folder());
   CHECK(run.parts.problem.target.u.isApprox(Eigen::Vector4d(0.7, -0.2, 0.3, 1.5)));
   CHECK(run.parts.goals.empty());
   CHECK(std::any_of(run.parts.notes.begin(), run.parts.notes.end(), [](const std::string& note) {
     return note.find("the source itself is among the goals") != std::string::npos;
   }));
-  CHECK_THAT(refusal(to(source + ", " + source)), Contains("is the same point as the source"));
+  CHECK_THAT(attached_refusal(to(source + ", " + source)), Contains("is the same point as the source"));
 }
 
 }  // namespace leastcost::test
