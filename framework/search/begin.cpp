@@ -21,7 +21,7 @@
 namespace leastcost {
 namespace {
 
-double length_of(const Points& x) {
+double chain_length(const Points& x) {
   return (x.rightCols(x.cols() - 1) - x.leftCols(x.cols() - 1)).colwise().norm().sum();
 }
 
@@ -29,7 +29,7 @@ double length_of(const Points& x) {
 /// away from them by a margin of first order. A bound on all motions overstates most, so that a cap costs little.
 int count_for_thin_obstacles(const LimitsMoves& domain, const FirstPath& first) {
   constexpr double kFewest = 64, kMost = 200;
-  return static_cast<int>(std::clamp(std::ceil(length_of(first.path.u) / domain.longest_move()), kFewest, kMost));
+  return static_cast<int>(std::clamp(std::ceil(chain_length(first.path.u) / domain.longest_move()), kFewest, kMost));
 }
 
 int point_count(const FindOptions& options, const Problem& problem, const FirstPath& first) {

@@ -15,7 +15,7 @@
 namespace leastcost {
 namespace {
 
-constexpr double kNegligible = 1e-9;  // of the size of a path: contact
+constexpr double kNegligibleMove = 1e-9;  // of the size of a path: contact
 constexpr double kLeastBlend = 1.0 / 64;
 constexpr double kMostSamples = 1e6;
 constexpr int kChords = 8;  // of a parabola, which leaves them by 1/64 of what it leaves its longest chord by
@@ -100,7 +100,7 @@ void sample(const BlendedPath& path, const SpeedProfile& profile, double interva
   const double duration = profile.duration();
   if (!(duration / interval <= kMostSamples))
     throw OptionError("interval", "would make more than a million samples: give a longer interval");
-  const Index moves = std::max<Index>(1, static_cast<Index>(std::ceil(duration / interval - kNegligible)));
+  const Index moves = std::max<Index>(1, static_cast<Index>(std::ceil(duration / interval - kNegligibleMove)));
   const Index d = path.pieces().front().at.size();
   out.time.resize(moves + 1);
   out.x.resize(d, moves + 1);
@@ -163,7 +163,7 @@ Trajectory make_trajectory(const Problem& problem, const Result& result, const T
 
   Trajectory out;
   const auto* obstacles = find_ability<ChecksMoves>(domain);
-  const double contact = contact_tolerance(points, kNegligible);
+  const double contact = contact_tolerance(points, kNegligibleMove);
   const BlendedPath path(points, obstacles != nullptr ? clear_blends(*obstacles, points, contact)
                                                       : Eigen::VectorXd::Ones(points.cols() - 2));
   out.deviation = path.deviation();
