@@ -59,7 +59,7 @@ bool is_taut_around(const Walls& walls, Eigen::Index dimension) {
 bool is_taut_around(const PluginChoice& obstacle, Eigen::Index dimension) {
   if (const auto* object = external_object<Obstacle>(obstacle)) return dimension == 2 || object->convex();
   return is_type(obstacle, {"ball", "box", "capsule"}) || (dimension != 3 && is_type(obstacle, {"polygon", "map"})) ||
-         (dimension == 3 && is_type(obstacle, {"cone", "cylinder", "half_space"}));
+         (dimension == 3 && is_type(obstacle, {"cone", "cylinder", "half_space", "octomap"}));
 }
 
 /// A first path that states no class: waypoints, other routes and the like are given for the sake of their class.
@@ -100,7 +100,7 @@ std::string why_not_taut(const RunConfig& config) {
   if (walls != nullptr && !is_taut_around(*walls, d)) return "needs obstacles that a path can be pulled tight around";
   for (const PluginChoice& obstacle : config.obstacles)
     if (obstacle && !is_taut_around(obstacle, d))
-      return d == 3 ? "needs convex obstacles: balls, boxes, capsules, cones, cylinders or half-spaces"
+      return d == 3 ? "needs convex obstacles: balls, boxes, capsules, cones, cylinders, half-spaces or octomaps"
                     : "needs obstacles that are balls, boxes, capsules, polygons or maps";
   return "";
 }

@@ -59,7 +59,7 @@ void leave_out_what_always_touches(Robot& robot, std::size_t first) {
   robot.whose += "; left out are parts that touch each other in every configuration tried:";
   const char* separator = " ";
   for (const auto& [one, other] : names) {
-    robot.whose += separator + one + " and " + other;
+    robot.whose.append(separator).append(one).append(" and ").append(other);
     separator = ", ";
   }
 }

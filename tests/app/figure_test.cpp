@@ -54,7 +54,7 @@ certificate: {enabled: false}
 )";
 
 /// An arm that reaches over a board.
-const char* const kFigureArm = R"(manifold: {type: euclidean, dimension: 7}
+const char* const kFigureArm = R"(manifold: robot
 robot: {type: dh_arm, model: panda}
 obstacles:
   - {type: box, lower: [0.3, -0.5, 0.2], upper: [0.8, 0.5, 0.25]}

@@ -196,6 +196,7 @@ TEST_CASE("registry: the choices of all plug-ins are those whose misspelling is 
                                  "signed_distance.source.implicit.surface",
                                  "map.unknown",
                                  "mesh.inside",
+                                 "dh_arm.attached.type",
                                  "dh_arm.model",
                                  "dh_arm.model.table.convention",
                                  "kinetic_energy.model",
@@ -213,6 +214,7 @@ TEST_CASE("registry: the choices of all plug-ins are those whose misspelling is 
   for (const char* back_end : {"nlopt", "ceres"})
     if (find_plugin(kind("solver"), back_end)->missing.empty())
       for (const char* option : {".algorithm", ".precondition"}) known.insert(std::string(back_end) + option);
+  if (find_plugin(kind("robot"), "urdf")->missing.empty()) known.insert("urdf.attached.type");
   if (find_plugin(kind("initializer"), "ompl")->missing.empty()) known.insert("ompl.planner");
   CHECK(found == known);
 }

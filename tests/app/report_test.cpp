@@ -141,7 +141,7 @@ TEST_CASE("report: the 3D view goes with its script, a still picture is always t
 
 TEST_CASE("report: a robot in space has a picture among its obstacles and a slider for its poses") {
   const ScratchDir dir;
-  const std::string page = content(run_of(dir, R"(manifold: {type: euclidean, dimension: 7}
+  const std::string page = content(run_of(dir, R"(manifold: robot
 robot: {type: dh_arm, model: panda}
 obstacles: [{type: ball, center: [0.6, 0, 0.9], radius: 0.1}]
 cost: euclidean

@@ -144,7 +144,7 @@ TEST_CASE("attached: what does not fit is named with its place") {
   CHECK_THAT(with("type: box, size: [0.1, 0.06, 0.2]", "type: mesh, file: gone.obj"), Contains("gone.obj"));
 }
 
-TEST_CASE("trajectory of a robot: velocities and names of its URDF; acceleration is asked for") {
+TEST_CASE("trajectory of a robot: velocities and names of its URDF - acceleration is asked for") {
   const std::string three =
       attached_replaced(carrying_arm(""), "hold_state: open", "hold_state: open, hold: {roll: 0}");
   const Run run = parse_run(three + "output: {trajectory: {acceleration: 4}}\n", "a.yaml", attached_folder());
