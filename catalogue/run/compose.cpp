@@ -109,7 +109,7 @@ void fill_options(const RunConfig& config, RunParts& out) {
 TrajectoryOptions trajectory_of(const TrajectoryOptions& given, const Problem& problem, const Robot* robot) {
   if (!given.wanted()) return given;
   try {
-    const TrajectoryOptions wanted = robot != nullptr ? with_limits_of(*robot, given) : given;
+    TrajectoryOptions wanted = robot != nullptr ? with_limits_of(*robot, given) : given;
     check_trajectory(problem, wanted);
     return wanted;
   } catch (const OptionError& error) {

@@ -64,7 +64,8 @@ void draw(const AxisEdge& edge, const Projector& projector, const std::string& t
 }
 
 std::array<AxisEdge, 3> edges_of(const Eigen::AlignedBox3d& box, const SpaceView& view) {
-  const Vector3d eye = view.direction(), low = box.min(), high = box.max();
+  const Vector3d eye = view.direction();
+  const Vector3d &low = box.min(), &high = box.max();
   // The sides of the box that are seen.
   const double x = eye[0] > 0 ? high[0] : low[0], y = eye[1] > 0 ? high[1] : low[1];
   const double other_x = low[0] + high[0] - x, other_y = low[1] + high[1] - y;

@@ -95,6 +95,7 @@ SpaceView choose_view(const PoseStrip& strip) {
   const Workspace& workspace = strip.workspace;
   const std::vector<std::size_t> drawn = poses_drawn(workspace);
   std::vector<std::vector<Vector3d>> points;
+  points.reserve(drawn.size() + 2);
   for (const std::size_t pose : drawn) points.push_back(points_of(workspace, pose));
   points.push_back(points.front());  // the ends count twice
   points.push_back(points[drawn.size() - 1]);
@@ -116,7 +117,8 @@ SpaceView choose_view(const PoseStrip& strip) {
   };
   double azimuth = 0, best = -1;
   for (int k = 0; k < kQuarters * kSides; ++k) {
-    const double turn = kQuarter * (k / kSides) + kFirst + kStep * (k % kSides);
+    const int quarter = k / kSides;
+    const double turn = kQuarter * quarter + kFirst + kStep * (k % kSides);
     const double liked = score(view_from({turn, kLow}, Vector3d::UnitZ()));
     if (liked > best) azimuth = turn;
     best = std::max(best, liked);
