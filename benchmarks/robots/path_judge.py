@@ -272,7 +272,7 @@ def collisions(program, robot, obstacles, clearance, q, left_out):
                  else size, frame) for link, kind, size, frame in shapes]
     moved = [i for i, (link, *_) in enumerate(robot.shapes) if robot.body[link] != robot.top]
     pairs = [(i, j) for i, j in robot.pairs
-             if frozenset((robot.body[robot.shapes[i][0]], robot.body[robot.shapes[j][0]])) not in left_out]
+             if frozenset((robot.shapes[i][0], robot.shapes[j][0])) not in left_out]
     text = f"links {len(bodies)}\nshapes {2 * len(shapes)}\n"
     text += "".join(f"{link} " + words_of(kind, size, frame) for link, kind, size, frame in shapes + enlarged)
     text += f"obstacles {len(obstacles)}\n" + "".join(words_of(*o) for o in obstacles)
@@ -298,7 +298,7 @@ def collisions(program, robot, obstacles, clearance, q, left_out):
 
 
 def left_out_pairs(notes):
-    """Of bodies, that a note says are not kept apart."""
+    """Of links, that a note says are not kept apart."""
     found = set()
     for note in notes:
         if "left out are parts that touch" in note:
