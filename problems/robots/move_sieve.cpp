@@ -18,8 +18,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kManyThings = 64;  ///< from here on a tree of them is quicker
-constexpr int kMostTogether = 64;        ///< parts of a link, pairs of two links: bits of Open::which
+constexpr std::size_t kManyThings = 64;       ///< from here on a tree of them is quicker
+constexpr std::size_t kMostPieces = 1 << 16;  ///< of a move, open at once: of one with more nothing is known in time
+constexpr int kMostTogether = 64;             ///< parts of a link, pairs of two links: bits of Open::which
 
 constexpr std::uint64_t all_of(int count) { return ~std::uint64_t{0} >> (kMostTogether - count); }
 
@@ -329,6 +330,7 @@ bool MoveSieve::passes(const Vector& a, const Vector& b, double rounding, double
   }
   pieces.assign(1, {0, 1, 0, open.size()});
   while (!pieces.empty()) {
+    if (pieces.size() > kMostPieces) return false;
     halves.clear();
     still.clear();
     for (const Piece& piece : pieces) {

@@ -32,8 +32,9 @@ class MoveSieve {
   /// Pieces of a move, 0 to 1.
   using Pieces = std::vector<std::pair<double, double>>;
 
-  /// False: some place of the straight move touches by more than `rounding`. True: what is not in one of the pieces
-  /// `left`, ascending, is clear; within those no point of the robot goes farther than about `finest`.
+  /// False: some place of the straight move touches by more than `rounding`, or it is too long for an answer in time,
+  /// as one of millions of turns beside an obstacle is. True: what is not in one of the pieces `left`, ascending, is
+  /// clear; within those no point of the robot goes farther than about `finest`.
   bool passes(const Vector& a, const Vector& b, double rounding, double finest, Pieces& left) const;
 
  private:
