@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 // Arms among balls and boxes: how many plans are found, certified and proved, what an independent look at dense places
 // of the delivered curve finds, and what a solve costs, in solves of the same chain without obstacles.
-#include <time.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -16,6 +14,7 @@
 #include <leastcost/problems/initializers/rrt.hpp>
 #include <leastcost/solvers/newton.hpp>
 #include "benchmarks/arm_scene.hpp"
+#include "benchmarks/thread_time.hpp"
 
 namespace {
 
@@ -28,21 +27,9 @@ constexpr double kNothing = 1e-8;    ///< m
 constexpr double kStraight = 1e-9;   ///< relative: longer than a straight line is a way round something
 constexpr double kMostSeconds = 20;  ///< for a plan with its certificate
 
-double thread_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
 struct Figures {
   std::vector<double> cold, warm, certificate, fits;
 };
-
-double quantile_of(std::vector<double> values, double part) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  return values[std::min(values.size() - 1, static_cast<std::size_t>(part * static_cast<double>(values.size())))];
-}
 
 void print(const char* what, const Figures& f) {
   std::printf(

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 // Plans among 25 discs in the plane, pulled tight from a path on a grid: against the shortest of all (a tangent graph
 // that shares no code with ours), and in times of the search on the grid.
-#include <time.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -15,26 +13,16 @@
 #include <leastcost/problems/post_processors/taut.hpp>
 #include <leastcost/solvers/no_solver.hpp>
 #include "benchmarks/disc_scene.hpp"
+#include "benchmarks/thread_time.hpp"
 #include "tests/adversarial/planning/judge/tangent_graph.hpp"
 
 namespace {
 
 using namespace leastcost;
+using namespace leastcost::bench;
 
 constexpr int kDiscs = 25, kPoints = 100;
 constexpr double kSameClass = 2e-6;  ///< relative: an excess of the polyline, not of another class
-
-double thread_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-double quantile_of(std::vector<double> values, double part) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  return values[std::min(values.size() - 1, static_cast<std::size_t>(part * static_cast<double>(values.size())))];
-}
 
 }  // namespace
 

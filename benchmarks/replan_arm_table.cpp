@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 // Replanning of arms when one box moves by 1 cm: processor time of a replan in solves of the same chain without
 // obstacles, and what an independent check finds penetrating.
-#include <time.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -19,6 +17,7 @@
 #include <leastcost/solvers/newton.hpp>
 #include "benchmarks/arm_scene.hpp"
 #include "benchmarks/mbm_scene.hpp"
+#include "benchmarks/thread_time.hpp"
 
 namespace {
 
@@ -32,18 +31,6 @@ constexpr double kStraight = 1e-9;   ///< relative: longer than a straight line 
 constexpr double kMostSeconds = 20;  ///< for the first plan
 constexpr double kTolerance = 1e-8;  ///< of the cost, relative
 constexpr double kMbmClearance = 1e-4;
-
-double thread_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-double quantile_of(std::vector<double> values, double part) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  return values[std::min(values.size() - 1, static_cast<std::size_t>(part * static_cast<double>(values.size())))];
-}
 
 struct Figures {
   std::vector<double> replans;  ///< in free solves
@@ -250,7 +237,7 @@ int main(int count, char** arguments) {
   const std::filesystem::path folder = count > 3 ? arguments[3] : "";
   Figures public_straight, public_round;
   if (!std::filesystem::exists(folder / "panda_even.json.gz")) {
-    std::printf("skipped: problems of MotionBenchMaker: the third argument is no folder with panda_even.json.gz\n");
+    std::printf("skipped: problems of MotionBenchMaker: give a folder with panda_even.json.gz as the third argument\n");
   } else {
     const int rest = count > 4 ? std::atoi(arguments[4]) : 0, most = count > 5 ? std::atoi(arguments[5]) : 5;
     const std::shared_ptr<const Robot> robot = panda_of(folder);

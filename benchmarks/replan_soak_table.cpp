@@ -3,8 +3,6 @@
 // Replanning without a pause among discs that all move: memory after the first second and at the end, how late it comes
 // back from its budget, and paths that an independent check finds penetrating.
 #include <malloc.h>
-#include <time.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -18,12 +16,14 @@
 #include <leastcost/problems/post_processors/taut.hpp>
 #include <leastcost/solvers/newton.hpp>
 #include <leastcost/solvers/no_solver.hpp>
+#include "benchmarks/thread_time.hpp"
 #include "tests/support/moving_discs.hpp"
 #include "tests/support/overrun.hpp"
 
 namespace {
 
 using namespace leastcost;
+using namespace leastcost::bench;
 using Clock = Monitor::Clock;
 
 constexpr double kClearance = 0.02;
@@ -31,12 +31,6 @@ constexpr double kNothing = 1e-7;
 constexpr double kMostOfBudget = 0.9;  ///< who got less of it from the machine was not given its time
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
-
-double thread_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 double kilobytes_in_use() { return static_cast<double>(mallinfo2().uordblks) / 1024; }
 

@@ -3,8 +3,6 @@
 // First paths of a Panda in the problems of MotionBenchMaker: CPU time, length over that of the straight line, and
 // whether each is clear by an independent look at dense places; the same of OMPL's RRTConnect, alone and with its
 // simplifier, among the same walls and with the same checks of places; and by our initializer of OMPL with some ranges.
-#include <time.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -20,6 +18,7 @@
 #include <leastcost/problems/manifolds/euclidean.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
 #include "benchmarks/mbm_scene.hpp"
+#include "benchmarks/thread_time.hpp"
 #ifdef LEASTCOST_HAS_OMPL
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/geometric/PathSimplifier.h>
@@ -34,6 +33,7 @@
 namespace {
 
 using namespace leastcost;
+using namespace leastcost::bench;
 
 constexpr double kClearance = 1e-4;           ///< m
 constexpr double kLookEvery = 0.004;          ///< rad
@@ -42,18 +42,6 @@ constexpr double kMostSeconds = 20;           ///< of OMPL
 constexpr double kOmplRange = 1;              ///< rad
 constexpr double kRanges[] = {0, 0.5, 1, 2};  ///< rad, of our initializer; 0: its default
 constexpr double kOmplChecks = 0.03;          ///< rad
-
-double thread_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-double quantile_of(std::vector<double> values, double part) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  return values[std::min(values.size() - 1, static_cast<std::size_t>(part * static_cast<double>(values.size())))];
-}
 
 struct Row {
   int failed = 0, touching = 0;

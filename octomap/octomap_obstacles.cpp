@@ -59,7 +59,7 @@ Header read_header(std::istream& in, const std::string& file) {
   std::getline(in, line);
   header.binary = line.rfind("# Octomap OcTree binary", 0) == 0;
   if (!header.binary && line.rfind("# Octomap OcTree file", 0) != 0)
-    throw InputError(file + ": is no octomap: its first line begins with '# Octomap OcTree'");
+    throw InputError(file + ": is not an OctoMap file: the first line of one begins with '# Octomap OcTree'");
   std::string word;
   while (in >> word && word != "data") {
     if (word == "id") in >> header.type;

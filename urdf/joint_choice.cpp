@@ -93,7 +93,7 @@ class Chooser {
         std::vector<std::string> names;
         for (const UrdfJoint& one : urdf_.joints)
           if (one.moves() && !one.mimic) names.push_back(one.name);
-        throw OptionError("hold", "'" + name + "' is no joint that moves by itself; there are: " + listed(names));
+        throw OptionError("hold", "'" + name + "' is not a joint that moves by itself; these are: " + listed(names));
       }
       if (!(value >= joint(found).lower && value <= joint(found).upper))
         throw OptionError("hold", "the value of '" + name + "' is outside its limits");

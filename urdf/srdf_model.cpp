@@ -62,13 +62,13 @@ class Groups {
 
   int link(const XmlElement& at, const std::string& name) const {
     const int found = robot_.find_link(name);
-    if (found < 0) at.fail("'" + name + "' is no link of " + robot_.file);
+    if (found < 0) at.fail("'" + name + "' is not a link of " + robot_.file);
     return found;
   }
   int joint(const XmlElement& at, const std::string& name) const {
     const int found = robot_.find_joint(name);
     // Virtual joints, which fasten the root to the world, are in no URDF.
-    if (found < 0 && virtual_.count(name) == 0) at.fail("'" + name + "' is no joint of " + robot_.file);
+    if (found < 0 && virtual_.count(name) == 0) at.fail("'" + name + "' is not a joint of " + robot_.file);
     return found;
   }
 
@@ -97,7 +97,7 @@ SrdfModel read_srdf(const std::filesystem::path& file, const UrdfModel& robot) {
     for (const XmlElement& joint : element.children("joint")) {
       const std::string name = joint.text("name");
       const int found = robot.find_joint(name);
-      if (found < 0) joint.fail("'" + name + "' is no joint of " + robot.file);
+      if (found < 0) joint.fail("'" + name + "' is not a joint of " + robot.file);
       if (robot.joints[static_cast<std::size_t>(found)].moves()) state.joints[name] = joint.required_number("value");
     }
     model.states.push_back(std::move(state));

@@ -65,7 +65,7 @@ UrdfCollision collision_of(const XmlElement& element, const std::string& file) {
     if (!(mesh.scale.cwiseAbs().minCoeff() > 0)) shape.fail("'scale' of <mesh> must have no 0");
     out.shape = std::move(mesh);
   } else {
-    shape.fail("<" + type + "> is no known shape: give sphere, cylinder, capsule, box or mesh");
+    shape.fail("<" + type + "> is not a known shape: give sphere, cylinder, capsule, box or mesh");
   }
   return out;
 }
@@ -115,7 +115,7 @@ ReadJoint joint_of(const XmlElement& element, const UrdfModel& model) {
     const int link = model.find_link(name);
     if (link < 0)
       part->fail("the " + std::string(role) + " '" + name + "' of the joint '" + joint.name +
-                 "' is no link of this file");
+                 "' is not a link of this file");
     return link;
   };
   joint.parent = link_of("parent");
@@ -128,7 +128,7 @@ ReadJoint joint_of(const XmlElement& element, const UrdfModel& model) {
   } else if (joint.type == "floating" || joint.type == "planar") {
     joint.kind = UrdfJoint::Kind::unsupported;
   } else if (joint.type != "fixed") {
-    element.fail("'" + joint.type + "' is no type of joint: give revolute, continuous, prismatic or fixed");
+    element.fail("'" + joint.type + "' is not a known type of joint: give revolute, continuous, prismatic or fixed");
   }
   if (!joint.moves()) return read;
   if (const auto axis = element.child("axis")) {
@@ -165,7 +165,7 @@ void resolve_mimics(std::vector<ReadJoint>& joints) {
                           "', and so on in a loop: one of them must move by itself");
       if (next == joints.end() || !next->joint.moves())
         read.element.fail("the joint '" + read.joint.name + "' mimics '" + at->mimics +
-                          "', which is no joint that moves by itself");
+                          "', which is not a joint that moves by itself");
       at = next;
     }
     all.joint = static_cast<int>(at - joints.begin());

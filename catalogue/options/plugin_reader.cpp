@@ -169,7 +169,7 @@ void OptionsReader::end(std::string_view key, std::optional<EndOptions>& value, 
   if (e->value.find("tool") != nullptr && !end.tool.given())
     fault("tool", e->value.find("tool")->place, "must have a position, like {tool: {position: [0.4, 0, 0.5]}}");
   else if (end.ways() != 1)
-    fault(key, e->place, EndOptions::kWays);
+    fault(key, e->place, key == "target" ? EndOptions::kWaysOfTarget : EndOptions::kWays);
   else if (end.is_several() && key != "target")
     fault(key, e->place, "must be one point: only a target can have several goals, or a pose of the tool");
   else if (end.face.has_value() != end.barycentric.has_value())

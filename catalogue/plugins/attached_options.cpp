@@ -58,7 +58,7 @@ Covering shape_of(const AttachedOptions& object, const std::filesystem::path& fo
 void refuse_others(const AttachedOptions& object) {
   const auto refuse = [&](bool given, const char* key, std::initializer_list<Form> shapes) {
     if (given && std::count(shapes.begin(), shapes.end(), object.type) == 0)
-      throw OptionError(key, "is no option of this type of shape");
+      throw OptionError(key, "is not an option of this type of shape");
   };
   refuse(object.size.has_value(), "size", {Form::box});
   refuse(object.radius.has_value(), "radius", {Form::ball, Form::cylinder, Form::capsule});
@@ -116,6 +116,9 @@ std::shared_ptr<const Robot> attach(std::shared_ptr<const Robot> robot, const st
   for (std::size_t i = 0; i < attached.size(); ++i) {
     const AttachedOptions& given = attached[i];
     try {
+      if (std::count_if(attached.begin(), attached.end(), [&](const auto& one) { return one.id == given.id; }) > 1 &&
+          !given.id.empty())
+        throw OptionError("id", "'" + given.id + "' is given to two objects: each needs an id of its own");
       refuse_others(given);
       const Eigen::Isometry3d pose = pose_of(given.pose, 3);
       objects.push_back({.name = name_of(given),

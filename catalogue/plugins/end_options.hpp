@@ -37,7 +37,8 @@ struct EndOptions {
   /// How many of these ways are given.
   int ways() const;
   bool is_several() const { return points || tool.given(); }
-  static constexpr const char* kWays =
+  static constexpr const char* kWays = "must have exactly one of: vertex; face and barycentric; point; lonlat; state";
+  static constexpr const char* kWaysOfTarget =
       "must have exactly one of: vertex; face and barycentric; point; lonlat; state; points; tool";
 };
 

@@ -11,6 +11,8 @@
 namespace leastcost {
 namespace {
 
+constexpr double kLargest = 1e75;  ///< of coordinates: beyond it products of them overflow
+
 /// `corners`: of the segment or triangle that the part is around.
 template <class Corners>
 void check_part(const Robot& robot, const std::string& name, int link, double radius, const Corners& corners) {
@@ -19,8 +21,8 @@ void check_part(const Robot& robot, const std::string& name, int link, double ra
     refuse("is on link " + std::to_string(link) + "; links are numbered from 0 to " +
            std::to_string(robot.kinematics->link_count() - 1));
   for (const Eigen::Vector3d& corner : corners)
-    if (!corner.allFinite()) refuse("must have finite coordinates");
-  if (!(radius > 0) || !std::isfinite(radius)) refuse("must have a radius greater than 0");
+    if (!(corner.cwiseAbs().maxCoeff() <= kLargest)) refuse("must have finite coordinates, none beyond 1e75");
+  if (!(radius > 0 && radius <= kLargest)) refuse("must have a radius greater than 0 and at most 1e75");
 }
 
 void check_pair(const Robot& robot, std::size_t k) {

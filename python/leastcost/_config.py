@@ -165,6 +165,6 @@ def _external(value: Object, name: str, cells: bool) -> _leastcost.External:
     if callable(value):
         return Cost(value)._external
     raise TypeError(
-        f"{name} is no object of a configuration: those are Mesh, Cloud, Terrain, Robot, Cost, CostMap, Wind, a function that "
-        f"is a cost, and an array of points, not {type(value).__name__}"
+        f"{name} cannot be a {type(value).__name__}: give a Mesh, Cloud, Terrain, Robot, Cost, CostMap, Wind, a function "
+        "that is a cost, or an array of points"
     )

@@ -274,7 +274,7 @@ def _rotation(matrix: ArrayLike) -> NDArray[np.float64]:
     if array.shape != (3, 3):
         raise InputError(f"rotation has the shape {array.shape}; it is a matrix of shape (3, 3)")
     if not (np.allclose(array @ array.T, np.eye(3), atol=1e-6) and np.linalg.det(array) > 0):
-        raise InputError("rotation is no rotation: its columns are perpendicular, of length 1 and right-handed")
+        raise InputError("rotation must be a rotation matrix: perpendicular columns of length 1, right-handed")
     return array
 
 

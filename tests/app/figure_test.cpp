@@ -60,7 +60,9 @@ obstacles:
   - {type: box, lower: [0.3, -0.5, 0.2], upper: [0.8, 0.5, 0.25]}
   - {type: half_space, normal: [0, 0, 1], offset: -0.05}
 cost: euclidean
-ends: {source: {point: [0.9, -0.785, 0, -2.356, 0, 1.571, 0.785]}, target: {point: [-0.5, -0.785, 0, -2, 0, 1.571, 0.785]}}
+ends:
+  source: {point: [0.9, -0.785, 0, -2.356, 0, 1.571, 0.785]}
+  target: {point: [-0.5, -0.785, 0, -2, 0, 1.571, 0.785]}
 path: {points: 8}
 certificate: {enabled: false}
 )";

@@ -104,8 +104,8 @@ TEST_CASE("octomap: neighbours are merged, with the same union") {
 TEST_CASE("octomap: files that are none are refused in words") {
   const std::string whole = file_of(chain(2, node({{1, occupied}})));
   CHECK(refusal(whole) == "");
-  CHECK_THAT(refusal("ply\n"), Contains("map.bt: is no octomap"));
-  CHECK_THAT(refusal(""), Contains("is no octomap"));
+  CHECK_THAT(refusal("ply\n"), Contains("map.bt: is not an OctoMap file"));
+  CHECK_THAT(refusal(""), Contains("is not an OctoMap file"));
   for (std::size_t cut = 1; cut < 29; cut += 3)
     CHECK_THAT(refusal(whole.substr(0, whole.size() - cut)), Contains("broken or cut off"));
   CHECK_THAT(refusal(whole.substr(0, 50)), Contains("header of the octomap is cut off"));

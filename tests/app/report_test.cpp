@@ -145,7 +145,9 @@ TEST_CASE("report: a robot in space has a picture among its obstacles and a slid
 robot: {type: dh_arm, model: panda}
 obstacles: [{type: ball, center: [0.6, 0, 0.9], radius: 0.1}]
 cost: euclidean
-ends: {source: {point: [0.9, -0.785, 0, -2.356, 0, 1.571, 0.785]}, target: {point: [-0.5, -0.785, 0, -2, 0, 1.571, 0.785]}}
+ends:
+  source: {point: [0.9, -0.785, 0, -2.356, 0, 1.571, 0.785]}
+  target: {point: [-0.5, -0.785, 0, -2, 0, 1.571, 0.785]}
 path: {points: 8}
 certificate: {enabled: false}
 )") / "report.html");

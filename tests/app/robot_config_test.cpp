@@ -34,10 +34,6 @@ ends:
 robot: {type: dh_arm, model: panda}
 )";
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  return text.replace(text.find(from), from.size(), to);
-}
-
 }  // namespace
 
 TEST_CASE("robot: it and its obstacles are read, and the first path is one that sees them") {

@@ -26,16 +26,6 @@ std::filesystem::path strangers_folder() { return project_dir() / "tests/app/rob
 
 Result solved(const std::string& text) { return solve(parse_run(text, "a.yaml", strangers_folder())).result; }
 
-/// Why it is refused; empty: it is not.
-std::string stranger_refusal(const std::string& text) {
-  try {
-    parse_run(text, "a.yaml", strangers_folder());
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
-
 /// The least value at places along a path.
 template <class Value>
 double least_value_along(const Points& path, const Value& value) {
@@ -109,7 +99,8 @@ ends: {source: {point: [0.2, 0.3, 0.55]}, target: {point: [1.3, 0.7, 0.55]}}
 
 TEST_CASE("robots of others: an arm on a lifting torso of a mobile base reaches over a table") {
   const Result result = solved(R"(manifold: robot
-robot: {type: urdf, file: mobile_manipulator.urdf, srdf: mobile_manipulator.srdf, group: arm_with_torso, hold_state: open}
+robot: {type: urdf, file: mobile_manipulator.urdf, srdf: mobile_manipulator.srdf,
+        group: arm_with_torso, hold_state: open}
 obstacles:
   - {type: box, size: [0.6, 1.2, 0.04], pose: {position: [0.85, 0, 0.7]}}
   - {type: half_space, normal: [0, 0, 1]}
@@ -135,7 +126,8 @@ path: {points: 64}
 
 TEST_CASE("robots of others: a tool is also a link that a fixed joint holds") {
   const std::string text = R"(manifold: robot
-robot: {type: urdf, file: mobile_manipulator.urdf, srdf: mobile_manipulator.srdf, group: arm_with_torso, hold_state: open}
+robot: {type: urdf, file: mobile_manipulator.urdf, srdf: mobile_manipulator.srdf,
+        group: arm_with_torso, hold_state: open}
 cost: euclidean
 ends:
   source: {state: tucked}
@@ -151,22 +143,22 @@ ends:
   CHECK((gripper.linear() - wanted.linear()).norm() < 1e-7);
   std::string wrong = text;
   wrong.replace(wrong.find("link: gripper_link"), 18, "link: griper_link");
-  CHECK_THAT(stranger_refusal(wrong), Contains("a.yaml:6") &&
-                                          Contains("the robot has no link 'griper_link'; it has: base_link") &&
-                                          Contains("gripper_link"));
+  CHECK_THAT(refusal_of(wrong, strangers_folder()),
+             Contains("a.yaml:7") && Contains("the robot has no link 'griper_link'; it has: base_link") &&
+                 Contains("gripper_link"));
 }
 
 TEST_CASE("robots of others: an end beyond the limits of a joint is refused with the coordinate") {
   const std::string gantry =
       "manifold: robot\nrobot: {type: urdf, file: gantry.urdf}\ncost: euclidean\nends:\n"
       "  source: {point: [0.2, 0.3, 0.55]}\n  target: {point: [1.3, 0.7, 0.65]}\n";
-  CHECK_THAT(stranger_refusal(gantry),
+  CHECK_THAT(refusal_of(gantry, strangers_folder()),
              Contains("a.yaml:6") && Contains("coordinate 2 is 0.65, but must be between 0 and 0.6"));
   // A coordinate that is large forgives the others nothing.
   const std::string scara =
       "manifold: robot\nrobot: {type: urdf, file: scara.urdf}\ncost: euclidean\nends:\n"
       "  source: {point: [0, 0.3, 0, 0]}\n  target: {point: [0, 2.9, 0, 1e9]}\n";
-  CHECK_THAT(stranger_refusal(scara),
+  CHECK_THAT(refusal_of(scara, strangers_folder()),
              Contains("a.yaml:6") && Contains("coordinate 1 is 2.9, but must be between -2.5 and 2.5"));
 }
 

@@ -12,6 +12,7 @@
 #include <leastcost/catalogue/catalogue.hpp>
 #include <leastcost/problems/robots/attached.hpp>
 #include <leastcost/urdf/urdf_robot.hpp>
+#include "tests/app/config_text.hpp"
 #include "tests/contracts/robot_contract.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
@@ -40,21 +41,6 @@ std::string carrying_arm(const std::string& attached, const std::string& more = 
 }
 
 std::filesystem::path attached_folder() { return project_dir() / "configs/data"; }
-
-std::string attached_replaced(std::string text, const std::string& from, const std::string& to) {
-  REQUIRE(text.find(from) != std::string::npos);
-  return text.replace(text.find(from), from.size(), to);
-}
-
-/// Why it is refused; empty: it is not.
-std::string attached_refusal(const std::string& text) {
-  try {
-    parse_run(text, "a.yaml", attached_folder());
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
 
 /// How near the crate comes to the middle of the ball, by transformations of Eigen.
 double nearest_of_crate(const Points& path) {
@@ -123,21 +109,23 @@ TEST_CASE("attached: pairs of the robot keep their links, the object is apart fr
 
 TEST_CASE("attached: an end at which the object touches the robot is refused by their names, unless it may") {
   const std::string pole = "{id: pole, link: palm, type: capsule, from: [0, 0, 0], to: [0, 0, 1], radius: 0.02}";
-  CHECK_THAT(attached_refusal(carrying_arm(pole)), Contains("end_in_clearance") && Contains("pole"));
-  const std::string may =
-      attached_replaced(pole, "radius: 0.02", "radius: 0.02, touches: [forearm, upper_arm, slide, beam]");
-  CHECK(attached_refusal(carrying_arm(may)) == "");
+  CHECK_THAT(refusal_of(carrying_arm(pole), attached_folder()), Contains("end_in_clearance") && Contains("pole"));
+  const std::string may = replaced(pole, "radius: 0.02", "radius: 0.02, touches: [forearm, upper_arm, slide, beam]");
+  CHECK(refusal_of(carrying_arm(may), attached_folder()) == "");
 }
 
 TEST_CASE("attached: what does not fit is named with its place") {
   const auto with = [](const std::string& from, const std::string& to) {
-    return attached_refusal(carrying_arm(attached_replaced(kBox, from, to)));
+    return refusal_of(carrying_arm(replaced(kBox, from, to)), attached_folder());
   };
-  CHECK(attached_refusal(carrying_arm(kBox)) == "");
+  CHECK_THAT(refusal_of(carrying_arm(kBox + ", " + kBox), attached_folder()),
+             Contains("'id' in robot.attached.0") && Contains("'crate' is given to two objects"));
+  CHECK_THAT(with("0.1, 0.06, 0.2]", "1e300, 0.06, 0.2]"), Contains("none beyond 1e75"));
+  CHECK(refusal_of(carrying_arm(kBox), attached_folder()) == "");
   CHECK_THAT(with("link: palm", "link: hand"), Contains("a.yaml:2") && Contains("has no link 'hand'; it has: beam"));
   CHECK_THAT(with("id: crate", "touches: [hand]"),
              Contains("a.yaml:2") && Contains("has no link 'hand'; it has: beam"));
-  CHECK_THAT(with("size: [0.1, 0.06, 0.2]", "radius: 1"), Contains("radius") && Contains("no option of this type"));
+  CHECK_THAT(with("size: [0.1, 0.06, 0.2]", "radius: 1"), Contains("radius") && Contains("not an option of this type"));
   CHECK_THAT(with(", size: [0.1, 0.06, 0.2]", ""), Contains("size") && Contains("is missing: a box has one"));
   CHECK_THAT(with("[0.1, 0.06, 0.2]", "[0.1, 0, 0.2]"), Contains("a.yaml:2"));
   CHECK_THAT(with("type: box", "type: bag"), Contains("must be one of: box, ball"));
@@ -145,25 +133,25 @@ TEST_CASE("attached: what does not fit is named with its place") {
 }
 
 TEST_CASE("trajectory of a robot: velocities and names of its URDF - acceleration is asked for") {
-  const std::string three =
-      attached_replaced(carrying_arm(""), "hold_state: open", "hold_state: open, hold: {roll: 0}");
+  const std::string three = replaced(carrying_arm(""), "hold_state: open", "hold_state: open, hold: {roll: 0}");
   const Run run = parse_run(three + "output: {trajectory: {acceleration: 4}}\n", "a.yaml", attached_folder());
   REQUIRE(run.parts.trajectory.velocity.has_value());
   CHECK(*run.parts.trajectory.velocity == Vector3d(1, 2, 3));
   const ScratchDir dir;
   const std::filesystem::path out = write_run(solve(run), dir / "out");
   CHECK(Json::parse(content(out / "trajectory.json"))["joint_names"] == Json({"rail", "shoulder", "elbow"}));
-  CHECK_THAT(attached_refusal(three + "output: {trajectory: {velocity: 1}}\n"),
+  CHECK_THAT(refusal_of(three + "output: {trajectory: {velocity: 1}}\n", attached_folder()),
              Contains("a.yaml") && Contains("acceleration") && Contains("joint_limits.yaml"));
-  CHECK_THAT(attached_refusal(carrying_arm("", "output: {trajectory: {acceleration: [4]}}\n")),
+  CHECK_THAT(refusal_of(carrying_arm("", "output: {trajectory: {acceleration: [4]}}\n"), attached_folder()),
              Contains("none for the joint 'roll'"));
-  CHECK(attached_refusal(carrying_arm("", "output: {trajectory: {velocity: 1, acceleration: 4}}\n")) == "");
+  CHECK(refusal_of(carrying_arm("", "output: {trajectory: {velocity: 1, acceleration: 4}}\n"), attached_folder()) ==
+        "");
 }
 
 TEST_CASE("goals: the source among several is left out, alone it is refused") {
   const std::string source = "[-0.7, 0.3, -0.4, 0]";
   const auto to = [&](const std::string& rows) {
-    return attached_replaced(carrying_arm(""), "target: {state: right_bin}", "target: {points: [" + rows + "]}");
+    return replaced(carrying_arm(""), "target: {state: right_bin}", "target: {points: [" + rows + "]}");
   };
   const Run run = parse_run(to(source + ", [0.7, -0.2, 0.3, 1.5]"), "a.yaml", attached_folder());
   CHECK(run.parts.problem.target.u.isApprox(Eigen::Vector4d(0.7, -0.2, 0.3, 1.5)));
@@ -171,7 +159,7 @@ TEST_CASE("goals: the source among several is left out, alone it is refused") {
   CHECK(std::any_of(run.parts.notes.begin(), run.parts.notes.end(), [](const std::string& note) {
     return note.find("the source itself is among the goals") != std::string::npos;
   }));
-  CHECK_THAT(attached_refusal(to(source + ", " + source)), Contains("is the same point as the source"));
+  CHECK_THAT(refusal_of(to(source + ", " + source), attached_folder()), Contains("is the same point as the source"));
 }
 
 }  // namespace leastcost::test

@@ -30,20 +30,6 @@ path: {points: 40}
 
 std::filesystem::path folder() { return project_dir() / "configs/data"; }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  return text.replace(text.find(from), from.size(), to);
-}
-
-/// Why it is refused; empty: it is not.
-std::string refusal(const std::string& text) {
-  try {
-    parse_run(text, "a.yaml", folder());
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
-
 /// The distance of a point from a box of the file in its frame; 0 inside.
 double from_box(const Vector3d& point, const Vector3d& middle, const Vector3d& size) {
   return ((point - middle).cwiseAbs() - size / 2).cwiseMax(0).norm();
@@ -78,16 +64,17 @@ TEST_CASE("urdf in a configuration: ten lines give a certified plan that is clea
 
 TEST_CASE("urdf in a configuration: what does not fit is named with its place") {
   CHECK(errors_of(kArm) == "");  // without its files nothing can be said against it
-  CHECK(refusal(kArm) == "");
-  CHECK_THAT(refusal(replaced(kArm, "left_bin", "nowhere")),
+  CHECK(refusal_of(kArm, folder()) == "");
+  CHECK_THAT(refusal_of(replaced(kArm, "left_bin", "nowhere"), folder()),
              Contains("a.yaml:6") && Contains("the robot has no state 'nowhere'; it has: left_bin, right_bin"));
-  CHECK_THAT(refusal(replaced(kArm, "group: arm", "group: leg")),
+  CHECK_THAT(refusal_of(replaced(kArm, "group: arm", "group: leg"), folder()),
              Contains("a.yaml:2") && Contains("the SRDF has no group 'leg'; it has: 'all', 'arm', 'gripper'"));
-  CHECK_THAT(refusal(replaced(kArm, "gantry_arm.urdf", "missing.urdf")), Contains("missing.urdf"));
-  CHECK_THAT(refusal(replaced(kArm, "{state: left_bin}", "{point: [0, 0, 0]}")),
+  CHECK_THAT(refusal_of(replaced(kArm, "gantry_arm.urdf", "missing.urdf"), folder()), Contains("missing.urdf"));
+  CHECK_THAT(refusal_of(replaced(kArm, "{state: left_bin}", "{point: [0, 0, 0]}"), folder()),
              Contains("has 3 coordinates, but points of the manifold have 4"));
-  CHECK_THAT(refusal(replaced(kArm, "hold_state: open", "hold: {left: 1}")), Contains("outside its limits"));
-  CHECK_THAT(refusal(replaced(kArm, "manifold: robot", "manifold: {type: euclidean, dimension: 4}")),
+  CHECK_THAT(refusal_of(replaced(kArm, "hold_state: open", "hold: {left: 1}"), folder()),
+             Contains("outside its limits"));
+  CHECK_THAT(refusal_of(replaced(kArm, "manifold: robot", "manifold: {type: euclidean, dimension: 4}"), folder()),
              Contains("coordinate 0 has the limits [-1, 1]"));
 }
 

@@ -225,7 +225,7 @@ TEST_CASE("urdf: wrong files are refused with their line") {
   CHECK_THAT(joint("prismatic", links + "<limit effort='1'/>"), Contains("the prismatic joint 'j' has no limits"));
   CHECK_THAT(joint("revolute", links + "<limit lower='1' upper='0'/>"), Contains("robot.urdf:5: 'lower' of the joint"));
   CHECK(joint("continuous", "<parent link='c'/><child link='b'/>") ==
-        "robot.urdf:5: the parent 'c' of the joint 'j' is no link of this file");
+        "robot.urdf:5: the parent 'c' of the joint 'j' is not a link of this file");
   CHECK_THAT(joint("continuous", "<child link='b'/>"), Contains("robot.urdf:4: the joint 'j' has no <parent>"));
   CHECK(joint("continuous", links + "<axis xyz='0 0 0'/>") == "robot.urdf:5: the axis of the joint 'j' is zero");
   CHECK(joint("continuous", links + "<origin xyz='0 nan 0'/>") ==
@@ -233,7 +233,7 @@ TEST_CASE("urdf: wrong files are refused with their line") {
   CHECK_THAT(joint("continuous", links + "<origin xyz='0 1e999 0'/>"), Contains("3 finite numbers"));
   CHECK_THAT(joint("continuous", links + "<origin xyz='0 1'/>"), Contains("3 finite numbers, not '0 1'"));
   CHECK_THAT(joint("continuous", links + "<origin xyz='0 1 2x'/>"), Contains("3 finite numbers"));
-  CHECK_THAT(joint("screw", links), Contains("'screw' is no type of joint"));
+  CHECK_THAT(joint("screw", links), Contains("'screw' is not a known type of joint"));
   CHECK_THAT(joint("floating", links), Contains("the joint 'j' is floating"));
   CHECK_THAT(joint("fixed", links), Contains("no joint of it moves"));
   CHECK_THAT(Written("<robot name='r'><link name='a'><collision><geometry><sphere radius='1'/></geometry></collision>"
@@ -248,9 +248,10 @@ TEST_CASE("urdf: wrong files are refused with their line") {
       "<joint name='m' type='continuous'><parent link='b'/><child link='c'/><mimic joint='k'/></joint>\n";
   CHECK_THAT(Written(with(loop)).message(),
              Contains("robot.urdf:5: the joint 'k' mimics 'm', and so on in a loop: one of them must move by itself"));
-  CHECK_THAT(joint("continuous", links + "<mimic joint='x'/>"), Contains("mimics 'x', which is no joint that moves"));
+  CHECK_THAT(joint("continuous", links + "<mimic joint='x'/>"),
+             Contains("mimics 'x', which is not a joint that moves"));
   CHECK_THAT(joint("continuous", "<parent link='a'/><child link='c'/>"),
-             Contains("robot.urdf:5: the child 'c' of the joint 'j' is no link of this file"));
+             Contains("robot.urdf:5: the child 'c' of the joint 'j' is not a link of this file"));
   CHECK_THAT(Written(with(kHinge + kHinge)).message(), Contains("a second joint 'j'") || Contains("one parent"));
   const std::string back = "<joint name='k' type='continuous'><parent link='b'/><child link='a'/></joint>\n";
   CHECK(Written(with(kHinge + back)).message() ==
@@ -265,7 +266,7 @@ TEST_CASE("urdf: wrong files are refused with their line") {
   CHECK(shape("<sphere radius='0'/>") == "robot.urdf:2: 'radius' of <sphere> must be greater than 0");
   CHECK_THAT(shape("<sphere/>"), Contains("robot.urdf:2: <sphere> must have the attribute 'radius'"));
   CHECK_THAT(shape("<box size='1 1 -1'/>"), Contains("robot.urdf:2: 'size' of <box>"));
-  CHECK_THAT(shape("<cone/>"), Contains("robot.urdf:2: <cone> is no known shape"));
+  CHECK_THAT(shape("<cone/>"), Contains("robot.urdf:2: <cone> is not a known shape"));
   CHECK_THAT(shape(""), Contains("robot.urdf:2: <collision> must have a <geometry> with one shape"));
   Written huge(with(kHinge));
   std::filesystem::resize_file(huge.path() / "robot.urdf", std::uintmax_t(65) << 20);
@@ -292,18 +293,18 @@ TEST_CASE("urdf: options that do not fit the files are refused by their keys") {
   const auto srdf = [](const std::string& inner) {
     return Written(with(kHinge), "<robot name='r'>\n" + inner + "</robot>").message();
   };
-  CHECK_THAT(srdf("<group name='g'><joint name='x'/></group>"), Contains("robot.srdf:2: 'x' is no joint of"));
+  CHECK_THAT(srdf("<group name='g'><joint name='x'/></group>"), Contains("robot.srdf:2: 'x' is not a joint of"));
   CHECK_THAT(srdf("<group name='g'><group name='g'/></group>"),
              Contains("robot.srdf:2: the group 'g' is part of itself"));
   CHECK_THAT(srdf("<group name='g'><chain base_link='b' tip_link='a'/></group>"),
              Contains("robot.srdf:2: the base_link 'b' of this chain is not on the way"));
-  CHECK_THAT(srdf("<group name='g'><link name='x'/></group>"), Contains("robot.srdf:2: 'x' is no link of"));
+  CHECK_THAT(srdf("<group name='g'><link name='x'/></group>"), Contains("robot.srdf:2: 'x' is not a link of"));
   CHECK_THAT(srdf("<group name='g'>\n<chain base_link='a' tip_link='x'/></group>"),
-             Contains("robot.srdf:3: 'x' is no link of"));
+             Contains("robot.srdf:3: 'x' is not a link of"));
   CHECK_THAT(srdf("<group name='g'><group name='x'/></group>"),
              Contains("robot.srdf:2: the group 'x' is not in this file"));
   CHECK_THAT(srdf("<group_state name='s' group='g'><joint name='x' value='0'/></group_state>"),
-             Contains("robot.srdf:2: 'x' is no joint of"));
+             Contains("robot.srdf:2: 'x' is not a joint of"));
   CHECK_THAT(srdf("<group name='g'>"), Contains("robot.srdf:") && Contains("not XML"));
   CHECK_THAT(srdf("<disable_collisions link1='a'/>"), Contains("robot.srdf:2:") && Contains("'link2'"));
   CHECK_THAT(srdf("<group_state name='s' group='g'><joint name='j' value='inf'/></group_state>"),

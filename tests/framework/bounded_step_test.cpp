@@ -143,4 +143,48 @@ TEST_CASE("bounded steps: none where the model's step passes no bound, for rings
   CHECK_FALSE(solved(among(std::make_shared<EuclideanManifold>(EuclideanManifoldOptions{.dimension = 2})), false));
 }
 
+TEST_CASE("bounded steps: no point moves farther than a radius that follows the steps taken") {
+  Random random(7);
+  const Problem problem = among(std::make_shared<HalfPlanes>(std::vector<HalfPlanes::Bound>(kColumns, {{0, 1}, 9})));
+  for (int k = 0; k < 20; ++k) {
+    CAPTURE(k);
+    const CoordinatePath path = crooked(random);
+    PathEnergy energy(problem, 1);
+    ChainModel model;
+    REQUIRE(model.evaluate(energy, path));
+    model.solve(energy, path, HessianKind::exact);
+    REQUIRE(model.frames.identity);
+    const double whole = model.moves.colwise().norm().maxCoeff();
+    ChainSystem hessian;
+    energy.chain_hessian(path, model.gradient, model.frames, HessianKind::exact, hessian);
+    const VectorXd gradient = model.gradient.reshaped();
+    BoundedStep step(energy);
+    CHECK(step.part_within(model.moves) == 1);
+    CHECK_FALSE(step.solve(path, model));  // the model's own, which passes no bound
+    for (const double part : {0.125, 0.25, 0.5}) {
+      if (part == 0.125)
+        step.took(part * whole, false);
+      else
+        step.took(0, true);
+      CHECK(step.part_within(model.moves) == Approx(part));
+      REQUIRE(step.solve(path, model));
+      const double longest = step.moves().colwise().norm().maxCoeff();
+      CHECK(longest <= part * whole);
+      CHECK(longest > part * whole / 2);
+      CHECK(step.slope() == Approx(model.gradient.cwiseProduct(step.moves()).sum()));
+      CHECK(step.slope() < 0);
+      // The least of the model among steps as long: its slope there is along the step, backwards.
+      const VectorXd z = step.moves().reshaped();
+      VectorXd left;
+      hessian.multiply(z, left);
+      left += gradient;
+      const double added = -left.dot(z) / z.squaredNorm();
+      CHECK(added > 0);
+      CHECK((left + added * z).norm() <= 1e-9 * gradient.norm());
+    }
+    step.took(0, true);
+    CHECK_FALSE(step.solve(path, model));
+  }
+}
+
 }  // namespace leastcost::test
