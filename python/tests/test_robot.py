@@ -190,7 +190,7 @@ def test_poses():
     assert np.allclose(lc.Pose([0, 0, 0], quaternion=half.config()["quaternion"]).rotation, half.rotation)
     for arguments, message in [
         (dict(position=[0, 0]), "position is"),
-        (dict(position=[0, 0, 0], rotation=np.diag([1, 1, -1])), "no rotation"),
+        (dict(position=[0, 0, 0], rotation=np.diag([1, 1, -1])), "must be a rotation matrix"),
         (dict(position=[0, 0, 0], rotation=np.eye(4)), r"matrix of shape \(3, 3\)"),
         (dict(position=[0, 0, 0], rpy=[0, 0, 0], quaternion=[1, 0, 0, 0]), "at most one"),
         (dict(position=[0, 0, 0], quaternion=[0, 0, 0, 0]), "quaternion is 0"),
