@@ -14,7 +14,7 @@
 #include "catalogue/output/json_numbers.hpp"
 #include "catalogue/output/output_folder.hpp"
 #include "catalogue/output/unit_of_cost.hpp"
-#include "catalogue/run/compose.hpp"
+#include "catalogue/run/family_ways.hpp"
 #include "catalogue/run/memory.hpp"
 #include "catalogue/run/run_origin.hpp"
 #include "framework/result/never_worse.hpp"

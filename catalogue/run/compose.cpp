@@ -3,7 +3,6 @@
 #include "catalogue/run/compose.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -16,82 +15,28 @@
 
 #include <leastcost/catalogue/plugins/abilities.hpp>
 #include <leastcost/framework/base/errors.hpp>
-#include <leastcost/framework/domain/has_box.hpp>
-#include <leastcost/framework/problem/clearance.hpp>
 #include <leastcost/problems/chart/is_geographic.hpp>
-#include <leastcost/problems/chart/target_images.hpp>
-#include <leastcost/problems/initializers/bow.hpp>
-#include <leastcost/problems/initializers/dijkstra.hpp>
-#include <leastcost/problems/initializers/mirrored.hpp>
 #include <leastcost/problems/manifolds/made_from_data.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
-#include <leastcost/problems/obstacles/has_walls.hpp>
-#include <leastcost/problems/obstacles/raster_obstacles.hpp>
 #include <leastcost/problems/post_processors/bracket.hpp>
 #include <leastcost/problems/post_processors/choose_global_proof.hpp>
 #include <leastcost/problems/raster/has_voids.hpp>
 #include <leastcost/problems/robots/robot_trajectory.hpp>
-#include <leastcost/problems/robots/robot_walls.hpp>
 #include "catalogue/config/choice_options.hpp"
 #include "catalogue/config/config_facts.hpp"
-#include "catalogue/plugins/external_plugin.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/registry/registry.hpp"
+#include "catalogue/run/cheapest_image.hpp"
 #include "catalogue/run/ends.hpp"
+#include "catalogue/run/family_ways.hpp"
+#include "catalogue/run/goals.hpp"
 #include "catalogue/run/memory.hpp"
 #include "catalogue/run/pair_composer.hpp"
 #include "catalogue/run/plane_on_earth.hpp"
 #include "problems/formula/coordinate_names.hpp"
-#include "problems/obstacles/walls_in.hpp"
-#include "problems/raster/raster_patches.hpp"
 
 namespace leastcost {
 namespace {
-
-/// Which option a fault of the obstacles is one of: their constructor numbers them, `entry_of` is where they come from.
-std::string key_of_fault(const std::string& key, const std::vector<std::size_t>& entry_of) {
-  if (!std::all_of(key.begin(), key.end(), [](char c) { return c >= '0' && c <= '9'; })) return key;
-  return "obstacles." + std::to_string(entry_of.at(std::stoul(key)));
-}
-
-/// What keeps out of a domain: obstacles in it, or those in the workspace of a robot, a configuration of which it is
-/// of.
-std::shared_ptr<const Walls> walls_of(FreeSpace::Obstacles obstacles, const std::vector<std::size_t>& entry_of,
-                                      double clearance, const std::shared_ptr<const Robot>& robot,
-                                      const ConstraintManifold& domain) {
-  try {
-    if (robot != nullptr) return std::make_shared<const RobotWalls>(robot, std::move(obstacles), clearance);
-    return walls_in(domain, std::move(obstacles), clearance);
-  } catch (const OptionError& error) {
-    throw OptionError(key_of_fault(error.key(), entry_of), error.what());
-  }
-}
-
-/// The limits of a robot are the box of its domain.
-void check_limits(const Robot& robot, const ConstraintManifold& domain) {
-  const Eigen::VectorXd lower = robot.kinematics->lower(), upper = robot.kinematics->upper();
-  if (lower.size() != domain.dimensions().ambient)
-    throw OptionError("robot", fmt::format("has configurations of {} coordinates, but the manifold has points of {}",
-                                           lower.size(), domain.dimensions().ambient));
-  if (lower.array().isInf().all() && upper.array().isInf().all()) return;
-  const auto* box = find_ability<HasBox>(domain);
-  for (Eigen::Index i = 0; i < lower.size(); ++i) {
-    if (box != nullptr && box->box_lower()[i] >= lower[i] && box->box_upper()[i] <= upper[i]) continue;
-    throw OptionError("robot",
-                      fmt::format("coordinate {} has the limits [{:.8g}, {:.8g}], but the manifold extends beyond "
-                                  "them: give the manifold lower: [{:.8g}] and upper: [{:.8g}], or tighter bounds",
-                                  i, lower[i], upper[i], fmt::join(lower, ", "), fmt::join(upper, ", ")));
-  }
-}
-
-std::shared_ptr<const ConstraintManifold> among(std::shared_ptr<const Walls> walls, const char* key,
-                                                const std::shared_ptr<const ConstraintManifold>& domain) {
-  try {
-    return std::make_shared<const FreeSpace>(domain, std::move(walls));
-  } catch (const InputError& error) {
-    throw OptionError(key, error.what());
-  }
-}
 
 void fill_options(const RunConfig& config, RunParts& out) {
   out.options.points = config.points;
@@ -137,24 +82,6 @@ void add_proof(const RunConfig& config, const std::filesystem::path& folder, Run
     steps.push_back(std::move(found.step));
 }
 
-/// The further ways of a family: bows, the mirror image, routes, and what else was given.
-void add_family(const RunConfig& config, const std::vector<std::shared_ptr<const Initializer>>& others, RunParts& out) {
-  const FamilyOptions& family = config.family;
-  out.windings = family.windings;
-  for (int i = 0; i < family.bows; ++i) {
-    const double angle = 360.0 * i / family.bows;
-    out.family.push_back({fmt::format("bow {:g} degrees", angle),
-                          std::make_shared<const BowInitializer>(BowOptions{family.bow_height, angle})});
-  }
-  if (family.mirrored)
-    out.family.push_back({fmt::format("{}, mirrored", out.initializer->name()),
-                          std::make_shared<const MirroredInitializer>(out.initializer)});
-  for (int rank = 2; rank <= family.routes; ++rank)
-    out.family.push_back({fmt::format("route {}", rank),
-                          std::make_shared<const DijkstraInitializer>(DijkstraOptions{.routes = 1, .rank = rank})});
-  for (std::size_t i = 0; i < others.size(); ++i) out.family.push_back({family.initializers[i].path, others[i]});
-}
-
 /// Whether an object lacks an ability that a plug-in needs and its type only may have: the zeros of a function of the
 /// plane are no surface. Throws OptionError for it.
 void check_needs(const PluginChoice& choice, const PluginChoice& giver, const ConstraintManifold& manifold) {
@@ -167,9 +94,6 @@ void check_needs(const PluginChoice& choice, const PluginChoice& giver, const Co
                                                choice.plugin->type, Ability::kAbility, giver.plugin->type));
   });
 }
-
-/// Costs that a raster may stand behind, with places without data and on the Earth.
-bool may_be_map(const PluginChoice& cost) { return is_type(cost, {"cost_map", kExternal}); }
 
 /// Whether ends are in longitude and latitude on a cost map in the plane.
 bool wants_place_of_cost(const RunConfig& config, int dimension) {
@@ -309,113 +233,104 @@ void Composer::take_domain() {
     });
 }
 
-/// Places without data become obstacles by themselves, unless a raster of obstacles says which are, or a proof over the
-/// cells of the raster goes round them anyway.
-bool Composer::takes_voids() const {
-  if (config_.robot || brackets(config_) || find_ability<HasWalls>(*out_.problem.manifold) != nullptr) return false;
-  return std::none_of(config_.obstacles.begin(), config_.obstacles.end(),
-                      [](const PluginChoice& choice) { return choice.plugin->type == "raster"; });
-}
-
 /// Of the domain and of a cost in the plane, which is made for them.
-std::vector<std::shared_ptr<const Obstacle>> Composer::voids() {
-  FreeSpace::Obstacles all;
-  if (!takes_voids()) return all;
-  const auto add = [&](const HasVoids* made) {
-    if (made == nullptr) return;
-    const RasterPatches& patches = made->known_patches();
-    const FreeSpace::Obstacles boxes = void_obstacles(patches, false);  // maps show where there are no data
-    if (boxes.empty()) return;
-    void_cell_ = has_voids_ ? std::min(void_cell_, patches.cell().minCoeff()) : patches.cell().minCoeff();
-    has_voids_ = true;
-    all.insert(all.end(), boxes.begin(), boxes.end());
-  };
-  add(find_ability<HasVoids>(*out_.problem.manifold));
-  if (context_.dimension == 2 && may_be_map(config_.cost)) {
-    make_or_check(config_.cost, out_.problem.cost);
-    if (out_.problem.cost) add(find_ability<HasVoids>(*out_.problem.cost));
-  }
-  return all;
-}
-
-double Composer::clearance_of_voids() const {
-  constexpr double kOfCell = 0.1;
-  return !has_voids_ || config_.clearance > 0 ? config_.clearance : kOfCell * void_cell_;
+void Composer::find_voids() {
+  voids_ = {};
+  if (!takes_voids(config_, *out_.problem.manifold)) return;
+  voids_.add(find_ability<HasVoids>(*out_.problem.manifold));
+  if (context_.dimension != 2 || !may_be_map(config_.cost)) return;
+  make_or_check(config_.cost, out_.problem.cost);
+  if (out_.problem.cost) voids_.add(find_ability<HasVoids>(*out_.problem.cost));
 }
 
 /// A straight first path through places without data is none: the field of least arrival costs leads round them.
 void Composer::go_round_voids() {
-  if (!has_voids_ || !out_.initializer || out_.initializer->name() != "straight") return;
-  const Eigen::VectorXd &from = out_.problem.source.u, &to = out_.problem.target.u;
-  if (from.size() != 2 || to.size() != 2) return;
-  constexpr int kPlaces = 1000;
-  for (int i = 1; i < kPlaces; ++i) {
-    const PathEnd place{from + (to - from) * i / kPlaces};
-    if (why_in_clearance(out_.problem, place).empty()) continue;
-    attempt([&] {
-      const PluginEntry* eikonal = find_plugin(kind("initializer"), "eikonal");
-      out_.initializer = make<std::shared_ptr<const Initializer>>(choose(*eikonal, "initializer"), context_);
-      out_.notes.emplace_back("the straight line crosses places without data: the first path comes from eikonal");
-    });
-    return;
-  }
+  if (!voids_.any() || !out_.initializer || out_.initializer->name() != "straight") return;
+  if (!straight_is_blocked(out_.problem)) return;
+  attempt([&] {
+    const PluginEntry* eikonal = find_plugin(kind("initializer"), "eikonal");
+    out_.initializer = make<std::shared_ptr<const Initializer>>(choose(*eikonal, "initializer"), context_);
+    out_.notes.emplace_back("the straight line crosses places without data: the first path comes from eikonal");
+  });
+}
+
+/// Whether obstacles, or the robot that they are obstacles to, come from files that may not be read yet.
+bool Composer::obstacles_wait(bool voids_wait) const {
+  return voids_wait || (config_.robot && !context_.robot && waits<RobotPtr>(config_.robot)) ||
+         std::any_of(config_.obstacles.begin(), config_.obstacles.end(),
+                     [&](const PluginChoice& choice) { return waits<FreeSpace::Obstacles>(choice); });
+}
+
+/// False where one of them was refused; the others are made all the same, for their errors.
+bool Composer::make_obstacles(ListedObstacles& out) {
+  bool made = true;
+  for (std::size_t i = 0; i < config_.obstacles.size(); ++i)
+    made = attempt([&] {
+             for (auto& one : make<FreeSpace::Obstacles>(config_.obstacles[i], context_)) {
+               if (!context_.robot)
+                 refuse_plane_on_earth(*one, *out_.problem.manifold, "obstacles." + std::to_string(i));
+               out.add(std::move(one), i);
+             }
+           }) &&
+           made;
+  return made;
+}
+
+/// Whether the robot is there and fits the domain and the obstacles; true of a run without one.
+bool Composer::robot_fits() {
+  if (!config_.robot) return true;
+  return context_.robot != nullptr && attempt([&] {
+           check_robot_limits(*context_.robot, *out_.problem.manifold);
+           if (config_.obstacles.empty() && context_.robot->self.empty())
+             throw OptionError("robot", "has nothing to collide with: give 'obstacles'");
+         });
 }
 
 /// After the ends have found their places: an end that is given within an obstacle is an error, not to be moved.
 void Composer::place_obstacles() {
-  const bool voids_wait = takes_voids() && !files_ && may_be_map(config_.cost) && context_.dimension == 2;
-  FreeSpace::Obstacles all = voids_wait ? FreeSpace::Obstacles{} : voids();
-  const std::size_t void_count = all.size();
-  if (config_.obstacles.empty() && !voids_wait && !has_voids_ && config_.clearance > 0)
-    attempt(
-        [] { throw OptionError("clearance", "needs obstacles, but there are none: give 'obstacles', or remove it"); });
-  if (config_.obstacles.empty() && !config_.robot && !voids_wait && !has_voids_) {
-    obstacles_placed_ = true;
-    context_.manifold = out_.problem.manifold;  // a cost map may have been waited for
-    return;
+  const bool voids_wait =
+      !files_ && takes_voids(config_, *out_.problem.manifold) && may_be_map(config_.cost) && context_.dimension == 2;
+  if (voids_wait)
+    voids_ = {};
+  else
+    find_voids();
+  if (config_.obstacles.empty() && !voids_wait && !voids_.any()) {
+    if (config_.clearance > 0)
+      attempt([] {
+        throw OptionError("clearance", "needs obstacles, but there are none: give 'obstacles', or remove it");
+      });
+    if (!config_.robot) {
+      obstacles_placed_ = true;
+      context_.manifold = out_.problem.manifold;  // a cost map may have been waited for
+      return;
+    }
   }
-  if (voids_wait || (config_.robot && !context_.robot && waits<RobotPtr>(config_.robot)) ||
-      std::any_of(config_.obstacles.begin(), config_.obstacles.end(),
-                  [&](const PluginChoice& choice) { return waits<FreeSpace::Obstacles>(choice); })) {
+  if (obstacles_wait(voids_wait)) {
     for (const PluginChoice& choice : config_.obstacles)
       attempt([&] { check_options<FreeSpace::Obstacles>(choice, context_); });
     context_.manifold.reset();  // what asks for the domain asks for the one among obstacles
     return;
   }
   obstacles_placed_ = true;
-  std::vector<std::size_t> entry_of(void_count, 0);  // the entry that an obstacle comes from
-  const RobotPtr& robot = context_.robot;
-  bool made = !config_.robot || (robot != nullptr && attempt([&] {
-                                   check_limits(*robot, *out_.problem.manifold);
-                                   if (config_.obstacles.empty() && robot->self.empty())
-                                     throw OptionError("robot", "has nothing to collide with: give 'obstacles'");
-                                 }));
-  for (std::size_t i = 0; i < config_.obstacles.size(); ++i) {
-    made = attempt([&] {
-             for (auto& one : make<FreeSpace::Obstacles>(config_.obstacles[i], context_)) {
-               if (!robot) refuse_plane_on_earth(*one, *out_.problem.manifold, "obstacles." + std::to_string(i));
-               all.push_back(std::move(one));
-               entry_of.push_back(i);
-             }
-           }) &&
-           made;
-  }
-  const auto place = [&] {
-    const auto& domain = out_.problem.manifold;
-    out_.problem.manifold = among(walls_of(std::move(all), entry_of, clearance_of_voids(), robot, *domain),
-                                  robot != nullptr ? "robot" : "obstacles", domain);
-  };
-  if (!made || !attempt(place)) return;
-  if (robot != nullptr && !robot->whose.empty()) out_.notes.push_back("clearances are those of " + robot->whose);
-  if (has_voids_ && !(config_.clearance > 0))
-    out_.notes.push_back(
-        fmt::format("places without data are obstacles; the path keeps {:.6g} away from them, a tenth of a cell (to "
-                    "change this, set 'clearance')",
-                    clearance_of_voids()));
-  context_.manifold = out_.problem.manifold;
+  ListedObstacles obstacles;
+  for (auto& one : voids_.obstacles) obstacles.add(std::move(one), 0);
+  const bool fits = robot_fits(), made = make_obstacles(obstacles);
+  if (!fits || !made || !attempt([&] { put_among(std::move(obstacles)); })) return;
   for (const auto& [end, key] :
        {std::pair{&out_.problem.source, "ends.source"}, std::pair{&out_.problem.target, "ends.target"}})
     if (end->u.size() > 0) attempt([&, end = end, key = key] { refuse_end_in_clearance(out_.problem, *end, key); });
+}
+
+void Composer::put_among(ListedObstacles obstacles) {
+  const RobotPtr& robot = context_.robot;
+  const double clearance = voids_.clearance(config_.clearance);
+  out_.problem.manifold = context_.manifold = among(std::move(obstacles), clearance, robot, out_.problem.manifold);
+  if (robot != nullptr && !robot->whose.empty()) out_.notes.push_back("clearances are those of " + robot->whose);
+  if (voids_.any() && !(config_.clearance > 0))
+    out_.notes.push_back(
+        fmt::format("places without data are obstacles; the path keeps {:.6g} away from them, a tenth of a cell (to "
+                    "change this, set 'clearance')",
+                    clearance));
 }
 
 /// Goals that obstacles or the domain do not let be ends are left out; what is left of them is tried.
@@ -485,7 +400,7 @@ void Composer::make_from_files(const BuildProgress& progress) {
 }
 
 RunParts Composer::take() {
-  add_family(config_, others_, out_);
+  add_family_ways(config_, others_, out_);
   fill_options(config_, out_);
   add_proof(config_, context_.folder, out_);
   out_.notes.insert(out_.notes.begin(), told_.begin(), told_.end());
@@ -503,25 +418,6 @@ std::shared_ptr<const PairComposer> Composer::pairs(const RunParts& parts) const
   BuildContext context = context_;
   context.note = {};  // the composer will be gone
   return std::make_shared<const PairComposer>(config_, std::move(context), open_domain_, parts);
-}
-
-std::vector<FamilyStart> family_starts(const RunParts& parts) {
-  std::vector<FamilyWay> ways = {{std::string(parts.initializer->name()), parts.initializer}};
-  ways.insert(ways.end(), parts.family.begin(), parts.family.end());
-  std::vector<TargetImage> problems = target_images(parts.problem, parts.windings);
-  if (problems.empty()) problems.push_back({parts.problem, ""});
-  std::vector<FamilyStart> starts;
-  const auto add = [&](const Problem& problem, const std::string& where) {
-    for (const FamilyWay& way : ways) starts.push_back({way.name + where, problem, way.initializer});
-  };
-  for (const TargetImage& image : problems)
-    add(image.problem, image.winding.empty() ? "" : fmt::format(", winding {}", image.winding));
-  for (const PlacedEnd& goal : parts.goals) {
-    Problem problem = parts.problem;
-    problem.target = goal.end;
-    add(problem, fmt::format(", goal ({:.4g})", fmt::join(goal.end.u, ", ")));
-  }
-  return starts;
 }
 
 }  // namespace leastcost

@@ -7,9 +7,10 @@
 #include <memory>
 
 #include <leastcost/catalogue/run/run_parts.hpp>
-#include <leastcost/problems/obstacles/obstacle.hpp>
 #include "catalogue/config/loaded_config.hpp"
 #include "catalogue/plugins/plugin.hpp"
+#include "catalogue/run/voids.hpp"
+#include "catalogue/run/walls.hpp"
 
 namespace leastcost {
 
@@ -53,9 +54,11 @@ class Composer {
   void check_memory(const Dimensions& dimensions);
   void take_domain();
   void place_obstacles();
-  bool takes_voids() const;
-  std::vector<std::shared_ptr<const Obstacle>> voids();
-  double clearance_of_voids() const;
+  bool obstacles_wait(bool voids_wait) const;
+  bool make_obstacles(ListedObstacles& out);
+  bool robot_fits();
+  void put_among(ListedObstacles obstacles);
+  void find_voids();
   void go_round_voids();
   void make_parts();
 
@@ -68,15 +71,11 @@ class Composer {
   std::vector<std::string> told_;                           // by what was made
   bool files_ = false;                                      // may be read
   bool obstacles_placed_ = false;
-  bool has_voids_ = false;  // places without data, which became obstacles
-  double void_cell_ = 0;    // the smaller side of a cell there
+  Voids voids_;  // which became obstacles
   double read_seconds_ = 0;
 };
 
 /// The first step for its errors: adds them to `loaded.errors`.
 void check_parts(LoadedConfig& loaded);
-
-/// The starts of a family: every image of the target, from the run's own initializer and the further ways.
-std::vector<FamilyStart> family_starts(const RunParts& parts);
 
 }  // namespace leastcost

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <memory>
 #include <string>
-#include <vector>
 
 #include <leastcost/catalogue/run/run_parts.hpp>
 #include <leastcost/problems/robots/robot.hpp>
@@ -30,12 +28,6 @@ PlacedEnd place_end(const ConstraintManifold& manifold, const EndOptions& option
 /// place of the source.
 void place_target(const EndOptions& options, const std::string& path, RunParts& out);
 
-/// The ends that a target of several stands for, among the obstacles of the problem (`open_domain`: without them): its
-/// points, or the configurations that bring the tool of a robot (may be null) to its pose, nearest to the source first.
-/// What cannot be an end is left out, with a note. Throws OptionError where nothing is left.
-std::vector<PlacedEnd> goals_of(const EndOptions& options, const Robot* robot, const ConstraintManifold& open_domain,
-                                RunParts& out);
-
 /// Throws OptionError with this key for a target that is the place of the source.
 void refuse_one_place(const Problem& problem, const std::string& key);
 
@@ -47,10 +39,5 @@ void refuse_end_in_clearance(const Problem& problem, const PathEnd& end, const s
 
 /// Where the source is in space.
 Eigen::VectorXd source_position(const Problem& problem);
-
-/// A straight start does not insist on the coordinates of its target where others name the same point. Which of them is
-/// cheapest is looked at without obstacles, in `open_domain`: straight lines through these tell nothing.
-void take_cheapest_image(const RunConfig& config, const std::shared_ptr<const ConstraintManifold>& open_domain,
-                         RunParts& out);
 
 }  // namespace leastcost

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "catalogue/plugins/kinds.hpp"
+#include "catalogue/run/cheapest_image.hpp"
 #include "catalogue/run/ends.hpp"
 #include "catalogue/run/preparation.hpp"
 

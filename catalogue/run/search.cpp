@@ -7,7 +7,7 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/family/find_family.hpp>
-#include "catalogue/run/compose.hpp"
+#include "catalogue/run/family_ways.hpp"
 
 namespace leastcost {
 namespace {

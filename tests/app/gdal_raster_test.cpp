@@ -76,6 +76,31 @@ TEST_CASE("GeoTIFF: its CRS is read, geographic means degrees, projected places 
 
 namespace {
 
+std::string ends_at(const char* how, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return fmt::format("ends: {{source: {{{0}: [{1:.15g}, {2:.15g}]}}, target: {{{0}: [{3:.15g}, {4:.15g}]}}}}\n", how,
+                     a[0], a[1], b[0], b[1]);
+}
+
+}  // namespace
+
+TEST_CASE("GDAL is loaded for the first raster that needs it, and an error says what to install where it is missing") {
+  const std::filesystem::path program =
+      std::filesystem::read_symlink("/proc/self/exe").parent_path() / "leastcost";  // beside the tests
+  if (!std::filesystem::exists(program)) return record_skip("loading of GDAL", "the program was not built");
+  const ScratchDir dir;
+  std::ofstream(dir / "dem.tif") << "II*";
+  std::ofstream(dir / "libgdal.so.32") << "";  // found first, and no library
+  std::ofstream(dir / "a.yaml") << "manifold: {type: terrain, file: dem.tif}\ncost: {type: euclidean}\n"
+                                << ends_at("point", {0, 0}, {1, 1});
+  const std::string run = "cd '" + dir.path().string() + "' && LD_LIBRARY_PATH=. '" + program.string() + "' ";
+  CHECK_THAT(output_of(run + "--version"), Catch::Contains("leastcost"));
+  CHECK_THAT(output_of(run + "run a.yaml 2>&1 || true"),
+             Catch::Contains("dem.tif: GDAL is needed, but its library libgdal.so.32 cannot be used (") &&
+                 Catch::Contains("install the package libgdal32"));
+}
+
+namespace {
+
 /// 40 x 30 cells of 3 x 2 (along the turned sides), turned by 30 degrees, lines downwards; places are begin + side *
 /// (x, y) of indices, z is 0.3 x + 0.2 y + 100 and the cost 1 + 0.01 x.
 struct Turned {
@@ -114,11 +139,6 @@ struct Turned {
     std::ofstream(vrt) << text;
   }
 };
-
-std::string ends_at(const char* how, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return fmt::format("ends: {{source: {{{0}: [{1:.15g}, {2:.15g}]}}, target: {{{0}: [{3:.15g}, {4:.15g}]}}}}\n", how,
-                     a[0], a[1], b[0], b[1]);
-}
 
 RunOutcome solved(const std::string& text, const ScratchDir& dir) {
   return solve(parse_run(text + "path: {points: 9}\n", "a.yaml", dir.path()));

@@ -6,145 +6,25 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "catalogue/inputs/png_image.hpp"
-#include "problems/drawing/solids.hpp"
 
 namespace leastcost::app {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kSamples = 2;      ///< of a pixel, in each direction
-constexpr int kBand = 64;        ///< rows of pixels that are made at once, so that memory does not grow with the image
-constexpr double kCrease = 0.5;  ///< cosine: a sharper edge stays one
-
-using Corners = std::array<Vector3d, 3>;
+constexpr int kSamples = 2;  ///< of a pixel, in each direction
+constexpr int kBand = 64;    ///< rows of pixels that are made at once, so that memory does not grow with the image
 
 /// Where the lamp is, in the view; of length 1.
 Vector3d towards_lamp() { return {-0.34975, 0.54961, 0.75946}; }
 
-const Vector3d& corner(const TriangleSoup& surface, std::size_t triangle, std::size_t k) {
-  return surface.vertices[static_cast<std::size_t>(surface.triangles[triangle][k])];
-}
-
-/// Normals at the corners of every triangle: the mean of those around its vertex, but for what lies beyond a crease.
-std::vector<Corners> smooth_normals(const TriangleSoup& surface) {
-  std::vector<Vector3d> flat, weighted;
-  std::vector<std::size_t> first(surface.vertices.size() + 1, 0);  // of the triangles around each vertex
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    const Vector3d& a = corner(surface, t, 0);
-    weighted.emplace_back((corner(surface, t, 1) - a).cross(corner(surface, t, 2) - a));
-    flat.emplace_back(weighted.back().normalized());
-    for (const int v : surface.triangles[t]) ++first[static_cast<std::size_t>(v) + 1];
-  }
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<std::size_t> around(3 * surface.triangles.size()), next(first.begin(), first.end() - 1);
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    for (const int v : surface.triangles[t]) around[next[static_cast<std::size_t>(v)]++] = t;
-  std::vector<Corners> all(surface.triangles.size());
-  for (std::size_t t = 0; t < all.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto v = static_cast<std::size_t>(surface.triangles[t][k]);
-      Vector3d sum = Vector3d::Zero();
-      for (std::size_t i = first[v]; i < first[v + 1]; ++i)
-        if (flat[around[i]].dot(flat[t]) > kCrease) sum += weighted[around[i]];
-      all[t][k] = sum.normalized();
-    }
-  return all;
-}
-
-/// The weights of the corners of a triangle at a place of the view.
-Vector3d weights(const Corners& seen, const Eigen::Vector2d& at) {
-  const Eigen::Vector2d u = (seen[1] - seen[0]).head<2>(), v = (seen[2] - seen[0]).head<2>(),
-                        p = at - seen[0].head<2>();
-  const double area = u[0] * v[1] - u[1] * v[0];
-  if (area == 0) return {1, 0, 0};
-  const double s = (p[0] * v[1] - p[1] * v[0]) / area, t = (u[0] * p[1] - u[1] * p[0]) / area;
-  return {1 - s - t, s, t};
-}
-
-/// What a layer shows in one sample.
-struct Seen {
-  double depth = -std::numeric_limits<double>::infinity();
-  Vector3d normal = Vector3d::UnitZ();  ///< in the view, towards the eye
-  bool there() const { return depth > -std::numeric_limits<double>::infinity(); }
-};
-
-/// What a layer shows in a part of a grid of samples, and nothing beside it.
-class LayerInBand {
- public:
-  LayerInBand(int left, int bottom, int columns, std::vector<Seen> seen)
-      : left_(left), bottom_(bottom), columns_(columns), seen_(std::move(seen)) {}
-  const Seen& at(int column, int row) const {
-    static const Seen nothing;
-    const int i = column - left_, j = row - bottom_;
-    if (i < 0 || j < 0 || i >= columns_) return nothing;
-    const std::size_t k =
-        static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i);
-    return k < seen_.size() ? seen_[k] : nothing;
-  }
-
- private:
-  int left_, bottom_, columns_;
-  std::vector<Seen> seen_;  ///< row by row from below
-};
-
-/// A layer, ready to be looked at band by band.
-class LayerOfImage {
- public:
-  LayerOfImage(const ImageLayer& layer, const SpaceView& view)
-      : layer_(&layer), view_(view), normals_(smooth_normals(layer.surface)) {
-    turned_.triangles = layer.surface.triangles;
-    for (const Vector3d& x : layer.surface.vertices) {
-      turned_.vertices.emplace_back(view.axes * x);
-      box_.extend(Eigen::Vector2d(turned_.vertices.back().head<2>()));
-    }
-  }
-  const ImageLayer& layer() const { return *layer_; }
-
-  LayerInBand look(const PixelGrid& grid) const {
-    PixelGrid part = grid;
-    const auto pixel = [&](double x, Eigen::Index i, int most) {
-      return static_cast<int>(std::clamp((x - grid.origin[i]) / grid.pixel, 0.0, static_cast<double>(most)));
-    };
-    if (box_.isEmpty()) return {0, 0, 0, {}};
-    const int left = pixel(box_.min()[0], 0, grid.columns), bottom = pixel(box_.min()[1], 1, grid.rows);
-    part.columns = std::min(grid.columns, pixel(box_.max()[0], 0, grid.columns) + 2) - left;
-    part.rows = std::min(grid.rows, pixel(box_.max()[1], 1, grid.rows) + 2) - bottom;
-    if (part.columns <= 0 || part.rows <= 0) return {0, 0, 0, {}};
-    part.origin += grid.pixel * Eigen::Vector2d(left, bottom);
-    const DepthMap map(turned_, SpaceView{}, part, layer_->one_sided);
-    std::vector<Seen> out(static_cast<std::size_t>(part.columns) * static_cast<std::size_t>(part.rows));
-    std::size_t next = 0;
-    for (int row = 0; row < part.rows; ++row)
-      for (int column = 0; column < part.columns; ++column, ++next) {
-        const int number = map.triangle(column, row);
-        if (number < 0) continue;
-        const auto t = static_cast<std::size_t>(number);
-        const Vector3d &a = corner(turned_, t, 0), &b = corner(turned_, t, 1), &c = corner(turned_, t, 2);
-        const Vector3d w = weights({a, b, c}, part.origin + part.pixel * Eigen::Vector2d(column, row));
-        const Vector3d normal = view_.axes * (w[0] * normals_[t][0] + w[1] * normals_[t][1] + w[2] * normals_[t][2]);
-        const bool from_behind = (b - a).cross(c - a)[2] < 0;
-        out[next] = {map.depth(column, row), (from_behind ? -normal : normal).normalized()};
-      }
-    return {left, bottom, part.columns, std::move(out)};
-  }
-
- private:
-  const ImageLayer* layer_;
-  SpaceView view_;
-  std::vector<Corners> normals_;
-  TriangleSoup turned_;  ///< as it lies in the view
-  Eigen::AlignedBox2d box_;
-};
-
 /// Whether b, beside a, lies clearly behind it, or across a crease.
-bool edge_between(const Seen& a, const Seen& b, double pixel) {
-  constexpr double kSteep = 0.15, kJump = 4;  // pixels
+bool edge_between(const SeenSample& a, const SeenSample& b, double pixel) {
+  constexpr double kSteep = 0.15, kJump = 4;  // of a normal, pixels
   if (!b.there()) return true;
   if (a.normal.dot(b.normal) < kCrease && a.depth >= b.depth - kJump * pixel) return true;
   return a.depth - b.depth > kJump * pixel / std::max(kSteep, std::min(a.normal[2], b.normal[2]));
@@ -164,7 +44,7 @@ class Band {
       for (int column = 0; column < grid.columns; ++column) {
         double depth = -std::numeric_limits<double>::infinity();
         for (std::size_t k = 0; k < layers_.size(); ++k) {
-          const Seen& seen = seen_[k].at(column, row);
+          const SeenSample& seen = seen_[k].at(column, row);
           if (layers_[k]->opacity < 1 || !(seen.depth > depth)) continue;
           depth = seen.depth;
           front_[index(column, row)] = static_cast<int>(k);
@@ -207,7 +87,7 @@ class Band {
 
   Vector3d shade(std::size_t k, int column, int row) const {
     constexpr double kShadow = 0.2, kOfShadow = 0.6;
-    const Seen& seen = seen_[k].at(column, row);
+    const SeenSample& seen = seen_[k].at(column, row);
     double light = lightness(seen.normal);
     if (lamp_ != nullptr && layers_[k]->opacity == 1 && light > kShadow) {
       const Eigen::Vector2d at = grid_.origin + grid_.pixel * Eigen::Vector2d(column, row);
@@ -221,7 +101,7 @@ class Band {
   /// Whether an opaque layer ends beside this sample, or goes round a corner.
   bool outlined(int column, int row) const {
     const auto k = static_cast<std::size_t>(front_[index(column, row)]);
-    const Seen& here = seen_[k].at(column, row);
+    const SeenSample& here = seen_[k].at(column, row);
     for (const auto& [right, up] : kBeside) {
       if (!has(column + right, row + up)) continue;
       const std::size_t beside = index(column + right, row + up);

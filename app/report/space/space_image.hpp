@@ -3,35 +3,21 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <array>
 #include <string>
 #include <vector>
 
+#include "app/report/space/image_layer.hpp"
 #include "app/report/space/space_view.hpp"
 
 namespace leastcost::app {
 
-/// Red, green and blue, 0 to 255.
-using Rgb = std::array<int, 3>;
-
-inline constexpr Rgb kSurfaceColour = {230, 224, 210};  ///< of domains, in full light
-inline constexpr double kMostPixels = 3000;             ///< of an image, along its longer side
+inline constexpr double kMostPixels = 3000;  ///< of an image, along its longer side
 
 /// How light a surface is, 0 to 1, under a lamp above the left shoulder. `normal`: in the view, of length 1, on the
 /// side that is seen.
 double lightness(const Eigen::Vector3d& normal);
 /// Its colour there. `full`: in full light.
 Rgb colour_of_light(double lightness, const Rgb& full = kSurfaceColour);
-
-/// A surface among others.
-struct ImageLayer {
-  TriangleSoup surface;
-  Rgb colour = kSurfaceColour;
-  double opacity = 1;        ///< below 1 what lies behind its nearest part shines through that part
-  bool one_sided = false;    ///< not seen where its triangles run clockwise
-  bool has_outline = false;  ///< dark lines at its creases, and around what stands before something else
-  bool casts = false;        ///< a shadow
-};
 
 /// Surfaces as an image.
 struct ShadedImage {
