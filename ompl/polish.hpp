@@ -38,6 +38,7 @@ struct PolishOptions {
   std::shared_ptr<const Kernel> kernel = {};  ///< else Expm1Square
 };
 
+/// What became of a plan.
 enum class PolishOutcome {
   polished,   ///< what find_path() came to
   tightened,  ///< that is not valid, or costs more: the given path with shortcuts, pulled tight
@@ -45,14 +46,16 @@ enum class PolishOutcome {
 };
 Words<PolishOutcome> words(PolishOutcome);
 
+/// A plan after polish().
 struct Polished {
-  PolishOutcome outcome = PolishOutcome::given;
+  PolishOutcome outcome = PolishOutcome::given;          ///< what became of it
   std::shared_ptr<ompl::geometric::PathGeometric> path;  ///< ends are those of the given path, to the last digit
   double cost = 0;                                       ///< of this path
   double given_cost = 0;                                 ///< of the given one
   std::optional<Clearance> clearance;                    ///< of this path; nothing where it was interrupted
   Result result;    ///< of find_path(): its certificate is that of this path where the outcome is `polished`
   std::string why;  ///< why this is not what find_path() came to; empty where it is
+  /// Whether the polished path has a certificate.
   bool certified() const { return outcome == PolishOutcome::polished && result.status == Status::certified; }
 };
 

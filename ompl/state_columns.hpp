@@ -33,12 +33,13 @@ class StateColumns {
   /// Throws InputError for a space with a part that is none of these, and a turn that is no positive number.
   explicit StateColumns(std::shared_ptr<const ompl::base::StateSpace> space, double turn = 1);
 
-  Index rows() const { return rows_; }
-  bool has_quaternions() const { return !quaternions().empty(); }
-  std::vector<Index> quaternions() const;  ///< their first rows, ascending
+  Index rows() const { return rows_; }                             ///< coordinates of a column
+  bool has_quaternions() const { return !quaternions().empty(); }  ///< whether some of them are rotations
+  std::vector<Index> quaternions() const;                          ///< their first rows, ascending
   /// Of a constrained space: where its states may be is not known from it.
   bool constrained() const { return constrained_; }
 
+  /// The coordinates of a state.
   Eigen::VectorXd column(const ompl::base::State& state) const;
   /// Throws InputError for a state whose numbers are not finite, or a quaternion of no length.
   Points columns(const ompl::geometric::PathGeometric& path) const;

@@ -12,7 +12,9 @@ namespace leastcost {
 
 /// The methods that are recommended when nobody asks for others. Their words are the types of plug-ins.
 enum class FirstPathMethod { none, straight, dijkstra, cell_graph, grid, eikonal, rrt };
+/// How points are moved to the minimum.
 enum class SolveMethod { none, newton, lbfgs };
+/// How the delivered curve is made of the points.
 enum class CurveMethod { on_surface, trace, straighten, taut, refract, refract_cells };
 Words<FirstPathMethod> words(FirstPathMethod);
 Words<SolveMethod> words(SolveMethod);
@@ -21,28 +23,28 @@ Words<CurveMethod> words(CurveMethod);
 /// What the choice of methods depends on. facts_of() reads it off the objects of a problem, the catalogue off a
 /// configuration, before there are objects.
 struct ProblemFacts {
-  bool ring = false;
-  bool obstacles = false, robot = false;
-  bool euclidean = false;        ///< R^d or a box in it, obstacles apart
-  bool unbounded = false;        ///< R^d as a whole
-  bool terrain = false;          ///< a height field over the plane
-  bool chart = false;            ///< a surface given by coordinates, terrain and the Earth included
-  bool mesh = false;             ///< made of triangles
-  bool occupancy = false;        ///< its triangles are the free part of an occupancy map
-  bool graph = false;            ///< edges that a shortest path can follow
-  bool level_set = false;        ///< a surface f = 0
-  int coordinates = 0;           ///< of points; 0: not known yet
-  bool constant_metric = false;  ///< the cost is a length in one metric
-  bool length = false;           ///< the cost is a multiple of the length
-  bool layers = false;           ///< the cost has a constant index in each of several layers
-  bool cells = false;            ///< the cost is constant in each cell of a raster
-  bool field = false;            ///< the cost depends on the place: paths on several sides may be locally least
-  bool pulls_tight = false;      ///< the cost is the length, and paths can be pulled tight among the obstacles
+  bool ring = false;                      ///< whether the path is closed
+  bool obstacles = false, robot = false;  ///< what is in the way, and for whom
+  bool euclidean = false;                 ///< R^d or a box in it, obstacles apart
+  bool unbounded = false;                 ///< R^d as a whole
+  bool terrain = false;                   ///< a height field over the plane
+  bool chart = false;                     ///< a surface given by coordinates, terrain and the Earth included
+  bool mesh = false;                      ///< made of triangles
+  bool occupancy = false;                 ///< its triangles are the free part of an occupancy map
+  bool graph = false;                     ///< edges that a shortest path can follow
+  bool level_set = false;                 ///< a surface f = 0
+  int coordinates = 0;                    ///< of points; 0: not known yet
+  bool constant_metric = false;           ///< the cost is a length in one metric
+  bool length = false;                    ///< the cost is a multiple of the length
+  bool layers = false;                    ///< the cost has a constant index in each of several layers
+  bool cells = false;                     ///< the cost is constant in each cell of a raster
+  bool field = false;        ///< the cost depends on the place: paths on several sides may be locally least
+  bool pulls_tight = false;  ///< the cost is the length, and paths can be pulled tight among the obstacles
 };
 
 /// What is known of the first path when a proof over all paths is considered.
 struct FirstPathFacts {
-  bool straight = false;
+  bool straight = false;      ///< whether the first path is a straight line
   bool states_class = false;  ///< it was given for the sake of its class: waypoints, other routes and the like
 };
 
@@ -57,6 +59,7 @@ std::string_view why(CurveMethod method);
 /// Whether the post-processors make the least-cost curve of its class by themselves, so that no solver is needed.
 bool makes_exact_curves(const ProblemFacts& facts);
 
+/// The solver that a problem with these facts is given; `exact_curve`: a later step finds the curve exactly.
 SolveMethod recommended_solver(const ProblemFacts& facts, bool exact_curve);
 
 /// In the order of their application.

@@ -17,8 +17,8 @@ namespace leastcost {
 
 /// The methods that are recommended for a problem.
 struct Recipe {
-  std::shared_ptr<const Initializer> initializer;  ///< null for a ring, which has no default
-  std::shared_ptr<const Solver> solver;
+  std::shared_ptr<const Initializer> initializer;                     ///< null for a ring, which has no default
+  std::shared_ptr<const Solver> solver;                               ///< moves the points to the minimum
   std::vector<std::shared_ptr<const PostProcessor>> post_processors;  ///< the proof over all paths comes last
   std::vector<std::string> why;  ///< of first path, solver, post-processors and proof: "solver: newton, because .."
   bool one_way = false;          ///< nothing looks beside a straight first path (sees_one_way)

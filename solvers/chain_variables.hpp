@@ -22,9 +22,9 @@ class ChainVariables {
 
   /// Centres the variables at a path, z = 0 there. False where the energy is not finite.
   bool centre(const CoordinatePath& path);
-  const CoordinatePath& base() const { return base_; }
-  const ChainModel& model() const { return model_; }  ///< at the centre, solved with the Gauss-Newton Hessian
-  Index size() const { return model_.tangent.size(); }
+  const CoordinatePath& base() const { return base_; }  ///< the chain at which all variables are 0
+  const ChainModel& model() const { return model_; }    ///< at the centre, solved with the Gauss-Newton Hessian
+  Index size() const { return model_.tangent.size(); }  ///< number of variables
   /// S for `none`.
   double scale() const { return scale_; }
 

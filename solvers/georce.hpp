@@ -10,8 +10,8 @@ namespace leastcost {
 
 struct GeorceOptions {
   double tolerance = 1e-12;
-  int max_iterations = 1000;
-  int max_evaluations = 100000;
+  int max_iterations = 1000;     ///< steps at most
+  int max_evaluations = 100000;  ///< evaluations of the energy at most
   void fields(FieldVisitor& visit);
 };
 

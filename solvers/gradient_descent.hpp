@@ -9,9 +9,9 @@
 namespace leastcost {
 
 struct GradientDescentOptions {
-  double tolerance = 1e-14;  ///< relative cost error
-  int max_iterations = 20000;
-  int max_evaluations = 100000;
+  double tolerance = 1e-14;      ///< relative cost error
+  int max_iterations = 20000;    ///< steps at most
+  int max_evaluations = 100000;  ///< evaluations of the energy at most
   void fields(FieldVisitor& visit);
 };
 

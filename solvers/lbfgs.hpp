@@ -9,9 +9,9 @@
 namespace leastcost {
 
 struct LbfgsOptions {
-  double tolerance = 1e-14;  ///< relative cost error
-  int max_iterations = 1000;
-  int max_evaluations = 100000;
+  double tolerance = 1e-14;      ///< relative cost error
+  int max_iterations = 1000;     ///< steps at most
+  int max_evaluations = 100000;  ///< evaluations of the energy at most
   int memory = 10;
   Preconditioner precondition = Preconditioner::chain;
   void fields(FieldVisitor& visit);

@@ -8,9 +8,9 @@
 namespace leastcost {
 
 struct NewtonOptions {
-  double tolerance = 1e-14;  ///< relative cost error
-  int max_iterations = 200;
-  int max_evaluations = 100000;
+  double tolerance = 1e-14;      ///< relative cost error
+  int max_iterations = 200;      ///< steps at most
+  int max_evaluations = 100000;  ///< evaluations of the energy at most
   void fields(FieldVisitor& visit);
 };
 

@@ -26,7 +26,7 @@ struct RoundOptions {
 class RoundObjective {
  public:
   virtual ~RoundObjective() = default;
-  virtual Index size() const = 0;
+  virtual Index size() const = 0;  ///< number of variables
   /// E at z, and its gradient unless null; +infinity where there is no path or its energy is not finite.
   virtual double operator()(const Eigen::VectorXd& z, Eigen::VectorXd* gradient) = 0;
   /// Whether the back end has to return now: the round is over, a limit is reached, or somebody asked.

@@ -11,8 +11,8 @@ namespace leastcost {
 struct StringMethodOptions {
   double step = 0.5;
   double tolerance = 1e-10;
-  int max_iterations = 20000;
-  int max_evaluations = 100000;
+  int max_iterations = 20000;    ///< steps at most
+  int max_evaluations = 100000;  ///< evaluations of the energy at most
   void fields(FieldVisitor& visit);
 };
 

@@ -10,8 +10,8 @@ namespace leastcost {
 
 struct VfcsOptions {
   double gradient_tolerance = 1e-8;
-  int max_iterations = 20000;
-  int max_evaluations = 100000;
+  int max_iterations = 20000;    ///< steps at most
+  int max_evaluations = 100000;  ///< evaluations of the energy at most
   int memory = 10;
   void fields(FieldVisitor& visit);
 };

@@ -22,8 +22,8 @@ struct StudyOptions {
   int shard = 0, shards = 1;          ///< the cells whose number leaves the remainder `shard`
   /// Told how many repetitions of cells have finished, at first and after each.
   std::function<void(std::size_t finished, std::size_t total)> observe = {};
-  std::function<bool()> stop_requested = {};
-  std::vector<std::string> arguments = {};  ///< how the program was called, for manifest.json
+  std::function<bool()> stop_requested = {};  ///< asked between cells; true: the study ends, and can be resumed
+  std::vector<std::string> arguments = {};    ///< how the program was called, for manifest.json
 };
 
 /// What became of a study; all of it is in its folder: runs.csv, traces.csv, summary.json, manifest.json.
@@ -35,6 +35,7 @@ struct StudyResult {
   bool interrupted = false;      ///< stopped: the journal has what had finished, the other files are not there yet
   std::string summary;           ///< the text of summary.json
 
+  /// Whether every cell ran and ended well.
   bool complete_and_ok() const { return !interrupted && failed == 0 && missing == 0; }
 };
 

@@ -15,12 +15,12 @@ namespace leastcost {
 
 /// Two ends of a path.
 struct EndPair {
-  EndOptions source, target;
+  EndOptions source, target;  ///< where the path begins and ends
 };
 
 /// What became of one pair. Numbers that were not measured are NaN.
 struct PairResult {
-  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();  ///< a number that there is none of
 
   long number = 0;     ///< of the pair, from 0 in their order
   long file_line = 0;  ///< of the file of pairs, from 1; 0: it came from memory
@@ -35,18 +35,18 @@ struct PairResult {
   double lower_bound = kNone;                 ///< of the cost of all paths, where a proof was tried
   std::vector<std::string> failures = {};     ///< names of what the certificate does not fulfil
   double source_moved = 0, target_moved = 0;  ///< distances by which the ends were put onto the domain, length units
-  std::vector<std::string> notes = {};
-  Points points = {};  ///< of the path, ambient, one per column; where they were asked for
-  double seconds = 0;  ///< wall time of this pair
-  std::string line;    ///< a line of paths.jsonl without its line break, where it was asked for
+  std::vector<std::string> notes = {};        ///< what the run says about this pair alone
+  Points points = {};                         ///< of the path, ambient, one per column; where they were asked for
+  double seconds = 0;                         ///< wall time of this pair
+  std::string line;                           ///< a line of paths.jsonl without its line break, where it was asked for
 
-  bool found() const { return message.empty(); }
-  bool certified() const { return outcome == "certified"; }
+  bool found() const { return message.empty(); }             ///< whether there is a path
+  bool certified() const { return outcome == "certified"; }  ///< whether the path has a certificate
 };
 
 /// How pairs are solved, and what is kept of each.
 struct PairsOptions {
-  int threads = 1;
+  int threads = 1;     ///< paths that are sought at the same time
   bool points = true;  ///< results have the points of their paths
   bool lines = false;  ///< results have their line of paths.jsonl; it has the points, too, if `points`
   std::function<bool()> stop_requested = {};  ///< asked by all threads; then no pair is begun

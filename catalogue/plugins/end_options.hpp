@@ -17,7 +17,7 @@ struct ToolPose {
   Eigen::VectorXd offset = {};  ///< of the tool, coordinates of the link; empty: its origin
   ShapePose pose = {};          ///< of the tool in the workspace, turned as the link is; no rotation: any
   void fields(FieldVisitor& visit);
-  bool given() const { return pose.position.size() > 0; }
+  bool given() const { return pose.position.size() > 0; }  ///< whether a pose was given at all
 };
 
 /// Where an end of the path is: exactly one of vertex, face + barycentric, point, lonlat, state; of a target also
@@ -30,13 +30,15 @@ struct EndOptions {
   std::optional<Eigen::VectorXd> lonlat = {};  ///< on the Earth: longitude, latitude, degrees
   std::optional<std::string> state = {};       ///< of the robot, by its name
   std::optional<Eigen::MatrixXd> points = {};  ///< one a row
-  ToolPose tool = {};
-  std::optional<double> tolerance = {};  ///< of a point, length units; else the default of the manifold
+  ToolPose tool = {};                          ///< a pose of the tool, which a robot reaches by several configurations
+  std::optional<double> tolerance = {};        ///< of a point, length units; else the default of the manifold
   void fields(FieldVisitor& visit);
 
   /// How many of these ways are given.
   int ways() const;
+  /// Whether it stands for several ends, of which the cheapest is taken.
   bool is_several() const { return points || tool.given(); }
+  /// The words of the error for an end that is given in no way, or in two.
   static constexpr const char* kWays = "must have exactly one of: vertex; face and barycentric; point; lonlat; state";
   static constexpr const char* kWaysOfTarget =
       "must have exactly one of: vertex; face and barycentric; point; lonlat; state; points; tool";

@@ -68,16 +68,17 @@ template <class Options>
 class OwnOptionsOf final : public OwnOptions {
  public:
   void fields(FieldVisitor& visit) override { value.fields(visit); }
-  Options value;
+  Options value;  ///< the options themselves
 };
 
 /// A registration, with a factory of objects of type Made.
 template <class Made>
 struct OwnPlugin {
-  std::string type, summary;
+  std::string type, summary;          ///< name in configurations; one sentence for list and describe
   std::vector<std::string> provides;  ///< words of abilities
-  PluginFacts facts;
-  std::function<std::unique_ptr<OwnOptions>()> defaults;
+  PluginFacts facts;                  ///< what checks and defaults have to know
+  std::function<std::unique_ptr<OwnOptions>()> defaults;  ///< the options as a configuration leaves them
+  /// Makes the object of its options; throws OptionError.
   std::function<Made(const OwnOptions&, const BuildContext&)> make;
 };
 

@@ -33,9 +33,10 @@ struct ConfigValue {
   Value value;  ///< nothing: a key without a value
 };
 
+/// A key of a block, with its value.
 struct ConfigEntryValue {
-  std::string key;
-  ConfigValue value;
+  std::string key;    ///< name of the option
+  ConfigValue value;  ///< what it is set to
 };
 
 // Here, as a block is complete only now.

@@ -19,9 +19,10 @@ struct Place {
   std::string origin;  ///< the argument ("--set a.b=v"); empty: the file
 };
 
+/// An error of a configuration, and where it is.
 struct Diagnostic {
-  Place place;
-  std::string message;
+  Place place;          ///< line and column, or the path of the key
+  std::string message;  ///< what is wrong, and what would be right
 };
 
 /// The errors of one configuration, collected so that a user sees all of them at once, in compiler style:
@@ -36,10 +37,10 @@ class Diagnostics {
 
   /// The first hundred are kept, the others counted.
   void error(const Place& place, std::string message);
-  bool empty() const { return count_ == 0; }
+  bool empty() const { return count_ == 0; }  ///< whether nothing was wrong
   /// Errors, kept or not.
   std::size_t size() const { return count_; }
-  const std::string& file() const { return file_; }
+  const std::string& file() const { return file_; }  ///< the configuration that is spoken of
   /// Those that are kept, in the order of the file; what came from the command line last.
   std::vector<Diagnostic> sorted() const;
   /// The same with their source lines, without the count.
@@ -63,7 +64,7 @@ class ConfigError : public Error {
  public:
   explicit ConfigError(Diagnostics diagnostics)
       : Error(diagnostics.render() + diagnostics.count()), diagnostics_(std::move(diagnostics)) {}
-  const Diagnostics& diagnostics() const { return diagnostics_; }
+  const Diagnostics& diagnostics() const { return diagnostics_; }  ///< all errors, each with its place
 
  private:
   Diagnostics diagnostics_;

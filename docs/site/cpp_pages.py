@@ -3,7 +3,8 @@
 """The C++ reference: Markdown from the XML that Doxygen makes of the installed headers, a page for each folder.
 
 A name without a comment gets its sentence from where there is one: an option from its `help` in the list of fields, a
-type of a variant from `kHelp`, an override from what it overrides. What has none is listed as such and counted."""
+type of a variant from `kHelp`, an override from what it overrides, names of one declaration from the comment behind it,
+an overload from the others. What has none is listed as such and counted."""
 import os
 import re
 import xml.etree.ElementTree as ElementTree
@@ -15,7 +16,12 @@ STRING = r'"((?:[^"\\]|\\.)*)"'
 
 # What every class with such a member means by it.
 CONSTANTS = {"kType": "Its name in configurations.", "kHelp": "What describe says of it.",
-             "kAbility": "The word for this ability in describe and in messages."}
+             "kAbility": "The word for this ability in describe and in messages.",
+             "present": "Whether this object has the ability: its type only may have it."}
+
+# Functions of <cmath> that the number types of framework/numbers have as well.
+FUNCTIONS = {"exp", "expm1", "log", "log1p", "sqrt", "cbrt", "pow", "hypot", "sin", "cos", "tan", "asin", "acos", "atan",
+             "atan2", "sinh", "cosh", "tanh", "abs", "fabs", "min", "max", "isfinite", "floor"}
 
 
 def escaped(text: str) -> str:
@@ -66,9 +72,13 @@ class Reference:
         self.names: list[tuple[str, str, str]] = []
         roots = [ElementTree.parse(f).getroot() for f in sorted(xml.glob("*.xml")) if f.name != "index.xml"]
         compounds = [c for root in roots for c in root.iter("compounddef")]
-        for member in (m for c in compounds for m in c.iter("memberdef")):
-            self.sentences[member.get("id")] = plain(member.find("briefdescription")) or plain(
-                member.find("detaileddescription"))
+        self.beside: dict[tuple[str, str], str] = {}  # of a declaration, and of a set of overloads
+        for compound in compounds:
+            for member in compound.iter("memberdef"):
+                said = plain(member.find("briefdescription")) or plain(member.find("detaileddescription"))
+                self.sentences[member.get("id")] = said
+                for place in self.places(member, compound.findtext("compoundname").split("::")[-1]):
+                    self.beside[place] = self.beside.get(place) or said
         for compound in compounds:
             name = compound.findtext("compoundname")
             if compound.get("kind") in ("class", "struct") and compound.get("prot") == "public":
@@ -81,6 +91,13 @@ class Reference:
     @staticmethod
     def is_public(name: str) -> bool:
         return name.startswith("leastcost") and "detail" not in name.split("::") and "<" not in name
+
+    @staticmethod
+    def places(member: ElementTree.Element, owner: str) -> list[tuple[str, str]]:
+        """Where another member may have the comment that this one shares."""
+        location = member.find("location")
+        declaration = [] if member.get("kind") != "variable" else [(location.get("file"), location.get("line"))]
+        return declaration + [(owner, member.findtext("name"))]
 
     def place(self, element: ElementTree.Element) -> list[str]:
         header = element.find("location").get("file")
@@ -119,6 +136,14 @@ class Reference:
             return CONSTANTS[name]
         elif name.startswith("operator"):
             return "Operator."
+        if name:
+            for place in self.places(element, owner or "leastcost"):
+                if self.beside.get(place):
+                    return self.beside[place]
+            if element.get("kind") == "typedef":
+                return f"Short for {plain(element.find('type'))}."
+            if name in FUNCTIONS and "/numbers/" in element.find("location").get("file"):
+                return f"std::{name} for this type of number."
         self.bare.append(f"{owner}::{name}" if owner and name else owner or name)
         return ""
 

@@ -20,7 +20,7 @@ class Error : public std::runtime_error {
 class OptionError : public Error {
  public:
   OptionError(std::string key, const std::string& message) : Error(message), key_(std::move(key)) {}
-  const std::string& key() const { return key_; }
+  const std::string& key() const { return key_; }  ///< the option at fault, with dots: "ends.source.point"
 
  private:
   std::string key_;

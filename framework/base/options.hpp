@@ -26,17 +26,17 @@ namespace leastcost {
 struct FieldDoc {
   std::string_view help;       ///< one sentence
   std::string_view unit = "";  ///< "length", "m/s^2", "relative cost error", ... ; empty: a plain number
-  double minimum = -std::numeric_limits<double>::infinity();
-  double maximum = std::numeric_limits<double>::infinity();
-  bool exclusive_minimum = false;  ///< the minimum itself is not allowed
-  bool required = false;
+  double minimum = -std::numeric_limits<double>::infinity();  ///< least value that is allowed, see exclusive_minimum
+  double maximum = std::numeric_limits<double>::infinity();   ///< greatest value that is allowed
+  bool exclusive_minimum = false;                             ///< the minimum itself is not allowed
+  bool required = false;                                      ///< whether a configuration has to set it
 };
 
 class FieldVisitor;
 
 /// One of several forms that a nested block can take, see FieldVisitor::variant().
 struct FieldVariant {
-  std::string type;
+  std::string type;                                ///< its name in configurations
   std::string_view help;                           ///< one sentence
   std::function<void(FieldVisitor&)> fields = {};  ///< none: it has no options
 };

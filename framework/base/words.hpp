@@ -12,8 +12,8 @@ namespace leastcost {
 /// A value of an enum and its word in configurations, results and messages.
 template <class Enum>
 struct Word {
-  Enum value;
-  std::string_view word;
+  Enum value;             ///< a value of the enum
+  std::string_view word;  ///< its word
 };
 
 /// Every value of a choice once, in the order in which people read them.

@@ -48,29 +48,29 @@ struct CertificateOptions {
 /// failures means certified. It says "global" only where a proof over all paths was made (`global`): a local method
 /// cannot know.
 struct Certificate {
-  bool measured = false;
-  Scope scope = Scope::none;
-  std::optional<GlobalBound> global;  ///< null: no proof over all paths was tried
-  std::vector<CertificateFailure> failures;
-  CostEstimate estimate;
-  std::optional<double> stationarity;  ///< relative cost error
-  std::optional<double> residual;      ///< diameters
+  bool measured = false;                     ///< false: nothing was asked of the path
+  Scope scope = Scope::none;                 ///< among which paths this one is least
+  std::optional<GlobalBound> global;         ///< null: no proof over all paths was tried
+  std::vector<CertificateFailure> failures;  ///< empty: certified
+  CostEstimate estimate;                     ///< the cost of the curve that the path stands for
+  std::optional<double> stationarity;        ///< relative cost error
+  std::optional<double> residual;            ///< diameters
   /// max c / min c - 1; of a straightened path by arc length.
   double spacing = std::numeric_limits<double>::quiet_NaN();
   std::optional<double> doubling;           ///< E_2M / E_4M
   std::optional<double> doubling_expected;  ///< H(s_2M) / (2 H(s_4M))
   /// max / mean cost of the curve between two points.
   double longest_segment = std::numeric_limits<double>::quiet_NaN();
-  PathIndex index;
+  PathIndex index;                       ///< of the path as a critical point: minimum or saddle
   std::optional<Resolution> resolution;  ///< of chains; null beside another failure, and on a bound
   std::optional<Clearance> clearance;    ///< null: the domain has no obstacles
   std::optional<double> straightness;    ///< smallest side angle minus pi, radians
   std::optional<double> asymmetry;       ///< backward cost / forward cost - 1
   std::optional<double> geometry_error;  ///< what the representation of the domain costs; null: exact or unknown
   std::optional<Regularization> regularization;  ///< null: the cost is the one that is meant
-  std::vector<RefinementLevel> levels;
+  std::vector<RefinementLevel> levels;           ///< the path with more and more points
 
-  bool certified() const { return measured && failures.empty(); }
+  bool certified() const { return measured && failures.empty(); }  ///< whether it was measured and nothing failed
 };
 
 }  // namespace leastcost

@@ -51,21 +51,23 @@ enum class PointsHelp {
 
 /// What follows from a failure: the one table of it.
 struct Consequences {
-  Failure failure;
+  Failure failure;        ///< what failed
   std::string_view word;  ///< its name in files and messages
   bool voids_bar;         ///< the value has no error bar
-  PointsHelp points;
+  PointsHelp points;      ///< whether more points would help
 };
+/// What follows from a failure: its row of the table.
 const Consequences& consequences(Failure failure);
 
+/// The word of a failure in results and messages.
 inline std::string_view word(Failure failure) { return consequences(failure).word; }
 
 /// One reason not to trust a path: `kind` for programs, `message` for people.
 struct CertificateFailure {
-  Failure kind;
-  std::string message;
+  Failure kind;         ///< what failed
+  std::string message;  ///< in words, with the figures
 
-  std::string name() const { return std::string(word(kind)); }
+  std::string name() const { return std::string(word(kind)); }  ///< its word
 };
 
 }  // namespace leastcost

@@ -21,16 +21,17 @@ Words<ValueMethod> words(ValueMethod);
 
 /// The reported value with its error. Units of the cost.
 struct CostEstimate {
-  double value = std::numeric_limits<double>::quiet_NaN();
+  double value = std::numeric_limits<double>::quiet_NaN();  ///< of the least-cost curve
   double error = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not measured, +infinity: nothing is known
-  ValueMethod method = ValueMethod::unmeasured;
-  std::optional<double> lower;  ///< where a bound exists
-  std::optional<double> upper;
-  std::optional<double> order;  ///< observed; never enters the value
+  ValueMethod method = ValueMethod::unmeasured;             ///< how the value was found
+  std::optional<double> lower;                              ///< where a bound exists
+  std::optional<double> upper;                              ///< where a bound exists
+  std::optional<double> order;                              ///< observed; never enters the value
 };
 
+/// An estimate, and what is wrong with it.
 struct EstimatedCost {
-  CostEstimate estimate;
+  CostEstimate estimate;                     ///< the value with its error
   std::vector<CertificateFailure> failures;  ///< "bracket", "not_asymptotic"
 };
 

@@ -23,8 +23,9 @@ enum class ResolutionVerdict {
 };
 Words<ResolutionVerdict> words(ResolutionVerdict);
 
+/// Whether the points are close enough to speak for a curve.
 struct Resolution {
-  ResolutionVerdict verdict = ResolutionVerdict::sampled;
+  ResolutionVerdict verdict = ResolutionVerdict::sampled;  ///< what was found
   bool curve_enclosed = false;       ///< the cost of the smooth curve through the finest chain, by validated quadrature
   bool minimum_proved = false;       ///< no curve in the tube costs less than `lower`
   std::optional<double> half_width;  ///< of the tube where it is narrowest, units of the cost
@@ -34,8 +35,9 @@ struct Resolution {
   std::optional<double> narrowest;
 };
 
+/// A resolution, and what is wrong with it.
 struct ExaminedResolution {
-  Resolution resolution;
+  Resolution resolution;                     ///< what was found
   std::vector<CertificateFailure> failures;  ///< "unresolved"
 };
 

@@ -11,9 +11,9 @@
 namespace leastcost {
 
 struct CheckManifoldOptions {
-  int samples = 12;
-  double size = 1;  ///< extent of the domain, length units: rounding is 1e-14 of it
-  double step = 1;  ///< longest step that is tried, length units; well below the radius of curvature
+  int samples = 12;  ///< random places that are tried
+  double size = 1;   ///< extent of the domain, length units: rounding is 1e-14 of it
+  double step = 1;   ///< longest step that is tried, length units; well below the radius of curvature
   std::vector<Eigen::VectorXd> special = {};  ///< further points: on an edge, a corner, a bound, and 1e-8 beside it
 };
 

@@ -14,8 +14,8 @@ namespace leastcost {
 struct Fault {
   std::string name;     ///< one word, stable: "gradient", "symmetric", "retraction"
   std::string message;  ///< what was expected, where it was not found
-  double measured = 0;
-  double allowed = 0;
+  double measured = 0;  ///< the error that was found
+  double allowed = 0;   ///< the largest one that is allowed
 };
 
 /// The faults a line each, "name: message (measured, allowed)"; empty when there are none.

@@ -32,6 +32,7 @@ class ConformalMetricBy : public HasConformalMetric, public EnclosesMetricBy<Con
   IntervalJet<2> enclose_squared_index(std::span<const IntervalJet<2>> x) const override { return known(x); }
   IntervalJet<3> enclose_squared_index(std::span<const IntervalJet<3>> x) const override { return known(x); }
 
+  /// Encloses the metric at x: the squared index on the diagonal.
   template <class Jet>
   void enclose(std::span<const Jet> x, std::span<Jet> upper) const {
     const Eigen::MatrixXd b = base();

@@ -19,6 +19,7 @@ class HasConstantMetric {
  public:
   static constexpr std::string_view kAbility = "constant metric";
   virtual ~HasConstantMetric() = default;
+  /// The same everywhere: symmetric, positive definite, ambient x ambient.
   virtual Eigen::MatrixXd metric() const = 0;
 };
 
@@ -31,6 +32,7 @@ class ConstantMetricCost : public SegmentCost,
   Eigen::MatrixXd base() const override { return metric(); }
   IntervalJet<2> enclose_squared_index(std::span<const IntervalJet<2>>) const override { return 1.0; }
   IntervalJet<3> enclose_squared_index(std::span<const IntervalJet<3>>) const override { return 1.0; }
+  /// Encloses the metric, which is the same everywhere.
   template <class Jet>
   void enclose(std::span<const Jet>, std::span<Jet> upper) const {
     const Eigen::MatrixXd g = metric();

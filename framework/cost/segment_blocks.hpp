@@ -18,6 +18,7 @@
 
 namespace leastcost {
 
+/// The kernel and its derivatives at a squared cost.
 inline Jet2 evaluate(const Kernel& kernel, double q) {
   Jet2 jet;
   kernel.apply({&q, 1}, {&jet, 1});
@@ -79,9 +80,10 @@ double short_move_limit(double size, double speed, MoveCost cost) {
 /// A residual r of q, |r|^2 = q, and its Jacobian over (a, b), rows x 2d; columns of fixed ends are zero.
 template <int D>
 struct SegmentResidual {
-  static constexpr int kMost = D == Eigen::Dynamic ? kMaxDimension : D;
-  static constexpr int kWidth = D == Eigen::Dynamic ? Eigen::Dynamic : 2 * D;
-  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMost, 1> r;
+  static constexpr int kMost = D == Eigen::Dynamic ? kMaxDimension : D;        ///< rows that a residual has room for
+  static constexpr int kWidth = D == Eigen::Dynamic ? Eigen::Dynamic : 2 * D;  ///< columns of the Jacobian: both ends
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMost, 1> r;  ///< the residual: the squared cost is its squared norm
+  /// Its derivatives by both ends, a first.
   Eigen::Matrix<double, Eigen::Dynamic, kWidth, 0, kMost, 2 * kMost> jacobian;
 };
 
@@ -123,13 +125,16 @@ template <int D>
 class SegmentFunction {
  public:
   virtual ~SegmentFunction() = default;
+  /// Squared cost from a to b.
   virtual double squared_cost(const Point<double, D>& a, const Point<double, D>& b) const = 0;
+  /// Squared cost with its first derivatives.
   virtual double gradient(const SegmentEnds<D>& e, SegmentGradient<D>& g) const = 0;
   /// Gradient and Hessian.
   virtual double derivatives(const SegmentEnds<D>& e, SegmentGradient<D>& g, Eigen::Ref<Points> h) const = 0;
   /// d^2/de^2 of q(x, x + e v) at e = 0.
   virtual double second_derivative(const Point<double, D>& x, const Point<double, D>& v) const = 0;
-  virtual bool has_residual() const = 0;
+  virtual bool has_residual() const = 0;  ///< whether the squared cost is the squared norm of a residual
+  /// The residual with its Jacobian; only where has_residual().
   virtual void residual(const SegmentEnds<D>& e, SegmentResidual<D>& out) const = 0;
 };
 
@@ -137,19 +142,23 @@ class SegmentFunction {
 template <class C>
 class SegmentFunctionOf final : public SegmentFunction<C::dim> {
  public:
-  static constexpr int kDim = C::dim;
+  static constexpr int kDim = C::dim;  ///< dimension of the space; Eigen::Dynamic: any
 
   explicit SegmentFunctionOf(const C& c) : c_(c) {}
 
+  /// Squared cost from a to b.
   double squared_cost(const Point<double, kDim>& a, const Point<double, kDim>& b) const override {
     return leastcost::squared_cost(c_, a, b);
   }
+  /// Squared cost with its first derivatives.
   double gradient(const SegmentEnds<kDim>& e, SegmentGradient<kDim>& g) const override {
     return squared_cost_gradient(c_, e, g);
   }
+  /// Squared cost with its first and second derivatives.
   double derivatives(const SegmentEnds<kDim>& e, SegmentGradient<kDim>& g, Eigen::Ref<Points> h) const override {
     return squared_cost_derivatives(c_, e, g, h);
   }
+  /// Of the squared cost of a short move along v at x.
   double second_derivative(const Point<double, kDim>& x, const Point<double, kDim>& v) const override {
     if constexpr (requires(const Eigen::VectorXd& any) { c_.line_element(any, any); }) {
       return std::numeric_limits<double>::quiet_NaN();  // never asked for; such a cost may know no duals
@@ -164,6 +173,7 @@ class SegmentFunctionOf final : public SegmentFunction<C::dim> {
     }
   }
   bool has_residual() const override { return kHasResidual; }
+  /// The residual with its Jacobian.
   void residual(const SegmentEnds<kDim>& e, SegmentResidual<kDim>& out) const override {
     if constexpr (kHasResidual) own_residual(c_, e, out);
   }
@@ -273,6 +283,7 @@ void segment_chain_blocks(const SegmentFunction<D>& c, const AmbientPath& path, 
   }
 }
 
+/// Residuals of all segments side by side, with their Jacobians where asked for.
 template <int D>
 void segment_residuals(const SegmentFunction<D>& c, const AmbientPath& path, int dim, Points& r, Points* jacobians) {
   const Index width = 2 * dim;

@@ -24,11 +24,12 @@ struct CostTraits {
   bool quadratic_at_rest = true;
 };
 
+/// Second derivatives, or the part of them that is never negative.
 enum class HessianKind { exact, gauss_newton };
 
 /// Second derivatives of phi(q(a, b) / s0^2), one 2d x 2d block per segment over (a, b), side by side: 2d x 2dN.
 struct ChainBlocks {
-  Points blocks;
+  Points blocks;  ///< a square block for every segment, side by side
 };
 
 /// The cost of straight moves along a path, through q = c^2 (docs/numerics.md Sec. 1.1: smooth where c is not). One
@@ -41,8 +42,8 @@ struct ChainBlocks {
 /// them.
 class SegmentCost : public HasAbilities<SegmentCost> {
  public:
-  virtual int dim() const = 0;  ///< ambient dimension d
-  virtual const CostTraits& traits() const = 0;
+  virtual int dim() const = 0;                   ///< ambient dimension d
+  virtual const CostTraits& traits() const = 0;  ///< what solvers and proofs may rely on
 
   /// q of each segment; q.size() == path.segment_count().
   virtual void squared_costs(const AmbientPath& path, std::span<double> q) const = 0;
@@ -87,6 +88,7 @@ class FollowsDomain {
 
 /// Costs c_i of the segments, and their sum.
 Eigen::VectorXd segment_costs(const SegmentCost& cost, const AmbientPath& path);
+/// Sum over the segments of a path.
 double total_cost(const SegmentCost& cost, const AmbientPath& path);
 
 /// c(a, b) of one move.

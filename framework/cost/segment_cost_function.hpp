@@ -25,14 +25,14 @@ namespace leastcost {
 template <SegmentCostFunction C, class Base = SegmentCost>
 class SegmentCostOf : public Base, public ExplainsInfinity {
  public:
-  static constexpr int kDim = C::dim;
+  static constexpr int kDim = C::dim;  ///< dimension of the space; Eigen::Dynamic: any
 
   explicit SegmentCostOf(C function, int dim = kDim)
       : function_(std::move(function)), traits_(function_.traits()), dim_(dim) {}
 
   int dim() const override { return dim_; }
   const CostTraits& traits() const override { return traits_; }
-  const C& function() const { return function_; }
+  const C& function() const { return function_; }  ///< the function that it was made of
 
   void squared_costs(const AmbientPath& path, std::span<double> q) const override {
     for (Index i = 0; i < path.segment_count(); ++i)
@@ -111,6 +111,7 @@ class EnclosedSegmentCostOf final : public SegmentCostOf<C>, public EnclosesMetr
  public:
   using SegmentCostOf<C>::SegmentCostOf;
 
+  /// Encloses the metric at x.
   template <class Jet>
   void enclose(std::span<const Jet> x, std::span<Jet> upper) const {
     constexpr int d = C::dim;
@@ -129,6 +130,7 @@ class EnclosedSegmentCostOf final : public SegmentCostOf<C>, public EnclosesMetr
   }
 };
 
+/// Makes a cost of a function of two points; `dim`: of the space, for functions of any dimension.
 template <SegmentCostFunction C>
 std::shared_ptr<const SegmentCost> make_segment_cost(C function, int dim = C::dim) {
   if constexpr (EnclosedSegmentCost<C>)

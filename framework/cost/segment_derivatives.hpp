@@ -35,15 +35,17 @@ concept SegmentCostFunction = requires(const C c, const Point<double, C::dim> p)
   { c.template value<double>(p, p) } -> std::convertible_to<double>;
 };
 
+/// The ends of a segment, and which of them are not moved.
 template <int D>
 struct SegmentEnds {
-  Point<double, D> a, b;
-  bool a_fixed = false, b_fixed = false;
+  Point<double, D> a, b;                  ///< from a to b
+  bool a_fixed = false, b_fixed = false;  ///< an end that is not moved has no derivatives
 };
 
+/// First derivatives by the ends of a segment.
 template <int D>
 struct SegmentGradient {
-  Point<double, D> a, b;
+  Point<double, D> a, b;  ///< by each end
 };
 
 /// q, with NaN (an argument outside the domain of a root, say) turned into +infinity.

@@ -22,6 +22,7 @@ struct MoveClearance {
 class ChecksMoves {
  public:
   virtual ~ChecksMoves() = default;
+  /// Distance that the straight move from a to b keeps from what is forbidden.
   virtual MoveClearance clearance(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const = 0;
   /// Whether two paths (ambient, d x m) between the same ends can be moved into each other without touching an
   /// obstacle; nothing where that is not known.

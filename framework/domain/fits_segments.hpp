@@ -11,15 +11,15 @@ namespace leastcost {
 
 /// What it costs that points keep a margin from an obstacle.
 struct MarginCost {
-  int obstacle = -1;
-  double cost = 0;  ///< at first order: the margin times what a unit of it less would save
+  int obstacle = -1;  ///< its number; -1: none
+  double cost = 0;    ///< at first order: the margin times what a unit of it less would save
 };
 
 /// Ability of a domain whose points keep away from something by as much as the moves between them need, which depends
 /// on the chain that they belong to.
 class FitsSegments {
  public:
-  static constexpr double kCloseFit = 1e-9;
+  static constexpr double kCloseFit = 1e-9;  ///< relative: a closer fit changes nothing that is measured
   virtual ~FitsSegments() = default;
   /// The same domain for chains with moves as long as those of a path, fitted to nothing else yet. `agreement`, of the
   /// extent of the path: by so much a move may keep away for nothing.

@@ -10,7 +10,7 @@ namespace leastcost {
 
 /// Coordinates of a domain that belong together: those of a factor of a product.
 struct CoordinateBlock {
-  Index first = 0, size = 1;
+  Index first = 0, size = 1;  ///< coordinates first to first + size - 1
   /// What a short move by 1 in these coordinates measures, in the unit in which people measure such a move: 2 radians
   /// for unit quaternions, whose chord is half the angle of rotation; 1 elsewhere.
   double unit = 1;
@@ -20,7 +20,7 @@ struct CoordinateBlock {
 class HasBlocks {
  public:
   virtual ~HasBlocks() = default;
-  virtual std::vector<CoordinateBlock> blocks() const = 0;
+  virtual std::vector<CoordinateBlock> blocks() const = 0;  ///< which coordinates belong together: those of a factor
 };
 
 }  // namespace leastcost

@@ -12,8 +12,8 @@ namespace leastcost {
 class HasBox {
  public:
   virtual ~HasBox() = default;
-  virtual const Eigen::VectorXd& box_lower() const = 0;
-  virtual const Eigen::VectorXd& box_upper() const = 0;
+  virtual const Eigen::VectorXd& box_lower() const = 0;  ///< least coordinates; -inf: none
+  virtual const Eigen::VectorXd& box_upper() const = 0;  ///< greatest coordinates; inf: none
 };
 
 }  // namespace leastcost

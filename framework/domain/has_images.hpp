@@ -13,7 +13,7 @@ namespace leastcost {
 
 /// Other coordinates of the same point.
 struct PointImage {
-  Eigen::VectorXd u;
+  Eigen::VectorXd u;     ///< the coordinates that name the same point
   std::string where;     ///< in words: "winding (1, 0)", "winding (0) over pole 1", "-q"
   std::string way = {};  ///< "over the north pole", where coordinates would only puzzle (a latitude of 232); else empty
 };

@@ -10,7 +10,7 @@ namespace leastcost {
 
 /// A box in coordinates, sides of which may be infinite.
 struct SampleBox {
-  Eigen::VectorXd lower, upper;
+  Eigen::VectorXd lower, upper;  ///< corners, coordinate
 };
 
 /// Ability of a domain: it knows where random samples of its coordinates are of use to a search for a path between two
@@ -18,6 +18,7 @@ struct SampleBox {
 class HasSampleBox {
  public:
   virtual ~HasSampleBox() = default;
+  /// Where random points between these two are drawn from.
   virtual SampleBox sample_box(const Eigen::VectorXd& source, const Eigen::VectorXd& target) const = 0;
 };
 

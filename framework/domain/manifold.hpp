@@ -12,6 +12,7 @@
 
 namespace leastcost {
 
+/// Numbers of coordinates of a domain.
 struct Dimensions {
   int coordinate = 0;  ///< rows of a CoordinatePath
   int ambient = 0;     ///< rows of an AmbientPath
@@ -22,6 +23,7 @@ struct Dimensions {
 /// smooth: twice differentiable. polyhedral: piecewise flat, with kinks where pieces meet.
 enum class Shape { flat, smooth, polyhedral };
 
+/// A point put onto the domain.
 struct Projection {
   double moved = 0;           ///< how far the worst column moved, length units
   std::vector<Index> failed;  ///< columns that could not be projected; they are left as they were
@@ -31,8 +33,8 @@ struct Projection {
 /// alone: the columns of a long path may be handed over in parts, as rings, with a look at the clock between them.
 class ConstraintManifold : public HasAbilities<ConstraintManifold> {
  public:
-  virtual Dimensions dimensions() const = 0;
-  virtual Shape shape() const = 0;
+  virtual Dimensions dimensions() const = 0;  ///< of points, of the space around them and of the domain itself
+  virtual Shape shape() const = 0;            ///< what proofs and post-processors may rely on
 
   /// Moves every column to the nearest feasible point and sets its site (an existing site is a hint).
   virtual Projection project(CoordinatePath& path) const = 0;
@@ -94,6 +96,7 @@ class HasPieces {
 class ExplainsProjection {
  public:
   virtual ~ExplainsProjection() = default;
+  /// What to tell the user about a point without a nearest one.
   virtual std::string why_not_projected(const Eigen::VectorXd& x) const = 0;
 };
 

@@ -11,7 +11,7 @@ namespace leastcost {
 
 /// The least clearance of the moves of a chain.
 struct ChainClearance {
-  MoveClearance least;
+  MoveClearance least;       ///< where the chain comes closest
   Eigen::Index segment = 0;  ///< on which it is nearest
 };
 

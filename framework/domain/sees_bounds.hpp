@@ -11,10 +11,10 @@ namespace leastcost {
 
 /// A bound beside a point: to first order a step from there stays within it where slope . step >= -gap.
 struct NearBound {
-  static constexpr int kNone = -1;
+  static constexpr int kNone = -1;  ///< no bound is near
   int number = kNone;          ///< what retract_onto() calls it; kNone: the retraction stops points there by itself
   Eigen::VectorXd slope = {};  ///< in coordinates
-  double gap = 0;
+  double gap = 0;              ///< distance to it; negative: beyond it
 };
 
 /// Numbers of bounds, for each free point.

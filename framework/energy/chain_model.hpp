@@ -9,11 +9,11 @@ namespace leastcost {
 /// The quadratic model of the energy at a path: gradient, frames, factored chain Hessian. What Newton steps with, what
 /// preconditions L-BFGS, and what measures stationarity, for every solver alike.
 struct ChainModel {
-  double value = 0;
-  Points gradient;  ///< coordinate x n
-  Frames frames;
-  Eigen::VectorXd tangent;  ///< gradient in the frames, blocked directions 0
-  ChainSystem system;
+  double value = 0;          ///< energy of the chain
+  Points gradient;           ///< coordinate x n
+  Frames frames;             ///< tangent frames at the free points
+  Eigen::VectorXd tangent;   ///< gradient in the frames, blocked directions 0
+  ChainSystem system;        ///< gradient and Hessian in these frames
   bool exact = false;        ///< the exact Hessian factored; otherwise the Gauss-Newton one did
   Eigen::VectorXd step;      ///< -H^-1 g in the frames
   Points moves;              ///< the same in coordinates, coordinate x n

@@ -22,14 +22,16 @@ namespace leastcost {
 /// A ring is factored as the chain x_1 .. x_{n-1}, then the Schur complement of x_0 (docs/numerics.md Sec. 3.5).
 class ChainSystem {
  public:
+  /// Room for `count` blocks of this size, with a last coupling in a ring.
   void resize(int block, Index count, bool ring);
+  /// All entries become 0.
   void set_zero();
-  int block() const { return k_; }
-  Index count() const { return n_; }
-  Index size() const { return k_ * n_; }
-  bool ring() const { return ring_; }
+  int block() const { return k_; }        ///< rows of a block
+  Index count() const { return n_; }      ///< number of blocks
+  Index size() const { return k_ * n_; }  ///< rows of the matrix
+  bool ring() const { return ring_; }     ///< whether the last block is coupled to the first
 
-  Eigen::Block<Points> diagonal(Index i) { return a_.block(0, k_ * i, k_, k_); }
+  Eigen::Block<Points> diagonal(Index i) { return a_.block(0, k_ * i, k_, k_); }  ///< the block of point i with itself
   Eigen::Block<const Points> diagonal(Index i) const { return a_.block(0, k_ * i, k_, k_); }
   /// Block (i, i + 1); in a ring (n - 1, 0) for i = n - 1.
   Eigen::Block<Points> coupling(Index i) { return b_.block(0, k_ * i, k_, k_); }
@@ -46,7 +48,7 @@ class ChainSystem {
   /// x := L^-1 x and x := L^-T x for A = L L', the two halves of solve(): with z = L' x the quadratic x'Ax is |z|^2,
   /// which makes a change of variables of them (docs/numerics.md Sec. 3.6).
   void solve_lower(Eigen::VectorXd& x) const;
-  void solve_upper(Eigen::VectorXd& x) const;
+  void solve_upper(Eigen::VectorXd& x) const;  ///< x := L^-T x, see solve_lower().
   /// y := A x.
   void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
   /// Number of negative eigenvalues, from the signs of all block pivots (Sylvester). Independent of factor().

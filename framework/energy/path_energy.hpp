@@ -23,10 +23,11 @@ class PathEnergy {
   /// function that works through a whole path throws Interrupted, at the latest a few dozen points later.
   PathEnergy(const Problem& problem, double reference_cost, Deadline deadline = {});
 
-  const Problem& problem() const { return *problem_; }
-  double reference_cost() const { return s0_; }
-  const Counters& counters() const { return counters_; }
-  const Deadline& deadline() const { return deadline_; }
+  const Problem& problem() const { return *problem_; }    ///< what is minimised
+  double reference_cost() const { return s0_; }           ///< cost of a segment that the kernel is scaled by
+  const Counters& counters() const { return counters_; }  ///< evaluations so far
+  const Deadline& deadline() const { return deadline_; }  ///< none: no limit
+  /// Evaluations beyond it throw Interrupted.
   void set_deadline(Deadline deadline) { deadline_ = deadline; }
 
   /// E, or +infinity where the path leaves the domain of the cost.
@@ -49,7 +50,9 @@ class PathEnergy {
   /// Whether `exact` exists: the kernel is strictly convex and the domain is not a polyhedron.
   bool has_exact_hessian() const;
 
+  /// False where it is not positive definite.
   bool factor(ChainSystem& system);
+  /// Solves with a factored system.
   void solve(const ChainSystem& system, Eigen::VectorXd& x);
   /// R(from, step), see ConstraintManifold::retract. `to` may not alias `from`.
   void retract(const CoordinatePath& from, const Points& step, CoordinatePath& to);
@@ -70,7 +73,7 @@ class PathEnergy {
 
   /// sum_i c_i.
   double cost(const CoordinatePath& path);
-  Eigen::VectorXd costs(const CoordinatePath& path);
+  Eigen::VectorXd costs(const CoordinatePath& path);  ///< cost of every segment
   /// sum_i H'(s_i) s_i: an energy excess divided by it is a relative cost excess (docs/numerics.md Sec. 3.1).
   double scale(const CoordinatePath& path);
 

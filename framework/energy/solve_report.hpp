@@ -37,11 +37,11 @@ inline bool is_solved(Termination termination) {
 
 /// What a solve cost, counted by PathEnergy for every solver alike. One energy or gradient is a whole path.
 struct Counters {
-  long energies = 0;
-  long gradients = 0;
-  long hessians = 0;
-  long projections = 0;
-  long linear_solves = 0;
+  long energies = 0;       ///< evaluations of the energy
+  long gradients = 0;      ///< evaluations of its gradient
+  long hessians = 0;       ///< evaluations of its Hessian
+  long projections = 0;    ///< projections onto the domain
+  long linear_solves = 0;  ///< systems solved
 };
 
 Counters operator+(const Counters& a, const Counters& b);
@@ -49,16 +49,16 @@ Counters operator-(const Counters& a, const Counters& b);
 
 /// An unfilled report cannot be mistaken for a result.
 struct SolveReport {
-  Termination termination = Termination::time_limit;  ///< what else keeps a solver from being called
-  std::string message = "there was no time to start";
-  double initial_energy = std::numeric_limits<double>::quiet_NaN();
-  double final_energy = std::numeric_limits<double>::quiet_NaN();
-  double cost_error = std::numeric_limits<double>::quiet_NaN();  ///< predicted relative cost error at the end
-  int iterations = 0;
-  bool cycling = false;  ///< what the points keep from obstacles and where they come to rest would not agree
-  Counters counters;
-  double seconds = 0;
-  std::vector<Iteration> history;
+  Termination termination = Termination::time_limit;                 ///< what else keeps a solver from being called
+  std::string message = "there was no time to start";                ///< why it ended, in words
+  double initial_energy = std::numeric_limits<double>::quiet_NaN();  ///< energy of the first path
+  double final_energy = std::numeric_limits<double>::quiet_NaN();    ///< energy of the last chain
+  double cost_error = std::numeric_limits<double>::quiet_NaN();      ///< predicted relative cost error at the end
+  int iterations = 0;                                                ///< steps that were taken
+  bool cycling = false;            ///< what the points keep from obstacles and where they come to rest would not agree
+  Counters counters;               ///< work that was done
+  double seconds = 0;              ///< wall time
+  std::vector<Iteration> history;  ///< one entry for every step, if it was asked for
 };
 
 /// Two solves, one after the other, as one: the counters add up, the end is that of the later one.

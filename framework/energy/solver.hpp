@@ -20,7 +20,7 @@ class PathEnergy;
 class Solver {
  public:
   virtual ~Solver() = default;
-  virtual std::string_view name() const = 0;
+  virtual std::string_view name() const = 0;  ///< its name in configurations
   /// Whether it looks for a better path at all. For one that stays nothing is fitted to it.
   virtual bool moves_points() const { return true; }
   /// In words, why this solver cannot work on this energy; checked before work starts.

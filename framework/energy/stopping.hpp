@@ -13,8 +13,8 @@ namespace leastcost {
 
 /// The limits every solver shares.
 struct Limits {
-  double tolerance = 1e-14;  ///< relative cost error g' H^-1 g / (2 sum H'(s_i) s_i), docs/numerics.md Sec. 3.1
-  int max_iterations = 1000;
+  double tolerance = 1e-14;      ///< relative cost error g' H^-1 g / (2 sum H'(s_i) s_i), docs/numerics.md Sec. 3.1
+  int max_iterations = 1000;     ///< steps at most
   int max_evaluations = 100000;  ///< energies + gradients
 };
 
@@ -40,9 +40,9 @@ class SolveLoop {
   /// Closes the report.
   SolveReport finish(Termination termination, std::string message, double value);
 
-  const Limits& limits() const { return limits_; }
-  int iterations() const { return report_.iterations; }
-  double cost_error() const { return report_.cost_error; }
+  const Limits& limits() const { return limits_; }          ///< when it ends at the latest
+  int iterations() const { return report_.iterations; }     ///< steps so far
+  double cost_error() const { return report_.cost_error; }  ///< estimated excess of cost of the last chain, relative
 
  private:
   long evaluations() const;

@@ -18,10 +18,10 @@ Words<IndexVerdict> words(IndexVerdict);
 /// Morse index of the path by counting negative pivots of the exact chain Hessian H (Sylvester's law of inertia), and
 /// of H + tau P, H - tau P with P the Gauss-Newton Hessian.
 struct PathIndex {
-  IndexVerdict verdict = IndexVerdict::not_applicable;
-  int negatives = 0;     ///< of H
-  int saddle_order = 0;  ///< negatives of H + tau P
-  int nullity = 0;       ///< negatives of H - tau P, minus the above
+  IndexVerdict verdict = IndexVerdict::not_applicable;  ///< minimum, saddle, or why it is not known
+  int negatives = 0;                                    ///< of H
+  int saddle_order = 0;                                 ///< negatives of H + tau P
+  int nullity = 0;                                      ///< negatives of H - tau P, minus the above
   /// Of a degenerate one: the least lambda with H x = lambda P x, to within a tenth; it lies between -tau and tau.
   std::optional<double> softest;
 };
@@ -32,8 +32,8 @@ bool is_convex(const Problem& problem);
 
 /// Both chain Hessians at a path, in the same frames.
 struct ChainHessians {
-  ChainModel model;
-  ChainSystem exact, gauss_newton;
+  ChainModel model;                 ///< energy and frames
+  ChainSystem exact, gauss_newton;  ///< both kinds of Hessian, in the frames
 };
 /// Nothing where there is no exact one: on polyhedra, for kernels that are not strictly convex, where the energy is not
 /// finite.

@@ -22,27 +22,32 @@ namespace leastcost {
 template <int N>
 class BallPolynomial {
  public:
-  static constexpr std::size_t kCount = Monomials<N>::kCount;
+  static constexpr std::size_t kCount = Monomials<N>::kCount;  ///< number of coefficients
 
   BallPolynomial() : middle_(), radius_() {}
 
   Interval operator[](std::size_t i) const {
     return radius_[i] == 0 ? Interval(middle_[i]) : detail::outward(middle_[i] - radius_[i], middle_[i] + radius_[i]);
   }
+  /// Sets a coefficient to an interval.
   void set(std::size_t i, const Interval& x) {
     const double middle = x.middle();
     store(i, middle, std::max(x.hi - middle, middle - x.lo) * (1 + kEps));
   }
+  /// Sets a coefficient to a number.
   void set(std::size_t i, double x) { store(i, x, 0); }
   /// To the part that is also in x.
   void narrow(std::size_t i, const Interval& x) {
     const Interval here = (*this)[i], both(std::max(here.lo, x.lo), std::min(here.hi, x.hi));
     if (both.lo <= both.hi && both.width() < here.width()) set(i, both);
   }
+  /// Nothing is known of this coefficient any more.
   void forget(std::size_t i) { store(i, 0, kInfinity); }
 
+  /// Whether a coefficient is exactly 0.
   bool is_zero(std::size_t i) const { return middle_[i] == 0 && radius_[i] == 0; }
-  bool is_number(std::size_t i) const { return radius_[i] == 0; }
+  bool is_number(std::size_t i) const { return radius_[i] == 0; }  ///< whether a coefficient has no radius
+  /// Greatest absolute value of a coefficient.
   double magnitude(std::size_t i) const { return (std::abs(middle_[i]) + radius_[i]) * (1 + kEps); }
 
   BallPolynomial& operator+=(const BallPolynomial& o) {
@@ -58,6 +63,7 @@ class BallPolynomial {
     for (double& middle : out.middle_) middle = -middle;
     return out;
   }
+  /// The product with an interval.
   BallPolynomial scaled(const Interval& factor) const {
     const Factor f(factor);
     BallPolynomial out(kUnset);

@@ -15,8 +15,8 @@ namespace leastcost {
 /// a cost has to know about them: docs/extend.md.
 template <class S, int N>
 struct Dual {
-  S value{};
-  std::array<S, N> d{};
+  S value{};             ///< the number itself
+  std::array<S, N> d{};  ///< its derivatives
 
   Dual() = default;
   Dual(double constant) : value(constant) {}  // NOLINT: numbers convert, as everywhere
@@ -67,6 +67,7 @@ double innermost(const Dual<S, N>& x) {
   return innermost(x.value);
 }
 
+/// Whether it has no derivatives.
 inline bool is_constant(double) { return true; }
 template <class S, int N>
 bool is_constant(const Dual<S, N>& x) {

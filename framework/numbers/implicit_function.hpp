@@ -12,10 +12,10 @@ namespace leastcost {
 /// Enclosures of a function of N variables and of all its derivatives up to the third.
 template <int N>
 struct IntervalDerivatives {
-  Interval value;
-  std::array<Interval, N> first;
-  std::array<std::array<Interval, N>, N> second;
-  std::array<std::array<std::array<Interval, N>, N>, N> third;
+  Interval value;                                               ///< of the function
+  std::array<Interval, N> first;                                ///< first derivatives
+  std::array<std::array<Interval, N>, N> second;                ///< second derivatives
+  std::array<std::array<std::array<Interval, N>, N>, N> third;  ///< third derivatives
 };
 
 /// Of h(x), x the first N variables of g and h the last one, where g(x, h(x)) = 0 and h is known to be in `value`: the

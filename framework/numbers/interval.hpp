@@ -18,19 +18,20 @@ namespace leastcost {
 /// Cloud, "Introduction to Interval Analysis", 2009. Works in place of double in formulas and costs that compile with
 /// it, and inside Dual; comparisons hold where they hold for all numbers of both.
 struct Interval {
-  double lo = 0, hi = 0;
+  double lo = 0, hi = 0;  ///< least and greatest number
 
   Interval() = default;
   Interval(double x) : lo(x), hi(x) {}  // NOLINT: numbers convert, as everywhere
   Interval(double least, double most) : lo(least), hi(most) {}
 
+  /// Every number.
   static Interval all() { return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}; }
 
-  bool contains(double x) const { return lo <= x && x <= hi; }
-  bool is_number() const { return lo == hi; }
-  bool is_finite() const { return std::isfinite(lo) && std::isfinite(hi); }
-  double middle() const { return 0.5 * lo + 0.5 * hi; }
-  double width() const { return hi - lo; }
+  bool contains(double x) const { return lo <= x && x <= hi; }               ///< whether x is in it
+  bool is_number() const { return lo == hi; }                                ///< whether it is one number
+  bool is_finite() const { return std::isfinite(lo) && std::isfinite(hi); }  ///< whether both ends are finite
+  double middle() const { return 0.5 * lo + 0.5 * hi; }                      ///< a number near its middle
+  double width() const { return hi - lo; }                                   ///< rounded: not a bound
   /// Largest absolute value.
   double magnitude() const { return std::max(std::abs(lo), std::abs(hi)); }
 
@@ -112,6 +113,7 @@ Interval pow(const Interval& x, const Interval& p);
 
 /// What decides branches of dual numbers: a number, or NaN where an interval is not one.
 inline double innermost(const Interval& x) { return x.is_number() ? x.lo : std::numeric_limits<double>::quiet_NaN(); }
+/// Whether it is one number.
 inline bool is_constant(const Interval& x) { return x.is_number(); }
 
 namespace detail {

@@ -63,13 +63,14 @@ class IntervalJet {
     return x;
   }
 
-  Interval value() const { return c_[0]; }
-  Interval d(int k) const { return c_[first(k)]; }
-  Interval d(int k, int l) const { return factor(k, l) * c_[place(k, l)]; }
-  Interval d(int k, int l, int m) const { return factor(k, l, m) * c_[place(k, l, m)]; }
+  Interval value() const { return c_[0]; }                                   ///< enclosure of the value over the box
+  Interval d(int k) const { return c_[first(k)]; }                           ///< of a first derivative
+  Interval d(int k, int l) const { return factor(k, l) * c_[place(k, l)]; }  ///< of a second derivative
+  Interval d(int k, int l, int m) const { return factor(k, l, m) * c_[place(k, l, m)]; }  ///< of a third derivative
   /// The same at the centre of the box.
   Interval value_at_center() const { return at_[0]; }
-  Interval d_at_center(int k) const { return at_[first(k)]; }
+  Interval d_at_center(int k) const { return at_[first(k)]; }  ///< of a first derivative at the centre of the box
+  /// Of a second derivative at the centre of the box.
   Interval d_at_center(int k, int l) const { return factor(k, l) * at_[place(k, l)]; }
   /// All of them, over the box.
   IntervalDerivatives<N> derivatives() const {
@@ -89,6 +90,7 @@ class IntervalJet {
 
   /// The derivative of a function of variable k alone; its own third derivative is unknown.
   IntervalJet derivative(int k) const { return {derivative(k, c_), derivative(k, at_), radius_}; }
+  /// The product with an interval.
   IntervalJet scaled(const Interval& factor) const {
     if (factor.lo == 0 && factor.hi == 0) return {};
     const Coefficients at = at_.scaled(factor);
@@ -129,6 +131,7 @@ class IntervalJet {
   friend bool operator<=(const IntervalJet& a, const IntervalJet& b) { return a.value() <= b.value(); }
   friend bool operator>=(const IntervalJet& a, const IntervalJet& b) { return b <= a; }
 
+  /// Whether it has no derivatives.
   bool is_constant() const {
     for (std::size_t i = 1; i < kCount; ++i)
       if (!c_.is_zero(i)) return false;
@@ -292,6 +295,7 @@ template <int N>
 double innermost(const IntervalJet<N>& x) {
   return innermost(x.value());
 }
+/// Whether it has no derivatives.
 template <int N>
 bool is_constant(const IntervalJet<N>& x) {
   return x.is_constant();

@@ -11,9 +11,9 @@ namespace leastcost {
 
 /// Value and first two derivatives of a scalar function.
 struct Jet2 {
-  double value = 0;
-  double d1 = 0;
-  double d2 = 0;
+  double value = 0;  ///< of the function
+  double d1 = 0;     ///< first derivative
+  double d2 = 0;     ///< second derivative
 };
 
 /// Behaviour of H at 0, VFCS 4.2.2 (1), (2), (3). Only the third kind supports the doubling test of Eq. (8).
@@ -38,7 +38,7 @@ class Kernel {
   virtual ~Kernel() = default;
   /// phi(q[i]) into jets[i]; both spans have the same length.
   virtual void apply(std::span<const double> q, std::span<Jet2> jets) const = 0;
-  virtual KernelKind kind() const = 0;
+  virtual KernelKind kind() const = 0;  ///< how it behaves at 0, which decides what can be extrapolated
   /// Strict convexity: without it (H = s) the points of a minimiser may slide along the path and the spacing,
   /// the index and the exact Hessian mean nothing.
   virtual bool strictly_convex() const = 0;
@@ -62,6 +62,7 @@ class KernelOf final : public Kernel {
   K function_;
 };
 
+/// Makes a kernel of a function of the squared cost.
 template <KernelFunction K>
 std::shared_ptr<const Kernel> make_kernel(K function = {}) {
   return std::make_shared<KernelOf<K>>(function);
@@ -70,7 +71,7 @@ std::shared_ptr<const Kernel> make_kernel(K function = {}) {
 /// H(s) and H'(s) s for s >= 0; the latter is the natural unit of an energy (a relative change of the cost by e
 /// changes the energy by e times the sum of H'(s) s).
 double kernel_value(const Kernel& kernel, double s);
-double kernel_slope_times_s(const Kernel& kernel, double s);
+double kernel_slope_times_s(const Kernel& kernel, double s);  ///< s H'(s).
 
 /// s H''(s) / H'(s) for s > 0: how stiffly equal spacing is held (0 for H = s, 1 for s^2, 3 for exp(s^2) - 1 at s = 1).
 double kernel_stiffness(const Kernel& kernel, double s);

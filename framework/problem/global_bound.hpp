@@ -50,8 +50,8 @@ Words<ProofOutcome> words(ProofOutcome);
 /// Values of a potential on a regular grid over a box, the corners included, for pictures. +infinity where no path that
 /// may be cheaper goes.
 struct PotentialSamples {
-  Eigen::AlignedBox2d box;
-  int columns = 0, rows = 0;
+  Eigen::AlignedBox2d box;     ///< what the samples cover
+  int columns = 0, rows = 0;   ///< samples along x and along y
   std::vector<double> values;  ///< x runs fastest, from below
 };
 
@@ -65,18 +65,18 @@ struct BoundGrid {
 
 /// What a proof over all paths of the domain between two ends says, whatever class they are of.
 struct GlobalBound {
-  bool proved = false;  ///< no path costs less than the delivered one by more than the gap
-  ProofOutcome outcome = ProofOutcome::bounded;
-  double lower_bound = 0;                     ///< no path costs less
-  double gap = 0;                             ///< (cost of the delivered path - lower_bound) / cost
-  Scope scope = Scope::global_on_polyhedron;  ///< of a certificate, when it is proved
-  std::int64_t steps = 0;                     ///< of the search
-  std::string counts = "windows";             ///< what the steps are
-  std::string bound = {};                     ///< what the search aimed by: "euclid"
-  std::string reason = {};                    ///< why it is blocked, in words
-  BoundCategory category = BoundCategory::proved;
-  std::optional<BoundGrid> grid = {};  ///< of a bound by a potential
-  double seconds = 0;                  ///< that it took
+  bool proved = false;                             ///< no path costs less than the delivered one by more than the gap
+  ProofOutcome outcome = ProofOutcome::bounded;    ///< what it came to
+  double lower_bound = 0;                          ///< no path costs less
+  double gap = 0;                                  ///< (cost of the delivered path - lower_bound) / cost
+  Scope scope = Scope::global_on_polyhedron;       ///< of a certificate, when it is proved
+  std::int64_t steps = 0;                          ///< of the search
+  std::string counts = "windows";                  ///< what the steps are
+  std::string bound = {};                          ///< what the search aimed by: "euclid"
+  std::string reason = {};                         ///< why it is blocked, in words
+  BoundCategory category = BoundCategory::proved;  ///< what kind of bound it is
+  std::optional<BoundGrid> grid = {};              ///< of a bound by a potential
+  double seconds = 0;                              ///< that it took
 };
 
 /// How far a proof over all paths may go.

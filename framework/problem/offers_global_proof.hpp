@@ -23,6 +23,7 @@ struct GlobalProofStep {
 class OffersGlobalProof {
  public:
   virtual ~OffersGlobalProof() = default;
+  /// The step that proves a bound over all paths; none where it has no proof for this problem.
   virtual GlobalProofStep offered_proof(const Problem& problem, const GlobalProof& proof) const = 0;
 };
 

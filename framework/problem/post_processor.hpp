@@ -33,13 +33,14 @@ struct Curve {
   std::optional<GlobalBound> global = {};
 };
 
+/// The path after a step.
 struct PostProcessed {
-  Curve curve;
-  CoordinatePath chain;         ///< the path's points on that curve, equally spaced in cost
-  Eigen::VectorXd curve_costs;  ///< cost of the curve between consecutive points of the chain
-  std::vector<std::string> notes;
-  bool collapsed = false;  ///< a ring that contracts to a point: there is no closed curve to deliver
-  bool unsolved = false;   ///< the chain is samples of the first path, which no solver has moved
+  Curve curve;                     ///< what is delivered
+  CoordinatePath chain;            ///< the path's points on that curve, equally spaced in cost
+  Eigen::VectorXd curve_costs;     ///< cost of the curve between consecutive points of the chain
+  std::vector<std::string> notes;  ///< what the step says
+  bool collapsed = false;          ///< a ring that contracts to a point: there is no closed curve to deliver
+  bool unsolved = false;           ///< the chain is samples of the first path, which no solver has moved
   /// A path that costs less than the curve and is of another class, say: the search begins anew from it, once, and what
   /// costs less is delivered.
   std::optional<CoordinatePath> cheaper = {};
@@ -50,11 +51,12 @@ struct PostProcessed {
 class PostProcessor {
  public:
   virtual ~PostProcessor() = default;
-  virtual std::string_view name() const = 0;
+  virtual std::string_view name() const = 0;  ///< its name in configurations
   /// Whether it finds the way by itself, so that a chain which is not clear of obstacles is as good a beginning.
   virtual bool finds_its_own() const { return false; }
   /// Whether it bounds the cost of all paths (Curve::global).
   virtual bool bounds_all_paths() const { return false; }
+  /// Takes the path a step further. Throws InitializationError, Interrupted.
   virtual PostProcessed apply(const Problem& problem, const FirstPath& first, PostProcessed current,
                               const Monitor& monitor) const = 0;
 };

@@ -12,18 +12,18 @@ namespace leastcost {
 
 /// An end of an open path, on the manifold.
 struct PathEnd {
-  Eigen::VectorXd u;  ///< coordinates
-  Site site = kNoSite;
+  Eigen::VectorXd u;    ///< coordinates
+  Site site = kNoSite;  ///< face, cell or patch that u is in
 };
 
 /// What is minimised, and where: sum_i H(c(x_i, x_i+1) / s0) over points of a manifold between two fixed ends, or
 /// over a ring (which has no ends).
 struct Problem {
-  std::shared_ptr<const ConstraintManifold> manifold;
-  std::shared_ptr<const SegmentCost> cost;
-  std::shared_ptr<const Kernel> kernel;
-  PathEnd source, target;
-  bool ring = false;
+  std::shared_ptr<const ConstraintManifold> manifold;  ///< where points may be
+  std::shared_ptr<const SegmentCost> cost;             ///< of a move between two points
+  std::shared_ptr<const Kernel> kernel;                ///< the convex H of the sum
+  PathEnd source, target;                              ///< ends of the path; of a ring the source alone, if `based`
+  bool ring = false;                                   ///< whether the path is closed
   /// A loop with a fixed point, where it may have a kink. With `ring`: `source` is that point, and find_path() cuts the
   /// first ring open there. Without: an open path whose target is the source again, or an image of it across the seams
   /// of a chart.

@@ -22,8 +22,9 @@ enum class ReplanOutcome {
 };
 Words<ReplanOutcome> words(ReplanOutcome);
 
+/// What a call of replan() found.
 struct Replan {
-  ReplanOutcome outcome = ReplanOutcome::no_valid_path;
+  ReplanOutcome outcome = ReplanOutcome::no_valid_path;  ///< whether there is a path, and where it came from
   /// The path, its costs and its curve; empty without a valid one. Certified only where the options ask for it.
   Result result;
   std::optional<Clearance> clearance;    ///< of that curve; nothing where the domain has no obstacles

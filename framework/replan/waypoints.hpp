@@ -17,7 +17,7 @@ struct WaypointOptions {
   std::optional<int> count = {};       ///< the ends included; at least 2, of a ring 3
   std::optional<double> spacing = {};  ///< units of the cost, so seconds where it is a time; > 0
   void fields(FieldVisitor& visit);
-  bool wanted() const { return count || spacing; }
+  bool wanted() const { return count || spacing; }  ///< whether any are asked for
 };
 
 /// Points of a delivered path, equally spaced in its cost.

@@ -25,8 +25,8 @@ inline constexpr std::size_t kMostTriedImages = 12;
 
 /// An image of the target, the cost of the straight start to it included.
 struct TriedImage {
-  PointImage image;
-  double cost = 0;  ///< of 32 chords along the straight line in coordinates, projected; infinite where it has none
+  PointImage image;  ///< the target by other coordinates
+  double cost = 0;   ///< of 32 chords along the straight line in coordinates, projected; infinite where it has none
 };
 
 /// Cost of the straight start to the target as it is given; infinite where it has none.
@@ -45,10 +45,11 @@ bool ends_are_one_point(const Problem& problem, std::optional<PointImage>* image
 /// cheapest straight starts (a straight line through a pole may be cheap, and what becomes of it dear). Less than a
 /// hundredth must be seen with twice the segments as well. Nothing where there is none.
 struct CheaperImage {
-  PointImage image;
+  PointImage image;            ///< the target by other coordinates
   double cost = 0, given = 0;  ///< of coarse solves, to the image and to the target as it is given
   std::size_t tried = 0;       ///< images whose straight starts were looked at
 };
+/// Looks for such an image. Throws Interrupted.
 std::optional<CheaperImage> find_cheaper_image(const Problem& problem, const Monitor& monitor = {});
 
 /// What a report should say of a path that costs `cost`: that its ends are one point, or that a path to another image

@@ -18,7 +18,7 @@ struct TrajectoryOptions {
   std::optional<Eigen::VectorXd> acceleration = {};  ///< the same
   double interval = 0.01;                            ///< s, between two samples; > 0
   void fields(FieldVisitor& visit);
-  bool wanted() const { return velocity || acceleration; }
+  bool wanted() const { return velocity || acceleration; }  ///< whether limits were given
 };
 
 /// A path with times, from rest to rest, sampled. The curve is the delivered path with its corners rounded by

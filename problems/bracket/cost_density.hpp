@@ -16,11 +16,11 @@ namespace leastcost {
 /// value + (dx, dy).d + d'H d / 2 for numbers of these intervals, H = (xx xy; xy yy). Rounding is included. Where
 /// nothing is known they are not finite.
 struct DensityEnclosure {
-  Interval value, dx, dy;  ///< at the centre
-  Interval xx, xy, yy;     ///< over the whole cell
-  double slack = 0;        ///< what kinks add; 0 where n is twice differentiable
-  static DensityEnclosure unknown();
-  bool is_finite() const;
+  Interval value, dx, dy;             ///< at the centre
+  Interval xx, xy, yy;                ///< over the whole cell
+  double slack = 0;                   ///< what kinks add; 0 where n is twice differentiable
+  static DensityEnclosure unknown();  ///< of a cost of which nothing is known here
+  bool is_finite() const;             ///< whether anything is known
 };
 
 /// A cost in the plane that is the same in all directions: a path costs the integral of n(x) along its length. n is the

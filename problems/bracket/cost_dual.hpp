@@ -24,10 +24,11 @@ namespace leastcost {
 /// intervals.
 template <class S>
 struct DualNorm {
-  S xx, xy, yy, wx, wy;
+  S xx, xy, yy, wx, wy;  ///< the matrix A and the vector w
 
   /// Of the moves back.
   DualNorm reversed() const { return {xx, xy, yy, -wx, -wy}; }
+  /// Squared norm of a slope.
   S squared(const S& px, const S& py) const { return xx * px * px + S(2.0) * xy * px * py + yy * py * py; }
   S operator()(const S& px, const S& py) const {
     using std::sqrt;
@@ -70,6 +71,7 @@ class CostDual {
   /// be positive definite.
   virtual DualNorm<Jet> enclose_dual(const std::array<Jet, 2>& x) const = 0;
 
+  /// Encloses the dual norm over a cell.
   DualNorm<Jet> enclose_cell(const Eigen::AlignedBox2d& cell) const {
     return enclose_dual(
         {Jet::variable({cell.min()[0], cell.max()[0]}, 0), Jet::variable({cell.min()[1], cell.max()[1]}, 1)});

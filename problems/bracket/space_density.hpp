@@ -29,8 +29,8 @@ struct SpaceDensityEnclosure {
   std::array<Interval, 6> bend;            ///< H over the whole cell (kSymmetricEntries)
   std::array<Interval, 6> bend_at_center;  ///< H at the centre
   double cubic = 0;                        ///< infinite: there are no third derivatives
-  static SpaceDensityEnclosure unknown();
-  bool is_finite() const;  ///< the first of both
+  static SpaceDensityEnclosure unknown();  ///< of a cost of which nothing is known here
+  bool is_finite() const;                  ///< the first of both
 };
 
 /// A cost in space that is the same in all directions: a path costs the integral of n(x) along its length. As

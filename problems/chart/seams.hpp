@@ -14,9 +14,9 @@ namespace leastcost {
 /// A chart's coordinate that comes back after a period, possibly with another coordinate turned over (Klein bottle,
 /// Moebius strip): u_c + period and -u_flipped name the same point.
 struct Seam {
-  int coordinate = 0;
-  double period = 0;  ///< > 0
-  std::optional<int> flipped = {};
+  int coordinate = 0;               ///< the coordinate that comes back
+  double period = 0;                ///< > 0
+  std::optional<int> flipped = {};  ///< the coordinate that changes its sign across it
 };
 
 /// Ability: the chart has seams. Paths live on the universal cover, where they cross seams freely and keep their
@@ -25,7 +25,7 @@ class HasSeams {
  public:
   static constexpr std::string_view kAbility = "chart with seams";
   virtual ~HasSeams() = default;
-  virtual const std::vector<Seam>& seams() const = 0;
+  virtual const std::vector<Seam>& seams() const = 0;  ///< all of them
 };
 
 /// The image of a point after `windings` turns across each seam (one entry per seam).

@@ -12,7 +12,7 @@ namespace leastcost {
 
 /// A problem whose target is another image of the same point.
 struct TargetImage {
-  Problem problem;
+  Problem problem;      ///< to this image of the target
   std::string winding;  ///< turns across each seam, "(1, 0)" or "(1, 0) over pole 1"
 };
 

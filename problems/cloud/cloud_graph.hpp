@@ -22,21 +22,23 @@ class CloudGraph {
  public:
   explicit CloudGraph(const PointCloud& cloud);
 
-  const SparseGraph& edges() const { return edges_; }
+  const SparseGraph& edges() const { return edges_; }  ///< between neighbouring samples
   /// Neighbours of sample i, in ascending order.
   std::span<const std::int32_t> neighbours(std::int32_t i) const { return edges_.successors(i); }
+  /// Number of the connected part that a sample is in.
   std::int32_t component(std::int32_t i) const { return components_.of[static_cast<std::size_t>(i)]; }
   /// Samples of each connected component, largest first.
   const std::vector<std::int32_t>& component_sizes() const { return components_.sizes; }
   /// Edges left out because they were too long, or too steep.
   std::int32_t long_edges() const { return long_edges_; }
+  /// Number of edges that leave the surface steeply, and were dropped.
   std::int32_t steep_edges() const { return steep_edges_; }
   /// The shortest way without samples that has to be spanned between two parts: the widest of the links that join them.
   struct Gap {
     std::int32_t from = -1, to = -1;  ///< samples on either side
     double spacings = 0;              ///< its width in mean spacings of these; a max_edge as large spans it
   };
-  static constexpr double kWidestGap = 24;
+  static constexpr double kWidestGap = 24;  ///< in mean spacings: wider links are not looked for
   /// Nothing where no links up to kWidestGap spacings join them.
   std::optional<Gap> gap(const PointCloud& cloud, std::int32_t part, std::int32_t other) const;
   /// What a report should say about it.

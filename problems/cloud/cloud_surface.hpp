@@ -47,6 +47,7 @@ class CloudSurface {
     double gap = 0;           ///< to the border, to first order; negative beyond it
     bool rests = false;       ///< x lies on the border, to rounding
   };
+  /// Where the surface ends near x; none: it goes on.
   std::optional<NearBorder> border_near(const Eigen::Vector3d& x) const;
 
   /// Unit normal of the level set of f through x, on the side of the samples' normals; nothing where f is not defined.

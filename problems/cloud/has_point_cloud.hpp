@@ -12,9 +12,9 @@ namespace leastcost {
 class HasPointCloud {
  public:
   virtual ~HasPointCloud() = default;
-  virtual const PointCloud& cloud() const = 0;
-  virtual const CloudSurface& surface() const = 0;
-  virtual const CloudGraph& graph() const = 0;
+  virtual const PointCloud& cloud() const = 0;      ///< the samples
+  virtual const CloudSurface& surface() const = 0;  ///< the surface through them
+  virtual const CloudGraph& graph() const = 0;      ///< edges between neighbours
 };
 
 }  // namespace leastcost

@@ -13,8 +13,8 @@ namespace leastcost {
 
 /// A point of the set and its squared distance from the query.
 struct Neighbour {
-  std::int32_t index = -1;
-  double squared_distance = 0;
+  std::int32_t index = -1;      ///< of the sample; -1: none
+  double squared_distance = 0;  ///< to the sample
 };
 
 /// Nearest points of a fixed set in R^3 (a k-d tree, nanoflann). Queries may run from several threads.
@@ -25,7 +25,7 @@ class NeighbourSearch {
   NeighbourSearch(NeighbourSearch&&) noexcept;
   NeighbourSearch& operator=(NeighbourSearch&&) noexcept;
 
-  const std::vector<Eigen::Vector3d>& points() const;
+  const std::vector<Eigen::Vector3d>& points() const;  ///< what is searched
   /// The point nearest to x; the set must not be empty.
   Neighbour nearest(const Eigen::Vector3d& x) const;
   /// The k nearest points (all when there are fewer), nearest first.

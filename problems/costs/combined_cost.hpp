@@ -14,8 +14,8 @@ namespace leastcost {
 
 /// A part of a sum of costs.
 struct WeightedCost {
-  double weight = 1;  ///< > 0
-  std::shared_ptr<const SegmentCost> cost;
+  double weight = 1;                        ///< > 0
+  std::shared_ptr<const SegmentCost> cost;  ///< one of the costs that are added
 };
 
 /// c(a, b) = sum_k w_k c_k(a, b), of costs of the same dimension. Symmetric, additive, below curves where all parts

@@ -16,7 +16,7 @@ enum class CostMapInterpolation { automatic, smooth, bilinear, cells };
 Words<CostMapInterpolation> words(CostMapInterpolation);
 
 struct CostMapOptions {
-  RasterOptions raster = {};
+  RasterOptions raster = {};  ///< cost per length at every place
   CostMapInterpolation interpolation = CostMapInterpolation::automatic;
   void fields(FieldVisitor& visit);
 };

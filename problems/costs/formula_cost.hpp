@@ -25,7 +25,7 @@ struct FormulaCostOptions {
 
 /// Where a formula is checked, ambient: lower and upper corners.
 struct CheckedRegion {
-  Eigen::VectorXd lower, upper;
+  Eigen::VectorXd lower, upper;  ///< corners of the box in which it is used
 };
 
 /// The integral of F(x, dx): c(a, b) = F(m, b - a) with the middle m, second order. F is a cost per length: positive

@@ -45,16 +45,17 @@ struct CurvatureMetricOptions {
 std::shared_ptr<const TensorSamples> tensors_from_file(const TensorFileOptions& options,
                                                        const ConstraintManifold* domain,
                                                        const std::filesystem::path& folder);
+/// Tensors from the curvature of the surface at its vertices.
 std::shared_ptr<const TensorSamples> tensors_from_curvature(const CurvatureMetricOptions& options,
                                                             const ConstraintManifold* domain);
 
 /// The field of a metric_field cost that interpolates samples. The derivatives are formed once and then lifted into the
 /// scalar by the chain rule: no dual number passes through the sums over the samples.
 struct SampledTensors {
-  static constexpr int dim = 3;
-  std::shared_ptr<const TensorSamples> samples;
+  static constexpr int dim = 3;                  ///< of the space
+  std::shared_ptr<const TensorSamples> samples;  ///< tensors at points of the surface
 
-  static bool inside(const Point<double, 3>&) { return true; }
+  static bool inside(const Point<double, 3>&) { return true; }  ///< everywhere: tensors are extrapolated
 
   template <class S>
   Eigen::Matrix<S, 3, 3> operator()(const Point<S, 3>& x) const {

@@ -12,6 +12,7 @@
 
 namespace leastcost {
 
+/// How a segment is timed: as a straight chute, or by the speed at its middle.
 enum class TravelTimeRule { chute, midpoint };
 Words<TravelTimeRule> words(TravelTimeRule);
 

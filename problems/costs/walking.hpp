@@ -13,9 +13,11 @@
 
 namespace leastcost {
 
+/// Unit of the cost.
 enum class WalkingTime { hours, minutes, seconds };
 Words<WalkingTime> words(WalkingTime);
 
+/// Unit of the coordinates.
 enum class MapLength { metres, kilometres };
 Words<MapLength> words(MapLength);
 

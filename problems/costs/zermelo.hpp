@@ -57,7 +57,7 @@ struct ZermeloOptions {
   std::map<std::string, double> parameters = {};
   std::string unit = "s";  ///< of time
   void fields(FieldVisitor& visit);
-  bool reads_file() const { return std::holds_alternative<flow::Grid>(flow); }
+  bool reads_file() const { return std::holds_alternative<flow::Grid>(flow); }  ///< whether the flow comes from a file
 };
 
 /// Time of a vehicle of speed V through a medium that moves with velocity w(x), in two or three dimensions (Zermelo

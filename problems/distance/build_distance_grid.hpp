@@ -11,6 +11,7 @@
 
 namespace leastcost {
 
+/// Size and accuracy of a grid.
 struct DistanceGridSettings {
   std::optional<double> cell = {};      ///< length units; else by the accuracy, or a 64th of the surface's longest side
   std::optional<double> accuracy = {};  ///< largest distance between the surface and that of the grid, length units
@@ -21,10 +22,10 @@ struct DistanceGridSettings {
 
 /// A grid and what is known about it.
 struct SampledDistance {
-  DistanceGrid grid;
-  double offset = 0;
-  double worst = 0, mean = 0;  ///< distance of places on the surface from that of the grid, length units
-  std::vector<std::string> notes;
+  DistanceGrid grid;               ///< the samples
+  double offset = 0;               ///< the surface is where the source is so far away, length units
+  double worst = 0, mean = 0;      ///< distance of places on the surface from that of the grid, length units
+  std::vector<std::string> notes;  ///< what the user should know
 };
 
 /// The values of a source on a given grid, as build_distance_grid() takes them.

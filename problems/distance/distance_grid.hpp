@@ -28,7 +28,7 @@ class DistanceGrid final : public ConstraintFunction {
   /// Value at x, NaN outside the grid, and its gradient.
   double evaluate(const Eigen::Vector3d& x, Eigen::Vector3d& gradient) const;
 
-  const GridShape& shape() const { return shape_; }
+  const GridShape& shape() const { return shape_; }  ///< nodes and cells
   /// The value that was given at a node, to rounding.
   double at_node(int i, int j, int k) const;
   /// The 4 x 4 x 4 coefficients of B-splines whose sum the function is in the cell after node (i, j, k), x fastest.

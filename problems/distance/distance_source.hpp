@@ -32,6 +32,7 @@ class DistanceSource {
   /// Whether the source is itself a sample of a surface, and has a coarser version: the same surface from half the
   /// data.
   virtual bool is_sample() const { return false; }
+  /// The same surface from half the data; null: there is none.
   virtual std::shared_ptr<const DistanceSource> coarser() const { return nullptr; }
   /// Why the source does not say where its surface is near x, with the place; empty: nothing is known against it.
   virtual std::string why_unresolved(const Eigen::Vector3d& x) const {

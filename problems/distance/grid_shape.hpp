@@ -16,20 +16,23 @@ namespace leastcost {
 struct GridShape {
   static constexpr int kFewest = 4;  ///< nodes along an axis that a cubic needs
 
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  double cell = 0;                       ///< length units
-  std::array<int, 3> count = {0, 0, 0};  ///< nodes along x, y, z
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< place of node (0, 0, 0)
+  double cell = 0;                                   ///< length units
+  std::array<int, 3> count = {0, 0, 0};              ///< nodes along x, y, z
 
+  /// Number of nodes.
   std::size_t nodes() const {
     return static_cast<std::size_t>(count[0]) * static_cast<std::size_t>(count[1]) * static_cast<std::size_t>(count[2]);
   }
+  /// Of a node in memory.
   std::size_t index(int i, int j, int k) const {
     return (static_cast<std::size_t>(k) * static_cast<std::size_t>(count[1]) + static_cast<std::size_t>(j)) *
                static_cast<std::size_t>(count[0]) +
            static_cast<std::size_t>(i);
   }
+  /// Place of a node.
   Eigen::Vector3d node(int i, int j, int k) const { return origin + cell * Eigen::Vector3d(i, j, k); }
-  Eigen::Vector3d upper() const { return node(count[0] - 1, count[1] - 1, count[2] - 1); }
+  Eigen::Vector3d upper() const { return node(count[0] - 1, count[1] - 1, count[2] - 1); }  ///< place of the last node
 };
 
 /// Every second node of a grid. Throws InputError when too few are left.

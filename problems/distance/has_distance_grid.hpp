@@ -13,7 +13,7 @@ class HasDistanceGrid {
  public:
   static constexpr std::string_view kAbility = "distance grid";
   virtual ~HasDistanceGrid() = default;
-  virtual const DistanceGrid& grid() const = 0;
+  virtual const DistanceGrid& grid() const = 0;  ///< the samples
 };
 
 }  // namespace leastcost

@@ -13,22 +13,22 @@ namespace leastcost {
 
 /// Triangles in space, for drawing only.
 struct TriangleSoup {
-  std::vector<Eigen::Vector3d> vertices;
-  std::vector<std::array<int, 3>> triangles;
+  std::vector<Eigen::Vector3d> vertices;      ///< places of corners
+  std::vector<std::array<int, 3>> triangles;  ///< numbers of three corners each
 };
 
 /// Points of a surface in space that are drawn as small discs.
 struct Surfels {
-  std::vector<Eigen::Vector3d> positions, normals;
-  double spacing = 0;  ///< typical distance of neighbours, length units
+  std::vector<Eigen::Vector3d> positions, normals;  ///< a small disc for each
+  double spacing = 0;                               ///< typical distance of neighbours, length units
 };
 
 /// What there is to see of a domain in two or three dimensions.
 struct Drawing {
-  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
-  TriangleSoup surface;            ///< of a two-dimensional domain in space
-  Surfels surfels;                 ///< of a point cloud
-  std::vector<Points> curves;      ///< of a domain that is a curve in the plane: polylines, 2 x m
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< upwards in pictures
+  TriangleSoup surface;                           ///< of a two-dimensional domain in space
+  Surfels surfels;                                ///< of a point cloud
+  std::vector<Points> curves;                     ///< of a domain that is a curve in the plane: polylines, 2 x m
   std::vector<Points> obstacles;   ///< in the plane, or on the map of a surface: closed polylines, ambient
   std::vector<Points> margins;     ///< the same, as far off the obstacles as a clearance asks for
   std::vector<Points> free;        ///< closed outlines of the free part of the plane, holes included; empty: all of it

@@ -14,36 +14,36 @@ namespace leastcost {
 
 /// A part of a robot in space that is fixed to a link: all points within a radius of a segment, length units.
 struct DrawnCapsule {
-  std::size_t link = 0;
+  std::size_t link = 0;                                                          ///< that it moves with
   Eigen::Vector3d from = Eigen::Vector3d::Zero(), to = Eigen::Vector3d::Zero();  ///< coordinates of the link
-  double radius = 0;
+  double radius = 0;                                                             ///< length units
 };
 
 /// The same of a triangle, drawn without a thickness.
 struct DrawnPlate {
-  std::size_t link = 0;
-  std::array<Eigen::Vector3d, 3> corners = {};
+  std::size_t link = 0;                         ///< that it moves with
+  std::array<Eigen::Vector3d, 3> corners = {};  ///< a triangle, coordinates of the link
 };
 
 /// Where a link is.
 struct DrawnFrame {
-  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();  ///< rotation of the link
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();          ///< origin of the link in space
 };
 
 /// A robot on its way in space, and the obstacles there as surfaces.
 struct Workspace {
   Eigen::Vector3d lower = Eigen::Vector3d::Zero(),
                   upper = Eigen::Vector3d::Zero();  ///< corners of what is worth a look
-  std::vector<DrawnCapsule> capsules;
-  std::vector<DrawnPlate> plates;
-  std::vector<std::vector<DrawnFrame>> poses;  ///< evenly spread along the path, its ends included; of every link
-  TriangleSoup obstacles;                      ///< of finite size
+  std::vector<DrawnCapsule> capsules;               ///< of the robot
+  std::vector<DrawnPlate> plates;                   ///< of the robot
+  std::vector<std::vector<DrawnFrame>> poses;       ///< evenly spread along the path, its ends included; of every link
+  TriangleSoup obstacles;                           ///< of finite size
   TriangleSoup ground;  ///< of half-spaces, as far as the corners; counterclockwise seen from where it is free
   std::string unit;     ///< of lengths; empty: not known
   std::vector<std::string> notes;  ///< what is not shown as it is
 
-  bool empty() const { return poses.empty(); }
+  bool empty() const { return poses.empty(); }  ///< whether there is nothing to show
 };
 
 /// A robot on its way, seen from one side: closed polylines in the plane of the picture, 2 x m each.

@@ -21,8 +21,8 @@ namespace leastcost {
 using ExactOutcome = ProofOutcome;
 
 struct ExactOptions {
-  double tolerance = 1e-9;  ///< gap that counts as proved, relative
-  std::int64_t max_windows = std::numeric_limits<std::int64_t>::max();
+  double tolerance = 1e-9;                                              ///< gap that counts as proved, relative
+  std::int64_t max_windows = std::numeric_limits<std::int64_t>::max();  ///< the search ends where it has made as many
   /// Bytes that windows may take: with the tables of 50,000 triangles less than 2 GB.
   double max_memory = 1.8e9;
   std::function<bool()> stop = {};  ///< true: stop with what is known; empty: never
@@ -34,19 +34,21 @@ struct ExactOptions {
   bool landmarks = true;               ///< use those of the search, if it has any
 };
 
+/// A shortest path with its bounds.
 struct ExactResult {
-  ExactOutcome outcome = ExactOutcome::bounded;
+  ExactOutcome outcome = ExactOutcome::bounded;  ///< what it came to
   /// The shortest path known, straightened; empty where there is none.
   SurfacePath path;
   double length = std::numeric_limits<double>::infinity();  ///< of the path; infinite: the ends are not connected
   double lower_bound = 0;                                   ///< no path on the polyhedron is shorter
   double gap = std::numeric_limits<double>::infinity();     ///< (length - lower_bound) / length
-  std::int64_t windows = 0;
-  bool twice_the_digits = false;  ///< double was not enough
-  std::string bound;              ///< "euclid" or "euclid + 16 landmarks"
-  bool out_of_memory = false;     ///< outcome bounded: it was max_memory
-  std::string reason;             ///< of outcome blocked, in words
+  std::int64_t windows = 0;                                 ///< that were made
+  bool twice_the_digits = false;                            ///< double was not enough
+  std::string bound;                                        ///< "euclid" or "euclid + 16 landmarks"
+  bool out_of_memory = false;                               ///< outcome bounded: it was max_memory
+  std::string reason;                                       ///< of outcome blocked, in words
 
+  /// Whether the path is proved to be shortest.
   bool is_proved() const { return outcome == ExactOutcome::proved || outcome == ExactOutcome::improved; }
 };
 
@@ -54,8 +56,8 @@ struct ExactResult {
 /// there is no path; at_most alone where none was found. Within these bounds, which allow for the worst that rounding
 /// may do in every face, `distance` is right but for a few roundings.
 struct ExactDistances {
-  std::vector<double> distance, at_least, at_most;
-  std::int64_t windows = 0;
+  std::vector<double> distance, at_least, at_most;  ///< of every vertex, with bounds below and above
+  std::int64_t windows = 0;                         ///< that were made
   /// Every path that is shorter was seen: what is nearer is as exact as rounding lets it be. Infinite: all is known.
   double seen_to = std::numeric_limits<double>::infinity();
   bool stopped = false;         ///< by a budget or a request
@@ -75,6 +77,7 @@ class ExactSearch {
   ExactSearch(const ExactSearch&) = delete;
   ExactSearch& operator=(const ExactSearch&) = delete;
 
+  /// Memory that searches use again; for one thread at a time.
   class Workspace {
    public:
     explicit Workspace(const ExactSearch& search);
@@ -88,6 +91,7 @@ class ExactSearch {
     std::unique_ptr<Parts> parts_;
   };
 
+  /// The shortest path between two points of the surface.
   ExactResult shortest(const SurfacePoint& source, const SurfacePoint& target, Workspace& workspace,
                        const ExactOptions& options = {}) const;
   ExactDistances distances(const SurfacePoint& source, Workspace& workspace, const ExactOptions& options = {}) const;

@@ -30,13 +30,14 @@ class Landmarks {
   /// One more landmark: each distance lies in [at_least[v], at_most[v]]; infinite where there is no path.
   void add(std::int32_t vertex, std::span<const double> at_least, std::span<const double> at_most);
 
-  std::int32_t count() const { return static_cast<std::int32_t>(vertices_of_.size()); }
-  const std::vector<std::int32_t>& vertices() const { return vertices_of_; }
-  std::uint64_t made_for() const { return made_for_; }
+  std::int32_t count() const { return static_cast<std::int32_t>(vertices_of_.size()); }  ///< number of landmarks
+  const std::vector<std::int32_t>& vertices() const { return vertices_of_; }             ///< where they are
+  std::uint64_t made_for() const { return made_for_; }                                   ///< fingerprint of the mesh
   /// Length units; of landmark i from vertex v.
   double at_least(std::int32_t v, std::int32_t i) const {
     return static_cast<double>(at_least(v)[static_cast<std::size_t>(i)]);
   }
+  /// Upper bound of the distance between vertex v and landmark i.
   double at_most(std::int32_t v, std::int32_t i) const { return at_least(v, i) + width(i); }
   /// Of all landmarks from vertex v.
   std::span<const float> at_least(std::int32_t v) const {
@@ -45,9 +46,9 @@ class Landmarks {
   }
   /// No distance from landmark i is greater than its `at_least` by more, length units.
   double width(std::int32_t i) const { return width_[static_cast<std::size_t>(i)]; }
-  std::size_t vertex_count() const { return vertices_; }
-  std::span<const double> widths() const { return width_; }
-  std::span<const float> distances() const { return at_least_; }
+  std::size_t vertex_count() const { return vertices_; }          ///< of the mesh
+  std::span<const double> widths() const { return width_; }       ///< of the bounds of each landmark
+  std::span<const float> distances() const { return at_least_; }  ///< lower bounds, vertex by vertex
 
  private:
   std::uint64_t made_for_ = 0;

@@ -8,6 +8,7 @@
 
 namespace leastcost {
 
+/// A way down a field.
 struct Descent {
   SurfacePath path;       ///< from `start` to `source`; empty where the field leads nowhere
   bool by_edges = false;  ///< the field had a minimum of its own: the rest follows the shortest edges

@@ -22,10 +22,10 @@ class SparseGraph {
   /// Edges in any order; repeated ones count once.
   SparseGraph(std::int32_t nodes, std::vector<Edge> edges);
 
-  std::int32_t size() const;
-  std::span<const std::int32_t> successors(std::int32_t node) const;
+  std::int32_t size() const;                                          ///< number of nodes
+  std::span<const std::int32_t> successors(std::int32_t node) const;  ///< of a node, in ascending order
 
-  const CompressedRows& rows() const { return *rows_; }
+  const CompressedRows& rows() const { return *rows_; }  ///< successors of all nodes
 
  private:
   std::shared_ptr<const CompressedRows> rows_;
@@ -36,6 +36,7 @@ struct Components {
   std::vector<std::int32_t> of;     ///< the part of each node
   std::vector<std::int32_t> sizes;  ///< nodes of each part, largest first; of equal ones the one with the first node
 };
+/// The connected parts of an undirected graph.
 Components connected_components(const SparseGraph& graph);
 
 /// The edges of a minimum spanning forest of an undirected graph, each once (Kruskal). weights.size() == edges.size().

@@ -11,13 +11,13 @@ namespace leastcost {
 
 /// H(s) = s^2. VFCS 4.2.2 (3).
 struct Square {
-  static constexpr KernelKind kind = KernelKind::quadratic_at_zero;
+  static constexpr KernelKind kind = KernelKind::quadratic_at_zero;  ///< how it behaves at 0
   Jet2 operator()(double q) const { return {q, 1, 0}; }
 };
 
 /// H(s) = exp(s^2) - 1, the choice of VFCS.
 struct Expm1Square {
-  static constexpr KernelKind kind = KernelKind::quadratic_at_zero;
+  static constexpr KernelKind kind = KernelKind::quadratic_at_zero;  ///< how it behaves at 0
   Jet2 operator()(double q) const {
     const double e = std::exp(q);
     return {std::expm1(q), e, e};
@@ -26,7 +26,7 @@ struct Expm1Square {
 
 /// H(s) = exp(s^2). VFCS 4.2.2 (1).
 struct ExpSquare {
-  static constexpr KernelKind kind = KernelKind::nonzero_at_zero;
+  static constexpr KernelKind kind = KernelKind::nonzero_at_zero;  ///< how it behaves at 0
   Jet2 operator()(double q) const {
     const double e = std::exp(q);
     return {e, e, e};
@@ -37,18 +37,19 @@ struct ExpSquare {
 /// kernels are not differentiable in q at 0; s is kept above a guard, below which phi' would overflow the chain
 /// Hessian.
 inline Jet2 of_root(double s, double f, double f1, double f2) { return {f, f1 / (2 * s), (f2 - f1 / s) / (4 * s * s)}; }
+/// The cost of a squared cost, kept away from 0, where its derivative is infinite.
 inline double guarded_root(double q) { return std::sqrt(std::max(q, 1e-24)); }
 
 /// H(s) = s. Not strictly convex: points may slide along the path and collapse onto each other.
 struct Linear {
-  static constexpr KernelKind kind = KernelKind::linear_at_zero;
-  static constexpr bool strictly_convex = false;
+  static constexpr KernelKind kind = KernelKind::linear_at_zero;  ///< how it behaves at 0
+  static constexpr bool strictly_convex = false;                  ///< points may slide along the path
   Jet2 operator()(double q) const { return of_root(guarded_root(q), std::sqrt(q), 1, 0); }
 };
 
 /// H(s) = exp(s). VFCS 4.2.2 (1).
 struct Exp {
-  static constexpr KernelKind kind = KernelKind::nonzero_at_zero;
+  static constexpr KernelKind kind = KernelKind::nonzero_at_zero;  ///< how it behaves at 0
   Jet2 operator()(double q) const {
     const double e = std::exp(std::sqrt(q));
     return of_root(guarded_root(q), e, e, e);
@@ -57,7 +58,7 @@ struct Exp {
 
 /// H(s) = exp(s) - 1. VFCS 4.2.2 (2).
 struct Expm1 {
-  static constexpr KernelKind kind = KernelKind::linear_at_zero;
+  static constexpr KernelKind kind = KernelKind::linear_at_zero;  ///< how it behaves at 0
   Jet2 operator()(double q) const {
     const double s = std::sqrt(q), e = std::exp(s);
     return of_root(guarded_root(q), std::expm1(s), e, e);

@@ -13,7 +13,7 @@ class HasLayers {
  public:
   static constexpr std::string_view kAbility = "stack of layers";
   virtual ~HasLayers() = default;
-  virtual const LayerStack& layers() const = 0;
+  virtual const LayerStack& layers() const = 0;  ///< the layers
 };
 
 }  // namespace leastcost

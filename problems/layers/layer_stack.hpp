@@ -22,13 +22,13 @@ class LayerStack {
   /// >= 2. Throws OptionError (keys "normals", "interfaces", "indices") for what does not fit.
   LayerStack(const Eigen::MatrixXd& normals, const Eigen::VectorXd& offsets, Eigen::VectorXd indices);
 
-  int dimension() const { return static_cast<int>(normals_.rows()); }
-  int interfaces() const { return static_cast<int>(offsets_.size()); }
-  int layers() const { return interfaces() + 1; }
-  double index(int layer) const { return indices_[layer]; }
-  const Eigen::VectorXd& indices() const { return indices_; }
-  auto normal(int k) const { return normals_.col(k); }  ///< of length one, but for rounding
-  double offset(int k) const { return offsets_[k]; }
+  int dimension() const { return static_cast<int>(normals_.rows()); }   ///< of the space
+  int interfaces() const { return static_cast<int>(offsets_.size()); }  ///< number of interfaces
+  int layers() const { return interfaces() + 1; }                       ///< number of layers
+  double index(int layer) const { return indices_[layer]; }             ///< of refraction of a layer
+  const Eigen::VectorXd& indices() const { return indices_; }           ///< of refraction of all layers
+  auto normal(int k) const { return normals_.col(k); }                  ///< of length one, but for rounding
+  double offset(int k) const { return offsets_[k]; }                    ///< of an interface along its normal
   /// Orthonormal vectors along interface k, d x (d - 1).
   const Eigen::MatrixXd& tangents(int k) const { return tangents_[static_cast<std::size_t>(k)]; }
   /// Whether all normals are one.

@@ -43,7 +43,7 @@ class ConstraintFunction {
 template <class F>
 class ConstraintFunctionOf final : public ConstraintFunction, private LevelSetEnclosure {
  public:
-  static constexpr int n = F::inputs, k = F::outputs;
+  static constexpr int n = F::inputs, k = F::outputs;  ///< coordinates and constraints
 
   explicit ConstraintFunctionOf(F function) : function_(std::move(function)) {}
   int inputs() const override { return n; }
@@ -85,6 +85,7 @@ class ConstraintFunctionOf final : public ConstraintFunction, private LevelSetEn
   F function_;
 };
 
+/// Makes constraints of a function with templates for its numbers.
 template <class F>
 std::shared_ptr<const ConstraintFunction> make_constraint_function(F function) {
   return std::make_shared<ConstraintFunctionOf<F>>(std::move(function));

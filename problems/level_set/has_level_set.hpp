@@ -13,7 +13,7 @@ class HasLevelSet {
  public:
   static constexpr std::string_view kAbility = "smooth embedding";
   virtual ~HasLevelSet() = default;
-  virtual const ConstraintFunction& function() const = 0;
+  virtual const ConstraintFunction& function() const = 0;  ///< whose zeros the domain is
 };
 
 }  // namespace leastcost

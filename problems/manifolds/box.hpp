@@ -13,7 +13,7 @@ namespace leastcost {
 struct BoxOptions {
   std::optional<Eigen::VectorXd> lower = {};
   std::optional<Eigen::VectorXd> upper = {};
-  bool given() const { return lower || upper; }
+  bool given() const { return lower || upper; }  ///< whether a bound was given
   void fields(FieldVisitor& visit);
 };
 
@@ -25,9 +25,9 @@ class Box {
   /// Throws OptionError("lower" or "upper") when a side does not fit the dimension or the box is empty.
   Box(int dimension, const BoxOptions& options);
 
-  const Eigen::VectorXd& lower() const { return lower_; }
-  const Eigen::VectorXd& upper() const { return upper_; }
-  bool bounded() const { return bounded_; }
+  const Eigen::VectorXd& lower() const { return lower_; }  ///< least coordinates; -inf: none
+  const Eigen::VectorXd& upper() const { return upper_; }  ///< greatest coordinates; inf: none
+  bool bounded() const { return bounded_; }                ///< whether any bound is finite
 
   /// Moves every column to the nearest point of the box.
   template <class Columns>

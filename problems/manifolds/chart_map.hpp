@@ -18,7 +18,7 @@ namespace leastcost {
 class ChartMap {
  public:
   virtual ~ChartMap() = default;
-  virtual Eigen::Vector3d position(const Eigen::Vector2d& u) const = 0;
+  virtual Eigen::Vector3d position(const Eigen::Vector2d& u) const = 0;  ///< place in space of coordinates
   /// Columns dx/du, dx/dv.
   virtual Eigen::Matrix<double, 3, 2> jacobian(const Eigen::Vector2d& u) const = 0;
   /// Hessian of w . x(u, v).
@@ -73,6 +73,7 @@ class ChartMapOf final : public ChartMap {
   Function function_;
 };
 
+/// Makes a map of a function with templates for its numbers.
 template <class Function>
 std::shared_ptr<const ChartMap> make_chart_map(Function function) {
   return std::make_shared<ChartMapOf<Function>>(std::move(function));

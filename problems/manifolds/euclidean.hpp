@@ -15,7 +15,7 @@ namespace leastcost {
 
 struct EuclideanManifoldOptions {
   int dimension = 2;
-  BoxOptions box = {};
+  BoxOptions box = {};  ///< where points may be
   void fields(FieldVisitor& visit);
 };
 

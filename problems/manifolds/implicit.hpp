@@ -35,7 +35,7 @@ struct Ellipsoid {
 struct Torus {
   static constexpr std::string_view kType = "torus";
   static constexpr std::string_view kHelp = "Around the z axis.";
-  double major_radius = 2, minor_radius = 1;
+  double major_radius = 2, minor_radius = 1;  ///< of the centre circle, and of the tube
   void fields(FieldVisitor& visit);
 };
 
@@ -48,7 +48,7 @@ struct Genus2 {
 struct Gyroid {
   static constexpr std::string_view kType = "gyroid";
   static constexpr std::string_view kHelp = "sin x cos y + sin y cos z + sin z cos x = 0, periodic in all directions.";
-  double period = 2 * std::numbers::pi;
+  double period = 2 * std::numbers::pi;  ///< length units
   void fields(FieldVisitor& visit);
 };
 
@@ -60,8 +60,8 @@ struct PaperCurve {
 struct Formula {
   static constexpr std::string_view kType = "formula";
   static constexpr std::string_view kHelp = "f = 0 in the coordinates x, y and z.";
-  std::string f = {};
-  int dimension = 3;  ///< 2: a curve in x and y
+  std::string f = {};  ///< of x, y and z; the surface is where it is 0
+  int dimension = 3;   ///< 2: a curve in x and y
   std::map<std::string, double> parameters = {};
   void fields(FieldVisitor& visit);
 };
@@ -72,7 +72,7 @@ using Surface = std::variant<Sphere, Ellipsoid, Torus, Genus2, Gyroid, PaperCurv
 
 struct ImplicitManifoldOptions {
   implicit::Surface surface = {};
-  BoxOptions box = {};
+  BoxOptions box = {};  ///< where points may be
   void fields(FieldVisitor& visit);
 };
 

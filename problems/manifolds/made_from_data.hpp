@@ -10,7 +10,7 @@ namespace leastcost {
 /// "3 vertices".
 struct DataCount {
   std::string one, many;  ///< the word for it
-  long count = 0;
+  long count = 0;         ///< how many there are
 };
 
 /// Ability of a domain: it was made from data, which has a size and about which a user should know this and that.

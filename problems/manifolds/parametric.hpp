@@ -49,14 +49,14 @@ struct Ellipsoid {
 struct Torus {
   static constexpr std::string_view kType = "torus";
   static constexpr std::string_view kHelp = "u: around the axis, v: around the tube.";
-  double major_radius = 2, minor_radius = 1;
+  double major_radius = 2, minor_radius = 1;  ///< of the centre circle, and of the tube
   void fields(FieldVisitor& visit);
 };
 
 struct Cylinder {
   static constexpr std::string_view kType = "cylinder";
   static constexpr std::string_view kHelp = "u: around the axis, v: height.";
-  double radius = 1;
+  double radius = 1;  ///< length units
   void fields(FieldVisitor& visit);
 };
 
@@ -70,35 +70,35 @@ struct Cone {
 struct Catenoid {
   static constexpr std::string_view kType = "catenoid";
   static constexpr std::string_view kHelp = "u: around the axis, v: height.";
-  double waist = 1;
+  double waist = 1;  ///< radius where it is narrowest
   void fields(FieldVisitor& visit);
 };
 
 struct Paraboloid {
   static constexpr std::string_view kType = "paraboloid";
   static constexpr std::string_view kHelp = "z = k r^2 / 2; u: around the axis, v: r.";
-  double curvature = 1;
+  double curvature = 1;  ///< z = curvature / 2 times the squared distance from the axis
   void fields(FieldVisitor& visit);
 };
 
 struct Hyperboloid {
   static constexpr std::string_view kType = "hyperboloid";
   static constexpr std::string_view kHelp = "(x^2 + y^2) / waist^2 - z^2 / height^2 = 1; u: around the axis, v: z.";
-  double waist = 1, height = 1;
+  double waist = 1, height = 1;  ///< radius where it is narrowest; how fast it rises
   void fields(FieldVisitor& visit);
 };
 
 struct KleinBottle {
   static constexpr std::string_view kType = "klein_bottle";
   static constexpr std::string_view kHelp = "VFCS Eq. (17), corrected; crossing u = 2 pi reverses the sign of v.";
-  double major_radius = 2, minor_radius = 1;
+  double major_radius = 2, minor_radius = 1;  ///< of the centre circle, and of the tube
   void fields(FieldVisitor& visit);
 };
 
 struct MoebiusStrip {
   static constexpr std::string_view kType = "moebius_strip";
   static constexpr std::string_view kHelp = "VFCS Eq. (18); crossing u = pi reverses the sign of v.";
-  double half_width = 0.5;
+  double half_width = 0.5;  ///< of the strip
   void fields(FieldVisitor& visit);
 };
 
@@ -132,7 +132,7 @@ using Surface = std::variant<Plane, Sphere, Ellipsoid, Torus, Cylinder, Cone, Ca
 /// A surface by name with its measures, or by formulas, and bounds on u and v.
 struct ParametricOptions {
   parametric::Surface surface = {};
-  BoxOptions box = {};
+  BoxOptions box = {};  ///< bounds of the coordinates
   void fields(FieldVisitor& visit);
 };
 

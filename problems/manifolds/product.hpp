@@ -38,7 +38,7 @@ class ProductManifold : public ConstraintManifold,
   /// coordinates, one each; default: x, y, z, or x0, x1, ...
   explicit ProductManifold(Factors factors, std::vector<std::string> names = {});
 
-  const Factors& factors() const { return factors_; }
+  const Factors& factors() const { return factors_; }  ///< in the order of their coordinates
 
   Dimensions dimensions() const override { return dimensions_; }
   Shape shape() const override { return shape_; }

@@ -11,10 +11,11 @@
 
 namespace leastcost {
 
+/// The point of a mesh that is closest to a place.
 struct ClosestPoint {
-  SurfacePoint where;
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  double distance = 0;  ///< length units
+  SurfacePoint where;                                  ///< face and weights of its corners
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< place of the point
+  double distance = 0;                                 ///< length units
 };
 
 /// Nearest point of a triangle mesh, exactly (to rounding), by a hierarchy of bounding boxes in double precision.

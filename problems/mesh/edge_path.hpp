@@ -30,16 +30,18 @@ struct EdgePathOptions {
   bool diagonals = false;
 };
 
+/// Why a search along edges ended.
 enum class EdgePathOutcome { found, different_components, no_finite_route, stopped };
 
+/// A path along edges.
 struct EdgePath {
-  EdgePathOutcome outcome = EdgePathOutcome::stopped;
-  double cost = std::numeric_limits<double>::infinity();
+  EdgePathOutcome outcome = EdgePathOutcome::stopped;     ///< why the search ended
+  double cost = std::numeric_limits<double>::infinity();  ///< sum over its edges
   std::vector<std::int32_t> vertices;  ///< in between: without an end, unless the end is itself a vertex
   SurfacePath path;                    ///< the same from end to end, face by face; empty unless found
   std::int32_t settled = 0;            ///< vertices whose least cost became known
   std::int32_t source_component_size = 0, target_component_size = 0;  ///< vertices
-  bool found() const { return outcome == EdgePathOutcome::found; }
+  bool found() const { return outcome == EdgePathOutcome::found; }    ///< whether there is a path
   /// One sentence for an InitializationError; empty when found.
   std::string failure() const;
 };

@@ -14,8 +14,8 @@ class HasMesh {
  public:
   static constexpr std::string_view kAbility = "mesh";
   virtual ~HasMesh() = default;
-  virtual const TriangleMesh& mesh() const = 0;
-  virtual const ClosestPointTree& tree() const = 0;
+  virtual const TriangleMesh& mesh() const = 0;      ///< the surface
+  virtual const ClosestPointTree& tree() const = 0;  ///< for closest points
 };
 
 }  // namespace leastcost

@@ -31,6 +31,7 @@ class LengthSearch {
   LengthSearch(LengthSearch&&) noexcept;
   LengthSearch& operator=(LengthSearch&&) noexcept;
 
+  /// The shortest path along edges between two points of the surface.
   EdgePath shortest(const SurfacePoint& source, const SurfacePoint& target, const LengthSearchOptions& options = {});
   /// Lengths of the shortest routes over edges and diagonals from a vertex to all others; infinite where there is none.
   /// Length units of the metric. After a stop they are upper bounds.

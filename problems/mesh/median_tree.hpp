@@ -32,7 +32,7 @@ class MedianTree {
     if (!items_.empty()) build(0, std::ssize(items_), leaf, corners, summarise);
   }
 
-  Items items() const { return items_; }
+  Items items() const { return items_; }  ///< what it was built of, in the order of its leaves
 
   /// Depth first: `enter(summary)` says whether to look below a node, `leaf(first, last)` gets what is there as places
   /// in items().

@@ -16,7 +16,7 @@ namespace leastcost {
 
 /// What a file said, before any interpretation: polygons over vertices, both in file order, numbered from 0.
 struct PolygonSoup {
-  std::vector<Eigen::Vector3d> positions;
+  std::vector<Eigen::Vector3d> positions;   ///< of the vertices of the file
   std::vector<std::int32_t> corners;        ///< vertex numbers, polygon after polygon
   std::vector<std::int32_t> polygon_begin;  ///< polygon p owns corners [polygon_begin[p], polygon_begin[p + 1])
   std::string source;                       ///< where it came from, for messages
@@ -32,8 +32,8 @@ struct MeshOptions {
 
 /// A point of the surface: face and barycentric coordinates (sum 1, corner order of the face).
 struct SurfacePoint {
-  std::int32_t face = -1;
-  Eigen::Vector3d barycentric = Eigen::Vector3d::Zero();
+  std::int32_t face = -1;                                 ///< its number; -1: none
+  Eigen::Vector3d barycentric = Eigen::Vector3d::Zero();  ///< weights of the corners, with sum 1
 };
 
 /// An immutable triangle mesh with adjacency, in double precision. Boundaries, several components and any genus are
@@ -48,26 +48,33 @@ struct SurfacePoint {
 /// no face uses are left out; the others keep the order of the file and come before those made by subdivision.
 class TriangleMesh {
  public:
-  static constexpr std::int32_t kBorder = -1;
-  static constexpr std::int32_t kNonManifold = -2;
+  static constexpr std::int32_t kBorder = -1;       ///< across an edge with one face
+  static constexpr std::int32_t kNonManifold = -2;  ///< across an edge with more than two faces
 
   /// Triangulates polygons (notes() says so), welds, subdivides, drops degenerate polygons (fewer than three different
   /// corners; noted). Throws InputError when indices are out of range, positions are not finite or beyond 1e75, or no
   /// face remains; OptionError when `subdivide` is negative or makes more faces than 32-bit numbers can name.
   explicit TriangleMesh(const PolygonSoup& soup, const MeshOptions& options = {});
 
+  /// Vertices that a face uses.
   std::int32_t vertex_count() const { return static_cast<std::int32_t>(positions_.size()); }
-  std::int32_t face_count() const { return static_cast<std::int32_t>(faces_.size()); }
+  std::int32_t face_count() const { return static_cast<std::int32_t>(faces_.size()); }  ///< triangles
+  /// Place of a vertex.
   const Eigen::Vector3d& position(std::int32_t v) const { return positions_[static_cast<std::size_t>(v)]; }
+  /// The vertices of a face, in the order of its corners.
   const std::array<std::int32_t, 3>& face(std::int32_t f) const { return faces_[static_cast<std::size_t>(f)]; }
-  const std::vector<Eigen::Vector3d>& positions() const { return positions_; }
-  const std::vector<std::array<std::int32_t, 3>>& faces() const { return faces_; }
-  Eigen::Vector3d point(const SurfacePoint& p) const;
+  const std::vector<Eigen::Vector3d>& positions() const { return positions_; }      ///< of all vertices
+  const std::vector<std::array<std::int32_t, 3>>& faces() const { return faces_; }  ///< of all triangles
+  Eigen::Vector3d point(const SurfacePoint& p) const;                               ///< place of a point
 
+  /// The halfedge of the neighbour across h, or kBorder or kNonManifold.
   std::int32_t across(std::int32_t h) const { return across_[static_cast<std::size_t>(h)]; }
+  /// Vertex that h leaves.
   std::int32_t tail(std::int32_t h) const { return face(h / 3)[static_cast<std::size_t>(h % 3)]; }
+  /// Vertex that h enters.
   std::int32_t head(std::int32_t h) const { return face(h / 3)[static_cast<std::size_t>((h + 1) % 3)]; }
-  static std::int32_t next(std::int32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static std::int32_t next(std::int32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }  ///< halfedge after h in its face
+  /// Halfedge before h in its face.
   static std::int32_t previous(std::int32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
   /// Faces around a vertex, ascending (not in the order of a walk around it).
@@ -88,6 +95,7 @@ class TriangleMesh {
 
   /// Connected component (through shared edges or vertices) of a vertex, and the vertex count of each component.
   std::int32_t component(std::int32_t v) const { return component_[static_cast<std::size_t>(v)]; }
+  /// Vertices of each connected part.
   const std::vector<std::int32_t>& component_sizes() const { return component_sizes_; }
 
   /// Diagonal of the bounding box.
@@ -95,26 +103,30 @@ class TriangleMesh {
 
   /// The vertex here that is vertex v of the file, or -1 when no face uses it. Throws InputError when out of range.
   std::int32_t vertex_of_file(std::int32_t v) const;
+  /// Vertices of the file, those without faces included.
   std::int32_t file_vertex_count() const { return static_cast<std::int32_t>(vertex_of_file_.size()); }
+  /// Faces of the file, before they were cut into triangles.
   std::int32_t file_face_count() const { return static_cast<std::int32_t>(base_begin_.size()) - 1; }
   /// The file's number of the polygon that face f came from, and of vertex v (-1: made by subdivision; the lowest
   /// number where welding merged several).
   std::int32_t file_face(std::int32_t f) const { return base_file_face_[static_cast<std::size_t>(base_of(f))]; }
+  /// Number in the file of vertex v.
   std::int32_t file_vertex(std::int32_t v) const { return file_vertex_[static_cast<std::size_t>(v)]; }
 
   /// A point in terms of the file: the polygon, which of the triangles it was cut into (0 when it is a triangle), that
   /// triangle's corners as vertex numbers of the file, and barycentric coordinates with respect to these.
   struct FilePoint {
-    std::int32_t face = -1;
-    std::int32_t fan = 0;
-    std::array<std::int32_t, 3> vertices = {-1, -1, -1};
-    Eigen::Vector3d barycentric = Eigen::Vector3d::Zero();
+    std::int32_t face = -1;                                 ///< its number in the file; -1: none
+    std::int32_t fan = 0;                                   ///< which triangle of the fan that the face was cut into
+    std::array<std::int32_t, 3> vertices = {-1, -1, -1};    ///< of that triangle, by their numbers in the file
+    Eigen::Vector3d barycentric = Eigen::Vector3d::Zero();  ///< weights of these vertices
   };
   /// Where a point of a triangular face of the file went. Coordinates may be off by 1e-6 (they are clamped and scaled
   /// to sum 1). Throws InputError when out of range, on a polygon, on a face that was dropped.
   SurfacePoint locate(std::int32_t file_face, const Eigen::Vector3d& barycentric) const;
   /// The same for any face, by `face`, `fan` and `barycentric`; the inverse of in_file().
   SurfacePoint locate(const FilePoint& p) const;
+  /// The same point by numbers of the file.
   FilePoint in_file(const SurfacePoint& p) const;
 
   /// Edges with three or more faces, as pairs of vertices (of this mesh; file_vertex() names them), ascending.

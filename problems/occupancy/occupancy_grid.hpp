@@ -17,16 +17,18 @@ namespace leastcost {
 struct OccupancyGrid {
   static constexpr std::int64_t kMostCells = std::int64_t{1} << 27;  ///< that readers take
 
-  int rows = 0, columns = 0;
+  int rows = 0, columns = 0;                         ///< cells upwards and to the right
   double cell = 1;                                   ///< side of a cell, length units
   Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< lower corner of cell (0, 0)
   std::vector<bool> blocked;                         ///< rows x columns, row by row
   std::vector<bool> unknown = {};                    ///< those of which the map does not know; empty: none
   std::string source;                                ///< where it came from, for messages
 
+  /// Of a cell in arrays.
   std::size_t index(int row, int column) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
   }
+  /// Whether a cell is there and not occupied.
   bool free(int row, int column) const {
     return row >= 0 && row < rows && column >= 0 && column < columns && !blocked[index(row, column)];
   }
@@ -36,7 +38,7 @@ struct OccupancyGrid {
 
 /// Cells [row, row_end) x [column, column_end).
 struct CellBox {
-  int row = 0, row_end = 0, column = 0, column_end = 0;
+  int row = 0, row_end = 0, column = 0, column_end = 0;  ///< without the ends
 };
 
 /// The free cells as boxes without overlap: the runs of every row from wall to wall, equal runs of consecutive rows

@@ -24,7 +24,7 @@ struct RasterDegrees {
 /// The coordinate reference system of a raster file.
 struct RasterCrs {
   using Transform = std::function<Eigen::Vector2d(const Eigen::Vector2d&)>;
-  std::string name;
+  std::string name;         ///< of the CRS, in words
   bool geographic = false;  ///< its places are longitude and latitude, degrees
   /// From its places (x, y) to longitude and latitude on WGS84, and back; not finite where that fails. Empty where the
   /// build cannot transform: degrees are then taken as they are.
@@ -36,7 +36,7 @@ struct RasterCrs {
 struct RasterGrid {
   static constexpr std::int64_t kMostCells = std::int64_t{1} << 27;  ///< that readers take
 
-  int rows = 0, columns = 0;
+  int rows = 0, columns = 0;                         ///< cells upwards and to the right
   Eigen::Vector2d cell = Eigen::Vector2d::Ones();    ///< sides of a cell, > 0, length units
   Eigen::Vector2d corner = Eigen::Vector2d::Zero();  ///< lower left corner of cell (0, 0)
   std::vector<double> values;                        ///< rows x columns, row by row; NaN: no data
@@ -44,10 +44,11 @@ struct RasterGrid {
   std::shared_ptr<const RasterCrs> crs;              ///< null: not known
   std::string source;                                ///< where it came from, for messages
 
+  /// Of a cell in arrays, the lowest row first.
   std::size_t index(int row, int column) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
   }
-  double value(int row, int column) const { return values[index(row, column)]; }
+  double value(int row, int column) const { return values[index(row, column)]; }  ///< of a cell; NaN: no data
   /// Where value (row, column) stands.
   Eigen::Vector2d place(int row, int column) const {
     return corner + cell.cwiseProduct(Eigen::Vector2d(column + 0.5, row + 0.5));

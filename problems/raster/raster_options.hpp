@@ -29,8 +29,8 @@ void check(const RasterOptions& options);
 struct RasterFile {
   /// Column and row, counted from the lower left corner of the file, to a place: (sides of a cell, that corner).
   using Affine = Eigen::Matrix<double, 2, 3>;
-  RasterGrid raster;
-  std::optional<double> nodata = {};
+  RasterGrid raster;                  ///< values with their georeference
+  std::optional<double> nodata = {};  ///< the value that stands for no data
   std::optional<Affine> turned = {};  ///< where the sides are not along the axes; cell and corner then say nothing
 };
 

@@ -14,9 +14,9 @@ namespace leastcost {
 /// A cone in space, or a frustum of one: in its frame around the z axis, its base at -height / 2 and its top at
 /// height / 2. It is sharp: it asks for a clearance.
 struct ConeOptions {
-  double radius = 0, height = 0;
-  double top_radius = 0;  ///< 0: a cone with a tip
-  ShapePose pose = {};
+  double radius = 0, height = 0;  ///< of the base, and from the base to the tip; length units
+  double top_radius = 0;          ///< 0: a cone with a tip
+  ShapePose pose = {};            ///< where it stands
   void fields(FieldVisitor& visit);
 };
 

@@ -14,8 +14,8 @@ namespace leastcost {
 /// A cylinder with flat ends in space: in its frame around the z axis, from -height / 2 to height / 2. Its edges are
 /// sharp: it asks for a clearance.
 struct CylinderOptions {
-  double radius = 0, height = 0;
-  ShapePose pose = {};
+  double radius = 0, height = 0;  ///< length units
+  ShapePose pose = {};            ///< where its centre is
   void fields(FieldVisitor& visit);
 };
 

@@ -17,10 +17,11 @@ struct GeodesicOptions {
   const EdgeLandmarks* landmarks = nullptr;  ///< LengthSearchOptions::landmarks
 };
 
+/// A geodesic of a mesh, and the route that it was straightened from.
 struct Geodesic {
   EdgePath first;       ///< of the route that was kept; its outcome tells why when no path was found
   Straightened result;  ///< empty path unless found()
-  bool found() const { return first.found(); }
+  bool found() const { return first.found(); }  ///< whether there is a path
 };
 
 /// Short geodesics between two points: graph paths as first guesses, straightened exactly, the best kept. Locally
@@ -34,6 +35,7 @@ class GeodesicSearch {
   EdgePath first_path(const SurfacePoint& source, const SurfacePoint& target, const LengthSearchOptions& options) {
     return graph_.shortest(source, target, options);
   }
+  /// A straightened shortest route between two points of the surface.
   Geodesic shortest(const SurfacePoint& source, const SurfacePoint& target, const GeodesicOptions& options = {});
 
  private:

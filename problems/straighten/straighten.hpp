@@ -22,8 +22,9 @@ struct StraightenOptions {
   bool shortcuts = true;
 };
 
+/// A path after straightening.
 struct Straightened {
-  SurfacePath path;
+  SurfacePath path;           ///< locally shortest, where it was not stopped
   double initial_length = 0;  ///< of the path given, length units of the metric
   double final_length = 0;    ///< <= initial_length
   std::int64_t moves = 0;     ///< strips rerouted around a vertex

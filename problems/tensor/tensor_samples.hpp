@@ -14,10 +14,10 @@ namespace leastcost {
 
 /// A symmetric 3 x 3 tensor at a place with its derivatives. Entries are those on and above the diagonal, row by row.
 struct TensorJet {
-  static constexpr int kEntries = 6;
-  Eigen::Matrix<double, 6, 1> value;
-  Eigen::Matrix<double, 6, 3> gradient;
-  Eigen::Matrix<double, 6, 6> hessian;  ///< per entry: xx, xy, xz, yy, yz, zz
+  static constexpr int kEntries = 6;     ///< of a symmetric 3 x 3 matrix
+  Eigen::Matrix<double, 6, 1> value;     ///< xx, xy, xz, yy, yz, zz
+  Eigen::Matrix<double, 6, 3> gradient;  ///< its derivatives by place
+  Eigen::Matrix<double, 6, 6> hessian;   ///< per entry: xx, xy, xz, yy, yz, zz
   /// Column of the second derivative along axes i and j.
   static constexpr int column(int i, int j) { return i <= j ? i * 3 - i * (i + 1) / 2 + j : column(j, i); }
 };

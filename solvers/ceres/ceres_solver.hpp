@@ -14,7 +14,7 @@ Words<CeresAlgorithm> words(CeresAlgorithm);
 struct CeresOptions {
   CeresAlgorithm algorithm = CeresAlgorithm::levenberg_marquardt;
   int max_iterations = 500;
-  RoundOptions rounds = {};
+  RoundOptions rounds = {};  ///< solves again, with coordinates around the last chain
   void fields(FieldVisitor& visit);
 };
 

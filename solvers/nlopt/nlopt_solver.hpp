@@ -29,7 +29,7 @@ Words<NloptAlgorithm> words(NloptAlgorithm);
 
 struct NloptOptions {
   NloptAlgorithm algorithm = NloptAlgorithm::lbfgs;
-  RoundOptions rounds = {};
+  RoundOptions rounds = {};  ///< solves again, with coordinates around the last chain
   void fields(FieldVisitor& visit);
 };
 

@@ -8,8 +8,8 @@ namespace leastcost {
 
 /// One file of a report.
 struct ReportFile {
-  std::string name;  ///< relative to the folder of the results
-  std::string content;
+  std::string name;     ///< relative to the folder of the results
+  std::string content;  ///< bytes of the file
 };
 
 }  // namespace leastcost

@@ -27,8 +27,8 @@ class BoxPotential {
   virtual bool is_checked(const Vector& x) const = 0;
   /// NaN, as the gradient, where the spline has no coefficients.
   virtual double value(const Vector& x) const = 0;
-  virtual Vector gradient(const Vector& x) const = 0;
-  virtual double ratio() const = 0;
+  virtual Vector gradient(const Vector& x) const = 0;  ///< of value(), by place
+  virtual double ratio() const = 0;                    ///< no slope is greater than so many times the cost per length
   /// Around all searched cells.
   virtual Eigen::AlignedBox<double, N> searched() const = 0;
 };
@@ -60,14 +60,15 @@ struct BoxBracket {
   /// A path down the field of the source, where it costs less than was known: that of `upper`, or among obstacles a
   /// hint, for it may enter them by a cell.
   Eigen::Matrix<double, N, Eigen::Dynamic> way = {};
-  Eigen::AlignedBox<double, N> box = {};
+  Eigen::AlignedBox<double, N> box = {};                   ///< what was searched
   std::array<int, static_cast<std::size_t>(N)> grid = {};  ///< cells of the finest grid over the box, partly searched
   long cells = 0;                                          ///< searched on all grids
-  int grids = 0;
+  int grids = 0;                                           ///< grids that were searched
   bool stopped = false;                              ///< by options.stop or a limit, before the tolerance was reached
   bool way_taken = false;                            ///< the search has ended with options.takes_way
   std::shared_ptr<const BoxPotential<N>> potential;  ///< of `lower`
 
+  /// Relative distance of the bounds; 1: one of them says nothing.
   double gap() const { return !std::isfinite(upper) ? 1 : lower < upper ? (upper - lower) / upper : 0; }
 };
 using Bracket = BoxBracket<2>;

@@ -44,7 +44,7 @@ class MapManifold final : public ConstraintManifold,
   double residual(const CoordinatePath& path) const override;
   int active_bounds(const CoordinatePath& path, Index column, Eigen::Ref<Points> normals) const override;
 
-  const OccupancyGrid& grid() const { return grid_; }
+  const OccupancyGrid& grid() const { return grid_; }  ///< the cells
   const TriangleMesh& mesh() const override { return surface_.mesh(); }
   const ClosestPointTree& tree() const override { return surface_.tree(); }
   void make(const Deadline& deadline) const override { surface_.make(deadline); }

@@ -23,7 +23,7 @@ namespace leastcost {
 
 struct MeshManifoldOptions {
   std::string file = {};
-  bool weld = false;
+  bool weld = false;  ///< whether vertices at equal places become one
   int subdivide = 0;
   double weld_within = 0;  ///< length units; 0: what `weld` says
   void fields(FieldVisitor& visit);

@@ -29,19 +29,21 @@ Words<DistanceSign> words(DistanceSign);
 /// What SignedDistanceOptions samples distances from.
 namespace distance_source {
 
+/// How inside is told from outside.
 struct Sides {
-  DistanceSign sign = DistanceSign::with_sides;
+  DistanceSign sign = DistanceSign::with_sides;  ///< the rule
   double offset = 0;  ///< without sides: the domain is the surface at this distance, length units
   /// `help`: what either sign means for a source.
   void fields(FieldVisitor& visit, const char* help);
 };
 
+/// The distance to the surface of a mesh.
 struct Mesh {
   static constexpr std::string_view kType = "mesh";
   static constexpr std::string_view kHelp = "A triangle mesh.";
   std::string file = {};
-  bool weld = false;
-  Sides sides = {};
+  bool weld = false;       ///< whether vertices at equal places become one
+  Sides sides = {};        ///< how inside is told from outside
   double weld_within = 0;  ///< length units; 0: what `weld` says
   void fields(FieldVisitor& visit);
 };
@@ -49,8 +51,8 @@ struct Mesh {
 struct PointCloud {
   static constexpr std::string_view kType = "point_cloud";
   static constexpr std::string_view kHelp = "The smooth surface through a point cloud.";
-  PointCloudManifoldOptions cloud = {};
-  Sides sides = {};
+  PointCloudManifoldOptions cloud = {};  ///< the points
+  Sides sides = {};                      ///< how inside is told from outside
   void fields(FieldVisitor& visit);
 };
 

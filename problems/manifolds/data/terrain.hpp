@@ -71,7 +71,7 @@ class TerrainManifold final : public ConstraintManifold,
 
   const RasterPatches& known_patches() const override;
 
-  const RasterGrid& raster() const { return raster_; }
+  const RasterGrid& raster() const { return raster_; }  ///< heights
 
  private:
   bool is_geographic() const override { return raster_.on_earth(); }
