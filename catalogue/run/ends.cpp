@@ -14,6 +14,7 @@
 #include <leastcost/framework/domain/has_box.hpp>
 #include <leastcost/framework/domain/has_images.hpp>
 #include <leastcost/framework/problem/clearance.hpp>
+#include <leastcost/framework/result/other_images.hpp>
 #include <leastcost/problems/chart/is_geographic.hpp>
 #include <leastcost/problems/manifolds/file_places.hpp>
 #include <leastcost/problems/manifolds/made_from_data.hpp>

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "catalogue/inputs/png_image.hpp"
+#include "problems/drawing/solids.hpp"
 
 namespace leastcost::app {
 namespace {
