@@ -2,21 +2,37 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/gdal/gdal_geopackage.hpp>
 
+#include <cpl_conv.h>
+#include <cpl_error.h>
+#include <cpl_vsi.h>
+#include <gdal.h>
+#include <gdal_utils.h>
+
 #include <array>
 #include <atomic>
 #include <memory>
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
-#include "gdal/gdal_calls.hpp"
 
 namespace leastcost {
 namespace {
 
 struct CloseVector {
-  void operator()(void* dataset) const { gdal().GDALClose(dataset); }
+  void operator()(void* dataset) const { GDALClose(dataset); }
 };
 using VectorDataset = std::unique_ptr<void, CloseVector>;
+
+/// GDAL prints its errors unless it is told otherwise, for each thread.
+struct Silence {
+  Silence() {
+    CPLPushErrorHandler(CPLQuietErrorHandler);
+    CPLErrorReset();
+  }
+  ~Silence() { CPLPopErrorHandler(); }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+};
 
 /// A file in memory, which no other thread names alike.
 class MemoryFile {
@@ -25,7 +41,7 @@ class MemoryFile {
     static std::atomic<int> count = 0;
     name_ = "/vsimem/leastcost_" + std::to_string(count++) + extension;
   }
-  ~MemoryFile() { gdal().VSIUnlink(name_.c_str()); }
+  ~MemoryFile() { VSIUnlink(name_.c_str()); }
   MemoryFile(const MemoryFile&) = delete;
   MemoryFile& operator=(const MemoryFile&) = delete;
 
@@ -33,11 +49,11 @@ class MemoryFile {
   /// The text has to stay where it is.
   void show(std::string& text) const {
     auto* bytes = reinterpret_cast<GByte*>(text.data());
-    gdal().VSIFCloseL(gdal().VSIFileFromMemBuffer(name(), bytes, text.size(), FALSE));
+    VSIFCloseL(VSIFileFromMemBuffer(name(), bytes, text.size(), FALSE));
   }
   std::string bytes() const {
     vsi_l_offset size = 0;
-    const GByte* bytes = gdal().VSIGetMemFileBuffer(name(), &size, FALSE);
+    const GByte* bytes = VSIGetMemFileBuffer(name(), &size, FALSE);
     return bytes == nullptr ? std::string() : std::string(reinterpret_cast<const char*>(bytes), size);
   }
 
@@ -46,22 +62,22 @@ class MemoryFile {
 };
 
 [[noreturn]] void refuse(const std::string& layer) {
-  throw InputError("GeoPackage: layer " + layer + " cannot be written (GDAL: " + gdal().CPLGetLastErrorMsg() + ")");
+  throw InputError("GeoPackage: layer " + layer + " cannot be written (GDAL: " + CPLGetLastErrorMsg() + ")");
 }
 
 /// Adds a layer to the package, which is made with the first one.
 void add_layer(const std::string& name, std::string text, const MemoryFile& package, VectorDataset& made) {
   const MemoryFile file(".geojson");
   file.show(text);
-  const VectorDataset source(gdal().GDALOpenEx(file.name(), GDAL_OF_VECTOR, nullptr, nullptr, nullptr));
+  const VectorDataset source(GDALOpenEx(file.name(), GDAL_OF_VECTOR, nullptr, nullptr, nullptr));
   if (!source) refuse(name);
   std::string format = "-f", gpkg = "GPKG", layer = "-nln", layer_name = name;
   std::array<char*, 5> words = {format.data(), gpkg.data(), layer.data(), layer_name.data(), nullptr};
-  GDALVectorTranslateOptions* options = gdal().GDALVectorTranslateOptionsNew(words.data(), nullptr);
+  GDALVectorTranslateOptions* options = GDALVectorTranslateOptionsNew(words.data(), nullptr);
   GDALDatasetH in = source.get();
   int fault = 0;
-  GDALDatasetH out = gdal().GDALVectorTranslate(made ? nullptr : package.name(), made.get(), 1, &in, options, &fault);
-  gdal().GDALVectorTranslateOptionsFree(options);
+  GDALDatasetH out = GDALVectorTranslate(made ? nullptr : package.name(), made.get(), 1, &in, options, &fault);
+  GDALVectorTranslateOptionsFree(options);
   if (out == nullptr || fault != 0) refuse(name);
   if (!made) made.reset(out);
 }
@@ -69,8 +85,9 @@ void add_layer(const std::string& name, std::string text, const MemoryFile& pack
 }  // namespace
 
 std::string gdal_geopackage(const std::vector<std::pair<std::string, std::string>>& layers) {
-  if (!gdal_fault().empty() || gdal().GDALGetDriverByName("GPKG") == nullptr) return "";
-  const QuietGdal quiet;
+  GDALAllRegister();
+  if (GDALGetDriverByName("GPKG") == nullptr) return "";
+  const Silence silence;
   const MemoryFile package(".gpkg");
   VectorDataset made;
   for (const auto& [name, text] : layers) add_layer(name, text, package, made);

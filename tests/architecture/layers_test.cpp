@@ -181,9 +181,7 @@ std::string third_party_fault(const Include& include) {
   if (starts_with(target, "ompl/"))
     return starts_with(file, "ompl/") && !is_header(file) ? "" : "only .cpp files of ompl use OMPL";
   if (starts_with(target, "gdal") || starts_with(target, "cpl_") || starts_with(target, "ogr_"))
-    return starts_with(file, "gdal/") && (!is_header(file) || file == "gdal/gdal_calls.hpp")
-               ? ""
-               : "only .cpp files of gdal and gdal_calls.hpp use GDAL";
+    return starts_with(file, "gdal/") && !is_header(file) ? "" : "only .cpp files of gdal use GDAL";
   if (target == "tinyxml2.h")
     return starts_with(file, "urdf/") && !is_header(file) ? "" : "only .cpp files of urdf use TinyXML-2";
   if (starts_with(target, "octomap/"))
@@ -440,8 +438,8 @@ TEST_CASE("layers: every wrong arrow is caught") {
       Wrong{"catalogue/catalogue.hpp", "#include <fmt/format.h>", "an installed header includes no third party"},
       Wrong{"ompl/polish.hpp", "#include <ompl/base/State.h>", "only .cpp files of ompl use OMPL"},
       Wrong{"problems/initializers/a.cpp", "#include <ompl/base/State.h>", "only .cpp files of ompl use OMPL"},
-      Wrong{"gdal/gdal_raster.hpp", "#include <gdal.h>", "only .cpp files of gdal and gdal_calls.hpp use GDAL"},
-      Wrong{"catalogue/inputs/a.cpp", "#include <cpl_conv.h>", "only .cpp files of gdal and gdal_calls.hpp use GDAL"},
+      Wrong{"gdal/gdal_raster.hpp", "#include <gdal.h>", "only .cpp files of gdal use GDAL"},
+      Wrong{"catalogue/inputs/a.cpp", "#include <cpl_conv.h>", "only .cpp files of gdal use GDAL"},
       Wrong{"urdf/xml_file.hpp", "#include <tinyxml2.h>", "only .cpp files of urdf use TinyXML-2"},
       Wrong{"catalogue/inputs/a.cpp", "#include <octomap/OcTree.h>", "only .cpp files of octomap use OctoMap"},
       Wrong{"gdal/a.cpp", "#include \"solvers/b.hpp\"", "gdal must not include solvers"},
