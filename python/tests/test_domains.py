@@ -190,6 +190,8 @@ def test_costs_of_the_plane_are_refused_elsewhere():
         lc.find_path(lc.Terrain(still), lc.Wind(still, still, speed=1), (1, 1), (4, 4))
     with pytest.raises(lc.InputError, match="cost_map"):
         lc.find_path(lc.Space(4), lc.CostMap(ones), (1, 1, 1, 1), (4, 4, 4, 4))
+    with pytest.raises(lc.Error, match="the points of this manifold fill space"):
+        lc.find_path(lc.Space(3), lc.CostMap(ones), (1, 1, 1), (4, 4, 4))
     with pytest.raises(lc.Error, match="cells"):
         lc.find_path(lc.Terrain(still), lc.CostMap(ones, interpolation="cells"), (1, 1), (4, 4))
 
