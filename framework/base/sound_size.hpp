@@ -12,7 +12,8 @@ namespace leastcost {
 /// Lengths between which products of four of them, and their inverses, are numbers in double precision.
 constexpr double kLeastSize = 1e-75, kGreatestSize = 1e75;
 
-/// Throws InputError, which begins with `what`, for a size of data beyond these lengths: squares would be 0 or overflow.
+/// Throws InputError, which begins with `what`, for a size of data beyond these lengths: squares would be 0 or
+/// overflow.
 inline void check_sound_size(const std::string& what, double size) {
   if (size >= kLeastSize && size <= kGreatestSize) return;
   const bool small = size < kLeastSize;

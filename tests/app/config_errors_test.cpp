@@ -258,7 +258,7 @@ TEST_CASE("config errors: a cost map where points fill space would be the same a
   const std::string space = "manifold: {type: euclidean, dimension: 3}\n",
                     ends = "ends: {source: {point: [0, 1, 0]}, target: {point: [2, -1, 1]}}\n",
                     map = "{type: cost_map, file: a.csv}";
-  for (const std::string& cost : {map, "{type: scaled, factor: 2, cost: " + map + "}"})
+  for (const std::string& cost : {map, "{type: scaled, by: \"2\", cost: " + map + "}"})
     CHECK_THAT(errors_of(space + ends + "cost: " + cost + "\n"),
                Contains("the points of this manifold fill space") && Contains("use the plane or a surface"));
 }
