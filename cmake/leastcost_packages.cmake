@@ -3,8 +3,8 @@
 #   libleastcost-dev, libleastcost-<part>-dev        headers, CMake and pkg-config files, archives or links
 #   libleastcost0, libleastcost-<part>0              shared libraries, of a build with BUILD_SHARED_LIBS
 #   python3-leastcost                                the Python package, of a build with LEASTCOST_BUILD_PYTHON
-# with <part> = nlopt, ceres, ompl, gdal, urdf, octomap, catalogue, app. What a binary needs dpkg-shlibdeps finds out; what a static archive
-# needs is the -dev package of that library.
+# with <part> = nlopt, ceres, ompl, gdal, urdf, octomap, catalogue, app. What a binary needs dpkg-shlibdeps finds out, but for GDAL,
+# which is loaded at run time; what a static archive needs is the -dev package of that library.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "The leastcost authors <leastcost@invalid>")
 set(CPACK_PACKAGE_VENDOR "The leastcost authors")
@@ -41,7 +41,8 @@ set(archive_needs_ceres "libceres-dev (>= 2.1)")
 set(archive_needs_catalogue "libyaml-cpp-dev (>= 0.7)" "libfmt-dev (>= 9.1)" "libssl-dev (>= 3.0)"
   "libpng-dev (>= 1.6)")
 set(archive_needs_ompl "libompl-dev (>= 1.5)")
-set(archive_needs_gdal "libgdal-dev (>= 3.4)")
+get_property(loaded_gdal GLOBAL PROPERTY LEASTCOST_GDAL_PACKAGE)
+set(archive_needs_gdal ${loaded_gdal})
 set(archive_needs_urdf "libtinyxml2-dev (>= 9.0)")
 set(archive_needs_octomap "liboctomap-dev (>= 1.9)")
 set(about_nlopt "the NLopt solvers")
@@ -75,6 +76,9 @@ foreach(part IN LISTS apart)
     set(part_libraries ${below_libraries})
     set(part_development ${below_development})
   endif()
+  if(part STREQUAL "gdal")
+    list(APPEND part_libraries ${loaded_gdal})
+  endif()
   if(BUILD_SHARED_LIBS)
     leastcost_package(${part}_libraries libleastcost-${part}${soname} libs "${about_${part}}, shared library"
       part_libraries)
@@ -91,16 +95,17 @@ foreach(part IN LISTS apart)
 endforeach()
 
 if(TARGET leastcost)
-  set(program_needs "")
+  set(program_needs ${loaded_gdal})
   if(BUILD_SHARED_LIBS)
-    set(program_needs ${below_libraries})
+    list(APPEND program_needs ${below_libraries})
   endif()
   leastcost_package(program leastcost math "the program" program_needs)
 endif()
 
 if(TARGET leastcost_python)
   math(EXPR next "${LEASTCOST_PYTHON_MINOR} + 1")
-  set(python_needs "python3 (>= 3.${LEASTCOST_PYTHON_MINOR})" "python3 (<< 3.${next})" python3-numpy)
+  set(python_needs "python3 (>= 3.${LEASTCOST_PYTHON_MINOR})" "python3 (<< 3.${next})" python3-numpy
+    ${loaded_gdal})
   if(BUILD_SHARED_LIBS)
     list(APPEND python_needs ${below_libraries})
   endif()

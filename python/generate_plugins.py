@@ -27,11 +27,12 @@ HEAD = '''# SPDX-FileCopyrightText: 2026 The leastcost authors
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+import functools
+from typing import TYPE_CHECKING, Any, TypeVar
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Callable, Mapping, Sequence
     from typing import Literal, Union
 
     from numpy.typing import ArrayLike
@@ -40,9 +41,41 @@ if TYPE_CHECKING:
     #: The word alone, or its block.
     Block = Union[str, Mapping[str, Any]]
 
+Kind = TypeVar("Kind")
+
 
 def _block(type: str, **options: Any) -> dict[str, Any]:
     return {"type": type, **{key: value for key, value in options.items() if value is not None}}
+
+
+def _in_words(kind: type[Kind]) -> type[Kind]:
+    """The kind, whose functions say what they have instead of an option that they have not."""
+    for name, member in list(vars(kind).items()):
+        if isinstance(member, staticmethod):
+            setattr(kind, name, staticmethod(_told(f"{kind.__name__}.{name}", member.__func__)))
+    return kind
+
+
+def _told(name: str, function: Callable[..., dict[str, Any]]) -> Callable[..., dict[str, Any]]:
+    known = function.__code__.co_varnames[: function.__code__.co_kwonlyargcount]
+
+    @functools.wraps(function)
+    def call(*arguments: Any, **options: Any) -> dict[str, Any]:
+        for option in options:
+            if option not in known:
+                raise TypeError(f"lc.{name}() has no option {option!r}{_meant(option, known)}")
+        return function(*arguments, **options)
+
+    return call
+
+
+def _meant(option: str, known: tuple[str, ...]) -> str:
+    import difflib
+
+    near = difflib.get_close_matches(option, known, 1)
+    if near:
+        return f" (did you mean {near[0]!r}?)"
+    return f"; its options are: {', '.join(known)}" if known else "; it has none"
 '''
 
 
@@ -188,7 +221,7 @@ def text(schema: Schema) -> str:
         cases = definition["anyOf"][-1]["allOf"]
         described = definition["description"]
         summary = docstring(described[0].upper() + described[1:].rstrip(".") + ".", [])
-        out.append(f"\n\nclass {kind}:\n" + "\n".join(line[4:] for line in summary) + "\n")
+        out.append(f"\n\n@_in_words\nclass {kind}:\n" + "\n".join(line[4:] for line in summary) + "\n")
         for case in cases:
             type = case["if"]["properties"]["type"]["const"]
             out.append("\n" + "\n".join(function(kind, type, case["then"])) + "\n")

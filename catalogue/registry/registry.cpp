@@ -104,6 +104,12 @@ const auto& kernels() {
   return all;
 }
 
+void check_map(const CostMapOptions& options, const BuildContext& context) {
+  check(options.raster);
+  const std::string why = why_no_map_of(context.manifold.get());
+  if (!why.empty()) throw OptionError("type", why);
+}
+
 const auto& costs() {
   using O = const BuildContext&;
   static const std::vector<CostPlugin> all = {
@@ -135,11 +141,12 @@ const auto& costs() {
       plugin<CostPlugin, CostMapOptions>(
           "cost_map", "Length times a cost per unit of length in the plane, from a raster.",
           [](const CostMapOptions& o, O c) {
+            check_map(o, c);
             return make_cost_map(read_raster(o.raster, c.folder, Resampling::nearest, c.note), o.interpolation,
                                  c.dimension);
           })
           .waiting()
-          .checked_by<CostMapOptions>([](const CostMapOptions& o, O) { check(o.raster); }),
+          .checked_by<CostMapOptions>(check_map),
       plugin<CostPlugin, WeightedLengthOptions>(
           "weighted_length", "Length with a weight for each factor of the domain, or for each coordinate.",
           [](const WeightedLengthOptions& o, O c) { return make_weighted_length(o, *c.manifold); })

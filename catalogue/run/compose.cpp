@@ -350,8 +350,13 @@ void Composer::place_goals() {
 void Composer::make_parts() {
   make_or_check(config_.cost, out_.problem.cost);
   make_or_check(config_.kernel, out_.problem.kernel);
-  make_or_check(config_.initializer, out_.initializer);
-  for (std::size_t i = 0; i < others_.size(); ++i) make_or_check(config_.family.initializers[i], others_[i]);
+  // Obstacles that were refused are the fault; a first path among them would be another one.
+  const bool without_obstacles = obstacles_placed_ && (config_.robot || !config_.obstacles.empty()) &&
+                                 find_ability<HasWalls>(*out_.problem.manifold) == nullptr;
+  if (!without_obstacles) {
+    make_or_check(config_.initializer, out_.initializer);
+    for (std::size_t i = 0; i < others_.size(); ++i) make_or_check(config_.family.initializers[i], others_[i]);
+  }
   make_or_check(config_.solver, out_.solver);
   const PluginList steps = config_.post_process.value_or(PluginList{});
   out_.options.post_processors.resize(steps.size());

@@ -12,8 +12,22 @@
 #include <leastcost/framework/problem/clearance.hpp>
 #include <leastcost/framework/result/other_images.hpp>
 #include "framework/base/point_text.hpp"
+#include "framework/base/sound_size.hpp"
 
 namespace leastcost {
+namespace {
+
+/// Their squares would vanish or overflow.
+void refuse_unsound_distance(const Problem& problem) {
+  if (problem.ring || problem.based || problem.source.u.size() != problem.target.u.size()) return;
+  CoordinatePath ends{Points(problem.source.u.size(), 2), {}, false};
+  ends.u << problem.source.u, problem.target.u;
+  const Points x = positions(*problem.manifold, ends);
+  const double apart = (x.col(1) - x.col(0)).cwiseAbs().maxCoeff();
+  if (apart > 0) check_sound_size("the distance from source to target", apart);
+}
+
+}  // namespace
 
 void check(const FindOptions& options) {
   static_cast<void>(checked(options.certificate, "certificate"));
@@ -29,6 +43,7 @@ void check(const FindOptions& options) {
 }
 
 void refuse_one_point(const Problem& problem) {
+  refuse_unsound_distance(problem);
   std::optional<PointImage> image;
   if (!ends_are_one_point(problem, &image) || image) return;
   throw InputError("source " + point_text(problem.source.u) + " and target " + point_text(problem.target.u) +

@@ -12,7 +12,8 @@ namespace leastcost {
 void check(const FindOptions& options);
 
 /// Two names of one point between which the straight line has no length, two longitudes of a pole say: there is nothing
-/// to minimise. (A target that is the source after a turn around a seam states a loop; see cheaper_image().)
+/// to minimise; and ends whose distance is beyond the lengths of sound_size.hpp. (A target that is the source after a
+/// turn around a seam states a loop; see cheaper_image().)
 void refuse_one_point(const Problem& problem);
 
 /// Ends within an obstacle or its clearance.

@@ -14,6 +14,7 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/graph/sparse_graph.hpp>
 #include "framework/base/point_text.hpp"
+#include "framework/base/sound_size.hpp"
 #include "problems/cloud/local_fit.hpp"
 #include "problems/cloud/orient_normals.hpp"
 
@@ -128,7 +129,7 @@ void PointCloud::place(const PointSamples& samples) {
   }
   centre_ = box.min() + box.sizes() / 2;
   diameter_ = box.diagonal().norm();
-  if (!std::isfinite(diameter_)) throw InputError(source_ + ": the points are too far apart for double precision");
+  check_sound_size(source_ + ": the extent of the points", box.sizes().maxCoeff());
   order_ = spatial_order(all, box.min(), box.sizes().maxCoeff());
   samples_.resize(all.size());
   in_file_.resize(all.size());

@@ -17,6 +17,7 @@
 #include "problems/cells/cell_refraction.hpp"
 #include "problems/cells/has_cost_cells.hpp"
 #include "problems/raster/raster_cells.hpp"
+#include "problems/raster/raster_patches.hpp"
 
 namespace leastcost {
 namespace {
@@ -114,6 +115,7 @@ class CellCost final : public SegmentCostOf<CellCostFunction>,
 std::shared_ptr<const SegmentCost> make_cell_cost(const RasterGrid& values, int dim) {
   if (dim != 2)
     throw OptionError("interpolation", "'cells' works in the plane only; in space, use 'smooth' or 'bilinear'");
+  check_sound_cells(values);
   return std::make_shared<const CellCost>(values);
 }
 

@@ -9,6 +9,7 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/cost/segment_cost_function.hpp>
+#include <leastcost/framework/domain/has_blocks.hpp>
 #include <leastcost/problems/bracket/cost_density.hpp>
 #include <leastcost/problems/chart/is_geographic.hpp>
 #include <leastcost/problems/raster/has_voids.hpp>
@@ -158,6 +159,13 @@ std::shared_ptr<const SegmentCost> make_cost_map(const RasterGrid& values, CostM
     n = std::make_shared<const SplineFunction>(SplineFunction::near(values));
   if (dim == 2) return std::make_shared<const CostMapCost<2>>(std::move(n), values);
   return std::make_shared<const CostMapCost<3>>(std::move(n), values);
+}
+
+std::string why_no_map_of(const ConstraintManifold* domain) {
+  if (domain == nullptr || domain->dimensions().tangent != 3 || find_ability<HasBlocks>(*domain) != nullptr) return "";
+  return "a cost map has values over a plane, but the points of this manifold fill space, where it would be the same "
+         "at every height: use the plane or a surface (a terrain, say), or a cost in x, y and z (refractive_index, "
+         "formula)";
 }
 
 }  // namespace leastcost

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include <leastcost/framework/base/options.hpp>
 #include <leastcost/framework/cost/segment_cost.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/raster/raster_options.hpp>
 
 namespace leastcost {
@@ -31,5 +33,9 @@ struct CostMapOptions {
 /// the abilities HasCellIndex and, in the plane, CostDensity, but for cells. Throws OptionError("file" or
 /// "value_scale") for a value that is not above 0, InputError.
 std::shared_ptr<const SegmentCost> make_cost_map(const RasterGrid& values, CostMapInterpolation interpolation, int dim);
+
+/// Why a cost map is none of this domain, empty where it is one: over points that fill space it would be the same at
+/// every height. Null: a domain that waits for its files, which is a surface.
+std::string why_no_map_of(const ConstraintManifold* domain);
 
 }  // namespace leastcost

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
+#include "framework/base/sound_size.hpp"
 
 namespace leastcost {
 namespace {
@@ -30,6 +31,7 @@ typename FlowGrid<D>::Axis axis_of(Eigen::VectorXd at, std::size_t k, const std:
   if (count < FlowGrid<D>::kFewest)
     refuse("the grid has " + std::to_string(count) + " nodes, but needs at least " +
            std::to_string(FlowGrid<D>::kFewest));
+  check_sound_size(file + ": the extent along " + kAxisNames[k], nodes.back() - nodes.front());
   typename FlowGrid<D>::Axis axis{nodes.front(), (nodes.back() - nodes.front()) / static_cast<double>(count - 1),
                                   count};
   for (std::size_t i = 0; i < nodes.size(); ++i) {

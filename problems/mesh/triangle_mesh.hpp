@@ -52,8 +52,9 @@ class TriangleMesh {
   static constexpr std::int32_t kNonManifold = -2;  ///< across an edge with more than two faces
 
   /// Triangulates polygons (notes() says so), welds, subdivides, drops degenerate polygons (fewer than three different
-  /// corners; noted). Throws InputError when indices are out of range, positions are not finite or beyond 1e75, or no
-  /// face remains; OptionError when `subdivide` is negative or makes more faces than 32-bit numbers can name.
+  /// corners; noted). Throws InputError when indices are out of range, positions are not finite or beyond 1e75, all lie
+  /// within 1e-75, or no face remains; OptionError when `subdivide` is negative or makes more faces than 32-bit numbers
+  /// can name.
   explicit TriangleMesh(const PolygonSoup& soup, const MeshOptions& options = {});
 
   /// Vertices that a face uses.

@@ -12,6 +12,7 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/mesh/triangle_mesh.hpp>
 #include "framework/base/point_text.hpp"
+#include "framework/base/sound_size.hpp"
 #include "problems/mesh/edge_table.hpp"
 #include "problems/mesh/polygon_triangulation.hpp"
 #include "problems/mesh/weld.hpp"
@@ -19,8 +20,6 @@
 namespace leastcost {
 namespace {
 
-/// Areas are products of four coordinates, which must not overflow.
-constexpr double kMaxCoordinate = 1e75;
 /// Halfedges are numbered in 32 bits.
 constexpr std::int64_t kMaxFaces = std::numeric_limits<std::int32_t>::max() / 3;
 
@@ -35,7 +34,7 @@ void check_positions(const PolygonSoup& soup) {
     throw InputError(place(soup) + "too many vertices for 32-bit numbers");
   }
   for (std::size_t v = 0; v < soup.positions.size(); ++v) {
-    if (soup.positions[v].allFinite() && soup.positions[v].cwiseAbs().maxCoeff() <= kMaxCoordinate) continue;
+    if (soup.positions[v].allFinite() && soup.positions[v].cwiseAbs().maxCoeff() <= kGreatestSize) continue;
     throw InputError(
         place(soup) + "vertex " + std::to_string(v) +
         " has a coordinate that is not finite or is beyond 1e75; use finite coordinates in sensible units");
@@ -257,6 +256,8 @@ void TriangleMesh::subdivide_once() {
 void TriangleMesh::measure_diameter() {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : positions_) box.extend(p);
+  const double extent = box.sizes().maxCoeff();
+  if (extent > 0) check_sound_size((source_.empty() ? std::string("mesh") : source_) + ": the extent", extent);
   diameter_ = box.diagonal().norm();
 }
 

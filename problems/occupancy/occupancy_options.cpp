@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <leastcost/framework/base/errors.hpp>
+#include "framework/base/sound_size.hpp"
 
 namespace leastcost {
 
@@ -39,6 +40,7 @@ void OccupancyOptions::fields(FieldVisitor& visit) {
 
 OccupancyGrid placed_grid(const OccupancyOptions& options) {
   if (!(options.cell > 0) || !std::isfinite(options.cell)) throw OptionError("cell", "must be greater than 0");
+  check_sound_size("the side of a cell", options.cell);
   if (options.origin.size() != 2 || !options.origin.allFinite())
     throw OptionError("origin", "must have two finite numbers, x and y");
   if (!(options.free_thresh <= options.occupied_thresh))

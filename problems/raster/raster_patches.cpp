@@ -6,6 +6,7 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include "framework/base/point_text.hpp"
+#include "framework/base/sound_size.hpp"
 
 namespace leastcost {
 namespace {
@@ -18,12 +19,17 @@ std::pair<int, int> cells_at(double x, int count) {
 
 }  // namespace
 
+void check_sound_cells(const RasterGrid& raster) {
+  for (const double side : raster.cell) check_sound_size(raster.source + ": the side of a cell", side);
+}
+
 RasterPatches::RasterPatches(const RasterGrid& raster, int reach, int fewest)
     : rows_(raster.rows - 1),
       columns_(raster.columns - 1),
       cell_(raster.cell),
       lower_(raster.place(0, 0)),
       source_(raster.source) {
+  check_sound_cells(raster);
   if (raster.rows < fewest || raster.columns < fewest)
     throw InputError(source_ + ": " + std::to_string(raster.rows) + " x " + std::to_string(raster.columns) +
                      " cells; at least " + std::to_string(fewest) + " x " + std::to_string(fewest) + " are needed");

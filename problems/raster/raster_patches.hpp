@@ -21,6 +21,9 @@ struct RasterPatch {
   int row = 0, column = 0;
 };
 
+/// Throws InputError for sides of cells beyond the lengths of sound_size.hpp.
+void check_sound_cells(const RasterGrid& raster);
+
 /// The rectangles between the values of a raster, and where a function through the values is known: nowhere beyond the
 /// outermost values, and not where a value is missing that it needs there.
 class RasterPatches {

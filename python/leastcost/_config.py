@@ -67,15 +67,20 @@ def plain_block(block: Mapping[str, Any], where: str) -> dict[str, Any]:
 
 
 def text_of(value: Any, where: str) -> str:
-    """Plain values as JSON, which is YAML as well. Raises TypeError for objects."""
+    """Plain values as JSON on one line, which is YAML as well. Raises TypeError for objects."""
+    return json.dumps(plain_of(value, where))
+
+
+def plain_of(value: Any, where: str) -> Any:
+    """Plain values of a part of a study. Raises TypeError for objects."""
     reader = _Reader({}, False)
-    text = json.dumps(reader.plain(value, where))
+    plain = reader.plain(value, where)
     if reader.externals:
         raise TypeError(
             f"{where}: a study has numbers, texts, lists and dicts, no objects; a program in C++ can register a cost or "
             "a solver for studies (docs/extend.md)"
         )
-    return text
+    return plain
 
 
 class _Reader:

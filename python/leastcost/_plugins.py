@@ -6,11 +6,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+import functools
+from typing import TYPE_CHECKING, Any, TypeVar
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Callable, Mapping, Sequence
     from typing import Literal, Union
 
     from numpy.typing import ArrayLike
@@ -19,11 +20,44 @@ if TYPE_CHECKING:
     #: The word alone, or its block.
     Block = Union[str, Mapping[str, Any]]
 
+Kind = TypeVar("Kind")
+
 
 def _block(type: str, **options: Any) -> dict[str, Any]:
     return {"type": type, **{key: value for key, value in options.items() if value is not None}}
 
 
+def _in_words(kind: type[Kind]) -> type[Kind]:
+    """The kind, whose functions say what they have instead of an option that they have not."""
+    for name, member in list(vars(kind).items()):
+        if isinstance(member, staticmethod):
+            setattr(kind, name, staticmethod(_told(f"{kind.__name__}.{name}", member.__func__)))
+    return kind
+
+
+def _told(name: str, function: Callable[..., dict[str, Any]]) -> Callable[..., dict[str, Any]]:
+    known = function.__code__.co_varnames[: function.__code__.co_kwonlyargcount]
+
+    @functools.wraps(function)
+    def call(*arguments: Any, **options: Any) -> dict[str, Any]:
+        for option in options:
+            if option not in known:
+                raise TypeError(f"lc.{name}() has no option {option!r}{_meant(option, known)}")
+        return function(*arguments, **options)
+
+    return call
+
+
+def _meant(option: str, known: tuple[str, ...]) -> str:
+    import difflib
+
+    near = difflib.get_close_matches(option, known, 1)
+    if near:
+        return f" (did you mean {near[0]!r}?)"
+    return f"; its options are: {', '.join(known)}" if known else "; it has none"
+
+
+@_in_words
 class manifold:
     """Where points lie."""
 
@@ -232,6 +266,7 @@ class manifold:
         )
 
 
+@_in_words
 class obstacle:
     """Regions that paths avoid."""
 
@@ -450,6 +485,7 @@ class obstacle:
         return _block("octomap", file=file, pose=pose)
 
 
+@_in_words
 class robot:
     """Bodies that move among obstacles."""
 
@@ -511,6 +547,7 @@ class robot:
         )
 
 
+@_in_words
 class cost:
     """The cost of a move from a to b."""
 
@@ -747,6 +784,7 @@ class cost:
         return _block("scaled", by=by, cost=cost, parameters=parameters)
 
 
+@_in_words
 class kernel:
     """The convex H of the energy sum H(c / s0)."""
 
@@ -781,6 +819,7 @@ class kernel:
         return _block("exp_square")
 
 
+@_in_words
 class initializer:
     """How the first path is found."""
 
@@ -982,6 +1021,7 @@ class initializer:
         )
 
 
+@_in_words
 class solver:
     """How the path is improved."""
 
@@ -1161,6 +1201,7 @@ class solver:
         )
 
 
+@_in_words
 class post_processor:
     """Steps after the solve."""
 

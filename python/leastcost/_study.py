@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import _leastcost
-from ._config import text_of
-from ._errors import InputError
+from ._config import plain_of, text_of
+from ._errors import ConfigError, InputError
 
 if TYPE_CHECKING:
     from ._config import Config
@@ -74,16 +74,58 @@ def run_study(
     if replace and resume:
         raise InputError("a study begins anew (replace) or goes on (resume), not both")
     assignments = [f"{key}={text_of(value, f'set[{key!r}]')}" for key, value in (set or {}).items()]
-    file, text = None, ""
+    file, text, subscripts = None, "", None
     if isinstance(study, Mapping):
-        text = text_of(study, "study")
+        text, subscripts = _lines_of(plain_of(study, "study"))
     elif isinstance(study, str) and "\n" in study:
         text = study
     elif isinstance(study, (str, os.PathLike)):
         file = Path(study)
     else:
         raise TypeError(f"a study is a path, a text or a dict, not {type(study).__name__}")
-    return Study(_leastcost.study(file, text, Path(folder), assignments, Path(output), replace, resume, parallel))
+    try:
+        return Study(_leastcost.study(file, text, Path(folder), assignments, Path(output), replace, resume, parallel))
+    except ConfigError as error:
+        if subscripts is None:
+            raise
+        raise _in_subscripts(error, subscripts, f"{Path(folder)}/study") from None
+
+
+def _lines_of(tree: dict[str, Any]) -> tuple[str, list[str]]:
+    """Plain values as JSON, each on a line of its own; and, line by line, where in the dict that is."""
+    lines: list[str] = []
+    subscripts: list[str] = []
+
+    def write(text: str, where: str) -> None:
+        lines.append(text)
+        subscripts.append(where)
+
+    def write_all(value: Any, where: str, before: str, after: str) -> None:
+        if not value or not isinstance(value, (dict, list)):
+            write(before + json.dumps(value) + after, where)
+            return
+        parts = list(value.items()) if isinstance(value, dict) else list(enumerate(value))
+        brackets = "{}" if isinstance(value, dict) else "[]"
+        write(before + brackets[0], where)
+        for i, (key, part) in enumerate(parts):
+            name = json.dumps(key) + ": " if isinstance(key, str) else ""
+            write_all(part, f"{where}[{key!r}]", name, "," if i + 1 < len(parts) else "")
+        write(brackets[1] + after, where)
+
+    write_all(tree, "study", "", "")
+    return "\n".join(lines) + "\n", subscripts
+
+
+def _in_subscripts(error: ConfigError, subscripts: list[str], file: str) -> ConfigError:
+    """The same error with its places in the dict, instead of those in a text that nobody has seen."""
+    text: list[str] = []
+    for diagnostic in error.diagnostics:
+        place = f"{file}:{diagnostic['line']}:{diagnostic['column']}"
+        if diagnostic["where"] == place and diagnostic["line"] <= len(subscripts):
+            diagnostic.update(where=subscripts[diagnostic["line"] - 1], line=0, column=0, length=1)
+        text.append(f"{diagnostic['where']}: error: {diagnostic['message']}")
+    count = str(error).rsplit("\n", 1)[-1].replace(file, "study")
+    return ConfigError("\n".join([*text, count]), error.diagnostics)
 
 
 def _cell(text: str) -> Any:

@@ -114,7 +114,9 @@ External cost(py::function q, py::function check, std::string unit, bool symmetr
   const auto shared = std::make_shared<const PythonCostOptions>(options);
   return {CostMaker([shared, dimension](int of_manifold, const Errors& errors) {
     const py::gil_scoped_acquire gil;  // functions are copied
-    return std::make_shared<const PythonCost>(*shared, dimension > 0 ? dimension : of_manifold, errors);
+    auto made = std::make_shared<const PythonCost>(*shared, dimension > 0 ? dimension : of_manifold, errors);
+    errors->add(made);
+    return made;
   })};
 }
 

@@ -4,12 +4,18 @@
 
 #include <atomic>
 #include <exception>
+#include <memory>
 #include <utility>
+#include <vector>
+
+#include <leastcost/framework/base/deadline.hpp>
 
 namespace leastcost::python {
 
-/// The first exception that a function written in Python has raised in one run, from whatever thread. The libraries may
-/// swallow exceptions, and a certificate does.
+class PythonCost;
+
+/// The first exception that a function written in Python has raised in one run, from whatever thread, and the costs
+/// that hold such functions. The libraries may swallow exceptions, and a certificate does.
 class CallErrors {
  public:
   /// Whether there was one: the search cannot go on, and no function is called any more. With or without the GIL.
@@ -22,12 +28,25 @@ class CallErrors {
   void raise() {
     if (first_) std::rethrow_exception(std::exchange(first_, nullptr));
   }
-  /// The run is over: whoever calls a function now hears of its exceptions himself.
-  void end() { over_ = true; }
+  /// The run is over: whoever calls a function now hears of its exceptions himself, and has no time budget.
+  void end() {
+    over_ = true;
+    deadline_ = {};
+  }
+
+  /// When the time budget of the run ends. Before its search begins.
+  void set_deadline(const Deadline& deadline) { deadline_ = deadline; }
+  const Deadline& deadline() const { return deadline_; }
+
+  /// A cost that was made for this run, and is part of nothing else.
+  void add(std::weak_ptr<const PythonCost> cost) { costs_.push_back(std::move(cost)); }
+  const std::vector<std::weak_ptr<const PythonCost>>& costs() const { return costs_; }
 
  private:
   std::atomic<bool> any_ = false, over_ = false;
   std::exception_ptr first_;  // guarded by the GIL
+  std::vector<std::weak_ptr<const PythonCost>> costs_;
+  Deadline deadline_;
 };
 
 }  // namespace leastcost::python

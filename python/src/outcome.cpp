@@ -9,6 +9,7 @@
 #include <leastcost/problems/robots/robot_trajectory.hpp>
 #include "problems/formula/coordinate_names.hpp"
 #include "python/src/arrays.hpp"
+#include "python/src/python_cost.hpp"
 
 namespace leastcost::python {
 
@@ -60,5 +61,20 @@ std::filesystem::path Outcome::write(const std::filesystem::path& folder, bool r
 }
 
 py::tuple Outcome::state() const { return py::make_tuple(points(), curve(), json()); }
+
+int Outcome::traverse(visitproc visit, void* arg) const {
+  Py_VISIT(state_.ptr());
+  if (functions_ == nullptr) return 0;
+  for (const auto& held : functions_->costs())
+    if (const auto cost = held.lock())
+      if (const int stop = cost->traverse(visit, arg); stop != 0) return stop;
+  return 0;
+}
+
+void Outcome::clear() const {
+  if (functions_ == nullptr) return;
+  for (const auto& held : functions_->costs())
+    if (const auto cost = held.lock()) cost->clear();
+}
 
 }  // namespace leastcost::python

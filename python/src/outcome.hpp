@@ -7,17 +7,21 @@
 #include <Eigen/Core>
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include <leastcost/catalogue/run/run.hpp>
+#include "python/src/call_errors.hpp"
 
 namespace leastcost::python {
 
 /// A finished run, or what pickle keeps of one: its numbers, not the objects that it was made of.
 class Outcome {
  public:
-  explicit Outcome(RunOutcome run) : run_(std::move(run)) {}
+  /// `functions`: of the run, with the costs in it that are written in Python.
+  Outcome(RunOutcome run, std::shared_ptr<const CallErrors> functions)
+      : run_(std::move(run)), functions_(std::move(functions)) {}
   /// Of state().
   explicit Outcome(pybind11::tuple state) : state_(std::move(state)) {}
 
@@ -35,8 +39,14 @@ class Outcome {
   /// (points, curve, json).
   pybind11::tuple state() const;
 
+  /// For Python's garbage collector, which cannot see into the libraries: visits the functions of the costs, which may
+  /// lead back to this result (tp_traverse), and lets go of them (tp_clear). No other object holds these costs.
+  int traverse(visitproc visit, void* arg) const;
+  void clear() const;
+
  private:
   std::optional<RunOutcome> run_;
+  std::shared_ptr<const CallErrors> functions_;
   pybind11::tuple state_;  // without run_
 };
 

@@ -57,6 +57,18 @@ PythonCost::~PythonCost() {
   check_ = {};
 }
 
+int PythonCost::traverse(visitproc visit, void* arg) const {
+  Py_VISIT(q_.ptr());
+  Py_VISIT(check_.ptr());
+  return 0;
+}
+
+void PythonCost::clear() const {
+  const pybind11::object q = std::exchange(q_, pybind11::reinterpret_borrow<pybind11::function>(pybind11::none()));
+  const pybind11::object check =
+      std::exchange(check_, pybind11::reinterpret_borrow<pybind11::function>(pybind11::none()));
+}
+
 template <class Call>
 auto PythonCost::guarded(const Call& call) const {
   if (errors_->any()) throw Interrupted("a function has raised an exception");
@@ -139,6 +151,7 @@ Points PythonCost::hessians(const Points& a, const Points& b) const {
   const double step = kDifference * size_of(a, b);
   Points blocks(w, w * n);
   for (Index k = 0; k < w; ++k) {
+    look_at_clock(errors_->deadline());  // in many dimensions a few moves take seconds
     const auto moved = [&](double by) {
       Points from = a, to = b;
       (k < d ? from.row(k) : to.row(k - d)).array() += by;

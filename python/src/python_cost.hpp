@@ -37,6 +37,11 @@ class PythonCost final : public SegmentCost, public StartsStraight {
   PythonCost(const PythonCost&) = delete;
   PythonCost& operator=(const PythonCost&) = delete;
 
+  /// For Python's garbage collector: visits the functions, as tp_traverse does. With the GIL.
+  int traverse(visitproc visit, void* arg) const;
+  /// Lets go of them, as tp_clear does; who calls one then gets a TypeError. With the GIL.
+  void clear() const;
+
   int dim() const override { return dim_; }
   const CostTraits& traits() const override { return traits_; }
   void squared_costs(const AmbientPath& path, std::span<double> q) const override;
@@ -73,7 +78,7 @@ class PythonCost final : public SegmentCost, public StartsStraight {
   /// Second derivatives, 2d x 2d blocks side by side.
   Points hessians(const Points& a, const Points& b) const;
 
-  pybind11::function q_, check_;
+  mutable pybind11::function q_, check_;  // mutable: a result that is garbage lets go of them
   int dim_;
   CostTraits traits_;
   Derivatives derivatives_;

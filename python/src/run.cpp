@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -38,6 +39,9 @@ Outcome run(const Source& source, std::optional<double> max_seconds) {
     };
     Run run = source.read(progress, errors);
     if (max_seconds) run.max_seconds = max_seconds;
+    if (run.max_seconds)
+      errors->set_deadline(Monitor::Clock::now() + std::chrono::duration_cast<Monitor::Clock::duration>(
+                                                       std::chrono::duration<double>(*run.max_seconds)));
     Monitor monitor;
     monitor.stop_requested = [&] { return signals.stop() || errors->any(); };
     outcome.emplace(solve(std::move(run), monitor));
@@ -52,7 +56,29 @@ Outcome run(const Source& source, std::optional<double> max_seconds) {
     signals.deliver();
   else
     signals.raise();
-  return Outcome(std::move(*outcome));
+  return Outcome(std::move(*outcome), errors);
+}
+
+/// The result in an object of Python; null while it is being made.
+const Outcome* outcome_in(PyObject* self) {
+  auto* instance = reinterpret_cast<py::detail::instance*>(self);
+  const py::detail::value_and_holder held = instance->get_value_and_holder();
+  return held.holder_constructed() ? held.value_ptr<Outcome>() : nullptr;
+}
+
+/// Lets Python's garbage collector see through a result to the functions that its cost is made of.
+void collect_cycles(PyHeapTypeObject* heap_type) {
+  PyTypeObject& type = heap_type->ht_type;
+  type.tp_flags |= Py_TPFLAGS_HAVE_GC;
+  type.tp_traverse = [](PyObject* self, visitproc visit, void* arg) {
+    Py_VISIT(Py_TYPE(self));
+    const Outcome* outcome = outcome_in(self);
+    return outcome == nullptr ? 0 : outcome->traverse(visit, arg);
+  };
+  type.tp_clear = [](PyObject* self) {
+    if (const Outcome* outcome = outcome_in(self)) outcome->clear();
+    return 0;
+  };
 }
 
 }  // namespace
@@ -67,7 +93,7 @@ void bind_run(py::module_& module) {
                            std::move(assignments), std::move(externals)};
            }),
            "file"_a, "text"_a, "tree"_a, "folder"_a, "assignments"_a, "externals"_a);
-  py::class_<Outcome>(module, "Outcome")
+  py::class_<Outcome>(module, "Outcome", py::custom_type_setup(collect_cycles))
       .def("points", &Outcome::points)
       .def("curve", &Outcome::curve)
       .def("json", &Outcome::json)

@@ -190,6 +190,8 @@ def test_costs_of_the_plane_are_refused_elsewhere():
         lc.find_path(lc.Terrain(still), lc.Wind(still, still, speed=1), (1, 1), (4, 4))
     with pytest.raises(lc.InputError, match="cost_map"):
         lc.find_path(lc.Space(4), lc.CostMap(ones), (1, 1, 1, 1), (4, 4, 4, 4))
+    with pytest.raises(lc.Error, match="the points of this manifold fill space"):
+        lc.find_path(lc.Space(3), lc.CostMap(ones), (1, 1, 1), (4, 4, 4))
     with pytest.raises(lc.Error, match="cells"):
         lc.find_path(lc.Terrain(still), lc.CostMap(ones, interpolation="cells"), (1, 1), (4, 4))
 
@@ -220,3 +222,10 @@ def test_a_first_path_of_points():
 def test_other_options():
     result = lc.find_path(lc.Plane(), "euclidean", (0, 0), (3, 4), set={"path.points": 8, "solver": "lbfgs"})
     assert result.cost == pytest.approx(5) and len(result.points) == 10
+
+
+def test_obstacles_that_a_mesh_cannot_have_are_one_error(configs):
+    mesh = lc.Mesh.read(configs / "data/hill.obj")
+    with pytest.raises(lc.ConfigError, match="obstacles need a flat or a smooth domain") as raised:
+        lc.find_path(mesh, None, 0, 80, obstacles=[lc.obstacle.ball(center=[0, 0, 0], radius=0.2)])
+    assert "1 error in config" in str(raised.value) and "step" not in str(raised.value)

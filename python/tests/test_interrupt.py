@@ -107,3 +107,18 @@ def test_other_threads_run_meanwhile():
     done.set()
     thread.join()
     assert ticks > 10
+
+
+def test_a_time_budget_ends_within_a_pass_over_second_derivatives():
+    """In 50 dimensions that of 32 moves takes seconds, by differences of differences."""
+    start = time.process_time()
+    result = lc.find_path(
+        lc.Space(50),
+        lambda a, b: ((b - a) ** 2).sum(0) * (1 + ((a + b) ** 2).sum(0)),
+        [0] * 50,
+        [1] * 50,
+        derivatives="differences",
+        max_seconds=0.3,
+    )
+    assert result.status == "interrupted" and len(result.points) == 66
+    assert time.process_time() - start < 2

@@ -102,3 +102,11 @@ def test_a_study_as_a_dict_and_its_errors(tmp_path):
     assert len(lc.run_study(tree, tmp_path / "one", replace=True, set={"points": [10, 20]}).rows) == 2
     with pytest.raises(lc.ConfigError, match="did you mean 'solvers'"):
         lc.run_study({**tree, "solver": ["newton"]}, tmp_path / "no")
+    wrong = {"name": "other", "config": {**PLANE, "ends": {**ENDS, "target": {"pont": [1, 1]}}}}
+    with pytest.raises(lc.ConfigError) as raised:
+        lc.run_study({**tree, "problems": [*tree["problems"], wrong]}, tmp_path / "no")
+    assert "study['problems'][1]['config']['ends']['target']['pont']: error: " in str(raised.value)
+    assert str(raised.value).endswith(" in study") and "study:" not in str(raised.value)
+    assert all(d["where"].startswith("study['problems'][1]") for d in raised.value.diagnostics)
+    with pytest.raises(lc.ConfigError, match=r"^set: repetitions=0: error: 'repetitions' must be at least 1"):
+        lc.run_study(tree, tmp_path / "no", set={"repetitions": 0})

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Objects of Python in configurations."""
 
+import gc
+import weakref
 from pathlib import Path
 
 import leastcost as lc
@@ -168,3 +170,22 @@ def test_the_dimension_of_a_cost(configs):
 def test_results_of_objects_are_written(tmp_path, hill):
     folder = lc.run(over_the_hill(manifold=hill)).write(tmp_path / "hill")
     assert "external" in (folder / "config.resolved.yaml").read_text()
+
+
+def test_a_result_that_its_cost_keeps_is_garbage_without_them():
+    """The cycle goes through the libraries, where the collector sees it only if the result says so."""
+
+    class Uphill:
+        def __call__(self, a, b):
+            return ((b - a) ** 2).sum(0) * (1 + a[0] ** 2 + b[0] ** 2)
+
+    uphill = Uphill()
+    uphill.results = [lc.find_path(lc.Plane(), uphill, (0, 0), (1, 1), points=n) for n in (8, 9)]
+    gone, kept = weakref.ref(uphill), uphill.results[0]
+    del uphill
+    gc.collect()
+    assert gone() is not None  # a result is still there
+    assert kept.cost > 0 and len(kept.points) == 10
+    del kept
+    gc.collect()
+    assert gone() is None

@@ -39,8 +39,12 @@ def test_every_kind_is_a_name_of_the_package():
 def test_a_block_has_what_was_given_and_no_more():
     assert lc.cost.travel_time(gravity=1) == {"type": "travel_time", "gravity": 1}
     assert lc.solver.newton() == {"type": "newton"}
-    with pytest.raises(TypeError, match="gravitee"):
+    with pytest.raises(TypeError, match=r"lc.cost.travel_time\(\) has no option 'gravitee' \(did you mean 'gravity'\?\)"):
         lc.cost.travel_time(gravitee=1)
+    with pytest.raises(TypeError, match="no option 'vertices'; its options are: corners"):
+        lc.obstacle.polygon(vertices=[[0, 0], [1, 0], [0, 1]])
+    with pytest.raises(TypeError, match="it has none"):
+        lc.manifold.robot(a=1)
 
 
 def test_blocks_are_parts_of_configurations():

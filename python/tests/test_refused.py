@@ -111,3 +111,30 @@ threading.Thread(target=search, daemon=True).start()
 time.sleep(0.2)
 """
     assert subprocess.run([sys.executable, "-c", script], timeout=60).returncode == 0
+
+
+FIRST_TO_THIRD = {"source": {"vertex": 0}, "target": {"vertex": 2}}
+
+
+@pytest.mark.parametrize("size", [1e-77, 1e-170, 1e-300, 1e77, 1e160])
+def test_data_whose_squares_vanish_or_overflow(size, tmp_path):
+    """They were answered with the length 0, with a path without a proof, or ended the process."""
+    corners, grid = size * np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]), np.ones((8, 8))
+    points = size * np.random.default_rng(0).uniform(size=(500, 3)) * [1, 1, 0]
+    near, far = (2 * size, 2 * size), (5 * size, 6 * size)
+    file = tmp_path / "square.off"
+    file.write_text("OFF 4 2 0\n" + "".join(f"{x} {y} {z}\n" for x, y, z in corners) + "3 0 1 2\n3 0 2 3\n")
+    calls = [
+        lambda: lc.Mesh(corners, [[0, 1, 2], [0, 2, 3]]),
+        lambda: lc.run({"manifold": {"type": "mesh", "file": file}, "cost": "euclidean", "ends": FIRST_TO_THIRD}),
+        lambda: lc.Cloud(points),
+        lambda: lc.Terrain(size * grid, cell=size),
+        lambda: lc.find_path(lc.Plane(), lc.CostMap(grid, cell=size), near, far),
+        lambda: lc.find_path(lc.Plane(), lc.CostMap(grid, cell=size, interpolation="smooth"), near, far),
+        lambda: lc.find_path(lc.Plane(), lc.Wind(grid, grid, speed=9, cell=size), near, far),
+        lambda: lc.find_path(lc.Plane(), None, near, far),
+        lambda: lc.find_path(lc.Space(5), None, [0] * 5, [size] * 5),
+    ]
+    for call in calls:
+        with pytest.raises(lc.Error, match=r"(below 1e-75|beyond 1e75|finite)"):
+            call()

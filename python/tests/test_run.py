@@ -3,7 +3,9 @@
 import json
 import pickle
 import subprocess
+import sys
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 import leastcost as lc
 import numpy as np
@@ -99,3 +101,12 @@ def test_arrays_outlive_the_result():
 
 def test_repr_says_what_is_known():
     assert repr(lc.run(CHUTE)).startswith("<leastcost.Result certified: 3.1415926")
+
+
+def test_gdal_is_loaded_with_the_first_raster_that_needs_it():
+    """It stands on about a hundred shared libraries, which take most of the time of an import."""
+    if not Path("/proc/self/maps").exists():
+        pytest.skip("the libraries of a process are not listed here")
+    ask = "import leastcost; print('libgdal' in open('/proc/self/maps').read())"
+    answer = subprocess.run([sys.executable, "-c", ask], capture_output=True, text=True, check=True)
+    assert answer.stdout == "False\n"

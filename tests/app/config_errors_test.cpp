@@ -254,6 +254,15 @@ TEST_CASE("config errors: cells of a cost map where they cannot be") {
   CHECK_THAT(errors_of(plane + ends + "cost: euclidean\n" + graph), Contains("'cell_graph' needs a cost map"));
 }
 
+TEST_CASE("config errors: a cost map where points fill space would be the same at every height") {
+  const std::string space = "manifold: {type: euclidean, dimension: 3}\n",
+                    ends = "ends: {source: {point: [0, 1, 0]}, target: {point: [2, -1, 1]}}\n",
+                    map = "{type: cost_map, file: a.csv}";
+  for (const std::string& cost : {map, "{type: scaled, by: \"2\", cost: " + map + "}"})
+    CHECK_THAT(errors_of(space + ends + "cost: " + cost + "\n"),
+               Contains("the points of this manifold fill space") && Contains("use the plane or a surface"));
+}
+
 TEST_CASE("config errors: taut where paths cannot be pulled tight") {
   const auto plan = [](const std::string& manifold, const std::string& cost, const std::string& obstacles) {
     const std::string ends = manifold.find("3") == std::string::npos

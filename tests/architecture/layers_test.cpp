@@ -181,7 +181,11 @@ std::string third_party_fault(const Include& include) {
   if (starts_with(target, "ompl/"))
     return starts_with(file, "ompl/") && !is_header(file) ? "" : "only .cpp files of ompl use OMPL";
   if (starts_with(target, "gdal") || starts_with(target, "cpl_") || starts_with(target, "ogr_"))
-    return starts_with(file, "gdal/") && !is_header(file) ? "" : "only .cpp files of gdal use GDAL";
+    return file == "gdal/gdal_library.hpp" || (starts_with(file, "gdal/") && !is_header(file))
+               ? ""
+               : "only .cpp files of gdal use GDAL";
+  if (target == "dlfcn.h")
+    return file == "gdal/gdal_library.cpp" ? "" : "only gdal/gdal_library.cpp loads a library at run time";
   if (target == "tinyxml2.h")
     return starts_with(file, "urdf/") && !is_header(file) ? "" : "only .cpp files of urdf use TinyXML-2";
   if (starts_with(target, "octomap/"))

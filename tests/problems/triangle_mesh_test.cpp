@@ -522,4 +522,17 @@ TEST_CASE("mesh: adjacency and addresses hold on a real mesh", "[mesh]") {
   CHECK(defect == Approx(2 * std::numbers::pi * euler_characteristic(mesh)).epsilon(1e-9));
 }
 
+TEST_CASE("mesh: data so small that squares of lengths vanish is refused, as data that is too large") {
+  const auto square = [](double size) {
+    PolygonSoup soup;
+    soup.positions = {{0, 0, 0}, {size, 0, 0}, {size, size, 0}, {0, size, 0}};
+    add_polygon(soup, {0, 1, 2, 3});
+    return soup;
+  };
+  CHECK(TriangleMesh(square(1e-74)).diameter() == Approx(std::sqrt(2) * 1e-74).epsilon(1e-14));
+  for (const double size : {1e-76, 1e-170, 1e-300})
+    CHECK_THROWS_WITH(TriangleMesh(square(size)), Catch::Contains("below 1e-75") && Catch::Contains("sensible units"));
+  CHECK_THROWS_WITH(TriangleMesh(square(1e76)), Catch::Contains("beyond 1e75"));
+}
+
 }  // namespace leastcost
