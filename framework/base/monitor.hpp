@@ -11,28 +11,30 @@
 
 namespace leastcost {
 
+/// What a search is at.
 enum class Stage { initialize, solve, post_process, certify };
 Words<Stage> words(Stage);
 
 /// One line of a solver's history.
 struct Iteration {
-  int iteration = 0;
-  double energy = 0;
+  int iteration = 0;  ///< steps so far
+  double energy = 0;  ///< of the chain
   double cost_error =
       0;            ///< predicted relative cost error, docs/numerics.md Sec. 3.1; NaN where the method has none at hand
   double step = 0;  ///< largest move of a point, length units
   long evaluations = 0;  ///< energies + gradients so far
-  double seconds = 0;
+  double seconds = 0;    ///< since the solve began
 };
 
 /// A path that was refused is solved again with more points: how many, and which of the doublings this is.
 struct MorePoints {
-  long points = 0;
-  int doubling = 0, of = 0;
+  long points = 0;           ///< of the next chain
+  int doubling = 0, of = 0;  ///< which doubling it is, and how many there may be
 };
 
+/// What an observer hears.
 struct Progress {
-  Stage stage = Stage::initialize;
+  Stage stage = Stage::initialize;          ///< what the search is at
   const Iteration* iteration = nullptr;     ///< set in Stage::solve and while the certificate solves
   const MorePoints* more_points = nullptr;  ///< set in every stage of such a search (certificate.refine)
 };
@@ -41,16 +43,17 @@ struct Progress {
 /// are called from the thread that runs find_path().
 struct Monitor {
   using Clock = std::chrono::steady_clock;
-  std::function<void(const Progress&)> observe;
-  std::function<bool()> stop_requested;
-  Deadline deadline;
+  std::function<void(const Progress&)> observe;  ///< hears of every step; empty: nobody
+  std::function<bool()> stop_requested;          ///< asked again and again; true: end with the best path so far
+  Deadline deadline;                             ///< none: no limit
 
+  /// Tells the observer, if there is one.
   void report(const Progress& progress) const {
     if (observe) observe(progress);
   }
-  bool cancelled() const { return stop_requested && stop_requested(); }
-  bool out_of_time() const { return deadline && Clock::now() >= *deadline; }
-  bool interrupted() const { return cancelled() || out_of_time(); }
+  bool cancelled() const { return stop_requested && stop_requested(); }       ///< whether a stop was asked for
+  bool out_of_time() const { return deadline && Clock::now() >= *deadline; }  ///< whether the deadline is over
+  bool interrupted() const { return cancelled() || out_of_time(); }           ///< whether to end now
 };
 
 }  // namespace leastcost

@@ -12,15 +12,15 @@ namespace leastcost {
 
 /// A box with sides along the axes, in the plane a rectangle. Its corners are sharp: it asks for a clearance.
 struct BoxObstacleOptions {
-  Eigen::VectorXd lower = {};
-  Eigen::VectorXd upper = {};
+  Eigen::VectorXd lower = {};  ///< corner with the least coordinates
+  Eigen::VectorXd upper = {};  ///< corner with the greatest coordinates
 };
 
 /// What a box is called in messages, and whether pictures show it.
 struct BoxLook {
-  std::string name = "the box";
-  bool drawn = true;
-  bool with_place = true;  ///< where it is follows its name
+  std::string name = "the box";  ///< in messages
+  bool drawn = true;             ///< whether pictures show it
+  bool with_place = true;        ///< where it is follows its name
 };
 
 /// Throws OptionError where the corners do not fit or the box is empty.

@@ -51,10 +51,10 @@ std::shared_ptr<const Walls> make_checker_walls(Eigen::Index dimension, Distance
 struct FreeChecker {
   using Vector = Eigen::VectorXd;
 
-  std::function<bool(const Vector& place)> is_free = {};
-  double resolution = 0;                    ///< length units, greater than 0
-  double size = 1;                          ///< as above
-  std::string name = "the user's checker";  ///< for messages
+  std::function<bool(const Vector& place)> is_free = {};  ///< whether a place is free; called from several threads
+  double resolution = 0;                                  ///< length units, greater than 0
+  double size = 1;                                        ///< as above
+  std::string name = "the user's checker";                ///< for messages
 };
 
 /// Throws OptionError(<member>) for what is missing or no number.

@@ -10,7 +10,7 @@ namespace leastcost {
 class HasWalls {
  public:
   virtual ~HasWalls() = default;
-  virtual const Walls& walls() const = 0;
+  virtual const Walls& walls() const = 0;  ///< what keeps points out
 };
 
 }  // namespace leastcost

@@ -20,7 +20,7 @@ Words<MeshInside> words(MeshInside);
 /// A triangle mesh in space: first scaled, then turned, then moved.
 struct MeshObstacleOptions {
   std::string file = {};
-  bool weld = false;
+  bool weld = false;  ///< whether vertices at equal places become one
   MeshInside inside = MeshInside::closed;
   double radius = 0;  ///< thickness around it, length units
   double scale = 1;

@@ -21,7 +21,7 @@ class Obstacle : public HasAbilities<Obstacle> {
   virtual std::string name() const = 0;
   /// The box of the core; its dimension is that of the space. Infinite on all sides around a half-space.
   virtual Box core_bounds() const = 0;
-  virtual double radius() const = 0;
+  virtual double radius() const = 0;  ///< by which it is thicker than its core, length units
   /// Whether the core is known to be convex.
   virtual bool convex() const { return false; }
   /// Whether pictures show it; else something else of the domain does.
@@ -54,7 +54,7 @@ class MeetsTriangles {
 
 /// A box in space that may be turned; a segment or a point where half edges are 0. In the plane z is 0.
 struct OrientedBox {
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();    ///< place of its middle
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< of its edges, one a column, of length one
   Eigen::Vector3d half = Eigen::Vector3d::Zero();      ///< edges
 };
@@ -64,7 +64,7 @@ class HasCoreBox {
  public:
   virtual ~HasCoreBox() = default;
   bool present() const { return has_core_box(); }
-  virtual OrientedBox core_box() const = 0;
+  virtual OrientedBox core_box() const = 0;  ///< the box around its core
 
  private:
   virtual bool has_core_box() const { return true; }

@@ -14,7 +14,7 @@ namespace leastcost {
 
 /// Which cells of a raster no path may enter, besides those without data.
 struct RasterObstacleOptions {
-  RasterOptions raster = {};
+  RasterOptions raster = {};  ///< whose values say what is blocked
   std::optional<double> above = {}, below = {};
   void fields(FieldVisitor& visit);
 };

@@ -18,11 +18,11 @@ class WallMargins {
   /// Fitted to nothing yet, for points whose longest move is that long.
   explicit WallMargins(double longest_move);
 
-  double of(const Wall& wall) const;
-  double widest() const;
+  double of(const Wall& wall) const;  ///< beyond the clearance, length units
+  double widest() const;              ///< of all margins
   /// What points at rest kept before the last fit; they come with it.
   double before(const Wall& wall) const;
-  double widest_before() const;
+  double widest_before() const;  ///< of all margins of the chain before
   /// Whether points had come to rest before the last fit.
   bool carry() const { return fits_ > 0; }
 

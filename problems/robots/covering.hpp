@@ -11,8 +11,8 @@ namespace leastcost {
 
 /// Capsules (of link 0) whose union holds a solid shape, in the frame of the shape.
 struct Covering {
-  std::vector<Capsule> capsules = {};
-  double adds = 0;  ///< how far they reach out of the shape, at most
+  std::vector<Capsule> capsules = {};  ///< of link 0
+  double adds = 0;                     ///< how far they reach out of the shape, at most
 };
 
 /// One capsule, as small as its ends and its radius can be chosen together. Its ends are no farther out than the faces

@@ -20,7 +20,7 @@ Words<DhConvention> words(DhConvention);
 
 /// A chain of joints that turn.
 struct DhTable {
-  DhConvention convention = DhConvention::standard;
+  DhConvention convention = DhConvention::standard;  ///< which frame a row moves to
   Eigen::MatrixXd rows = {};   ///< joints x 4: a (length), alpha (rad), d (length), offset of theta (rad)
   Eigen::VectorXd lower = {};  ///< rad, possibly infinite
   Eigen::VectorXd upper = {};  ///< rad
@@ -33,7 +33,7 @@ class DhArm final : public Kinematics {
  public:
   /// Throws OptionError("rows"), ("lower"), ("upper") for a table that is none.
   explicit DhArm(DhTable table);
-  const DhTable& table() const { return table_; }
+  const DhTable& table() const { return table_; }  ///< the rows that it was made of
 
   Eigen::Index dimension() const override { return table_.rows.rows(); }
   int space() const override { return 3; }

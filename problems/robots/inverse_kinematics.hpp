@@ -14,7 +14,7 @@ namespace leastcost {
 
 /// Where a point of a link is to be, and how the link is to be turned.
 struct ToolGoal {
-  int link = 0;
+  int link = 0;                                        ///< that the tool is fixed to
   Eigen::Vector3d tool = Eigen::Vector3d::Zero();      ///< coordinates of the link
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the tool in the workspace
   std::optional<Eigen::Matrix3d> rotation = {};        ///< of the link in the workspace; none: any
@@ -25,7 +25,7 @@ struct InverseOptions {
   int most = 8;             ///< solutions
   double apart = 0.3;       ///< at least so far from each other, coordinates
   double tolerance = 1e-9;  ///< of the place of the tool and of points of the link, of the size of the robot
-  std::uint64_t seed = 0;
+  std::uint64_t seed = 0;   ///< of the random starts
 };
 
 /// Configurations within the limits that bring the tool to its goal and that are allowed, nearest to `near` first.

@@ -12,9 +12,10 @@ namespace leastcost {
 
 /// Where a link is: its own coordinates in those of the workspace.
 struct Frame {
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< of the link in space
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();        ///< place of the link's origin
 
+  /// Place of a point of the link.
   Eigen::Vector3d at(const Eigen::Vector3d& local) const { return rotation * local + origin; }
 };
 
@@ -27,7 +28,7 @@ struct MotionBound {
 
 /// Of a point at one t of such a move, in the workspace.
 struct PointMotion {
-  Eigen::Vector3d velocity, acceleration;
+  Eigen::Vector3d velocity, acceleration;  ///< first and second derivative along the move
 };
 
 /// Where the links of a robot are in a configuration, an ambient column of the domain. In the plane z is 0. Immutable,
@@ -41,7 +42,7 @@ class Kinematics {
   virtual Eigen::Index dimension() const = 0;
   /// 2 or 3: of the workspace.
   virtual int space() const = 0;
-  virtual int link_count() const = 0;
+  virtual int link_count() const = 0;  ///< number of links
   /// For messages: "link 5".
   virtual std::string link_name(int link) const = 0;
   /// One frame for each link.
@@ -68,7 +69,7 @@ class Kinematics {
                              const Eigen::Vector3d& point, int seen_from) const = 0;
   /// Limits of the coordinates, possibly infinite.
   virtual Vector lower() const = 0;
-  virtual Vector upper() const = 0;
+  virtual Vector upper() const = 0;  ///< greatest coordinates; inf: none
 };
 
 }  // namespace leastcost

@@ -21,8 +21,9 @@ class PairWalls : public Walls {
     double steepest = 0;    ///< length units that the part moves at most as the configuration moves by 1
     bool branches = false;  ///< the other's link does not carry that of the part: both move
   };
+  /// A pair and the distance between its parts.
   struct PairGap {
-    Pair pair;
+    Pair pair;       ///< what is near what
     double gap = 0;  ///< or a bound of what is asked for
   };
 

@@ -38,11 +38,11 @@ struct NamedFrame {
 
 /// A robot: what moves, its shape, and which of its parts must not touch each other.
 struct Robot {
-  std::shared_ptr<const Kinematics> kinematics;
-  std::vector<Capsule> capsules = {};
-  std::vector<std::pair<int, int>> self = {};  ///< numbers of capsules on different links
-  std::vector<Plate> plates = {};
-  std::string whose = {};  ///< what the parts stand for, for people: a clearance is one of theirs
+  std::shared_ptr<const Kinematics> kinematics;  ///< where links are
+  std::vector<Capsule> capsules = {};            ///< parts of the robot
+  std::vector<std::pair<int, int>> self = {};    ///< numbers of capsules on different links
+  std::vector<Plate> plates = {};                ///< further parts
+  std::string whose = {};                        ///< what the parts stand for, for people: a clearance is one of theirs
   std::map<std::string, Eigen::VectorXd> states = {};  ///< configurations that have a name: "home"
   std::map<std::string, NamedFrame> frames = {};       ///< empty: the links of the kinematics
   std::vector<std::string> owners = {};  ///< of the capsules, for people: "panda_hand"; empty: their links
@@ -52,9 +52,11 @@ struct Robot {
 
   /// Parts are numbered: the capsules, then the plates.
   std::size_t parts() const { return capsules.size() + plates.size(); }
+  /// Link of a part: capsules first, then plates.
   int link(std::size_t part) const {
     return part < capsules.size() ? capsules[part].link : plates[part - capsules.size()].link;
   }
+  /// Radius of a part.
   double radius(std::size_t part) const {
     return part < capsules.size() ? capsules[part].radius : plates[part - capsules.size()].radius;
   }

@@ -16,18 +16,18 @@ struct TreeJoint {
   int parent = 0;     ///< a link; joint i moves link i + 1, and parents come before their children
   Frame origin = {};  ///< of the child at q = 0, in the frame of the parent
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< in the frame of the child, through its origin; any length but 0
-  bool slides = false;
-  int coordinate = 0;
-  double factor = 1, offset = 0;
+  bool slides = false;                              ///< along its axis; else it turns about it
+  int coordinate = 0;                               ///< number of the coordinate that moves it
+  double factor = 1, offset = 0;                    ///< it is moved by factor * coordinate + offset
 };
 
 /// Links joined to a tree, link 0 at its root.
 struct JointTree {
-  Frame base = {};  ///< of link 0
-  std::vector<TreeJoint> joints = {};
+  Frame base = {};                      ///< of link 0
+  std::vector<TreeJoint> joints = {};   ///< parents before their children
   std::vector<std::string> links = {};  ///< for messages: a name for each, one more than joints
   Eigen::VectorXd lower = {};           ///< of the coordinates, possibly infinite
-  Eigen::VectorXd upper = {};
+  Eigen::VectorXd upper = {};           ///< greatest coordinates; inf: none
 };
 
 /// A tree of joints that turn or slide. A coordinate is an angle in rad or a length.
@@ -35,7 +35,7 @@ class TreeKinematics final : public Kinematics {
  public:
   /// Throws OptionError("joints"), ("links"), ("lower"), ("upper"), ("base") for a tree that is none.
   explicit TreeKinematics(JointTree tree);
-  const JointTree& tree() const { return tree_; }
+  const JointTree& tree() const { return tree_; }  ///< the joints that it was made of
 
   Eigen::Index dimension() const override { return tree_.lower.size(); }
   int space() const override { return 3; }

@@ -95,8 +95,7 @@ TEST_CASE("GDAL is loaded for the first raster that needs it, and an error says 
   const std::string run = "cd '" + dir.path().string() + "' && LD_LIBRARY_PATH=. '" + program.string() + "' ";
   CHECK_THAT(output_of(run + "--version"), Catch::Contains("leastcost"));
   CHECK_THAT(output_of(run + "run a.yaml 2>&1 || true"),
-             Catch::Contains("libgdal.so.32 cannot be loaded: install") &&
-                 Catch::Contains("dem.tif"));
+             Catch::Contains("libgdal.so.32 cannot be loaded: install") && Catch::Contains("dem.tif"));
 }
 
 namespace {
