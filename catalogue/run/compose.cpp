@@ -18,6 +18,7 @@
 #include <leastcost/problems/chart/is_geographic.hpp>
 #include <leastcost/problems/manifolds/made_from_data.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
+#include <leastcost/problems/obstacles/has_walls.hpp>
 #include <leastcost/problems/post_processors/bracket.hpp>
 #include <leastcost/problems/post_processors/choose_global_proof.hpp>
 #include <leastcost/problems/raster/has_voids.hpp>
