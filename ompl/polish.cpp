@@ -18,9 +18,9 @@
 #include <leastcost/solvers/newton.hpp>
 #include "framework/base/point_text.hpp"
 #include "framework/result/find_path_checks.hpp"
-#include "ompl/other_plans.hpp"
-#include "ompl/plan_space.hpp"
-#include "ompl/tighten.hpp"
+#include "ompl/plans/other_plans.hpp"
+#include "ompl/plans/plan_space.hpp"
+#include "ompl/plans/tighten.hpp"
 
 namespace leastcost {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <leastcost/framework/base/monitor.hpp>
 #include <leastcost/framework/problem/problem.hpp>
-#include "ompl/plan_space.hpp"
+#include "ompl/plans/plan_space.hpp"
 
 namespace leastcost {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <leastcost/framework/base/monitor.hpp>
-#include "ompl/plan_space.hpp"
+#include "ompl/plans/plan_space.hpp"
 
 namespace leastcost {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "ompl/other_plans.hpp"
+#include "ompl/plans/other_plans.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -11,7 +11,7 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/cost/has_constant_metric.hpp>
-#include "ompl/tighten.hpp"
+#include "ompl/plans/tighten.hpp"
 #include "problems/initializers/random_trees.hpp"
 
 namespace leastcost {

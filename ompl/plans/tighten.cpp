@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "ompl/tighten.hpp"
+#include "ompl/plans/tighten.hpp"
 
 #include <algorithm>
 #include <array>
