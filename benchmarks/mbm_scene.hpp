@@ -23,7 +23,6 @@
 #include <leastcost/problems/robots/robot_walls.hpp>
 #include <leastcost/problems/shapes/box.hpp>
 #include <leastcost/problems/shapes/capsule_obstacle.hpp>
-#include <leastcost/problems/shapes/cylinder.hpp>
 
 /// The Panda problems of MotionBenchMaker as VAMP ships them: spheres of a URDF, pairs of an SRDF, scenes of a JSON
 /// file.
@@ -142,7 +141,7 @@ inline std::shared_ptr<const Obstacle> obstacle_of(const pt::ptree& object, bool
   const ShapePose pose = shape_pose(place);
   if (object.get<std::string>("type") == "box")
     return make_box({.size = Vector3d(dim[0], dim[1], dim[2]), .pose = pose});
-  if (!round) return make_cylinder({.radius = dim[1], .height = dim[0], .pose = pose});
+  if (!round) return make_box({.size = Vector3d(2 * dim[1], 2 * dim[1], dim[0]), .pose = pose});
   const Vector3d half(0, 0, dim[0] / 2);
   return make_capsule({.from = place * half, .to = place * Vector3d(-half), .radius = dim[1]});
 }

@@ -18,8 +18,9 @@
 #include <leastcost/solvers/newton.hpp>
 #include "framework/base/point_text.hpp"
 #include "framework/result/find_path_checks.hpp"
-#include "ompl/plan_space.hpp"
-#include "ompl/tighten.hpp"
+#include "ompl/plans/other_plans.hpp"
+#include "ompl/plans/plan_space.hpp"
+#include "ompl/plans/tighten.hpp"
 
 namespace leastcost {
 namespace {
@@ -77,18 +78,24 @@ class Polishing {
     const bool by_answer = !options_.walls && !options_.distance;
     // Then what the planner has not seen on its own path it need not see on ours.
     heeds_clearance_ = !by_answer || !touches(x_, clearance_of(x_));
+    const bool pulls_first = !by_answer && can_plan(space_);
     Points tight = short_of(x_);
     if (by_answer)
       tight = pulled_tight(space_, tight, options_.search ? *options_.find.points : kPulled, monitor_);
+    else if (pulls_first)
+      tight = pulled_and_short_of(cheapest_plan(space_, problem_, tight, options_.other_plans, monitor_));
     else if (!options_.search)
       tight = pulled_and_short_of(tight);
     if (options_.search)
       search(tight, by_answer);
     else
       out_.why = "no search was requested";
-    if (out_.result.path.u.cols() > 1 && take(out_.result.path.u, PolishOutcome::polished)) return std::move(out_);
-    if (options_.search && !by_answer) tight = pulled_and_short_of(tight);  // as where no search is asked for
-    take(tight, PolishOutcome::tightened);
+    const Points& found = out_.result.path.u;
+    const bool worse = pulls_first && found.cols() > 1 && space_.cost(tight) < (1 - kWorthARound) * space_.cost(found);
+    if (worse) out_.why = "it costs more than what was pulled tight";
+    if (!worse && found.cols() > 1 && take(found, PolishOutcome::polished)) return std::move(out_);
+    if (options_.search && !by_answer && !pulls_first) tight = pulled_and_short_of(tight);  // as without a search
+    if (!take(tight, PolishOutcome::tightened) && worse) take(found, PolishOutcome::polished);
     if (!out_.clearance) out_.clearance = clearance_of(x_);
     return std::move(out_);
   }
@@ -123,6 +130,9 @@ class Polishing {
       throw InputError("the space is not set up: call setup() of its SpaceInformation");
     if (options_.walls && options_.distance) throw InputError("obstacles: give walls or a distance, not both");
     check(options_.find);
+    if (options_.other_plans < 0)
+      throw InputError("other_plans is a number of plans, 0 or more, but it is " +
+                       std::to_string(options_.other_plans));
     if (!options_.find.points) throw InputError("polishing needs a number of points");
     if (!options_.find.post_processors.empty())
       throw InputError(

@@ -33,6 +33,9 @@ struct PolishOptions {
   /// Whether find_path() is asked at all. A chain among the many faces of meshes, with a body of many, may take
   /// minutes, or find no place for its points in a narrow passage; then the path is only shortened and pulled tight.
   bool search = true;
+  /// Most plans of random trees that stand beside the given one, on whatever side of the obstacles: in flat spaces
+  /// under a length of a constant metric, among walls that tell quickly whether a move is clear. 0: none.
+  int other_plans = 16;
   FindOptions find = {.points = 100};         ///< points are a number; without post-processors
   std::shared_ptr<const Solver> solver = {};  ///< else Newton
   std::shared_ptr<const Kernel> kernel = {};  ///< else Expm1Square
@@ -41,7 +44,7 @@ struct PolishOptions {
 /// What became of a plan.
 enum class PolishOutcome {
   polished,   ///< what find_path() came to
-  tightened,  ///< that is not valid, or costs more: the given path with shortcuts, pulled tight
+  tightened,  ///< that is not valid, or costs more: the given path, or another plan, with shortcuts, pulled tight
   given       ///< nothing valid costs less
 };
 Words<PolishOutcome> words(PolishOutcome);
@@ -64,8 +67,9 @@ struct Polished {
 /// that is better but not valid is not returned: `why` says so. Of a path that comes back as it was given the states
 /// are valid; its moves are the planner's.
 ///
-/// First the path is pulled tight by shortcuts, then find_path() begins there. The path may end up on another side of
-/// an obstacle, where that is cheaper. Costs are compared on both paths in small pieces where a long move would not
+/// First the path is shortened, by shortcuts, beside other plans (PolishOptions::other_plans) the cheapest of which is
+/// pulled tight; then find_path() begins there. The path may end up on another side of an obstacle, where that is
+/// cheaper. Costs are compared on both paths in small pieces where a long move would not
 /// have the cost of its parts.
 ///
 /// Deadline and stop of the monitor hold for both; then the paths are looked at, which takes about as long as the

@@ -25,7 +25,8 @@ Points tight_chain(const ConstraintManifold& domain, const Walls& walls, const E
       tight = chain.polyline();
       if (k > 1 && before - chain.length() < options.gain * before) break;
     }
-  } catch (const Interrupted&) {
+  } catch (const Interrupted&) {  // as far as it came
+    if (is_clear(chain.polyline())) tight = chain.polyline();
   }
   return tight;
 }

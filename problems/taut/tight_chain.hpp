@@ -20,7 +20,7 @@ struct TightChainOptions {
 /// Pulls a polyline tight among walls of any shape in a flat domain of any dimension, as PulledChain does: coarse
 /// first, then with more vertices where it bends. `start`: d x m, clear. `metric`: of the length, d x d. `is_clear` has
 /// the last word: what it refuses is not returned. Never longer than the start, which comes back where nothing better
-/// was found, or no time was left.
+/// was found. After the deadline: as far as it came.
 Points tight_chain(const ConstraintManifold& domain, const Walls& walls, const Eigen::MatrixXd& metric,
                    const Points& start, const std::function<bool(const Points&)>& is_clear,
                    const TightChainOptions& options, const Monitor& monitor);

@@ -124,6 +124,7 @@ const Arrows& rooms() {
       {"problems/manifolds", subjects_and({"problems/post_processors"})},
       {"problems/manifolds/data", subjects_and({"problems/manifolds", "problems/post_processors"})},
       {"problems/post_processors", subjects},
+      {"ompl/plans", {"ompl"}},
       {"catalogue/yaml", {}},
       {"catalogue/inputs", {"catalogue/yaml", "catalogue/back_ends"}},
       {"catalogue/plugins", {"catalogue/yaml"}},

@@ -16,6 +16,7 @@
 #include <leastcost/problems/costs/metric_field.hpp>
 #include <leastcost/problems/manifolds/implicit.hpp>
 #include <leastcost/problems/obstacles/obstacle_walls.hpp>
+#include <leastcost/problems/robots/dh_arm.hpp>
 #include <leastcost/problems/robots/rigid_body.hpp>
 #include <leastcost/problems/robots/robot_walls.hpp>
 #include "tests/ompl/plans.hpp"
@@ -333,6 +334,69 @@ TEST_CASE("polish: another cost than the length") {
   CHECK(ours.cost < ours.given_cost / 2);
   CHECK(columns_of(*ours.path).row(0).minCoeff() < 1);  // not straight: it goes where it is cheaper
   CHECK(ours.cost == Approx(ours.result.certificate.estimate.value).epsilon(1e-3));
+}
+
+/// A planar arm of three links beside a ball, and a plan that takes the long way round.
+TEST_CASE("polish: an arm before a deadline: never dearer than given, always clear, and on the cheaper side") {
+  DhTable table;
+  table.rows = Points::Zero(3, 4);
+  table.rows.col(0) << 0.5, 0.5, 0.4;
+  table.lower = Eigen::VectorXd::Constant(3, -kPi);
+  table.upper = -table.lower;
+  Robot arm;
+  arm.kinematics = std::make_shared<const DhArm>(table);
+  for (int link = 1; link <= 3; ++link)
+    arm.capsules.push_back({link, {-table.rows(link - 1, 0), 0, 0}, {0, 0, 0}, 0.04});
+  const auto walls = std::make_shared<const RobotWalls>(
+      make_robot(std::move(arm)), RobotWalls::Obstacles{make_ball({Eigen::Vector3d(0.9, 0.5, 0), 0.15})}, 0.001);
+  const auto space = std::make_shared<ob::SpaceInformation>(square(3, -kPi, kPi));
+  space->setStateValidityChecker([&](const ob::State* state) {
+    const Eigen::VectorXd x =
+        Eigen::Map<const Eigen::VectorXd>(state->as<ob::RealVectorStateSpace::StateType>()->values, 3);
+    return walls->clears(x, x);
+  });
+  space->setStateValidityCheckingResolution(0.003);
+  space->setup();
+  Points given(3, 5);
+  given << -0.3, -1.5, -2.5, 1.8, 1.3,  //
+      0, 2.5, 2.8, 2.8, 0,              //
+      0, 0.5, 0.3, 0.2, 0;
+  const PlannerPath plan = path_through(space, given);
+  REQUIRE(plan.check());
+  PolishOptions options;
+  options.walls = walls;
+  const auto polished_within = [&](int other_plans, std::chrono::milliseconds time) {
+    options.other_plans = other_plans;
+    Monitor monitor;
+    monitor.deadline = Monitor::Clock::now() + time;
+    return polish(plan, options, monitor);
+  };
+  const auto least_gap = [&](const Points& x) {
+    double least = std::numeric_limits<double>::infinity();
+    std::vector<Wall> found;
+    for (Index i = 0; i + 1 < x.cols(); ++i)
+      for (int k = 0; k <= 400; ++k) {
+        walls->near(x.col(i) + k / 400.0 * (x.col(i + 1) - x.col(i)), 0.1, found);
+        for (const Wall& wall : found) least = std::min(least, wall.gap);
+      }
+    return least;
+  };
+  for (const int time : {0, 2, 20, 300}) {
+    CAPTURE(time);
+    const Polished ours = polished_within(16, std::chrono::milliseconds(time));
+    CHECK(ours.cost <= ours.given_cost);
+    CHECK(ours.cost == Approx(length_of_line(columns_of(*ours.path))));
+    CHECK(least_gap(columns_of(*ours.path)) >= kContact);
+    CHECK(ours.path->check());
+  }
+  options.search = false;
+  const Polished alone = polished_within(0, std::chrono::seconds(20));
+  const Polished ours = polished_within(16, std::chrono::seconds(20));
+  CHECK(alone.outcome == PolishOutcome::tightened);
+  CHECK(ours.cost < 0.95 * alone.cost);
+  CHECK(least_gap(columns_of(*ours.path)) >= kContact);
+  options.other_plans = -1;
+  CHECK_THROWS_WITH(polish(plan, options), Catch::Contains("other_plans is a number of plans"));
 }
 
 TEST_CASE("polish: the same plan gives the same path, and OMPL finds the cost that is said") {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <leastcost/framework/base/monitor.hpp>
-#include "ompl/plan_space.hpp"
+#include "ompl/plans/plan_space.hpp"
 
 namespace leastcost {
 
@@ -19,7 +19,11 @@ Points with_shortcuts(const PlanSpace& space, const Points& x, int points, const
 Points pulled_tight(const PlanSpace& space, const Points& x, int points, const Monitor& monitor);
 
 /// Pulls a polyline tight among the walls that the space looks at: under a length of a constant metric where states are
-/// no quaternions by programs (tight_chain()), else as pulled_tight() does. Every move of what it returns is valid.
-Points pulled_among_walls(const PlanSpace& space, const Points& x, const Monitor& monitor);
+/// no quaternions by programs (tight_chain()), until a pull gains less than `gain` of the length, else as
+/// pulled_tight() does. Every move of what it returns is valid.
+Points pulled_among_walls(const PlanSpace& space, const Points& x, const Monitor& monitor, double gain = 3e-4);
+
+/// Whether every move of a polyline is valid.
+bool all_move(const PlanSpace& space, const Points& x);
 
 }  // namespace leastcost

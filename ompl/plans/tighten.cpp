@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "ompl/tighten.hpp"
+#include "ompl/plans/tighten.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <set>
 #include <utility>
 #include <vector>
@@ -20,12 +21,6 @@ constexpr double kEnough = 1e-4;  ///< relative gain of a round that is worth an
 constexpr int kMostPulls = 8;
 constexpr int kFewPoints = 20, kManyPoints = 40;               ///< of a path to be pulled by programs, and by stretches
 constexpr std::array<double, 4> kParts = {1, 0.5, 0.2, 0.05};  ///< of the way to a straight stretch
-
-bool all_move(const PlanSpace& space, const Points& x) {
-  for (Index i = 0; i + 1 < x.cols(); ++i)
-    if (!space.moves(x.col(i), x.col(i + 1))) return false;
-  return true;
-}
 
 /// Equal parts of a move, from its begin to its end. Chords of a turn do not take it evenly, so that shorter ones are
 /// other motions: where one of those is not valid, the move as a whole.
@@ -164,6 +159,12 @@ class Tightening {
 
 }  // namespace
 
+bool all_move(const PlanSpace& space, const Points& x) {
+  for (Index i = 0; i + 1 < x.cols(); ++i)
+    if (!space.moves(x.col(i), x.col(i + 1))) return false;
+  return true;
+}
+
 Points with_shortcuts(const PlanSpace& space, const Points& x, int points, const Monitor& monitor) {
   return Shortcuts(space, divided(space, x, points)).path(monitor);
 }
@@ -175,12 +176,13 @@ Points pulled_tight(const PlanSpace& space, const Points& x, int points, const M
   return tightening.path();
 }
 
-Points pulled_among_walls(const PlanSpace& space, const Points& x, const Monitor& monitor) {
+Points pulled_among_walls(const PlanSpace& space, const Points& x, const Monitor& monitor, double gain) {
   const auto* constant = find_ability<HasConstantMetric>(space.move_costs());
   if (constant == nullptr || !space.is_flat()) return pulled_tight(space, x, kManyPoints, monitor);
+  const std::shared_ptr<const Walls> seen = remembering(*space.walls());  // most looks are beside earlier ones
   return tight_chain(
-      space.domain(), *space.walls(), constant->metric(), divided(space, x, kFewPoints),
-      [&](const Points& p) { return all_move(space, p); }, {}, monitor);
+      space.domain(), seen ? *seen : *space.walls(), constant->metric(), divided(space, x, kFewPoints),
+      [&](const Points& p) { return all_move(space, p); }, {.gain = gain}, monitor);
 }
 
 }  // namespace leastcost
