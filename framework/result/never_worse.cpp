@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/domain/checks_moves.hpp>
 #include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/framework/energy/path_energy.hpp>
@@ -182,6 +183,24 @@ void refuse(const Problem& problem, const Offer& offer, const Deadline& deadline
   if (result.status == Status::certified) result.status = Status::uncertified;
 }
 
+/// Of an interrupted search, where there was no time to compare. Among obstacles nothing says that the solver's chain
+/// is clear of them, as its first path is; elsewhere sums of moves decide.
+void prefer_first(const Problem& given, Result& result) {
+  if (result.status != Status::interrupted || result.path.u.size() == 0) return;
+  if (given.manifold->shape() == Shape::polyhedral) return;  // moves that are not traced say nothing there
+  const Problem problem = as_solved(given, result.path);
+  const std::vector<CoordinatePath> ways = ways_to_deliver(problem, result);
+  if (ways.empty()) return;
+  PathEnergy energy(problem, 1);
+  const bool obstacles = find_ability<ChecksMoves>(*problem.manifold) != nullptr;
+  if (!obstacles && energy.cost(result.path) <= result.initial_cost) return;
+  const PostProcessed first = chain_as_curve(energy, ways.back());
+  if (!std::isfinite(first.curve.cost)) return;
+  result.notes.emplace_back(
+      "the first path is delivered: there was no time to compare it with the path that was found from it");
+  deliver(first, first.curve_costs, result);
+}
+
 }  // namespace
 
 bool moves_are_exact(const Problem& problem) {
@@ -207,7 +226,9 @@ Result never_worse(const Problem& problem, Result result, const FindOptions& opt
     Eigen::VectorXd costs = offer->curve.curve_costs;
     deliver(offer->curve, std::move(costs), result);
     result.post_processed = true;
-  } catch (const std::exception&) {  // the clock, or a part that throws: what there is stays
+  } catch (const Interrupted&) {
+    prefer_first(problem, result);
+  } catch (const std::exception&) {  // a part that throws: what there is stays
   }
   return result;
 }

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 // What a search delivers is never dearer and never less clear than its first path, and has its own cost.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <memory>
 #include <numbers>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -84,6 +86,32 @@ TEST_CASE("never worse: a failed search delivers its first path where that is ch
   CHECK(result.costs.sum() == Approx(1).margin(1e-12));
   CHECK(result.path.u.row(1).cwiseAbs().maxCoeff() == 0);
   CHECK_FALSE(result.certificate.failures.empty());
+}
+
+TEST_CASE("never worse: a solver that returns long after the deadline leaves the first path", "[framework]") {
+  /// Its path is dearer, or goes through the disc.
+  class Late final : public Solver {
+   public:
+    explicit Late(double shift) : spoiling_(shift) {}
+    std::string_view name() const override { return "late"; }
+
+   private:
+    SolveReport do_solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const override {
+      SolveReport report = spoiling_.solve(energy, path, monitor);
+      std::this_thread::sleep_until(*monitor.deadline + std::chrono::milliseconds(50));
+      report.termination = Termination::time_limit;
+      return report;
+    }
+    Spoiling spoiling_;
+  };
+  const Problem problem = around_disc();
+  Monitor monitor;
+  monitor.deadline = Monitor::Clock::now() + std::chrono::milliseconds(500);
+  const Result result = find_path(problem, above(), Late(GENERATE(5.0, -2.5)), {.points = 20}, monitor);
+  REQUIRE(result.status == Status::interrupted);
+  CHECK(says_first(result));
+  CHECK(measure_clearance(*problem.manifold, result.path.u, false, {})->lower >= 0);
+  CHECK(result.curve.cost <= 2 * std::sqrt(10.25) * (1 + 1e-9));
 }
 
 TEST_CASE("never worse: a cheaper path within an obstacle gives way to a dearer clear one", "[framework]") {
