@@ -318,6 +318,7 @@ const auto& obstacles() {
       plugin<ObstaclePlugin, HeightFieldOptions>(
           "height_field", "Ground in space: all that is below the heights of a raster; requires a clearance.",
           [](const HeightFieldOptions& o, const BuildContext& c) {
+            check(o);
             const RasterGrid heights = o.raster.file.empty()
                                            ? raster_of_heights(o)
                                            : read_raster(o.raster, c.folder, Resampling::bilinear, c.note);
