@@ -10,7 +10,7 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
-#include <leastcost/problems/robots/cover_mesh.hpp>
+#include "problems/robots/cover_mesh.hpp"
 
 namespace leastcost {
 namespace {

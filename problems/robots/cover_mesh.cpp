@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/problems/robots/cover_mesh.hpp>
+#include "problems/robots/cover_mesh.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include <leastcost/problems/readers/mesh_reader.hpp>
-#include <leastcost/problems/robots/cover_mesh.hpp>
+#include "problems/robots/cover_mesh.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
 #include "tests/support/pi.hpp"
