@@ -111,10 +111,9 @@ Covering cover_mesh(const std::vector<Vector3d>& points, const std::vector<std::
   for (const int count : {2, 4, 8}) {
     if (!slabs.thick()) break;
     Covering finer = slabs.covered(count);
-    if (!(volume_of(finer) < kWorth * volume_of(best))) break;
-    best = std::move(finer);
+    finer.adds = reach_beyond(finer.capsules, points);
+    if (finer.adds < kWorth * best.adds || volume_of(finer) < kWorth * volume_of(best)) best = std::move(finer);
   }
-  best.adds = reach_beyond(best.capsules, points);
   return best;
 }
 
