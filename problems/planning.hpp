@@ -33,4 +33,5 @@
 #include <leastcost/problems/shapes/cone.hpp>
 #include <leastcost/problems/shapes/cylinder.hpp>
 #include <leastcost/problems/shapes/half_space.hpp>
+#include <leastcost/problems/shapes/height_field.hpp>
 #include <leastcost/problems/shapes/point_obstacle.hpp>

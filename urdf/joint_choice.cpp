@@ -8,6 +8,7 @@
 #include <set>
 
 #include <leastcost/framework/base/errors.hpp>
+#include "framework/base/point_text.hpp"
 
 namespace leastcost {
 namespace {
@@ -96,7 +97,9 @@ class Chooser {
         throw OptionError("hold", "'" + name + "' is not a joint that moves by itself; these are: " + listed(names));
       }
       if (!(value >= joint(found).lower && value <= joint(found).upper))
-        throw OptionError("hold", "the value of '" + name + "' is outside its limits");
+        throw OptionError("hold", "the value of '" + name + "' is outside its limits, " +
+                                      short_number(joint(found).lower, 9) + " to " +
+                                      short_number(joint(found).upper, 9));
       given[name] = value;
     }
     out_.values.assign(urdf_.joints.size(), 0);

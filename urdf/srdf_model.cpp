@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <initializer_list>
 
 #include <leastcost/framework/base/errors.hpp>
 #include "urdf/xml_file.hpp"
@@ -78,6 +79,46 @@ class Groups {
   std::set<std::string> open_, virtual_;
 };
 
+/// What the file says about links that the robot does not have: passed over.
+class UnknownLinks {
+ public:
+  UnknownLinks(const std::filesystem::path& file, const UrdfModel& robot) : file_(file.string()), robot_(robot) {}
+
+  /// Whether the robot has all of them.
+  bool known(const XmlElement& element, std::initializer_list<const char*> attributes) {
+    bool all = true;
+    for (const char* attribute : attributes) {
+      const std::string name = element.text(attribute);
+      if (robot_.find_link(name) >= 0) continue;
+      all = false;
+      if (names_.empty()) first_ = file_ + ":" + std::to_string(element.line()) + ": <" + element.name() + ">";
+      names_.insert(name);
+    }
+    count_ += all ? 0 : 1;
+    return all;
+  }
+
+  std::vector<std::string> notes() const {
+    if (names_.empty()) return {};
+    constexpr std::size_t kMost = 8;  // names of a tool with many links
+    std::string list;
+    std::size_t listed = 0;
+    for (const std::string& name : names_)
+      if (listed++ < kMost) list += (list.empty() ? "'" : ", '") + name + "'";
+    if (names_.size() > kMost) list += " and " + std::to_string(names_.size() - kMost) + " others";
+    const std::string passed_over =
+        count_ == 1 ? "it is" : "it and " + std::to_string(count_ - 1) + " more elements with such names are";
+    return {first_ + " names what is not a link of " + robot_.file + "; " + passed_over + " passed over: " + list};
+  }
+
+ private:
+  std::string file_;
+  const UrdfModel& robot_;
+  std::set<std::string> names_;
+  std::string first_;
+  int count_ = 0;  ///< of elements
+};
+
 }  // namespace
 
 bool SrdfModel::checks(const std::string& link, const std::string& other) const {
@@ -102,11 +143,14 @@ SrdfModel read_srdf(const std::filesystem::path& file, const UrdfModel& robot) {
     }
     model.states.push_back(std::move(state));
   }
-  for (const XmlElement& pair : root.children("disable_collisions"))
-    model.disabled.insert(in_order(pair.text("link1"), pair.text("link2")));
-  for (const XmlElement& pair : root.children("enable_collisions"))
-    model.enabled.insert(in_order(pair.text("link1"), pair.text("link2")));
-  for (const XmlElement& link : root.children("disable_default_collisions")) model.off.insert(link.text("link"));
+  UnknownLinks links(file, robot);
+  for (const auto& [name, pairs] :
+       {std::pair{"disable_collisions", &model.disabled}, {"enable_collisions", &model.enabled}})
+    for (const XmlElement& pair : root.children(name))
+      if (links.known(pair, {"link1", "link2"})) pairs->insert(in_order(pair.text("link1"), pair.text("link2")));
+  for (const XmlElement& link : root.children("disable_default_collisions"))
+    if (links.known(link, {"link"})) model.off.insert(link.text("link"));
+  model.notes = links.notes();
   return model;
 }
 

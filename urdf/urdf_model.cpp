@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
+#include "framework/base/point_text.hpp"
 #include "urdf/xml_file.hpp"
 
 namespace leastcost {
@@ -77,12 +78,14 @@ struct ReadJoint {
   std::string mimics = {};
 };
 
+/// One that mimics another needs none: where nothing is known, files leave them out or have 0 for both.
 void read_limits(const XmlElement& element, UrdfJoint& joint) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   const auto limit = element.child("limit");
   if (const auto velocity = limit ? limit->number("velocity") : std::nullopt; velocity && *velocity > 0)
     joint.velocity = *velocity;  // many files have 0 where nothing is known
-  if (joint.type == "continuous") {
+  const bool known = limit && (limit->number("lower").value_or(0) != 0 || limit->number("upper").value_or(0) != 0);
+  if (joint.type == "continuous" || (joint.mimic && !known)) {
     joint.lower = joint.soft_lower = -kNone;
     joint.upper = joint.soft_upper = kNone;
     return;
@@ -138,12 +141,9 @@ ReadJoint joint_of(const XmlElement& element, const UrdfModel& model) {
   }
   if (const auto mimic = element.child("mimic")) {
     read.mimics = mimic->text("joint");
-    if (const auto limit = element.child("limit"))
-      if (const auto velocity = limit->number("velocity"); velocity && *velocity > 0) joint.velocity = *velocity;
     joint.mimic = UrdfMimic{-1, mimic->number("multiplier").value_or(1), mimic->number("offset").value_or(0)};
-  } else {
-    read_limits(element, joint);
   }
+  read_limits(element, joint);
   return read;
 }
 
@@ -172,6 +172,44 @@ void resolve_mimics(std::vector<ReadJoint>& joints) {
     read.joint.mimic->joint = all.joint;
     read.joint.mimic->offset = all.offset;
     read.joint.mimic->factor = all.factor;
+  }
+}
+
+/// A joint that others mimic goes no farther than they can follow it.
+void keep_mimics_within_limits(std::vector<ReadJoint>& joints, UrdfModel& model) {
+  for (const ReadJoint& read : joints) {
+    const UrdfJoint& follower = read.joint;
+    if (!follower.mimic) continue;
+    const auto [number, factor, offset] = *follower.mimic;
+    UrdfJoint& leader = joints[static_cast<std::size_t>(number)].joint;
+    if (factor == 0) {
+      if (offset < follower.lower || offset > follower.upper)
+        read.element.fail("the joint '" + follower.name +
+                          "' always stands at its offset, as its multiplier is 0, and " + short_number(offset, 9) +
+                          " is outside its limits");
+      continue;
+    }
+    const double lower = leader.lower, upper = leader.upper;
+    const auto cut = [factor = factor, offset = offset](double least, double most, double& low, double& high) {
+      const double a = (least - offset) / factor, b = (most - offset) / factor;
+      low = std::max(low, std::min(a, b));
+      high = std::min(high, std::max(a, b));
+    };
+    cut(follower.lower, follower.upper, leader.lower, leader.upper);
+    cut(follower.lower, follower.upper, leader.soft_lower, leader.soft_upper);
+    cut(follower.soft_lower, follower.soft_upper, leader.soft_lower, leader.soft_upper);
+    if (leader.lower > leader.upper)
+      read.element.fail("the joint '" + follower.name + "' mimics '" + leader.name +
+                        "', whose limits leave no place where it is within its own limits");
+    if (leader.soft_lower > leader.soft_upper) {  // soft limits that cannot be kept together say nothing
+      leader.soft_lower = leader.lower;
+      leader.soft_upper = leader.upper;
+    }
+    if (leader.lower == lower && leader.upper == upper) continue;
+    model.notes.push_back(model.file + ":" + std::to_string(read.element.line()) + ": the limits of the joint '" +
+                          follower.name + "', which mimics '" + leader.name + "', leave that one " +
+                          short_number(leader.lower, 9) + " to " + short_number(leader.upper, 9) + " of " +
+                          short_number(lower, 9) + " to " + short_number(upper, 9));
   }
 }
 
@@ -267,6 +305,7 @@ UrdfModel read_urdf(const std::filesystem::path& file) {
     if (!names.insert(name).second) element.fail("a second joint '" + name + "': give each another name");
   }
   resolve_mimics(joints);
+  keep_mimics_within_limits(joints, model);
   make_tree(std::move(joints), robot, model);
   return model;
 }

@@ -57,7 +57,8 @@ struct UrdfJoint {
   int parent = -1, child = -1;  ///< links
   Eigen::Affine3d origin = Eigen::Affine3d::Identity();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
-  double lower = 0, upper = 0;                                ///< infinite for a continuous one
+  /// Infinite for a continuous one. Of one that others mimic: where they are within their limits, too.
+  double lower = 0, upper = 0;
   double soft_lower = 0, soft_upper = 0;                      ///< the same, narrowed by its safety_controller
   double velocity = std::numeric_limits<double>::infinity();  ///< per s; infinite: the file says none
   std::optional<UrdfMimic> mimic = {};                        ///< of one that follows another
@@ -71,6 +72,7 @@ struct UrdfModel {
   std::vector<UrdfLink> links;
   std::vector<UrdfJoint> joints;  ///< of a tree, parents before children, each branch down to its end
   int root = 0;
+  std::vector<std::string> notes = {};  ///< for people: where it is not taken as it stands
 
   int find_link(const std::string& name) const;  ///< -1: there is none
   int find_joint(const std::string& name) const;

@@ -44,6 +44,13 @@ class RobotBuilder {
     if (!options.srdf.empty()) srdf_ = read_srdf(folder / options.srdf, urdf_);
   }
 
+  /// Of its files.
+  std::vector<std::string> notes() const {
+    std::vector<std::string> all = urdf_.notes;
+    if (srdf_) all.insert(all.end(), srdf_->notes.begin(), srdf_->notes.end());
+    return all;
+  }
+
   std::shared_ptr<const Robot> build() {
     choice_ = choose_joints(options_, urdf_, srdf_ ? &*srdf_ : nullptr);
     tree_.lower = choice_.lower;
@@ -219,10 +226,14 @@ std::string tinyxml2_version() {
          std::to_string(TINYXML2_PATCH_VERSION);
 }
 
-std::shared_ptr<const Robot> make_urdf_robot(const UrdfRobotOptions& options, const std::filesystem::path& folder) {
+std::shared_ptr<const Robot> make_urdf_robot(const UrdfRobotOptions& options, const std::filesystem::path& folder,
+                                             const std::function<void(std::string)>& note) {
   for (const auto& [key, value] : {std::pair{"base.position", &options.position}, {"base.rpy", &options.rpy}})
     if (value->size() != 3 || !value->allFinite()) throw OptionError(key, "must be three finite numbers");
-  return RobotBuilder(options, folder).build();
+  RobotBuilder builder(options, folder);
+  if (note)
+    for (const std::string& text : builder.notes()) note(text);
+  return builder.build();
 }
 
 }  // namespace leastcost

@@ -61,7 +61,7 @@ void check_pairs(LoadedConfig& loaded) {
            "'files' is for runs of one path: remove it; runs of many pairs write paths.jsonl and result.json");
   if (config.waypoints.wanted())
     refuse("output.waypoints", "waypoints are for runs of one path, not for pairs: remove them");
-  if (config.trajectory.wanted())
+  if (config.wants_trajectory())
     refuse("output.trajectory", "a trajectory is for runs of one path, not for pairs: remove it");
 }
 

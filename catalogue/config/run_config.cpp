@@ -117,7 +117,12 @@ void RunConfig::fields(RunVisitor& visit) {
         "trajectory",
         {.help = "Also write trajectory.csv and trajectory.json: the quickest motion along the path under limits of "
                  "velocity and acceleration, from rest to rest."},
-        [&](RunVisitor& t) { trajectory.fields(t); });
+        [&](RunVisitor& t) {
+          trajectory.fields(t);
+          t.file("limits", joint_limits,
+                 {.help = "A joint_limits.yaml of MoveIt: limits of what is not given here, by the names of joints; it "
+                          "goes before those of the robot's file."});
+        });
   });
 }
 

@@ -66,9 +66,11 @@ struct RunConfig {
   bool pair_points = false;                  ///< the lines of a run of pairs have the points of the paths
   WaypointOptions waypoints;                 ///< of the output
   TrajectoryOptions trajectory;              ///< of the output
+  std::string joint_limits;                  ///< file of limits for it; empty: none
 
   void fields(RunVisitor& visit);
   bool has_pairs() const { return !pairs.empty(); }
+  bool wants_trajectory() const { return trajectory.wanted() || !joint_limits.empty(); }
   /// Whether a run writes what one of kRunFiles stands for.
   bool writes(std::string_view file) const;
 };

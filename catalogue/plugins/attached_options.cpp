@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
+#include "problems/robots/cover_mesh.hpp"
 
 namespace leastcost {
 namespace {
@@ -51,7 +53,15 @@ Covering shape_of(const AttachedOptions& object, const std::filesystem::path& fo
     case Form::mesh: break;
   }
   if (object.file.empty()) throw OptionError("file", "is missing: a mesh has one");
-  return cover_points(read_mesh(folder / object.file).positions);
+  const PolygonSoup mesh = read_mesh(folder / object.file);
+  std::vector<std::array<std::int32_t, 3>> faces;
+  for (std::size_t p = 0; p + 1 < mesh.polygon_begin.size(); ++p) {
+    const auto begin = static_cast<std::size_t>(mesh.polygon_begin[p]),
+               end = static_cast<std::size_t>(mesh.polygon_begin[p + 1]);
+    for (std::size_t k = begin + 2; k < end; ++k)
+      faces.push_back({mesh.corners[begin], mesh.corners[k - 1], mesh.corners[k]});
+  }
+  return cover_mesh(mesh.positions, faces);
 }
 
 /// Options of other shapes, which would be passed over.
@@ -95,7 +105,7 @@ void AttachedOptions::fields(FieldVisitor& visit) {
   visit.field("height", height, {.help = "Of a cylinder, along its z axis.", .unit = "length", .minimum = 0});
   visit.field("from", from, {.help = "Of a capsule: one end of its axis.", .unit = "length"});
   visit.field("to", to, {.help = "Of a capsule: the other end.", .unit = "length"});
-  visit.file("file", file, {.help = "Of a mesh: OBJ, OFF, PLY or STL; one capsule covers it."});
+  visit.file("file", file, {.help = "Of a mesh: OBJ, OFF, PLY or STL; it is taken as solid."});
   visit.group("pose", {.help = "Position and rotation of its frame in that of the link."},
               [&](FieldVisitor& inner) { pose.fields(inner); });
   visit.field(

@@ -63,6 +63,7 @@
 #include <leastcost/problems/shapes/cone.hpp>
 #include <leastcost/problems/shapes/cylinder.hpp>
 #include <leastcost/problems/shapes/half_space.hpp>
+#include <leastcost/problems/shapes/height_field.hpp>
 #include <leastcost/problems/shapes/point_obstacle.hpp>
 #include <leastcost/solvers/georce.hpp>
 #include <leastcost/solvers/gradient_descent.hpp>
@@ -321,6 +322,17 @@ const auto& obstacles() {
             return Obstacles{make_mesh_obstacle(o, c.folder)};
           })
           .waiting(),
+      plugin<ObstaclePlugin, HeightFieldOptions>(
+          "height_field", "Ground in space: all that is below the heights of a raster; requires a clearance.",
+          [](const HeightFieldOptions& o, const BuildContext& c) {
+            check(o);
+            const RasterGrid heights = o.raster.file.empty()
+                                           ? raster_of_heights(o)
+                                           : read_raster(o.raster, c.folder, Resampling::bilinear, c.note);
+            return Obstacles{make_height_field(heights, o)};
+          })
+          .waiting()
+          .checked_by<HeightFieldOptions>([](const HeightFieldOptions& o, const BuildContext&) { check(o); }),
       plugin<ObstaclePlugin, PointObstacleOptions>("points",
                                                    "A point cloud in space: all places within a radius of a point.",
                                                    [](const PointObstacleOptions& o, const BuildContext& c) {

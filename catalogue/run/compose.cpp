@@ -25,6 +25,7 @@
 #include <leastcost/problems/robots/robot_trajectory.hpp>
 #include "catalogue/config/choice_options.hpp"
 #include "catalogue/config/config_facts.hpp"
+#include "catalogue/inputs/joint_limits.hpp"
 #include "catalogue/plugins/kinds.hpp"
 #include "catalogue/registry/registry.hpp"
 #include "catalogue/run/cheapest_image.hpp"
@@ -50,12 +51,18 @@ void fill_options(const RunConfig& config, RunParts& out) {
   out.waypoints = config.waypoints;
 }
 
-/// Its limits, of a robot those of its file where none are given. Before the path is sought: throws OptionError for
-/// limits that do not fit the domain.
-TrajectoryOptions trajectory_of(const TrajectoryOptions& given, const Problem& problem, const Robot* robot) {
-  if (!given.wanted()) return given;
+/// Its limits; where none are given those of a file of joint limits, then of that of the robot. Before the path is
+/// sought: throws OptionError for limits that do not fit the domain.
+TrajectoryOptions trajectory_of(const RunConfig& config, const Problem& problem, const BuildContext& context) {
+  TrajectoryOptions wanted = config.trajectory;
+  if (!config.wants_trajectory()) return wanted;
   try {
-    TrajectoryOptions wanted = robot != nullptr ? with_limits_of(*robot, given) : given;
+    const Robot* robot = context.robot.get();
+    if (!config.joint_limits.empty()) {
+      if (robot == nullptr) throw OptionError("limits", "has limits of joints, but there is no robot: give 'robot'");
+      wanted = with_joint_limits(context.folder / config.joint_limits, *robot, std::move(wanted), context.note);
+    }
+    if (robot != nullptr) wanted = with_limits_of(*robot, std::move(wanted));
     check_trajectory(problem, wanted);
     return wanted;
   } catch (const OptionError& error) {
@@ -197,6 +204,10 @@ void Composer::check_memory(const Dimensions& dimensions) {
   });
 }
 
+void Composer::take_trajectory() {
+  attempt([&] { out_.trajectory = trajectory_of(config_, out_.problem, context_); });
+}
+
 void Composer::take_domain() {
   const ConstraintManifold& manifold = *out_.problem.manifold;
   open_domain_ = out_.problem.manifold;
@@ -211,7 +222,7 @@ void Composer::take_domain() {
   out_.problem.ring = config_.ring;
   out_.problem.based = config_.ring && config_.source.has_value();
   out_.robot = context_.robot;
-  attempt([&] { out_.trajectory = trajectory_of(config_.trajectory, out_.problem, out_.robot.get()); });
+  if (!config_.robot || context_.robot) take_trajectory();
   if (config_.has_pairs()) context_.source = Eigen::VectorXd::Zero(dimension);  // every pair has its own
   if (config_.has_pairs() || (config_.ring && !out_.problem.based)) return;
   if (wants_place_of_cost(config_, dimension) && !out_.problem.cost)  // the raster says where on the Earth ends are
@@ -381,6 +392,7 @@ void Composer::make_from_options() {
 
 void Composer::make_from_files(const BuildProgress& progress) {
   files_ = true;
+  const bool robot_waited = config_.robot && !context_.robot && out_.problem.manifold != nullptr;
   make_robot();
   if (config_.robot && !context_.robot && waits_for<ManifoldPtr>(config_.manifold) == WaitsFor::robot)
     return;  // what was wrong with the robot has been said
@@ -393,6 +405,9 @@ void Composer::make_from_files(const BuildProgress& progress) {
     if (!attempt([&] { out_.problem.manifold = make<ManifoldPtr>(config_.manifold, reading); })) return;
     read_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     take_domain();
+  } else if (robot_waited && context_.robot) {
+    out_.robot = context_.robot;
+    take_trajectory();
   }
   if (!obstacles_placed_) place_obstacles();
   place_goals();

@@ -52,6 +52,7 @@ class Composer {
   void assume_domain();
   void check_all_needs();
   void check_memory(const Dimensions& dimensions);
+  void take_trajectory();
   void take_domain();
   void place_obstacles();
   bool obstacles_wait(bool voids_wait) const;

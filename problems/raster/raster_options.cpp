@@ -117,11 +117,11 @@ std::string RasterGrid::name_of(int row, int column) const {
   return "row " + std::to_string(rows - 1 - row) + ", column " + std::to_string(column) + " of " + source;
 }
 
-void RasterOptions::fields(FieldVisitor& visit) {
+void RasterOptions::fields(FieldVisitor& visit, bool required) {
   visit.file("file", file,
              {.help = "Raster: an ESRI ASCII grid (.asc), a table of numbers whose first line is the northernmost row "
                       "(.csv), or, in builds with GDAL, any raster that GDAL reads (.tif).",
-              .required = true});
+              .required = required});
   visit.field(
       "cell", cell,
       {.help = "Side length of a cell, [25], or lengths along x and y, [25, 30]; default: from the file, or [1].",

@@ -19,7 +19,8 @@ struct RasterOptions {
   std::optional<double> nodata = {};
   double value_scale = 1;
   bool degrees = false;  ///< the file is in longitude and latitude
-  void fields(FieldVisitor& visit);
+  /// `required`: whether there has to be a file.
+  void fields(FieldVisitor& visit, bool required = true);
 };
 
 /// Throws OptionError for options that cannot be, whatever the file says.

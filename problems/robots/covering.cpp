@@ -201,12 +201,20 @@ Covering cover_points(const Corners& points) {
   // The proof: all points, not only those of the fit.
   const double radius = rounded_up(radius_around(points, ends), size + ends.cwiseAbs().maxCoeff());
   Covering out{{{0, ends.head<3>(), ends.tail<3>(), radius}}, 0};
-  for (const Vector3d& way : spread_directions(400)) {
-    double farthest = -std::numeric_limits<double>::infinity();
-    for (const Vector3d& point : outer) farthest = std::max(farthest, way.dot(point));
-    out.adds = std::max(out.adds, std::max(way.dot(ends.head<3>()), way.dot(ends.tail<3>())) + radius - farthest);
-  }
+  out.adds = reach_beyond(out.capsules, outer);
   return out;
+}
+
+double reach_beyond(const std::vector<Capsule>& capsules, const Corners& points) {
+  double most = 0;
+  for (const Vector3d& way : spread_directions(400)) {
+    double of_points = -std::numeric_limits<double>::infinity(), of_capsules = of_points;
+    for (const Vector3d& point : points) of_points = std::max(of_points, way.dot(point));
+    for (const Capsule& one : capsules)
+      of_capsules = std::max(of_capsules, std::max(way.dot(one.from), way.dot(one.to)) + one.radius);
+    most = std::max(most, of_capsules - of_points);
+  }
+  return most;
 }
 
 }  // namespace leastcost

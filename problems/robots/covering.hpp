@@ -31,4 +31,7 @@ Covering cover_box(const Eigen::Vector3d& size);
 /// finite.
 Covering cover_points(const std::vector<Eigen::Vector3d>& points);
 
+/// How far capsules reach out of the convex hull of points, at most of 400 directions.
+double reach_beyond(const std::vector<Capsule>& capsules, const std::vector<Eigen::Vector3d>& points);
+
 }  // namespace leastcost

@@ -441,6 +441,41 @@ class obstacle:
         )
 
     @staticmethod
+    def height_field(
+        *,
+        file: File | None = None,
+        cell: ArrayLike | None = None,
+        origin: ArrayLike | None = None,
+        nodata: float | None = None,
+        value_scale: float | None = None,
+        degrees: bool | None = None,
+        heights: ArrayLike | None = None,
+        depth: float | None = None,
+        pose: Mapping[str, Any] | None = None,
+    ) -> dict[str, Any]:
+        """Ground in space: all that is below the heights of a raster; requires a clearance.
+
+        file: Raster: an ESRI ASCII grid (.asc), a table of numbers whose first line is the northernmost row (.csv), or,
+          in builds with GDAL, any raster that GDAL reads (.tif).
+        cell: Side length of a cell, [25], or lengths along x and y, [25, 30]; default: from the file, or [1]. [length]
+          (> 0)
+        origin: Position (x, y) of the lower left corner of the raster; default: from the file, or (0, 0). [length]
+        nodata: Value that marks missing data; default: from the file.
+        value_scale: Factor by which values are multiplied: 0.3048 converts feet to metres. (default: 1)
+        degrees: Whether cell and origin, from the file or given here, are longitude and latitude in degrees. Points are
+          then metres east and north of the lower left corner, on WGS84, exact at the raster's centre. Default: from the
+          CRS of the file, or the .prj beside it. (default: false)
+        heights: Instead of a file: rows of heights, the northernmost first. [length]
+        depth: How far the ground reaches down below its least height; default: the diagonal of the field. [length] (>
+          0)
+        pose: Position and rotation of the shape's frame. (with position, rpy, quaternion, rotation, angle)
+        """
+        return _block(
+            "height_field", file=file, cell=cell, origin=origin, nodata=nodata, value_scale=value_scale,
+            degrees=degrees, heights=heights, depth=depth, pose=pose
+        )
+
+    @staticmethod
     def points(*, file: File, radius: float, pose: Mapping[str, Any] | None = None) -> dict[str, Any]:
         """A point cloud in space: all places within a radius of a point.
 

@@ -162,4 +162,35 @@ TEST_CASE("robots of others: an end beyond the limits of a joint is refused with
              Contains("a.yaml:6") && Contains("coordinate 1 is 2.9, but must be between -2.5 and 2.5"));
 }
 
+TEST_CASE("robots of others: an arm of six joints from URDF and SRDF on a bench - with limits of MoveIt") {
+  const std::string text = R"(manifold: robot
+robot: {type: urdf, file: six_axis.urdf, srdf: six_axis.srdf, group: manipulator}
+obstacles: [{type: scene, file: bench.yaml}]
+clearance: 0.005
+cost: euclidean
+ends: {source: {state: pick}, target: {state: place}}
+output: {trajectory: {limits: six_axis_joint_limits.yaml}}
+)";
+  const RunOutcome outcome = solve(parse_run(text, "a.yaml", strangers_folder()));
+  const Result& result = outcome.result;
+  CHECK(result.status == Status::certified);
+  REQUIRE(result.path.u.rows() == 6);
+  const Vector3d y = Vector3d::UnitY(), z = Vector3d::UnitZ();
+  const double nearest = least_value_along(result.path.u, [&](const VectorXd& q) {
+    const Isometry3d upper = moved_by(0, 0, 0.09) * turned_by(q[0], z) * moved_by(0, 0.13, 0) * turned_by(q[1], y);
+    const Isometry3d forearm = upper * moved_by(0, -0.12, 0.42) * turned_by(q[2], y);
+    const Isometry3d wrist = forearm * moved_by(0, 0, 0.39) * turned_by(q[3], y);
+    const auto outside = [](const Vector3d& ball) {  // of the wall between the bins
+      return ((ball - Vector3d(0.6, 0, 0.12)).cwiseAbs() - Vector3d(0.15, 0.02, 0.125)).cwiseMax(0).norm();
+    };
+    return std::min(outside(wrist * Vector3d(0, 0.04, 0)) - 0.06, outside(forearm * Vector3d(0, 0, 0.41)) - 0.045);
+  });
+  CHECK(nearest > 0.005 - 1e-9);
+  CHECK(nearest < 0.02);  // it was in the way
+  REQUIRE(outcome.trajectory.has_value());
+  const Eigen::VectorXd fastest = outcome.trajectory->velocity.cwiseAbs().rowwise().maxCoeff();
+  CHECK((fastest.array() <= (VectorXd(6) << 1.5, 1.5, 1.5, 1.6, 1.6, 1.6).finished().array() + 1e-9).all());
+  CHECK(fastest[0] > 0.5);
+}
+
 }  // namespace leastcost::test

@@ -4,6 +4,7 @@
 // What a robot carries (`robot: {attached: ..}`), and what the files of a robot say besides: velocities, names, goals.
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -130,6 +131,23 @@ TEST_CASE("attached: what does not fit is named with its place") {
   CHECK_THAT(with("[0.1, 0.06, 0.2]", "[0.1, 0, 0.2]"), Contains("a.yaml:2"));
   CHECK_THAT(with("type: box", "type: bag"), Contains("must be one of: box, ball"));
   CHECK_THAT(with("type: box, size: [0.1, 0.06, 0.2]", "type: mesh, file: gone.obj"), Contains("gone.obj"));
+}
+
+TEST_CASE("attached: a mesh is covered by several capsules - the note says how far they reach out of it") {
+  const ScratchDir dir;
+  {
+    std::ofstream file(dir / "crate.obj");  // 0.1 x 0.06 x 0.2
+    for (int i = 0; i < 8; ++i)
+      file << "v " << ((i & 1) != 0 ? 0.05 : -0.05) << ' ' << ((i & 2) != 0 ? 0.03 : -0.03) << ' '
+           << ((i & 4) != 0 ? 0.1 : -0.1) << '\n';
+    file << "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+  }
+  const std::string mesh = "type: mesh, file: " + (dir / "crate.obj").string();
+  const Run run =
+      parse_run(carrying_arm(replaced(kBox, "type: box, size: [0.1, 0.06, 0.2]", mesh)), "a.yaml", attached_folder());
+  const Robot& robot = *run.parts.robot;
+  CHECK(std::count(robot.owners.begin(), robot.owners.end(), "crate") > 1);
+  CHECK_THAT(robot.whose, Contains("of crate with capsules that reach out of it by at most "));
 }
 
 TEST_CASE("trajectory of a robot: velocities and names of its URDF - acceleration is asked for") {

@@ -21,6 +21,7 @@
 #include <leastcost/problems/shapes/cone.hpp>
 #include <leastcost/problems/shapes/cylinder.hpp>
 #include <leastcost/problems/shapes/half_space.hpp>
+#include <leastcost/problems/shapes/height_field.hpp>
 #include <leastcost/problems/shapes/point_obstacle.hpp>
 #include "catalogue/inputs/planning_scene.hpp"
 #include "tests/problems/sample_meshes.hpp"
@@ -145,6 +146,15 @@ TEST_CASE("obstacle contract: cone") {
 TEST_CASE("obstacle contract: half_space") {
   check_obstacle(*make_half_space({Vector2d(1, 2), 0.3}));
   check_obstacle(*make_half_space({Vector3d(1, -2, 0.5), -0.3}));
+}
+
+TEST_CASE("obstacle contract: height_field") {
+  RasterGrid raster = test::raster_of(7, 6, [](double x, double y) { return 0.4 * std::sin(3 * x) - 0.3 * y; });
+  raster.corner << -1.5, -0.9;
+  HeightFieldOptions options;
+  options.depth = 0.8;
+  options.pose.rpy = Vector3d(0.2, -0.3, 1);
+  check_obstacle(*make_height_field(raster, options));
 }
 
 TEST_CASE("obstacle contract: points") {

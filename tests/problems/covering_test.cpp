@@ -4,12 +4,15 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <random>
 #include <string>
 #include <vector>
 
 #include <leastcost/problems/readers/mesh_reader.hpp>
+#include "problems/robots/cover_mesh.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
 #include "tests/support/pi.hpp"
@@ -133,6 +136,52 @@ TEST_CASE("covering: the meshes of arms get capsules about as large as those of 
     CHECK(volume(cover.capsules[0]) < most);
     CHECK(cover.adds < 0.06);
   }
+}
+
+TEST_CASE("covering: a bent solid is covered by several capsules - also inside") {
+  // An L of two arms, 0.3 long and 0.05 thick, somewhere in space.
+  const std::vector<Eigen::Vector2d> outline = {{0, 0}, {0.3, 0}, {0.3, 0.05}, {0.05, 0.05}, {0.05, 0.3}, {0, 0.3}};
+  const Eigen::Isometry3d pose =
+      Eigen::Translation3d(0.4, -1, 2) * Eigen::AngleAxisd(0.7, Vector3d(1, 2, -1).normalized());
+  std::vector<Vector3d> points;
+  for (const double y : {0.0, 0.05})
+    for (const Eigen::Vector2d& at : outline) points.push_back(pose * Vector3d(at[0], y, at[1]));
+  std::vector<std::array<std::int32_t, 3>> faces;
+  for (std::int32_t k = 0; k < 6; ++k) {
+    const std::int32_t next = (k + 1) % 6;
+    faces.push_back({k, next, next + 6});
+    faces.push_back({k, next + 6, k + 6});
+  }
+  for (std::int32_t k = 1; k < 5; ++k)
+    for (const std::int32_t side : {0, 6}) faces.push_back({side, side + k, side + k + 1});
+  const Covering cover = cover_mesh(points, faces), one = cover_points(points);
+  CHECK(cover.capsules.size() >= 2);
+  CHECK(cover.capsules.size() <= 8);
+  double all = 0;
+  for (const Capsule& capsule : cover.capsules) all += volume(capsule);
+  CHECK(all < 0.6 * volume(one.capsules[0]));
+  CHECK(cover.adds < one.adds);
+  for (const Vector3d& point : points) CHECK(outside(cover, point) <= 0);
+  std::mt19937 engine(9);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int k = 0; k < 4000; ++k) {
+    Vector3d place(0.3 * unit(engine), 0.05 * unit(engine), 0.05 * unit(engine));
+    if (k % 2 == 0) std::swap(place[0], place[2]);
+    CHECK(outside(cover, pose * place) <= 0);
+  }
+  // As far beyond the hull as is said, nearly.
+  double beyond = 0;
+  for (int k = 0; k < 4000; ++k) {
+    const Vector3d way = random_way(engine);
+    double farthest = -1e300;
+    for (const Vector3d& point : points) farthest = std::max(farthest, way.dot(point));
+    beyond = std::max(beyond, support(cover, way) - farthest);
+  }
+  CHECK(beyond == Approx(cover.adds).epsilon(0.1));
+  CHECK(cover_mesh(points, {}).capsules.size() >= 1);
+  CHECK(refused_key([&] { cover_mesh(points, {{0, 1, 12}}); }) == "faces");
+  CHECK(refused_key([&] { cover_mesh({}, {}); }) == "points");
+  CHECK(cover_mesh({Vector3d(1, 2, 3)}, {{0, 0, 0}}).capsules.size() == 1);
 }
 
 }  // namespace leastcost::test
