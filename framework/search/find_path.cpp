@@ -11,7 +11,6 @@
 #include "framework/result/never_worse.hpp"
 #include "framework/search/add_global_proof.hpp"
 #include "framework/search/begin.hpp"
-#include "framework/search/near_limit.hpp"
 #include "framework/search/run_search.hpp"
 #include "framework/search/with_more_points.hpp"
 
@@ -27,7 +26,7 @@ Result search_for(const Problem& problem, const Eigen::VectorXd& near, const Beg
   const Search search{asked.solver, options, asked.monitor, asked.begun};
   if (!search.options.target_as_given && near.size() > 0) name_target_near(near, named);
   Result found = run_search(named, begin, search);
-  found = near_limit(named, with_more_points(named, std::move(found), search), search);
+  found = with_more_points(named, std::move(found), search);
   add_notes(notes, found.notes);
   return never_worse(named, std::move(found), search.options, grace_deadline(search.monitor.deadline, search.begun, 2));
 }
