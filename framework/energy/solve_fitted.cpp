@@ -16,9 +16,9 @@ constexpr int kMostFits = 16;
 constexpr int kMostUnsolved = 2;  ///< fits to a chain that is not at rest say little
 
 /// Onto the domain, but for the ends of an open path, which are given.
-void project_free(const ConstraintManifold& manifold, CoordinatePath& path, const Deadline& deadline) {
+void project_free(const ConstraintManifold& manifold, CoordinatePath& path, const Monitor& monitor) {
   CoordinatePath moved = path;
-  project(manifold, moved, deadline);
+  project(manifold, moved, monitor);
   const Index first = path.free_begin(), count = path.free_count();
   path.u.middleCols(first, count) = moved.u.middleCols(first, count);
 }
@@ -47,7 +47,7 @@ FittedSolve solve_fitted(Problem problem, const Solver& solver, double reference
   Points agreed;  // the chain to which the domain was fitted without a change: looking again would say the same
   if (fits) {     // to the path as it is, too: a move through an obstacle could not be drawn out of it
     problem.manifold = domain->unfitted(path, agreement);
-    project_free(*problem.manifold, path, monitor.deadline);
+    project_free(*problem.manifold, path, monitor);
     space_pushed(problem, path, monitor.deadline);
     auto fitted = find_ability<FitsSegments>(*problem.manifold)->fitted(path);
     if (fitted != nullptr)
@@ -59,7 +59,7 @@ FittedSolve solve_fitted(Problem problem, const Solver& solver, double reference
   int unsolved = 0;
   for (int k = 0;; ++k) {
     if (fits && agreed.size() == 0) {
-      project_free(*problem.manifold, path, monitor.deadline);
+      project_free(*problem.manifold, path, monitor);
       space_pushed(problem, path, monitor.deadline);
     }
     PathEnergy energy(problem, reference_cost, monitor.deadline);

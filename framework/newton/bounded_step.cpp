@@ -15,13 +15,35 @@ namespace {
 constexpr Index kLooksAtOnce = 16;  ///< between two looks at the clock
 constexpr double kPassed = 0.01;    ///< of a point's move: so far beyond a bound it is worth a program
 constexpr double kHeeded = 2;       ///< of the largest move: bounds farther away than that stay out of the program
+constexpr double kBeside = 0.1;     ///< of the largest move: bounds so near to the end of a step enter it at once
+constexpr double kOver = 1e-9;      ///< of the largest move: a bound that is passed over by less is not
+constexpr int kMostRounds = 20;     ///< in which bounds enter the program
+constexpr Index kManyBounds = 16;   ///< of a point, within reach of the model's own step
+constexpr double kFirstStep = 8;    ///< segments: how far a first step goes among so many
 constexpr double kEndsOn = 1e-7;    ///< of the largest move: nearer to a bound than that a step ends on it
 constexpr double kFewer = 16;       ///< less is added to a Hessian that shortened too much
+
+double longest_segment(const CoordinatePath& open) {
+  return (open.u.rightCols(open.u.cols() - 1) - open.u.leftCols(open.u.cols() - 1)).colwise().norm().maxCoeff();
+}
 
 }  // namespace
 
 BoundedStep::BoundedStep(PathEnergy& energy)
     : energy_(energy), bounds_(find_ability<SeesBounds>(*energy.problem().manifold)) {}
+
+/// Of a first step, which no radius keeps short: by some of the points, for a look at all of them is what it is to
+/// spare.
+bool BoundedStep::reaches_many_bounds(const CoordinatePath& path, const Points& moves) const {
+  constexpr Index kEvery = 8;
+  Index looked = 0, found = 0;
+  std::vector<NearBound> near;
+  for (Index i = 0; i < moves.cols(); i += kEvery, ++looked) {
+    bounds_->bounds_within(path, path.free_begin() + i, moves.col(i).norm(), near);
+    found += static_cast<Index>(near.size());
+  }
+  return found > kManyBounds * looked;
+}
 
 /// Looks beside each point as far as it or a neighbour moves.
 bool BoundedStep::passes_bounds(const CoordinatePath& path, const Points& moves) {
@@ -97,6 +119,7 @@ bool BoundedStep::shorten(const Eigen::VectorXd& gradient) {
 /// Lengths are in units of the largest move, energies in those of the model's decrease.
 bool BoundedStep::solve(const CoordinatePath& path, const ChainModel& model) {
   if (bounds_ == nullptr || path.ring) return false;
+  if (!std::isfinite(radius_) && reaches_many_bounds(path, model.moves)) radius_ = kFirstStep * longest_segment(path);
   moves_ = model.moves;
   double gain = model.decrement;
   Eigen::VectorXd gradient;
@@ -118,23 +141,55 @@ bool BoundedStep::solve(const CoordinatePath& path, const ChainModel& model) {
     if (!find_hessian(path, model)) return false;
     energy_.to_tangent(frames_, model.gradient, gradient);
   }
-  const int k = hessian_.block();
-  const Index n = hessian_.count();
   scaled_.set_zero();
   scaled_.add(length * length / gain, hessian_);
-  ChainHalfSpaces rows(k);
-  for (Index i = 0; i < n; ++i)
-    for (const NearBound& bound : near_[static_cast<std::size_t>(i)])
-      if (bound.gap <= kHeeded * bound.slope.norm() * length)
-        rows.add(i, frames_.bases.middleCols(k * i, k).transpose() * bound.slope, -std::max(0.0, bound.gap) / length);
-  const std::optional<Eigen::VectorXd> z =
-      least_of_chain(scaled_, -length / gain * gradient, rows, Eigen::VectorXd::Zero(k * n), energy_.deadline());
-  energy_.count({.linear_solves = 1});
+  const std::optional<Eigen::VectorXd> z = least_within_bounds(length, -length / gain * gradient);
   if (!z) return false;
   energy_.from_tangent(frames_, length * *z, moves_);
   slope_ = length * gradient.dot(*z);
   end_on_bounds(length);
   return slope_ < 0;
+}
+
+/// Few of the bounds within reach hold a point. The program begins with those that the model's own step comes to, and
+/// takes up others as its solutions pass over them: the last solution is that with all of them.
+std::optional<Eigen::VectorXd> BoundedStep::least_within_bounds(double length, const Eigen::VectorXd& force) {
+  const int k = hessian_.block();
+  const Index n = hessian_.count();
+  std::vector<NearBound> waiting;
+  std::vector<Index> points;
+  for (Index i = 0; i < n; ++i)
+    for (const NearBound& bound : near_[static_cast<std::size_t>(i)]) {
+      if (!(bound.gap <= kHeeded * bound.slope.norm() * length)) continue;
+      waiting.push_back(bound);
+      points.push_back(i);
+    }
+  ChainHalfSpaces rows(k);
+  Points moves = moves_;
+  double beside = kBeside;
+  std::optional<Eigen::VectorXd> z;
+  for (int round = 0; round < kMostRounds; ++round) {
+    std::size_t left = 0;
+    for (std::size_t j = 0; j < waiting.size(); ++j) {
+      const NearBound& bound = waiting[j];
+      const double gap = std::max(0.0, bound.gap);
+      if (gap + bound.slope.dot(moves.col(points[j])) < beside * length * bound.slope.norm()) {
+        rows.add(points[j], frames_.bases.middleCols(k * points[j], k).transpose() * bound.slope, -gap / length);
+        continue;
+      }
+      if (left < j) waiting[left] = std::move(waiting[j]);
+      points[left++] = points[j];
+    }
+    if (left == waiting.size() && round > 0) return z;
+    waiting.resize(left);
+    points.resize(left);
+    z = least_of_chain(scaled_, force, rows, Eigen::VectorXd::Zero(k * n), energy_.deadline());
+    energy_.count({.linear_solves = 1});
+    if (!z) return std::nullopt;
+    energy_.from_tangent(frames_, length * *z, moves);
+    beside = -kOver;
+  }
+  return z;
 }
 
 double BoundedStep::part_within(const Points& moves) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <leastcost/framework/domain/sees_bounds.hpp>
@@ -42,6 +43,8 @@ class BoundedStep {
 
  private:
   bool passes_bounds(const CoordinatePath& path, const Points& moves);
+  bool reaches_many_bounds(const CoordinatePath& path, const Points& moves) const;
+  std::optional<Eigen::VectorXd> least_within_bounds(double length, const Eigen::VectorXd& force);
   bool find_hessian(const CoordinatePath& path, const ChainModel& model);
   bool shorten(const Eigen::VectorXd& gradient);
   void end_on_bounds(double length);

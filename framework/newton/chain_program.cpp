@@ -131,16 +131,23 @@ void ChainHalfSpaces::clear() {
 }
 
 void ChainHalfSpaces::add(Index block, const VectorXd& own, double offset) {
-  add(block, own, VectorXd::Zero(k_), offset);
-  couples_.back() = 0;
+  if (own.size() != k_) throw InputError("a half-space of a chain has a normal for each block");
+  add_row(block, own, offset);
 }
 
 void ChainHalfSpaces::add(Index block, const VectorXd& own, const VectorXd& next, double offset) {
   if (own.size() != k_ || next.size() != k_) throw InputError("a half-space of a chain has a normal for each block");
+  add_row(block, own, offset);
+  couples_.back() = 1;
+  std::copy_n(next.data(), k_, normals_.end() - k_);
+}
+
+/// Of one block; the numbers of the next are 0.
+void ChainHalfSpaces::add_row(Index block, const VectorXd& own, double offset) {
   blocks_.push_back(block);
-  couples_.push_back(1);
-  normals_.insert(normals_.end(), own.begin(), own.end());
-  normals_.insert(normals_.end(), next.begin(), next.end());
+  couples_.push_back(0);
+  normals_.resize(normals_.size() + 2 * static_cast<std::size_t>(k_), 0);
+  std::copy_n(own.data(), k_, normals_.end() - 2 * k_);
   offsets_.push_back(offset);
 }
 

@@ -29,6 +29,8 @@ class ChainHalfSpaces {
   double offset(Index row) const { return offsets_[static_cast<std::size_t>(row)]; }
 
  private:
+  void add_row(Index block, const Eigen::VectorXd& own, double offset);
+
   int k_;
   std::vector<Index> blocks_ = {};
   std::vector<char> couples_ = {};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -24,7 +25,8 @@ class HalfPlanes final : public ConstraintManifold, public SeesBounds {
     Vector2d normal;
     double gap;
   };
-  explicit HalfPlanes(std::vector<Bound> bounds) : bounds_(std::move(bounds)) {}
+  /// `copies`: so many of each, one behind the other.
+  explicit HalfPlanes(std::vector<Bound> bounds, int copies = 1) : bounds_(std::move(bounds)), copies_(copies) {}
   Dimensions dimensions() const override { return {2, 2, 2}; }
   Shape shape() const override { return Shape::flat; }
   Projection project(CoordinatePath&) const override { return {}; }
@@ -39,7 +41,8 @@ class HalfPlanes final : public ConstraintManifold, public SeesBounds {
   void bounds_within(const CoordinatePath&, Index column, double reach, std::vector<NearBound>& found) const override {
     found.clear();
     const Bound& bound = bounds_[static_cast<std::size_t>(column)];
-    if (bound.gap <= reach) found.push_back({static_cast<int>(column), bound.normal, bound.gap});
+    for (int k = 0; k < copies_ && bound.gap + kApart * k <= reach; ++k)
+      found.push_back({static_cast<int>(column + k * kMostColumns), bound.normal, bound.gap + kApart * k});
   }
   void retract_onto(const CoordinatePath& from, const Points& step, const BoundsOfPoints& bounds,
                     CoordinatePath& to) const override {
@@ -50,7 +53,10 @@ class HalfPlanes final : public ConstraintManifold, public SeesBounds {
   mutable BoundsOfPoints onto;
 
  private:
+  static constexpr double kApart = 1e-3;
+  static constexpr Index kMostColumns = 1000;
   std::vector<Bound> bounds_;
+  int copies_;
 };
 
 constexpr Index kColumns = 9, kFree = kColumns - 2;
@@ -93,7 +99,7 @@ TEST_CASE("bounded steps: the least of the model within the bounds of all points
     std::vector<HalfPlanes::Bound> bounds;
     for (Index i = 0; i < kColumns; ++i)
       bounds.push_back({Vector2d(random.uniform(-1, 1), 1).normalized(), random.uniform(0, 0.3)});
-    const auto domain = std::make_shared<HalfPlanes>(bounds);
+    const auto domain = std::make_shared<HalfPlanes>(bounds, k % 2 == 0 ? 1 : 40);  // 39 of which hold nothing
     const Problem problem = among(domain);
     const CoordinatePath path = crooked(random);
     PathEnergy energy(problem, 1);
@@ -120,6 +126,30 @@ TEST_CASE("bounded steps: the least of the model within the bounds of all points
     }
   }
   CHECK(resting > 20);
+}
+
+TEST_CASE("bounded steps: a first step among many bounds goes few segments far") {
+  constexpr Index kMany = 101;
+  CoordinatePath path{Points(2, kMany), {}, false};  // half a circle, which the model's own step would straighten
+  for (Index i = 0; i < kMany; ++i) {
+    const double angle = std::numbers::pi * static_cast<double>(i) / (kMany - 1);
+    path.u.col(i) << -std::cos(angle), std::sin(angle);
+  }
+  const auto longest_move = [&](int copies) {
+    const Problem problem =
+        among(std::make_shared<HalfPlanes>(std::vector<HalfPlanes::Bound>(kMany, {{0, 1}, 0.4}), copies));
+    PathEnergy energy(problem, 1);
+    ChainModel model;
+    REQUIRE(model.evaluate(energy, path));
+    model.solve(energy, path, HessianKind::exact);
+    BoundedStep step(energy);
+    REQUIRE(step.solve(path, model));
+    return step.moves().colwise().norm().maxCoeff();
+  };
+  const double segment = (path.u.col(1) - path.u.col(0)).norm();
+  CHECK(longest_move(1) > 10 * segment);
+  CHECK(longest_move(40) <= 8 * segment * (1 + 1e-9));
+  CHECK(longest_move(40) > 3 * segment);
 }
 
 TEST_CASE("bounded steps: none where the model's step passes no bound, for rings, and where no bounds are seen") {
