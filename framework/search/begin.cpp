@@ -9,10 +9,8 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/cost/has_constant_metric.hpp>
 #include <leastcost/framework/domain/checks_moves.hpp>
-#include <leastcost/framework/domain/fits_segments.hpp>
 #include <leastcost/framework/domain/limits_moves.hpp>
 #include <leastcost/framework/energy/path_energy.hpp>
-#include "framework/domain/in_parts.hpp"
 #include "framework/energy/spacing.hpp"
 #include "framework/result/find_path_checks.hpp"
 #include "framework/search/based_loop.hpp"
@@ -62,37 +60,12 @@ int spacing_passes(const Search& search, const Problem& problem) {
   return on_curve && find_ability<HasConstantMetric>(*problem.cost) != nullptr ? 0 : Sampling::kPasses;
 }
 
-/// Whether some point of a chain finds no place as far from the cores of obstacles as moves of this length need it, or
-/// none but far from where it is. Such a chain would be pushed and solved in vain.
-bool is_crowded(const Problem& problem, const CoordinatePath& chain, const Monitor& monitor) {
-  constexpr double kFar = 2;  // longest moves
-  const auto* domain = find_ability<FitsSegments>(*problem.manifold);
-  if (domain == nullptr) return false;
-  const Index first = chain.free_begin(), count = chain.free_count(), moves = chain.u.cols() - 1;
-  CoordinatePath pushed{chain.u.middleCols(first, count), {}, true};
-  const Projection projection = project(*domain->unfitted(chain), pushed, monitor);
-  const double longest = (chain.u.rightCols(moves) - chain.u.leftCols(moves)).colwise().norm().maxCoeff();
-  return !projection.failed.empty() || projection.moved > kFar * longest;
-}
-
-/// Where the number of points is left to the search: twice as many, up to 800, as long as a chain has too little room.
-int count_with_room(const Search& search, const Problem& problem, const CoordinatePath& path, Sampling sampling) {
-  constexpr int kMost = 800;
-  for (; 2 * sampling.points <= kMost; sampling.points *= 2) {
-    const MaybeChain chain = try_sampling(problem, path, sampling, search.monitor.deadline);
-    if (chain && !is_crowded(problem, *chain.chain, search.monitor)) break;
-  }
-  return sampling.points;
-}
-
 /// Points along the first path. A post-processor that finds the way by itself needs no moves between them.
 CoordinatePath samples_of_first_path(const Search& search, const Outcome& out) {
   const Problem& problem = out.problem;
   const CoordinatePath& path = out.result.first.path;
   Sampling sampling(point_count(search.options, problem, out.result.first));
   sampling.passes = spacing_passes(search, problem);
-  const bool fits_moves = !search.options.points && !out.result.first.graph_vertices && search.solver.moves_points();
-  if (fits_moves) sampling.points = count_with_room(search, problem, path, sampling);
   const Deadline& deadline = search.monitor.deadline;
   MaybeChain chain = try_sampling(problem, path, sampling, deadline);
   const bool moves_needed = search.solver.moves_points() || !search.finds_its_own();
