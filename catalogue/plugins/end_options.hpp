@@ -40,6 +40,7 @@ struct EndOptions {
   bool is_several() const { return points || tool.given(); }
   /// The words of the error for an end that is given in no way, or in two.
   static constexpr const char* kWays = "must have exactly one of: vertex; face and barycentric; point; lonlat; state";
+  /// The same for a target.
   static constexpr const char* kWaysOfTarget =
       "must have exactly one of: vertex; face and barycentric; point; lonlat; state; points; tool";
 };

@@ -33,8 +33,8 @@ struct DrawnFrame {
 
 /// A robot on its way in space, and the obstacles there as surfaces.
 struct Workspace {
-  Eigen::Vector3d lower = Eigen::Vector3d::Zero(),
-                  upper = Eigen::Vector3d::Zero();  ///< corners of what is worth a look
+  Eigen::Vector3d lower = Eigen::Vector3d::Zero();  ///< lower corner of what is worth a look
+  Eigen::Vector3d upper = Eigen::Vector3d::Zero();  ///< and the upper one
   std::vector<DrawnCapsule> capsules;               ///< of the robot
   std::vector<DrawnPlate> plates;                   ///< of the robot
   std::vector<std::vector<DrawnFrame>> poses;       ///< evenly spread along the path, its ends included; of every link

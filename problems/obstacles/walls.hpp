@@ -59,9 +59,9 @@ inline double Walls::room(const Vector&, const Vector&, double reach) const { re
 /// In the plane: a disc of places that are taken. All of what is in the way is the hull of such discs, piece by piece
 /// (a ball is one, a box with a clearance four), so that a shortest path bends nowhere but around them.
 struct Round {
-  int obstacle = -1;
-  Eigen::Vector2d center = Eigen::Vector2d::Zero();
-  double radius = 0;
+  int obstacle = -1;                                 ///< its number; -1: none
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< place of its centre
+  double radius = 0;                                 ///< with the clearance, length units
 };
 
 /// Ability of walls in the plane that are made of discs.
@@ -79,11 +79,11 @@ class HasRounds {
 /// A plane between a straight move and a convex obstacle with its clearance: normal . x >= offset at all places of the
 /// move, and nothing that is nearer to the obstacle than required lies beyond it.
 struct SupportPlane {
-  int obstacle = -1;
+  int obstacle = -1;            ///< its number; -1: none
   Eigen::VectorXd normal = {};  ///< of length one, away from the obstacle
-  double offset = 0;
-  double gap = 0;              ///< of the move
-  Eigen::VectorXd place = {};  ///< of the move, where it is nearest
+  double offset = 0;            ///< of the plane from the origin, along the normal
+  double gap = 0;               ///< of the move
+  Eigen::VectorXd place = {};   ///< of the move, where it is nearest
 };
 
 /// Ability of walls that know which of them are convex.
@@ -122,6 +122,7 @@ class Remembers {
   virtual std::shared_ptr<const Walls> remembering() const = 0;
 };
 
+/// Whether the move from a to b is clear of the walls.
 inline bool clears(const Walls& walls, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   const auto* decides = find_ability<DecidesMoves>(walls);
   return decides != nullptr ? decides->clears(a, b) : walls.clearance(a, b).upper >= 0;

@@ -13,12 +13,12 @@ namespace leastcost {
 
 /// A raster file, and what of its georeference the file does not say, or says otherwise.
 struct RasterOptions {
-  std::string file = {};
+  std::string file = {};                       ///< ESRI grid, table or, with GDAL, any raster
   std::optional<Eigen::VectorXd> cell = {};    ///< one side, or one along x and one along y
   std::optional<Eigen::VectorXd> origin = {};  ///< lower left corner of the lower left cell
-  std::optional<double> nodata = {};
-  double value_scale = 1;
-  bool degrees = false;  ///< the file is in longitude and latitude
+  std::optional<double> nodata = {};           ///< the value that marks missing data; else that of the file
+  double value_scale = 1;                      ///< by which values are multiplied
+  bool degrees = false;                        ///< the file is in longitude and latitude
   /// `required`: whether there has to be a file.
   void fields(FieldVisitor& visit, bool required = true);
 };

@@ -13,10 +13,10 @@ class PairWalls : public Walls {
  public:
   /// A part and an obstacle, or another capsule, from whose link it is seen.
   struct Pair {
-    int number = 0;
-    int part = 0;
-    int other = 0;
-    bool self = false;
+    int number = 0;         ///< of the wall that the pair makes
+    int part = 0;           ///< of the robot, by its number
+    int other = 0;          ///< number of the obstacle, or of the other part
+    bool self = false;      ///< whether the other is a part of the robot
     double required = 0;    ///< of the distance between the cores: the axis or triangle, the obstacle's or another axis
     double steepest = 0;    ///< length units that the part moves at most as the configuration moves by 1
     bool branches = false;  ///< the other's link does not carry that of the part: both move
@@ -32,8 +32,10 @@ class PairWalls : public Walls {
   /// As near(), along() and room(), of these pairs; `found` gets more.
   virtual void near_among(const std::vector<Pair>& pairs, const Vector& x, double reach,
                           std::vector<Wall>& found) const = 0;
+  /// As along(), of these pairs.
   virtual void along_among(const std::vector<Pair>& pairs, const Vector& a, const Vector& b, double reach,
                            std::vector<Wall>& found) const = 0;
+  /// As room(), of these pairs.
   virtual double room_among(const std::vector<PairGap>& pairs, const Vector& a, const Vector& b,
                             double reach) const = 0;
 };

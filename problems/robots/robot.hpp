@@ -17,22 +17,22 @@ namespace leastcost {
 
 /// All points within a radius of a segment that is fixed to a link; a ball where its ends are one point.
 struct Capsule {
-  int link = 0;
+  int link = 0;                                                                  ///< that it is fixed to
   Eigen::Vector3d from = Eigen::Vector3d::Zero(), to = Eigen::Vector3d::Zero();  ///< coordinates of the link
-  double radius = 0;
+  double radius = 0;                                                             ///< length units
 };
 
 /// All points within a radius of a triangle that is fixed to a link, in a workspace of three dimensions.
 struct Plate {
-  int link = 0;
+  int link = 0;                                 ///< that it is fixed to
   std::array<Eigen::Vector3d, 3> corners = {};  ///< coordinates of the link
-  double radius = 0;
+  double radius = 0;                            ///< length units
 };
 
 /// A frame with a name, fixed to a link of the kinematics: of a URDF each link has one, those that stand still against
 /// each other on one link of the kinematics.
 struct NamedFrame {
-  int link = 0;
+  int link = 0;      ///< of the kinematics
   Frame place = {};  ///< in the frame of the link
 };
 
