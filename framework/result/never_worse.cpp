@@ -184,7 +184,7 @@ void refuse(const Problem& problem, const Offer& offer, const Deadline& deadline
 }
 
 /// Of an interrupted search, where there was no time to compare. Among obstacles nothing says that the solver's chain
-/// is clear of them, as its first path is; elsewhere sums of moves decide.
+/// is clear of them, while most methods plan a first path that is; elsewhere sums of moves decide.
 void prefer_first(const Problem& given, Result& result) {
   if (result.status != Status::interrupted || result.path.u.size() == 0) return;
   if (given.manifold->shape() == Shape::polyhedral) return;  // moves that are not traced say nothing there
