@@ -138,7 +138,7 @@ RunOutcome solve(Run run, const Monitor& monitor) {
   for (const std::string& part : outcome.replaced)
     parts.notes.push_back(part + ": replaced after the configuration was read");
   double prepared = 0;
-  if ((run.max_seconds || monitor.deadline) && asks_for_preparation(parts, monitor.deadline.has_value())) {
+  if ((run.max_seconds || monitor.deadline) && asks_for_preparation(parts, monitor.deadline.time().has_value())) {
     const Clock::time_point begin = Clock::now();
     prepare(parts.problem);
     prepared = seconds_since(begin);

@@ -15,7 +15,7 @@ inline Deadline grace_deadline(const Deadline& deadline, std::chrono::steady_clo
   using Clock = std::chrono::steady_clock;
   constexpr auto kLeast = std::chrono::microseconds(300);
   constexpr int kPart = 33;
-  if (!deadline) return {};
+  if (!deadline.time()) return {};
   return *deadline + parts * std::max<Clock::duration>(kLeast, (*deadline - start) / kPart);
 }
 

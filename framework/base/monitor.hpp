@@ -40,20 +40,27 @@ struct Progress {
 };
 
 /// Reaches every stage of find_path(): an observer, a stop request, a time budget. Either function may be empty; both
-/// are called from the thread that runs find_path().
+/// are called from the thread that runs find_path(), and must not throw.
 struct Monitor {
   using Clock = std::chrono::steady_clock;
   std::function<void(const Progress&)> observe;  ///< hears of every step; empty: nobody
-  std::function<bool()> stop_requested;          ///< asked again and again; true: end with the best path so far
-  Deadline deadline;                             ///< none: no limit
+  /// Asked again and again, within long passes about once a millisecond; true: end with the best path so far. Once it
+  /// has said so, it must go on saying so.
+  std::function<bool()> stop_requested;
+  Deadline deadline;  ///< none: no limit
 
   /// Tells the observer, if there is one.
   void report(const Progress& progress) const {
     if (observe) observe(progress);
   }
-  bool cancelled() const { return stop_requested && stop_requested(); }       ///< whether a stop was asked for
-  bool out_of_time() const { return deadline && Clock::now() >= *deadline; }  ///< whether the deadline is over
-  bool interrupted() const { return cancelled() || out_of_time(); }           ///< whether to end now
+  bool cancelled() const { return stop_requested && stop_requested(); }  ///< whether a stop was asked for
+  bool out_of_time() const { return deadline.is_over(Clock::now()); }    ///< whether the deadline is over
+  bool interrupted() const { return cancelled() || out_of_time(); }      ///< whether to end now
+
+  /// What a pass looks at in its midst, which hears both. What delivers the best path so far, after a stop, takes
+  /// `deadline` instead. The monitor must outlive it.
+  Deadline limit() const& { return stop_requested ? Deadline(deadline.time(), stop_requested) : deadline; }
+  Deadline limit() && = delete;
 };
 
 }  // namespace leastcost

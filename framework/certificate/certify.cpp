@@ -40,7 +40,7 @@ class Certifier {
   Certifier(const Problem& problem, double s0, const PostProcessed& path, const ToCurve& to_curve,
             const CertificateOptions& options, const Monitor& monitor)
       : problem_(problem),
-        energy_(problem, s0, monitor.deadline),
+        energy_(problem, s0, monitor.limit()),
         path_(path),
         to_curve_(to_curve),
         options_(options),
@@ -101,12 +101,12 @@ class Certifier {
 
   /// Worst distance off the domain of a point of the chain, and on a polyhedron of the middle of a piece of the curve.
   void measure_residual() {
-    double worst = residual(*problem_.manifold, path_.chain, monitor_.deadline);
+    double worst = residual(*problem_.manifold, path_.chain, monitor_.limit());
     if (problem_.manifold->shape() == Shape::polyhedral) {
       const Points& x = path_.curve.x;
       const Index m = x.cols() - 1;
       CoordinatePath middles{(x.leftCols(m) + x.rightCols(m)) / 2, path_.curve.segment_sites, true};
-      worst = std::max(worst, residual(*problem_.manifold, middles, monitor_.deadline));
+      worst = std::max(worst, residual(*problem_.manifold, middles, monitor_.limit()));
     }
     if (worst > options_.residual * extent())  // beyond the last digits of coordinates that are large
       worst = std::max(0.0, worst - contact_tolerance(path_.chain.u, 0));
@@ -119,7 +119,7 @@ class Certifier {
 
   /// Of the curve that is delivered, segment by segment: no number of points sees a thin obstacle between two of them.
   void measure_clearance() {
-    c_.clearance = leastcost::measure_clearance(*problem_.manifold, path_.curve.x, path_.chain.ring, monitor_.deadline);
+    c_.clearance = leastcost::measure_clearance(*problem_.manifold, path_.curve.x, path_.chain.ring, monitor_.limit());
     if (!c_.clearance || c_.clearance->lower >= -contact_tolerance(path_.chain.u, options_.clearance)) return;
     const bool inside = c_.clearance->upper < 0;
     fail(Failure::touches, "the path comes " +
@@ -197,7 +197,7 @@ class Certifier {
   }
 
   void add_margin_bar(const Refinement& refinement) {
-    const double bar = margin_bar(problem_, refinement, monitor_.deadline);
+    const double bar = margin_bar(problem_, refinement, monitor_.limit());
     if (bar > c_.estimate.error && c_.estimate.method == ValueMethod::exact)
       c_.estimate.method = ValueMethod::differences;
     c_.estimate.error += bar;
@@ -300,7 +300,7 @@ class Certifier {
     if (!(s0 > 0) || !std::isfinite(s0)) return {};
     Problem fitted = problem_;
     fitted.manifold = refinement.domains[k];
-    PathEnergy energy(fitted, s0, monitor_.deadline);
+    PathEnergy energy(fitted, s0, monitor_.limit());
     return path_index(energy, refinement.paths[k], options_.index_shift);
   }
 
@@ -313,7 +313,7 @@ class Certifier {
 
   void measure_chart_jumps() {
     if (find_ability<HasChart>(*problem_.manifold) == nullptr) return;
-    const ChartJump jump = worst_chart_jump(problem_, path_.chain, energy_.costs(path_.chain), monitor_.deadline);
+    const ChartJump jump = worst_chart_jump(problem_, path_.chain, energy_.costs(path_.chain), monitor_.limit());
     if (jump.ratio > kChartJump)
       fail(Failure::longest_segment, "between points " + std::to_string(jump.segment) + " and " +
                                          std::to_string(jump.segment + 1) + " the straight move in the chart costs " +
@@ -338,7 +338,7 @@ class Certifier {
       dense.u.col(i) = (1 - t) * chain.column(i / kPieces);
       if (t > 0) dense.u.col(i) += t * chain.column(i / kPieces + 1);
     }
-    if (!project(manifold, dense, monitor_.deadline).failed.empty()) return std::nullopt;
+    if (!project(manifold, dense, monitor_.limit()).failed.empty()) return std::nullopt;
     Points normals(chain.u.rows(), chain.u.rows());
     bool rests = false;
     for (Index i = 1; i + 1 < dense.u.cols() && !rests; ++i) rests = bounds->active_bounds(dense, i, normals) > 0;

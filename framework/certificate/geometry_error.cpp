@@ -33,13 +33,13 @@ Solved solve_on(std::shared_ptr<const ConstraintManifold> manifold, const Proble
     coarse.target = project_end(*coarse.manifold, problem.target.u);
   }
   path.sites.clear();
-  if (!leastcost::project(*coarse.manifold, path, monitor.deadline).failed.empty())
+  if (!leastcost::project(*coarse.manifold, path, monitor.limit()).failed.empty())
     return {std::nullopt, "a point of the path has no counterpart on it"};
   pin_ends(coarse, path);
-  const double cost = PathEnergy(coarse, 1, monitor.deadline).cost(path);
+  const double cost = PathEnergy(coarse, 1, monitor.limit()).cost(path);
   if (!(cost > 0) || !std::isfinite(cost))
     return {std::nullopt, cost > 0 ? "the chain on it has infinite cost" : "the chain on it has cost 0"};
-  PathEnergy energy(coarse, cost / static_cast<double>(path.segment_count()), monitor.deadline);
+  PathEnergy energy(coarse, cost / static_cast<double>(path.segment_count()), monitor.limit());
   const SolveReport report = ChainNewton().solve(energy, path, monitor);
   if (report.termination != Termination::converged && report.termination != Termination::round_off)
     return {std::nullopt, "the chain on it ended with " + std::string(word_of(report.termination))};
@@ -87,7 +87,7 @@ std::shared_ptr<const ConstraintManifold> coarser(const ConstraintManifold& mani
 
 GeometryError measure_geometry_error(const Problem& problem, const CoordinatePath& chain, const Monitor& monitor) {
   std::optional<double> largest;
-  double finer = PathEnergy(problem, 1, monitor.deadline).cost(chain), part = 1;
+  double finer = PathEnergy(problem, 1, monitor.limit()).cost(chain), part = 1;
   std::shared_ptr<const ConstraintManifold> manifold = problem.manifold;
   for (int level = 0; level < kGeometryLevels; ++level, part /= 2) {
     Solved solved;
@@ -101,8 +101,7 @@ GeometryError measure_geometry_error(const Problem& problem, const CoordinatePat
     if (!solved.cost && !largest) return {std::nullopt, "on a coarser version of the domain: " + solved.trouble};
     if (!solved.cost) break;  // too little is left: the first difference has to do
     largest = std::max(largest.value_or(0), part * std::abs(*solved.cost - finer));
-    if (level == 0)
-      largest = std::max(*largest, change_without_cancelling(problem, *manifold, chain, monitor.deadline));
+    if (level == 0) largest = std::max(*largest, change_without_cancelling(problem, *manifold, chain, monitor.limit()));
     finer = *solved.cost;
   }
   if (!largest) return {};
@@ -114,7 +113,7 @@ std::string why_unresolved(const Problem& problem, const CoordinatePath& chain, 
   if (domain == nullptr) return "";
   constexpr Index kPart = 8;
   std::string why;
-  in_parts(chain.segment_count(), kPart, monitor.deadline, [&](Index begin, Index count) {
+  in_parts(chain.segment_count(), kPart, monitor.limit(), [&](Index begin, Index count) {
     if (!why.empty()) return;
     CoordinatePath part{Points(chain.u.rows(), 2 * count + 1), {}, true};
     for (Index i = 0; i < count; ++i) {

@@ -108,7 +108,7 @@ class Examiner {
     if (effort_ == ProofEffort::none || refinement_.paths.size() < 3 || !out_.failures.empty()) return;
     CalibrationOptions options{chain_.segment_count(), estimate_.error / estimate_.value};
     if (effort_ == ProofEffort::insist) options.boxes *= 25;
-    const Calibration found = calibrate(problem_, refinement_.paths[2], options, monitor_.deadline);
+    const Calibration found = calibrate(problem_, refinement_.paths[2], options, monitor_.limit());
     if (!found.applies) return;
     Resolution& r = out_.resolution;
     r.curve_enclosed = found.upper.has_value();

@@ -67,20 +67,13 @@ void move_in_parts(const CoordinatePath& from, const Points& step, const Deadlin
 }  // namespace
 
 Projection project(const ConstraintManifold& manifold, CoordinatePath& path, const Deadline& deadline) {
-  return project(manifold, path, Monitor{{}, {}, deadline});
-}
-
-Projection project(const ConstraintManifold& manifold, CoordinatePath& path, const Monitor& monitor) {
-  const Deadline& deadline = monitor.deadline;
   if (const auto* parts = made_on_demand(manifold, deadline); parts != nullptr && parts->is_asked_by(path))
     parts->make(deadline);
   // Out of several obstacles at once a point may take milliseconds.
-  const bool fits = find_ability<FitsSegments>(manifold) != nullptr, stops = fits && monitor.stop_requested;
-  const Index columns = fits ? 1 : kColumnPart;
-  if ((!deadline && !stops) || path.u.cols() <= columns) return manifold.project(path);
+  const Index columns = find_ability<FitsSegments>(manifold) != nullptr ? 1 : kColumnPart;
+  if (!deadline || path.u.cols() <= columns) return manifold.project(path);
   Projection result;
   in_parts(path.u.cols(), columns, deadline, [&](Index begin, Index count) {
-    if (stops && monitor.cancelled()) throw Interrupted("a stop was requested");
     CoordinatePath part = part_of(path, begin, count);
     const Projection projection = manifold.project(part);
     path.u.middleCols(begin, count) = part.u;

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include <leastcost/framework/base/deadline.hpp>
-#include <leastcost/framework/base/monitor.hpp>
 #include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/framework/domain/sees_bounds.hpp>
 
@@ -20,11 +19,9 @@ void in_parts(Index size, Index length, const Deadline& deadline, Visit visit) {
   }
 }
 
-/// What a manifold does to all columns of a path, part by part where there is a deadline; the numbers are the same.
+/// What a manifold does to all columns of a path, part by part where there is a deadline; the numbers are the same. All
+/// throw Interrupted.
 Projection project(const ConstraintManifold& manifold, CoordinatePath& path, const Deadline& deadline);
-/// Hears a stop request, too, where a domain fits segments: out of many obstacles a pass may take seconds. Throws
-/// Interrupted after either.
-Projection project(const ConstraintManifold& manifold, CoordinatePath& path, const Monitor& monitor);
 void tangent_bases(const ConstraintManifold& manifold, const CoordinatePath& path, Points& bases,
                    const Deadline& deadline);
 double residual(const ConstraintManifold& manifold, const CoordinatePath& path, const Deadline& deadline);

@@ -18,7 +18,7 @@ constexpr int kMostUnsolved = 2;  ///< fits to a chain that is not at rest say l
 /// Onto the domain, but for the ends of an open path, which are given.
 void project_free(const ConstraintManifold& manifold, CoordinatePath& path, const Monitor& monitor) {
   CoordinatePath moved = path;
-  project(manifold, moved, monitor);
+  project(manifold, moved, monitor.limit());
   const Index first = path.free_begin(), count = path.free_count();
   path.u.middleCols(first, count) = moved.u.middleCols(first, count);
 }
@@ -48,7 +48,7 @@ FittedSolve solve_fitted(Problem problem, const Solver& solver, double reference
   if (fits) {     // to the path as it is, too: a move through an obstacle could not be drawn out of it
     problem.manifold = domain->unfitted(path, agreement);
     project_free(*problem.manifold, path, monitor);
-    space_pushed(problem, path, monitor.deadline);
+    space_pushed(problem, path, monitor.limit());
     auto fitted = find_ability<FitsSegments>(*problem.manifold)->fitted(path);
     if (fitted != nullptr)
       problem.manifold = std::move(fitted);
@@ -60,9 +60,9 @@ FittedSolve solve_fitted(Problem problem, const Solver& solver, double reference
   for (int k = 0;; ++k) {
     if (fits && agreed.size() == 0) {
       project_free(*problem.manifold, path, monitor);
-      space_pushed(problem, path, monitor.deadline);
+      space_pushed(problem, path, monitor.limit());
     }
-    PathEnergy energy(problem, reference_cost, monitor.deadline);
+    PathEnergy energy(problem, reference_cost, monitor.limit());
     SolveReport next = solver.solve(energy, path, monitor);
     report = k == 0 ? std::move(next) : joined(report, std::move(next));
     if (!fits || report.termination == Termination::exception || monitor.interrupted()) break;

@@ -60,11 +60,11 @@ void doubt(const PathEnergy& energy, const CoordinatePath& path, SolveReport& re
 } catch (...) {  // what throws now did not while solving: the report stands
 }
 
-/// The energy's deadline during one solve.
+/// The energy's deadline during one solve: that of the monitor, which hears a stop too.
 class DeadlineOf {
  public:
-  DeadlineOf(PathEnergy& energy, const Deadline& deadline) : energy_(energy), before_(energy.deadline()) {
-    if (deadline) energy_.set_deadline(deadline);
+  DeadlineOf(PathEnergy& energy, const Deadline& limit) : energy_(energy), before_(energy.deadline()) {
+    if (limit) energy_.set_deadline(limit.or_time_of(before_));
   }
   ~DeadlineOf() { energy_.set_deadline(before_); }
   DeadlineOf(const DeadlineOf&) = delete;
@@ -75,9 +75,10 @@ class DeadlineOf {
   Deadline before_;
 };
 
-/// The report of a solve whose last iteration was cut short by the clock: there is no time to measure anything.
-SolveReport abandoned(SolveReport report, bool unmoved, double initial) {
-  report.termination = Termination::time_limit;
+/// The report of a solve whose last iteration was cut short by the clock, or a stop: there is no time to measure
+/// anything.
+SolveReport abandoned(SolveReport report, Termination why, bool unmoved, double initial) {
+  report.termination = why;
   report.message = "";
   report.final_energy = initial;
   if (report.history.empty()) return report;
@@ -114,7 +115,7 @@ SolveReport Solver::guarded(PathEnergy& energy, CoordinatePath& path, double& in
   };
   listening.stop_requested = [&] { return monitor.cancelled(); };
   listening.deadline = monitor.deadline;
-  const DeadlineOf deadline(energy, monitor.deadline);
+  const DeadlineOf deadline(energy, monitor.limit());
   try {
     if (const std::optional<std::string> reason = cannot_solve(energy, path)) {
       report.termination = Termination::refused;
@@ -135,7 +136,8 @@ SolveReport Solver::guarded(PathEnergy& energy, CoordinatePath& path, double& in
     report.message = "the energy of the first path is not finite";
     return report;
   } catch (const Interrupted&) {
-    return abandoned(std::move(report), path.u == start.u, initial);
+    const Termination why = monitor.cancelled() ? Termination::cancelled : Termination::time_limit;
+    return abandoned(std::move(report), why, path.u == start.u, initial);
   } catch (const std::exception& error) {
     report.message = error.what();
   } catch (...) {

@@ -133,7 +133,7 @@ class Decision {
     if (lower.status == Status::interrupted || lower.path.u.size() == 0) return false;
     FamilyMember found{{"down from the saddle of " + from.origins.front()}, from.problem, std::move(lower)};
     found.rank_cost = rank_cost(found.problem, found.result);
-    if (!(found.rank_cost < feasible_cost(from.problem, saddle, monitor_.deadline))) return false;
+    if (!(found.rank_cost < feasible_cost(from.problem, saddle, monitor_.limit()))) return false;
     if (same_path(from.problem, found.result.path, saddle.path)) return false;
     found.result = search.delivered(std::move(found.result));
     members_[i].left = true;
@@ -158,7 +158,7 @@ class Decision {
   }
 
   double rank_cost(const Problem& problem, const Result& result) const {
-    return ranking_cost(problem, result, monitor_.deadline);
+    return ranking_cost(problem, result, monitor_.limit());
   }
 
   std::vector<FamilyMember>& members_;
@@ -187,7 +187,7 @@ bool is_refuted(std::vector<FamilyMember>& members, const Solver& solver, const 
     Result proved = improve_path(first.problem, first.result.path, solver, again, monitor);
     if (proved.status == Status::interrupted) return false;
     proved = joined(first.result, std::move(proved));
-    first.rank_cost = ranking_cost(first.problem, proved, monitor.deadline);
+    first.rank_cost = ranking_cost(first.problem, proved, monitor.limit());
     first.result = std::move(proved);
   } catch (const InputError&) {  // it stays as it is, sampled
   } catch (const InitializationError&) {

@@ -20,7 +20,7 @@ double rank_cost(const Problem& problem, const Result& result, const Monitor& mo
   if (result.status == Status::certified) return c.estimate.value;
   if (result.status == Status::interrupted || (!c.measured && !c.failures.empty())) return result.curve.cost;
   try {
-    return feasible_cost(problem, result, monitor.deadline);
+    return feasible_cost(problem, result, monitor.limit());
   } catch (const Interrupted&) {
     return result.curve.cost;
   }

@@ -30,10 +30,10 @@ FittedSolve solve_by_cascade(Problem problem, const Solver& solver, double refer
   const auto points = [&path](Index segments) { return static_cast<int>(path.ring ? segments : segments - 1); };
   const auto next_level = [&](const CoordinatePath& before, Index segments) {
     if (before.u.size() == 0)
-      return segments == finest ? path : sample_equally(problem, path, points(segments), monitor.deadline);
-    CoordinatePath level = refine(problem, before, monitor.deadline);
+      return segments == finest ? path : sample_equally(problem, path, points(segments), monitor.limit());
+    CoordinatePath level = refine(problem, before, monitor.limit());
     if (level.segment_count() == segments) return level;
-    return sample_equally(problem, level, {points(segments), 1e-3}, monitor.deadline);
+    return sample_equally(problem, level, {points(segments), 1e-3}, monitor.limit());
   };
   SolveReport report;
   CoordinatePath level;
@@ -41,7 +41,7 @@ FittedSolve solve_by_cascade(Problem problem, const Solver& solver, double refer
     try {
       level = next_level(level, segments);
     } catch (const Interrupted&) {
-      report.termination = Termination::time_limit;
+      report.termination = monitor.cancelled() ? Termination::cancelled : Termination::time_limit;
       report.message = "";
       return {std::move(report), std::move(problem)};
     }

@@ -18,11 +18,11 @@ namespace leastcost {
 namespace {
 
 MaybeChain sample(const Problem& problem, const CoordinatePath& chain, int segments, const Monitor& monitor) {
-  return try_sampling(problem, chain, chain.ring ? segments : segments - 1, monitor.deadline);
+  return try_sampling(problem, chain, chain.ring ? segments : segments - 1, monitor.limit());
 }
 
 double mean_cost(const Problem& problem, const CoordinatePath& path, const Monitor& monitor) {
-  return PathEnergy(problem, 1, monitor.deadline).cost(path) / static_cast<double>(path.segment_count());
+  return PathEnergy(problem, 1, monitor.limit()).cost(path) / static_cast<double>(path.segment_count());
 }
 
 /// As a reference cost: a path may cost nothing, or infinitely much.
@@ -30,7 +30,7 @@ bool usable(double s0) { return s0 > 0 && std::isfinite(s0); }
 
 /// A chain that is solved already, on the domain that is fitted to it.
 void take_level(const Problem& problem, const CoordinatePath& path, const Monitor& monitor, Refinement& result) {
-  const Eigen::VectorXd costs = PathEnergy(problem, 1, monitor.deadline).costs(path);
+  const Eigen::VectorXd costs = PathEnergy(problem, 1, monitor.limit()).costs(path);
   result.levels.push_back({static_cast<int>(path.segment_count()), costs.sum(), 0, spread(costs), 0, 0});
   result.paths.push_back(path);
   result.domains.push_back(problem.manifold);
@@ -47,7 +47,7 @@ bool solve_level(const Problem& problem, CoordinatePath& path, const Monitor& mo
   }
   const FittedSolve solved = solve_fitted(problem, ChainNewton(), s0, path, monitor);
   const SolveReport& report = solved.report;
-  const Eigen::VectorXd costs = PathEnergy(solved.problem, s0, monitor.deadline).costs(path);
+  const Eigen::VectorXd costs = PathEnergy(solved.problem, s0, monitor.limit()).costs(path);
   const Counters& work = report.counters;
   result.levels.push_back(
       {segments, costs.sum(), 0, spread(costs), report.iterations, work.energies + work.gradients + work.hessians});
@@ -69,7 +69,7 @@ std::optional<double> solved_cost(const Problem& problem, const CoordinatePath& 
   if (!usable(s0)) return std::nullopt;
   const FittedSolve solved = solve_fitted(problem, ChainNewton(), s0, path, monitor);
   if (!is_solved(solved.report.termination)) return std::nullopt;
-  return PathEnergy(solved.problem, s0, monitor.deadline).cost(path);
+  return PathEnergy(solved.problem, s0, monitor.limit()).cost(path);
 }
 
 Refinement refine_levels(const Problem& problem, const CoordinatePath& chain, const Monitor& monitor,
@@ -89,7 +89,7 @@ Refinement refine_levels(const Problem& problem, const CoordinatePath& chain, co
   CoordinatePath& path = *sampled.chain;
   if (begins_solved) take_level(problem, path, monitor, result);
   for (int k = begins_solved ? 1 : 0; k < 3; ++k) {
-    if (k > 0) path = refine(problem, path, monitor.deadline);
+    if (k > 0) path = refine(problem, path, monitor.limit());
     if (!solve_level(problem, path, monitor, result)) return result;
   }
   // Half as many segments as the first level: one more difference to judge the others by.
@@ -103,7 +103,7 @@ Refinement refine_levels(const Problem& problem, const CoordinatePath& chain, co
     result.trouble = "the chain with " + std::to_string(result.levels[1].segments) + " segments has cost 0";
     return result;
   }
-  PathEnergy energy(problem, s0, monitor.deadline);
+  PathEnergy energy(problem, s0, monitor.limit());
   for (std::size_t k = 0; k < 3; ++k) result.levels[k].energy = energy.value(result.paths[k]);
   return result;
 }

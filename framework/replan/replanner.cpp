@@ -166,11 +166,11 @@ class OneReplan {
     const auto* fits = find_ability<FitsSegments>(*problem_.manifold);
     if (fits == nullptr || old_.result.path.u.cols() == 0 || monitor_.interrupted()) return;
     try {
-      CoordinatePath& path = pushed_.result.path = with_points(old_.result.path, monitor_.deadline);
+      CoordinatePath& path = pushed_.result.path = with_points(old_.result.path, monitor_.limit());
       std::shared_ptr<const ConstraintManifold> domain = fits->unfitted(path);
       for (int k = 0; k < kMostPushes && domain != nullptr; ++k) {
         CoordinatePath moved = path;
-        if (!project(*domain, moved, monitor_.deadline).failed.empty()) return;
+        if (!project(*domain, moved, monitor_.limit()).failed.empty()) return;
         path.u.middleCols(path.free_begin(), path.free_count()) =
             moved.u.middleCols(path.free_begin(), path.free_count());
         pushed_.result.curve.x = chain_of(path);
@@ -189,7 +189,7 @@ class OneReplan {
     if (from.u.cols() == 0 || monitor_.interrupted()) return;
     const Monitor within = with_deadline(old_.valid() || pushed_.valid() ? 1 : kShareOfWarmStart);
     attempt([&] {
-      const CoordinatePath start = with_points(from, within.deadline);
+      const CoordinatePath start = with_points(from, within.limit());
       return asks_for_chain_alone() ? solved_chain(start, within)
                                     : improve_path(problem_, start, solver_, options_, within);
     });
@@ -211,7 +211,7 @@ class OneReplan {
     Problem without = problem_;
     without.manifold = std::shared_ptr<const ConstraintManifold>(problem_.manifold, open);
     try {
-      PathEnergy energy(without, old_.result.curve.cost / static_cast<double>(path.segment_count()), monitor_.deadline);
+      PathEnergy energy(without, old_.result.curve.cost / static_cast<double>(path.segment_count()), monitor_.limit());
       ChainModel model;
       if (!model.evaluate(energy, path)) return false;
       model.solve(energy, path, HessianKind::exact);
@@ -235,7 +235,7 @@ class OneReplan {
     constexpr double kAgreement = 1e-4;  // of the extent
     Result out;
     out.initial = out.path = start;
-    out.initial_cost = PathEnergy(problem_, 1, within.deadline).cost(start);
+    out.initial_cost = PathEnergy(problem_, 1, within.limit()).cost(start);
     out.reference_cost =
         options_.reference_cost.value_or(out.initial_cost / static_cast<double>(start.segment_count()));
     if (!(out.reference_cost > 0) || !std::isfinite(out.reference_cost))

@@ -62,7 +62,7 @@ constexpr double kUnsolved = std::numeric_limits<double>::infinity();
 
 /// Whether a chain has slipped to another sheet of its chart: it is then no path to the image that it was to go to.
 bool jumps(PathEnergy& energy, const CoordinatePath& path, const Monitor& monitor) {
-  return worst_chart_jump(energy.problem(), path, energy.costs(path), monitor.deadline).ratio > kChartJump;
+  return worst_chart_jump(energy.problem(), path, energy.costs(path), monitor.limit()).ratio > kChartJump;
 }
 
 /// Cost of a path that `segments` make of the straight start; infinite where they make none. One that jumps has another
@@ -70,12 +70,12 @@ bool jumps(PathEnergy& energy, const CoordinatePath& path, const Monitor& monito
 double solved_cost(const Problem& problem, const Monitor& monitor, Index segments = kPieces) {
   constexpr Index kMore = 4;
   try {
-    const std::optional<CoordinatePath> line = straight_line(problem, monitor.deadline);
+    const std::optional<CoordinatePath> line = straight_line(problem, monitor.limit());
     if (!line) return kUnsolved;
-    CoordinatePath path = sample_equally(problem, *line, static_cast<int>(segments) - 1, monitor.deadline);
-    const double s0 = PathEnergy(problem, 1, monitor.deadline).cost(path) / static_cast<double>(segments);
+    CoordinatePath path = sample_equally(problem, *line, static_cast<int>(segments) - 1, monitor.limit());
+    const double s0 = PathEnergy(problem, 1, monitor.limit()).cost(path) / static_cast<double>(segments);
     if (!(s0 > 0) || !std::isfinite(s0)) return kUnsolved;
-    PathEnergy energy(problem, s0, monitor.deadline);
+    PathEnergy energy(problem, s0, monitor.limit());
     const Termination end = ChainNewton().solve(energy, path, monitor).termination;
     if (!is_solved(end)) return kUnsolved;
     if (!jumps(energy, path, monitor)) return energy.cost(path);
@@ -116,7 +116,7 @@ std::optional<CheaperImage> straight_over_pole(const Problem& problem, const std
   const auto* chart = find_ability<HasChart>(*problem.manifold);
   if (chart == nullptr || chart->poles().size() != 2) return std::nullopt;
   const TriedImage& over = tried.front();
-  if (!(over.cost < kMuchCheaper * straight_start_cost(problem, monitor.deadline))) return std::nullopt;
+  if (!(over.cost < kMuchCheaper * straight_start_cost(problem, monitor.limit()))) return std::nullopt;
   const double solved = solved_cost(ending_at(problem, over.image.u), monitor);
   if (!(solved <= (1 + kCheaper) * given && over.cost <= kNearlyThere * solved)) return std::nullopt;
   return CheaperImage{over.image, solved, given, tried.size()};
@@ -166,7 +166,7 @@ bool ends_are_one_point(const Problem& problem, std::optional<PointImage>* image
 }
 
 std::optional<CheaperImage> find_cheaper_image(const Problem& problem, const Monitor& monitor) {
-  const std::vector<TriedImage> tried = other_images(problem, monitor.deadline);
+  const std::vector<TriedImage> tried = other_images(problem, monitor.limit());
   if (tried.empty()) return std::nullopt;
   const double given = solved_cost(problem, monitor);
   std::optional<CheaperImage> best = best_of(problem, tried, given, kCheaper, monitor);
@@ -179,7 +179,7 @@ std::string cheaper_image(const Problem& problem, double cost, const Monitor& mo
   if (ends_are_one_point(problem, &same))
     return "both ends are the same point of the domain" + (same ? ": the target is also " + named(*same) : "") +
            "; this path is a loop from that point to itself, and the cheapest path is to stay there";
-  const std::vector<TriedImage> tried = other_images(problem, monitor.deadline);
+  const std::vector<TriedImage> tried = other_images(problem, monitor.limit());
   if (tried.empty()) return "";
   const auto said = [&](const PointImage& image, const std::string& start, const std::string& costs, double less) {
     const std::string there =

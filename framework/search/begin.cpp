@@ -66,7 +66,7 @@ CoordinatePath samples_of_first_path(const Search& search, const Outcome& out) {
   const CoordinatePath& path = out.result.first.path;
   Sampling sampling(point_count(search.options, problem, out.result.first));
   sampling.passes = spacing_passes(search, problem);
-  const Deadline& deadline = search.monitor.deadline;
+  const Deadline& deadline = search.monitor.limit();
   MaybeChain chain = try_sampling(problem, path, sampling, deadline);
   const bool moves_needed = search.solver.moves_points() || !search.finds_its_own();
   if (chain || moves_needed || !std::isfinite(PathEnergy(problem, 1, deadline).cost(path)))
@@ -95,9 +95,9 @@ Begin from_chain(const CoordinatePath& chain) {
     Result& result = out.result;
     result.first.path = chain;
     open_based_chain(out);
-    place_chain(out.problem, result.first.path, search.monitor.deadline);
+    place_chain(out.problem, result.first.path, search.monitor.limit());
     result.initial = result.first.path;
-    PathEnergy energy(out.problem, 1, search.monitor.deadline);
+    PathEnergy energy(out.problem, 1, search.monitor.limit());
     refuse_infinite(out.problem, energy.ambient(result.initial).x, energy.costs(result.initial));
   };
 }

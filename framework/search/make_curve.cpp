@@ -22,7 +22,7 @@ void make_curve(const Search& search, Outcome& out) {
 
 ToCurve curve_maker(const Search& search, const Outcome& out) {
   return [&search, &out](const CoordinatePath& chain) {
-    PathEnergy energy(out.solved, out.result.reference_cost, search.monitor.deadline);
+    PathEnergy energy(out.solved, out.result.reference_cost, search.monitor.limit());
     PostProcessed curve = chain_as_curve(energy, chain);
     post_process(out.solved, out.result.first, search.options, search.monitor, curve);
     return curve;

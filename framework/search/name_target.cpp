@@ -18,8 +18,8 @@ void name_target_over_pole(const Search& search, Outcome& out) {
     return;
   Monitor quiet = search.monitor;
   quiet.observe = nullptr;
-  const std::vector<TriedImage> tried = other_images(problem, quiet.deadline);
-  if (tried.empty() || !(tried.front().cost < kAtMost * straight_start_cost(problem, quiet.deadline))) return;
+  const std::vector<TriedImage> tried = other_images(problem, quiet.limit());
+  if (tried.empty() || !(tried.front().cost < kAtMost * straight_start_cost(problem, quiet.limit()))) return;
   if (const std::optional<CheaperImage> best = find_cheaper_image(problem, quiet))
     out.asked.target.u = out.problem.target.u = best->image.u;
 }

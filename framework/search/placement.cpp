@@ -34,7 +34,7 @@ void place(const ConstraintManifold& manifold, const char* which, PathEnd& end, 
 void locate_ends(const Search& search, Outcome& out) {
   Problem& problem = out.problem;
   if (problem.ring && !problem.based) return;
-  const Deadline& deadline = search.monitor.deadline;
+  const Deadline& deadline = search.monitor.limit();
   place(*problem.manifold, "the source", problem.source, out.result.notes, deadline);
   if (!problem.ring) place(*problem.manifold, "the target", problem.target, out.result.notes, deadline);
 }

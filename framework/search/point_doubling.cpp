@@ -74,7 +74,7 @@ void PointDoubling::double_points() {
     start_again();
   } else {
     ++doublings_;
-    solve_from(leastcost::refine(problem_, fine_.path, search_.monitor.deadline), 2 * factor_, ProofRule::never);
+    solve_from(leastcost::refine(problem_, fine_.path, search_.monitor.limit()), 2 * factor_, ProofRule::never);
   }
   const bool provable = search_.options.certificate.proof == ProofRule::always && can_calibrate(problem_);
   if (fine_.status == Status::certified && provable) solve_from(fine_.path, factor_, ProofRule::always);
@@ -89,7 +89,7 @@ void PointDoubling::start_again() {
   const Index segments = times * fine_.path.segment_count();
   const Index points = fine_.path.ring ? segments : segments - 1;
   const CoordinatePath start =
-      sample_equally(problem_, fine_.first.path, static_cast<int>(points), search_.monitor.deadline);
+      sample_equally(problem_, fine_.first.path, static_cast<int>(points), search_.monitor.limit());
   solve_from(start, times * factor_, ProofRule::never);
 }
 

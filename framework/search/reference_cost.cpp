@@ -11,7 +11,7 @@ namespace leastcost {
 
 void set_reference_cost(const Search& search, Outcome& out) {
   Result& result = out.result;
-  PathEnergy energy(out.problem, 1, search.monitor.deadline);
+  PathEnergy energy(out.problem, 1, search.monitor.limit());
   result.initial_cost = energy.cost(result.initial);
   const bool any_start = out.sampled && !search.solver.moves_points() && search.finds_its_own();
   if (any_start && !std::isfinite(result.initial_cost)) result.initial_cost = energy.cost(result.first.path);

@@ -52,7 +52,7 @@ bool costs_less(const Search& search, const Outcome& before, Outcome& attempt) {
   constexpr double kWorthSaying = 1e-9;  // relative
   const double cost = attempt.failed()
                           ? std::numeric_limits<double>::infinity()
-                          : PathEnergy(attempt.solved, 1, search.monitor.deadline).cost(attempt.result.path);
+                          : PathEnergy(attempt.solved, 1, search.monitor.limit()).cost(attempt.result.path);
   if (!(cost < before.curve.curve.cost * (1 - kWorthSaying))) return false;
   attempt.result.notes.push_back("a search over all paths found a cheaper path: it costs " +
                                  short_number(100 * (1 - cost / before.curve.curve.cost)) + " % less and is delivered");
@@ -63,7 +63,7 @@ bool costs_less(const Search& search, const Outcome& before, Outcome& attempt) {
 
 std::optional<Outcome> resampled(const Search& search, const Outcome& before, const CoordinatePath& path,
                                  Index points) {
-  const Deadline& deadline = search.monitor.deadline;
+  const Deadline& deadline = search.monitor.limit();
   MaybeChain chain = try_sampling(before.problem, path, static_cast<int>(points), deadline);
   if (!chain || !(PathEnergy(before.problem, 1, deadline).cost(*chain.chain) > 0)) return std::nullopt;
   Outcome next = before;

@@ -42,12 +42,20 @@ const std::array<Phase, 5> kPhases = {{{solve_chain, kDenserBetweenObstacles},
 
 void run(std::span<const Phase> phases, const Search& search, Outcome& out);
 
-/// Runs one phase again as long as there is reason to; `before` are the phases that lead to it.
+/// Runs one phase again as long as there is reason to; `before` are the phases that lead to it. What a stop request
+/// meets in the midst of an attempt is what there was before it.
 void try_again(std::span<const Phase> before, const Phase& phase, const Search& search, Outcome& out) {
   for (int tries = 0; phase.again.has_reason(search, out, tries); ++tries) {
-    std::optional<Outcome> attempt = phase.again.attempt(search, out);
-    if (attempt) run(before, search, *attempt);
-    const bool kept = attempt && phase.again.keeps(search, out, *attempt);
+    std::optional<Outcome> attempt;
+    bool kept = false;
+    try {
+      attempt = phase.again.attempt(search, out);
+      if (attempt) run(before, search, *attempt);
+      kept = attempt && phase.again.keeps(search, out, *attempt);
+    } catch (const Interrupted&) {
+      if (!search.monitor.cancelled()) throw;
+      return;
+    }
     if (kept)
       out = std::move(*attempt);
     else if (attempt)
@@ -77,6 +85,21 @@ void initialize(const Search& search, const Begin& begin, Outcome& out) {
   set_reference_cost(search, out);
 }
 
+/// A stop request in the midst of a pass leaves time to deliver the path as it is by then. False: there is none, or the
+/// time is over too.
+bool deliver_stopped(const Search& search, Outcome& out) {
+  const Result& result = out.result;
+  if (!search.monitor.cancelled() || result.post_processed || result.path.u.size() == 0) return false;
+  if (!(result.reference_cost > 0)) return false;
+  try {
+    make_curve(search, out);
+    certify_outcome(search, out);
+  } catch (const Interrupted&) {
+    return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Result run_search(Problem& problem, const Begin& begin, const Search& search) {
@@ -89,7 +112,7 @@ Result run_search(Problem& problem, const Begin& begin, const Search& search) {
     run(kPhases, search, out);
     if (out.failed()) leave_unmeasured(out);
   } catch (const Interrupted& stopped) {
-    leave_unfinished(search, stopped.what(), out);
+    if (!deliver_stopped(search, out)) leave_unfinished(search, stopped.what(), out);
   }
   problem = std::move(out.asked);
   Result& result = out.result;

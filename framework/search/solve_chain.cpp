@@ -19,7 +19,7 @@ namespace {
 double depth_of_moves(const Search& search, const Outcome& out) {
   if (out.failed() || search.monitor.interrupted()) return 0;
   if (find_ability<FitsSegments>(*out.solved.manifold) == nullptr) return 0;
-  return depth_in_obstacles(out.solved, out.result.path, search.options.certificate.clearance, search.monitor.deadline);
+  return depth_in_obstacles(out.solved, out.result.path, search.options.certificate.clearance, search.monitor.limit());
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ void leave_saddles(const Search& search, Outcome& out) {
   if (!search.options.escape_saddle || out.failed()) return;
   timed(Stage::solve, search, out.result.seconds.solve, [&] {
     Result& result = out.result;
-    PathEnergy energy(out.solved, result.reference_cost, search.monitor.deadline);
+    PathEnergy energy(out.solved, result.reference_cost, search.monitor.limit());
     const int left = escape_saddles(energy, search.solver, search.options.certificate.index_shift, result.path,
                                     result.solve, search.monitor);
     if (left > 0) result.notes.push_back("escape_saddle: left " + std::to_string(left) + " saddles");

@@ -29,8 +29,8 @@ void go_on(PointDoubling& doubling, const Problem& problem) {
 bool saves(const Problem& problem, const Result& finer, const Result& found, const Search& search) {
   try {
     return finer.status == Status::uncertified &&
-           first_path_is_better(problem, found, search.options, search.monitor.deadline) &&
-           !first_path_is_better(problem, finer, search.options, search.monitor.deadline);
+           first_path_is_better(problem, found, search.options, search.monitor.limit()) &&
+           !first_path_is_better(problem, finer, search.options, search.monitor.limit());
   } catch (const std::exception&) {
     return false;
   }

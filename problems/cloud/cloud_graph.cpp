@@ -67,11 +67,12 @@ std::vector<CloudGraph::Gap> links_between_parts(const PointCloud& cloud, const 
 
 }  // namespace
 
-CloudGraph::CloudGraph(const PointCloud& cloud) {
+CloudGraph::CloudGraph(const PointCloud& cloud, const Deadline& deadline) {
   const std::int32_t n = cloud.size();
   std::vector<std::pair<std::int32_t, std::int32_t>> edges;
   edges.reserve(static_cast<std::size_t>(n) * static_cast<std::size_t>(cloud.neighbour_count()));
   for (std::int32_t i = 0; i < n; ++i) {
+    look_at_clock(deadline, i);
     for (int k = 0; k < cloud.neighbour_count(); ++k) {
       const std::int32_t j = cloud.neighbours(i)[k];
       const Edge edge = judge(cloud, i, j, cloud.settings().max_edge);
@@ -82,7 +83,9 @@ CloudGraph::CloudGraph(const PointCloud& cloud) {
       edges.emplace_back(j, i);
     }
   }
+  look_at_clock(deadline);
   edges_ = SparseGraph(n, edges);
+  look_at_clock(deadline);
   components_ = connected_components(edges_);
   // Whoever raises max_edge wants parts joined; by default what is not among the nearest stays apart.
   if (components_.sizes.size() == 1 || cloud.settings().max_edge <= PointCloudSettings{}.max_edge) return;

@@ -20,7 +20,8 @@ namespace leastcost {
 /// Outliers have no edges.
 class CloudGraph {
  public:
-  explicit CloudGraph(const PointCloud& cloud);
+  /// Throws Interrupted.
+  explicit CloudGraph(const PointCloud& cloud, const Deadline& deadline = {});
 
   const SparseGraph& edges() const { return edges_; }  ///< between neighbouring samples
   /// Neighbours of sample i, in ascending order.

@@ -13,13 +13,15 @@ namespace {
 
 using TreeLinks = std::vector<std::vector<std::int32_t>>;
 
-TreeLinks spanning_tree(const std::vector<SparseGraph::Edge>& edges, const std::vector<Eigen::Vector3d>& normals) {
+TreeLinks spanning_tree(const std::vector<SparseGraph::Edge>& edges, const std::vector<Eigen::Vector3d>& normals,
+                        const Deadline& deadline) {
   std::vector<double> weights;
   weights.reserve(edges.size());
   for (const auto& [a, b] : edges)
     weights.push_back(1 - std::abs(normals[static_cast<std::size_t>(a)].dot(normals[static_cast<std::size_t>(b)])));
   TreeLinks links(normals.size());
-  for (const auto& [a, b] : minimum_spanning_forest(static_cast<std::int32_t>(normals.size()), edges, weights)) {
+  for (const auto& [a, b] :
+       minimum_spanning_forest(static_cast<std::int32_t>(normals.size()), edges, weights, deadline)) {
     links[static_cast<std::size_t>(a)].push_back(b);
     links[static_cast<std::size_t>(b)].push_back(a);
   }
@@ -30,8 +32,8 @@ TreeLinks spanning_tree(const std::vector<SparseGraph::Edge>& edges, const std::
 
 void orient_normals(const std::vector<Eigen::Vector3d>& positions,
                     const std::vector<std::pair<std::int32_t, std::int32_t>>& edges,
-                    std::vector<Eigen::Vector3d>& normals) {
-  const TreeLinks links = spanning_tree(edges, normals);
+                    std::vector<Eigen::Vector3d>& normals, const Deadline& deadline) {
+  const TreeLinks links = spanning_tree(edges, normals, deadline);
   std::vector<std::int32_t> by_height(positions.size()), open;
   std::iota(by_height.begin(), by_height.end(), 0);
   std::stable_sort(by_height.begin(), by_height.end(), [&](std::int32_t a, std::int32_t b) {

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include <leastcost/framework/base/deadline.hpp>
+
 namespace leastcost {
 
 /// Flips normals so that neighbours agree, along the minimum spanning tree of the edges under the weight 1 - |n_a .
@@ -14,6 +16,6 @@ namespace leastcost {
 /// upwards, which is outwards on a closed surface. On a one-sided surface some neighbours stay opposed.
 void orient_normals(const std::vector<Eigen::Vector3d>& positions,
                     const std::vector<std::pair<std::int32_t, std::int32_t>>& edges,
-                    std::vector<Eigen::Vector3d>& normals);
+                    std::vector<Eigen::Vector3d>& normals, const Deadline& deadline = {});
 
 }  // namespace leastcost

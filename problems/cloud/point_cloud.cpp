@@ -22,6 +22,7 @@ namespace leastcost {
 namespace {
 
 constexpr double kRadius = PointCloudSettings::kCleanRadius;
+constexpr std::int32_t kLook = 32;        ///< samples between looks at the clock: a fit takes some 20 us
 constexpr double kWidestRadius = 32;      ///< spacings
 constexpr double kNoise = 0.125;          ///< largest standard deviation of the noise, in supports
 constexpr int kNoiseProbes = 400;         ///< samples that are asked for it
@@ -98,7 +99,7 @@ Words<NormalSource> words(NormalSource) {
   return kWords;
 }
 
-PointCloud::PointCloud(PointSamples samples, const PointCloudSettings& settings)
+PointCloud::PointCloud(PointSamples samples, const PointCloudSettings& settings, const Deadline& deadline)
     : settings_(settings), source_(std::move(samples.source)), search_({}), notes_(std::move(samples.notes)) {
   if (settings_.radius && !(*settings_.radius > 0)) throw OptionError("radius", "must be greater than 0");
   if (settings_.neighbours < PointCloudSettings::kFewestNeighbours ||
@@ -107,11 +108,11 @@ PointCloud::PointCloud(PointSamples samples, const PointCloudSettings& settings)
                                         std::to_string(PointCloudSettings::kMostNeighbours) + ", not " +
                                         std::to_string(settings_.neighbours));
   place(samples);
-  find_neighbours();
+  find_neighbours(deadline);
   measure_spacing();
   choose_radius();
-  set_radii();
-  fit_samples(samples);
+  set_radii(deadline);
+  fit_samples(samples, deadline);
 }
 
 void PointCloud::place(const PointSamples& samples) {
@@ -144,12 +145,13 @@ void PointCloud::place(const PointSamples& samples) {
   search_ = NeighbourSearch(std::move(points));
 }
 
-void PointCloud::find_neighbours() {
+void PointCloud::find_neighbours(const Deadline& deadline) {
   width_ = static_cast<std::size_t>(settings_.neighbours);
   neighbours_.resize(samples_.size() * width_);
   spacing_.resize(samples_.size());
   std::vector<Neighbour> found;
   for (std::int32_t i = 0; i < size(); ++i) {
+    if (i % kLook == 0) look_at_clock(deadline);
     search_.nearest(sample(i).position, settings_.neighbours + 1, found);
     std::size_t n = 0;
     for (const Neighbour& other : found)
@@ -223,7 +225,7 @@ void PointCloud::choose_radius() {
 
 /// radius x spacing, lowered where it would change faster than kRadiusSlope per length: the smallest propagate
 /// outwards.
-void PointCloud::set_radii() {
+void PointCloud::set_radii(const Deadline& deadline) {
   radius_.resize(samples_.size());
   using Entry = std::pair<double, std::int32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
@@ -231,7 +233,8 @@ void PointCloud::set_radii() {
     radius_[static_cast<std::size_t>(i)] = *settings_.radius * spacing(i);
     queue.emplace(radius(i), i);
   }
-  while (!queue.empty()) {
+  for (std::int64_t step = 0; !queue.empty(); ++step) {
+    look_at_clock(deadline, step);
     const auto [value, i] = queue.top();
     queue.pop();
     if (value > radius(i)) continue;
@@ -247,11 +250,12 @@ void PointCloud::set_radii() {
     samples_[static_cast<std::size_t>(i)].inverse_radius2 = 1 / (radius(i) * radius(i));
 }
 
-void PointCloud::fit_samples(const PointSamples& samples) {
+void PointCloud::fit_samples(const PointSamples& samples, const Deadline& deadline) {
   std::vector<Eigen::Vector3d> estimates(samples_.size()), offsets;
   std::vector<Neighbour> found;
   std::int32_t outliers = 0, crowded = 0, bent = 0;
   for (std::int32_t i = 0; i < size(); ++i) {
+    if (i % kLook == 0) look_at_clock(deadline);
     gather(i, radius(i), found, offsets);
     const LocalFit fit = fit_locally(offsets, radius(i));
     estimates[static_cast<std::size_t>(i)] = fit.valid ? fit.normal : Eigen::Vector3d::UnitZ();
@@ -277,10 +281,11 @@ void PointCloud::fit_samples(const PointSamples& samples) {
     notes_.push_back(std::to_string(bent) + " of " + std::to_string(size()) +
                      " points are where the surface bends within half a radius (thin parts, edges, noise): few paths "
                      "through them can be certified; use more samples");
-  choose_normals(samples, estimates);
+  choose_normals(samples, estimates, deadline);
 }
 
-void PointCloud::choose_normals(const PointSamples& samples, const std::vector<Eigen::Vector3d>& estimates) {
+void PointCloud::choose_normals(const PointSamples& samples, const std::vector<Eigen::Vector3d>& estimates,
+                                const Deadline& deadline) {
   const bool in_file = !samples.normals.empty();
   if (settings_.normals == NormalSource::given && !in_file)
     throw OptionError("normals", source_ + " has no normals: use estimate or auto");
@@ -318,8 +323,9 @@ void PointCloud::choose_normals(const PointSamples& samples, const std::vector<E
       for (std::size_t k = 0; k < std::min(width_, kLinks); ++k)
         if (const std::int32_t j = neighbours(i)[k]; i < j || !lists(j, i)) edges.emplace_back(i, j);
     }
+    look_at_clock(deadline);
     link_parts(normals, edges);
-    orient_normals(positions, edges, normals);
+    orient_normals(positions, edges, normals, deadline);
   }
   for (std::size_t i = 0; i < samples_.size(); ++i) samples_[i].normal = normals[i];
 }

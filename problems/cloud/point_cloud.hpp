@@ -49,8 +49,8 @@ struct CloudSample {
 class PointCloud {
  public:
   /// Throws InputError for clouds with too few points or without extent, OptionError for normals: given without
-  /// normals.
-  PointCloud(PointSamples samples, const PointCloudSettings& settings);
+  /// normals, Interrupted after the deadline.
+  PointCloud(PointSamples samples, const PointCloudSettings& settings, const Deadline& deadline = {});
 
   std::int32_t size() const { return static_cast<std::int32_t>(samples_.size()); }  ///< number of samples
   /// A sample: place and normal.
@@ -93,12 +93,13 @@ class PointCloud {
   static constexpr double kRadiusSlope = 0.2;
 
   void place(const PointSamples& samples);
-  void find_neighbours();
+  void find_neighbours(const Deadline& deadline);
   void measure_spacing();
   void choose_radius();
-  void set_radii();
-  void fit_samples(const PointSamples& samples);
-  void choose_normals(const PointSamples& samples, const std::vector<Eigen::Vector3d>& estimates);
+  void set_radii(const Deadline& deadline);
+  void fit_samples(const PointSamples& samples, const Deadline& deadline);
+  void choose_normals(const PointSamples& samples, const std::vector<Eigen::Vector3d>& estimates,
+                      const Deadline& deadline);
   void link_parts(const std::vector<Eigen::Vector3d>& normals,
                   std::vector<std::pair<std::int32_t, std::int32_t>>& edges) const;
   void gather(std::int32_t i, double radius, std::vector<Neighbour>& found,

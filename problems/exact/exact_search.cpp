@@ -49,7 +49,7 @@ QueryLimits limits_of(const ExactOptions& options) {
 }  // namespace
 
 struct ExactSearch::Tables {
-  explicit Tables(const TriangleMesh& mesh) : edges(mesh) {}
+  Tables(const TriangleMesh& mesh, const Deadline& deadline) : edges(mesh, deadline) {}
   HalfEdges edges;
   Landmarks landmarks;
 };
@@ -61,7 +61,8 @@ struct ExactSearch::Workspace::Parts {
   std::unique_ptr<Propagation<DoubleDouble>> fine;  // made when it is needed
 };
 
-ExactSearch::ExactSearch(const TriangleMesh& mesh) : tables_(std::make_unique<Tables>(mesh)) {}
+ExactSearch::ExactSearch(const TriangleMesh& mesh, const Deadline& deadline)
+    : tables_(std::make_unique<Tables>(mesh, deadline)) {}
 ExactSearch::~ExactSearch() = default;
 
 ExactSearch::Workspace::Workspace(const ExactSearch& search) : parts_(std::make_unique<Parts>(search.tables_->edges)) {}

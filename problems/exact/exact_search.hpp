@@ -72,7 +72,8 @@ struct ExactDistances {
 /// each with a Workspace of its own.
 class ExactSearch {
  public:
-  explicit ExactSearch(const TriangleMesh& mesh);
+  /// Throws Interrupted.
+  explicit ExactSearch(const TriangleMesh& mesh, const Deadline& deadline = {});
   ~ExactSearch();
   ExactSearch(const ExactSearch&) = delete;
   ExactSearch& operator=(const ExactSearch&) = delete;

@@ -57,17 +57,19 @@ template Side<double> make_side<double>(const Eigen::Vector3d&, const Eigen::Vec
 template Side<DoubleDouble> make_side<DoubleDouble>(const Eigen::Vector3d&, const Eigen::Vector3d&,
                                                     const Eigen::Vector3d&);
 
-HalfEdges::HalfEdges(const TriangleMesh& mesh) : mesh_(&mesh) {
+HalfEdges::HalfEdges(const TriangleMesh& mesh, const Deadline& deadline) : mesh_(&mesh) {
   const std::int32_t sides = 3 * mesh.face_count(), vertices = mesh.vertex_count();
   tail_.resize(at(sides));
   across_.resize(at(sides));
   sides_.resize(at(sides));
   for (std::int32_t h = 0; h < sides; ++h) {
+    look_at_clock(deadline, h);
     tail_[at(h)] = mesh.tail(h);
     across_[at(h)] = mesh.across(h);
     sides_[at(h)] =
         make_side<double>(position(mesh.tail(h)), position(mesh.head(h)), position(mesh.tail(mesh.previous(h))));
   }
+  look_at_clock(deadline);
   for (const Side<double>& s : sides_) mean_edge_ += s.length / static_cast<double>(sides);
   for (const Eigen::Vector3d& p : mesh.positions()) reach_ = std::max(reach_, p.lpNorm<Eigen::Infinity>());
   begin_.reserve(at(vertices) + 1);
@@ -78,6 +80,7 @@ HalfEdges::HalfEdges(const TriangleMesh& mesh) : mesh_(&mesh) {
   turn_error_.resize(at(vertices));
   std::vector<std::int32_t> open;
   for (std::int32_t v = 0; v < vertices; ++v) {
+    look_at_clock(deadline, v);
     begin_.push_back(static_cast<std::int32_t>(corners_.size()));
     lay_out(v, open);
   }

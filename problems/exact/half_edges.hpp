@@ -43,7 +43,8 @@ struct Corner {
 /// The flat tables of one mesh that exact queries read. Immutable.
 class HalfEdges {
  public:
-  explicit HalfEdges(const TriangleMesh& mesh);
+  /// Throws Interrupted.
+  explicit HalfEdges(const TriangleMesh& mesh, const Deadline& deadline = {});
 
   const TriangleMesh& mesh() const { return *mesh_; }
   std::int32_t tail(std::int32_t h) const { return tail_[at(h)]; }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/kruskal_min_spanning_tree.hpp>
-#include <iterator>
+#include <boost/iterator/function_output_iterator.hpp>
 #include <numeric>
 
 #include "problems/graph/compressed_rows.hpp"
@@ -75,12 +75,17 @@ Components connected_components(const SparseGraph& graph) {
 }
 
 std::vector<SparseGraph::Edge> minimum_spanning_forest(std::int32_t nodes, std::span<const SparseGraph::Edge> edges,
-                                                       std::span<const double> weights) {
+                                                       std::span<const double> weights, const Deadline& deadline) {
   using Weighted = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
                                          boost::property<boost::edge_weight_t, double>>;
   const Weighted graph(edges.begin(), edges.end(), weights.begin(), static_cast<std::size_t>(nodes));
-  std::vector<boost::graph_traits<Weighted>::edge_descriptor> chosen;
-  boost::kruskal_minimum_spanning_tree(graph, std::back_inserter(chosen));
+  using Edge = boost::graph_traits<Weighted>::edge_descriptor;
+  std::vector<Edge> chosen;
+  const auto choose = [&](const Edge& edge) {
+    look_at_clock(deadline, static_cast<std::int64_t>(chosen.size()));
+    chosen.push_back(edge);
+  };
+  boost::kruskal_minimum_spanning_tree(graph, boost::make_function_output_iterator(choose));
   std::vector<SparseGraph::Edge> forest;
   forest.reserve(chosen.size());
   for (const auto& edge : chosen)

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include <leastcost/framework/base/deadline.hpp>
+
 namespace leastcost {
 
 struct CompressedRows;
@@ -40,7 +42,8 @@ struct Components {
 Components connected_components(const SparseGraph& graph);
 
 /// The edges of a minimum spanning forest of an undirected graph, each once (Kruskal). weights.size() == edges.size().
+/// Throws Interrupted.
 std::vector<SparseGraph::Edge> minimum_spanning_forest(std::int32_t nodes, std::span<const SparseGraph::Edge> edges,
-                                                       std::span<const double> weights);
+                                                       std::span<const double> weights, const Deadline& deadline = {});
 
 }  // namespace leastcost

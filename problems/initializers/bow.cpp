@@ -44,7 +44,7 @@ FirstPath BowInitializer::first_path(const Problem& problem, const Monitor& moni
     const double t = static_cast<double>(i) / kSegments;
     first.path.u.col(i) = (1 - t) * a + t * b + std::sin(std::numbers::pi * t) * sag;
   }
-  const Projection projection = project(*problem.manifold, first.path, monitor.deadline);
+  const Projection projection = project(*problem.manifold, first.path, monitor.limit());
   if (!projection.failed.empty())
     throw InitializationError("point " + std::to_string(projection.failed.front()) + " of the arc (of " +
                               std::to_string(kSegments + 1) + ") has no nearest point on the domain");

@@ -42,10 +42,8 @@ FirstPath CellGraphInitializer::first_path(const Problem& problem, const Monitor
                      " cells are too many for " + std::to_string(side_points) +
                      " points on each side: give fewer (initializer: {type: cell_graph, side_points: 0}), or a box "
                      "around the ends (manifold: {type: euclidean, lower: [..], upper: [..]})");
-  const CellPath found = least_cell_path(map, problem.source.u, problem.target.u, side_points, [&monitor] {
-    if (monitor.cancelled()) throw Interrupted("while the cells were searched");
-    look_at_clock(monitor.deadline);
-  });
+  const CellPath found = least_cell_path(map, problem.source.u, problem.target.u, side_points,
+                                         [limit = monitor.limit()] { look_at_clock(limit); });
   if (found.empty()) throw InitializationError("cells without data separate the ends: there is no path between them");
   FirstPath first;
   const CellPath path = beside_sides(map, found);  // along a side of the domain's box too only cells in it count

@@ -64,7 +64,7 @@ FirstPath MirroredInitializer::first_path(const Problem& problem, const Monitor&
   const Points off = u.colwise() - problem.source.u;
   u = (2 * (kept * (kept.transpose() * off)) - off).colwise() + problem.source.u;
   first.path.sites.clear();
-  const Projection projection = project(*problem.manifold, first.path, monitor.deadline);
+  const Projection projection = project(*problem.manifold, first.path, monitor.limit());
   if (!projection.failed.empty())
     throw InitializationError("point " + std::to_string(projection.failed.front()) +
                               " of the mirror image has no nearest point on the domain" +

@@ -83,11 +83,11 @@ FirstPath PlaneCutInitializer::first_path(const Problem& problem, const Monitor&
     throw InitializationError("a plane cut is a closed curve, but this path has two ends: use path.ring: true");
   if (domain.shape() == Shape::smooth) {
     FirstPath first;
-    first.path = smooth_section(domain, point_, normal_, monitor.deadline);
+    first.path = smooth_section(domain, point_, normal_, monitor.limit());
     return first;
   }
   const TriangleMesh& mesh = mesh_of(problem, "initializer plane_cut").mesh();
-  const SectionCurves curves = section_curves(mesh, point_, normal_, monitor.deadline);
+  const SectionCurves curves = section_curves(mesh, point_, normal_, monitor.limit());
   if (curves.closed.empty()) throw InitializationError(failure(mesh, curves, point_, normal_));
   const auto nearer = [this](const SurfacePath& a, const SurfacePath& b) {
     return distance(a, point_) < distance(b, point_);

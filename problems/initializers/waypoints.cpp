@@ -38,7 +38,7 @@ void name_in_turn(const ConstraintManifold& domain, Index end, Points& stops) {
 /// Stops of the tour: source, waypoints, target; in a ring the waypoints and the first one again.
 CoordinatePath stops(const Problem& problem, const Points& waypoints, const Monitor& monitor) {
   CoordinatePath path{waypoints, {}, true};
-  const Projection projection = project(*problem.manifold, path, monitor.deadline);
+  const Projection projection = project(*problem.manifold, path, monitor.limit());
   if (!projection.failed.empty())
     throw InitializationError("waypoint " + std::to_string(projection.failed.front()) +
                               " (numbered from 0) has no nearest point on the domain");

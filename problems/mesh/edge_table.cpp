@@ -35,14 +35,17 @@ std::vector<Side> bucket_sides(std::span<const std::array<std::int32_t, 3>> face
 
 }  // namespace
 
-EdgeTable make_edge_table(std::span<const std::array<std::int32_t, 3>> faces, std::int32_t vertex_count) {
+EdgeTable make_edge_table(std::span<const std::array<std::int32_t, 3>> faces, std::int32_t vertex_count,
+                          const Deadline& deadline) {
   std::vector<std::size_t> begin(static_cast<std::size_t>(vertex_count) + 1, 0);
   std::vector<Side> sides = bucket_sides(faces, begin);
+  look_at_clock(deadline);
   EdgeTable table;
   table.ends.reserve(sides.size() / 2 + 1);
   table.begin.reserve(sides.size() / 2 + 2);
   table.halfedges.reserve(sides.size());
   for (std::size_t v = 0; v + 1 < begin.size(); ++v) {
+    look_at_clock(deadline, static_cast<std::int64_t>(v));
     std::sort(sides.begin() + static_cast<std::ptrdiff_t>(begin[v]),
               sides.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]), [](const Side& a, const Side& b) {
                 return std::pair(a.higher, a.halfedge) < std::pair(b.higher, b.halfedge);

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include <leastcost/framework/base/deadline.hpp>
+
 namespace leastcost {
 
 /// The edges of a triangle list, each with all its halfedges (numbered as in TriangleMesh). Edges ascend by their
@@ -24,7 +26,8 @@ struct EdgeTable {
   }
 };
 
-/// Linear time apart from sorting the few edges of each vertex.
-EdgeTable make_edge_table(std::span<const std::array<std::int32_t, 3>> faces, std::int32_t vertex_count);
+/// Linear time apart from sorting the few edges of each vertex. Throws Interrupted.
+EdgeTable make_edge_table(std::span<const std::array<std::int32_t, 3>> faces, std::int32_t vertex_count,
+                          const Deadline& deadline = {});
 
 }  // namespace leastcost

@@ -64,7 +64,7 @@ class ChainTracer {
     EdgePathOptions options;
     options.lower_bound = [&b](const Eigen::Vector3d& p) { return (p - b.position).norm(); };
     const auto length = [](const Eigen::Vector3d& p, const Eigen::Vector3d& q) { return (q - p).norm(); };
-    if (deadline_) options.stop = [this] { return std::chrono::steady_clock::now() >= *deadline_; };
+    if (deadline_) options.stop = [this] { return deadline_.has_ended(); };
     const EdgePath edges = graph_->shortest(a.where, b.where, length, options);
     if (edges.outcome == EdgePathOutcome::stopped) throw Interrupted(edges.failure());
     if (!edges.found()) throw InputError("tracing: no path on the mesh between two points: " + edges.failure());

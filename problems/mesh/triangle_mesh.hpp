@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <leastcost/eigen_alignment.hpp>
+#include <leastcost/framework/base/deadline.hpp>
 
 namespace leastcost {
 
@@ -28,6 +29,7 @@ struct MeshOptions {
   /// Merge vertices that are no farther apart than this too, length units; each into the lowest near it, so that none
   /// moves farther. 0: as `weld` says.
   double weld_within = 0;
+  Deadline deadline = {};  ///< when the making is given up: it throws Interrupted
 };
 
 /// A point of the surface: face and barycentric coordinates (sum 1, corner order of the face).
@@ -140,15 +142,15 @@ class TriangleMesh {
   const std::string& source() const { return source_; }
 
  private:
-  void import_polygons(const PolygonSoup& soup, const std::vector<std::int32_t>& same_as);
+  void import_polygons(const PolygonSoup& soup, const std::vector<std::int32_t>& same_as, const Deadline& deadline);
   void number_vertices(const PolygonSoup& soup, const std::vector<std::int32_t>& same_as);
   void subdivide_once();
   void measure_diameter();
-  void build_adjacency();
-  void build_vertex_tables(std::span<const double> angles);
-  void build_normals(std::span<const double> angles);
+  void build_adjacency(const Deadline& deadline);
+  void build_vertex_tables(std::span<const double> angles, const Deadline& deadline);
+  void build_normals(std::span<const double> angles, const Deadline& deadline);
   void build_components();
-  std::vector<double> corner_angles() const;
+  std::vector<double> corner_angles(const Deadline& deadline) const;
   Eigen::Vector3d fan_normal(std::int32_t corner, std::int32_t fan, std::span<const Eigen::Vector3d> weighted);
   SurfacePoint locate_in_base(std::int32_t base, Eigen::Vector3d barycentric) const;
   std::int32_t base_of(std::int32_t f) const { return f >> (2 * subdivisions_); }

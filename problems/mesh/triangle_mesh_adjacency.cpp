@@ -21,12 +21,13 @@ void accumulate_starts(std::vector<std::int32_t>& counts) {
 
 }  // namespace
 
-void TriangleMesh::build_adjacency() {
-  const EdgeTable edges = make_edge_table(faces_, vertex_count());
+void TriangleMesh::build_adjacency(const Deadline& deadline) {
+  const EdgeTable edges = make_edge_table(faces_, vertex_count(), deadline);
   across_.assign(3 * faces_.size(), kBorder);
   on_border_.assign(positions_.size(), 0);
   neighbour_begin_.assign(positions_.size() + 1, 0);
   for (std::int32_t e = 0; e < edges.size(); ++e) {
+    look_at_clock(deadline, e);
     const auto& [a, b] = edges.ends[at(e)];
     ++neighbour_begin_[at(a)];
     ++neighbour_begin_[at(b)];
@@ -44,6 +45,7 @@ void TriangleMesh::build_adjacency() {
   for (std::int32_t h = 0; h < 3 * face_count(); ++h) {
     if (across(h) >= 0 && tail(h) == tail(across(h))) flipped_halfedges_.push_back(h);
   }
+  look_at_clock(deadline);
   accumulate_starts(neighbour_begin_);
   neighbours_.resize(2 * edges.ends.size());
   std::vector<std::int32_t> fill(neighbour_begin_.begin(), neighbour_begin_.end() - 1);
@@ -54,9 +56,10 @@ void TriangleMesh::build_adjacency() {
   }
 }
 
-std::vector<double> TriangleMesh::corner_angles() const {
+std::vector<double> TriangleMesh::corner_angles(const Deadline& deadline) const {
   std::vector<double> angles(3 * faces_.size());
   for (std::int32_t h = 0; h < 3 * face_count(); ++h) {
+    look_at_clock(deadline, h);
     const Eigen::Vector3d a = position(head(h)) - position(tail(h));
     const Eigen::Vector3d b = position(tail(previous(h))) - position(tail(h));
     angles[at(h)] = std::atan2(a.cross(b).norm(), a.dot(b));
@@ -64,29 +67,33 @@ std::vector<double> TriangleMesh::corner_angles() const {
   return angles;
 }
 
-void TriangleMesh::build_vertex_tables(std::span<const double> angles) {
+void TriangleMesh::build_vertex_tables(std::span<const double> angles, const Deadline& deadline) {
   vertex_face_begin_.assign(positions_.size() + 1, 0);
   for (const auto& corners : faces_) {
     for (const std::int32_t v : corners) ++vertex_face_begin_[at(v)];
   }
+  look_at_clock(deadline);
   accumulate_starts(vertex_face_begin_);
   vertex_faces_.resize(3 * faces_.size());
   std::vector<std::int32_t> fill(vertex_face_begin_.begin(), vertex_face_begin_.end() - 1);
   for (std::int32_t f = 0; f < face_count(); ++f) {
     for (const std::int32_t v : face(f)) vertex_faces_[at(fill[at(v)]++)] = f;
   }
+  look_at_clock(deadline);
   vertex_angle_.assign(positions_.size(), 0.0);
   for (std::int32_t h = 0; h < 3 * face_count(); ++h) vertex_angle_[at(tail(h))] += angles[at(h)];
 }
 
-void TriangleMesh::build_normals(std::span<const double> angles) {
+void TriangleMesh::build_normals(std::span<const double> angles, const Deadline& deadline) {
   std::vector<Eigen::Vector3d> weighted(3 * faces_.size());
   for (std::int32_t f = 0; f < face_count(); ++f) {
+    look_at_clock(deadline, f);
     const Eigen::Vector3d normal = face_normal(f);
     for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) weighted[at(h)] = angles[at(h)] * normal;
   }
   corner_fan_.assign(3 * faces_.size(), -1);
   for (std::int32_t h = 0; h < 3 * face_count(); ++h) {
+    look_at_clock(deadline, h);
     if (corner_fan_[at(h)] >= 0) continue;
     fan_normals_.push_back(fan_normal(h, static_cast<std::int32_t>(fan_normals_.size()), weighted));
   }

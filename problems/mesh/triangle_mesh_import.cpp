@@ -153,18 +153,24 @@ TriangleMesh::TriangleMesh(const PolygonSoup& soup, const MeshOptions& options) 
     same_as.resize(soup.positions.size());
     std::iota(same_as.begin(), same_as.end(), 0);
   }
-  import_polygons(soup, same_as);
+  const Deadline& deadline = options.deadline;
+  import_polygons(soup, same_as, deadline);
   check_subdivision(faces_.size(), options.subdivide);
-  for (int level = 0; level < options.subdivide; ++level) subdivide_once();
+  for (int level = 0; level < options.subdivide; ++level) {
+    look_at_clock(deadline);
+    subdivide_once();
+  }
   measure_diameter();
-  build_adjacency();
-  const std::vector<double> angles = corner_angles();
-  build_vertex_tables(angles);
-  build_normals(angles);
+  build_adjacency(deadline);
+  const std::vector<double> angles = corner_angles(deadline);
+  build_vertex_tables(angles, deadline);
+  build_normals(angles, deadline);
+  look_at_clock(deadline);
   build_components();
 }
 
-void TriangleMesh::import_polygons(const PolygonSoup& soup, const std::vector<std::int32_t>& same_as) {
+void TriangleMesh::import_polygons(const PolygonSoup& soup, const std::vector<std::int32_t>& same_as,
+                                   const Deadline& deadline) {
   const std::size_t polygon_count = soup.polygon_begin.size() - 1;
   const auto corner = [&](std::int32_t i) { return soup.corners[static_cast<std::size_t>(i)]; };
   const auto vertex = [&](std::int32_t i) { return same_as[static_cast<std::size_t>(corner(i))]; };
@@ -177,6 +183,7 @@ void TriangleMesh::import_polygons(const PolygonSoup& soup, const std::vector<st
   std::vector<std::int32_t> places;
   std::size_t dropped = 0;
   for (std::size_t p = 0; p < polygon_count; ++p) {
+    look_at_clock(deadline, static_cast<std::int64_t>(p));
     distinct_corners(soup, p, same_as, places);
     for (const auto& [a, b, c] : cutter.cut(p, places)) {
       // A vertex that a polygon visits twice can make a triangle without area.
@@ -193,6 +200,7 @@ void TriangleMesh::import_polygons(const PolygonSoup& soup, const std::vector<st
     notes_.push_back(counted(dropped, "degenerate face") + " left out (fewer than three different corners)");
   if (faces_.empty())
     throw InputError(place(soup) + "no face with three different corners; a surface needs at least one");
+  look_at_clock(deadline);
   number_vertices(soup, same_as);
 }
 

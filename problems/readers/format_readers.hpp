@@ -11,12 +11,12 @@
 
 namespace leastcost {
 
-// One reader per format. `content` is the whole file, `file` its name for messages; each throws InputError as
-// read_mesh() describes. Every vertex number in the result is in range. The result may have no polygon.
-PolygonSoup read_obj(std::string_view content, const std::string& file);
-PolygonSoup read_off(std::string_view content, const std::string& file);
-PolygonSoup read_ply(std::string_view content, const std::string& file);
-PolygonSoup read_stl(std::string_view content, const std::string& file);
+// One reader per format. `content` is the whole file, `file` its name for messages; each throws InputError and
+// Interrupted as read_mesh() describes. Every vertex number in the result is in range. The result may have no polygon.
+PolygonSoup read_obj(std::string_view content, const std::string& file, const Deadline& deadline = {});
+PolygonSoup read_off(std::string_view content, const std::string& file, const Deadline& deadline = {});
+PolygonSoup read_ply(std::string_view content, const std::string& file, const Deadline& deadline = {});
+PolygonSoup read_stl(std::string_view content, const std::string& file, const Deadline& deadline = {});
 
 /// Whether the size is the one that a binary STL file with this triangle count has: the only way to tell it from text,
 /// since some programs begin the binary header with "solid", too.

@@ -16,7 +16,7 @@ namespace {
 
 struct Format {
   const char* extension;
-  PolygonSoup (*read)(std::string_view content, const std::string& file);
+  PolygonSoup (*read)(std::string_view content, const std::string& file, const Deadline& deadline);
 };
 
 constexpr std::array<Format, 4> kFormats = {
@@ -36,7 +36,7 @@ std::string format_by_content(std::string_view content, const std::string& file)
 
 }  // namespace
 
-PolygonSoup read_mesh(const std::filesystem::path& file) {
+PolygonSoup read_mesh(const std::filesystem::path& file, const Deadline& deadline) {
   const std::string name = file.string();
   const std::string extension = lower_case(file.extension().string());
   const auto format =
@@ -53,7 +53,7 @@ PolygonSoup read_mesh(const std::filesystem::path& file) {
       throw InputError(name + ":1: the content is that of a " + looks_like + " file; rename it to match");
     }
   }
-  PolygonSoup soup = format->read(content, name);
+  PolygonSoup soup = format->read(content, name, deadline);
   if (soup.polygon_begin.size() < 2) {
     throw InputError(name + ": no faces (" + std::to_string(soup.positions.size()) +
                      " vertices); a mesh needs at least one");

@@ -35,7 +35,8 @@ struct Numbering {
 
 class ObjReader {
  public:
-  ObjReader(std::string_view content, const std::string& file) : scanner_(content, file, {'#', true}) {
+  ObjReader(std::string_view content, const std::string& file, const Deadline& deadline)
+      : scanner_(content, file, {'#', true}, deadline) {
     soup_.polygon_begin.push_back(0);
   }
 
@@ -132,6 +133,8 @@ class ObjReader {
 
 }  // namespace
 
-PolygonSoup read_obj(std::string_view content, const std::string& file) { return ObjReader(content, file).read(); }
+PolygonSoup read_obj(std::string_view content, const std::string& file, const Deadline& deadline) {
+  return ObjReader(content, file, deadline).read();
+}
 
 }  // namespace leastcost

@@ -90,8 +90,8 @@ void read_face(TextScanner& scanner, PolygonSoup& soup) {
 
 }  // namespace
 
-PolygonSoup read_off(std::string_view content, const std::string& file) {
-  TextScanner scanner(content, file, {});
+PolygonSoup read_off(std::string_view content, const std::string& file, const Deadline& deadline) {
+  TextScanner scanner(content, file, {}, deadline);
   const Header header = read_header(scanner);
   if (scanner.at_line_end() && !scanner.next_line()) scanner.fail("expected the numbers of vertices, faces and edges");
   const std::size_t vertex_count = read_count(scanner, "the number of vertices", 6);  // "0 0 0\n"

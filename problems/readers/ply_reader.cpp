@@ -122,8 +122,8 @@ PolygonSoup read_body(Values values, const PlyHeader& header, std::size_t vertex
 
 }  // namespace
 
-PolygonSoup read_ply(std::string_view content, const std::string& file) {
-  TextScanner scanner(content, file, {0, false});
+PolygonSoup read_ply(std::string_view content, const std::string& file, const Deadline& deadline) {
+  TextScanner scanner(content, file, {0, false}, deadline);
   const PlyHeader header = read_ply_header(scanner);
   const std::size_t vertex_count = check_header(header, scanner).count;
   return with_ply_values(scanner, header, content, file,

@@ -97,8 +97,8 @@ void read_facet(TextScanner& scanner, std::vector<Eigen::Vector3d>& corners) {
   expect_words(scanner, {"endfacet"}, "endfacet");
 }
 
-PolygonSoup read_text(std::string_view content, const std::string& file) {
-  TextScanner scanner(content, file, {0, false});
+PolygonSoup read_text(std::string_view content, const std::string& file, const Deadline& deadline) {
+  TextScanner scanner(content, file, {0, false}, deadline);
   std::vector<Eigen::Vector3d> corners;
   while (scanner.next_line()) {
     expect_words(scanner, {"solid"}, "solid name");
@@ -124,10 +124,10 @@ bool is_binary_stl(std::string_view content) {
   return reader.bytes_left() == count * kTriangleBytes;
 }
 
-PolygonSoup read_stl(std::string_view content, const std::string& file) {
+PolygonSoup read_stl(std::string_view content, const std::string& file, const Deadline& deadline) {
   if (is_binary_stl(content)) return read_binary(content, file);
   TextScanner scanner(content, file, {0, false});
-  if (scanner.next_line() && same_word(scanner.token(), "solid")) return read_text(content, file);
+  if (scanner.next_line() && same_word(scanner.token(), "solid")) return read_text(content, file, deadline);
   throw InputError(file + ": " + std::to_string(content.size()) +
                    " bytes are neither a text STL file (which begins with 'solid') nor a binary one (84 bytes plus 50 "
                    "per triangle, counted in bytes 80 to 83)");

@@ -60,8 +60,8 @@ std::string_view trimmed(std::string_view text) {
                                          : text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
 }
 
-TextScanner::TextScanner(std::string_view text, std::string file, Syntax syntax)
-    : text_(text), file_(std::move(file)), syntax_(syntax) {
+TextScanner::TextScanner(std::string_view text, std::string file, Syntax syntax, const Deadline& deadline)
+    : text_(text), file_(std::move(file)), syntax_(syntax), deadline_(deadline) {
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   if (text_.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
 }
@@ -103,6 +103,7 @@ bool TextScanner::at_line_end() {
 }
 
 bool TextScanner::next_line() {
+  look_at_clock(deadline_, static_cast<std::int64_t>(line_));
   if (line_ == 0) {
     ++line_;
     if (!at_line_end()) return true;

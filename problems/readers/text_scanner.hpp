@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include <leastcost/framework/base/deadline.hpp>
+
 namespace leastcost {
 
 /// The token as it may appear in a message: in quotes, shortened, without control characters.
@@ -23,8 +25,8 @@ class TextScanner {
     bool continuation = false;  ///< a backslash before the end of a line joins the next line to it
   };
 
-  /// `text` must outlive the scanner. `file` is for messages.
-  TextScanner(std::string_view text, std::string file, Syntax syntax);
+  /// `text` must outlive the scanner. `file` is for messages. After the deadline next_line() throws Interrupted.
+  TextScanner(std::string_view text, std::string file, Syntax syntax, const Deadline& deadline = {});
 
   /// Leaves the rest of the present line and goes to the next one that has a token; false at the end of the text.
   bool next_line();
@@ -60,6 +62,7 @@ class TextScanner {
   std::string_view text_;
   std::string file_;
   Syntax syntax_;
+  Deadline deadline_;
   std::size_t at_ = 0;
   std::size_t line_ = 0;  // 0: before the first line
 };

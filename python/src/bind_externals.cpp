@@ -5,6 +5,7 @@
 #include <pybind11/stl.h>
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,6 +22,7 @@
 #include "python/src/bind.hpp"
 #include "python/src/external.hpp"
 #include "python/src/python_cost.hpp"
+#include "python/src/signals.hpp"
 
 namespace leastcost::python {
 namespace {
@@ -65,10 +67,12 @@ External cloud(const Numbers& points, const Numbers& normals, std::vector<std::i
   if (count > static_cast<std::int32_t>(samples.positions.size()))
     samples.notes.push_back(std::to_string(count - static_cast<std::int32_t>(samples.positions.size())) + " of " +
                             std::to_string(count) + " points removed: exact duplicates of earlier points");
-  const py::gil_scoped_release released;
-  return made([&] {
-    const PointCloudSettings settings{.neighbours = neighbours, .radius = radius, .max_edge = max_edge};
-    return domain(surface_of(PointCloud(std::move(samples), settings)));
+  return interruptible([&](const std::function<bool()>& stop) {
+    return made([&] {
+      const Deadline deadline({}, stop);
+      const PointCloudSettings settings{.neighbours = neighbours, .radius = radius, .max_edge = max_edge};
+      return domain(surface_of(PointCloud(std::move(samples), settings, deadline), deadline));
+    });
   });
 }
 

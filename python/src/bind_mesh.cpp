@@ -22,23 +22,6 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 
-/// The answer of `search(stop)`, which runs without the GIL. Ctrl-C is raised: half a search proves nothing.
-template <class Search>
-auto interruptible(Search search) {
-  Signals signals;
-  auto found = [&] {
-    try {
-      const py::gil_scoped_release released;
-      return search([&signals] { return signals.stop(); });
-    } catch (const std::exception&) {
-      signals.raise();
-      throw;
-    }
-  }();
-  signals.raise();
-  return found;
-}
-
 /// Points, faces (numbers of F), length, lower bound, word.
 py::tuple tuple_of(const Mesh& mesh, const ExactResult& found) {
   const std::vector<Eigen::Vector3d>& points = found.path.points;
@@ -102,10 +85,18 @@ std::unique_ptr<Mesh> mesh_of(const py::tuple& state) {
 
 void bind_mesh(py::module_& module) {
   py::class_<SurfacePoint>(module, "SurfacePoint");  // a place on the triangles that the library makes of F
-  using Released = py::call_guard<py::gil_scoped_release>;
   py::class_<Mesh>(module, "Mesh")
-      .def(py::init<const Mesh::Vertices&, const Mesh::Faces&, bool>(), "V"_a, "F"_a, "weld"_a, Released())
-      .def(py::init<const std::filesystem::path&, bool>(), "file"_a, "weld"_a, Released())
+      .def(py::init([](const Mesh::Vertices& vertices, const Mesh::Faces& faces, bool weld) {
+             return interruptible([&](const Mesh::Stop& stop) {
+               return std::make_unique<Mesh>(vertices, faces, weld, Deadline({}, stop));
+             });
+           }),
+           "V"_a, "F"_a, "weld"_a)
+      .def(py::init([](const std::filesystem::path& file, bool weld) {
+             return interruptible(
+                 [&](const Mesh::Stop& stop) { return std::make_unique<Mesh>(file, weld, Deadline({}, stop)); });
+           }),
+           "file"_a, "weld"_a)
       .def("V", [](const Mesh& mesh) { return rows_of(mesh.vertices()); })
       .def("F", [](const Mesh& mesh) { return rows_of(mesh.faces()); })
       .def("notes", [](const Mesh& mesh) { return mesh.mesh().notes(); })
@@ -113,9 +104,9 @@ void bind_mesh(py::module_& module) {
       .def(
           "nearest",
           [](const Mesh& mesh, double x, double y, double z) {
-            return mesh.nearest({x, y, z});
+            return interruptible([&](const Mesh::Stop& stop) { return mesh.nearest({x, y, z}, Deadline({}, stop)); });
           },
-          "x"_a, "y"_a, "z"_a, Released())
+          "x"_a, "y"_a, "z"_a)
       .def(
           "on_face",
           [](const Mesh& mesh, std::int64_t face, const std::array<double, 3>& barycentric) {

@@ -33,15 +33,17 @@ std::string text_of(const TriangleMesh& mesh, const SurfacePoint& p) {
 
 }  // namespace
 
-Mesh::Mesh(const Vertices& vertices, const Faces& faces, bool weld) : Mesh(soup_of(vertices, faces), weld) {}
+Mesh::Mesh(const Vertices& vertices, const Faces& faces, bool weld, const Deadline& deadline)
+    : Mesh(soup_of(vertices, faces), weld, deadline) {}
 
-Mesh::Mesh(const std::filesystem::path& file, bool weld) : Mesh(read_mesh(file), weld) {}
+Mesh::Mesh(const std::filesystem::path& file, bool weld, const Deadline& deadline)
+    : Mesh(read_mesh(file, deadline), weld, deadline) {}
 
-Mesh::Mesh(PolygonSoup soup, bool weld)
+Mesh::Mesh(PolygonSoup soup, bool weld, const Deadline& deadline)
     : soup_(std::move(soup)),
       weld_(weld),
-      manifold_(std::make_shared<MeshManifold>(TriangleMesh(soup_, {.weld = weld}))),
-      exact_(mesh()) {}
+      manifold_(std::make_shared<MeshManifold>(TriangleMesh(soup_, {.weld = weld, .deadline = deadline}))),
+      exact_(mesh(), deadline) {}
 
 Eigen::Matrix3Xd Mesh::vertices() const {
   Eigen::Matrix3Xd out(3, static_cast<Eigen::Index>(soup_.positions.size()));
@@ -75,8 +77,9 @@ SurfacePoint Mesh::on_face(std::int64_t face, const Eigen::Vector3d& barycentric
   }
 }
 
-SurfacePoint Mesh::nearest(const Eigen::Vector3d& point) const {
+SurfacePoint Mesh::nearest(const Eigen::Vector3d& point, const Deadline& deadline) const {
   if (!point.allFinite()) throw InputError("a point of the mesh must be finite");
+  manifold_->make(deadline);
   const SurfacePoint where = manifold_->tree().nearest(point).where;
   if (where.face < 0) throw InputError("a point is too far from the mesh for its numbers");
   return where;

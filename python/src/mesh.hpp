@@ -27,10 +27,10 @@ class Mesh {
   using Faces = pybind11::array_t<std::int32_t, pybind11::array::c_style>;
   using Stop = std::function<bool()>;
 
-  /// V: (n, 3); F: (m, k), rows of vertex numbers. Shapes and numbers are checked by _mesh.py.
-  Mesh(const Vertices& vertices, const Faces& faces, bool weld);
-  Mesh(const std::filesystem::path& file, bool weld);
-  Mesh(PolygonSoup soup, bool weld);
+  /// V: (n, 3); F: (m, k), rows of vertex numbers. Shapes and numbers are checked by _mesh.py. All throw Interrupted.
+  Mesh(const Vertices& vertices, const Faces& faces, bool weld, const Deadline& deadline);
+  Mesh(const std::filesystem::path& file, bool weld, const Deadline& deadline);
+  Mesh(PolygonSoup soup, bool weld, const Deadline& deadline = {});
 
   const TriangleMesh& mesh() const { return manifold_->mesh(); }
   /// The same as a domain.
@@ -47,8 +47,9 @@ class Mesh {
   SurfacePoint vertex(std::int64_t v) const;
   /// A point of a triangle in row `face` of F. Throws InputError.
   SurfacePoint on_face(std::int64_t face, const Eigen::Vector3d& barycentric) const;
-  /// The point of the surface nearest to `point`. Throws InputError where it is not finite.
-  SurfacePoint nearest(const Eigen::Vector3d& point) const;
+  /// The point of the surface nearest to `point`. Throws InputError where it is not finite; Interrupted, for the first
+  /// such question makes a search tree.
+  SurfacePoint nearest(const Eigen::Vector3d& point, const Deadline& deadline) const;
 
   /// Throws InitializationError where there is no path.
   ExactResult geodesic(const SurfacePoint& source, const SurfacePoint& target, const Stop& stop) const;

@@ -6,6 +6,8 @@
 
 #include <atomic>
 #include <chrono>
+#include <exception>
+#include <functional>
 #include <optional>
 
 namespace leastcost::python {
@@ -40,5 +42,24 @@ class Signals {
   Clock::time_point next_ = Clock::now();
   std::optional<pybind11::error_already_set> raised_;
 };
+
+/// The answer of `work(stop)`, which runs without the GIL, on this thread. With the GIL. What a handler raises is
+/// raised here: half a search proves nothing, and half a mesh is none.
+template <class Work>
+auto interruptible(Work work) {
+  Signals signals;
+  const std::function<bool()> stop = [&signals] { return signals.stop(); };
+  auto made = [&] {
+    try {
+      const pybind11::gil_scoped_release released;
+      return work(stop);
+    } catch (const std::exception&) {
+      signals.raise();
+      throw;
+    }
+  }();
+  signals.raise();
+  return made;
+}
 
 }  // namespace leastcost::python

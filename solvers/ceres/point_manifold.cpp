@@ -23,7 +23,7 @@ PointManifold::PointManifold(const ConstraintManifold& manifold, Points free, bo
       stopped_(stopped),
       deadline_(deadline) {}
 
-bool PointManifold::is_late() const { return deadline_ && std::chrono::steady_clock::now() >= *deadline_; }
+bool PointManifold::is_late() const { return deadline_.has_ended(); }
 
 /// A ring of one column: a path all of whose points are free.
 CoordinatePath PointManifold::at(const double* x) const {

@@ -85,9 +85,9 @@ class TrustRegion final : public ceres::IterationCallback {
 
   /// Ceres cannot be stopped in the midst of an iteration: none is begun that would end long after the deadline.
   bool too_late_for(double seconds) const {
-    const Deadline& deadline = energy_.deadline();
-    if (!deadline) return false;
-    return std::chrono::duration<double>(*deadline - Monitor::Clock::now()).count() + kAfterDeadline < seconds;
+    const auto& end = energy_.deadline().time();
+    if (!end) return false;
+    return std::chrono::duration<double>(*end - Monitor::Clock::now()).count() + kAfterDeadline < seconds;
   }
 
   void run_round() {

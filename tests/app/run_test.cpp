@@ -243,9 +243,10 @@ TEST_CASE("run: the manifest names the inputs by content") {
 
 TEST_CASE("run: a stop request keeps the best path, a time budget too") {
   const ScratchDir dir;
-  int asked = 0;
+  int iterations = 0;
   Monitor monitor;
-  monitor.stop_requested = [&] { return ++asked > 3; };
+  monitor.observe = [&](const Progress& progress) { iterations += progress.iteration != nullptr ? 1 : 0; };
+  monitor.stop_requested = [&] { return iterations > 2; };
   const app::WrittenRun stopped = run_file(write(dir / "chute.yaml", kChute), dir / "out", monitor);
   CHECK(stopped.result.status == Status::interrupted);
   CHECK(app::exit_of(stopped.result.status) == app::Exit::interrupted);

@@ -87,9 +87,10 @@ TEST_CASE("find_path: a stop request in any stage keeps the best path", "[framew
 }
 
 TEST_CASE("find_path: a stop request in the middle of a solve", "[framework]") {
-  int asked = 0;
+  int iterations = 0;
   Monitor monitor;
-  monitor.stop_requested = [&] { return ++asked > 3; };
+  monitor.observe = [&](const Progress& progress) { iterations += progress.iteration != nullptr ? 1 : 0; };
+  monitor.stop_requested = [&] { return iterations > 2; };
   const Result r = find_watched(watched_cycloid(), monitor);
   CHECK(r.status == Status::interrupted);
   CHECK(r.solve.termination == Termination::cancelled);

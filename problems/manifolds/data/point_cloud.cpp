@@ -131,8 +131,8 @@ void PointCloudManifoldOptions::fields(FieldVisitor& visit) {
                         "spanning tree. auto: those of the file where they agree with the estimate."});
 }
 
-PointCloudManifold::PointCloudManifold(PointCloud cloud)
-    : EmbeddedManifold({3, 3, 2}), cloud_(std::move(cloud)), surface_(cloud_), graph_(cloud_) {}
+PointCloudManifold::PointCloudManifold(PointCloud cloud, const Deadline& deadline)
+    : EmbeddedManifold({3, 3, 2}), cloud_(std::move(cloud)), surface_(cloud_), graph_(cloud_, deadline) {}
 
 std::shared_ptr<const ConstraintManifold> PointCloudManifold::coarser() const {
   std::call_once(made_coarser_, [this] {
@@ -156,9 +156,9 @@ void PointCloudManifold::tangent_basis(const Eigen::VectorXd& x, Eigen::Ref<Poin
   basis.col(1) = normal.cross(Eigen::Vector3d(basis.col(0)));
 }
 
-std::shared_ptr<const PointCloudManifold> surface_of(PointCloud cloud) {
-  if (cloud.has_border()) return std::make_shared<const BorderedCloud>(std::move(cloud));
-  return std::make_shared<const PointCloudManifold>(std::move(cloud));
+std::shared_ptr<const PointCloudManifold> surface_of(PointCloud cloud, const Deadline& deadline) {
+  if (cloud.has_border()) return std::make_shared<const BorderedCloud>(std::move(cloud), deadline);
+  return std::make_shared<const PointCloudManifold>(std::move(cloud), deadline);
 }
 
 std::shared_ptr<const PointCloudManifold> make_point_cloud_manifold(const PointCloudManifoldOptions& options,

@@ -40,7 +40,8 @@ class PointCloudManifold : public EmbeddedManifold,
                            public MadeFromData,
                            public DrawsItself {
  public:
-  explicit PointCloudManifold(PointCloud cloud);
+  /// Throws Interrupted.
+  explicit PointCloudManifold(PointCloud cloud, const Deadline& deadline = {});
   PointCloudManifold(const PointCloudManifold&) = delete;  // the surface refers to the cloud beside it
   PointCloudManifold& operator=(const PointCloudManifold&) = delete;
 
@@ -73,8 +74,8 @@ class PointCloudManifold : public EmbeddedManifold,
 };
 
 /// The surface of a cloud. Where it has a border, the rim of a partial scan or holes, paths come to rest on it and run
-/// along it, as along any bound.
-std::shared_ptr<const PointCloudManifold> surface_of(PointCloud cloud);
+/// along it, as along any bound. Throws Interrupted.
+std::shared_ptr<const PointCloudManifold> surface_of(PointCloud cloud, const Deadline& deadline = {});
 
 /// Reads the file (relative to `folder`) and builds the surface. Throws InputError, OptionError.
 std::shared_ptr<const PointCloudManifold> make_point_cloud_manifold(const PointCloudManifoldOptions& options,
