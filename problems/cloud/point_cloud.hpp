@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <leastcost/framework/base/deadline.hpp>
 #include <leastcost/framework/base/options.hpp>
 #include <leastcost/problems/cloud/neighbour_search.hpp>
 #include <leastcost/problems/cloud/point_samples.hpp>

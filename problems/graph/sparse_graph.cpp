@@ -6,6 +6,7 @@
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/kruskal_min_spanning_tree.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
+#include <functional>
 #include <numeric>
 
 #include "problems/graph/compressed_rows.hpp"
@@ -81,7 +82,7 @@ std::vector<SparseGraph::Edge> minimum_spanning_forest(std::int32_t nodes, std::
   const Weighted graph(edges.begin(), edges.end(), weights.begin(), static_cast<std::size_t>(nodes));
   using Edge = boost::graph_traits<Weighted>::edge_descriptor;
   std::vector<Edge> chosen;
-  const auto choose = [&](const Edge& edge) {
+  const std::function<void(const Edge&)> choose = [&](const Edge& edge) {
     look_at_clock(deadline, static_cast<std::int64_t>(chosen.size()));
     chosen.push_back(edge);
   };
