@@ -6,8 +6,8 @@
 #include <thread>
 
 #include <leastcost/framework/base/monitor.hpp>
+#include <leastcost/framework/cost/segment_cost_function.hpp>
 #include <leastcost/framework/energy/path_energy.hpp>
-#include <leastcost/framework/result/complete_interrupted.hpp>
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 
