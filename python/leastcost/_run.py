@@ -35,9 +35,9 @@ def run(
       as a manifold; a Cost, a CostMap, a Wind or a function q(a, b) (see Cost) as a cost; an array of points, (n, d), as
       a first path. They are checked as what a configuration describes.
 
-    Ctrl-C ends the search within 50 ms, of paths of more than 30,000 points after the pass over them that it is in: the
-    best path so far is returned, its status is "interrupted"; KeyboardInterrupt is raised if there is none yet. What a
-    function raises comes out as it is, and so does KeyboardInterrupt within it.
+    Ctrl-C ends the search within 50 ms; long paths must then still be measured. The best path so far is returned, its
+    status is "interrupted"; KeyboardInterrupt is raised if there is none yet. What a function raises comes out as it is,
+    and so does KeyboardInterrupt within it.
 
     Raises ConfigError, InputError, NoPathError, TimeLimitError.
     """
