@@ -36,8 +36,8 @@ def run(
       a first path. They are checked as what a configuration describes.
 
     Ctrl-C ends the search within 50 ms; long paths must then still be measured. The best path so far is returned, its
-    status is "interrupted"; KeyboardInterrupt is raised if there is none yet. What a function raises comes out as it is,
-    and so does KeyboardInterrupt within it.
+    status is "interrupted"; KeyboardInterrupt is raised if there is none yet. What a function raises comes out as it
+    is, and so does KeyboardInterrupt within it.
 
     Raises ConfigError, InputError, NoPathError, TimeLimitError.
     """
