@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/heap.hpp"
 
+#include <cstdlib>  // says which C library it is
+
 #if defined(__GLIBC__)
 
 #include <malloc.h>
 #include <sys/mman.h>
 #include <unistd.h>
 #include <cstdint>
-#include <cstdlib>
 
 namespace leastcost::app {
 
