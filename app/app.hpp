@@ -17,7 +17,8 @@ namespace leastcost {
 /// The whole program `leastcost`: parses the arguments (argv[0] is the name that help texts use), runs the command,
 /// writes to standard output and error, and returns the exit code. Plug-ins that were registered before are in runs,
 /// studies, `list`, `describe`, the schema and completion. Never throws. Changes what SIGPIPE and SIGXFSZ do, and while
-/// a run goes on SIGINT and SIGTERM, in the whole process: call it once, from the main thread.
+/// a run goes on SIGINT and SIGTERM, and how malloc() takes memory from the system, in the whole process: call it once,
+/// from the main thread.
 int run_program(int argc, char** argv);
 
 }  // namespace leastcost

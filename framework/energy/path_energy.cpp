@@ -12,6 +12,7 @@
 #include <leastcost/framework/domain/has_curvature.hpp>
 #include "framework/base/point_text.hpp"
 #include "framework/domain/in_parts.hpp"
+#include "framework/energy/frame_products.hpp"
 
 namespace leastcost {
 namespace {
@@ -19,19 +20,6 @@ namespace {
 /// Segments between two looks at the clock: energies and gradients take up to some microseconds each, Hessians up to
 /// some ten.
 constexpr Index kEnergyPart = 128, kHessianPart = 32;
-
-/// T' M S for the frames of two points in ambient coordinates (or M itself where they are the identity), added to
-/// `out`.
-template <class Derived>
-void add_in_frames(const Frames& frames, int k, Index i, Index j, const Eigen::MatrixBase<Derived>& m,
-                   Eigen::Block<Points> out) {
-  if (frames.identity && frames.lifted.size() == 0) {
-    out += m;
-    return;
-  }
-  const Points& bases = frames.lifted.size() > 0 ? frames.lifted : frames.bases;
-  out.noalias() += bases.middleCols(k * i, k).transpose() * m.lazyProduct(bases.middleCols(k * j, k));
-}
 
 /// phi(q) = q.
 struct SquaredCost {
@@ -77,6 +65,13 @@ AmbientPath PathEnergy::ambient(const CoordinatePath& path) {
   }
   if (path.ring) return {{ambient_.data(), ambient_.rows(), ambient_.cols()}, ring_sites_, true};
   return {{embedded_.data(), embedded_.rows(), embedded_.cols()}, path.sites, false};
+}
+
+const Points& PathEnergy::chart_jacobians(const CoordinatePath& path) {
+  Evaluated& here = evaluated(path);
+  if (!here.jacobians) jacobians(*chart_, path, jacobians_, deadline_);
+  here.jacobians = true;
+  return jacobians_;
 }
 
 void PathEnergy::squared_costs(const CoordinatePath& path) {
@@ -140,11 +135,13 @@ double PathEnergy::value_and_gradient(const CoordinatePath& path, Points& gradie
   const Index first = path.free_begin(), n = path.free_count();
   if (chart_) {
     const int d = dims_.coordinate;
-    jacobians(*chart_, path, jacobians_, deadline_);
+    const Points& j = chart_jacobians(path);
     gradient.resize(d, n);
-    for (Index i = 0; i < n; ++i)
-      gradient.col(i).noalias() =
-          jacobians_.middleCols(d * (first + i), d).transpose().lazyProduct(ambient_gradient_.col(first + i));
+    with_frame_size(dims_.ambient, d, [&](auto size) {
+      for (Index i = 0; i < n; ++i)
+        gradient.col(i).noalias() =
+            matrix_at(j, size, d, first + i).transpose().lazyProduct(ambient_gradient_.col(first + i));
+    });
   } else {
     gradient = ambient_gradient_.middleCols(first, n);
   }
@@ -164,14 +161,13 @@ void PathEnergy::residuals(const CoordinatePath& path, Points& r, Points* jacobi
     if (jacobians != nullptr) jacobians->middleCols(width * begin, width * count) = part_jacobians;
   });
   if (jacobians == nullptr || !chart_) return;
-  leastcost::jacobians(*chart_, path, jacobians_, deadline_);
+  const Points& j = chart_jacobians(path);
   const int d = dims_.ambient, k = dims_.coordinate;
   Points in_chart(r.rows(), 2 * k * r.cols());
   for (Index i = 0; i < r.cols(); ++i) {
     const Index next = (i + 1) % path.u.cols();  // the last segment of a ring ends at an image of its first point
-    in_chart.middleCols(2 * k * i, k) = jacobians->middleCols(2 * d * i, d) * jacobians_.middleCols(k * i, k);
-    in_chart.middleCols(2 * k * i + k, k) =
-        jacobians->middleCols(2 * d * i + d, d) * jacobians_.middleCols(k * next, k);
+    in_chart.middleCols(2 * k * i, k) = jacobians->middleCols(2 * d * i, d) * j.middleCols(k * i, k);
+    in_chart.middleCols(2 * k * i + k, k) = jacobians->middleCols(2 * d * i + d, d) * j.middleCols(k * next, k);
   }
   *jacobians = std::move(in_chart);
 }
@@ -180,7 +176,7 @@ void PathEnergy::metrics(const CoordinatePath& path, Points& g) {
   ++counters_.energies;
   static const KernelOf<SquaredCost> kernel;
   const AmbientPath x = ambient(path);
-  if (chart_) jacobians(*chart_, path, jacobians_, deadline_);
+  if (chart_) chart_jacobians(path);
   const int d = dims_.ambient, k = dims_.coordinate;
   const Index columns = path.u.cols();
   g.resize(k, k * columns);
@@ -245,17 +241,27 @@ void PathEnergy::chain_hessian(const CoordinatePath& path, const Points& gradien
   const Index n = path.free_count(), segments = path.segment_count();
   system.resize(k, n, path.ring);
   system.set_zero();
+  const bool in_coordinates = frames.identity && frames.lifted.size() == 0;
+  const Points& bases = frames.lifted.size() > 0 ? frames.lifted : frames.bases;
   in_parts(segments, kHessianPart, deadline_, [&](Index begin, Index count) {
     problem_->cost->chain_blocks(x.part(begin, count), *problem_->kernel, s0_, kind, blocks_);
-    for (Index s = begin; s < begin + count; ++s) {
-      const Index a = s - path.free_begin();                       // free point at the segment's start
-      const Index b = path.ring && s + 1 == segments ? 0 : a + 1;  // and at its end
-      const Points& h = blocks_.blocks;
-      const Index c = 2 * d * (s - begin);
-      if (a >= 0) add_in_frames(frames, k, a, a, h.block(0, c, d, d), system.diagonal(a));
-      if (b < n) add_in_frames(frames, k, b, b, h.block(d, c + d, d, d), system.diagonal(b));
-      if (a >= 0 && b < n) add_in_frames(frames, k, a, b, h.block(0, c + d, d, d), system.coupling(a));
-    }
+    with_frame_size(d, k, [&](auto size) {
+      const auto add = [&](Index i, Index j, Index row, Index column, Eigen::Block<Points> out) {
+        const auto h = blocks_.blocks.block<size.kRows, size.kRows>(row, column, d, d);
+        if (in_coordinates)
+          out += h;
+        else
+          add_in_frames(bases, size, k, i, j, h, out);
+      };
+      for (Index s = begin; s < begin + count; ++s) {
+        const Index a = s - path.free_begin();                       // free point at the segment's start
+        const Index b = path.ring && s + 1 == segments ? 0 : a + 1;  // and at its end
+        const Index c = 2 * d * (s - begin);
+        if (a >= 0) add(a, a, 0, c, system.diagonal(a));
+        if (b < n) add(b, b, d, c + d, system.diagonal(b));
+        if (a >= 0 && b < n) add(a, b, 0, c + d, system.coupling(a));
+      }
+    });
   });
   if (kind == HessianKind::exact && chart_)
     add_chart_curvature(path, frames, system);

@@ -37,7 +37,7 @@ class PathEnergy {
 
   /// Frames at a path. With bounds, the gradient decides which of them hold (a bound is kept while its
   /// multiplier pushes against it).
-  void frames(const CoordinatePath& path, const Points& gradient, Frames& frames) const;
+  void frames(const CoordinatePath& path, const Points& gradient, Frames& frames);
   /// T'v per free point; blocked coordinates are 0. Length tangent * n.
   void to_tangent(const Frames& frames, const Points& vectors, Eigen::VectorXd& tangent) const;
   /// T t per free point, coordinate x n.
@@ -85,10 +85,11 @@ class PathEnergy {
   /// one after the other.
   struct Evaluated {
     CoordinatePath path;
-    bool ambient = false;   ///< embedded_, and of a ring ambient_ and ring_sites_
-    bool costs = false;     ///< q_
-    bool kernel = false;    ///< phi_
-    bool gradient = false;  ///< ambient_gradient_, and `energy`
+    bool ambient = false;    ///< embedded_, and of a ring ambient_ and ring_sites_
+    bool jacobians = false;  ///< jacobians_
+    bool costs = false;      ///< q_
+    bool kernel = false;     ///< phi_
+    bool gradient = false;   ///< ambient_gradient_, and `energy`
     double energy = 0;
   };
 
@@ -98,7 +99,9 @@ class PathEnergy {
   void apply_kernel(const CoordinatePath& path);
   /// q_i of every segment into q_.
   void squared_costs(const CoordinatePath& path);
-  void lift(const CoordinatePath& path, Frames& frames) const;
+  void lift(const CoordinatePath& path, Frames& frames);
+  /// dx/du at all columns, side by side; of a chart.
+  const Points& chart_jacobians(const CoordinatePath& path);
   void add_curvature(const CoordinatePath& path, const Points& gradient, const Frames& frames, ChainSystem& system);
   void add_chart_curvature(const CoordinatePath& path, const Frames& frames, ChainSystem& system);
   /// dE/dx into ambient_gradient_, the closing column of a ring added to its first; E.

@@ -43,7 +43,7 @@ int keep_pushed(Points& normals, int count, const Eigen::VectorXd& descent) {
 
 }  // namespace
 
-void PathEnergy::frames(const CoordinatePath& path, const Points& gradient, Frames& out) const {
+void PathEnergy::frames(const CoordinatePath& path, const Points& gradient, Frames& out) {
   const auto* bounds = find_ability<HasBounds>(*problem_->manifold);
   const int k = dims_.tangent, d = dims_.coordinate;
   const Index n = path.free_count(), first = path.free_begin();
@@ -78,17 +78,16 @@ void PathEnergy::frames(const CoordinatePath& path, const Points& gradient, Fram
   lift(path, out);
 }
 
-void PathEnergy::lift(const CoordinatePath& path, Frames& out) const {
+void PathEnergy::lift(const CoordinatePath& path, Frames& out) {
   if (!chart_) return;
   const int d = dims_.coordinate;
-  const Index n = path.free_count();
-  Points all;
-  jacobians(*chart_, path, all, deadline_);
-  out.lifted = all.middleCols(d * path.free_begin(), d * n);
+  const Index n = path.free_count(), first = path.free_begin();
+  const Points& j = chart_jacobians(path);
+  out.lifted = j.middleCols(d * first, d * n);
   if (out.identity) return;
   for (Index i = 0; i < n; ++i)
-    out.lifted.middleCols(d * i, d) =
-        (all.middleCols(d * (path.free_begin() + i), d) * out.bases.middleCols(d * i, d)).eval();
+    out.lifted.middleCols(d * i, d).noalias() =
+        j.middleCols(d * (first + i), d).lazyProduct(out.bases.middleCols(d * i, d));
 }
 
 }  // namespace leastcost

@@ -42,6 +42,11 @@ struct Dual {
     for (int k = 0; k < N; ++k) d[k] = (d[k] - value * o.d[k]) / o.value;
     return *this;
   }
+  Dual& operator*=(double constant) {
+    value *= constant;
+    for (int k = 0; k < N; ++k) d[k] *= constant;
+    return *this;
+  }
   Dual operator-() const {
     Dual r;
     r.value = -value;
@@ -53,6 +58,12 @@ struct Dual {
   friend Dual operator-(Dual a, const Dual& b) { return a -= b; }
   friend Dual operator*(Dual a, const Dual& b) { return a *= b; }
   friend Dual operator/(Dual a, const Dual& b) { return a /= b; }
+  // Constants are most factors of a formula, and have no derivatives.
+  friend Dual operator+(Dual a, double b) { return a.value += b, a; }
+  friend Dual operator+(double a, Dual b) { return b.value += a, b; }
+  friend Dual operator-(Dual a, double b) { return a.value -= b, a; }
+  friend Dual operator*(Dual a, double b) { return a *= b; }
+  friend Dual operator*(double a, Dual b) { return b *= a; }
   friend bool operator<(const Dual& a, const Dual& b) { return a.value < b.value; }
   friend bool operator>(const Dual& a, const Dual& b) { return b < a; }
   friend bool operator<=(const Dual& a, const Dual& b) { return !(b < a); }

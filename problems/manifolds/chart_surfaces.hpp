@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <leastcost/framework/numbers/sin_cos.hpp>
+
 /// Named surfaces as maps (u, v) -> R^3. Where a surface is round, u is the angle about the z axis.
 namespace leastcost::chart {
 
@@ -24,9 +26,9 @@ struct Ellipsoid {
   double a = 1, b = 1, c = 1;
   template <class S>
   Vector3<S> operator()(const S& u, const S& v) const {
-    using std::cos, std::sin;
-    const S r = cos(v);
-    return {a * r * cos(u), b * r * sin(u), c * sin(v)};
+    const auto [sin_u, cos_u] = sin_cos(u);
+    const auto [up, r] = sin_cos(v);
+    return {a * r * cos_u, b * r * sin_u, c * up};
   }
 };
 
@@ -36,12 +38,13 @@ struct Geodetic {
   double a = 1, f = 0;
   template <class S>
   Vector3<S> operator()(const S& u, const S& v) const {
-    using std::cos, std::sin, std::sqrt;
+    using std::sqrt;
     constexpr double kDegree = std::numbers::pi / 180;
     const double e2 = f * (2 - f);
-    const S latitude = kDegree * u, longitude = kDegree * v, up = sin(latitude);
-    const S n = a / sqrt(1.0 - e2 * up * up), r = n * cos(latitude);
-    return {r * cos(longitude), r * sin(longitude), (1 - e2) * n * up};
+    const auto [up, outward] = sin_cos(S(kDegree * u));
+    const auto [east, north] = sin_cos(S(kDegree * v));
+    const S n = a / sqrt(1.0 - e2 * up * up), r = n * outward;
+    return {r * north, r * east, (1 - e2) * n * up};
   }
 };
 
@@ -50,9 +53,10 @@ struct Torus {
   double major = 2, minor = 1;
   template <class S>
   Vector3<S> operator()(const S& u, const S& v) const {
-    using std::cos, std::sin;
-    const S r = major + minor * cos(v);
-    return {r * cos(u), r * sin(u), minor * sin(v)};
+    const auto [sin_u, cos_u] = sin_cos(u);
+    const auto [sin_v, cos_v] = sin_cos(v);
+    const S r = major + minor * cos_v;
+    return {r * cos_u, r * sin_u, minor * sin_v};
   }
 };
 
@@ -61,8 +65,8 @@ struct Cylinder {
   double radius = 1;
   template <class S>
   Vector3<S> operator()(const S& u, const S& v) const {
-    using std::cos, std::sin;
-    return {radius * cos(u), radius * sin(u), v};
+    const auto [sin_u, cos_u] = sin_cos(u);
+    return {radius * cos_u, radius * sin_u, v};
   }
 };
 
@@ -71,9 +75,9 @@ struct Cone {
   double half_angle = 0.5;
   template <class S>
   Vector3<S> operator()(const S& u, const S& v) const {
-    using std::cos, std::sin;
+    const auto [sin_u, cos_u] = sin_cos(u);
     const S r = std::sin(half_angle) * v;
-    return {r * cos(u), r * sin(u), std::cos(half_angle) * v};
+    return {r * cos_u, r * sin_u, std::cos(half_angle) * v};
   }
 };
 
@@ -82,9 +86,10 @@ struct Catenoid {
   double waist = 1;
   template <class S>
   Vector3<S> operator()(const S& u, const S& v) const {
-    using std::cos, std::cosh, std::sin;
+    using std::cosh;
+    const auto [sin_u, cos_u] = sin_cos(u);
     const S r = waist * cosh(v / waist);
-    return {r * cos(u), r * sin(u), v};
+    return {r * cos_u, r * sin_u, v};
   }
 };
 
@@ -93,8 +98,8 @@ struct Paraboloid {
   double curvature = 1;
   template <class S>
   Vector3<S> operator()(const S& u, const S& v) const {
-    using std::cos, std::sin;
-    return {v * cos(u), v * sin(u), 0.5 * curvature * v * v};
+    const auto [sin_u, cos_u] = sin_cos(u);
+    return {v * cos_u, v * sin_u, 0.5 * curvature * v * v};
   }
 };
 
@@ -103,9 +108,10 @@ struct Hyperboloid {
   double waist = 1, height = 1;
   template <class S>
   Vector3<S> operator()(const S& u, const S& v) const {
-    using std::cos, std::sin, std::sqrt;
+    using std::sqrt;
+    const auto [sin_u, cos_u] = sin_cos(u);
     const S t = v / height, r = waist * sqrt(1.0 + t * t);
-    return {r * cos(u), r * sin(u), v};
+    return {r * cos_u, r * sin_u, v};
   }
 };
 
@@ -114,10 +120,12 @@ struct KleinBottle {
   double a = 2, b = 1;
   template <class S>
   Vector3<S> operator()(const S& u, const S& v) const {
-    using std::cos, std::sin;
-    const S c = cos(0.5 * u), s = sin(0.5 * u);
-    const S r = a + b * (c * sin(v) - s * sin(2.0 * v));
-    return {r * cos(u), r * sin(u), b * (s * sin(v) + c * sin(2.0 * v))};
+    using std::sin;
+    const auto [s, c] = sin_cos(S(0.5 * u));
+    const auto [sin_u, cos_u] = sin_cos(u);
+    const S once = sin(v), twice = sin(2.0 * v);
+    const S r = a + b * (c * once - s * twice);
+    return {r * cos_u, r * sin_u, b * (s * once + c * twice)};
   }
 };
 
@@ -125,9 +133,10 @@ struct KleinBottle {
 struct MoebiusStrip {
   template <class S>
   Vector3<S> operator()(const S& u, const S& v) const {
-    using std::cos, std::sin;
-    const S r = 1.0 + v * cos(u);
-    return {r * cos(2.0 * u), r * sin(2.0 * u), v * sin(u)};
+    const auto [sin_u, cos_u] = sin_cos(u);
+    const auto [sin_2u, cos_2u] = sin_cos(S(2.0 * u));
+    const S r = 1.0 + v * cos_u;
+    return {r * cos_2u, r * sin_2u, v * sin_u};
   }
 };
 
@@ -136,8 +145,8 @@ struct Spiral {
   double a = 1;
   template <class S>
   Vector3<S> operator()(const S& u, const S& v) const {
-    using std::cos, std::sin;
-    return {u * cos(v), u * sin(v), a * v};
+    const auto [sin_v, cos_v] = sin_cos(v);
+    return {u * cos_v, u * sin_v, a * v};
   }
 };
 

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <leastcost/framework/energy/frames.hpp>
+
+/// \file
+/// Products with the small matrices of one point, for sizes that the compiler knows: surfaces in space, the plane,
+/// space. With sizes that it does not know, each took longer than all else that an iteration does at a point.
+
+namespace leastcost {
+
+/// Rows and columns of a point's matrix, Eigen::Dynamic where they are not among the usual ones.
+template <int Rows, int Columns>
+struct FrameSize {
+  static constexpr int kRows = Rows, kColumns = Columns;
+};
+
+/// visit(FrameSize): with the numbers themselves where they are the usual ones.
+template <class Visit>
+void with_frame_size(int rows, int columns, Visit visit) {
+  if (rows == 3 && columns == 2) return visit(FrameSize<3, 2>{});
+  if (rows == 2 && columns == 2) return visit(FrameSize<2, 2>{});
+  if (rows == 3 && columns == 3) return visit(FrameSize<3, 3>{});
+  visit(FrameSize<Eigen::Dynamic, Eigen::Dynamic>{});
+}
+
+/// The matrix of point i among those that lie side by side.
+template <class Size>
+auto matrix_at(const Points& side_by_side, Size, int columns, Index i) {
+  using Matrix = Eigen::Matrix<double, Size::kRows, Size::kColumns>;
+  return Eigen::Map<const Matrix>(side_by_side.data() + side_by_side.rows() * columns * i, side_by_side.rows(),
+                                  columns);
+}
+
+/// T' M S added to `out`, for the frames T and S of points i and j; `m`: in the coordinates of the frames' rows.
+template <class Size, class Derived>
+void add_in_frames(const Points& bases, Size size, int k, Index i, Index j, const Eigen::MatrixBase<Derived>& m,
+                   Eigen::Block<Points> out) {
+  using Turned = Eigen::Matrix<double, Size::kRows, Size::kColumns>;
+  constexpr int K = Size::kColumns;
+  const Turned turned = m.lazyProduct(matrix_at(bases, size, k, j));
+  Eigen::Map<Eigen::Matrix<double, K, K>, 0, Eigen::OuterStride<>>(out.data(), k, k,
+                                                                   Eigen::OuterStride<>(out.outerStride()))
+      .noalias() += matrix_at(bases, size, k, i).transpose().lazyProduct(turned);
+}
+
+}  // namespace leastcost
