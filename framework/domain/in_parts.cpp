@@ -11,15 +11,17 @@
 namespace leastcost {
 namespace {
 
-/// A point of a cloud takes some 30 us.
-constexpr Index kColumnPart = 16;
+/// A point of a cloud takes some 30 us, one of a chart less than 1.
+constexpr Index kColumnPart = 16, kChartPart = 512;
 
 /// What moves and projections ask for, where it takes longer than they do, and where there is a clock to look at.
 const MakesOnDemand* made_on_demand(const ConstraintManifold& manifold, const Deadline& deadline) {
   return deadline && manifold.shape() == Shape::polyhedral ? find_ability<MakesOnDemand>(manifold) : nullptr;
 }
 
-bool whole(const CoordinatePath& path, const Deadline& deadline) { return !deadline || path.u.cols() <= kColumnPart; }
+bool whole(const CoordinatePath& path, const Deadline& deadline, Index part = kColumnPart) {
+  return !deadline || path.u.cols() <= part;
+}
 
 /// Columns of a path, as a ring: all of them are free.
 CoordinatePath part_of(const CoordinatePath& path, Index begin, Index count) {
@@ -28,12 +30,12 @@ CoordinatePath part_of(const CoordinatePath& path, Index begin, Index count) {
   return part;
 }
 
-/// `width` columns of `out` for every column of the path, as make(part, columns) fills them.
+/// `width` columns of `out` for every column of the path, as make(part, columns) fills them, `most` at a time.
 template <class Make>
-void fill_in_parts(const CoordinatePath& path, const Deadline& deadline, Points& out, Make make) {
-  if (whole(path, deadline)) return make(path, 0, out);
+void fill_in_parts(const CoordinatePath& path, Index most, const Deadline& deadline, Points& out, Make make) {
+  if (whole(path, deadline, most)) return make(path, 0, out);
   Points of_part;
-  in_parts(path.u.cols(), kColumnPart, deadline, [&](Index begin, Index count) {
+  in_parts(path.u.cols(), most, deadline, [&](Index begin, Index count) {
     make(part_of(path, begin, count), begin, of_part);
     const Index width = of_part.cols() / count;
     if (begin == 0) out.resize(of_part.rows(), width * path.u.cols());
@@ -89,7 +91,7 @@ Projection project(const ConstraintManifold& manifold, CoordinatePath& path, con
 
 void tangent_bases(const ConstraintManifold& manifold, const CoordinatePath& path, Points& bases,
                    const Deadline& deadline) {
-  fill_in_parts(path, deadline, bases,
+  fill_in_parts(path, kColumnPart, deadline, bases,
                 [&](const CoordinatePath& part, Index, Points& out) { manifold.tangent_bases(part, out); });
 }
 
@@ -127,16 +129,18 @@ void retract_onto(const SeesBounds& domain, const CoordinatePath& from, const Po
 }
 
 void embed(const HasChart& chart, const CoordinatePath& path, Points& x, const Deadline& deadline) {
-  fill_in_parts(path, deadline, x, [&](const CoordinatePath& part, Index, Points& out) { chart.embed(part, out); });
+  fill_in_parts(path, kChartPart, deadline, x,
+                [&](const CoordinatePath& part, Index, Points& out) { chart.embed(part, out); });
 }
 
 void jacobians(const HasChart& chart, const CoordinatePath& path, Points& j, const Deadline& deadline) {
-  fill_in_parts(path, deadline, j, [&](const CoordinatePath& part, Index, Points& out) { chart.jacobians(part, out); });
+  fill_in_parts(path, kChartPart, deadline, j,
+                [&](const CoordinatePath& part, Index, Points& out) { chart.jacobians(part, out); });
 }
 
 void curvatures(const HasChart& chart, const CoordinatePath& path, const Points& weights, Points& h,
                 const Deadline& deadline) {
-  fill_in_parts(path, deadline, h, [&](const CoordinatePath& part, Index begin, Points& out) {
+  fill_in_parts(path, kChartPart, deadline, h, [&](const CoordinatePath& part, Index begin, Points& out) {
     chart.curvatures(part, weights.middleCols(begin, part.u.cols()), out);
   });
 }

@@ -27,10 +27,9 @@ constexpr std::array<Step, 2> kJudgements = {judge_homotopy_class, judge_free_pa
 
 /// Without a deadline they are made now. With one there are those that prepare() has made, or none.
 void make_coarser_versions(const Search& search, Outcome& out) {
-  if (search.monitor.deadline) return;
+  if (search.monitor.deadline || find_ability<HasCoarserVersion>(*out.solved.manifold) == nullptr) return;
   const auto start = Monitor::Clock::now();
   prepare(out.solved);
-  if (find_ability<HasCoarserVersion>(*out.solved.manifold) == nullptr) return;
   out.result.seconds.prepare = std::chrono::duration<double>(Monitor::Clock::now() - start).count();
 }
 
