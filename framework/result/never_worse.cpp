@@ -3,6 +3,7 @@
 #include "framework/result/never_worse.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <exception>
 #include <limits>
@@ -183,9 +184,19 @@ void refuse(const Problem& problem, const Offer& offer, const Deadline& deadline
   if (result.status == Status::certified) result.status = Status::uncertified;
 }
 
+/// Whether a moment is enough to see that the moves of a chain touch an obstacle.
+bool touches_at_once(const Problem& problem, const CoordinatePath& chain, const FindOptions& options) {
+  constexpr std::chrono::milliseconds kMoment{2};
+  try {
+    return depth_in_obstacles(problem, chain, options.certificate.clearance, Monitor::Clock::now() + kMoment) > 0;
+  } catch (const Interrupted&) {
+    return false;
+  }
+}
+
 /// Of an interrupted search, where there was no time to compare. Among obstacles nothing says that the solver's chain
 /// is clear of them, while most methods plan a first path that is; elsewhere sums of moves decide.
-void prefer_first(const Problem& given, Result& result) {
+void prefer_first(const Problem& given, const FindOptions& options, Result& result) {
   if (result.status != Status::interrupted || result.path.u.size() == 0) return;
   if (given.manifold->shape() == Shape::polyhedral) return;  // moves that are not traced say nothing there
   const Problem problem = as_solved(given, result.path);
@@ -194,6 +205,7 @@ void prefer_first(const Problem& given, Result& result) {
   PathEnergy energy(problem, 1);
   const bool obstacles = find_ability<ChecksMoves>(*problem.manifold) != nullptr;
   if (!obstacles && energy.cost(result.path) <= result.initial_cost) return;
+  if (obstacles && touches_at_once(problem, ways.back(), options)) return;  // a straight one, or one by waypoints
   const PostProcessed first = chain_as_curve(energy, ways.back());
   if (!std::isfinite(first.curve.cost)) return;
   result.notes.emplace_back(
@@ -227,7 +239,7 @@ Result never_worse(const Problem& problem, Result result, const FindOptions& opt
     deliver(offer->curve, std::move(costs), result);
     result.post_processed = true;
   } catch (const Interrupted&) {
-    prefer_first(problem, result);
+    prefer_first(problem, options, result);
   } catch (const std::exception&) {  // a part that throws: what there is stays
   }
   return result;

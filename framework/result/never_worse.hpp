@@ -19,8 +19,8 @@ bool first_path_is_better(const Problem& problem, const Result& result, const Fi
 /// search came to less, the first path is delivered with its own cost and clearance, and a note says so: its samples,
 /// or its own points where moves between the samples would touch an obstacle or leave a mesh. The failures of the path
 /// that was searched stay, so the result is not certified. After the deadline an interrupted search among obstacles
-/// delivers its first path, too, and elsewhere the one of the two whose moves cost less. `problem` is the one that was
-/// given to the search.
+/// delivers its first path, too, unless that touches one, and elsewhere the one of the two whose moves cost less.
+/// `problem` is the one that was given to the search.
 Result never_worse(const Problem& problem, Result result, const FindOptions& options, const Deadline& deadline);
 
 }  // namespace leastcost

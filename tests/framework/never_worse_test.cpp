@@ -47,6 +47,22 @@ class Spoiling final : public Solver {
   double shift_;
 };
 
+/// Returns long after the deadline.
+class Late final : public Solver {
+ public:
+  explicit Late(double shift) : spoiling_(shift) {}
+  std::string_view name() const override { return "late"; }
+
+ private:
+  SolveReport do_solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const override {
+    SolveReport report = spoiling_.solve(energy, path, monitor);
+    std::this_thread::sleep_until(*monitor.deadline + std::chrono::milliseconds(50));
+    report.termination = Termination::time_limit;
+    return report;
+  }
+  Spoiling spoiling_;
+};
+
 Problem around_disc() {
   auto domain = std::make_shared<const FreeSpace>(
       space(2), std::vector<std::shared_ptr<const Obstacle>>{make_ball({Vector2d(0, 0), 1})}, 0);
@@ -89,21 +105,6 @@ TEST_CASE("never worse: a failed search delivers its first path where that is ch
 }
 
 TEST_CASE("never worse: a solver that returns long after the deadline leaves the first path", "[framework]") {
-  /// Its path is dearer, or goes through the disc.
-  class Late final : public Solver {
-   public:
-    explicit Late(double shift) : spoiling_(shift) {}
-    std::string_view name() const override { return "late"; }
-
-   private:
-    SolveReport do_solve(PathEnergy& energy, CoordinatePath& path, const Monitor& monitor) const override {
-      SolveReport report = spoiling_.solve(energy, path, monitor);
-      std::this_thread::sleep_until(*monitor.deadline + std::chrono::milliseconds(50));
-      report.termination = Termination::time_limit;
-      return report;
-    }
-    Spoiling spoiling_;
-  };
   const Problem problem = around_disc();
   Monitor monitor;
   monitor.deadline = Monitor::Clock::now() + std::chrono::milliseconds(500);
@@ -112,6 +113,16 @@ TEST_CASE("never worse: a solver that returns long after the deadline leaves the
   CHECK(says_first(result));
   CHECK(measure_clearance(*problem.manifold, result.path.u, false, {})->lower >= 0);
   CHECK(result.curve.cost <= 2 * std::sqrt(10.25) * (1 + 1e-9));
+}
+
+TEST_CASE("never worse: a first path through an obstacle is not preferred for want of time", "[framework]") {
+  Problem problem = around_disc();
+  Monitor monitor;
+  monitor.deadline = Monitor::Clock::now() + std::chrono::milliseconds(500);
+  const Result result = find_path(problem, StraightInitializer(), Late(2.5), {.points = 20}, monitor);
+  REQUIRE(result.status == Status::interrupted);
+  REQUIRE(depth_in_obstacles(problem, result.first.path, 1e-9, {}) > 0);
+  CHECK_FALSE(says_first(result));
 }
 
 TEST_CASE("never worse: a cheaper path within an obstacle gives way to a dearer clear one", "[framework]") {
