@@ -49,4 +49,30 @@ class CallErrors {
   Deadline deadline_;
 };
 
+/// Of options that are read in this thread meanwhile: where what their functions raise goes to.
+class ErrorsOfThread {
+ public:
+  explicit ErrorsOfThread(std::shared_ptr<CallErrors> errors) : before_(std::exchange(current(), std::move(errors))) {}
+  ~ErrorsOfThread() { current() = std::move(before_); }
+  ErrorsOfThread(const ErrorsOfThread&) = delete;
+  ErrorsOfThread& operator=(const ErrorsOfThread&) = delete;
+
+  /// Those of the run that is being read; else new ones, which keep nothing: the cells of a study hear of exceptions
+  /// themselves.
+  static std::shared_ptr<CallErrors> now() {
+    if (current() != nullptr) return current();
+    auto none = std::make_shared<CallErrors>();
+    none->end();
+    return none;
+  }
+
+ private:
+  static std::shared_ptr<CallErrors>& current() {
+    thread_local std::shared_ptr<CallErrors> errors;
+    return errors;
+  }
+
+  std::shared_ptr<CallErrors> before_;
+};
+
 }  // namespace leastcost::python
