@@ -62,9 +62,9 @@ class Lists {
                                    [&](const PluginEntry* known) { return known->type == entry->type; });
     if (same != kind.entries.end() && !(replaces && (*same)->library == kOwn))
       throw InputError(
-          fmt::format("cannot register the {0} '{1}': there is a {0} of this name already; give it another "
+          fmt::format("cannot register the {0} '{1}': there is {2} {0} of this name already; give it another "
                       "one",
-                      kind.name, entry->type));
+                      kind.name, entry->type, kind.name.front() == 'o' || kind.name.front() == 'i' ? "an" : "a"));
     if (same != kind.entries.end())
       *same = entry.get();
     else

@@ -149,7 +149,7 @@ def _option(who: str, parameter: inspect.Parameter, annotation: Any, said: Optio
         low = numbers <= said.minimum if said.above else numbers < said.minimum
         if np.any(low | (numbers > said.maximum)):
             raise InputError(f"{who}: the default of the option {key!r}, {default!r}, is not in its range")
-    return key, kind, value, said.help, said.unit, said.minimum, said.maximum, said.above, required
+    return key, kind, value, said.help or "Of the function.", said.unit, said.minimum, said.maximum, said.above, required
 
 
 def _choice(who: str, key: str, words: tuple[Any, ...], default: Any) -> tuple[int, list[str]]:

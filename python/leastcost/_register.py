@@ -168,8 +168,8 @@ def register_initializer(
 ) -> Callable[[Function], Function]:
     """Gives a first path written in Python a name in configurations.
 
-        @lc.register_initializer("bow")
-        def bow(source, target, *, height=1.0):
+        @lc.register_initializer("arch")
+        def arch(source, target, *, height=1.0):
             return [(source + target) / 2 + [0, height]]
 
     The function takes the ends, (d,) each, and its options, and returns points, (n, d), which the first path goes

@@ -19,8 +19,8 @@ namespace py = pybind11;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// The time of a run and the function itself are what limits it.
-constexpr Limits kLimits{.tolerance = 1e-12,
+/// Solved is what a certificate takes for solved. The time of a run and the function itself are what limits it.
+constexpr Limits kLimits{.tolerance = 1e-10,
                          .max_iterations = std::numeric_limits<int>::max(),
                          .max_evaluations = std::numeric_limits<int>::max()};
 
