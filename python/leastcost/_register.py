@@ -97,9 +97,9 @@ def register_cost(
     unit, symmetric, additive, derivatives: of q, as of Cost.
     options: more about options, by their names: {"gravity": lc.option("Acceleration.", unit="m/s^2", above=0)}.
 
-    Options are the other parameters of the function. Their types are those of their annotations, else of their
-    defaults: bool, int, float, str, Literal["a", "b"], Path (a file, relative to the configuration), list[float],
-    list[list[float]], list[str], dict[str, float]. Without a default an option is required. The docstring's first paragraph is the summary.
+    Options are the other parameters of the function. Annotations tell their types, or else defaults: bool, int, float,
+    str, Literal["a", "b"], Path (a file, relative to the configuration), list[float], list[list[float]], list[str],
+    dict[str, float]. Without a default an option is required. The docstring's first paragraph is the summary.
 
     Raises InputError, TypeError."""
 

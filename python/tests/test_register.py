@@ -26,9 +26,6 @@ FALL = {
 LINE = {**FALL, "cost": "euclidean", "ends": {"source": {"point": [0, 0]}, "target": {"point": [1, 1]}}}
 
 
-@lc.register_cost(
-    "t_chute", unit="s", additive=True, options={"gravity": lc.option("Acceleration.", unit="m/s^2", above=0)}
-)
 def chute(a, b, *, gravity=1.0):
     """Time of a bead that slides
     down a chute.
@@ -37,7 +34,6 @@ def chute(a, b, *, gravity=1.0):
     return 2 * ((b - a) ** 2).sum(0) / (np.sqrt(-gravity * a[1]) + np.sqrt(-gravity * b[1])) ** 2
 
 
-@lc.register_cost("t_wave")
 def wave(a, b):
     return ((b - a) ** 2).sum(0) * (1 + a[1] ** 2 + b[1] ** 2)
 
@@ -45,7 +41,6 @@ def wave(a, b):
 WAVE = {**FALL, "cost": "t_wave", "ends": {"source": {"point": [-1, 1]}, "target": {"point": [1, 1]}}}
 
 
-@lc.register_solver("t_descent")
 def descent(chain, *, steps=1000, rate=1e-3):
     """Gradient steps of the length of Barzilai and Borwein."""
     points = chain.points
@@ -64,9 +59,18 @@ def descent(chain, *, steps=1000, rate=1e-3):
     return points
 
 
-@lc.register_initializer("t_bow")
 def bow(source, target, *, height: float = 1):
     return [source, (source + target) / 2 + [0, height], target]
+
+
+@pytest.fixture(autouse=True, scope="module")
+def registered():
+    """Not when the tests are collected: messages of other tests list what there is."""
+    gravity = lc.option("Acceleration.", unit="m/s^2", above=0)
+    assert lc.register_cost("t_chute", unit="s", additive=True, options={"gravity": gravity})(chute) is chute
+    lc.register_cost("t_wave")(wave)
+    lc.register_solver("t_descent")(descent)
+    lc.register_initializer("t_bow")(bow)
 
 
 def test_a_cost_by_its_name():
