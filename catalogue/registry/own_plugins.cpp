@@ -34,6 +34,8 @@ class RegisteredOptions final : public AnyOptions {
   std::unique_ptr<OwnOptions> own_;
 };
 
+constexpr const char* kOwn = "registered by the program";
+
 bool is_word(std::string_view text) {
   const auto letter = [](char c) { return c >= 'a' && c <= 'z'; };
   return !text.empty() && letter(text.front()) &&
@@ -51,16 +53,22 @@ class Lists {
 
   const std::vector<PluginKind>& now() const { return *now_.load(std::memory_order_acquire); }
 
-  void add(std::string_view kind_name, std::shared_ptr<const PluginEntry> entry) {
+  /// `replaces`: the place of one of this name that is not the library's.
+  void add(std::string_view kind_name, std::shared_ptr<const PluginEntry> entry, bool replaces) {
     const std::lock_guard lock(mutex_);
     std::vector<PluginKind> kinds = now();
     PluginKind& kind = *std::find_if(kinds.begin(), kinds.end(), [&](auto& k) { return k.name == kind_name; });
-    if (find_plugin(kind, entry->type) != nullptr)
+    const auto same = std::find_if(kind.entries.begin(), kind.entries.end(),
+                                   [&](const PluginEntry* known) { return known->type == entry->type; });
+    if (same != kind.entries.end() && !(replaces && (*same)->library == kOwn))
       throw InputError(
-          fmt::format("cannot register the {0} '{1}': there is a {0} of this name already; give it another "
+          fmt::format("cannot register the {0} '{1}': there is {2} {0} of this name already; give it another "
                       "one",
-                      kind.name, entry->type));
-    kind.entries.push_back(entry.get());
+                      kind.name, entry->type, kind.name.front() == 'o' || kind.name.front() == 'i' ? "an" : "a"));
+    if (same != kind.entries.end())
+      *same = entry.get();
+    else
+      kind.entries.push_back(entry.get());
     own_.push_back(std::move(entry));
     now_.store(&lists_.emplace_back(std::move(kinds)), std::memory_order_release);
   }
@@ -96,7 +104,7 @@ void add(const char* kind, OwnPlugin<Made> own) {
   entry->summary = std::move(own.summary);
   entry->provides = std::move(own.provides);
   entry->needs = std::move(own.facts.needs);
-  entry->library = "registered by the program";
+  entry->library = kOwn;
   entry->follows_source = own.facts.follows_source;
   entry->ambient = own.facts.ambient;
   entry->defaults = [defaults = std::move(own.defaults)] { return std::make_unique<RegisteredOptions>(defaults()); };
@@ -106,7 +114,7 @@ void add(const char* kind, OwnPlugin<Made> own) {
     check_made(made, type, context);
     return made;
   };
-  Lists::all().add(kind, std::move(entry));
+  Lists::all().add(kind, std::move(entry), own.replaces);
 }
 
 }  // namespace

@@ -80,6 +80,8 @@ struct OwnPlugin {
   std::function<std::unique_ptr<OwnOptions>()> defaults;  ///< the options as a configuration leaves them
   /// Makes the object of its options; throws OptionError.
   std::function<Made(const OwnOptions&, const BuildContext&)> make;
+  /// Takes the place of one that the program has registered under this name. Runs that were read keep that one.
+  bool replaces = false;
 };
 
 /// Adds it to the lists; what the templates below do in the end.

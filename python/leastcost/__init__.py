@@ -28,14 +28,18 @@ from ._errors import ConfigError, Error, InputError, NoPathError, OutputError, T
 from ._find_path import find_path
 from ._leastcost import version as __version__
 from ._mesh import Geodesic, Mesh
+from ._options import Option, option
 from ._pairs import PairResult, solve_pairs
 from ._plugins import cost, initializer, kernel, manifold, obstacle, post_processor, robot, solver
+from ._reference import describe, schema
+from ._register import Chain, SearchEnded, register_cost, register_initializer, register_solver
 from ._result import Failure, Result, Trajectory
 from ._robot import Joint, Pose, Robot
 from ._run import run, validate
 from ._study import Study, run_study
 
 __all__ = [
+    "Chain",
     "Cloud",
     "ConfigError",
     "Cost",
@@ -47,12 +51,14 @@ __all__ = [
     "Joint",
     "Mesh",
     "NoPathError",
+    "Option",
     "OutputError",
     "PairResult",
     "Plane",
     "Pose",
     "Result",
     "Robot",
+    "SearchEnded",
     "Space",
     "Study",
     "Terrain",
@@ -60,15 +66,21 @@ __all__ = [
     "Trajectory",
     "Wind",
     "cost",
+    "describe",
     "find_path",
     "initializer",
     "kernel",
     "manifold",
     "obstacle",
+    "option",
     "post_processor",
+    "register_cost",
+    "register_initializer",
+    "register_solver",
     "robot",
     "run",
     "run_study",
+    "schema",
     "solve_pairs",
     "solver",
     "validate",

@@ -51,7 +51,7 @@ def points(values: ArrayLike, name: str, dimension: int | None = None) -> NDArra
     return array
 
 
-def limits(values: ArrayLike | None, name: str) -> NDArray[np.float64] | None:
+def largest(values: ArrayLike | None, name: str) -> NDArray[np.float64] | None:
     """One number, or (d,), above 0."""
     if values is None:
         return None

@@ -77,8 +77,8 @@ def plain_of(value: Any, where: str) -> Any:
     plain = reader.plain(value, where)
     if reader.externals:
         raise TypeError(
-            f"{where}: a study has numbers, texts, lists and dicts, no objects; a program in C++ can register a cost or "
-            "a solver for studies (docs/extend.md)"
+            f"{where}: a study has numbers, texts, lists and dicts, no objects; lc.register_cost and lc.register_solver "
+            "give a cost or a solver a name for studies"
         )
     return plain
 

@@ -29,6 +29,7 @@ class Outcome:
         self,
         velocity: NDArray[np.float64] | None,
         acceleration: NDArray[np.float64] | None,
+        limits: Path | None,
         interval: float,
     ) -> dict[str, Any]: ...
     def write(self, folder: Path, replace: bool) -> Path: ...
@@ -61,6 +62,32 @@ def cost(
     differences: bool,
     dimension: int,
 ) -> External: ...
+class Chain:
+    points: NDArray[np.float64]
+    ring: bool
+    def value(self, points: NDArray[np.float64]) -> float: ...
+    def value_and_gradient(self, points: NDArray[np.float64]) -> tuple[float, NDArray[np.float64]]: ...
+    def retract(self, points: NDArray[np.float64], steps: NDArray[np.float64]) -> NDArray[np.float64]: ...
+
+def register_cost(
+    name: str, summary: str, options: list[tuple[Any, ...]], call: Callable[[dict[str, Any]], External]
+) -> None: ...
+def register_solver(
+    name: str,
+    summary: str,
+    options: list[tuple[Any, ...]],
+    call: Callable[[Chain, dict[str, Any]], NDArray[np.float64]],
+) -> None: ...
+def register_initializer(
+    name: str,
+    summary: str,
+    options: list[tuple[Any, ...]],
+    call: Callable[
+        [NDArray[np.float64] | None, NDArray[np.float64] | None, int, dict[str, Any]], NDArray[np.float64]
+    ],
+) -> None: ...
+def describe(kind: str, type: str) -> str: ...
+def schema() -> str: ...
 def pairs(
     source: Source, ends: list[tuple[Any, ...]] | None, threads: int, points: bool
 ) -> list[dict[str, Any]]: ...

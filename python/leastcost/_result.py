@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _leastcost
-from ._arrays import limits
+from ._arrays import largest
 from ._errors import InputError, OutputError
 
 if TYPE_CHECKING:
@@ -52,6 +52,8 @@ class Trajectory:
     """The curve is nowhere farther from the path, in coordinates."""
     touches: bool
     """Whether the rounded curve comes too near to an obstacle."""
+    notes: list[str] = field(repr=False, default_factory=list)
+    """What a user should know about the limits."""
 
 
 class Page:
@@ -140,20 +142,33 @@ class Result:
         return list(self.details["notes"])
 
     def trajectory(
-        self, *, velocity: ArrayLike | None = None, acceleration: ArrayLike | None = None, interval: float = 0.01
+        self,
+        *,
+        velocity: ArrayLike | None = None,
+        acceleration: ArrayLike | None = None,
+        limits: str | os.PathLike[str] | None = None,
+        interval: float = 0.01,
     ) -> Trajectory:
         """The quickest motion along the path, from rest to rest; in flat domains: the plane, space, joints of a robot.
 
         velocity, acceleration: largest of the coordinates, a number for all of them or (d,), per s and s^2. velocity:
-          None means that of the robot's URDF; acceleration has no default, as no URDF has it. interval: s, between two
-          samples.
+          None means that of `limits`, then that of the robot's URDF; acceleration has no other default than that of
+          `limits`, as no URDF has it.
+        limits: the path of a joint_limits.yaml of MoveIt, for robots whose joints have names. Its scaling factors hold,
+          as MoveIt moves; the trajectory's notes say so.
+        interval: s, between two samples.
 
         Raises InputError for limits that do not fit and for other domains, OutputError for a result that was pickled.
         """
         if not 0 < interval < float("inf"):
             raise InputError(f"interval is {interval}; it is a number of seconds above 0")
         return Trajectory(
-            **self._outcome.trajectory(limits(velocity, "velocity"), limits(acceleration, "acceleration"), interval)
+            **self._outcome.trajectory(
+                largest(velocity, "velocity"),
+                largest(acceleration, "acceleration"),
+                None if limits is None else Path(limits),
+                interval,
+            )
         )
 
     def write(self, folder: str | os.PathLike[str], *, replace: bool = False) -> Path:

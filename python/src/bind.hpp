@@ -14,6 +14,8 @@ void bind_mesh(pybind11::module_& module);
 void bind_robot(pybind11::module_& module);
 void bind_run(pybind11::module_& module);
 void bind_pairs(pybind11::module_& module);
+void bind_reference(pybind11::module_& module);
+void bind_register(pybind11::module_& module);
 void bind_report(pybind11::module_& module);
 void bind_study(pybind11::module_& module);
 

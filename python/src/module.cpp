@@ -14,6 +14,8 @@ PYBIND11_MODULE(_leastcost, module) {
   leastcost::python::bind_robot(module);
   leastcost::python::bind_run(module);
   leastcost::python::bind_pairs(module);
+  leastcost::python::bind_reference(module);
+  leastcost::python::bind_register(module);
   leastcost::python::bind_report(module);
   leastcost::python::bind_study(module);
   pybind11::module_::import("atexit").attr("register")(pybind11::cpp_function(&leastcost::python::Signals::end_all));

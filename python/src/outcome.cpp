@@ -7,6 +7,7 @@
 #include <leastcost/catalogue/output/write_run.hpp>
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/robots/robot_trajectory.hpp>
+#include "catalogue/inputs/joint_limits.hpp"
 #include "problems/formula/coordinate_names.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/python_cost.hpp"
@@ -29,7 +30,7 @@ py::object Outcome::curve() const { return run_ ? rows_of(run_->result.curve.x) 
 py::object Outcome::json() const { return run_ ? py::str(result_json(*run_)) : py::object(state_[2]); }
 
 py::dict Outcome::trajectory(std::optional<Eigen::VectorXd> velocity, std::optional<Eigen::VectorXd> acceleration,
-                             double interval) const {
+                             const std::optional<std::filesystem::path>& limits, double interval) const {
   using namespace py::literals;
   const RunOutcome& outcome = run();
   const Robot* robot = outcome.parts.robot.get();
@@ -38,8 +39,14 @@ py::dict Outcome::trajectory(std::optional<Eigen::VectorXd> velocity, std::optio
   options.acceleration = std::move(acceleration);
   options.interval = interval;
   Trajectory motion;
+  std::vector<std::string> notes;
   try {
     const py::gil_scoped_release released;
+    if (limits) {
+      if (robot == nullptr) throw OptionError("limits", "has limits of joints, but there is no robot");
+      options = with_joint_limits(*limits, *robot, std::move(options),
+                                  [&](std::string note) { notes.push_back(std::move(note)); });
+    }
     if (robot != nullptr) options = with_limits_of(*robot, std::move(options));
     motion = make_trajectory(outcome.parts.problem, outcome.result, options);
   } catch (const OptionError& error) {
@@ -51,7 +58,7 @@ py::dict Outcome::trajectory(std::optional<Eigen::VectorXd> velocity, std::optio
                   "positions"_a = rows_of(motion.x), "velocities"_a = rows_of(motion.velocity),
                   "accelerations"_a = rows_of(motion.acceleration), "duration"_a = motion.duration,
                   "least_duration"_a = motion.least_duration, "deviation"_a = motion.deviation,
-                  "touches"_a = motion.touches);
+                  "touches"_a = motion.touches, "notes"_a = notes);
 }
 
 std::filesystem::path Outcome::write(const std::filesystem::path& folder, bool replace) const {

@@ -30,10 +30,10 @@ class Outcome {
   pybind11::object points() const;
   pybind11::object curve() const;
   pybind11::object json() const;
-  /// The quickest motion along the path: a dict of arrays and numbers. No limits: those of the robot's file. Throws
-  /// InputError, OutputError.
+  /// The quickest motion along the path: a dict of arrays and numbers. `limits`: a joint_limits.yaml of MoveIt, for
+  /// what is not given; then come the limits of the robot's file. Throws InputError, OutputError.
   pybind11::dict trajectory(std::optional<Eigen::VectorXd> velocity, std::optional<Eigen::VectorXd> acceleration,
-                            double interval) const;
+                            const std::optional<std::filesystem::path>& limits, double interval) const;
   /// Throws OutputError.
   std::filesystem::path write(const std::filesystem::path& folder, bool replace) const;
   /// (points, curve, json).

@@ -100,14 +100,14 @@ void bind_run(py::module_& module) {
       .def(
           "trajectory",
           [](const Outcome& outcome, const std::optional<Numbers>& velocity, const std::optional<Numbers>& acceleration,
-             double interval) {
+             const std::optional<std::filesystem::path>& limits, double interval) {
             const auto vector_of = [](const std::optional<Numbers>& given) -> std::optional<Eigen::VectorXd> {
               if (!given) return std::nullopt;
               return Eigen::Map<const Eigen::VectorXd>(given->data(), given->size());
             };
-            return outcome.trajectory(vector_of(velocity), vector_of(acceleration), interval);
+            return outcome.trajectory(vector_of(velocity), vector_of(acceleration), limits, interval);
           },
-          "velocity"_a, "acceleration"_a, "interval"_a)
+          "velocity"_a, "acceleration"_a, "limits"_a, "interval"_a)
       .def("write", &Outcome::write, "folder"_a, "replace"_a)
       .def(py::pickle([](const Outcome& outcome) { return outcome.state(); },
                       [](py::tuple state) { return Outcome(std::move(state)); }));

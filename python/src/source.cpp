@@ -76,6 +76,7 @@ Externals Source::objects(const std::shared_ptr<CallErrors>& errors) const {
 }
 
 Run Source::read(const BuildProgress& progress, const std::shared_ptr<CallErrors>& errors) const {
+  const ErrorsOfThread reading(errors);
   const Externals made = objects(errors);
   if (file) return load_run(*file, overrides(), progress, made);
   if (tree) return parse_run(*tree, kName, folder, overrides(), progress, made);

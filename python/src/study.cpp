@@ -13,6 +13,7 @@
 #include <leastcost/app/report.hpp>
 #include <leastcost/app/study.hpp>
 #include "python/src/bind.hpp"
+#include "python/src/fork.hpp"
 #include "python/src/signals.hpp"
 
 namespace leastcost::python {
@@ -25,6 +26,7 @@ using namespace py::literals;
 std::filesystem::path study(const std::optional<std::filesystem::path>& file, const std::string& text,
                             const std::filesystem::path& folder, const std::vector<std::string>& assignments,
                             const std::filesystem::path& output, bool replace, bool resume, int parallel) {
+  const ForksPython forks;
   Signals signals;
   StudyResult result;
   try {

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The leastcost authors
 # SPDX-License-Identifier: MIT
 import subprocess
+import sys
 
 import leastcost as lc
 import pytest
@@ -25,9 +26,10 @@ def test_the_text_is_that_of_the_program(program, tmp_path):
     file = tmp_path / "wrong.yaml"
     file.write_text(WRONG)
     told = subprocess.run([program, "validate", file], capture_output=True, text=True, check=False).stderr
-    with pytest.raises(lc.ConfigError) as caught:
-        lc.validate(file)
-    assert str(caught.value).strip() == told.strip()
+    # In a process of its own: messages list what other tests have registered.
+    code = "import sys, leastcost as lc\ntry: lc.validate(sys.argv[1])\nexcept lc.ConfigError as error: print(error)"
+    said = subprocess.run([sys.executable, "-c", code, file], capture_output=True, text=True, check=True).stdout
+    assert said.strip() == told.strip() != ""
 
 
 def test_valid_configurations_are_valid(configs):

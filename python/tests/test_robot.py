@@ -156,6 +156,25 @@ def test_a_motion(two, gantry):
         pickle.loads(pickle.dumps(path)).trajectory(acceleration=1)
 
 
+def test_limits_from_a_file_of_moveit(two, tmp_path):
+    path = two.find_path([-0.5, 0.3], [0.9, 1.0], obstacles=[POST], clearance=0.01)
+    file = tmp_path / "joint_limits.yaml"
+    joints = {"shoulder": 6, "elbow": 3}
+    lines = [f"  {name}: {{has_acceleration_limits: true, max_acceleration: {a}}}" for name, a in joints.items()]
+    file.write_text("joint_limits:\n" + "\n".join(lines))
+    motion = path.trajectory(limits=file)
+    assert motion.duration == path.trajectory(acceleration=[6, 3]).duration and motion.notes == []
+    assert path.trajectory(limits=str(file), acceleration=6).duration == path.trajectory(acceleration=6).duration
+    file.write_text("default_acceleration_scaling_factor: 0.5\n" + file.read_text())
+    slow = path.trajectory(limits=file)
+    assert slow.duration == path.trajectory(acceleration=[3, 1.5]).duration
+    assert "default_acceleration_scaling_factor" in slow.notes[0]
+    with pytest.raises(lc.InputError, match="none.yaml"):
+        path.trajectory(limits=tmp_path / "none.yaml")
+    with pytest.raises(lc.InputError, match="limits has limits of joints, but there is no robot"):
+        lc.find_path(lc.Plane(), None, (0, 0), (3, 4)).trajectory(limits=file)
+
+
 def test_a_motion_in_the_plane():
     path = lc.find_path(lc.Plane(), None, (0, 0), (3, 4))
     motion = path.trajectory(velocity=10, acceleration=1)

@@ -49,8 +49,23 @@ def refuse(_):
         lc.validate("cost: {type: euclidian}\nmanifold: euclidean\n")
 
 
+def register(i):
+    """As a cell of a notebook that is run again."""
+
+    @lc.register_cost("soak")
+    def soak(a, b, *, weight=1.0):
+        return weight * ((b - a) ** 2).sum(0)
+
+    @lc.register_solver("soak")
+    def stay(chain):
+        return chain.points
+
+    config = {**CHUTE, "cost": {"type": "soak", "weight": 1 + i % 2}, "solver": "soak"}
+    assert lc.run(config).cost > 0
+
+
 @pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="memory is read from /proc")
-@pytest.mark.parametrize("solve, share", [(solve_config, 1), (solve_function, 0.1), (make_mesh, 1), (refuse, 1)])
+@pytest.mark.parametrize("solve, share", [(solve_config, 1), (solve_function, 0.1), (make_mesh, 1), (refuse, 1), (register, 0.2)])
 def test_memory_does_not_grow(solve, share):
     count = int(SOLVES * share)
     for i in range(count // 5):

@@ -57,6 +57,27 @@ TEST_CASE("own plug-ins: a name that is taken, no word, or without a sentence") 
   if (find_plugin(kind("kernel"), name) == nullptr) CHECK_NOTHROW(register_kernel<OwnCosh>(name, "Of another kind."));
 }
 
+TEST_CASE("own plug-ins: one that replaces another of the program, never one of the library") {
+  using Made = std::shared_ptr<const Kernel>;
+  const auto kernel = [](const char* type, const char* summary) {
+    OwnPlugin<Made> own;
+    own.type = type;
+    own.summary = summary;
+    own.defaults = [] { return std::make_unique<OwnOptionsOf<NoOptions>>(); };
+    own.make = [](const OwnOptions&, const BuildContext&) -> Made { return make_kernel<OwnCosh>(); };
+    own.replaces = true;
+    return own;
+  };
+  add_plugin(kernel("own_replaced", "The first."));  // there need not be one
+  const PluginEntry* first = find_plugin(kind("kernel"), "own_replaced");
+  const std::size_t count = kind("kernel").entries.size();
+  add_plugin(kernel("own_replaced", "The second."));
+  CHECK(find_plugin(kind("kernel"), "own_replaced")->summary == "The second.");
+  CHECK(kind("kernel").entries.size() == count);
+  CHECK(first->summary == "The first.");  // who has chosen it keeps it
+  CHECK_THROWS_WITH(add_plugin(kernel("linear", "Not linear.")), Contains("there is a kernel of this name already"));
+}
+
 TEST_CASE("own plug-ins: describe, list, schema and completion have them") {
   register_own_plugins();
   CHECK_THAT(call({"describe", "cost", "own_ray_time"}).out,
