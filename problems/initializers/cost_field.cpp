@@ -65,7 +65,8 @@ void check_problem(const Problem& problem) {
     throw InputError(
         "field: needs a domain with two coordinates (the plane, a box of it, terrain, a chart); on a mesh use "
         "leastcost distances");
-  if (find_ability<HasImages>(domain) != nullptr)
+  const auto* images = find_ability<HasImages>(domain);
+  if (images != nullptr && !images->images(problem.source.u, problem.source.u, 1).empty())
     throw InputError("field: needs coordinates that do not close on themselves, as longitudes do");
 }
 

@@ -36,7 +36,7 @@ class FieldDescent {
     while (way.size() < most) {
       const Step end = last_step(way.back()), next = next_step(way.back(), here);
       if (!(std::min(end.total, next.total) < kLost)) break;
-      if (end.total <= next.total || end.total <= (1 + kRounding) * here) {
+      if (end.total < kLost && (end.total <= next.total || end.total <= (1 + kRounding) * here)) {
         if (end.to != way.back() || way.size() == 1) way.push_back(end.to);
         return way;
       }
