@@ -150,9 +150,9 @@ std::string field_summary_text(const CostField& field, const FieldTask& task, co
   std::string out = fmt::format("{}: {} x {} nodes, {} reached, the largest value {:.6g} {}\n", arguments.output,
                                 field.count[0], field.count[1], extent.reached, extent.largest, unit);
   if (std::isfinite(field.error))
-    out +=
-        fmt::format("error  at most about {:.2g}, {:.2g} on average (estimated from the field on half as many cells)\n",
-                    field.error, field.mean_error);
+    out += fmt::format(
+        "error  about {:.2g} at worst, {:.2g} on average (an estimate, from the field on half as many cells)\n",
+        field.error, field.mean_error);
   if (field.unresolved > 0)
     out += fmt::format("note: {} nodes are reached only by passages of one or two cells; use a smaller --resolution\n",
                        field.unresolved);

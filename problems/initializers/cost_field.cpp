@@ -82,7 +82,7 @@ LatticeBox field_box(const Problem& problem, const std::optional<RasterPlaces>& 
   return box;
 }
 
-/// On the values of a raster inside the box; with a resolution, or without a raster, from side to side of it.
+/// On the values of a raster inside the box; with a resolution, or without a raster, from the lower corner of it on.
 Lattice2 lattice_of(const LatticeBox& box, const std::optional<RasterPlaces>& raster,
                     const std::optional<double>& resolution) {
   constexpr double kCells = 200, kRounding = 1e-6;
@@ -100,10 +100,10 @@ Lattice2 lattice_of(const LatticeBox& box, const std::optional<RasterPlaces>& ra
       lattice.step[k] = cell;
       cells = std::floor((std::min(box.upper[k], raster->last[k]) - lattice.lower[k]) / cell + kRounding);
     } else {
-      cells = std::round(resolution ? size[k] / *resolution : size[k] / size.maxCoeff() * kCells);
-      cells = std::max(cells, 1.0);
+      const double step = resolution ? *resolution : size.maxCoeff() / kCells;
+      cells = std::max(std::floor(size[k] / step + kRounding), 1.0);
       lattice.lower[k] = box.lower[k];
-      lattice.step[k] = size[k] / cells;
+      lattice.step[k] = std::min(step, size[k]);
     }
     if (!(cells >= 1)) throw InputError("field: the box has fewer than two values of the raster along a side");
     if (!(cells < kMostFieldNodes)) cells = kMostFieldNodes;

@@ -30,7 +30,6 @@ IsotropicMarch::IsotropicMarch(const Lattice& lattice, const std::vector<double>
   const auto size = static_cast<std::size_t>(width_) * static_cast<std::size_t>(lattice.count[1] + 2);
   nodes_.assign(size, {kUnreached, 0, 0, std::numeric_limits<float>::infinity(), 0});
   final_.assign(size, 1);
-  if (passes_) refused_.assign(size, 0);
   std::size_t next = 0;
   for (std::int32_t j = 0; j < lattice.count[1]; ++j)
     for (std::int32_t i = 0; i < lattice.count[0]; ++i) {
@@ -115,10 +114,7 @@ bool IsotropicMarch::take(std::int32_t number, const Offer& offer) {
   if (!(offer.u < node.u)) return false;
   if (passes_) {
     const Vector2d here = place(number);
-    if (!passes_(here + Vector2d(offer.x, offer.y), here)) {
-      refused_[static_cast<std::size_t>(number)] = 1;
-      return false;
-    }
+    if (!passes_(here + Vector2d(offer.x, offer.y), here)) return false;
   }
   const double length = std::sqrt(offer.x * offer.x + offer.y * offer.y);
   node.u = offer.u;
@@ -126,20 +122,6 @@ bool IsotropicMarch::take(std::int32_t number, const Offer& offer) {
   node.py = static_cast<float>(-offer.y / length);
   node.length = static_cast<float>(length);
   return true;
-}
-
-void IsotropicMarch::look_further(std::int32_t number) {
-  constexpr std::int32_t kFar = 5;
-  const std::int32_t at_i = number % width_ - 1, at_j = number / width_ - 1;
-  const Node& node = nodes_[static_cast<std::size_t>(number)];
-  for (std::int32_t j = std::max(at_j - kFar, 0); j <= std::min(at_j + kFar, lattice_.count[1] - 1); ++j)
-    for (std::int32_t i = std::max(at_i - kFar, 0); i <= std::min(at_i + kFar, lattice_.count[0] - 1); ++i) {
-      const std::int32_t other = this->number(i, j);
-      const Node& from = nodes_[static_cast<std::size_t>(other)];
-      if (final_[static_cast<std::size_t>(other)] == 0 || !(from.u < node.u)) continue;
-      const Vector2d move = lattice_.step.cwiseProduct(Vector2d(i - at_i, j - at_j));
-      take(number, {from.u + 0.5 * (double(from.density) + double(node.density)) * move.norm(), move[0], move[1]});
-    }
 }
 
 /// Turns the direction of the last move into the gradient. A ray bends by what n grows across it: the move is a chord,
@@ -176,7 +158,6 @@ void IsotropicMarch::run(const std::function<bool()>& stop) {
       throw Interrupted("field: interrupted before all nodes were reached");
     const auto [c, by] = queue.pop();
     if (final_[static_cast<std::size_t>(by)] != 0) continue;
-    if (passes_ && refused_[static_cast<std::size_t>(by)] != 0) look_further(by);
     finish(by);
     const Node& from = nodes_[static_cast<std::size_t>(by)];
     for (std::size_t k = 0; k < ring_.size(); ++k) {

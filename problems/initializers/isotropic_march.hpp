@@ -54,8 +54,6 @@ class IsotropicMarch {
   /// Over the edge between an axis neighbour and a diagonal one, both final; false: no least cost inside the edge.
   bool inside_edge(const Node& node, std::size_t axis, std::int32_t near, std::int32_t far, Offer& offer) const;
   bool take(std::int32_t node, const Offer& offer);
-  /// Beside an obstacle a path that bends along it has few clear moves from the nodes around: longer ones as well.
-  void look_further(std::int32_t node);
   void finish(std::int32_t node);
 
   Lattice lattice_;
@@ -66,7 +64,6 @@ class IsotropicMarch {
   std::array<double, 8> lengths_{};
   std::vector<Node> nodes_;  ///< in a frame of one node
   std::vector<unsigned char> final_;
-  std::vector<unsigned char> refused_;  ///< per node: an obstacle did not let a move pass; empty without obstacles
   std::vector<std::int32_t> started_;
 };
 

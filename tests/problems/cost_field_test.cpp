@@ -153,12 +153,16 @@ TEST_CASE("field: two media, by the law of refraction") {
   const Truth truth = [&](const Vector2d& x) {
     if (std::abs(x[1] - 0.5) < 0.011) return std::nan("");
     if (x[1] < 0.5) return (x - a).norm();
-    double least = std::numeric_limits<double>::infinity();
-    for (int k = 0; k <= 4000; ++k) {
-      const Vector2d at(k / 4000.0, 0.5);
-      least = std::min(least, (at - a).norm() + 2 * (x - at).norm());
+    const auto over = [&](double cross) {
+      const Vector2d at(cross, 0.5);
+      return (at - a).norm() + 2 * (x - at).norm();
+    };
+    double low = std::min(a[0], x[0]), high = std::max(a[0], x[0]);
+    for (int k = 0; k < 60; ++k) {  // it is convex
+      const double left = low + (high - low) / 3, right = high - (high - low) / 3;
+      (over(left) < over(right) ? high : low) = over(left) < over(right) ? right : left;
     }
-    return least;
+    return over(low);
   };
   const CostField field = field_of(problem, 0.01);
   const double error = worst(field, truth);
