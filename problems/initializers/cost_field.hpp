@@ -27,7 +27,8 @@ struct CostField {
   bool to_places = false;                           ///< costs of the way to them, not from them
   bool directed = false;                            ///< there and back may differ
   std::string method;                               ///< "isotropic march" or "arrival field"
-  /// The largest and the mean difference, at common nodes, from the field on half as many cells: an estimate of the
+  /// The largest and the mean difference, at common nodes, from the field on half as many cells, four times
+  /// that among obstacles and of an arrival field: an estimate of the
   /// error, not a bound. NaN where it was not asked for or there are too few nodes. Cost units.
   double error = std::numeric_limits<double>::quiet_NaN();
   double mean_error = std::numeric_limits<double>::quiet_NaN();  ///< see `error`

@@ -181,8 +181,8 @@ TEST_CASE("field: around a disc, and behind a wall that nothing passes") {
   const CostField field = field_of(problem, 0.02);
   const double error = worst(field, truth);
   CAPTURE(error, field.error);
-  CHECK(error < 0.006);
-  CHECK(field.error >= error / 2);
+  CHECK(error < 0.03);
+  CHECK(field.error >= error);
   CHECK(std::isnan(field.value(50, 50)));
 }
 
@@ -201,7 +201,7 @@ TEST_CASE("field: 100 random worlds against a finer field, with the error that i
     const Problem problem = between(domain, index_of(world.density()), source, source + Vector2d(0.01, 0));
     const Outcome outcome = compared(problem, {source}, 0.025, 4);
     CAPTURE(seed, outcome.worst, outcome.stated, outcome.largest);
-    CHECK(outcome.worst < (among ? 0.02 : 0.005) * outcome.largest);
+    CHECK(outcome.worst < (among ? 0.04 : 0.005) * outcome.largest);
     if (outcome.worst > outcome.stated) ++understated;
   }
   CAPTURE(understated);
@@ -221,7 +221,7 @@ TEST_CASE("field: costs that depend on the direction, from a place and to it") {
     });
     CAPTURE(to, error, field.error);
     CHECK(error < 0.02);
-    CHECK(field.error >= error / 2);
+    CHECK(field.error >= error);
   }
 }
 
@@ -241,7 +241,7 @@ TEST_CASE("field: 100 random worlds whose cost depends on the direction") {
         field, [&](const Vector2d& x) { return x == problem.source.u ? 0.0 : move_cost(*cost, problem.source.u, x); });
     CAPTURE(seed, ratio, error, field.error);
     CHECK(error < 0.1 * ratio);
-    if (error > 2 * field.error) ++understated;
+    if (error > field.error) ++understated;
   }
   CHECK(understated <= most / 20);
 }
@@ -278,7 +278,7 @@ TEST_CASE("field: the way back has the cost that the field states") {
       CHECK(way.front() == Vector2d(problem.source.u));
       CHECK(way.back() == field.node(i, j));
       const double cost = cost_of_way(problem, way);
-      CHECK(cost == Approx(field.value(i, j)).epsilon(0.002).margin(0.001));
+      CHECK(cost == Approx(field.value(i, j)).epsilon(0.005).margin(0.001));
     }
   }
   const auto wind = make_zermelo_cost({.speed = "1", .flow = flow::Formula{{"0.5", "0.2"}}}, 2);
