@@ -149,6 +149,9 @@ class FieldDescent {
 
 std::vector<Vector2d> way_down(const CostField& field, const Problem& problem, const Vector2d& place) {
   if (!place.allFinite()) throw InputError("field: a place needs two finite coordinates");
+  const Vector2d last = field.node(field.count[0] - 1, field.count[1] - 1);
+  if (((place - field.lower + field.step).array() < 0).any() || ((last + field.step - place).array() < 0).any())
+    throw InputError("field: no way leads down the field there: the place is outside of it");
   std::vector<Vector2d> way = FieldDescent(field, problem).way(place);
   if (!field.to_places) std::reverse(way.begin(), way.end());
   return way;
