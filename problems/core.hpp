@@ -21,6 +21,7 @@
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/initializers/cell_graph.hpp>
 #include <leastcost/problems/initializers/coordinate_circle.hpp>
+#include <leastcost/problems/initializers/cost_field.hpp>
 #include <leastcost/problems/initializers/eikonal.hpp>
 #include <leastcost/problems/initializers/grid.hpp>
 #include <leastcost/problems/initializers/mirrored.hpp>

@@ -45,6 +45,7 @@ struct Values {
   std::vector<std::string> configs, set;
   int parallel = 1;
   DistancesArguments distances;
+  FieldArguments field;
   bool force = false, dry_run = false, quiet = false, verbose = false, resume = false;
 
   bool json_lines() const { return format == "jsonl"; }
@@ -353,6 +354,49 @@ void add_helpers(CLI::App& app, Values& v, const Streams& streams, Command& chos
   });
 }
 
+void add_field(CLI::App& app, Values& v, const Streams& streams, Command& chosen) {
+  CLI::App& c = *app.add_subcommand(
+      "field", "Compute the least cost from a place, or from the nearest of several, to every cell or node");
+  c.footer(
+      "Nodes are on the values of a raster of costs; elsewhere the longest side of the box has 200 steps. On a mesh "
+      "use "
+      "leastcost distances.\n"
+      "  leastcost field map.yaml -o field.npy                    from the source of the configuration\n"
+      "  leastcost field map.yaml -o f.csv --from 3,4 --to 20,7   and the way from there to a place\n"
+      "  leastcost field map.yaml -o c.asc --corridor             how much dearer a detour through each node is");
+  c.add_option("config", v.config,
+               "Configuration (YAML); - reads standard input, with files relative to the current folder")
+      ->required()
+      ->type_name("CONFIG");
+  add_set(c, v);
+  add_format(c, v);
+  add_output(c, v, "Write to this file: .csv, .npy or .asc", "FILE");
+  c.get_option("--output")->required();
+  c.add_option("--from", v.field.from,
+               "Place, or text file with one place per line; can be repeated; default: the configuration's source")
+      ->type_name("X,Y")
+      ->allow_extra_args(false);
+  c.add_option("--to", v.field.to, "Also find the way from there to this place; can be repeated, or a text file")
+      ->type_name("X,Y")
+      ->allow_extra_args(false);
+  c.add_option("--way", v.field.ways, "Write the points of the ways to this CSV file")
+      ->type_name("FILE")
+      ->check(empty_fault);
+  c.add_option("--resolution", v.field.resolution, "From node to node, in length units")->check(CLI::PositiveNumber);
+  c.add_flag("--to-here", v.field.to_here, "Costs of the way to the places, not from them");
+  c.add_flag("--corridor", v.field.corridor,
+             "Instead of costs: by how much a path from the source to the target through each node exceeds the least");
+  c.callback([&] {
+    chosen = [&] {
+      v.field.config = v.config;
+      v.field.overrides = v.overrides();
+      v.field.output = v.output;
+      v.field.json = v.json();
+      return field_command(v.field, streams);
+    };
+  });
+}
+
 /// A text for those who install the program, under the name that this one has.
 std::string renamed(std::string text, const std::string& program) {
   static const std::string kName = "leastcost";
@@ -454,6 +498,7 @@ Exit parse_and_run(const std::vector<std::string>& arguments, const Streams& str
   add_figure(app, values, streams, chosen);
   add_reference(app, values, streams, chosen);
   add_helpers(app, values, streams, chosen);
+  add_field(app, values, streams, chosen);
   add_shell(app, values, streams, chosen);
 
   const std::vector<std::string> names = names_of(app.get_subcommands({}));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -54,6 +55,19 @@ struct DistancesArguments {
   std::optional<std::int64_t> max_windows = {};
 };
 
+struct FieldArguments {
+  std::filesystem::path config;  ///< "-": standard input
+  std::vector<Override> overrides;
+  std::vector<std::string> from;  ///< each "x,y", or a text file of such lines; empty: the source of the configuration
+  std::vector<std::string> to;    ///< the same, of places whose way back is wanted
+  std::string output;
+  std::string ways;  ///< file of these ways; empty: none
+  std::optional<double> resolution = {};
+  bool to_here = false;
+  bool corridor = false;
+  bool json = false;
+};
+
 struct FigureArguments {
   FigureRequest request;
   std::string output;
@@ -88,6 +102,8 @@ Exit init_command(const std::string& name, const std::string& path, bool force, 
 Exit doctor_command(const std::string& file, const std::string& weld, bool json, const Streams& streams);
 /// Exact distances from the nearest of some vertices of a mesh to all others.
 Exit distances_command(const DistancesArguments& arguments, const Streams& streams);
+/// Least costs from the nearest of some places to every node of a lattice, or how much dearer detours are.
+Exit field_command(const FieldArguments& arguments, const Streams& streams);
 
 /// Prints what the exception in flight says and returns its exit code. Call it in a catch block only.
 Exit exit_of_exception(const Streams& streams, bool json);

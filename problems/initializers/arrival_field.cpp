@@ -40,7 +40,7 @@ LeastOnEdge least_on_edge(double a, double b, const std::array<double, 3>& c) {
 
 ArrivalField::ArrivalField(const Problem& problem, const MoveCheck& moves, const LatticeBox& box, int cells,
                            const Way& how, const std::function<bool()>& stop)
-    : problem_(problem), moves_(moves) {
+    : problem_(problem), moves_(moves), how_(how) {
   lay(box, cells);
   if (!how.exact) {
     Eigen::Matrix2Xd u(2, static_cast<Eigen::Index>(arrivals_.size()));
@@ -51,7 +51,7 @@ ArrivalField::ArrivalField(const Problem& problem, const MoveCheck& moves, const
     mark_doubtful();
   }
   spread(stop);
-  arrive_at_target();
+  if (!how_.whole) arrive_at_target();
 }
 
 void ArrivalField::lay(const LatticeBox& box, int cells) {
@@ -59,18 +59,21 @@ void ArrivalField::lay(const LatticeBox& box, int cells) {
   const Eigen::Vector2d size = upper_ - lower_;
   for (std::size_t d = 0; d < 2; ++d) {
     const auto k = static_cast<Eigen::Index>(d);
-    const double along = std::max(1.0, std::round(size[k] / size.maxCoeff() * cells));
+    const double along = how_.cells ? (*how_.cells)[d] : std::max(1.0, std::round(size[k] / size.maxCoeff() * cells));
     lattice_.count[d] = static_cast<std::int32_t>(along) + 1;
     step_[k] = size[k] / along;
   }
   const auto nodes = static_cast<std::int32_t>(lattice_.size());
-  CoordinatePath all{Points(2, nodes + 2), {}, true};
+  const auto more = static_cast<Index>(how_.sources.size());
+  CoordinatePath all{Points(2, nodes + 2 + more), {}, true};
   for (std::int32_t node = 0; node < nodes; ++node) all.u.col(node) = coordinates({node, node, 0});
   all.u.col(nodes) = problem_.source.u;
   all.u.col(nodes + 1) = problem_.target.u;
+  for (Index i = 0; i < more; ++i) all.u.col(nodes + 2 + i) = how_.sources[static_cast<std::size_t>(i)];
   x_ = positions(*problem_.manifold, all);
   source_ = x_.col(nodes);
   target_ = x_.col(nodes + 1);
+  more_sources_ = x_.rightCols(more);
   arrivals_.resize(static_cast<std::size_t>(nodes));
   clear_.assign(2 * static_cast<std::size_t>(nodes), -1);
   ends_.resize(x_.rows(), 2);
@@ -113,7 +116,9 @@ void ArrivalField::mark_doubtful() {
 /// is not reached yet: where a current carries all moves into a narrow cone no neighbour may lie in it.
 void ArrivalField::spread(const std::function<bool()>& stop) {
   Queue queue;
-  leave_source(queue);
+  leave_source(problem_.source.u, source_, queue);
+  for (std::size_t i = 0; i < how_.sources.size(); ++i)
+    leave_source(how_.sources[i], more_sources_.col(static_cast<Index>(i)), queue);
   work_off(queue, false, stop);
   if (isotropic()) return;
   queue = {};
@@ -122,13 +127,13 @@ void ArrivalField::spread(const std::function<bool()>& stop) {
   work_off(queue, true, stop);
 }
 
-void ArrivalField::leave_source(Queue& queue) {
-  const Window start = around(problem_.source.u, kEndReach);
+void ArrivalField::leave_source(const Eigen::Vector2d& u, const Eigen::VectorXd& x, Queue& queue) {
+  const Window start = around(u, kEndReach);
   for (std::int32_t j = start.low[1]; j <= start.high[1]; ++j)
     for (std::int32_t i = start.low[0]; i <= start.high[0]; ++i) {
       const std::int32_t node = lattice_.number({i, j, 0});
-      const double c = move(source_, x_.col(node));
-      if (!(c < kNever) || !moves_.clear(source_, x_.col(node), kNever)) continue;
+      const double c = move(x, x_.col(node));
+      if (!(c < value(node)) || !moves_.clear(x, x_.col(node), kNever)) continue;
       arrivals_[static_cast<std::size_t>(node)].cost = c;
       queue.push(c, node);
     }
@@ -143,7 +148,7 @@ void ArrivalField::work_off(Queue& queue, bool leaping, const std::function<bool
     const auto [c, node] = queue.pop();
     if (c > arrivals_[static_cast<std::size_t>(node)].cost) continue;
     if (c > least_at_target) return;
-    if (isotropic()) least_at_target = std::min(least_at_target, c + last_move(node));
+    if (isotropic() && !how_.whole) least_at_target = std::min(least_at_target, c + last_move(node));
     const std::array<std::int32_t, 3> at = lattice_.place(node);
     for (std::size_t k = 0; k < kRing.size(); ++k) {
       const std::int32_t i = at[0] + kRing[k][0], j = at[1] + kRing[k][1];
@@ -204,7 +209,8 @@ bool ArrivalField::improve(std::int32_t node, std::int32_t by, std::size_t k) {
 bool ArrivalField::try_triangle(std::int32_t node, std::int32_t by, std::int32_t other, std::size_t k, int turn,
                                 Arrival& best) const {
   const NodeMoves& moves = *node_moves_;
-  const std::size_t all = NodeMoves::kDirections, direction = 2 * k;
+  // The way to a source takes the same moves the other way round.
+  const std::size_t all = NodeMoves::kDirections, direction = how_.reversed ? (2 * k + all / 2) % all : 2 * k;
   const auto turned = [&](int by_steps) { return (direction + all + static_cast<std::size_t>(by_steps)) % all; };
   const auto mean = [&](std::int32_t from, std::size_t d) { return 0.5 * (moves.cost(node, d) + moves.cost(from, d)); };
   const double from_by = mean(by, direction), u = cost({by, by, 0});
@@ -283,7 +289,10 @@ bool ArrivalField::clear(const Edge& edge) const {
 double ArrivalField::move(const Eigen::Ref<const Eigen::VectorXd>& a,
                           const Eigen::Ref<const Eigen::VectorXd>& b) const {
   if (moves_.euclidean()) return (b - a).norm();
-  ends_ << a, b;
+  if (how_.reversed)
+    ends_ << b, a;
+  else
+    ends_ << a, b;
   double q = 0;
   problem_.cost->squared_costs({{ends_.data(), ends_.rows(), 2}, {}, false}, {&q, 1});
   return std::sqrt(q);

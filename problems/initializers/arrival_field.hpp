@@ -34,10 +34,15 @@ namespace leastcost {
 /// without a cost, at the ends and on the way back, or, when `exact`, everywhere.
 class ArrivalField {
  public:
-  /// How it is found. `margin`: so many nodes around those without a cost are left out too, but at the ends.
+  /// How it is found. `margin`: so many nodes around those without a cost are left out too, but at the ends. The rest
+  /// is for fields without a target.
   struct Way {
     bool exact = false;
     int margin = 0;
+    bool whole = false;                                     ///< up to every node, not only until the target is reached
+    bool reversed = false;                                  ///< of costs to the source, not from it
+    std::vector<Eigen::Vector2d> sources = {};              ///< besides that of the problem, coordinates
+    std::optional<std::array<std::int32_t, 2>> cells = {};  ///< along both sides, instead of along the longest
   };
 
   /// A lattice of so many cells along the longest side of the box. Throws Interrupted.
@@ -50,6 +55,8 @@ class ArrivalField {
   /// cannot be followed back.
   std::vector<Eigen::Vector2d> way() const;
   const Lattice& lattice() const { return lattice_; }
+  /// What it costs to come to a node; infinite where nothing arrives.
+  double value(std::int32_t node) const { return arrivals_[static_cast<std::size_t>(node)].cost; }
   /// Some nodes have no cost.
   bool has_gaps() const { return node_moves_ && node_moves_->any_blocked(); }
   /// Some nodes can be left in some directions only.
@@ -78,7 +85,7 @@ class ArrivalField {
 
   void lay(const LatticeBox& box, int cells);
   void spread(const std::function<bool()>& stop);
-  void leave_source(Queue& queue);
+  void leave_source(const Eigen::Vector2d& u, const Eigen::VectorXd& x, Queue& queue);
   void work_off(Queue& queue, bool leaping, const std::function<bool()>& stop);
   void leap(std::int32_t node, Queue& queue);
   /// By its neighbour `by`, number k of its ring.
@@ -120,10 +127,12 @@ class ArrivalField {
 
   const Problem& problem_;
   const MoveCheck& moves_;
+  Way how_;
   Lattice lattice_;
   Eigen::Vector2d lower_, upper_, step_;    ///< the box in coordinates, and from node to node
   Points x_;                                ///< ambient positions of the nodes; not finite off the domain
   Eigen::VectorXd source_, target_;         ///< ambient
+  Points more_sources_;                     ///< the same of those besides, one a column
   std::optional<NodeMoves> node_moves_;     ///< none: exact
   std::vector<unsigned char> doubtful_;     ///< per node: beside one that is blocked
   std::vector<Arrival> arrivals_;           ///< per node

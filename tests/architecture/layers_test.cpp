@@ -149,6 +149,7 @@ const Arrows& rooms() {
       {"app/figure", {"app/plot", "app/report/page", "app/report/run", "app/report/space"}},
       {"app/report", {"app/report/page", "app/report/run", "app/report/study"}},
       {"app/distances", {}},
+      {"app/field", {}},
       {"app/wasm", {}},
       {"app/run", {"app/report"}},
       {"app/pairs", {"app/run", "app/study/rows"}},
@@ -160,8 +161,8 @@ const Arrows& rooms() {
       {"app/init", {}},
       {"app/cli/shell", {"app/init", "app/reference"}},
       {"app/cli",
-       {"app/cli/shell", "app/distances", "app/figure", "app/init", "app/pairs", "app/reference", "app/report",
-        "app/run", "app/study", "app/study/rows"}}};
+       {"app/cli/shell", "app/distances", "app/field", "app/figure", "app/init", "app/pairs", "app/reference",
+        "app/report", "app/run", "app/study", "app/study/rows"}}};
   return table;
 }
 

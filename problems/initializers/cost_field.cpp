@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <leastcost/problems/initializers/cost_field.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/has_conformal_metric.hpp>
+#include <leastcost/framework/cost/segment_cost.hpp>
+#include <leastcost/framework/domain/checks_moves.hpp>
+#include <leastcost/framework/domain/has_images.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
+#include <leastcost/problems/bracket/cost_density.hpp>
+#include "problems/cells/has_cost_cells.hpp"
+#include "problems/initializers/arrival_field.hpp"
+#include "problems/initializers/grid_search.hpp"
+#include "problems/initializers/isotropic_march.hpp"
+#include "problems/initializers/lattice_box.hpp"
+#include "problems/raster/has_cell_index.hpp"
+
+namespace leastcost {
+namespace {
+
+using Eigen::Vector2d;
+using Lattice2 = IsotropicMarch::Lattice;
+
+constexpr double kNoPath = std::numeric_limits<double>::infinity();
+constexpr double kFirstOrder = 4;        ///< times the difference of two fields is the error, measured
+constexpr double kMostFieldNodes = 5e7;  // 24 bytes each while the front runs
+
+/// Where the values of a raster of costs are.
+struct RasterPlaces {
+  Vector2d first, cell, last;  ///< the lowest value, between values, the highest
+  Vector2d lower, upper;       ///< of what is known
+};
+
+std::optional<RasterPlaces> raster_of(const SegmentCost& cost) {
+  if (const auto* raster = find_ability<HasCellIndex>(cost)) {
+    const RasterPatches& patches = raster->patches();
+    return RasterPlaces{patches.lower(), patches.cell(), patches.upper(), patches.lower(), patches.upper()};
+  }
+  if (const auto* cells = find_ability<HasCostCells>(cost)) {
+    const CellMap& map = cells->cell_map();
+    if (map.empty()) return std::nullopt;
+    const Vector2d lower(map.line(0, 0), map.line(1, 0)), upper(map.line(0, map.columns()), map.line(1, map.rows()));
+    const Vector2d cell = (upper - lower).cwiseQuotient(Vector2d(map.columns(), map.rows()));
+    return RasterPlaces{lower + cell / 2, cell, upper - cell / 2, lower, upper};
+  }
+  return std::nullopt;
+}
+
+std::string coordinates_in_words(const Eigen::VectorXd& place) {
+  std::ostringstream out;
+  out << '(';
+  for (Eigen::Index i = 0; i < place.size(); ++i) out << (i > 0 ? ", " : "") << place[i];
+  out << ')';
+  return out.str();
+}
+
+void check_problem(const Problem& problem) {
+  if (problem.ring) throw InputError("field: a ring has no source: give ends");
+  const ConstraintManifold& domain = *problem.manifold;
+  if (domain.dimensions().coordinate != 2 || domain.shape() == Shape::polyhedral)
+    throw InputError(
+        "field: needs a domain with two coordinates (the plane, a box of it, terrain, a chart); on a mesh use "
+        "leastcost distances");
+  const auto* images = find_ability<HasImages>(domain);
+  if (images != nullptr && !images->images(problem.source.u, problem.source.u, 1).empty())
+    throw InputError("field: needs coordinates that do not close on themselves, as longitudes do");
+}
+
+LatticeBox field_box(const Problem& problem, const std::optional<RasterPlaces>& raster) {
+  LatticeBox box = LatticeBox::of(problem, {}, {});
+  if (!raster) return box;
+  for (std::size_t d = 0; d < 2; ++d) {
+    const auto k = static_cast<Eigen::Index>(d);
+    box.lower[k] = box.open_lower[d] ? raster->lower[k] : std::max(box.lower[k], raster->lower[k]);
+    box.upper[k] = box.open_upper[d] ? raster->upper[k] : std::min(box.upper[k], raster->upper[k]);
+    if (!(box.lower[k] < box.upper[k])) throw InputError("field: the domain and the raster of costs do not meet");
+  }
+  return box;
+}
+
+/// On the values of a raster inside the box; with a resolution, or without a raster, from the lower corner of it on.
+Lattice2 lattice_of(const LatticeBox& box, const std::optional<RasterPlaces>& raster,
+                    const std::optional<double>& resolution) {
+  constexpr double kCells = 200, kRounding = 1e-6;
+  if (resolution && (!(*resolution > 0) || !std::isfinite(*resolution)))
+    throw OptionError("resolution", "must be a number above 0");
+  Lattice2 lattice{};
+  const Vector2d size = box.upper - box.lower;
+  for (std::size_t d = 0; d < 2; ++d) {
+    const auto k = static_cast<Eigen::Index>(d);
+    double cells = 0;
+    if (raster && !resolution) {
+      const double cell = raster->cell[k];
+      const double skipped = std::max(std::ceil((box.lower[k] - raster->first[k]) / cell - kRounding), 0.0);
+      lattice.lower[k] = raster->first[k] + skipped * cell;
+      lattice.step[k] = cell;
+      cells = std::floor((std::min(box.upper[k], raster->last[k]) - lattice.lower[k]) / cell + kRounding);
+    } else {
+      const double step = resolution ? *resolution : size.maxCoeff() / kCells;
+      cells = std::max(std::floor(size[k] / step + kRounding), 1.0);
+      lattice.lower[k] = box.lower[k];
+      lattice.step[k] = std::min(step, size[k]);
+    }
+    if (!(cells >= 1)) throw InputError("field: the box has fewer than two values of the raster along a side");
+    if (!(cells < kMostFieldNodes)) cells = kMostFieldNodes;
+    lattice.count[d] = static_cast<std::int32_t>(cells) + 1;
+  }
+  if (double(lattice.count[0]) * lattice.count[1] > kMostFieldNodes)
+    throw OptionError("resolution", "gives more than 50 million nodes: choose a larger one");
+  return lattice;
+}
+
+/// n at the nodes; nothing where a unit of length does not cost the same in all directions.
+std::optional<std::vector<double>> densities_of(const Problem& problem, const Lattice2& lattice) {
+  const Dimensions d = problem.manifold->dimensions();
+  if (d.ambient != 2 || find_ability<HasChart>(*problem.manifold) != nullptr) return std::nullopt;
+  const SegmentCost& cost = *problem.cost;
+  const auto* density = find_ability<CostDensity>(cost);
+  const auto* conformal = find_ability<HasConformalMetric>(cost);
+  const bool isotropic = find_ability<HasCostCells>(cost) != nullptr ||
+                         (conformal != nullptr && conformal->base().isIdentity(0)) || MoveCheck(problem).euclidean();
+  if (density == nullptr && !isotropic) return std::nullopt;
+  std::vector<double> n;
+  n.reserve(static_cast<std::size_t>(lattice.count[0]) * static_cast<std::size_t>(lattice.count[1]));
+  const Eigen::VectorXd unit = Vector2d(1, 0);
+  for (std::int32_t j = 0; j < lattice.count[1]; ++j)
+    for (std::int32_t i = 0; i < lattice.count[0]; ++i) {
+      const Vector2d x = lattice.place(i, j);
+      n.push_back(density != nullptr ? density->density(x) : cost.line_element(x, unit));
+    }
+  return n;
+}
+
+/// Every second node along both sides.
+Lattice2 every_second(const Lattice2& lattice) {
+  Lattice2 half = lattice;
+  half.step *= 2;
+  for (std::int32_t& count : half.count) count = (count - 1) / 2 + 1;
+  return half;
+}
+
+std::vector<double> every_second(const std::vector<double>& values, const Lattice2& lattice) {
+  std::vector<double> half;
+  for (std::int32_t j = 0; j < lattice.count[1]; j += 2)
+    for (std::int32_t i = 0; i < lattice.count[0]; i += 2)
+      half.push_back(values[static_cast<std::size_t>(j) * static_cast<std::size_t>(lattice.count[0]) +
+                            static_cast<std::size_t>(i)]);
+  return half;
+}
+
+/// Makes fields of one problem on lattices of several fineness.
+class FieldMaker {
+ public:
+  FieldMaker(const Problem& problem, const std::vector<Eigen::VectorXd>& places, bool to_places, const Monitor& monitor)
+      : problem_(problem), moves_(problem), places_(places), to_places_(to_places), monitor_(monitor) {
+    problem_.source.u = places[0];
+  }
+
+  std::vector<double> marched(const Lattice2& lattice, const std::vector<double>& densities) const {
+    IsotropicMarch::Passes passes;
+    if (moves_.among_obstacles())
+      passes = [this](const Vector2d& a, const Vector2d& b) { return moves_.clear(a, b, kNoPath); };
+    IsotropicMarch march(lattice, densities, passes);
+    for (const Eigen::VectorXd& place : places_)
+      march.start(place, [this](const Vector2d& a, const Vector2d& b) {
+        return to_places_ ? moves_.cost(b, a) : moves_.cost(a, b);
+      });
+    march.run([this] { return monitor_.interrupted(); });
+    return march.values();
+  }
+
+  std::vector<double> arrived(const Lattice2& lattice) const {
+    LatticeBox box{lattice.lower, lattice.place(lattice.count[0] - 1, lattice.count[1] - 1), {}, {}};
+    ArrivalField::Way how;
+    how.whole = true;
+    how.reversed = to_places_;
+    for (std::size_t i = 1; i < places_.size(); ++i) how.sources.emplace_back(places_[i]);
+    how.cells = {lattice.count[0] - 1, lattice.count[1] - 1};
+    const ArrivalField field(problem_, moves_, box, 0, how, [this] { return monitor_.interrupted(); });
+    std::vector<double> values;
+    const auto nodes = static_cast<std::int32_t>(field.lattice().size());
+    values.reserve(static_cast<std::size_t>(nodes));
+    for (std::int32_t node = 0; node < nodes; ++node) values.push_back(field.value(node));
+    return values;
+  }
+
+ private:
+  Problem problem_;
+  MoveCheck moves_;
+  const std::vector<Eigen::VectorXd>& places_;
+  bool to_places_;
+  const Monitor& monitor_;
+};
+
+void estimate_error(const std::vector<double>& coarse, const Lattice2& lattice, CostField& field, double factor) {
+  const std::vector<double> fine = every_second(field.values, lattice);
+  double sum = 0, largest = 0;
+  std::size_t common = 0;
+  for (std::size_t k = 0; k < fine.size(); ++k) {
+    if (std::isfinite(fine[k]) && !std::isfinite(coarse[k])) ++field.unresolved;
+    if (!std::isfinite(fine[k]) || !std::isfinite(coarse[k])) continue;
+    const double apart = std::abs(fine[k] - coarse[k]);
+    largest = std::max(largest, apart);
+    sum += apart;
+    ++common;
+  }
+  if (common == 0) return;
+  field.error = factor * largest;
+  field.mean_error = factor * sum / static_cast<double>(common);
+}
+
+void check_places(const std::vector<Eigen::VectorXd>& places, const LatticeBox& box) {
+  constexpr double kRounding = 1e-9;
+  if (places.empty()) throw InputError("field: needs at least one place");
+  const double tolerance = kRounding * (box.upper - box.lower).maxCoeff();
+  for (const Eigen::VectorXd& place : places) {
+    if (place.size() != 2 || !place.allFinite())
+      throw InputError("field: a place needs two finite coordinates (found " + coordinates_in_words(place) + ")");
+    if (((place - box.lower).array() < -tolerance).any() || ((box.upper - place).array() < -tolerance).any())
+      throw InputError("field: the place " + coordinates_in_words(place) + " is outside the box from " +
+                       coordinates_in_words(box.lower) + " to " + coordinates_in_words(box.upper));
+  }
+}
+
+}  // namespace
+
+CostField costs_from(const Problem& problem, const std::vector<Eigen::VectorXd>& places,
+                     const CostFieldOptions& options, const Monitor& monitor) {
+  check_problem(problem);
+  const std::optional<RasterPlaces> raster = raster_of(*problem.cost);
+  const LatticeBox box = field_box(problem, raster);
+  check_places(places, box);
+  const Lattice2 lattice = lattice_of(box, raster, options.resolution);
+  const Lattice2 half = every_second(lattice);
+  const bool estimates = options.estimate_error && std::min(half.count[0], half.count[1]) >= 2;
+  CostField field;
+  field.count = lattice.count, field.lower = lattice.lower, field.step = lattice.step;
+  field.places = places;
+  field.to_places = options.to_places;
+  field.directed = !problem.cost->traits().symmetric;
+  const FieldMaker maker(problem, places, options.to_places, monitor);
+  const std::optional<std::vector<double>> densities = densities_of(problem, lattice);
+  field.method = densities ? "isotropic march" : "arrival field";
+  field.values = densities ? maker.marched(lattice, *densities) : maker.arrived(lattice);
+  // Errors of order h log(1 / h) fall by less than half: the difference is then down to a third of the error.
+  const double factor = densities && find_ability<ChecksMoves>(*problem.manifold) == nullptr ? 1 : kFirstOrder;
+  if (estimates)
+    estimate_error(densities ? maker.marched(half, every_second(*densities, lattice)) : maker.arrived(half), lattice,
+                   field, factor);
+  for (double& value : field.values)
+    if (!std::isfinite(value)) value = std::numeric_limits<double>::quiet_NaN();
+  return field;
+}
+
+CostField corridor(const CostField& from, const CostField& to) {
+  if (from.count != to.count || from.lower != to.lower || from.step != to.step)
+    throw InputError("corridor: the two fields have different nodes");
+  CostField sum = from;
+  sum.places.insert(sum.places.end(), to.places.begin(), to.places.end());
+  double least = kNoPath;
+  for (std::size_t k = 0; k < sum.values.size(); ++k) {
+    sum.values[k] += to.values[k];
+    if (sum.values[k] < least) least = sum.values[k];
+  }
+  if (!(least < kNoPath)) throw InputError("corridor: no path joins the two");
+  for (double& value : sum.values) value -= least;
+  sum.error = from.error + to.error;
+  sum.mean_error = from.mean_error + to.mean_error;
+  sum.unresolved = std::max(from.unresolved, to.unresolved);
+  return sum;
+}
+
+}  // namespace leastcost

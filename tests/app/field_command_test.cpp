@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+// `leastcost field`: its files, its summary, and what it refuses.
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/app/called.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/data.hpp"
+
+namespace leastcost::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Catch::Contains;
+using Json = nlohmann::json;
+
+const char* const kBox = R"(manifold: {type: euclidean, lower: [0, 0], upper: [4, 2]}
+cost: euclidean
+ends:
+  source: {point: [1, 1]}
+  target: {point: [3, 1]}
+)";
+
+std::string file_with(const fs::path& file, const std::string& text) {
+  std::ofstream(file) << text;
+  return file.string();
+}
+
+std::string bytes_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+TEST_CASE("field command: the same values as CSV, NPY and ASC") {
+  const ScratchDir dir;
+  const std::string config = file_with(dir / "box.yaml", kBox);
+  const auto field = [&](const std::string& file) {
+    return call({"field", config, "--resolution", "0.5", "-o", (dir / file).string()});
+  };
+  const Called csv = field("f.csv");
+  CHECK(csv.exit == 0);
+  CHECK_THAT(csv.out, Contains("9 x 5 nodes, 45 reached, the largest value 3.16") && Contains("error  about"));
+  CHECK_THAT(bytes_of(dir / "f.csv"), Contains("x,y,cost\n0,0,1.41421356") && Contains("\n1,1,0\n"));
+  CHECK(field("f.npy").exit == 0);
+  const std::string npy = bytes_of(dir / "f.npy");
+  REQUIRE(npy.size() == 128 + 8 * 45);
+  CHECK(npy.substr(0, 6) == "\x93NUMPY");
+  CHECK_THAT(npy.substr(0, 128), Contains("'<f8', 'fortran_order': False, 'shape': (5, 9), }") && Contains("\n"));
+  if constexpr (std::endian::native == std::endian::little) {
+    double first = 0, third = 0;
+    std::memcpy(&first, npy.data() + 128, 8);
+    std::memcpy(&third, npy.data() + 128 + 8 * (2 * 9 + 2), 8);
+    CHECK(first == Approx(std::sqrt(2.0)).epsilon(1e-6));
+    CHECK(third == 0);
+  }
+  CHECK(field("f.asc").exit == 0);
+  CHECK_THAT(bytes_of(dir / "f.asc"), Contains("ncols 9\nnrows 5\nxllcorner -0.25\nyllcorner -0.25\ncellsize 0.5\n"));
+  CHECK_THAT(field("f.txt").err, Contains(".csv, .npy or .asc"));
+  CHECK(field("none/f.csv").exit == 8);
+}
+
+TEST_CASE("field command: several places, ways, corridors and the summary") {
+  const ScratchDir dir;
+  const std::string config = file_with(dir / "box.yaml", kBox), out = (dir / "f.csv").string();
+  const Called two = call({"field", config, "--resolution", "0.5", "-o", out, "--from", "0,0", "--from", "4,2"});
+  CHECK(two.exit == 0);
+  CHECK_THAT(bytes_of(out), Contains("\n0,0,0\n") && Contains("\n4,2,0\n"));
+  const std::string list = file_with(dir / "places.txt", "0,0\r\n4,2\n\n");
+  const std::string before = bytes_of(out);
+  CHECK(call({"field", config, "--resolution", "0.5", "-o", out, "--from", list}).exit == 0);
+  CHECK(bytes_of(out) == before);
+
+  const std::string way = (dir / "way.csv").string();
+  const Called back =
+      call({"field", config, "--resolution", "0.1", "-o", out, "--to", "4,2", "--way", way, "--format", "json"});
+  CHECK(back.exit == 0);
+  const Json summary = Json::parse(back.out);
+  CHECK(summary["method"] == "isotropic march");
+  CHECK(summary["directed"] == false);
+  CHECK(summary["from"] == Json::parse("[[1.0, 1.0]]"));
+  CHECK(summary["columns"] == 41);
+  CHECK(summary["error"]["kind"] == "estimate");
+  CHECK(summary["error"]["largest"] < 1e-3);
+  CHECK(summary["ways"][0]["cost"].get<double>() == Approx(std::sqrt(10.0)).epsilon(1e-4));
+  CHECK_THAT(bytes_of(way), Contains("way,x,y\n0,1,1\n") && Contains("\n0,4,2\n"));
+
+  const Called corridor = call({"field", config, "--resolution", "0.5", "-o", out, "--corridor"});
+  CHECK(corridor.exit == 0);
+  CHECK_THAT(bytes_of(out), Contains("\n0,1,2\n"));  // one to go there, three to come back, less the two between
+}
+
+TEST_CASE("field command: what it refuses, in one sentence") {
+  const ScratchDir dir;
+  const std::string config = file_with(dir / "box.yaml", kBox), out = (dir / "f.csv").string();
+  const auto refused = [&](std::vector<std::string> more, int exit, const std::string& words) {
+    std::vector<std::string> all = {"field", config, "-o", out};
+    all.insert(all.end(), more.begin(), more.end());
+    const Called called = call(all);
+    CHECK(called.exit == exit);
+    CHECK_THAT(called.err, Contains(words));
+    CHECK_FALSE(fs::exists(out));
+  };
+  refused({"--from", "1"}, 4, "--from 1: expected two numbers with a comma between them");
+  refused({"--from", "1,nan"}, 4, "expected two numbers");
+  refused({"--from", "9,9"}, 4, "--from 9,9: ");
+  refused({"--to", "9,9"}, 4, "no way leads down the field there");
+  refused({"--way", "w.csv"}, 4, "--way needs --to X,Y");
+  refused({"--corridor", "--to-here"}, 4, "both directions");
+  refused({"--resolution", "0"}, 2, "resolution");
+  refused({"--resolution", "1e-9"}, 3, "more than 50 million nodes");
+  CHECK(call({"field", config}).exit == 2);
+  const std::string mesh = (project_dir() / "configs/bunny_two_routes.yaml").string();
+  CHECK_THAT(call({"field", mesh, "-o", out}).err, Contains("on a mesh use leastcost distances"));
+}
+
+}  // namespace leastcost::test
