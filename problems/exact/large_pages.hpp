@@ -6,11 +6,10 @@
 #include <new>
 #include <vector>
 
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
-
 namespace leastcost {
+
+/// A wish: nothing is lost where the system does not grant it.
+void ask_for_large_pages(void* place, std::size_t bytes);
 
 /// Memory of arrays that grow to many megabytes and are written once: asked for in pages of two megabytes where the
 /// system has them, because each page costs a fault when it is first touched. Without them it is usual memory.
@@ -27,9 +26,7 @@ struct LargePages {
     const std::size_t bytes = count * sizeof(T);
     if (bytes < kPage) return static_cast<T*>(::operator new(bytes));
     void* const place = ::operator new(bytes, std::align_val_t(kPage));
-#ifdef __linux__
-    madvise(place, bytes, MADV_HUGEPAGE);  // a wish: nothing is lost where it is not granted
-#endif
+    ask_for_large_pages(place, bytes);
     return static_cast<T*>(place);
   }
   void deallocate(T* place, std::size_t count) {
