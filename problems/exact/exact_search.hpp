@@ -101,7 +101,7 @@ class ExactSearch {
                            const ExactOptions& options = {}) const;
 
   /// Shortest paths from one point to many vertices by one propagation, each straightened; empty where there is none.
-  /// All windows are kept for it, about 100 bytes each; after a stop, or a spent budget, paths need not be the
+  /// Of each window 48 bytes are kept for it; after a stop, or a spent budget, paths need not be the
   /// shortest.
   std::vector<SurfacePath> paths(const SurfacePoint& source, std::span<const std::int32_t> vertices,
                                  Workspace& workspace, const ExactOptions& options = {}) const;

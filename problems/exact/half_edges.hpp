@@ -9,6 +9,7 @@
 
 #include <leastcost/problems/mesh/triangle_mesh.hpp>
 #include "problems/exact/double_double.hpp"
+#include "problems/exact/large_pages.hpp"
 
 namespace leastcost {
 
@@ -73,11 +74,11 @@ class HalfEdges {
   void lay_out(std::int32_t v, std::vector<std::int32_t>& open);
 
   const TriangleMesh* mesh_;
-  std::vector<std::int32_t> tail_, across_;
-  std::vector<Side<double>> sides_;
+  LargeVector<std::int32_t> tail_, across_;
+  LargeVector<Side<double>> sides_;
   std::vector<std::int32_t> begin_;      // per vertex, into corners_
-  std::vector<Corner> corners_;          // vertex by vertex, in the order of a walk around it
-  std::vector<std::int32_t> corner_of_;  // per half-edge, into corners_
+  LargeVector<Corner> corners_;          // vertex by vertex, in the order of a walk around it
+  LargeVector<std::int32_t> corner_of_;  // per half-edge, into corners_
   std::vector<VertexKind> kind_;
   std::vector<double> angle_, turn_error_;
   double reach_ = 0, mean_edge_ = 0;

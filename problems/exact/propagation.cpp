@@ -50,12 +50,13 @@ double Propagation<Real>::lower_bound() const {
   return std::max(0.0, least);
 }
 
-/// Asked before every step. The pool and the queue may grow to twice of what they hold, and while they do, the old and
-/// the new one are there.
+/// Asked before every step. What holds windows may grow to twice of what it holds, and while it does, the old and the
+/// new one are there.
 template <class Real>
 bool Propagation<Real>::is_spent(const QueryLimits& limits, std::int64_t step) {
-  constexpr double kBytes = 2 * (sizeof(Window<Real>) + sizeof(WindowQueue::Entry));
-  out_of_memory_ = kBytes * static_cast<double>(pool_.size()) > limits.max_memory;
+  constexpr double kWaiting = 2 * (sizeof(Window<Real>) + sizeof(WindowQueue::Entry)), kTaken = 2 * sizeof(Taken);
+  out_of_memory_ =
+      kWaiting * static_cast<double>(pool_.size()) + kTaken * static_cast<double>(taken_.size()) > limits.max_memory;
   if (out_of_memory_ || windows_ > limits.max_windows) return true;
   if (step % kLook != 0) return false;
   if (limits.watch) limits.watch(queue_.floor(), windows_);
@@ -68,6 +69,7 @@ void Propagation<Real>::run(std::span<const EndPoint> sources, const EndPoint* t
   ++query_;
   pool_.clear();
   free_.clear();
+  taken_.clear();
   edges_.clear();
   slivers_.clear();
   source_ = &sources.front();

@@ -11,6 +11,7 @@
 #include "problems/exact/end_point.hpp"
 #include "problems/exact/forks.hpp"
 #include "problems/exact/half_edges.hpp"
+#include "problems/exact/large_pages.hpp"
 #include "problems/exact/lower_bound.hpp"
 #include "problems/exact/window.hpp"
 #include "problems/exact/window_queue.hpp"
@@ -107,7 +108,7 @@ class Propagation {
   bool merged(std::int32_t h, const Real& length, Window<Real>& w);
   void turn_at_ends(std::int32_t h, Window<Real>& w) const;
   void block(double key);
-  void propagate(std::int32_t id);
+  void propagate(std::int32_t waiting);
   void leave(const Exit& exit, const Real& b0, const Real& b1, bool to_far, const Window<Real>& w, std::int32_t id);
   void see_corner(const Window<Real>& w, std::int32_t id, double distance, double beside);
   void see_target(const Window<Real>& w, std::int32_t id);
@@ -123,24 +124,26 @@ class Propagation {
   void fire_edge(std::int32_t v, std::int32_t halfedge);
   void trace_back(std::int32_t window, Point2 towards, SurfacePath& reversed) const;
   std::int32_t root_of(std::int32_t window) const;
-  std::int32_t side_left(const Window<Real>& w) const;
+  std::int32_t side_left(const Taken& w) const;
+  std::int32_t keep(const Window<Real>& w);
   std::int32_t face_between(std::int32_t v, std::int32_t other, const EndPoint& end) const;
   void trace_to_source(std::int32_t vertex, SurfacePath& reversed) const;
 
   const HalfEdges* mesh_;
   Forks forks_;
-  std::vector<VertexReach> reach_;
-  std::vector<VertexGuide> guides_;
+  LargeVector<VertexReach> reach_;
+  LargeVector<VertexGuide> guides_;
   /// Where the state of a half-edge's edge is, and the query that this is of.
   struct Slot {
     std::uint32_t query = 0;
     std::int32_t index = -1;
   };
-  std::vector<Slot> slots_;
-  std::vector<EdgeState> edges_;  // of those that windows of this query came to
+  LargeVector<Slot> slots_;
+  LargeVector<EdgeState> edges_;  // of those that windows of this query came to
   std::vector<Sliver<Real>> slivers_;
-  std::vector<Window<Real>> pool_;
-  std::vector<std::int32_t> free_;
+  LargeVector<Window<Real>> pool_;  // those that wait; a place is used again once its window is taken
+  std::vector<std::int32_t> free_;  // such places
+  LargeVector<Taken> taken_;        // where paths are asked for
   WindowQueue queue_;
   std::uint32_t query_ = 0;
 

@@ -110,12 +110,21 @@ void Propagation<Real>::turn_at_ends(std::int32_t h, Window<Real>& w) const {
 
 // ---------------------------------------------------------------- over a face
 
+/// The number of the window among those taken; -1 where nobody asks for paths.
 template <class Real>
-void Propagation<Real>::propagate(std::int32_t id) {
-  const Window<Real> w = pool_[at(id)];
-  if (!keeps_) free_.push_back(id);  // nobody asks for its path
+std::int32_t Propagation<Real>::keep(const Window<Real>& w) {
+  if (!keeps_) return -1;
+  taken_.push_back({w.halfedge, w.parent, w.root, value(w.begin), value(w.end), value(w.x), value(w.height)});
+  return static_cast<std::int32_t>(taken_.size()) - 1;
+}
+
+template <class Real>
+void Propagation<Real>::propagate(std::int32_t waiting) {
+  const Window<Real> w = pool_[at(waiting)];
+  free_.push_back(waiting);
   // A shorter way to the root was found since. One to the part itself is seen when its continuations are made.
   if (w.root >= 0 && w.sigma > at_most(w.root)) return;
+  const std::int32_t id = keep(w);
   const std::int32_t h = w.halfedge;
   const std::int32_t to_right = TriangleMesh::next(h), to_left = TriangleMesh::previous(h);
   const Side<Real> s = side(h);

@@ -8,17 +8,17 @@
 #include "problems/exact/propagation_parts.hpp"
 
 namespace leastcost {
-using exact::kInfinity, exact::value;
+using exact::kInfinity;
 
 /// The side of the face that a window's paths come from, at the edge that it is on.
 template <class Real>
-std::int32_t Propagation<Real>::side_left(const Window<Real>& w) const {
+std::int32_t Propagation<Real>::side_left(const Taken& w) const {
   const std::int32_t across = mesh_->across(w.halfedge);
   if (across >= 0) return across;
   const std::int32_t root = w.root >= 0 ? w.root : source_->vertex;
   for (const std::int32_t g : forks_.sides(w.halfedge)) {
     if (g == w.halfedge) continue;
-    if (w.parent >= 0 ? pool_[at(w.parent)].halfedge / 3 == g / 3
+    if (w.parent >= 0 ? taken_[at(w.parent)].halfedge / 3 == g / 3
         : root >= 0   ? mesh_->tail(TriangleMesh::previous(g)) == root
                       : std::find(source_->faces.begin(), source_->faces.end(), g / 3) != source_->faces.end())
       return g;
@@ -29,12 +29,11 @@ std::int32_t Propagation<Real>::side_left(const Window<Real>& w) const {
 template <class Real>
 void Propagation<Real>::trace_back(std::int32_t window, Point2 towards, SurfacePath& reversed) const {
   while (window >= 0) {
-    const Window<Real>& w = pool_[at(window)];
+    const Taken& w = taken_[at(window)];
     const std::int32_t h = w.halfedge, g = side_left(w);
-    const double length = mesh_->side(h).length, x = value(w.x), height = value(w.height);
+    const double length = mesh_->side(h).length, x = w.x, height = w.height;
     const double depth = height + towards.y;
-    const double at_edge =
-        std::clamp(depth > 0 ? x + (towards.x - x) * height / depth : x, value(w.begin), value(w.end));
+    const double at_edge = std::clamp(depth > 0 ? x + (towards.x - x) * height / depth : x, w.begin, w.end);
     const Eigen::Vector3d &a = mesh_->position(mesh_->tail(h)), &b = mesh_->position(mesh_->head(h));
     reversed.faces.push_back(h / 3);
     const double share = at_edge / length;
@@ -42,7 +41,7 @@ void Propagation<Real>::trace_back(std::int32_t window, Point2 towards, SurfaceP
                                           : Eigen::Vector3d(b + (1 - share) * (a - b)));
     if (w.parent >= 0) {
       // The same point in the frame of the edge before, one of whose face's other sides g is.
-      const std::int32_t entered = pool_[at(w.parent)].halfedge;
+      const std::int32_t entered = taken_[at(w.parent)].halfedge;
       const Side<double>& s = mesh_->side(entered);
       const bool on_left = g == TriangleMesh::previous(entered);
       const std::int32_t near = on_left ? mesh_->tail(entered) : mesh_->head(entered);
@@ -58,8 +57,8 @@ void Propagation<Real>::trace_back(std::int32_t window, Point2 towards, SurfaceP
 
 template <class Real>
 std::int32_t Propagation<Real>::root_of(std::int32_t window) const {
-  while (pool_[at(window)].parent >= 0) window = pool_[at(window)].parent;
-  return pool_[at(window)].root;
+  while (taken_[at(window)].parent >= 0) window = taken_[at(window)].parent;
+  return taken_[at(window)].root;
 }
 
 /// A face that a straight piece from vertex v runs in: to a vertex, or (-1) to an end of the query.
@@ -86,7 +85,7 @@ void Propagation<Real>::trace_to_source(std::int32_t vertex, SurfacePath& revers
     const VertexReach& reach = reached(vertex);
     std::int32_t before = reach.from_vertex;
     if (reach.from_window >= 0) {
-      const Side<double>& s = mesh_->side(pool_[at(reach.from_window)].halfedge);
+      const Side<double>& s = mesh_->side(taken_[at(reach.from_window)].halfedge);
       trace_back(reach.from_window, {s.x, s.y}, reversed);
       before = root_of(reach.from_window);
     } else {
@@ -113,7 +112,7 @@ SurfacePath Propagation<Real>::path() const {
   back.points.push_back(target_->position);
   std::int32_t vertex = target_vertex_;
   if (target_window_ >= 0) {
-    const std::int32_t h = pool_[at(target_window_)].halfedge;
+    const std::int32_t h = taken_[at(target_window_)].halfedge;
     const Eigen::Vector3d a = mesh_->position(mesh_->tail(h)), edge = mesh_->position(mesh_->head(h)) - a;
     const Eigen::Vector3d from_a = target_->position - a;
     const double length = mesh_->side(h).length;

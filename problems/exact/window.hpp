@@ -14,7 +14,7 @@ namespace leastcost {
 template <class Real>
 struct Window {
   std::int32_t halfedge = -1;
-  std::int32_t parent = -1;  ///< window it came from, or -1: it starts at the root
+  std::int32_t parent = -1;  ///< window it came from, by its number among those taken, or -1: it starts at the root
   std::int32_t root = -1;    ///< vertex that the paths bend around, or -1: the source
   double sigma = 0;          ///< no path to the root is shorter
   Real begin = 0, end = 0, x = 0, height = 0;
@@ -23,6 +23,12 @@ struct Window {
   /// from the image: what the root's own distance, and the widening of the part at each edge, may have cost.
   double rise = 0;
   double spread = 0;  ///< the part reaches beyond what the faces leave free by this angle at most, radians
+};
+
+/// What is left of a window that was taken: what a path through it is traced by, half of its memory.
+struct Taken {
+  std::int32_t halfedge = -1, parent = -1, root = -1;  ///< as in the window; the parent is one that was taken
+  double begin = 0, end = 0, x = 0, height = 0;        ///< likewise
 };
 
 /// What is known of a vertex that paths were found to.

@@ -15,6 +15,7 @@
 #include <leastcost/problems/exact/landmark_file.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
 #include <leastcost/problems/straighten/straighten.hpp>
+#include "problems/exact/large_pages.hpp"
 #include "problems/exact/metric_mesh.hpp"
 #include "problems/exact/propagation.hpp"
 #include "tests/problems/exact_reference.hpp"
@@ -158,6 +159,37 @@ Tally compare(Random& random, Terrain terrain, int meshes, double blow_up = 0) {
 }
 
 }  // namespace
+
+TEST_CASE("exact: a vector in large pages keeps what it holds while it grows") {
+  LargeVector<std::int64_t> numbers;
+  constexpr std::size_t kCount = 3 * LargePages<std::int64_t>::kPage / sizeof(std::int64_t);
+  for (std::size_t i = 0; i < kCount; ++i) numbers.push_back(static_cast<std::int64_t>(i));
+  LargeVector<std::int64_t> moved = std::move(numbers);
+  const LargeVector<std::int64_t> copied = moved;
+  moved.clear();
+  moved.shrink_to_fit();
+  CHECK(reinterpret_cast<std::uintptr_t>(copied.data()) % LargePages<std::int64_t>::kPage == 0);
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < kCount; ++i) wrong += copied[i] == static_cast<std::int64_t>(i) ? 0 : 1;
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("exact: windows that were taken need half of the memory of those that wait") {
+  // With all of its windows kept whole, the search needs more than it may take here.
+  const TriangleMesh mesh(sphere(5));
+  const ExactSearch search(mesh);
+  ExactSearch::Workspace workspace(search);
+  const SurfacePoint from = vertex_point(mesh, 0), to = vertex_point(mesh, 1);
+  const ExactResult free = search.shortest(from, to, workspace);
+  REQUIRE(free.is_proved());
+  REQUIRE(free.windows > 1000);
+  const double whole = 2 * sizeof(Window<double>) * static_cast<double>(free.windows);
+  const ExactResult limited = search.shortest(from, to, workspace, {.max_memory = 0.8 * whole});
+  CHECK(limited.is_proved());
+  CHECK(limited.length == free.length);
+  CHECK(limited.lower_bound == free.lower_bound);
+  CHECK(search.shortest(from, to, workspace, {.max_memory = 0.1 * whole}).out_of_memory);
+}
 
 TEST_CASE("exact: all vertices of nine meshes as an independent program has them, and pairs from both sides") {
   const std::string name = GENERATE("bunny_3k.off", "double-torus_tri.off", "duck.obj", "elephant.off", "fandisk.off",
