@@ -50,7 +50,8 @@ def test_notebooks_show_the_page_that_answers(configs):
     cell = ET.fromstring(result.page(height="30em")._repr_html_())
     assert cell.tag == "iframe" and "height:30em" in cell.get("style")
     page, report = cell.get("srcdoc"), result.report()
-    assert len(page) == len(report) and page.split()[:40] == report.split()[:40] and 'id="ask-form"' in page
+    assert abs(len(page) - len(report)) < 100  # both say when they were made, and how long that took
+    assert page.split()[:40] == report.split()[:40] and 'id="ask-form"' in page
 
 
 def test_notebooks_say_why_a_path_is_not_certified(configs):
