@@ -189,6 +189,9 @@ std::string third_party_fault(const Include& include) {
                : "only .cpp files of gdal use GDAL";
   if (target == "dlfcn.h")
     return file == "gdal/gdal_library.cpp" ? "" : "only gdal/gdal_library.cpp loads a library at run time";
+  if (target == "sys/mman.h")
+    return file == "problems/exact/large_pages.cpp" ? ""
+                                                    : "only problems/exact/large_pages.cpp asks the system for pages";
   if (target == "tinyxml2.h")
     return starts_with(file, "urdf/") && !is_header(file) ? "" : "only .cpp files of urdf use TinyXML-2";
   if (starts_with(target, "octomap/"))
