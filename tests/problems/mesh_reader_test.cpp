@@ -24,12 +24,12 @@ namespace {
 
 constexpr unsigned kReaderSeed = 20260103;
 
-using Reader = PolygonSoup (*)(std::string_view, const std::string&);
+using Reader = PolygonSoup (*)(std::string_view, const std::string&, const Deadline&);
 
 /// The message of the InputError that reading ends with, empty when it succeeds.
 std::string error_of(Reader read, const std::string& content) {
   try {
-    read(content, "m");
+    read(content, "m", {});
   } catch (const InputError& error) {
     return error.what();
   }
@@ -336,7 +336,7 @@ TEST_CASE("mesh reader: damaged files end in an error or a mesh, never otherwise
       {read_stl, as_binary_stl(triangulated_cube())}};
   const auto attempt = [](Reader read, const std::string& content) {
     try {
-      const PolygonSoup soup = read(content, "m");
+      const PolygonSoup soup = read(content, "m", {});
       // What was read fits into what was there.
       REQUIRE(soup.positions.size() <= content.size());
       REQUIRE(soup.corners.size() <= content.size());
@@ -346,7 +346,7 @@ TEST_CASE("mesh reader: damaged files end in an error or a mesh, never otherwise
     }
   };
   for (const auto& [read, content] : files) {
-    REQUIRE_NOTHROW(read(content, "m"));
+    REQUIRE_NOTHROW(read(content, "m", {}));
     for (std::size_t size = 0; size < content.size(); ++size) attempt(read, content.substr(0, size));
     for (int round = 0; round < 3000; ++round) {
       std::string damaged = content;
