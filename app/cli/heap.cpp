@@ -7,9 +7,10 @@
 #if defined(__GLIBC__)
 
 #include <malloc.h>
-#include <sys/mman.h>
 #include <unistd.h>
 #include <cstdint>
+
+#include "problems/exact/large_pages.hpp"
 
 namespace leastcost::app {
 
@@ -27,7 +28,7 @@ void prepare_heap() {
   const auto begin = (reinterpret_cast<std::uintptr_t>(first) + kPage - 1) / kPage * kPage;
   const auto end = reinterpret_cast<std::uintptr_t>(sbrk(0));
   if (first != nullptr && end > begin && end - begin <= std::uintptr_t{2} * kFirstStep)
-    madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);  // a wish: a refusal changes nothing
+    ask_for_large_pages(reinterpret_cast<void*>(begin), end - begin);
   std::free(first);
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <leastcost/framework/numbers/sin_cos.hpp>
+#include "framework/numbers/sin_cos.hpp"
 
 /// Named surfaces as maps (u, v) -> R^3. Where a surface is round, u is the angle about the z axis.
 namespace leastcost::chart {

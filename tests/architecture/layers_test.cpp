@@ -192,6 +192,8 @@ std::string third_party_fault(const Include& include) {
   if (target == "sys/mman.h")
     return file == "problems/exact/large_pages.cpp" ? ""
                                                     : "only problems/exact/large_pages.cpp asks the system for pages";
+  if (target == "malloc.h")
+    return file == "app/cli/heap.cpp" ? "" : "only app/cli/heap.cpp sets up the heap of a process";
   if (target == "tinyxml2.h")
     return starts_with(file, "urdf/") && !is_header(file) ? "" : "only .cpp files of urdf use TinyXML-2";
   if (starts_with(target, "octomap/"))

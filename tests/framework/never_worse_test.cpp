@@ -116,10 +116,10 @@ TEST_CASE("never worse: a solver that returns long after the deadline leaves the
 }
 
 TEST_CASE("never worse: a first path through an obstacle is not preferred for want of time", "[framework]") {
-  Problem problem = around_disc();
+  const Problem problem = around_disc();
   Monitor monitor;
   monitor.deadline = Monitor::Clock::now() + std::chrono::milliseconds(500);
-  const Result result = find_path(problem, StraightInitializer(), Late(2.5), {.points = 20}, monitor);
+  const Result result = find_path(problem, above(1.05), Late(2.5), {.points = 20}, monitor);
   REQUIRE(result.status == Status::interrupted);
   REQUIRE(depth_in_obstacles(problem, result.first.path, 1e-9, {}) > 0);
   CHECK_FALSE(says_first(result));
