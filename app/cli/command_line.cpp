@@ -382,7 +382,7 @@ void add_field(CLI::App& app, Values& v, const Streams& streams, Command& chosen
   c.add_option("--way", v.field.ways, "Write the points of the ways to this CSV file")
       ->type_name("FILE")
       ->check(empty_fault);
-  c.add_option("--resolution", v.field.resolution, "From node to node, in length units")->check(CLI::PositiveNumber);
+  c.add_option("--resolution", v.field.resolution, "From node to node, in length units");
   c.add_flag("--to-here", v.field.to_here, "Costs of the way to the places, not from them");
   c.add_flag("--corridor", v.field.corridor,
              "Instead of costs: by how much a path from the source to the target through each node exceeds the least");

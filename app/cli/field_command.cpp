@@ -23,12 +23,13 @@ namespace leastcost::app {
 namespace {
 
 /// "x,y" as a point.
-Eigen::VectorXd point_of(const std::string& text, const char* option) {
+Eigen::VectorXd point_of(const std::string& text, const std::string& where) {
   const std::size_t comma = text.find(',');
   const auto number = [&](const std::string& word) {
     const std::optional<double> value = csv_double(word);
     if (comma == std::string::npos || !value || !std::isfinite(*value))
-      throw InputError(fmt::format("{} {}: expected two numbers with a comma between them, like 3.5,-2", option, text));
+      throw InputError(
+          fmt::format("{}: expected two numbers with a comma between them, like 3.5,-2, found '{}'", where, text));
     return *value;
   };
   return Eigen::Vector2d(number(text.substr(0, comma)),
@@ -41,13 +42,17 @@ std::vector<Eigen::VectorXd> points_of(const std::vector<std::string>& words, co
   for (const std::string& word : words) {
     std::ifstream in(word);
     if (!in) {
+      if (word.find(',') == std::string::npos)
+        throw InputError(fmt::format("{} {}: there is no such file, and it is not a place like 3.5,-2", option, word));
       points.push_back(point_of(word, option));
       continue;
     }
     const std::size_t before = points.size();
+    int number = 0;
     for (std::string line; std::getline(in, line);) {
+      ++number;
       while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
-      if (!line.empty()) points.push_back(point_of(line, option));
+      if (!line.empty() && line.front() != '#') points.push_back(point_of(line, fmt::format("{}:{}", word, number)));
     }
     if (points.size() == before) throw InputError(fmt::format("{} {}: the file has no points", option, word));
   }
@@ -117,9 +122,11 @@ nlohmann::ordered_json places_json(const std::vector<Eigen::VectorXd>& places) {
 std::string field_summary_json(const CostField& field, const FieldTask& task, const FieldArguments& arguments,
                                const std::vector<FieldWay>& ways) {
   const Extent extent = extent_of(field);
-  nlohmann::ordered_json out = {{"schema_version", kSchemaVersion}, {"what", arguments.corridor ? "corridor" : "field"},
-                                {"output", arguments.output},       {"method", field.method},
-                                {"directed", field.directed},       {"unit", unit_of_cost(task.problem)}};
+  nlohmann::ordered_json out = {
+      {"schema_version", kSchemaVersion},  {"what", arguments.corridor ? "corridor" : "field"},
+      {"output", arguments.output},        {"method", field.method},
+      {"directed", field.directed},        {"asymmetry", number(field.asymmetry)},
+      {"unit", unit_of_cost(task.problem)}};
   if (arguments.corridor || !arguments.to_here) out["from"] = places_json(task.from);
   if (arguments.corridor) out["to"] = places_json(task.to);
   if (!arguments.corridor && arguments.to_here) out["to"] = places_json(task.from);
@@ -153,12 +160,22 @@ std::string field_summary_text(const CostField& field, const FieldTask& task, co
     out += fmt::format(
         "error  about {:.2g} at worst, {:.2g} on average (an estimate, from the field on half as many cells)\n",
         field.error, field.mean_error);
+  else
+    out += "error  not estimated: half as many cells are too few\n";
   if (field.unresolved > 0)
     out += fmt::format("note: {} nodes are reached only by passages of one or two cells; use a smaller --resolution\n",
                        field.unresolved);
   if (field.directed && !arguments.corridor)
     out += fmt::format("note: there and back differ under this cost; these are costs {} the {}\n",
                        arguments.to_here ? "to" : "from", task.from.size() > 1 ? "places" : "place");
+  if (field.asymmetry > CostField::kFaithfulAsymmetry)
+    out += fmt::format(
+        "note: {}; under such a cost values can be wrong by more than the estimate (leastcost run gives certified "
+        "costs "
+        "between two places)\n",
+        std::isfinite(field.asymmetry)
+            ? fmt::format("a move costs up to {:.3g} times the same move back", field.asymmetry)
+            : "some moves have no move back");
   for (const FieldWay& way : ways)
     out += fmt::format("way    from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}): {:.10g} {}\n", way.points.front().x(),
                        way.points.front().y(), way.points.back().x(), way.points.back().y(), way.cost, unit);
@@ -172,6 +189,7 @@ Exit field_command(const FieldArguments& arguments, const Streams& streams) {
     throw InputError("--corridor has both directions already: leave out --to-here");
   const FieldFormat format = field_format(arguments.output);  // before any work
   if (!arguments.ways.empty() && arguments.to.empty()) throw InputError("--way needs --to X,Y");
+  if (arguments.ways == arguments.output) throw InputError("--way and --output name the same file");
   const Run run = load({arguments.config, arguments.overrides, {}, false, {}});
   const FieldTask task = field_task(run, arguments);
   catch_interrupts();

@@ -19,6 +19,7 @@
 #include "problems/initializers/grid_search.hpp"
 #include "problems/initializers/isotropic_march.hpp"
 #include "problems/initializers/lattice_box.hpp"
+#include "problems/initializers/node_moves.hpp"
 #include "problems/raster/has_cell_index.hpp"
 
 namespace leastcost {
@@ -190,6 +191,25 @@ class FieldMaker {
     return values;
   }
 
+  /// See CostField::asymmetry.
+  double asymmetry(const Lattice2& lattice) const {
+    constexpr std::int32_t kSamples = 12;  // along a side
+    double worst = 1;
+    CoordinatePath ends{Points(2, 2), {}, true};
+    for (std::int32_t j = 0; j < kSamples; ++j)
+      for (std::int32_t i = 0; i < kSamples; ++i)
+        for (const auto& toward : kRing) {
+          const Vector2d at = lattice.lower + Vector2d((i + 0.5) / kSamples * lattice.step[0] * (lattice.count[0] - 1),
+                                                       (j + 0.5) / kSamples * lattice.step[1] * (lattice.count[1] - 1));
+          ends.u << at, at + 0.1 * lattice.step.cwiseProduct(Vector2d(toward[0], toward[1]));
+          const Points x = positions(*problem_.manifold, ends);
+          const double there = moves_.cost(x.col(0), x.col(1)), back = moves_.cost(x.col(1), x.col(0));
+          if (there < kNoPath && there > worst * back) worst = there / back;
+          if (back == kNoPath && there < kNoPath) worst = kNoPath;
+        }
+    return worst;
+  }
+
  private:
   Problem problem_;
   MoveCheck moves_;
@@ -197,6 +217,24 @@ class FieldMaker {
   bool to_places_;
   const Monitor& monitor_;
 };
+
+/// Throws InputError for a place with no value near it.
+void check_left(const std::vector<Eigen::VectorXd>& places, const Lattice2& lattice, const CostField& field) {
+  constexpr double kNear = 3;  // steps
+  for (const Eigen::VectorXd& place : places) {
+    const Vector2d at = (Vector2d(place) - lattice.lower).cwiseQuotient(lattice.step);
+    bool left = false;
+    for (int j = 0; j <= 2 * kNear + 1; ++j)
+      for (int i = 0; i <= 2 * kNear + 1; ++i) {
+        const double x = std::floor(at[0]) - kNear + i, y = std::floor(at[1]) - kNear + j;
+        if (x < 0 || y < 0 || x >= lattice.count[0] || y >= lattice.count[1]) continue;
+        left = left || std::isfinite(field.value(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)));
+      }
+    if (!left)
+      throw InputError("field: no path leaves the place " + coordinates_in_words(place) +
+                       ": it has no data, obstacles enclose it, or the steps of the lattice are too long");
+  }
+}
 
 void estimate_error(const std::vector<double>& coarse, const Lattice2& lattice, CostField& field, double factor) {
   const std::vector<double> fine = every_second(field.values, lattice);
@@ -245,9 +283,11 @@ CostField costs_from(const Problem& problem, const std::vector<Eigen::VectorXd>&
   field.to_places = options.to_places;
   field.directed = !problem.cost->traits().symmetric;
   const FieldMaker maker(problem, places, options.to_places, monitor);
+  if (field.directed) field.asymmetry = maker.asymmetry(lattice);
   const std::optional<std::vector<double>> densities = densities_of(problem, lattice);
   field.method = densities ? "isotropic march" : "arrival field";
   field.values = densities ? maker.marched(lattice, *densities) : maker.arrived(lattice);
+  check_left(places, lattice, field);
   // Errors of order h log(1 / h) fall by less than half: the difference is then down to a third of the error.
   const double factor = densities && find_ability<ChecksMoves>(*problem.manifold) == nullptr ? 1 : kFirstOrder;
   if (estimates)

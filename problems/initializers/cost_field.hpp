@@ -26,7 +26,12 @@ struct CostField {
   std::vector<Eigen::VectorXd> places;              ///< the costs are from, or to, the nearest of these; coordinates
   bool to_places = false;                           ///< costs of the way to them, not from them
   bool directed = false;                            ///< there and back may differ
-  std::string method;                               ///< "isotropic march" or "arrival field"
+  /// The largest ratio of the costs of a short move and of the same move back, at a sample of the nodes. Beyond
+  /// kFaithfulAsymmetry values can be wrong by more than `error`: the lattice has too few directions for the narrow
+  /// cone in which moves are cheap.
+  double asymmetry = 1;
+  static constexpr double kFaithfulAsymmetry = 2;  ///< measured in constant winds of 0.3 to 0.99 of the speed
+  std::string method;                              ///< "isotropic march" or "arrival field"
   /// The largest and the mean difference, at common nodes, from the field on half as many cells, four times
   /// that among obstacles and of an arrival field: an estimate of the
   /// error, not a bound. NaN where it was not asked for or there are too few nodes. Cost units.
@@ -58,7 +63,8 @@ struct CostFieldOptions {
 /// one around the ends of the problem with their distance as margin; a problem's ends have no other part in it. Where a
 /// unit of length costs the same in all directions the field is of second order (IsotropicMarch); elsewhere it is by
 /// the line elements at the nodes, of first order (ArrivalField). Throws InputError for rings, for domains without two
-/// coordinates and for those that close on themselves, for places outside; OptionError ("resolution"); Interrupted.
+/// coordinates and for those that close on themselves, for places outside and those that no path leaves; OptionError
+/// ("resolution"); Interrupted.
 CostField costs_from(const Problem& problem, const std::vector<Eigen::VectorXd>& places,
                      const CostFieldOptions& options = {}, const Monitor& monitor = {});
 

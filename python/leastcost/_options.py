@@ -95,8 +95,6 @@ def options_of(
 ) -> Read:
     """positional: how many parameters may come before the options. Raises TypeError, InputError with the name."""
     who = f"the {kind} {name!r}"
-    if not isinstance(name, str):
-        raise TypeError(f"a {kind} is registered by its name, @lc.register_{kind}(\"name\"), not by {name!r}")
     if not callable(function):
         raise TypeError(f"{who} is a function, not {type(function).__name__}")
     parameters = list(inspect.signature(function).parameters.values())
@@ -104,7 +102,8 @@ def options_of(
     if count not in positional:
         takes = {"cost": "a and b, or options alone", "solver": "a chain", "initializer": "source and target"}[kind]
         raise InputError(
-            f"{who} takes {takes}; this function has {count} parameters without a default, of which options are behind a *"
+            f"{who} takes {takes}; this function has {count} parameter{'' if count == 1 else 's'} without a default: "
+            "write options behind a *"
         )
     known = [p.name for p in parameters[count:]]
     for key, extra in (said or {}).items():
@@ -119,6 +118,16 @@ def options_of(
     text = (inspect.getdoc(function) or "") if inspect.isroutine(function) or inspect.isclass(function) else ""
     summary = " ".join(text.split("\n\n")[0].split()) or f"A {kind} written in Python."
     return Read(count, summary, plain, frozenset(row[0] for row in plain if row[1] == "file"))
+
+
+def check_name(kind: str, name: Any) -> None:
+    """Raises TypeError where the decorator was written without its name."""
+    if not isinstance(name, str):
+        raise TypeError(_by_name(kind, name))
+
+
+def _by_name(kind: str, name: Any) -> str:
+    return f'a {kind} is registered by its name, @lc.register_{kind}("name"), not by {name!r}'
 
 
 def _hints(function: Callable[..., Any]) -> dict[str, Any]:

@@ -13,7 +13,7 @@ from . import _leastcost
 from ._config import _external
 from ._cost import Cost, CostMap, Wind
 from ._errors import InputError
-from ._options import options_of
+from ._options import check_name, options_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -89,7 +89,7 @@ def register_cost(
 
         lc.run({"cost": {"type": "chute", "gravity": 1.62}, ...})
 
-    The function takes a and b, as q of a Cost does, and its options. Or it takes options alone, and returns a Cost, a
+    The function takes a and b, as q of a Cost does, and its options, and returns the squared costs of the moves. Or it takes options alone, and returns a Cost, a
     CostMap, a Wind or a function q(a, b): for what is made once, from a file, say. It is returned as it is.
 
     name: lower-case letters, digits and _. A name of the library is refused; one of Python is replaced, so that a cell of
@@ -102,6 +102,12 @@ def register_cost(
     dict[str, float]. Without a default an option is required. The docstring's first paragraph is the summary.
 
     Raises InputError, TypeError."""
+    check_name("cost", name)
+    if not isinstance(unit, str):
+        raise TypeError(f"the unit of the cost {name!r} is a text, not {unit!r}")
+    for key, value in (("symmetric", symmetric), ("additive", additive)):
+        if not isinstance(value, (bool, np.bool_)):
+            raise TypeError(f"{key} of the cost {name!r} is True or False, not {value!r}")
 
     def register(function: Function) -> Function:
         read = options_of(function, name, "cost", [0, 2], options)
@@ -149,6 +155,7 @@ def register_solver(
       in which face a point is.
 
     Raises InputError, TypeError."""
+    check_name("solver", name)
 
     def register(function: Function) -> Function:
         read = options_of(function, name, "solver", [1], options)
@@ -178,6 +185,7 @@ def register_initializer(
     name, options: as of register_cost().
 
     Raises InputError, TypeError."""
+    check_name("initializer", name)
 
     def register(function: Function) -> Function:
         read = options_of(function, name, "initializer", [2], options)

@@ -109,13 +109,14 @@ TEST_CASE("field command: what it refuses, in one sentence") {
     CHECK_THAT(called.err, Contains(words));
     CHECK_FALSE(fs::exists(out));
   };
-  refused({"--from", "1"}, 4, "--from 1: expected two numbers with a comma between them");
+  refused({"--from", "1"}, 4, "--from 1: there is no such file, and it is not a place");
   refused({"--from", "1,nan"}, 4, "expected two numbers");
   refused({"--from", "9,9"}, 4, "--from 9,9: ");
   refused({"--to", "9,9"}, 4, "no way leads down the field there");
   refused({"--way", "w.csv"}, 4, "--way needs --to X,Y");
   refused({"--corridor", "--to-here"}, 4, "both directions");
-  refused({"--resolution", "0"}, 2, "resolution");
+  refused({"--resolution", "0"}, 3, "resolution");
+  refused({"--resolution", "0.5", "--to", "4,2", "--way", out}, 4, "name the same file");
   refused({"--resolution", "1e-9"}, 3, "more than 50 million nodes");
   CHECK(call({"field", config}).exit == 2);
   const std::string mesh = (project_dir() / "configs/bunny_two_routes.yaml").string();

@@ -215,6 +215,8 @@ TEST_CASE("field: costs that depend on the direction, from a place and to it") {
     const CostField field = field_of(problem, 0.02, to);
     CHECK(field.method == "arrival field");
     CHECK(field.directed);
+    CHECK(field.asymmetry > 2.5);  // nearly (1 + w) / (1 - w), along the wind
+    CHECK(field.asymmetry <= 3.34);
     const double error = worst(field, [&](const Vector2d& x) {
       if (x == problem.source.u) return std::nan("");
       return to ? move_cost(*wind, x, problem.source.u) : move_cost(*wind, problem.source.u, x);
@@ -264,6 +266,7 @@ TEST_CASE("field: nodes are on the values of a raster, and cells without data ar
     CHECK(field.value(7, 2) == Approx(3 * 12).margin(1e-6));
     CHECK(std::isnan(field.value(9, 2)));
     CHECK(std::isnan(field.value(12, 2)));
+    CHECK_THROWS_WITH(costs_from(problem, {Vector2d(29, 25)}), Catch::Contains("no path leaves the place (29, 25)"));
   }
 }
 
