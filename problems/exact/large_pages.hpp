@@ -20,7 +20,7 @@ struct LargePages {
 
   LargePages() = default;
   template <class U>
-  LargePages(const LargePages<U>&) {}  // as an allocator has to, for other types
+  LargePages(const LargePages<U>&) {}  // NOLINT(google-explicit-constructor): as an allocator has to, for other types
 
   T* allocate(std::size_t count) {
     const std::size_t bytes = count * sizeof(T);

@@ -16,7 +16,7 @@ namespace {
 
 namespace py = pybind11;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kInfiniteEnergy = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Solved is what a certificate takes for solved. The time of a run and the function itself are what limits it.
@@ -90,7 +90,7 @@ void Chain::keep(const CoordinatePath& path, double value) {
 
 double Chain::value(const Numbers& rows) {
   const Points columns = columns_of(rows);
-  double value = kInfinity;
+  double value = kInfiniteEnergy;
   search([&] {
     const std::optional<CoordinatePath> path = path_of(columns);
     if (!path) return;
@@ -102,7 +102,7 @@ double Chain::value(const Numbers& rows) {
 
 std::pair<double, py::array> Chain::value_and_gradient(const Numbers& rows) {
   const Points columns = columns_of(rows);
-  double value = kInfinity;
+  double value = kInfiniteEnergy;
   Points all = Points::Constant(columns.rows(), columns.cols(), kNaN);
   search([&] {
     const std::optional<CoordinatePath> path = path_of(columns);
