@@ -23,7 +23,8 @@ PointManifold::PointManifold(const ConstraintManifold& manifold, Points free, bo
       stopped_(stopped),
       deadline_(deadline) {}
 
-bool PointManifold::is_late() const { return deadline_.has_ended(); }
+/// A stop is heard between iterations: here Ceres would take it for a line search that fails.
+bool PointManifold::is_late() const { return deadline_.is_over(std::chrono::steady_clock::now()); }
 
 /// A ring of one column: a path all of whose points are free.
 CoordinatePath PointManifold::at(const double* x) const {

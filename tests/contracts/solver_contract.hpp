@@ -101,8 +101,9 @@ inline void check_report(const SolveReport& report, PathEnergy& energy, const Co
                          const CoordinatePath& path, const Promise& promise) {
   PathEnergy fresh(energy.problem(), energy.reference_cost());
   const double before = fresh.value(start), after = fresh.value(path);
-  // A deadline may pass before there is anything to measure.
-  if (report.termination == Termination::time_limit && report.history.empty()) {
+  // A deadline may pass, or a stop be heard, before there is anything to measure.
+  const bool ended = report.termination == Termination::time_limit || report.termination == Termination::cancelled;
+  if (ended && report.history.empty()) {
     CHECK(report.iterations == 0);
     CHECK((std::isnan(report.final_energy) || report.final_energy == Approx(before).epsilon(1e-14)));
     CHECK(path.u == start.u);
