@@ -117,10 +117,10 @@ inline void check_report(const SolveReport& report, PathEnergy& energy, const Co
     CHECK(after <= before * (1 + 1e-14));
   CHECK(report.seconds > 0);
   CHECK(report.message != SolveReport().message);
-  CHECK(std::isfinite(report.cost_error));
+  if (!ended) CHECK(std::isfinite(report.cost_error));  // else it may have been cut short while it was measured
   REQUIRE_FALSE(report.history.empty());
   CHECK(report.iterations == report.history.back().iteration);
-  CHECK(report.counters.gradients > 0);
+  if (!ended) CHECK(report.counters.gradients > 0);
   CHECK(energy.counters().gradients >= report.counters.gradients);
   if (!start.ring) CHECK((path.u.col(0) == start.u.col(0) && path.u.rightCols(1) == start.u.rightCols(1)));
   CHECK(energy.problem().manifold->residual(path) < 1e-13);
