@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/energy/chain_model.hpp>
 #include <leastcost/framework/energy/path_energy.hpp>
 #include "framework/base/point_text.hpp"
 
@@ -75,8 +76,7 @@ class DeadlineOf {
   Deadline before_;
 };
 
-/// The report of a solve whose last iteration was cut short by the clock, or a stop: there is no time to measure
-/// anything.
+/// The report of a solve whose last iteration was cut short by the clock: there is no time to measure anything.
 SolveReport abandoned(SolveReport report, Termination why, bool unmoved, double initial) {
   report.termination = why;
   report.message = "";
@@ -87,6 +87,21 @@ SolveReport abandoned(SolveReport report, Termination why, bool unmoved, double 
   report.cost_error = last.cost_error;
   if (!unmoved) report.final_energy = last.energy;
   return report;
+}
+
+/// Of a solve that a stop cut short, and not the clock: measured like any other. Throws Interrupted where that takes
+/// more than a moment, on a path of a great many points.
+void measure_stopped(PathEnergy& energy, const CoordinatePath& path, SolveReport& report) {
+  constexpr std::chrono::milliseconds kMoment{200};
+  const Monitor::Clock::time_point moment = Monitor::Clock::now() + kMoment;
+  const auto& end = energy.deadline().time();
+  energy.set_deadline(end ? std::min(moment, *end) : moment);
+  ChainModel model;
+  if (!model.evaluate(energy, path)) return;
+  model.solve(energy, path, HessianKind::exact);
+  report.final_energy = model.value;
+  report.cost_error = model.cost_error;
+  if (report.history.empty()) report.history.push_back({.energy = model.value, .cost_error = model.cost_error});
 }
 
 }  // namespace
@@ -136,8 +151,16 @@ SolveReport Solver::guarded(PathEnergy& energy, CoordinatePath& path, double& in
     report.message = "the energy of the first path is not finite";
     return report;
   } catch (const Interrupted&) {
+    const bool unmoved = path.u == start.u;
     const Termination why = monitor.cancelled() ? Termination::cancelled : Termination::time_limit;
-    return abandoned(std::move(report), why, path.u == start.u, initial);
+    SolveReport ended = abandoned(std::move(report), why, unmoved, initial);
+    if (why == Termination::time_limit) return ended;
+    try {
+      measure_stopped(energy, path, ended);
+      if (unmoved) initial = ended.final_energy;  // the first pass may be the one that was cut short
+    } catch (const Interrupted&) {                // what is known stands
+    }
+    return ended;
   } catch (const std::exception& error) {
     report.message = error.what();
   } catch (...) {
