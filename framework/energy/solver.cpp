@@ -89,10 +89,12 @@ SolveReport abandoned(SolveReport report, Termination why, bool unmoved, double 
   return report;
 }
 
-/// Of a solve that a stop cut short, and not the clock: measured like any other. Throws Interrupted where that takes
-/// more than a moment, on a path of a great many points.
+/// Of a solve that a stop cut short, and not the clock: measured like any other, up to the number of points for which
+/// that takes a few hundredths of a second. Throws Interrupted where the cost is too slow for it.
 void measure_stopped(PathEnergy& energy, const CoordinatePath& path, SolveReport& report) {
+  constexpr Index kMostPoints = 10000;
   constexpr std::chrono::milliseconds kMoment{200};
+  if (path.u.cols() > kMostPoints) return;
   const Monitor::Clock::time_point moment = Monitor::Clock::now() + kMoment;
   const auto& end = energy.deadline().time();
   energy.set_deadline(end ? std::min(moment, *end) : moment);
@@ -157,8 +159,8 @@ SolveReport Solver::guarded(PathEnergy& energy, CoordinatePath& path, double& in
     if (why == Termination::time_limit) return ended;
     try {
       measure_stopped(energy, path, ended);
-      if (unmoved) initial = ended.final_energy;  // the first pass may be the one that was cut short
-    } catch (const Interrupted&) {                // what is known stands
+      if (std::isnan(initial)) initial = ended.final_energy;  // the first pass was the one that was cut short
+    } catch (const Interrupted&) {                            // what is known stands
     }
     return ended;
   } catch (const std::exception& error) {
