@@ -23,6 +23,8 @@
 namespace leastcost {
 namespace {
 
+constexpr const char* kDefaultCost = "euclidean";
+
 PluginChoice default_plugin(const char* kind_name, const char* type, const std::string& path) {
   return choose(*find_plugin(kind(kind_name), type), path);
 }
@@ -66,6 +68,7 @@ void count_points_of_robot(ConfigNode& tree) {
 }  // namespace
 
 void fill_defaults(RunConfig& config) {
+  if (!config.cost) config.cost = default_plugin("cost", kDefaultCost, "cost");
   choose_interpolation(config);
   const bool default_first = !config.initializer, default_steps = !config.post_process;
   const ProblemFacts facts = facts_of(config);
@@ -95,7 +98,8 @@ void complete_types(ConfigNode& tree, const Externals& externals) {
   const PluginEntry* manifold = find_plugin(kind("manifold"), type.empty() ? text_at("manifold.type") : type);
   const ConstraintManifold* object = object_at(tree, "manifold", externals);
   if (manifold == nullptr && object == nullptr) return;  // an error of its own
-  const std::string cost = text_at("cost"), cost_type = cost.empty() ? text_at("cost.type") : cost;
+  const std::string cost = tree.find("cost") == nullptr ? kDefaultCost : text_at("cost"),
+                    cost_type = cost.empty() ? text_at("cost.type") : cost;
   const ConfigNode* point = node_at(tree, "ends.source.point");
   if (point == nullptr) point = node_at(tree, "ends.source.lonlat");
   const std::string interpolation = text_at("cost.interpolation");

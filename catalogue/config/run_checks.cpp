@@ -230,6 +230,7 @@ void check_bracket(LoadedConfig& loaded) {
   if (!is_type(config.manifold, {"euclidean"})) return;  // terrain has its own box
   const int dimension = whole_option(config.manifold, "dimension");
   if (dimension != 2 && dimension != 3) refuse("works in two and three dimensions only: remove it");
+  if (is_type(config.cost, {"cost_map"})) return;  // a map has its own box, too
   const ConfigNode options = options_as_tree(config.manifold);
   if (options.find("lower") == nullptr || options.find("upper") == nullptr)
     refuse("needs a box: give the manifold lower: [..] and upper: [..]");

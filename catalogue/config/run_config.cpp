@@ -44,7 +44,7 @@ void RunConfig::fields(RunVisitor& visit) {
                {.help = "The moving body: points are its configurations, and the obstacles are in its workspace."});
   visit.field("clearance", clearance,
               {.help = "Least distance of a path from the obstacles.", .unit = "length", .minimum = 0});
-  visit.plugin("cost", cost, "cost", {.help = "Cost of a move from a to b.", .required = true});
+  visit.plugin("cost", cost, "cost", {.help = "Cost of a move from a to b; default: euclidean, its length."});
   visit.plugin("kernel", kernel, "kernel", {.help = "The convex H of the energy; default: expm1_square."});
   visit.block(
       "ends", {.help = "Source and target of the path. A ring has none, or only a source: its fixed point."},

@@ -81,9 +81,12 @@ double distance_from(const RasterFunction& n, const RasterPatch& at, const Touch
   return (worst + rounding) * (1 + 4 * kEps);
 }
 
+PlaneBends hull_of(const PlaneBends& a, const PlaneBends& b) {
+  return {hull(a.xx, b.xx), hull(a.xy, b.xy), hull(a.yy, b.yy)};
+}
+
 PlaneEnclosure hull_of(const PlaneEnclosure& a, const PlaneEnclosure& b) {
-  return {hull(a.value, b.value), hull(a.dx, b.dx), hull(a.dy, b.dy),
-          hull(a.xx, b.xx),       hull(a.xy, b.xy), hull(a.yy, b.yy)};
+  return {hull(a.value, b.value), hull(a.dx, b.dx), hull(a.dy, b.dy), hull_of(a.bends, b.bends)};
 }
 
 /// Over all patches that are touched.
@@ -97,6 +100,17 @@ PlaneEnclosure enclose_all(const RasterFunction& n, const Touched& touched) {
   return *all;
 }
 
+/// By the part of each patch that is touched; where these are many, by whole patches, which takes a twentieth of the
+/// time.
+PlaneBends bends_over(const RasterFunction& n, const Touched& touched) {
+  const Span &columns = touched.columns, &rows = touched.rows;
+  if (columns.last - columns.first <= 1 && rows.last - rows.first <= 1) return enclose_all(n, touched).bends;
+  const PlaneBends whole = n.bends({rows.first, columns.first}, {rows.last, columns.last});
+  // The outermost patches go on beyond themselves by 1e-9 (Span), and change by less than twice the width per patch.
+  const auto wider = [](const Interval& x) { return x + Interval(-1, 1) * Interval(4e-9 * x.width()); };
+  return {wider(whole.xx), wider(whole.xy), wider(whole.yy)};
+}
+
 }  // namespace
 
 DensityEnclosure enclose_over(const RasterFunction& n, const Eigen::AlignedBox2d& cell) {
@@ -105,9 +119,10 @@ DensityEnclosure enclose_over(const RasterFunction& n, const Eigen::AlignedBox2d
   const RasterPatch patch{middle.rows.last, middle.columns.last};
   if (n.corners(patch)) {
     const PlaneEnclosure at = n.enclose(patch, middle.columns.range, middle.rows.range);
-    return {at.value, at.dx, at.dy, at.xx, at.xy, at.yy, distance_from(n, patch, touched)};
+    return {at.value, at.dx, at.dy, at.bends.xx, at.bends.xy, at.bends.yy, distance_from(n, patch, touched)};
   }
-  const PlaneEnclosure at = enclose_all(n, middle), over = enclose_all(n, touched);
+  const PlaneEnclosure at = enclose_all(n, middle);
+  const PlaneBends over = bends_over(n, touched);
   return {at.value, at.dx, at.dy, over.xx, over.xy, over.yy, 0};
 }
 

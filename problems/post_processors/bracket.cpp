@@ -24,6 +24,7 @@
 #include "problems/bracket/smooth_polyline.hpp"
 #include "problems/post_processors/search_time.hpp"
 #include "problems/post_processors/way_among_obstacles.hpp"
+#include "problems/raster/has_cell_index.hpp"
 
 namespace leastcost {
 
@@ -68,12 +69,15 @@ constexpr double kUnknown = std::numeric_limits<double>::infinity();
 /// Than a path: chains beside obstacles are dearer than the curve by less.
 constexpr double kClearlyLess = 0.995;
 
-/// The box that all paths stay in; empty where there is none.
-Eigen::AlignedBoxXd box_of(const ConstraintManifold& domain) {
-  const auto* box = find_ability<HasBox>(domain);
-  if (box == nullptr || !box->box_lower().allFinite() || !box->box_upper().allFinite())
-    return Eigen::AlignedBoxXd(domain.dimensions().coordinate);
-  return {box->box_lower(), box->box_upper()};
+/// The box that all paths stay in, that of the domain or of a cost map in the plane, beyond which the cost is infinite;
+/// empty where there is none.
+Eigen::AlignedBoxXd box_of(const Problem& problem) {
+  const auto* box = find_ability<HasBox>(*problem.manifold);
+  if (box != nullptr && box->box_lower().allFinite() && box->box_upper().allFinite())
+    return {box->box_lower(), box->box_upper()};
+  const auto* map = find_ability<HasCellIndex>(*problem.cost);
+  if (map == nullptr || dimension_of(problem) != 2) return Eigen::AlignedBoxXd(dimension_of(problem));
+  return {map->patches().lower(), map->patches().upper()};
 }
 
 /// The same box, of a dimension that is known.
@@ -176,7 +180,7 @@ CostInCells in_cells(const Problem& problem) {
   if (flat) cost = {density_of(problem.cost), dual_of(problem.cost), nullptr, nullptr};
   if (cost.density != nullptr && cost.dual != nullptr) {
     const Vector2d source = problem.source.u;
-    if (looks_isotropic(*cost.dual, fixed<2>(box_of(*problem.manifold))) &&
+    if (looks_isotropic(*cost.dual, fixed<2>(box_of(problem))) &&
         cost.density->enclose_density({source, source}).is_finite())
       cost.dual = nullptr;
     else
@@ -260,7 +264,7 @@ BracketInBox in_box_of(const BoxBracket<N>& found) {
 
 BracketInBox bracket_of(const Problem& problem, const CostInCells& cost, double upper, const GlobalBudget& budget,
                         const TakesWay& takes_way, const Monitor& monitor) {
-  const Eigen::AlignedBoxXd box = box_of(*problem.manifold);
+  const Eigen::AlignedBoxXd box = box_of(problem);
   if (cost.space != nullptr)
     return in_box_of(bracket_least_cost(*cost.space, fixed<3>(box), problem.source.u, problem.target.u, upper,
                                         options_of_bracket<3>(problem, budget, takes_way, monitor)));
@@ -287,9 +291,9 @@ std::string why_no_bracket(const Problem& problem) {
     return "a bracket needs a flat domain with two or three coordinates, or terrain";
   if (find_ability<ChecksMoves>(domain) != nullptr && walls_in_place(domain) == nullptr)
     return "a bracket needs obstacles in the plane or space itself: balls, boxes, polygons, maps, meshes";
-  if (box_of(domain).isEmpty()) return "a bracket needs a box: give the manifold finite bounds";
+  if (box_of(problem).isEmpty()) return "a bracket needs a box: give the manifold finite bounds";
   const CostInCells cost = in_cells(problem);
-  if (cost.space != nullptr && !looks_isotropic(*problem.cost, box_of(domain)))
+  if (cost.space != nullptr && !looks_isotropic(*problem.cost, box_of(problem)))
     return "a bracket in space needs an isotropic cost";
   if (!cost) return "a bracket in space needs a cost given by a formula";
   return "";
@@ -313,7 +317,7 @@ PostProcessed BracketPostProcessor::apply(const Problem& problem, const FirstPat
         blocked(std::string("the cost has no finite bounds near the ") + (is_source ? "source" : "target"));
     return current;
   }
-  const Eigen::AlignedBoxXd box = box_of(*problem.manifold);
+  const Eigen::AlignedBoxXd box = box_of(problem);
   const double upper = cost_of_feasible(problem, cost, current.chain.u, box);
   if (!std::isfinite(upper)) {
     current.curve.global = blocked("between its points, the path crosses places where the cost has no finite bounds");

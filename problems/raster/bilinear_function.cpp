@@ -43,9 +43,18 @@ PlaneEnclosure BilinearFunction::enclose(const RasterPatch& patch, const Interva
   return {base + east * u + (north + twist * u) * v,
           (east + twist * v) / hx,
           (north + twist * u) / hy,
-          0.0,
-          twist / (hx * hy),
-          0.0};
+          {0.0, twist / (hx * hy), 0.0}};
+}
+
+PlaneBends BilinearFunction::bends(const RasterPatch& first, const RasterPatch& last) const {
+  PlaneBends out;
+  for (RasterPatch at = first; at.row <= last.row; ++at.row)
+    for (at.column = first.column; at.column <= last.column; ++at.column) {
+      const Interval middle_column(at.column + 0.5), middle_row(at.row + 0.5);
+      const Interval here = enclose(at, middle_column, middle_row).bends.xy;
+      out.xy = at.row == first.row && at.column == first.column ? here : hull(out.xy, here);
+    }
+  return out;
 }
 
 /// Simpson's rule: along a line the function is a quadratic polynomial.

@@ -24,9 +24,15 @@ struct PatchBounds {
   Interval value, dx, dy;
 };
 
+/// Second derivatives by x and y between bounds.
+struct PlaneBends {
+  Interval xx, xy, yy;
+};
+
 /// A function and its derivatives by x and y between bounds.
 struct PlaneEnclosure {
-  Interval value, dx, dy, xx, xy, yy;
+  Interval value, dx, dy;
+  PlaneBends bends;
 };
 
 /// Nodes and weights on [0, 1] that integrate a function along any straight line within a patch exactly.
@@ -45,6 +51,8 @@ class RasterFunction {
   virtual PatchBounds bounds(const RasterPatch& patch) const = 0;
   /// The polynomial of a patch over a rectangle, in cells, also beside the patch. Rounded outward.
   virtual PlaneEnclosure enclose(const RasterPatch& patch, const Interval& column, const Interval& row) const = 0;
+  /// Within all patches from one to another. Rounded outward, and wider than their hull by what a patch beyond it adds.
+  virtual PlaneBends bends(const RasterPatch& first, const RasterPatch& last) const = 0;
   virtual PatchQuadrature quadrature() const = 0;
   /// Where it is bilinear: the values at (row, column), (row, column + 1), (row + 1, column), (row + 1, column + 1).
   virtual std::optional<std::array<double, 4>> corners(const RasterPatch&) const { return std::nullopt; }
@@ -73,6 +81,7 @@ class BilinearFunction final : public RasterFunction {
   PlaneJet in_patch(const RasterPatch& patch, double column, double row) const override;
   PatchBounds bounds(const RasterPatch& patch) const override;
   PlaneEnclosure enclose(const RasterPatch& patch, const Interval& column, const Interval& row) const override;
+  PlaneBends bends(const RasterPatch& first, const RasterPatch& last) const override;
   PatchQuadrature quadrature() const override;
   std::optional<std::array<double, 4>> corners(const RasterPatch& patch) const override { return values_at(patch); }
 
@@ -96,6 +105,7 @@ class SplineFunction final : public RasterFunction {
   PlaneJet in_patch(const RasterPatch& patch, double column, double row) const override;
   PatchBounds bounds(const RasterPatch& patch) const override;
   PlaneEnclosure enclose(const RasterPatch& patch, const Interval& column, const Interval& row) const override;
+  PlaneBends bends(const RasterPatch& first, const RasterPatch& last) const override;
   PatchQuadrature quadrature() const override { return {kGaussNodes, kGaussWeights}; }
 
  private:
@@ -103,6 +113,7 @@ class SplineFunction final : public RasterFunction {
   const double* coefficients_of(const RasterPatch& patch) const {
     return &coefficients_[static_cast<std::size_t>(patch.row) * width_ + static_cast<std::size_t>(patch.column)];
   }
+  PlaneBends scaled(const PlaneBends& in_cells) const;
 
   std::size_t width_;                 ///< of a row of coefficients: two more than values
   std::vector<double> coefficients_;  ///< one more on every side than values

@@ -5,42 +5,49 @@
 
 #include "problems/raster/raster_function.hpp"
 #include "problems/spline/bspline_line.hpp"
+#include "problems/spline/spline_part.hpp"
 
 namespace leastcost {
 namespace {
 
 /// Second derivatives of the weights of BsplineWeights.
-std::array<double, 4> bends(double u) { return {1 - u, 3 * u - 2, 1 - 3 * u, u}; }
+std::array<double, 4> bend_weights(double u) { return {1 - u, 3 * u - 2, 1 - 3 * u, u}; }
 
-/// The four weights of values, the three of their differences and the two of second differences, over a range of u.
-struct WeightRanges {
-  std::array<Interval, 4> value;
-  std::array<Interval, 3> slope;
-  std::array<Interval, 2> bend;
-
-  explicit WeightRanges(const Interval& u) {
-    const Interval v = Interval(1) - u, half(0.5), six(6), two_thirds = Interval(2) / Interval(3);
-    const Interval uu = square(u), vv = square(v);
-    value = {vv * v / six, two_thirds - uu * (Interval(1) - half * u), two_thirds - vv * (Interval(1) - half * v),
-             uu * u / six};
-    slope = {half * vv, half + u * v, half * uu};
-    bend = {v, u};
+/// Bounds of a function of two variables, of degrees P and Q, by the B-spline coefficients around the part: first along
+/// the rows, of which the Bernstein coefficients are given, then across them.
+template <std::size_t P, std::size_t Q>
+Interval across_rows(const std::array<std::array<Interval, P + 1>, Q + 1>& rows, const SplinePart<Q>& part) {
+  Interval out;
+  for (std::size_t k = 0; k <= P; ++k) {
+    std::array<Interval, Q + 1> line;
+    for (std::size_t j = 0; j <= Q; ++j) line[j] = rows[j][k];
+    const Interval here = part.range(line);
+    out = k == 0 ? here : hull(out, here);
   }
-};
-
-template <std::size_t N>
-Interval weighted(const std::array<Interval, N>& weights, const std::array<Interval, N>& terms) {
-  Interval sum = weights[0] * terms[0];
-  for (std::size_t k = 1; k < N; ++k) sum += weights[k] * terms[k];
-  return sum;
-}
-
-template <std::size_t N>
-std::array<Interval, N - 1> differences(const std::array<Interval, N>& terms) {
-  std::array<Interval, N - 1> out;
-  for (std::size_t k = 0; k + 1 < N; ++k) out[k] = terms[k + 1] - terms[k];
   return out;
 }
+
+/// Differences of neighbouring rows.
+template <std::size_t N, std::size_t Rows>
+std::array<std::array<Interval, N>, Rows - 1> row_differences(const std::array<std::array<Interval, N>, Rows>& rows) {
+  std::array<std::array<Interval, N>, Rows - 1> out;
+  for (std::size_t j = 0; j + 1 < Rows; ++j)
+    for (std::size_t k = 0; k < N; ++k) out[j][k] = rows[j + 1][k] - rows[j][k];
+  return out;
+}
+
+/// A range along an axis as parts of the three splines: of the values, their slopes and their bends.
+struct SplineParts {
+  SplinePart<3> value;
+  SplinePart<2> slope;
+  SplinePart<1> bend;
+
+  SplineParts(const Interval& range, int patch)
+      : SplineParts(Interval(range.lo) - Interval(patch), Interval(range.hi) - Interval(patch)) {}
+
+ private:
+  SplineParts(const Interval& from, const Interval& to) : value(from, to), slope(from, to), bend(from, to) {}
+};
 
 /// The values in an array with one more on every side; `width` of its rows.
 std::vector<double> padded(const RasterGrid& raster, std::size_t width) {
@@ -125,7 +132,7 @@ SplineFunction SplineFunction::near(const RasterGrid& raster) {
 PlaneJet SplineFunction::in_patch(const RasterPatch& patch, double column, double row) const {
   const double u = column - patch.column, v = row - patch.row;
   const BsplineWeights across(u), up(v);
-  const std::array<double, 4> across_bends = bends(u), up_bends = bends(v);
+  const std::array<double, 4> across_bends = bend_weights(u), up_bends = bend_weights(v);
   const double* c = coefficients_of(patch);
   PlaneJet jet;
   double dx = 0, dy = 0, dxx = 0, dxy = 0, dyy = 0;
@@ -166,22 +173,52 @@ PatchBounds SplineFunction::bounds(const RasterPatch& patch) const {
 }
 
 PlaneEnclosure SplineFunction::enclose(const RasterPatch& patch, const Interval& column, const Interval& row) const {
-  const WeightRanges across(column - Interval(patch.column)), up(row - Interval(patch.row));
-  std::array<Interval, 4> lines, slopes, curves;  // of the four rows
+  const SplineParts along(column, patch.column), across(row, patch.row);
+  std::array<std::array<Interval, 4>, 4> lines;  // of the four rows
+  std::array<std::array<Interval, 3>, 4> slopes;
+  std::array<std::array<Interval, 2>, 4> bends;
   const double* c = coefficients_of(patch);
   for (std::size_t j = 0; j < 4; ++j, c += width_) {
     const std::array<Interval, 4> values = {c[0], c[1], c[2], c[3]};
-    lines[j] = weighted(across.value, values);
-    slopes[j] = weighted(across.slope, differences(values));
-    curves[j] = weighted(across.bend, differences(differences(values)));
+    const std::array<Interval, 3> steps = differences(values);
+    lines[j] = along.value.bernstein(values);
+    slopes[j] = along.slope.bernstein(steps);
+    bends[j] = along.bend.bernstein(differences(steps));
   }
+  const auto rises = row_differences(lines);
   const Interval hx(patches().cell()[0]), hy(patches().cell()[1]);
-  return {weighted(up.value, lines),
-          weighted(up.value, slopes) / hx,
-          weighted(up.slope, differences(lines)) / hy,
-          weighted(up.value, curves) / square(hx),
-          weighted(up.slope, differences(slopes)) / (hx * hy),
-          weighted(up.bend, differences(differences(lines))) / square(hy)};
+  return {across_rows<3, 3>(lines, across.value), across_rows<2, 3>(slopes, across.value) / hx,
+          across_rows<3, 2>(rises, across.slope) / hy,
+          scaled({across_rows<1, 3>(bends, across.value), across_rows<2, 2>(row_differences(slopes), across.slope),
+                  across_rows<3, 1>(row_differences(rises), across.bend)})};
+}
+
+PlaneBends SplineFunction::scaled(const PlaneBends& in_cells) const {
+  const Interval hx(patches().cell()[0]), hy(patches().cell()[1]);
+  return {in_cells.xx / square(hx), in_cells.xy / (hx * hy), in_cells.yy / square(hy)};
+}
+
+/// A second derivative is a spline of second differences, and lies between the least and the largest of these.
+PlaneBends SplineFunction::bends(const RasterPatch& first, const RasterPatch& last) const {
+  const std::size_t rows = static_cast<std::size_t>(last.row - first.row) + 4,
+                    columns = static_cast<std::size_t>(last.column - first.column) + 4;
+  PlaneBends out;
+  const double* c = coefficients_of(first);
+  const auto widen = [](Interval& all, const Interval& here, bool is_first) {
+    all = is_first ? here : hull(all, here);
+  };
+  const auto second = [](const double* at, std::size_t step) {
+    return (Interval(at[2 * step]) - at[step]) - (Interval(at[step]) - at[0]);
+  };
+  for (std::size_t j = 0; j < rows; ++j)
+    for (std::size_t i = 0; i < columns; ++i) {
+      const double* at = c + j * width_ + i;
+      if (i + 2 < columns) widen(out.xx, second(at, 1), i + j == 0);
+      if (j + 2 < rows) widen(out.yy, second(at, width_), i + j == 0);
+      if (i + 1 < columns && j + 1 < rows)
+        widen(out.xy, (Interval(at[width_ + 1]) - at[width_]) - (Interval(at[1]) - at[0]), i + j == 0);
+    }
+  return scaled(out);
 }
 
 }  // namespace leastcost

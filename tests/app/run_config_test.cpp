@@ -52,6 +52,19 @@ TEST_CASE("run config: defaults on a mesh") {
   CHECK(types(off.post_process).empty());
 }
 
+TEST_CASE("run config: the cost is the length by default, and all that follows from it") {
+  for (const std::string rest :
+       {"manifold: {type: mesh, file: m.obj}\nends: {source: {vertex: 0}, target: {vertex: 1}}\n",
+        "manifold: euclidean\nobstacles: [{type: ball, center: [0, 0], radius: 1}]\nends: "
+        "{source: {point: [-2, 0]}, target: {point: [2, 0]}}\n"}) {
+    const RunConfig with = parse(rest + "cost: euclidean\n").config, without = parse(rest).config;
+    CHECK(without.cost.plugin == with.cost.plugin);
+    CHECK(without.initializer.plugin == with.initializer.plugin);
+    CHECK(without.solver.plugin == with.solver.plugin);
+    CHECK(types(without.post_process) == types(with.post_process));
+  }
+}
+
 TEST_CASE("run config: a plug-in as a word or as a block") {
   CHECK(parse(kPlane + "kernel: square\n").config.kernel.plugin ==
         parse(kPlane + "kernel: {type: square}\n").config.kernel.plugin);

@@ -130,7 +130,7 @@ TEST_CASE("study errors: each at its place, said once for all cells") {
   check(kStudy + "skip: [{because: x}]\n", "would leave out every cell");
   check(kStudy + "skip: [{sover: newton, because: x}]\n", "unknown key 'sover' in skip.0 (did you mean 'solver'?)");
   check("problems:\n  - {config: {manifold: euclidean}}\n", "an inline problem needs a name");
-  check("problems:\n  - {name: a, config: {manifold: euclidean}}\n", "a.yaml:2:23: error: missing key 'cost'");
+  check("problems:\n  - {name: a, config: {cost: euclidean}}\n", "a.yaml:2:23: error: missing key 'manifold'");
   check("problems:\n  - {config: nowhere.yaml}\n", "a.yaml:2:14: error: nowhere.yaml: cannot be opened");
   CHECK(study_errors("manifold: euclidean\ncost: euclidean\nsolver: newton\n") ==
         "a.yaml:1:1: error: this file has 'manifold', so it is a run: run it with leastcost run\n    1 | manifold: "

@@ -13,6 +13,7 @@
 #include <leastcost/problems/bracket/search/bracket.hpp>
 #include <leastcost/problems/costs/cost_map.hpp>
 #include <leastcost/problems/initializers/grid.hpp>
+#include <leastcost/problems/initializers/straight.hpp>
 #include <leastcost/problems/initializers/waypoints.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
@@ -176,7 +177,8 @@ TEST_CASE("raster bracket: never above what a path costs") {
     Vector2d source = place_in(box, random), target = place_in(box, random);
     while ((source - target).norm() < 0.3 * box.sizes().norm()) target = place_in(box, random);
     if (k % 5 == 0) source = raster.place(1, 1);  // where four patches meet
-    const Problem problem = problem_on(make_cost_map(raster, CostMapInterpolation::smooth, 2), box, source, target);
+    const auto interpolation = k % 3 == 0 ? CostMapInterpolation::bilinear : CostMapInterpolation::smooth;
+    const Problem problem = problem_on(make_cost_map(raster, interpolation, 2), box, source, target);
     const std::shared_ptr<const CostDensity> density = density_of(problem.cost);
     const Bracket found = bracket_least_cost(*density, box, source, target, kNoWay, {.cells = 64, .max_cells = 256});
     const double least = cheapest_found(problem, box, found, random);
@@ -194,6 +196,33 @@ TEST_CASE("raster bracket: never above what a path costs") {
   if (count > 40)
     WARN("gap: median " << gaps[gaps.size() / 2] << ", 90 % " << gaps[gaps.size() * 9 / 10] << ", largest "
                         << gaps.back());
+}
+
+TEST_CASE("raster bracket: a fine map takes as coarse a grid as its formula would") {
+  const RasterGrid raster = raster_of(201, 201, [](double x, double y) {
+    return 1 + 2 * std::exp(-((x - 100) * (x - 100) + (y - 100) * (y - 100)) / 1100);
+  });
+  const AlignedBox2d box = box_of_values(raster);
+  const Vector2d source = raster.place(95, 15), target = raster.place(105, 185);
+  for (const CostMapInterpolation interpolation : {CostMapInterpolation::smooth, CostMapInterpolation::bilinear}) {
+    const std::shared_ptr<const CostDensity> density = density_of(make_cost_map(raster, interpolation, 2));
+    const Bracket found = bracket_least_cost(*density, box, source, target, kNoWay, {.tolerance = 1e-2});
+    CHECK(found.gap() < 1e-2);
+    CHECK(found.grid[0] == 128);  // 512 before, and by the bilinear one nothing was proved
+  }
+}
+
+TEST_CASE("raster bracket: in the plane without bounds, a map is its own box") {
+  const RasterGrid raster = raster_of(20, 20, [](double x, double y) { return 1 + 0.1 * x + 0.02 * y; });
+  const AlignedBox2d box = box_of_values(raster);
+  Problem problem = problem_on(make_cost_map(raster, CostMapInterpolation::smooth, 2), box, box.min() + Vector2d(1, 1),
+                               box.max() - Vector2d(1, 1));
+  problem.manifold = std::make_shared<EuclideanManifold>(EuclideanManifoldOptions{2, {}});
+  FindOptions options;
+  options.post_processors = {std::make_shared<BracketPostProcessor>(GlobalBudget{.tolerance = 1e-2})};
+  const Result result = find_path(problem, StraightInitializer(), Newton(), options);
+  CHECK(result.certificate.scope == Scope::global);
+  CHECK(result.curve.global.value().gap <= 1e-2);
 }
 
 TEST_CASE("raster bracket: find_path on a map is global, whichever way it begins") {

@@ -166,4 +166,36 @@ TEST_CASE("rasters too small for a function are refused") {
   CHECK_THROWS_AS(SplineFunction::through(with_gap(with_gap(raster_of(4, 5, waves), 1, 2), 2, 2)), InputError);
 }
 
+TEST_CASE("bicubic: bounds of second derivatives over a part of a patch are those of the polynomial there") {
+  Random random;
+  const RasterGrid raster = noise(7, 6, random);
+  for (const SplineFunction& f : {SplineFunction::through(raster), SplineFunction::near(raster)})
+    for (const double size : {1e-9, 1e-3, 0.2, 1.0}) {
+      const RasterPatch patch{random.integer(1, 4), random.integer(1, 3)};
+      const double column = patch.column + random.uniform(0, 1 - size), row = patch.row + random.uniform(0, 1 - size);
+      const PlaneEnclosure all = f.enclose(patch, {column, column + size}, {row, row + size});
+      const PlaneBends whole = f.bends(patch, patch);
+      Interval xx(f.in_patch(patch, column, row).hessian(0, 0)), xy(f.in_patch(patch, column, row).hessian(0, 1));
+      for (int k = 0; k < 400; ++k) {
+        const PlaneJet at = f.in_patch(patch, column + size * (k % 20) / 19, row + size * (k / 20) / 19);  // NOLINT
+        constexpr double kRounding = 1e-11;
+        const auto lies_in = [](const Interval& bounds, double value) {
+          return bounds.lo - kRounding <= value && value <= bounds.hi + kRounding;
+        };
+        CHECK(lies_in(all.value, at.value));
+        CHECK(lies_in(all.dx, at.gradient[0]));
+        CHECK(lies_in(all.dy, at.gradient[1]));
+        for (const PlaneBends& bends : {all.bends, whole}) {
+          CHECK(lies_in(bends.xx, at.hessian(0, 0)));
+          CHECK(lies_in(bends.xy, at.hessian(0, 1)));
+          CHECK(lies_in(bends.yy, at.hessian(1, 1)));
+        }
+        xx = hull(xx, at.hessian(0, 0));
+        xy = hull(xy, at.hessian(0, 1));
+      }
+      CHECK(all.bends.xx.width() < 2 * xx.width() + 1e-10);
+      CHECK(all.bends.xy.width() < 2 * xy.width() + 1e-10);
+    }
+}
+
 }  // namespace leastcost::test

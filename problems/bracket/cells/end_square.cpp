@@ -62,11 +62,11 @@ bool make_cone(const CostDensity& density, const Grid<2>& grid, double wider, De
 double least_within(const DensityEnclosure& n, const Eigen::AlignedBox2d& part) {
   const Vector2d r = part.sizes() / 2 + 4 * kEps * (part.min().cwiseAbs() + part.max().cwiseAbs());
   const Interval x(-r[0], r[0]), y(-r[1], r[1]), half(0.5);
-  return (n.value + n.dx * x + n.dy * y + half * (n.xx * square(x) + n.yy * square(y)) + n.xy * x * y).lo;
+  return (n.value - n.slack + n.dx * x + n.dy * y + half * (n.xx * square(x) + n.yy * square(y)) + n.xy * x * y).lo;
 }
 
-/// A cone that rises by the least density in S2, where the other one fails because n is bent too much: it loses of the
-/// second order in the width of S, which does on coarse grids.
+/// A cone that rises by the least density in S2, where the other one fails because n is bent too much or has kinks: it
+/// loses of the second order in the width of S, which does on coarse grids.
 bool make_straight_cone(const CostDensity& density, const Grid<2>& grid, DensitySquare& square) {
   constexpr double kWider = 1.6;
   const double inner = (square.k + 0.5) * grid.h, outer = kWider * inner + grid.h;
@@ -78,7 +78,7 @@ bool make_straight_cone(const CostDensity& density, const Grid<2>& grid, Density
   const bool known = for_parts_of<2>(grid.cell(square.middle, outer / grid.h - 0.5), kParts, [&](const auto& part) {
     const DensityEnclosure n = density.enclose_density(part);
     square.cone.n0 = std::min(square.cone.n0, least_within(n, part));
-    return n.is_finite() && n.slack == 0;
+    return n.is_finite();
   });
   return known && square.cone.n0 > 0 && to_rim > inner_reach * kSafety;
 }
