@@ -24,7 +24,7 @@ namespace leastcost {
 namespace {
 
 constexpr std::int32_t kSmallMesh = 20000;           // vertices up to which a proof goes to its end by default
-constexpr std::int64_t kLargeMeshWindows = 2000000;  // above: a second or so, 200 MB
+constexpr std::int64_t kLargeMeshWindows = 4000000;  // above: a second, 400 MB at most
 constexpr std::int64_t kMostWindows = 10000000;      // a GB
 constexpr double kShorter = 1e-9;                    // relative length that makes another class
 // What is built before the first window does not look at the clock. Seconds per face, of two cores that are busy.
