@@ -21,8 +21,15 @@
 namespace leastcost::app {
 namespace {
 
+/// How places are written.
+struct PlaceForm {
+  std::size_t coordinates;
+  bool mesh;  ///< which has vertices, with numbers
+  std::string like() const { return coordinates == 3 ? "3.5,-2,1" : "3.5,-2"; }
+};
+
 /// A place in words, "3.5,-2"; on a mesh "3.5,-2,1" or the number of a vertex.
-EndOptions end_of(const std::string& text, const std::string& where, bool mesh) {
+EndOptions end_of(const std::string& text, const std::string& where, const PlaceForm& form) {
   std::vector<double> coordinates;
   bool well = true;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -34,31 +41,33 @@ EndOptions end_of(const std::string& text, const std::string& where, bool mesh) 
   }
   EndOptions end;
   constexpr double kMostVertices = 2147483647;
-  if (mesh && well && coordinates.size() == 1 && coordinates[0] == std::floor(coordinates[0]) && coordinates[0] >= 0 &&
-      coordinates[0] <= kMostVertices) {
+  if (form.mesh && well && coordinates.size() == 1 && coordinates[0] == std::floor(coordinates[0]) &&
+      coordinates[0] >= 0 && coordinates[0] <= kMostVertices) {
     end.vertex = static_cast<int>(coordinates[0]);
     return end;
   }
-  if (!well || coordinates.size() != (mesh ? 3U : 2U))
+  if (!well || coordinates.size() != form.coordinates)
     throw InputError(
-        mesh ? fmt::format("{}: expected the number of a vertex, from 0, or a point like 3.5,-2,1, found '{}'", where,
-                           text)
-             : fmt::format("{}: expected two numbers with a comma between them, like 3.5,-2, found '{}'", where, text));
+        form.mesh
+            ? fmt::format("{}: expected the number of a vertex, from 0, or a point like {}, found '{}'", where,
+                          form.like(), text)
+            : fmt::format("{}: expected two numbers with a comma between them, like 3.5,-2, found '{}'", where, text));
   end.point = Eigen::Map<const Eigen::VectorXd>(coordinates.data(), static_cast<Eigen::Index>(coordinates.size()));
   return end;
 }
 
 /// Places as --from has them: each in words, or many in a file, one a line.
-std::vector<FieldPlace> places_of(const std::vector<std::string>& words, const std::string& option, bool mesh) {
+std::vector<FieldPlace> places_of(const std::vector<std::string>& words, const std::string& option,
+                                  const PlaceForm& form) {
   std::vector<FieldPlace> places;
   for (const std::string& word : words) {
     std::ifstream in(word);
-    const bool number = mesh && word.find_first_not_of("0123456789") == std::string::npos;
+    const bool number = form.mesh && word.find_first_not_of("0123456789") == std::string::npos;
     if (!in || number) {
       if (word.find(',') == std::string::npos && !number)
         throw InputError(fmt::format("{} {}: there is no such file, and it is not a place like {}", option, word,
-                                     mesh ? "12 (a vertex) or 3.5,-2,1" : "3.5,-2"));
-      places.push_back({end_of(word, option, mesh), fmt::format("{} {}", option, word)});
+                                     form.mesh ? "12 (a vertex) or " + form.like() : form.like()));
+      places.push_back({end_of(word, option, form), fmt::format("{} {}", option, word)});
       continue;
     }
     const std::size_t before = places.size();
@@ -67,7 +76,7 @@ std::vector<FieldPlace> places_of(const std::vector<std::string>& words, const s
       ++line_number;
       while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
       const std::string where = fmt::format("{}:{}", word, line_number);
-      if (!line.empty() && line.front() != '#') places.push_back({end_of(line, where, mesh), where});
+      if (!line.empty() && line.front() != '#') places.push_back({end_of(line, where, form), where});
     }
     if (places.size() == before) throw InputError(fmt::format("{} {}: the file has no points", option, word));
   }
@@ -91,16 +100,17 @@ Exit field_command(const FieldArguments& arguments, const Streams& streams) {
   if (!arguments.ways.empty() && arguments.to.empty()) throw InputError("--way needs --to X,Y");
   if (arguments.ways == arguments.output) throw InputError("--way and --output name the same file");
   const Run run = load({arguments.config, arguments.overrides, {}, false, {}});
-  const bool mesh = run.parts.problem.manifold->shape() == Shape::polyhedral;
-  check_format(format, mesh);
+  const ConstraintManifold& domain = *run.parts.problem.manifold;
+  const PlaceForm form{domain.dimensions().coordinate == 3 ? 3U : 2U, domain.shape() == Shape::polyhedral};
+  check_format(format, form.mesh);
   catch_interrupts();
   Monitor monitor;
   monitor.stop_requested = interrupted;
   const CostFieldOptions options{.resolution = arguments.resolution, .to_places = arguments.to_here};
   try {
-    RunField field(run, places_of(arguments.from, "--from", mesh), options, monitor);
+    RunField field(run, places_of(arguments.from, "--from", form), options, monitor);
     std::vector<FieldWay> ways;
-    for (const FieldPlace& place : places_of(arguments.to, "--to", mesh)) {
+    for (const FieldPlace& place : places_of(arguments.to, "--to", form)) {
       const PathEnd end = field.place(place);
       try {
         ways.push_back(field.way(end, monitor));

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/mesh/has_mesh.hpp>
 #include "catalogue/run/run_origin.hpp"
 
@@ -90,7 +91,8 @@ FieldWay RunField::way(const PathEnd& place, const Monitor& monitor) const {
         fields_->way(vertices_.places, fields_->point(place), [&monitor] { return monitor.interrupted(); });
     if (to_places()) path = reversed(path);
     way.cost = path_length(path);
-    way.points.assign(path.points.begin(), path.points.end());
+    const Eigen::Index d = problem_.manifold->dimensions().coordinate;  // 2 on a map, whose mesh is at z = 0
+    for (const Eigen::Vector3d& point : path.points) way.points.emplace_back(point.head(d));
     return way;
   }
   const std::vector<Eigen::Vector2d> points = way_down(lattice_, problem_, place.u);

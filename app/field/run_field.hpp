@@ -24,7 +24,7 @@ struct FieldPlace {
 
 /// A way between a place and the nearest of those of a field.
 struct FieldWay {
-  std::vector<Eigen::VectorXd> points;  ///< as it is walked; coordinates, on a mesh (x, y, z)
+  std::vector<Eigen::VectorXd> points;  ///< as it is walked; coordinates
   double cost = 0;                      ///< under the cost of the configuration
 };
 

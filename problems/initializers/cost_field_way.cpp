@@ -204,16 +204,12 @@ class WayTightening {
   }
 
   std::vector<Vector2d> tightened() {
-    constexpr int kRounds = 8;
-    constexpr double kEnough = 1e-5;  // of the cost, for another round
-    double size = 1;                  // of the shifts, in steps
-    for (int round = 0; round < kRounds; ++round, size /= 2) {
-      const double before = total();
-      for (std::size_t reach = std::bit_floor(std::max<std::size_t>(way_.size() / 2, 1)); reach > 0; reach /= 2)
-        for (std::size_t i = std::max<std::size_t>(reach / 2, 1); i + 1 < way_.size();
-             i += std::max<std::size_t>(reach / 2, 1))
-          shift(i, reach, size * step_ * std::min(double(reach), kMostSteps) / 2);
-      if (round > 2 && !(before - total() > kEnough * before)) break;
+    constexpr std::size_t kFewMoves = 64;  // fewer are too coarse a polyline
+    constexpr int kMostHalvings = 5;
+    tighten();
+    for (int k = 0; k < kMostHalvings && costs_.size() < kFewMoves && !costs_.empty(); ++k) {
+      halve_moves();
+      tighten();
     }
     return std::move(way_);
   }
@@ -221,6 +217,34 @@ class WayTightening {
  private:
   static constexpr double kMostSteps = 8;
   static constexpr int kPieces = 4;  ///< of a move, as in cost_of_way()
+
+  /// Rounds of shifts from large to small, until they gain little.
+  void tighten() {
+    constexpr int kRounds = 6;
+    constexpr double kEnough = 1e-5;  // of the cost, for another round
+    for (int round = 0; round < kRounds; ++round) {
+      const double before = total();
+      for (const double size : {1.0, 0.25, 0.0625, 0.015625})  // in steps of the lattice
+        for (std::size_t reach = std::bit_floor(std::max<std::size_t>(way_.size() / 2, 1)); reach > 0; reach /= 2) {
+          const std::size_t stride = std::max<std::size_t>(reach / 2, 1);
+          for (std::size_t i = stride; i + 1 < way_.size(); i += stride)
+            shift(i, reach, size * step_ * std::min(double(reach), kMostSteps) / 2);
+        }
+      if (!(before - total() > kEnough * before)) break;
+    }
+  }
+
+  void halve_moves() {
+    std::vector<Vector2d> finer = {way_[0]};
+    for (std::size_t i = 1; i < way_.size(); ++i) {
+      finer.emplace_back((way_[i - 1] + way_[i]) / 2);
+      finer.push_back(way_[i]);
+    }
+    way_ = std::move(finer);
+    step_ /= 2;
+    costs_.clear();
+    for (std::size_t i = 0; i + 1 < way_.size(); ++i) costs_.push_back(move(way_[i], way_[i + 1]));
+  }
 
   double total() const { return std::accumulate(costs_.begin(), costs_.end(), 0.0); }
   Eigen::VectorXd ambient(const Vector2d& u) const { return positions(*problem_.manifold, {u, {}, true}).col(0); }
@@ -254,21 +278,26 @@ class WayTightening {
         const Vector2d next = way_[k] + amount * share * across;
         trial.costs.push_back(room_.contains(next) ? move(last, next) : kLost);
         trial.cost += trial.costs.back();
-        if (!(trial.cost < here)) break;  // no better, whatever comes
+        if (!(trial.cost < kLost)) break;
         trial.points.push_back(next);
         last = next;
       }
       return trial;
     };
-    const auto full = [&](const Trial& trial) { return trial.cost < here * (1 - kRounding); };
-    Trial best = tried(by);
-    if (!full(best)) best = tried(-by);
-    if (!full(best)) return;
-    for (int doubling = 0; doubling < 3; ++doubling) {  // farther on the same side
-      Trial more = tried(2 * best.amount);
-      if (!(more.cost < best.cost)) break;
-      best = std::move(more);
+    // Where a parabola through three of them is lowest, or at the better side, or nearer where moves may not go.
+    const Trial one = tried(by), other = tried(-by);
+    Trial best = one.cost < other.cost ? one : other;
+    const double bend = one.cost + other.cost - 2 * here;
+    if (bend < kLost && bend > 0) {
+      Trial lowest = tried(std::clamp(by * (other.cost - one.cost) / (2 * bend), -2 * by, 2 * by));
+      if (lowest.cost < best.cost) best = std::move(lowest);
+    } else if (!(bend < kLost)) {
+      for (const double nearer : {by / 4, -by / 4, by / 16, -by / 16}) {
+        Trial trial = tried(nearer);
+        if (trial.cost < best.cost) best = std::move(trial);
+      }
     }
+    if (!(best.cost < here * (1 - kRounding))) return;
     for (std::size_t k = low + 1; k <= high; ++k) {
       if (k < high) way_[k] = best.points[k - low - 1];
       costs_[k - 1] = best.costs[k - low - 1];
@@ -286,7 +315,7 @@ class WayTightening {
   MoveCheck moves_;
   std::vector<Vector2d> way_;
   std::vector<double> costs_;  ///< of the moves
-  double step_;                ///< of the lattice
+  double step_;                ///< of the lattice, halved with the moves
   Eigen::AlignedBox2d room_;   ///< that points may be in
 };
 

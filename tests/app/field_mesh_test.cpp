@@ -204,6 +204,17 @@ TEST_CASE("field on a mesh: what it refuses, in one sentence") {
   CHECK_THAT(call({"field", apart, "-o", out, "--corridor"}).err, Contains("no path joins the two"));
 }
 
+TEST_CASE("field on a map: exact lengths to the vertices of its free cells, and a way in the plane") {
+  const ScratchDir dir;
+  const std::string map = (project_dir() / "configs/map_rooms.yaml").string();
+  const Called called = call({"field", map, "-o", (dir / "f.csv").string(), "--to", "23.5,11.5", "--way",
+                              (dir / "way.csv").string(), "--format", "json"});
+  CHECK(called.exit == 0);
+  // The path of the configuration alone, which is of another class, has the length 23.328.
+  CHECK(Json::parse(called.out)["ways"][0]["cost"].get<double>() == Approx(23.0290591540));
+  CHECK_THAT(text_of(dir / "way.csv"), Contains("way,x,y\n0,2.5,2.5\n") && Contains("\n0,23.5,11.5\n"));
+}
+
 TEST_CASE("field on a mesh: 100 random sheets against a search over points on their edges") {
   const ScratchDir dir;
   const int sheets = kSanitized ? 10 : 100;
