@@ -119,7 +119,6 @@ TEST_CASE("field command: what it refuses, in one sentence") {
   refused({"--resolution", "0.5", "--to", "4,2", "--way", out}, 4, "name the same file");
   refused({"--resolution", "1e-9"}, 3, "more than 50 million nodes");
   CHECK(call({"field", config}).exit == 2);
-
 }
 
 }  // namespace leastcost::test
