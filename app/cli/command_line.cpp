@@ -359,21 +359,22 @@ void add_field(CLI::App& app, Values& v, const Streams& streams, Command& chosen
       "field", "Compute the least cost from a place, or from the nearest of several, to every cell or node");
   c.footer(
       "Nodes are on the values of a raster of costs; elsewhere the longest side of the box has 200 steps. On a mesh "
-      "use "
-      "leastcost distances.\n"
+      "they are its vertices, and the values are exact.\n"
       "  leastcost field map.yaml -o field.npy                    from the source of the configuration\n"
       "  leastcost field map.yaml -o f.csv --from 3,4 --to 20,7   and the way from there to a place\n"
-      "  leastcost field map.yaml -o c.asc --corridor             how much dearer a detour through each node is");
+      "  leastcost field map.yaml -o c.asc --corridor             how much dearer a detour through each node is\n"
+      "  leastcost field mesh.yaml -o f.ply --from 12 --to 700    from a vertex of a mesh, and the way to another");
   c.add_option("config", v.config,
                "Configuration (YAML); - reads standard input, with files relative to the current folder")
       ->required()
       ->type_name("CONFIG");
   add_set(c, v);
   add_format(c, v);
-  add_output(c, v, "Write to this file: .csv, .npy or .asc", "FILE");
+  add_output(c, v, "Write to this file: .csv, .npy or .asc; on a mesh .csv, .npy, .vtp or .ply", "FILE");
   c.get_option("--output")->required();
   c.add_option("--from", v.field.from,
-               "Place, or text file with one place per line; can be repeated; default: the configuration's source")
+               "Place (on a mesh X,Y,Z or the number of a vertex), or text file with one place per line; can be "
+               "repeated; default: the configuration's source")
       ->type_name("X,Y")
       ->allow_extra_args(false);
   c.add_option("--to", v.field.to, "Also find the way from there to this place; can be repeated, or a text file")

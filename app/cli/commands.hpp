@@ -58,7 +58,8 @@ struct DistancesArguments {
 struct FieldArguments {
   std::filesystem::path config;  ///< "-": standard input
   std::vector<Override> overrides;
-  std::vector<std::string> from;  ///< each "x,y", or a text file of such lines; empty: the source of the configuration
+  std::vector<std::string> from;  ///< each "x,y" (on a mesh "x,y,z", or a vertex), or a text file of such
+                                  ///< lines; empty: the source of the configuration
   std::vector<std::string> to;    ///< the same, of places whose way back is wanted
   std::string output;
   std::string ways;  ///< file of these ways; empty: none

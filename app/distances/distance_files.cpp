@@ -14,10 +14,6 @@
 namespace leastcost::app {
 namespace {
 
-struct AtVertex {
-  double distance, error;
-};
-
 constexpr double kNoPath = -1, kNotReached = -2;  // in formats whose readers do not take inf
 
 AtVertex at_vertex(const ExactDistances& distances, std::int32_t v) {
@@ -32,12 +28,17 @@ AtVertex at_vertex(const ExactDistances& distances, std::int32_t v) {
   return {};
 }
 
-/// The same without inf.
-AtVertex finite_at_vertex(const ExactDistances& distances, std::int32_t v) {
-  const DistanceState state = state_at(distances, v);
-  if (state == DistanceState::no_path) return {kNoPath, 0};
-  if (state == DistanceState::not_reached) return {kNotReached, 0};
-  return at_vertex(distances, v);
+/// Of all vertices, the same without inf.
+std::vector<AtVertex> finite_at_vertices(const ExactDistances& distances) {
+  std::vector<AtVertex> all;
+  all.reserve(distances.distance.size());
+  for (std::int32_t v = 0; v < static_cast<std::int32_t>(distances.distance.size()); ++v) {
+    const DistanceState state = state_at(distances, v);
+    all.push_back(state == DistanceState::no_path       ? AtVertex{kNoPath, 0}
+                  : state == DistanceState::not_reached ? AtVertex{kNotReached, 0}
+                                                        : at_vertex(distances, v));
+  }
+  return all;
 }
 
 std::string distance_csv(const TriangleMesh& mesh, const ExactDistances& distances) {
@@ -47,24 +48,8 @@ std::string distance_csv(const TriangleMesh& mesh, const ExactDistances& distanc
     const Eigen::Vector3d& p = mesh.position(v);
     const AtVertex at = at_vertex(distances, v);
     fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{}\n", mesh.file_vertex(v), p.x(), p.y(), p.z(),
-                   at.distance, at.error, word_of(state_at(distances, v)));
+                   at.value, at.error, word_of(state_at(distances, v)));
   }
-  return out;
-}
-
-std::string distance_ply(const TriangleMesh& mesh, const ExactDistances& distances) {
-  std::string out = fmt::format(
-      "ply\nformat ascii 1.0\ncomment exact distances on the mesh; -1: no path; -2: not reached\nelement vertex {}\n"
-      "property double x\nproperty double y\nproperty double z\nproperty double distance\nproperty double error\n"
-      "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
-      mesh.vertex_count(), mesh.face_count());
-  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
-    const Eigen::Vector3d& p = mesh.position(v);
-    const AtVertex at = finite_at_vertex(distances, v);
-    fmt::format_to(std::back_inserter(out), "{} {} {} {} {}\n", p.x(), p.y(), p.z(), at.distance, at.error);
-  }
-  for (const auto& face : mesh.faces())
-    fmt::format_to(std::back_inserter(out), "3 {} {} {}\n", face[0], face[1], face[2]);
   return out;
 }
 
@@ -74,27 +59,6 @@ std::string rows(std::int32_t count, Row row) {
   std::string text;
   for (std::int32_t i = 0; i < count; ++i) fmt::format_to(std::back_inserter(text), "{}\n", row(i));
   return text;
-}
-
-std::string distance_vtp(const TriangleMesh& mesh, const ExactDistances& distances) {
-  const std::int32_t points = mesh.vertex_count(), faces = mesh.face_count();
-  const auto of_vertices = [&](const char* name, double AtVertex::*value) {
-    return vtp_array(name, 1, "Float64",
-                     rows(points, [&](std::int32_t v) { return finite_at_vertex(distances, v).*value; }));
-  };
-  std::string piece = "      <PointData Scalars=\"distance\">\n" + of_vertices("distance", &AtVertex::distance) +
-                      of_vertices("error", &AtVertex::error) + "      </PointData>\n      <Points>\n";
-  piece += vtp_array("Points", 3, "Float64", rows(points, [&](std::int32_t v) {
-                       const Eigen::Vector3d& p = mesh.position(v);
-                       return fmt::format("{} {} {}", p.x(), p.y(), p.z());
-                     }));
-  piece += "      </Points>\n      <Polys>\n";
-  piece += vtp_array("connectivity", 1, "Int32", rows(faces, [&](std::int32_t f) {
-                       const auto& face = mesh.faces()[static_cast<std::size_t>(f)];
-                       return fmt::format("{} {} {}", face[0], face[1], face[2]);
-                     }));
-  piece += vtp_array("offsets", 1, "Int32", rows(faces, [](std::int32_t f) { return 3 * (f + 1); }));
-  return vtp_file({.points = points, .polygons = faces}, piece + "      </Polys>\n");
 }
 
 }  // namespace
@@ -121,11 +85,51 @@ DistanceFormat distance_format(std::string_view file) {
   throw InputError(std::string(file) + ": distances can be written as .csv, .vtp or .ply");
 }
 
+std::string vertices_ply(const TriangleMesh& mesh, std::string_view name, std::string_view comment,
+                         const std::vector<AtVertex>& values) {
+  std::string out = fmt::format(
+      "ply\nformat ascii 1.0\ncomment {}\nelement vertex {}\n"
+      "property double x\nproperty double y\nproperty double z\nproperty double {}\nproperty double error\n"
+      "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+      comment, mesh.vertex_count(), name, mesh.face_count());
+  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
+    const Eigen::Vector3d& p = mesh.position(v);
+    const AtVertex& at = values[static_cast<std::size_t>(v)];
+    fmt::format_to(std::back_inserter(out), "{} {} {} {} {}\n", p.x(), p.y(), p.z(), at.value, at.error);
+  }
+  for (const auto& face : mesh.faces())
+    fmt::format_to(std::back_inserter(out), "3 {} {} {}\n", face[0], face[1], face[2]);
+  return out;
+}
+
+std::string vertices_vtp(const TriangleMesh& mesh, std::string_view name, const std::vector<AtVertex>& values) {
+  const std::int32_t points = mesh.vertex_count(), faces = mesh.face_count();
+  const auto of_vertices = [&](std::string_view of, double AtVertex::*value) {
+    return vtp_array(of, 1, "Float64",
+                     rows(points, [&](std::int32_t v) { return values[static_cast<std::size_t>(v)].*value; }));
+  };
+  std::string piece = fmt::format("      <PointData Scalars=\"{}\">\n", name) + of_vertices(name, &AtVertex::value) +
+                      of_vertices("error", &AtVertex::error) + "      </PointData>\n      <Points>\n";
+  piece += vtp_array("Points", 3, "Float64", rows(points, [&](std::int32_t v) {
+                       const Eigen::Vector3d& p = mesh.position(v);
+                       return fmt::format("{} {} {}", p.x(), p.y(), p.z());
+                     }));
+  piece += "      </Points>\n      <Polys>\n";
+  piece += vtp_array("connectivity", 1, "Int32", rows(faces, [&](std::int32_t f) {
+                       const auto& face = mesh.faces()[static_cast<std::size_t>(f)];
+                       return fmt::format("{} {} {}", face[0], face[1], face[2]);
+                     }));
+  piece += vtp_array("offsets", 1, "Int32", rows(faces, [](std::int32_t f) { return 3 * (f + 1); }));
+  return vtp_file({.points = points, .polygons = faces}, piece + "      </Polys>\n");
+}
+
 std::string distance_text(const TriangleMesh& mesh, const ExactDistances& distances, DistanceFormat format) {
   switch (format) {
     case DistanceFormat::csv: return distance_csv(mesh, distances);
-    case DistanceFormat::vtp: return distance_vtp(mesh, distances);
-    case DistanceFormat::ply: return distance_ply(mesh, distances);
+    case DistanceFormat::vtp: return vertices_vtp(mesh, "distance", finite_at_vertices(distances));
+    case DistanceFormat::ply:
+      return vertices_ply(mesh, "distance", "exact distances on the mesh; -1: no path; -2: not reached",
+                          finite_at_vertices(distances));
   }
   return "";
 }

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <leastcost/problems/exact/exact_search.hpp>
 #include <leastcost/problems/mesh/triangle_mesh.hpp>
@@ -25,6 +26,17 @@ enum class DistanceState {
 Words<DistanceState> words(DistanceState);
 
 DistanceState state_at(const ExactDistances& distances, std::int32_t v);
+
+/// A value of a vertex, and by how much it is too large at most.
+struct AtVertex {
+  double value, error;
+};
+
+/// PLY or VTP: the mesh, numbered as here, with the values and errors as point data; both finite, because many readers
+/// take no inf. `name`: of the values; `comment`: what stands for missing ones.
+std::string vertices_ply(const TriangleMesh& mesh, std::string_view name, std::string_view comment,
+                         const std::vector<AtVertex>& values);
+std::string vertices_vtp(const TriangleMesh& mesh, std::string_view name, const std::vector<AtVertex>& values);
 
 /// Distances of all vertices, all digits. `distance` is the length of a path, `error` what it is above the least one
 /// at most; a vertex without a path has inf and 0, one that was not reached inf and inf.

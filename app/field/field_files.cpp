@@ -5,18 +5,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
 
 #include <leastcost/framework/base/errors.hpp>
+#include "app/distances/distance_files.hpp"
 
 namespace leastcost::app {
 namespace {
 
-std::string csv(const CostField& field, const std::array<std::string, 2>& names) {
-  std::string out = fmt::format("{},{},cost\n", names[0], names[1]);
+std::string lattice_csv(const CostField& field) {
+  std::string out = "x,y,cost\n";
   for (std::int32_t j = 0; j < field.count[1]; ++j)
     for (std::int32_t i = 0; i < field.count[0]; ++i) {
       const Eigen::Vector2d x = field.node(i, j);
@@ -25,28 +27,32 @@ std::string csv(const CostField& field, const std::array<std::string, 2>& names)
   return out;
 }
 
+/// The start of a file of doubles. `shape`: as in Python, "(5, 9)".
+std::string npy_header(const std::string& shape) {
+  constexpr std::size_t kLengthAt = 8, kBefore = 10, kAlignment = 64;
+  std::string header = fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': {}, }}", shape);
+  header.append(kAlignment - 1 - (kBefore + header.size()) % kAlignment, ' ') += '\n';
+  std::string out = std::string("\x93NUMPY\x01\x00", kLengthAt);
+  out += static_cast<char>(header.size() & 0xFF);
+  out += static_cast<char>(header.size() >> 8);
+  return out + header;
+}
+
 /// Little-endian, whatever the host is.
 void append(std::string& out, double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   for (int byte = 0; byte < 8; ++byte) out += static_cast<char>(bits >> (8 * byte) & 0xFF);
 }
 
-std::string npy(const CostField& field) {
-  constexpr std::size_t kLengthAt = 8, kBefore = 10, kAlignment = 64;
-  std::string header =
-      fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}", field.count[1], field.count[0]);
-  header.append(kAlignment - 1 - (kBefore + header.size()) % kAlignment, ' ') += '\n';
-  std::string out = std::string("\x93NUMPY\x01\x00", kLengthAt);
-  out += static_cast<char>(header.size() & 0xFF);
-  out += static_cast<char>(header.size() >> 8);
-  out += header;
+std::string lattice_npy(const CostField& field) {
+  std::string out = npy_header(fmt::format("({}, {})", field.count[1], field.count[0]));
   out.reserve(out.size() + 8 * field.values.size());
   for (std::int32_t j = field.count[1] - 1; j >= 0; --j)
     for (std::int32_t i = 0; i < field.count[0]; ++i) append(out, field.value(i, j));
   return out;
 }
 
-std::string asc(const CostField& field) {
+std::string lattice_asc(const CostField& field) {
   constexpr double kRounding = 1e-9, kNoPath = -9999;
   if (std::abs(field.step.x() - field.step.y()) > kRounding * field.step.x())
     throw InputError(
@@ -65,30 +71,80 @@ std::string asc(const CostField& field) {
   return out;
 }
 
+std::string mesh_csv(const TriangleMesh& mesh, const MeshField& field) {
+  std::string out = "vertex,x,y,z,cost\n";
+  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.file_vertex(v) < 0) continue;  // made by subdivision
+    const Eigen::Vector3d& p = mesh.position(v);
+    fmt::format_to(std::back_inserter(out), "{},{},{},{},{}\n", mesh.file_vertex(v), p.x(), p.y(), p.z(),
+                   field.values[static_cast<std::size_t>(v)]);
+  }
+  return out;
+}
+
+std::string mesh_npy(const TriangleMesh& mesh, const MeshField& field) {
+  std::string out = npy_header(fmt::format("({},)", mesh.file_vertex_count()));
+  for (const double value : in_order_of_file(mesh, field)) append(out, value);
+  return out;
+}
+
+/// Without NaN, which many readers do not take.
+std::vector<AtVertex> finite_values(const MeshField& field) {
+  std::vector<AtVertex> all;
+  all.reserve(field.values.size());
+  for (std::size_t v = 0; v < field.values.size(); ++v)
+    all.push_back(std::isnan(field.values[v]) ? AtVertex{-1, 0} : AtVertex{field.values[v], field.errors[v]});
+  return all;
+}
+
+constexpr std::array<std::pair<std::string_view, FieldFormat>, 5> kFormats = {{{".csv", FieldFormat::csv},
+                                                                               {".npy", FieldFormat::npy},
+                                                                               {".asc", FieldFormat::asc},
+                                                                               {".vtp", FieldFormat::vtp},
+                                                                               {".ply", FieldFormat::ply}}};
+constexpr std::string_view kOfLattice = ".csv, .npy or .asc", kOfMesh = ".csv, .npy, .vtp or .ply";
+
 }  // namespace
 
 FieldFormat field_format(std::string_view file) {
-  const std::string_view ending = file.substr(std::min(file.size(), file.rfind('.')));
-  if (ending == ".csv") return FieldFormat::csv;
-  if (ending == ".npy") return FieldFormat::npy;
-  if (ending == ".asc") return FieldFormat::asc;
-  throw InputError(std::string(file) + ": a field can be written as .csv, .npy or .asc");
+  std::string ending(file.substr(std::min(file.size(), file.rfind('.'))));
+  for (char& c : ending)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  for (const auto& [word, format] : kFormats)
+    if (ending == word) return format;
+  throw InputError(fmt::format("{}: a field can be written as {}, on a mesh as {}", file, kOfLattice, kOfMesh));
 }
 
-std::string field_text(const CostField& field, FieldFormat format, const std::array<std::string, 2>& names) {
+void check_format(FieldFormat format, bool mesh) {
+  const bool of_mesh = format == FieldFormat::vtp || format == FieldFormat::ply;
+  const bool of_lattice = format == FieldFormat::asc;
+  if (mesh ? !of_lattice : !of_mesh) return;
+  throw InputError(mesh ? fmt::format("a field on a mesh can be written as {}", kOfMesh)
+                        : fmt::format("a field over a lattice can be written as {}", kOfLattice));
+}
+
+std::string field_text(const RunField& field, FieldFormat format) {
+  const bool mesh = field.on_mesh();
+  check_format(format, mesh);
   switch (format) {
-    case FieldFormat::csv: return csv(field, names);
-    case FieldFormat::npy: return npy(field);
-    case FieldFormat::asc: return asc(field);
+    case FieldFormat::csv: return mesh ? mesh_csv(field.mesh(), field.on_vertices()) : lattice_csv(field.lattice());
+    case FieldFormat::npy: return mesh ? mesh_npy(field.mesh(), field.on_vertices()) : lattice_npy(field.lattice());
+    case FieldFormat::asc: return lattice_asc(field.lattice());
+    case FieldFormat::vtp: return vertices_vtp(field.mesh(), "cost", finite_values(field.on_vertices()));
+    case FieldFormat::ply: return vertices_ply(field.mesh(), "cost", "-1: no path", finite_values(field.on_vertices()));
   }
   return "";
 }
 
-std::string ways_csv(const std::vector<FieldWay>& ways, const std::array<std::string, 2>& names) {
-  std::string out = fmt::format("way,{},{}\n", names[0], names[1]);
+std::string ways_csv(const std::vector<FieldWay>& ways) {
+  const bool in_space = !ways.empty() && ways[0].points[0].size() == 3;
+  std::string out = in_space ? "way,x,y,z\n" : "way,x,y\n";
   for (std::size_t k = 0; k < ways.size(); ++k)
-    for (const Eigen::Vector2d& x : ways[k].points)
-      fmt::format_to(std::back_inserter(out), "{},{},{}\n", k, x.x(), x.y());
+    for (const Eigen::VectorXd& x : ways[k].points) {
+      fmt::format_to(std::back_inserter(out), "{}", k);
+      for (const double coordinate : x) fmt::format_to(std::back_inserter(out), ",{}", coordinate);
+      out += '\n';
+    }
   return out;
 }
 

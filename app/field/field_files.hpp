@@ -2,35 +2,37 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <leastcost/problems/initializers/cost_field.hpp>
+#include "app/field/run_field.hpp"
 
 namespace leastcost::app {
 
-enum class FieldFormat { csv, npy, asc };
+enum class FieldFormat { csv, npy, asc, vtp, ply };
 
-/// By the ending of a file name; throws InputError that names those there are.
+/// By the ending of a file name, in capitals too; throws InputError that names those there are.
 FieldFormat field_format(std::string_view file);
 
-/// A field as the bytes of a file, all digits. CSV: the coordinates of each node and its cost, the lowest y first; nan
-/// where no path leads. NPY: an array of doubles (NumPy format 1.0), rows x columns, the northernmost row first as in
-/// files of rasters; NaN where no path leads. ASC: an ESRI ASCII grid whose cells have the nodes in their middles, with
-/// -9999 where no path leads; throws InputError for steps that differ along x and y, which it cannot say.
-/// `names`: of the two coordinates.
-std::string field_text(const CostField& field, FieldFormat format, const std::array<std::string, 2>& names);
+/// Throws InputError for a format that a field on a mesh, or over a lattice, does not have.
+void check_format(FieldFormat format, bool mesh);
 
-/// A way down a field, and what it costs.
-struct FieldWay {
-  std::vector<Eigen::Vector2d> points;  ///< coordinates, as it is walked
-  double cost = 0;                      ///< under the cost of the problem
-};
+/// A field as the bytes of a file, all digits.
+///
+/// Over a lattice. CSV: the coordinates of each node and its cost, the lowest y first; nan where no path leads. NPY: an
+/// array of doubles (NumPy format 1.0), rows x columns, the northernmost row first as in files of rasters; NaN where no
+/// path leads. ASC: an ESRI ASCII grid whose cells have the nodes in their middles, with -9999 where no path leads;
+/// throws InputError for steps that differ along x and y, which it cannot say.
+///
+/// On a mesh. CSV: the number of each vertex in the file, x, y, z and the cost. NPY: one double per vertex of the file;
+/// NaN where no path leads and for vertices of no face. VTP and PLY: the mesh with cost and error as point data; -1
+/// where no path leads.
+///
+/// Throws InputError as check_format().
+std::string field_text(const RunField& field, FieldFormat format);
 
 /// CSV: the number of the way, from 0, and the coordinates of each of its points.
-std::string ways_csv(const std::vector<FieldWay>& ways, const std::array<std::string, 2>& names);
+std::string ways_csv(const std::vector<FieldWay>& ways);
 
 }  // namespace leastcost::app

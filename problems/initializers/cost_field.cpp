@@ -66,8 +66,7 @@ void check_problem(const Problem& problem) {
   const ConstraintManifold& domain = *problem.manifold;
   if (domain.dimensions().coordinate != 2 || domain.shape() == Shape::polyhedral)
     throw InputError(
-        "field: needs a domain with two coordinates (the plane, a box of it, terrain, a chart); on a mesh use "
-        "leastcost distances");
+        "field: needs a mesh, or a domain with two coordinates (the plane, a box of it, terrain, a chart)");
   const auto* images = find_ability<HasImages>(domain);
   if (images != nullptr && !images->images(problem.source.u, problem.source.u, 1).empty())
     throw InputError("field: needs coordinates that do not close on themselves, as longitudes do");

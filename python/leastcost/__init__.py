@@ -13,6 +13,7 @@
 
     chute = lambda a, b: 2 * ((b - a) ** 2).sum(0) / ((-a[1]) ** 0.5 + (-b[1]) ** 0.5) ** 2
     fastest = lc.find_path(lc.Plane(), chute, (0, 0), (3, -2), unit="s", additive=True)
+    isochrones = lc.field(lc.Plane(), (100, 200), cost=lc.CostMap(costs, cell=30)).values
     over_land = lc.find_path(lc.Terrain(heights, cell=30), lc.CostMap(costs, cell=30), (100, 200), (4000, 900))
     by_air = lc.find_path(lc.Plane(), lc.Wind(u, v, speed=12, cell=1000), (5000, 2000), (90000, 40000))
     arm = lc.Robot.read("panda.urdf", srdf="panda.srdf", group="panda_arm", tool="panda_hand")
@@ -25,6 +26,7 @@ Arrays of results have one point per row. Searches release the GIL and end withi
 from ._cost import Cost, CostMap, Wind
 from ._domains import Cloud, Plane, Space, Terrain
 from ._errors import ConfigError, Error, InputError, NoPathError, OutputError, TimeLimitError
+from ._field import Field, Way, field
 from ._find_path import find_path
 from ._leastcost import version as __version__
 from ._mesh import Geodesic, Mesh
@@ -46,6 +48,7 @@ __all__ = [
     "CostMap",
     "Error",
     "Failure",
+    "Field",
     "Geodesic",
     "InputError",
     "Joint",
@@ -64,9 +67,11 @@ __all__ = [
     "Terrain",
     "TimeLimitError",
     "Trajectory",
+    "Way",
     "Wind",
     "cost",
     "describe",
+    "field",
     "find_path",
     "initializer",
     "kernel",

@@ -13,13 +13,13 @@ import numpy as np
 from . import _leastcost
 from ._config import source_of
 from ._errors import InputError
-from ._places import is_number, is_on_face, number, on_face
+from ._places import end_tuple
 
 if TYPE_CHECKING:
     import os
     from collections.abc import Iterable
 
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import NDArray
 
     from ._config import Config, Object
     from ._places import Place
@@ -87,20 +87,4 @@ def solve_pairs(
 def _pair(pair: Any, name: str) -> tuple[Any, ...]:
     if not isinstance(pair, (tuple, list, np.ndarray)) or len(pair) != 2:
         raise InputError(f"{name} is (source, target), not {pair!r}")
-    return _end(pair[0], f"{name}[0]"), _end(pair[1], f"{name}[1]")
-
-
-def _end(end: Any, name: str) -> tuple[Any, ...]:
-    if is_number(end):
-        return "vertex", number(end, name)
-    if is_on_face(end):
-        face, weights = on_face(end, name)
-        return "face", face, weights
-    return "point", _coordinates(end, name)
-
-
-def _coordinates(end: ArrayLike, name: str) -> list[float]:
-    array = np.asarray(end)
-    if array.ndim != 1 or array.dtype.kind not in "fiu" or not np.isfinite(array).all():
-        raise InputError(f"{name} is a vertex, (face, (b0, b1, b2)) or a point of finite numbers, not {end!r}")
-    return [float(x) for x in array]
+    return end_tuple(pair[0], f"{name}[0]"), end_tuple(pair[1], f"{name}[1]")

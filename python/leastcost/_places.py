@@ -54,6 +54,20 @@ def point(place: Any) -> NDArray[np.float64] | None:
     return array.astype(np.float64) if array.ndim == 1 and array.dtype.kind in "fiu" else None
 
 
+def end_tuple(place: Any, name: str) -> tuple[Any, ...]:
+    """A place as the compiled part takes it: ("vertex", v), ("face", f, (b0, b1, b2)) or ("point", [x, y, ...]). Raises
+    InputError."""
+    if is_number(place):
+        return "vertex", number(place, name)
+    if is_on_face(place):
+        face, weights = on_face(place, name)
+        return "face", face, weights
+    array = np.asarray(place)
+    if array.ndim != 1 or array.dtype.kind not in "fiu" or not np.isfinite(array).all():
+        raise InputError(f"{name} is a vertex, (face, (b0, b1, b2)) or a point of finite numbers, not {place!r}")
+    return "point", [float(x) for x in array]
+
+
 def _array(place: Any) -> NDArray[Any]:
     try:
         return np.asarray(place)

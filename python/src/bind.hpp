@@ -10,6 +10,7 @@ namespace leastcost::python {
 void translate_errors();
 
 void bind_externals(pybind11::module_& module);
+void bind_field(pybind11::module_& module);
 void bind_mesh(pybind11::module_& module);
 void bind_robot(pybind11::module_& module);
 void bind_run(pybind11::module_& module);

@@ -10,6 +10,7 @@ PYBIND11_MODULE(_leastcost, module) {
   module.attr("version") = LEASTCOST_VERSION;
   leastcost::python::translate_errors();
   leastcost::python::bind_externals(module);
+  leastcost::python::bind_field(module);
   leastcost::python::bind_mesh(module);
   leastcost::python::bind_robot(module);
   leastcost::python::bind_run(module);

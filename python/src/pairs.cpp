@@ -14,6 +14,7 @@
 #include <leastcost/catalogue/pairs/solve_pairs.hpp>
 #include "python/src/arrays.hpp"
 #include "python/src/bind.hpp"
+#include "python/src/ends.hpp"
 #include "python/src/signals.hpp"
 #include "python/src/source.hpp"
 
@@ -22,18 +23,6 @@ namespace {
 
 namespace py = pybind11;
 using namespace py::literals;
-
-Eigen::VectorXd vector_of(const std::vector<double>& numbers) {
-  return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
-}
-
-/// A vertex, a face with barycentric coordinates, or a point; _pairs.py checks them.
-EndOptions end_of(const py::tuple& end) {
-  const std::string form = end[0].cast<std::string>();
-  if (form == "vertex") return {.vertex = end[1].cast<int>()};
-  if (form == "face") return {.face = end[1].cast<int>(), .barycentric = vector_of(end[2].cast<std::vector<double>>())};
-  return {.point = vector_of(end[1].cast<std::vector<double>>())};
-}
 
 py::dict dict_of(const PairResult& pair) {
   return py::dict(

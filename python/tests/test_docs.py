@@ -12,7 +12,7 @@ matplotlib.use("Agg")
 README = Path(__file__).parents[2] / "README.md"
 
 
-@pytest.mark.parametrize("page", ["README.md", "docs/python.md", "docs/tutorial/python.md", "python/README.md"])
+@pytest.mark.parametrize("page", ["README.md", "docs/fields.md", "docs/python.md", "docs/tutorial/python.md", "python/README.md"])
 def test_blocks_run(page, configs, tmp_path, monkeypatch, capsys):
     blocks = re.findall(r"^```python\n(.*?)^```", (configs.parent / page).read_text(), re.DOTALL | re.MULTILINE)
     assert blocks

@@ -149,7 +149,7 @@ const Arrows& rooms() {
       {"app/figure", {"app/plot", "app/report/page", "app/report/run", "app/report/space"}},
       {"app/report", {"app/report/page", "app/report/run", "app/report/study"}},
       {"app/distances", {}},
-      {"app/field", {}},
+      {"app/field", {"app/distances"}},
       {"app/wasm", {}},
       {"app/run", {"app/report"}},
       {"app/pairs", {"app/run", "app/study/rows"}},

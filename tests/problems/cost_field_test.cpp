@@ -292,6 +292,52 @@ TEST_CASE("field: the way back has the cost that the field states") {
   CHECK(cost_of_way(sail, way) == Approx(move_cost(*wind, Vector2d(0.9, 0.1), Vector2d(0.4, 0.5))).epsilon(0.01));
 }
 
+TEST_CASE("field: ways are pulled tight") {
+  // Around a disc, and in a medium whose speed is 1 + y, over a lattice of few nodes.
+  const auto disc = std::make_shared<const FreeSpace>(box(Vector2d(-1, -1), Vector2d(1, 1)),
+                                                      FreeSpace::Obstacles{make_ball({Vector2d(0, 0), 0.4})}, 0.0);
+  const Problem around = between(disc, make_euclidean_cost(2), Vector2d(-0.8, 0.05), Vector2d(0.9, 0.9));
+  const CostField lengths = field_of(around, 0.02);
+  for (const Vector2d& to : {Vector2d(0.8, 0.0), Vector2d(0.7, -0.3), Vector2d(0.1, 0.42), Vector2d(-0.3, 0.8)}) {
+    const double cost = cost_of_way(around, way_down(lengths, around, to));
+    const double exact = around_disc(around.source.u, to, 0.4);
+    CAPTURE(to[0], to[1], cost, exact);
+    CHECK(cost >= exact * (1 - 1e-9));
+    CHECK(cost <= exact * 1.003);
+  }
+  const Problem medium = between(unit_box(), index_of("1 / (1 + y)"), Vector2d(0.1, 0.2), Vector2d(0.9, 0.9));
+  const CostField coarse = field_of(medium, 0.1);
+  const Vector2d to(0.9, 0.3);
+  const double exact = std::acosh(1 + (to - medium.source.u).squaredNorm() / (2 * 1.2 * 1.3));
+  CHECK(cost_of_way(medium, way_down(coarse, medium, to)) == Approx(exact).epsilon(1e-4));
+}
+
+TEST_CASE("field: a way against a current that leaves few directions") {
+  // Zermelo's river, whose velocity is (-y, 0): there and back differ, and most moves have no move back.
+  const auto river = make_zermelo_cost({.speed = "1", .flow = flow::Formula{{"-y", "0"}}}, 2);
+  const Problem sail = between(space(2), river, Vector2d(3.66, -1.86), Vector2d(0, 0));
+  const CostField field = costs_from(sail, {sail.source.u});
+  const std::vector<Vector2d> way = way_down(field, sail, Vector2d(0, 0));
+  CHECK(way.front() == Vector2d(3.66, -1.86));
+  CHECK(way.back() == Vector2d(0, 0));
+  CHECK(cost_of_way(sail, way) == Approx(5.4579).epsilon(0.01));
+}
+
+TEST_CASE("field: why there is no way is said") {
+  RasterGrid raster;
+  raster.rows = 12, raster.columns = 16;
+  raster.cell = Vector2d(1, 1);
+  raster.corner = Vector2d(0, 0);
+  raster.values.assign(12 * 16, 3);
+  for (int row = 0; row < 12; ++row) raster.values[raster.index(row, 9)] = std::nan("");
+  raster.source = "test";
+  const Problem problem =
+      between(space(2), make_cost_map(raster, CostMapInterpolation::cells, 2), Vector2d(3, 5), Vector2d(4, 5));
+  const CostField field = costs_from(problem, {problem.source.u});
+  CHECK_THROWS_WITH(way_down(field, problem, Vector2d(14, 5)), Catch::Contains("no path leads to the place (14, 5)"));
+  CHECK_THROWS_WITH(way_down(field, problem, Vector2d(40, 5)), Catch::Contains("(40, 5) is outside the field"));
+}
+
 TEST_CASE("field: a corridor is how much longer a detour is") {
   const Problem problem = between(unit_box(), make_euclidean_cost(2), Vector2d(0.2, 0.5), Vector2d(0.8, 0.5));
   const CostField from = field_of(problem, 0.02);

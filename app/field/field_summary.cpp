@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include "app/field/field_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "catalogue/output/json_numbers.hpp"
+#include "catalogue/output/unit_of_cost.hpp"
+
+namespace leastcost::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Extent {
+  std::size_t reached = 0;
+  double largest = 0;
+};
+
+Extent extent_of(const std::vector<double>& values) {
+  Extent extent;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    ++extent.reached;
+    extent.largest = std::max(extent.largest, value);
+  }
+  return extent;
+}
+
+double largest_error(const MeshField& field) {
+  return field.errors.empty() ? 0 : *std::max_element(field.errors.begin(), field.errors.end());
+}
+
+Json places_json(const std::vector<PathEnd>& places) {
+  Json all = Json::array();
+  for (const PathEnd& place : places) all.push_back(numbers(place.u));
+  return all;
+}
+
+void say_nodes(const RunField& field, Json& out) {
+  const Extent extent = extent_of(field.values());
+  if (field.on_mesh()) {
+    out["vertices"] = field.values().size();
+  } else {
+    out["columns"] = field.lattice().count[0];
+    out["rows"] = field.lattice().count[1];
+    out["lower"] = numbers(field.lattice().lower);
+    out["step"] = numbers(field.lattice().step);
+  }
+  out["reached"] = extent.reached;
+  out["largest"] = number(extent.largest);
+}
+
+Json error_json(const RunField& field) {
+  if (field.on_mesh())
+    return {{"largest", number(largest_error(field.on_vertices()))}, {"kind", "bound"}, {"by", "windows on the mesh"}};
+  const CostField& lattice = field.lattice();
+  return {{"largest", number(lattice.error)},
+          {"mean", number(lattice.mean_error)},
+          {"unresolved", lattice.unresolved},
+          {"kind", "estimate"},
+          {"by", "difference from the field on half as many cells"}};
+}
+
+std::string lattice_notes(const RunField& of) {
+  const CostField& field = of.lattice();
+  std::string out;
+  if (std::isfinite(field.error))
+    out += fmt::format(
+        "error  about {:.2g} at worst, {:.2g} on average (an estimate, from the field on half as many cells)\n",
+        field.error, field.mean_error);
+  else
+    out += "error  not estimated: half as many cells are too few\n";
+  if (field.unresolved > 0)
+    out += fmt::format("note: {} nodes are reached only by passages of one or two cells; use a smaller --resolution\n",
+                       field.unresolved);
+  if (field.directed && !of.is_corridor())
+    out += fmt::format("note: there and back differ under this cost; these are costs {} the {}\n",
+                       of.to_places() ? "to" : "from", of.places().size() > 1 ? "places" : "place");
+  if (field.asymmetry > CostField::kFaithfulAsymmetry)
+    out += fmt::format(
+        "note: {}; under such a cost values can be wrong by more than the estimate (leastcost run gives certified "
+        "costs between two places)\n",
+        std::isfinite(field.asymmetry)
+            ? fmt::format("a move costs up to {:.3g} times the same move back", field.asymmetry)
+            : "some moves have no move back");
+  return out;
+}
+
+std::string mesh_notes(const MeshField& field) {
+  std::string out = fmt::format("error  at most {:.2g} (proved: shortest paths by windows)\n", largest_error(field));
+  if (field.cut)
+    out +=
+        "note: memory ran out, or paths run over faces without height: some values are lengths of paths that may not "
+        "be the shortest (leastcost doctor lists such faces)\n";
+  return out;
+}
+
+std::string point_text(const Eigen::VectorXd& x) {
+  std::string out = "(";
+  for (Eigen::Index i = 0; i < x.size(); ++i) out += fmt::format("{}{:.6g}", i > 0 ? ", " : "", x[i]);
+  return out + ")";
+}
+
+}  // namespace
+
+std::string field_summary_text(const RunField& field, const std::string& output, const std::vector<FieldWay>& ways) {
+  const Extent extent = extent_of(field.values());
+  const std::string unit = unit_of_cost(field.problem());
+  const std::string nodes = field.on_mesh()
+                                ? fmt::format("{} vertices", field.values().size())
+                                : fmt::format("{} x {} nodes", field.lattice().count[0], field.lattice().count[1]);
+  std::string out = fmt::format("{}: {}, {} reached, the largest value {:.6g} {}\n", output, nodes, extent.reached,
+                                extent.largest, unit);
+  out += field.on_mesh() ? mesh_notes(field.on_vertices()) : lattice_notes(field);
+  for (const FieldWay& way : ways)
+    out += fmt::format("way    from {} to {}: {:.10g} {}\n", point_text(way.points.front()),
+                       point_text(way.points.back()), way.cost, unit);
+  return out;
+}
+
+std::string field_summary_json(const RunField& field, const std::string& output, const std::vector<FieldWay>& ways) {
+  Json out = {{"schema_version", kSchemaVersion},
+              {"what", field.is_corridor() ? "corridor" : "field"},
+              {"output", output},
+              {"method", field.on_mesh() ? "exact windows" : field.lattice().method},
+              {"directed", !field.on_mesh() && field.lattice().directed},
+              {"asymmetry", number(field.on_mesh() ? 1 : field.lattice().asymmetry)},
+              {"unit", unit_of_cost(field.problem())}};
+  out[field.to_places() ? "to" : "from"] = places_json(field.places());
+  if (field.is_corridor()) out["to"] = places_json({field.target()});
+  say_nodes(field, out);
+  out["error"] = error_json(field);
+  out["ways"] = Json::array();
+  for (const FieldWay& way : ways)
+    out["ways"].push_back({{"begin", numbers(way.points.front())},
+                           {"end", numbers(way.points.back())},
+                           {"cost", number(way.cost)},
+                           {"points", way.points.size()}});
+  return to_text(out);
+}
+
+}  // namespace leastcost::app

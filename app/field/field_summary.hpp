@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/field/run_field.hpp"
+
+namespace leastcost::app {
+
+/// What was computed, how exact it is, and the ways: lines of text. `output`: the file it was written to.
+std::string field_summary_text(const RunField& field, const std::string& output, const std::vector<FieldWay>& ways);
+/// The same as JSON.
+std::string field_summary_json(const RunField& field, const std::string& output, const std::vector<FieldWay>& ways);
+
+}  // namespace leastcost::app

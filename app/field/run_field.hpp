@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <leastcost/catalogue/plugins/end_options.hpp>
+#include <leastcost/catalogue/run/run.hpp>
+#include <leastcost/framework/base/monitor.hpp>
+#include <leastcost/problems/initializers/cost_field.hpp>
+#include "app/field/mesh_field.hpp"
+
+namespace leastcost::app {
+
+/// A place as an end of a configuration, with the words that an error begins with: "--to 3,4".
+struct FieldPlace {
+  EndOptions end;
+  std::string words;
+};
+
+/// A way between a place and the nearest of those of a field.
+struct FieldWay {
+  std::vector<Eigen::VectorXd> points;  ///< as it is walked; coordinates
+  double cost = 0;                      ///< under the cost of the configuration
+};
+
+/// The field of a configuration: over a lattice in two coordinates, or over the vertices of a mesh.
+class RunField {
+ public:
+  /// From the places, or to them (`options`); without any from the source of the configuration. Throws InputError for
+  /// configurations and places that have no field, OptionError ("resolution"), Interrupted.
+  RunField(const Run& run, const std::vector<FieldPlace>& from, const CostFieldOptions& options,
+           const Monitor& monitor);
+
+  /// A place of the domain, free of obstacles. Throws InputError.
+  PathEnd place(const FieldPlace& at) const;
+  /// The target of the configuration; of a corridor where it leads.
+  const PathEnd& target() const { return problem_.target; }
+  /// How much dearer a path to `target` through each node is than the cheapest of all. Throws InputError, Interrupted.
+  RunField corridor(const PathEnd& target, const Monitor& monitor) const;
+  /// Down the field, which is no corridor. Throws InputError where no way leads there; Interrupted.
+  FieldWay way(const PathEnd& place, const Monitor& monitor) const;
+
+  bool on_mesh() const { return fields_ != nullptr; }
+  bool is_corridor() const { return corridor_; }
+  bool to_places() const { return options_.to_places; }
+  const CostField& lattice() const { return lattice_; }  ///< not on a mesh
+  const MeshField& on_vertices() const { return vertices_; }
+  const TriangleMesh& mesh() const { return fields_->mesh(); }
+  const Problem& problem() const { return problem_; }
+  const std::vector<PathEnd>& places() const { return places_; }
+  /// Of all nodes; NaN: no path.
+  const std::vector<double>& values() const { return on_mesh() ? vertices_.values : lattice_.values; }
+
+ private:
+  std::shared_ptr<const RunOrigin> origin_;
+  Problem problem_;
+  std::vector<PathEnd> places_;
+  CostFieldOptions options_;
+  CostField lattice_;
+  std::shared_ptr<const MeshFields> fields_;  ///< null: a lattice
+  MeshField vertices_;
+  bool corridor_ = false;
+};
+
+}  // namespace leastcost::app
