@@ -43,7 +43,7 @@ TEST_CASE("back ends: a module solves and plans as the library does") {
   const Child child = start(dir, {"run", plane(dir), "-o", (dir / "out").string(), "--set", "solver.type=ceres",
                                   "--set", "initializer={type: ompl, planner: RRTConnect}"});
   CHECK(child.wait() == 0);
-  CHECK_THAT(content(dir / "out/result.json"), Contains("\"status\": \"converged\"") && Contains("RRTConnect"));
+  CHECK_THAT(content(dir / "out/result.json"), Contains("\"status\": \"certified\"") && Contains("RRTConnect"));
   const Child refused = start(dir, {"run", plane(dir), "-o", (dir / "other").string(), "--set",
                                     "initializer={type: ompl, planner: PRM, range: 1}"});
   CHECK(refused.wait() != 0);  // thrown in the module
