@@ -8,7 +8,6 @@
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
-#include <ompl/config.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <ompl/geometric/planners/est/BiEST.h>
 #include <ompl/geometric/planners/est/EST.h>
@@ -33,6 +32,7 @@
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -57,7 +57,6 @@ namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
 constexpr double kStepsApart = 16;  ///< steps between the ends
-constexpr double kMostSeconds = 1e6;
 
 template <class Planner>
 ob::PlannerPtr make_planner(const ob::SpaceInformationPtr& space) {
@@ -66,35 +65,35 @@ ob::PlannerPtr make_planner(const ob::SpaceInformationPtr& space) {
 
 struct PlannerKind {
   OmplPlanner planner;
-  const char* word;
   ob::PlannerPtr (*make)(const ob::SpaceInformationPtr&);
   bool improves = false;
 };
 
-/// In the order of the enumeration.
 constexpr std::array<PlannerKind, 20> kPlanners = {
-    {{OmplPlanner::rrt_connect, "RRTConnect", make_planner<og::RRTConnect>},
-     {OmplPlanner::rrt, "RRT", make_planner<og::RRT>},
-     {OmplPlanner::lazy_rrt, "LazyRRT", make_planner<og::LazyRRT>},
-     {OmplPlanner::trrt, "TRRT", make_planner<og::TRRT>},
-     {OmplPlanner::est, "EST", make_planner<og::EST>},
-     {OmplPlanner::bi_est, "BiEST", make_planner<og::BiEST>},
-     {OmplPlanner::kpiece, "KPIECE1", make_planner<og::KPIECE1>},
-     {OmplPlanner::bkpiece, "BKPIECE1", make_planner<og::BKPIECE1>},
-     {OmplPlanner::lbkpiece, "LBKPIECE1", make_planner<og::LBKPIECE1>},
-     {OmplPlanner::sbl, "SBL", make_planner<og::SBL>},
-     {OmplPlanner::stride, "STRIDE", make_planner<og::STRIDE>},
-     {OmplPlanner::pdst, "PDST", make_planner<og::PDST>},
-     {OmplPlanner::prm, "PRM", make_planner<og::PRM>},
-     {OmplPlanner::lazy_prm, "LazyPRM", make_planner<og::LazyPRM>},
-     {OmplPlanner::fmt, "FMT", make_planner<og::FMT>},
-     {OmplPlanner::bfmt, "BFMT", make_planner<og::BFMT>},
-     {OmplPlanner::prm_star, "PRMstar", make_planner<og::PRMstar>, true},
-     {OmplPlanner::rrt_star, "RRTstar", make_planner<og::RRTstar>, true},
-     {OmplPlanner::informed_rrt_star, "InformedRRTstar", make_planner<og::InformedRRTstar>, true},
-     {OmplPlanner::bit_star, "BITstar", make_planner<og::BITstar>, true}}};
+    {{OmplPlanner::rrt_connect, make_planner<og::RRTConnect>},
+     {OmplPlanner::rrt, make_planner<og::RRT>},
+     {OmplPlanner::lazy_rrt, make_planner<og::LazyRRT>},
+     {OmplPlanner::trrt, make_planner<og::TRRT>},
+     {OmplPlanner::est, make_planner<og::EST>},
+     {OmplPlanner::bi_est, make_planner<og::BiEST>},
+     {OmplPlanner::kpiece, make_planner<og::KPIECE1>},
+     {OmplPlanner::bkpiece, make_planner<og::BKPIECE1>},
+     {OmplPlanner::lbkpiece, make_planner<og::LBKPIECE1>},
+     {OmplPlanner::sbl, make_planner<og::SBL>},
+     {OmplPlanner::stride, make_planner<og::STRIDE>},
+     {OmplPlanner::pdst, make_planner<og::PDST>},
+     {OmplPlanner::prm, make_planner<og::PRM>},
+     {OmplPlanner::lazy_prm, make_planner<og::LazyPRM>},
+     {OmplPlanner::fmt, make_planner<og::FMT>},
+     {OmplPlanner::bfmt, make_planner<og::BFMT>},
+     {OmplPlanner::prm_star, make_planner<og::PRMstar>, true},
+     {OmplPlanner::rrt_star, make_planner<og::RRTstar>, true},
+     {OmplPlanner::informed_rrt_star, make_planner<og::InformedRRTstar>, true},
+     {OmplPlanner::bit_star, make_planner<og::BITstar>, true}}};
 
-const PlannerKind& kind_of(OmplPlanner planner) { return kPlanners.at(static_cast<std::size_t>(planner)); }
+const PlannerKind& kind_of(OmplPlanner planner) {
+  return *std::find_if(kPlanners.begin(), kPlanners.end(), [&](const PlannerKind& k) { return k.planner == planner; });
+}
 
 /// While it lives OMPL belongs to one thread of ours, prints nothing and draws seeds from ours.
 class QuietOmpl {
@@ -181,50 +180,10 @@ std::optional<double> range_of_robot(const Problem& problem, double distance) {
 
 }  // namespace
 
-Words<OmplPlanner> words(OmplPlanner) {
-  static const auto kWords = [] {
-    std::array<Word<OmplPlanner>, kPlanners.size()> all;
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = {kPlanners[i].planner, kPlanners[i].word};
-    return all;
-  }();
-  return kWords;
-}
-
-void OmplOptions::fields(FieldVisitor& visit) {
-  visit.choice("planner", planner,
-               {.help = "Planner of OMPL; those from PRMstar on improve their path until max_seconds have passed."});
-  visit.field("max_seconds", max_seconds,
-              {.help = "Time after which the planner gives up.",
-               .unit = "s",
-               .minimum = 0,
-               .maximum = kMostSeconds,
-               .exclusive_minimum = true});
-  visit.field(
-      "range", range,
-      {.help = "Longest move that a planner adds at once; default: for a robot 1/8 of the distance between the ends, "
-               "else OMPL's choice for the space.",
-       .unit = "length",
-       .minimum = 0,
-       .exclusive_minimum = true});
-  visit.field(
-      "step", step,
-      {.help = "Moves are checked in pieces of half this length; default: 1/16 of the distance between the ends.",
-       .unit = "length",
-       .minimum = 0,
-       .exclusive_minimum = true});
-  visit.field("reach", reach,
-              {.help = "How far beyond the ends samples are taken along unbounded coordinates, in units of the "
-                       "distance between the ends.",
-               .minimum = 0,
-               .exclusive_minimum = true});
-  visit.field("shortcuts", shortcuts, {.help = "Number of random shortcuts tried on the path found.", .minimum = 0});
-  visit.field("seed", seed, {.help = "Seed of the planner; default: the seed of the run.", .minimum = 0});
-}
-
 OmplInitializer::OmplInitializer(const OmplOptions& options, int run_seed) : options_(options) {
   if (!options_.seed) options_.seed = run_seed;
   check_positive("max_seconds", options.max_seconds);
-  if (!(options.max_seconds <= kMostSeconds)) throw OptionError("max_seconds", "must be at most 1e6");
+  if (!(options.max_seconds <= OmplOptions::kMostSeconds)) throw OptionError("max_seconds", "must be at most 1e6");
   check_positive("range", options.range);
   check_positive("step", options.step);
   check_positive("reach", options.reach);
@@ -232,7 +191,7 @@ OmplInitializer::OmplInitializer(const OmplOptions& options, int run_seed) : opt
   const ob::SpaceInformationPtr any =
       std::make_shared<ob::SpaceInformation>(std::make_shared<ob::RealVectorStateSpace>(2));
   if (!kind_of(options.planner).make(any)->params().hasParam("range"))
-    throw OptionError("range", std::string(kind_of(options.planner).word) + " has none: remove it");
+    throw OptionError("range", std::string(word_of(options.planner)) + " has none: remove it");
 }
 
 FirstPath OmplInitializer::first_path(const Problem& problem, const Monitor& monitor) const {
@@ -261,26 +220,21 @@ FirstPath OmplInitializer::first_path(const Problem& problem, const Monitor& mon
     const ob::PlannerStatus status = planner->solve(
         ob::PlannerTerminationCondition([&] { return Monitor::Clock::now() >= end || monitor.interrupted(); }));
     if (!definition->hasExactSolution()) {
-      const std::string came_to = std::string(chosen.word) + " came to: " + status.asString();
+      const std::string came_to = std::string(word_of(chosen.planner)) + " came to: " + status.asString();
       if (monitor.interrupted()) throw Interrupted("ompl: interrupted; " + came_to);
       throw InitializationError("ompl: no path; " + came_to + ", with " + short_number(options_.max_seconds) +
                                 " s to search. The ends may be on different parts of the domain; otherwise try another "
                                 "planner, or a larger max_seconds or reach");
     }
     nodes = nodes_of(*definition->getSolutionPath()->as<og::PathGeometric>(), problem.source.u.size());
-    first.notes.push_back("ompl: " + std::string(chosen.word) + ", a path of " + std::to_string(nodes.size()) +
-                          " states");
+    first.notes.push_back("ompl: " + std::string(word_of(chosen.planner)) + ", a path of " +
+                          std::to_string(nodes.size()) + " states");
   }
   std::mt19937_64 engine(static_cast<std::uint64_t>(*options_.seed));
   first.path = as_open_path(
       lines.shortened(nodes, options_.shortcuts, std::numeric_limits<double>::infinity(), engine, monitor));
   pin_ends(problem, first.path);
   return first;
-}
-
-std::string ompl_version() {
-  return std::to_string(OMPL_MAJOR_VERSION) + "." + std::to_string(OMPL_MINOR_VERSION) + "." +
-         std::to_string(OMPL_PATCH_VERSION);
 }
 
 }  // namespace leastcost

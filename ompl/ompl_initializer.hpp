@@ -36,6 +36,7 @@ enum class OmplPlanner {
 Words<OmplPlanner> words(OmplPlanner);
 
 struct OmplOptions {
+  static constexpr double kMostSeconds = 1e6;  ///< of max_seconds
   OmplPlanner planner = OmplPlanner::rrt_connect;
   double max_seconds = 10;
   std::optional<double> range = {};  ///< length units; else an eighth of the distance for a robot, or OMPL's choice

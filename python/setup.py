@@ -54,8 +54,12 @@ class CMakeBuild(build_ext):
         file.parent.mkdir(parents=True, exist_ok=True)
         module = next((build / "python/leastcost").glob("_leastcost.*so"))
         subprocess.check_call(["cmake", "-E", "copy", module, file])
+        copied = [file]
+        for back_end in (build / "lib/leastcost").glob("leastcost_*.so"):  # loaded when they are first asked for
+            subprocess.check_call(["cmake", "-E", "copy", back_end, file.parent])
+            copied.append(file.parent / back_end.name)
         if shutil.which("strip"):
-            subprocess.check_call(["strip", "--strip-unneeded", file])
+            subprocess.check_call(["strip", "--strip-unneeded", *copied])
         say(f"built {file.name}, {file.stat().st_size / 1e6:.1f} MB")
 
 

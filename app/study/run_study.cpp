@@ -13,11 +13,13 @@
 namespace leastcost {
 namespace {
 
-StudyResult result_of(app::StudyRequest request, const std::vector<Override>& overrides, const StudyOptions& options) {
+StudyResult result_of(app::StudyRequest request, const std::vector<Override>& overrides, const StudyOptions& options,
+                      const Externals& externals) {
   if (options.shards < 1 || options.shard < 0 || options.shard >= options.shards)
     throw InputError(
         fmt::format("shard {} of {}: must be from 0 to {}", options.shard, options.shards, options.shards - 1));
   request.overrides = overrides;
+  request.externals = externals;
   request.output = options.output;
   request.force = options.replace;
   request.resume = options.resume;
@@ -35,18 +37,19 @@ StudyResult result_of(app::StudyRequest request, const std::vector<Override>& ov
 }  // namespace
 
 StudyResult run_study(const std::filesystem::path& file, const std::vector<Override>& overrides,
-                      const StudyOptions& options) {
+                      const StudyOptions& options, const Externals& externals) {
   app::StudyRequest request;
   request.config_file = file;
-  return result_of(std::move(request), overrides, options);
+  return result_of(std::move(request), overrides, options, externals);
 }
 
 StudyResult run_study_text(std::string text, const std::string& name, const std::filesystem::path& folder,
-                           const std::vector<Override>& overrides, const StudyOptions& options) {
+                           const std::vector<Override>& overrides, const StudyOptions& options,
+                           const Externals& externals) {
   app::StudyRequest request;
   request.config_file = folder / name;
   request.text = std::move(text);
-  return result_of(std::move(request), overrides, options);
+  return result_of(std::move(request), overrides, options, externals);
 }
 
 }  // namespace leastcost

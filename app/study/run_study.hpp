@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <leastcost/catalogue/plugins/externals.hpp>
 #include <leastcost/catalogue/yaml/diagnostics.hpp>
 #include <leastcost/catalogue/yaml/override.hpp>
 
@@ -43,12 +44,17 @@ struct StudyResult {
 /// write_report() makes the page of them. Plug-ins that the program has registered are in the cells, too. Fork copies
 /// the thread that calls: call it while there is no other one. Throws ConfigError with every error and its place,
 /// InputError, OutputRefused, OutputError.
+///
+/// `externals`: objects that problems, solvers and kernels name as {type: external, name: ..}, as of load_run(). Each
+/// cell has what a fork copies of them. They are no part of what tells one study from another: who resumes one hands
+/// over the same.
 StudyResult run_study(const std::filesystem::path& file, const std::vector<Override>& overrides = {},
-                      const StudyOptions& options = {});
+                      const StudyOptions& options = {}, const Externals& externals = {});
 
 /// The same for a study that is in memory. `name`: what messages call it, and the default name of the study; `folder`:
 /// what its files are relative to, empty for the current one.
 StudyResult run_study_text(std::string text, const std::string& name, const std::filesystem::path& folder = {},
-                           const std::vector<Override>& overrides = {}, const StudyOptions& options = {});
+                           const std::vector<Override>& overrides = {}, const StudyOptions& options = {},
+                           const Externals& externals = {});
 
 }  // namespace leastcost

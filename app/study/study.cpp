@@ -85,8 +85,9 @@ CellResult result_of(const Task& task, IsolatedEnd end) {
 
 StudyGrid grid_of(const StudyRequest& request) {
   const fs::path& file = request.config_file;
-  if (!request.text) return load_grid(file, request.overrides);
-  return checked_grid(parse_study(*request.text, file.string(), file.parent_path(), request.overrides));
+  if (!request.text) return load_grid(file, request.overrides, request.externals);
+  return checked_grid(
+      parse_study(*request.text, file.string(), file.parent_path(), request.overrides, request.externals));
 }
 
 std::vector<InputFile> inputs_of(const StudyRequest& request, const StudyGrid& grid, const StudyFacts& facts) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <leastcost/catalogue/plugins/externals.hpp>
 #include "app/study/cell/prepare_cell.hpp"
 #include "app/study/cell/run_cell.hpp"
 #include "app/study/grid/grid.hpp"
@@ -26,6 +27,7 @@ struct StudyRequest {
   std::filesystem::path config_file;
   std::optional<std::string> text = {};  ///< of the study, where it is in memory: config_file is then its name
   std::vector<Override> overrides;
+  Externals externals = {};      ///< objects that the study names
   std::filesystem::path output;  ///< empty: results/<name>
   bool force = false;            ///< begin anew in the folder of an earlier study
   bool resume = false;           ///< go on where the journal ends; begin where there is none

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <deque>
 #include <mutex>
@@ -40,6 +41,12 @@ bool is_word(std::string_view text) {
   const auto letter = [](char c) { return c >= 'a' && c <= 'z'; };
   return !text.empty() && letter(text.front()) &&
          std::all_of(text.begin(), text.end(), [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; });
+}
+
+/// Words that YAML, or older readers of it, take for a value: `type: true` is no name.
+bool is_yaml_value(std::string_view text) {
+  constexpr std::array<std::string_view, 7> kValues = {"true", "false", "null", "yes", "no", "on", "off"};
+  return std::find(kValues.begin(), kValues.end(), text) != kValues.end();
 }
 
 /// The lists as they are now. Readers hold references to them without a lock: a registration makes new ones, and those
@@ -97,6 +104,7 @@ void add(const char* kind, OwnPlugin<Made> own) {
     throw InputError(fmt::format("cannot register the {} '{}': {}", kind, own.type, why));
   };
   if (!is_word(own.type)) refuse("a name has lower-case letters, digits and _, and begins with a letter");
+  if (is_yaml_value(own.type)) refuse("YAML takes this word for a value, not for a name; give it another one");
   if (own.type == kExternal) refuse("this name stands for the objects that a program hands over");
   if (own.summary.empty()) refuse("give a sentence that says what it is");
   auto entry = std::make_shared<Plugin<Made>>();

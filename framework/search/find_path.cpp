@@ -28,7 +28,12 @@ Result search_for(const Problem& problem, const Eigen::VectorXd& near, const Beg
   Result found = run_search(named, begin, search);
   found = with_more_points(named, std::move(found), search);
   add_notes(notes, found.notes);
-  return never_worse(named, std::move(found), search.options, grace_deadline(search.monitor.deadline, search.begun, 2));
+  Result best =
+      never_worse(named, std::move(found), search.options, grace_deadline(search.monitor.deadline, search.begun, 2));
+  // Steps after the solve may have found what was asked for; nothing else would say so then.
+  if (best.solve.termination == Termination::refused && best.status == Status::certified)
+    best.notes.push_back("the solver " + std::string(search.solver.name()) + " was not used: " + best.solve.message);
+  return best;
 }
 
 }  // namespace

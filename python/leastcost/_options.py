@@ -97,7 +97,15 @@ def options_of(
     who = f"the {kind} {name!r}"
     if not callable(function):
         raise TypeError(f"{who} is a function, not {type(function).__name__}")
-    parameters = list(inspect.signature(function).parameters.values())
+    try:
+        parameters = list(inspect.signature(function).parameters.values())
+    except ValueError:  # of some that are written in C
+        called = getattr(function, "__name__", repr(function))
+        raise InputError(
+            f"{who}: Python does not know the parameters of {called}; write a function around it: def f(a, b): ..."
+            if kind == "cost"
+            else f"{who}: Python does not know the parameters of {called}; write a function around it"
+        ) from None
     count = sum(p.default is p.empty and p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD) for p in parameters)
     if count not in positional:
         takes = {"cost": "a and b, or options alone", "solver": "a chain", "initializer": "source and target"}[kind]
@@ -158,7 +166,8 @@ def _option(who: str, parameter: inspect.Parameter, annotation: Any, said: Optio
         low = numbers <= said.minimum if said.above else numbers < said.minimum
         if np.any(low | (numbers > said.maximum)):
             raise InputError(f"{who}: the default of the option {key!r}, {default!r}, is not in its range")
-    return key, kind, value, said.help or "Of the function.", said.unit, said.minimum, said.maximum, said.above, required
+    help = said.help or f"The parameter {key} of the function; lc.option() describes it."
+    return key, kind, value, help, said.unit, said.minimum, said.maximum, said.above, required
 
 
 def _choice(who: str, key: str, words: tuple[Any, ...], default: Any) -> tuple[int, list[str]]:

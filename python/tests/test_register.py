@@ -359,6 +359,18 @@ def test_a_solver_on_a_mesh_is_refused(configs):
     ends = {"source": {"vertex": 0}, "target": {"vertex": 80}}
     result = lc.run({"manifold": mesh, "cost": "euclidean", "ends": ends, "solver": "t_descent", "path": {"points": 9}})
     assert "written in Python" in str(result.details)
+    assert [note for note in result.notes if note.startswith("the solver t_descent was not used: ")]
+
+
+@pytest.mark.parametrize("name", ["true", "null", "no"])
+def test_words_of_yaml_are_no_names(name):
+    with pytest.raises(lc.InputError, match="YAML takes this word for a value"):
+        lc.register_cost(name)(lambda a, b: ((b - a) ** 2).sum(0))
+
+
+def test_a_function_without_parameters_that_python_knows():
+    with pytest.raises(lc.InputError, match="the cost 'c': Python does not know the parameters of max"):
+        lc.register_cost("c")(max)
 
 
 def endless(chain):

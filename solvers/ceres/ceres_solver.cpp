@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/solvers/ceres/ceres_solver.hpp>
 
-#include <ceres/version.h>
-
-#include <array>
 #include <string>
 
 #include <leastcost/framework/base/checked.hpp>
@@ -18,23 +15,6 @@ namespace {
 constexpr Index kMostForBfgs = 1000;  ///< variables: a dense matrix of them
 
 }  // namespace
-
-Words<CeresAlgorithm> words(CeresAlgorithm) {
-  static constexpr std::array<Word<CeresAlgorithm>, 5> kWords = {
-      {{CeresAlgorithm::levenberg_marquardt, "levenberg_marquardt"},
-       {CeresAlgorithm::dogleg, "dogleg"},
-       {CeresAlgorithm::lbfgs, "lbfgs"},
-       {CeresAlgorithm::bfgs, "bfgs"},
-       {CeresAlgorithm::ncg, "ncg"}}};
-  return kWords;
-}
-
-void CeresOptions::fields(FieldVisitor& visit) {
-  visit.choice("algorithm", algorithm,
-               {.help = "Trust region (the first two) or line search; ncg: nonlinear conjugate gradients."});
-  visit.field("max_iterations", max_iterations, {.help = "Limit on iterations of the trust region.", .minimum = 1});
-  rounds.fields(visit);
-}
 
 Ceres::Ceres(CeresOptions options) : options_(checked(options)) {}
 
@@ -60,7 +40,5 @@ SolveReport Ceres::do_solve(PathEnergy& energy, CoordinatePath& path, const Moni
   }
   throw OptionError("algorithm", "is not an algorithm of ceres");
 }
-
-std::string ceres_version() { return CERES_VERSION_STRING; }
 
 }  // namespace leastcost

@@ -43,10 +43,11 @@ struct Child {
 };
 
 /// Starts the program with its streams in files of `dir`. `prepare` runs in the child before the program does.
-inline Child start(const ScratchDir& dir, std::vector<std::string> arguments,
-                   const std::function<void()>& prepare = {}) {
+/// `which`: another program file.
+inline Child start(const ScratchDir& dir, std::vector<std::string> arguments, const std::function<void()>& prepare = {},
+                   const std::filesystem::path& which = program()) {
   Child child{-1, dir / "stdout", dir / "stderr"};
-  arguments.insert(arguments.begin(), program().string());
+  arguments.insert(arguments.begin(), which.string());
   std::vector<char*> argv;
   for (std::string& a : arguments) argv.push_back(a.data());
   argv.push_back(nullptr);

@@ -188,7 +188,9 @@ std::string third_party_fault(const Include& include) {
                ? ""
                : "only .cpp files of gdal use GDAL";
   if (target == "dlfcn.h")
-    return file == "gdal/gdal_library.cpp" ? "" : "only gdal/gdal_library.cpp loads a library at run time";
+    return file == "gdal/gdal_library.cpp" || file == "catalogue/back_ends/load_back_end.cpp"
+               ? ""
+               : "only gdal/gdal_library.cpp and catalogue/back_ends/load_back_end.cpp load libraries at run time";
   if (target == "sys/mman.h")
     return file == "problems/exact/large_pages.cpp" ? ""
                                                     : "only problems/exact/large_pages.cpp asks the system for pages";

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "problems/drawing/thinned.hpp"
 
@@ -166,25 +167,40 @@ SpaceView choose_view(const Scene& scene) {
   const double size = std::max(extent.norm(), 1e-300);
   const Index step = std::max<Index>(1, path.cols() / 80);
   const Eigen::Vector3d towards_path = lean(surface, path);
-  SpaceView best;
-  double best_score = -1e300;
+  struct Candidate {
+    SpaceView view;
+    double large, side, liking;
+    std::size_t number;
+    /// What is seen counts most, then how large, and from which side of the surface.
+    double score(double part_seen) const { return part_seen + large + side + liking; }
+  };
+  std::vector<Candidate> candidates;
   // Degrees above the horizon, and how much they are liked.
   constexpr std::array<std::array<double, 2>, 3> kElevations = {{{28, 0.06}, {50, 0.03}, {8, 0}}};
   for (const auto& [elevation, liking] : kElevations) {
     for (int k = 0; k < kAround; ++k) {
       const SpaceView view = view_from({360 * (k + 0.3) / kAround, elevation}, scene.up);
-      const DepthMap depths(surface, view, kPixels);
-      double seen = 0, all = 0;
-      for (Index i = 0; i < path.cols(); i += step, ++all) seen += depths.sees(path.col(i)) ? 1 : 0;
-      // What is seen counts most, then how large, and from which side of the surface.
-      const double score =
-          seen / all + 0.5 * size_seen(view, path) / size + 0.8 * towards_path.dot(view.direction()) + liking;
-      if (score <= best_score) continue;
-      best_score = score;
-      best = view;
+      candidates.push_back({view, 0.5 * size_seen(view, path) / size, 0.8 * towards_path.dot(view.direction()), liking,
+                            candidates.size()});
     }
   }
-  return best;
+  // The best ones first, if all of the path is seen: most of the others need no picture.
+  const auto most = [](const Candidate& c) { return std::isfinite(c.score(1)) ? c.score(1) : 0; };
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [&](const Candidate& a, const Candidate& b) { return most(a) > most(b); });
+  const Candidate* best = &candidates.front();
+  double best_score = -1e300;
+  for (const Candidate& c : candidates) {
+    if (c.score(1) < best_score) break;
+    const DepthMap depths(surface, c.view, kPixels);
+    double seen = 0, all = 0;
+    for (Index i = 0; i < path.cols(); i += step, ++all) seen += depths.sees(path.col(i)) ? 1 : 0;
+    const double score = c.score(seen / all);
+    if (score < best_score || (score == best_score && c.number > best->number)) continue;
+    best_score = score;
+    best = &c;
+  }
+  return best->view;
 }
 
 }  // namespace leastcost::app

@@ -92,7 +92,7 @@ class GridBuilder {
     add_options(study_.config.problems[choice[0]].set, loaded);
     add_options(study_.config.set, loaded);
     const std::string absent = take_absent_solver(loaded.tree, out.skipped);
-    read_tree(loaded, problem.name);
+    read_tree(loaded, problem.name, study_.externals);
     if (checks_ == CellChecks::parts && loaded.errors.empty()) check_parts(loaded);
     if (loaded.errors.empty() && loaded.config.has_pairs())
       loaded.add_error("ends.pairs", "is for `leastcost run`; a problem of a study has one source and one target");
@@ -278,8 +278,9 @@ StudyGrid checked_grid(LoadedStudy study) {
   return grid;
 }
 
-StudyGrid load_grid(const std::filesystem::path& file, const std::vector<Override>& overrides) {
-  return checked_grid(load_study(file, overrides));
+StudyGrid load_grid(const std::filesystem::path& file, const std::vector<Override>& overrides,
+                    const Externals& externals) {
+  return checked_grid(load_study(file, overrides, externals));
 }
 
 }  // namespace leastcost::app

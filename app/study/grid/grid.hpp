@@ -48,6 +48,7 @@ StudyGrid checked_grid(LoadedStudy study);
 
 /// load_study() and make_grid() with `options`: what only composing a cell shows is its outcome. Throws ConfigError, or
 /// InputError when the file cannot be read.
-StudyGrid load_grid(const std::filesystem::path& file, const std::vector<Override>& overrides);
+StudyGrid load_grid(const std::filesystem::path& file, const std::vector<Override>& overrides,
+                    const Externals& externals = {});
 
 }  // namespace leastcost::app

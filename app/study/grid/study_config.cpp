@@ -110,8 +110,8 @@ bool is_study(const std::string& text) {
 }
 
 LoadedStudy parse_study(std::string text, const std::string& file_name, const std::filesystem::path& folder,
-                        const std::vector<Override>& overrides) {
-  LoadedStudy loaded{file_name, folder, std::move(text), {}, {}, {file_name, ""}};
+                        const std::vector<Override>& overrides, const Externals& externals) {
+  LoadedStudy loaded{file_name, folder, std::move(text), {}, {}, {file_name, ""}, externals};
   loaded.errors = Diagnostics(file_name, loaded.text);
   loaded.tree = read_yaml(loaded.text, loaded.errors);
   const bool readable = loaded.errors.empty();
@@ -133,8 +133,9 @@ LoadedStudy parse_study(std::string text, const std::string& file_name, const st
   return loaded;
 }
 
-LoadedStudy load_study(const std::filesystem::path& file, const std::vector<Override>& overrides) {
-  return parse_study(config_text(file), file.string(), file.parent_path(), overrides);
+LoadedStudy load_study(const std::filesystem::path& file, const std::vector<Override>& overrides,
+                       const Externals& externals) {
+  return parse_study(config_text(file), file.string(), file.parent_path(), overrides, externals);
 }
 
 }  // namespace leastcost::app

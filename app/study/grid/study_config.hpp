@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include <leastcost/catalogue/plugins/externals.hpp>
 #include "catalogue/plugins/run_visitor.hpp"
 #include "catalogue/yaml/config_node.hpp"
 #include "catalogue/yaml/overrides.hpp"
@@ -55,6 +56,7 @@ struct LoadedStudy {
   ConfigNode tree;  ///< overrides included
   StudyConfig config;
   Diagnostics errors;
+  Externals externals = {};  ///< objects that it may name
 };
 
 /// The standing axes, in the order of the grid: problem, solver, kernel, points, seed.
@@ -64,8 +66,9 @@ const std::vector<std::string>& standing_axes();
 bool is_study(const std::string& text);
 
 /// Reads and checks the study file itself; the cells are not made yet. Throws InputError when it cannot be read.
-LoadedStudy load_study(const std::filesystem::path& file, const std::vector<Override>& overrides);
+LoadedStudy load_study(const std::filesystem::path& file, const std::vector<Override>& overrides,
+                       const Externals& externals = {});
 LoadedStudy parse_study(std::string text, const std::string& file_name, const std::filesystem::path& folder,
-                        const std::vector<Override>& overrides = {});
+                        const std::vector<Override>& overrides = {}, const Externals& externals = {});
 
 }  // namespace leastcost::app
