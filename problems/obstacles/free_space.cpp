@@ -184,7 +184,7 @@ void FreeSpace::push_out_of_all(Point& point, const std::vector<int>& held, doub
 }
 
 /// Moves a point onto the walls that hold it and, if bounded, out of those that it has come into, to the nearest place;
-/// false where they leave none.
+/// false where they leave none. `reach`: how far those that hold it may be, 0 where none does.
 bool FreeSpace::settle(Point& point, const std::vector<int>& held, bool bounded, double reach) const {
   const double rounding = kRounding * std::max(walls_->size(), point.x().cwiseAbs().maxCoeff());
   const auto holds = [&](int i) { return std::find(held.begin(), held.end(), i) != held.end(); };
@@ -259,15 +259,25 @@ bool FreeSpace::carry(Point& point) const {
   return true;
 }
 
+/// How far is looked at once along a way of this length. All that is near a long way is much, and most of it far from
+/// where the way leads.
+double FreeSpace::look_ahead(double length) const {
+  constexpr double kAhead = 4;  // of the widest margin, as far around any look goes anyway
+  const double ahead = std::max(kAhead * margins_.widest(), kLeastAdvance * length);
+  return flat_ && margins_.widest() > 0 ? std::min(length, ahead) : length;
+}
+
 /// Ends a way where it first meets a wall that does not hold it; false where it meets one.
 bool FreeSpace::clear_way(const Point& start, const std::vector<int>& held, Point& end) const {
   const Vector& from = start.u();
   const Vector to = end.u(), way = to - from;
   const double length = (end.x() - start.x()).norm();
+  const double farthest = look_ahead(length);
   Point at = start;
   for (double t = 0; t < 1;) {
     double free = 1 - t;
-    look(at, free * length);
+    look(at, std::min(free * length, farthest));
+    if (at.looked < free * length) free = at.looked / length;  // what was not seen is farther away
     for (const Wall& wall : at.walls) {
       if (std::find(held.begin(), held.end(), wall.obstacle) != held.end()) continue;
       const Vector slope = at.slope(wall);
@@ -312,15 +322,19 @@ void FreeSpace::move_along_walls(const CoordinatePath& from, const Points& step,
   Vector place;
   for (Index k = 0; k < step.cols(); ++k) {
     const Index column = from.free_begin() + k;
+    const bool ends_on = onto != nullptr && !(*onto)[static_cast<std::size_t>(k)].empty();
+    double reach = 0;
     if (flat_) {  // most points are near nothing, and places are coordinates
       place = from.u.col(column);
-      if (!anything_near(place, (to.u.col(column) - place).norm(), found)) continue;
+      const double way_length = (to.u.col(column) - place).norm();
+      reach = ends_on || !bounded ? way_length : look_ahead(way_length);
+      if (!anything_near(place, reach, found) && reach >= way_length) continue;
     }
     Point start(*this, from, column), end(*this, to, column);
     const double length = (end.x() - start.x()).norm();
-    if (flat_) start.see(found, length);
-    look(start, length);
-    if (start.walls.empty()) continue;
+    if (flat_) start.see(found, reach);
+    if (!flat_) look(start, length);
+    if (!flat_ && start.walls.empty()) continue;
     const Vector way = step.col(k);
     held.clear();
     for (const Wall& wall : start.walls) {
@@ -330,13 +344,13 @@ void FreeSpace::move_along_walls(const CoordinatePath& from, const Points& step,
       if (bounded ? off <= along : std::abs(off) <= along) held.push_back(wall.obstacle);
     }
     const std::size_t held_by_walls = held.size();
-    if (onto != nullptr)
+    if (ends_on)
       for (const int wall : (*onto)[static_cast<std::size_t>(k)])
         if (start.find(wall) != nullptr && std::find(held.begin(), held.end(), wall) == held.end())
           held.push_back(wall);
     if (bounded && !clear_way(start, held, end)) held.resize(held_by_walls);
     keep_side(start, held, end);
-    to.u.col(column) = settle(end, held, bounded, length) ? end.u() : start.u();
+    to.u.col(column) = settle(end, held, bounded, held.empty() ? 0 : length) ? end.u() : start.u();
   }
 }
 
@@ -360,7 +374,7 @@ void FreeSpace::keep_class(const CoordinatePath& from, CoordinatePath& to) const
       if (held_back[static_cast<std::size_t>(i)] == 0) continue;
       Point point(*this, to, i);
       point.go_towards(from.u.col(i), to.u.col(i), 0.5);
-      const bool settled = k < kMostRetreats && settle(point, {}, true, (point.x() - before.col(i)).norm());
+      const bool settled = k < kMostRetreats && settle(point, {}, true, 0);
       to.u.col(i) = settled ? point.u() : Vector(from.u.col(i));
     }
   }

@@ -116,6 +116,7 @@ class FreeSpace final : public ConstraintManifold,
   void push_out_of_all(Point& point, const std::vector<int>& held, double by) const;
   bool settle(Point& point, const std::vector<int>& held, bool bounded, double reach) const;
   bool carry(Point& point) const;
+  double look_ahead(double length) const;
   bool clear_way(const Point& start, const std::vector<int>& held, Point& end) const;
   void keep_side(const Point& start, const std::vector<int>& held, Point& end) const;
   void move_along_walls(const CoordinatePath& from, const Points& step, bool bounded, const BoundsOfPoints* onto,

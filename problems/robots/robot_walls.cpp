@@ -12,6 +12,7 @@
 #include <leastcost/framework/base/ability.hpp>
 #include <leastcost/framework/base/errors.hpp>
 #include "problems/obstacles/broad_phase.hpp"
+#include "problems/robots/box_distance.hpp"
 #include "problems/robots/least_on_move.hpp"
 #include "problems/robots/least_value.hpp"
 #include "problems/robots/move_sieve.hpp"
@@ -74,17 +75,19 @@ class RobotWalls::OnMove final : public DistancesOnMove {
     placed_ = t;
     return pose_;
   }
-  bool bounded() const {
-    return std::all_of(speeds_.begin(), speeds_.end(), [](double speed) { return std::isfinite(speed); });
+  bool bounded() {
+    const std::vector<double>& all = speeds();
+    return std::all_of(all.begin(), all.end(), [](double speed) { return std::isfinite(speed); });
   }
-  double fastest() const { return *std::max_element(speeds_.begin(), speeds_.end()); }
+  double fastest() { return *std::max_element(speeds().begin(), speeds().end()); }
 
   /// Pairs whose gap may be below `beyond(part)` somewhere on the move.
   template <class Beyond>
   std::vector<Pair> pairs(const Beyond& beyond) {
     std::vector<Pair> found;
+    const std::vector<double>& all = speeds();
     walls_->pairs_within(
-        pose(kMiddle), [&](int i) { return speeds_[static_cast<std::size_t>(i)] / 2 + beyond(i); }, found);
+        pose(kMiddle), [&](int i) { return all[static_cast<std::size_t>(i)] / 2 + beyond(i); }, found);
     return found;
   }
 
@@ -156,11 +159,19 @@ class RobotWalls::OnMove final : public DistancesOnMove {
   static constexpr double kMiddle = 0.5;
 
   const Kinematics& kinematics() const { return *walls_->robot_->kinematics; }
+  /// Of the parts. Who asks about some pairs only needs none of them.
+  const std::vector<double>& speeds() {
+    if (!speeds_.empty()) return speeds_;
+    speeds_.reserve(walls_->bodies_.size());
+    for (const Body& body : walls_->bodies_)
+      speeds_.push_back(body.steepest > 0 ? kinematics().motion(a_, b_, body.reach, 0).speed : 0);
+    return speeds_;
+  }
 
   const RobotWalls* walls_;
   const Vector &a_, &b_;
   Vector way_;
-  std::vector<double> speeds_;  ///< of the parts
+  std::vector<double> speeds_;  ///< empty: not asked for yet
   const std::vector<Pair>* pairs_ = nullptr;
   std::vector<MotionBound> bounds_;  ///< of the pairs
   double placed_ = std::numeric_limits<double>::quiet_NaN(), placed_alone_ = placed_;
@@ -182,6 +193,8 @@ RobotWalls::RobotWalls(std::shared_ptr<const Robot> robot, Obstacles obstacles, 
   };
   for (const Capsule& capsule : robot_->capsules)
     add_body(capsule.link, capsule.radius, std::array{capsule.from, capsule.to});
+  for (std::size_t i = 0; i < robot_->capsules.size(); ++i)
+    bodies_[i].ball = robot_->capsules[i].from == robot_->capsules[i].to;
   for (const Plate& plate : robot_->plates) add_body(plate.link, plate.radius, plate.corners);
   add_obstacles(std::move(obstacles), clearance);
   add_self_pairs();
@@ -207,6 +220,8 @@ void RobotWalls::add_obstacles(Obstacles obstacles, double clearance) {
     box.lower.head(space) = core.min();
     box.upper.head(space) = core.max();
     boxes_.push_back(box);
+    const auto* has = find_ability<HasCoreBox>(*obstacles_[i]);
+    cores_.push_back(has != nullptr ? std::optional(has->core_box()) : std::nullopt);
     required_.push_back(obstacles_[i]->radius() + clearance);
     most_required_ = std::max(most_required_, required_.back());
     size_ = std::max(size_, required_.back());
@@ -317,6 +332,9 @@ RobotWalls::Between RobotWalls::between(const RobotPose& pose, const Pair& pair)
   if (pair.self) {
     out.distance = distance_of_segments(axis, pose.axes[other], on_axis, on_other);
     out.foot = pose.axes[other].at(on_other);
+  } else if (bodies_[part].ball && cores_[other]) {
+    const OrientedBox& box = *cores_[other];
+    out.distance = distance_to_box(Vector3d(box.axes.transpose() * (axis.from - box.center)), box.half);
   } else {
     thread_local Vector from, to;  // taken by reference as they are: no memory is asked for in the innermost loop
     const int space = robot_->kinematics->space();
@@ -395,7 +413,13 @@ void RobotWalls::near(const Vector& x, double reach, std::vector<Wall>& found) c
 void RobotWalls::near_among(const std::vector<Pair>& pairs, const Vector& x, double reach,
                             std::vector<Wall>& found) const {
   thread_local RobotPose pose;
-  pose.place(*robot_, x);
+  pose.place_links(*robot_, x);
+  int placed = -1;  // pairs of one part come one after another
+  for (const Pair& pair : pairs) {
+    if (pair.part != placed) pose.place_part(*robot_, static_cast<std::size_t>(pair.part));
+    if (pair.self) pose.place_part(*robot_, static_cast<std::size_t>(pair.other));
+    placed = pair.part;
+  }
   add_near(pose, pairs, reach, found);
 }
 
@@ -634,7 +658,8 @@ void RobotWalls::along(const Vector& a, const Vector& b, double reach, std::vect
 void RobotWalls::along_among(const std::vector<Pair>& pairs, const Vector& a, const Vector& b, double reach,
                              std::vector<Wall>& found) const {
   OnMove move(*this, a, b);
-  if (!move.bounded()) return Walls::along(a, b, reach, found);
+  for (const Pair& pair : pairs)
+    if (!std::isfinite(move.bound(pair).speed)) return Walls::along(a, b, reach, found);
   add_along(move, pairs, reach, found);
 }
 
@@ -678,10 +703,11 @@ double RobotWalls::room(const Vector& a, const Vector& b, double reach) const {
 
 double RobotWalls::room_among(const std::vector<PairGap>& pairs, const Vector& a, const Vector& b, double reach) const {
   OnMove move(*this, a, b);
-  return move.bounded() ? room(move, pairs, reach) : 0;
+  return room(move, pairs, reach);
 }
 
-/// Pairs ascending by a lower bound of what is asked for. A look in the middle will mostly do.
+/// Pairs ascending by a lower bound of what is asked for. A look in the middle will mostly do. 0 for moves so long that
+/// nothing is known of places in between.
 double RobotWalls::room(OnMove& move, const std::vector<PairGap>& pairs, double reach) const {
   constexpr double kMiddle = 0.5, kEnough = 0.6, kShareOfMiddle = 0.5;
   double known = reach;
@@ -689,8 +715,10 @@ double RobotWalls::room(OnMove& move, const std::vector<PairGap>& pairs, double 
   unsettled.clear();
   for (const auto& [pair, bound] : pairs) {
     if (bound >= known) break;
+    const double speed = move.bound(pair).speed;
+    if (!std::isfinite(speed)) return 0;
     const double middle = move.distance(kMiddle, pair) / pair.steepest;
-    const double lower = std::max(bound, middle - move.bound(pair).speed / 2 / pair.steepest);
+    const double lower = std::max(bound, middle - speed / 2 / pair.steepest);
     if (lower >= known) continue;
     if (lower >= kEnough * reach || lower >= kShareOfMiddle * middle)
       known = lower;

@@ -69,6 +69,7 @@ class RobotWalls final : public PairWalls,
   struct Body {
     Vector reach;  ///< of any corner of the part
     double radius = 0, steepest = 0;
+    bool ball = false;  ///< its core is a point
   };
   struct CoreBox {
     Eigen::Vector3d lower, upper;  ///< in the plane z is 0
@@ -108,6 +109,7 @@ class RobotWalls final : public PairWalls,
   Obstacles obstacles_;
   std::vector<const MeetsTriangles*> for_plates_;  ///< the same obstacles, where there are plates
   std::vector<CoreBox> boxes_;                     ///< of the cores
+  std::vector<std::optional<OrientedBox>> cores_;  ///< where they are boxes, which may be turned
   std::vector<double> required_;                   ///< of the obstacles: radius and clearance
   std::vector<Body> bodies_;
   std::vector<Pair> self_;
