@@ -207,7 +207,7 @@ class WayTightening {
     constexpr std::size_t kFewMoves = 64;  // fewer are too coarse a polyline
     constexpr int kMostHalvings = 5;
     tighten();
-    for (int k = 0; k < kMostHalvings && costs_.size() < kFewMoves && costs_.size() > 1; ++k) {
+    for (int k = 0; k < kMostHalvings && costs_.size() < kFewMoves && !costs_.empty(); ++k) {
       halve_moves();
       tighten();
     }

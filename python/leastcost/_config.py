@@ -77,10 +77,16 @@ def plain_of(value: Any, where: str) -> Any:
     plain = reader.plain(value, where)
     if reader.externals:
         raise TypeError(
-            f"{where}: a study has numbers, texts, lists and dicts, no objects; lc.register_cost and lc.register_solver "
-            "give a cost or a solver a name for studies"
+            f"{where}: a study has numbers, texts, lists and dicts, no objects; name it, "
+            "{'type': 'external', 'name': 'mine'}, and give it to run_study as mine=..., or register it under a name: "
+            "lc.register_cost, lc.register_solver"
         )
     return plain
+
+
+def externals_of(objects: Mapping[str, Object]) -> dict[str, _leastcost.External]:
+    """Objects by the names that a study has for them."""
+    return _Reader(objects, False).externals
 
 
 class _Reader:

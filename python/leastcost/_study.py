@@ -13,11 +13,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import _leastcost
-from ._config import plain_of, text_of
+from ._config import externals_of, plain_of, text_of
 from ._errors import ConfigError, InputError
 
 if TYPE_CHECKING:
-    from ._config import Config
+    from ._config import Config, Object
 
 
 class Study:
@@ -56,6 +56,7 @@ def run_study(
     replace: bool = False,
     resume: bool = False,
     parallel: int = 1,
+    **objects: Object,
 ) -> Study:
     """Runs a grid of problems, solvers, kernels and numbers of points: the same as `leastcost study`.
 
@@ -66,6 +67,8 @@ def run_study(
     replace, resume: begin anew in a folder of an earlier study, or go on where it ended.
     parallel: runs at once, each of which is a process. Fork copies this thread alone: call it while no other thread
       uses leastcost.
+    objects: what problems name, `cost: {type: external, name: chute}` as chute=..., as of run(). Of a function all problems
+      have points of as many coordinates. A study does not know what an object does: resume it with the same ones.
 
     A run that fails is a row. Ctrl-C raises KeyboardInterrupt; `resume` goes on from there. Raises ConfigError,
     InputError, OutputError."""
@@ -84,7 +87,11 @@ def run_study(
     else:
         raise TypeError(f"a study is a path, a text or a dict, not {type(study).__name__}")
     try:
-        return Study(_leastcost.study(file, text, Path(folder), assignments, Path(output), replace, resume, parallel))
+        return Study(
+            _leastcost.study(
+                file, text, Path(folder), assignments, Path(output), replace, resume, parallel, externals_of(objects)
+            )
+        )
     except ConfigError as error:
         if subscripts is None:
             raise

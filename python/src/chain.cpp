@@ -59,7 +59,14 @@ void Chain::search(const Work& work) {
   if (ended_) stop();
 }
 
-void Chain::stop() const {
+void Chain::stop() {
+  if (++stops_ == 2 &&
+      PyErr_WarnEx(
+          PyExc_RuntimeWarning,
+          "a solver has caught leastcost.SearchEnded and goes on: the search is over, whatever it asks for; let "
+          "SearchEnded pass, or return",
+          1) != 0)
+    throw py::error_already_set();
   const py::object type = py::module_::import("leastcost._register").attr("SearchEnded");
   PyErr_SetString(type.ptr(), "the search must end: return, or let this pass");
   throw py::error_already_set();

@@ -48,7 +48,7 @@ class Chain {
   /// Does `work` without the GIL; raises SearchEnded once the search must end. Throws InputError.
   template <class Work>
   void search(const Work& work);
-  [[noreturn]] void stop() const;
+  [[noreturn]] void stop();
   /// On the domain; nothing where a point has no place there.
   std::optional<CoordinatePath> path_of(const Points& columns);
   void keep(const CoordinatePath& path, double value);
@@ -62,6 +62,7 @@ class Chain {
   bool flat_;  ///< every point is on the domain
   double best_ = 0;
   std::optional<Termination> ended_;
+  int stops_ = 0;  ///< how often SearchEnded was raised
   std::atomic<bool> over_ = false;
   std::mutex mutex_;
 };

@@ -24,25 +24,6 @@ LoadedConfig load(const Source& source, const std::vector<Override>& overrides, 
   return parse_config(source.text, kName, source.folder, overrides, externals);
 }
 
-/// Of the space in which points are. What is wrong with the manifold is said when the run is read.
-int dimension_of(const RunConfig& config, const std::filesystem::path& folder) {
-  using Made = std::shared_ptr<const ConstraintManifold>;
-  constexpr int kAny = 2;
-  const PluginChoice& manifold = config.manifold;
-  if (!manifold) return kAny;
-  try {
-    BuildContext context;
-    context.folder = folder;
-    const WaitsFor what = waits_for<Made>(manifold);
-    if (what == WaitsFor::robot && config.robot)
-      return static_cast<int>(make<std::shared_ptr<const Robot>>(config.robot, context)->kinematics->dimension());
-    if (what != WaitsFor::nothing) return manifold.plugin->ambient > 0 ? manifold.plugin->ambient : kAny;
-    return make<Made>(manifold, context)->dimensions().ambient;
-  } catch (const Error&) {
-    return kAny;
-  }
-}
-
 ConfigValue value_of(const py::handle& plain) {
   if (plain.is_none()) return {};
   if (py::isinstance<py::bool_>(plain)) return plain.cast<bool>();
@@ -63,16 +44,47 @@ std::vector<Override> Source::overrides() const {
   return list;
 }
 
-Externals Source::objects(const std::shared_ptr<CallErrors>& errors) const {
+int dimension_of(const RunConfig& config, const std::filesystem::path& folder) {
+  using Made = std::shared_ptr<const ConstraintManifold>;
+  const PluginChoice& manifold = config.manifold;
+  if (!manifold) return kAnyDimension;
+  try {
+    BuildContext context;
+    context.folder = folder;
+    const WaitsFor what = waits_for<Made>(manifold);
+    if (what == WaitsFor::robot && config.robot)
+      return static_cast<int>(make<std::shared_ptr<const Robot>>(config.robot, context)->kinematics->dimension());
+    if (what != WaitsFor::nothing) return manifold.plugin->ambient > 0 ? manifold.plugin->ambient : kAnyDimension;
+    return make<Made>(manifold, context)->dimensions().ambient;
+  } catch (const Error&) {
+    return kAnyDimension;
+  }
+}
+
+Externals objects_of(const std::map<std::string, External>& externals, const std::shared_ptr<CallErrors>& errors,
+                     const std::function<int(const Externals&)>& dimension) {
   Externals all;
+  bool functions = false;
+  const auto make = [&](int coordinates) {
+    for (const auto& [name, external] : externals)
+      if (const auto* maker = std::get_if<CostMaker>(&external.made)) {
+        functions = true;
+        all.insert_or_assign(name, (*maker)(coordinates, errors));
+      }
+  };
   for (const auto& [name, external] : externals)
     if (const auto* object = std::get_if<ExternalObject>(&external.made)) all.emplace(name, *object);
-  if (all.size() == externals.size()) return all;
-  const LoadedConfig loaded = load(*this, overrides(), all);
-  const int dimension = dimension_of(loaded.config, loaded.folder);
-  for (const auto& [name, external] : externals)
-    if (const auto* maker = std::get_if<CostMaker>(&external.made)) all.emplace(name, (*maker)(dimension, errors));
+  make(kAnyDimension);
+  if (!functions) return all;
+  if (const int found = dimension(all); found != kAnyDimension) make(found);
   return all;
+}
+
+Externals Source::objects(const std::shared_ptr<CallErrors>& errors) const {
+  return objects_of(externals, errors, [&](const Externals& all) {
+    const LoadedConfig loaded = load(*this, overrides(), all);
+    return dimension_of(loaded.config, loaded.folder);
+  });
 }
 
 Run Source::read(const BuildProgress& progress, const std::shared_ptr<CallErrors>& errors) const {

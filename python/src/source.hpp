@@ -5,6 +5,7 @@
 #include <pybind11/pybind11.h>
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include <leastcost/catalogue/run/load_run.hpp>
+#include "catalogue/config/run_config.hpp"
 #include "python/src/external.hpp"
 
 namespace leastcost::python {
@@ -34,6 +36,17 @@ struct Source {
   std::vector<Override> overrides() const;
   Externals objects(const std::shared_ptr<CallErrors>& errors) const;
 };
+
+/// Where nothing says how many coordinates points have.
+inline constexpr int kAnyDimension = 2;
+
+/// Of the space in which the points of a configuration are. What is wrong with its manifold is said when it is read.
+int dimension_of(const RunConfig& config, const std::filesystem::path& folder);
+
+/// The objects, with costs that are functions made for points of as many coordinates as `dimension` finds: it reads the
+/// configuration with all of them made for any. Without the GIL.
+Externals objects_of(const std::map<std::string, External>& externals, const std::shared_ptr<CallErrors>& errors,
+                     const std::function<int(const Externals& all)>& dimension);
 
 /// A dict with keys that are texts and values that are None, bool, int, float, str, lists and dicts.
 ConfigValue::Block block_of(const pybind11::dict& plain);

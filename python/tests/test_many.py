@@ -110,3 +110,61 @@ def test_a_study_as_a_dict_and_its_errors(tmp_path):
     assert all(d["where"].startswith("study['problems'][1]") for d in raised.value.diagnostics)
     with pytest.raises(lc.ConfigError, match=r"^set: repetitions=0: error: 'repetitions' must be at least 1"):
         lc.run_study(tree, tmp_path / "no", set={"repetitions": 0})
+
+
+def test_a_study_of_objects_from_memory(tmp_path):
+    calls = []
+
+    def falling(a, b):
+        calls.append(len(a))
+        return ((b - a) ** 2).sum(0) * (1 + a[1] ** 2)
+
+    ends = {"source": {"point": [0, 0]}, "target": {"point": [3, 0]}}
+    plane = {"manifold": {"type": "euclidean", "dimension": 2}, "ends": ends, "initializer": "straight"}
+    space = {
+        "manifold": {"type": "external", "name": "hill"},
+        "ends": {"source": {"vertex": 0}, "target": {"vertex": 2}},
+        "cost": "euclidean",
+    }
+    hill = lc.Mesh([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2), (0, 2, 3)])
+    study = {
+        "problems": [
+            {"name": "own", "config": {**plane, "cost": {"type": "external", "name": "falling"}}},
+            {"name": "mesh", "config": space},
+        ],
+        "points": [8, 12],
+    }
+    rows = lc.run_study(study, tmp_path / "a", falling=falling, hill=hill).rows
+    assert [row["outcome"] for row in rows] == ["ok"] * 4 and all(row["status"] == "certified" for row in rows)
+    alone = lc.run({**plane, "cost": falling, "path": {"points": 8}})
+    assert rows[0]["cost"] == pytest.approx(alone.cost, rel=1e-9)
+    assert rows[2]["cost"] == pytest.approx(2**0.5, rel=1e-9)
+    with pytest.raises(lc.ConfigError, match="falling") as raised:
+        lc.run_study(study, tmp_path / "b", hill=hill)
+    assert "study['problems'][0]['config']['cost']" in str(raised.value)
+    with pytest.raises(lc.ConfigError, match="fallin"):
+        lc.run_study(study, tmp_path / "b", falling=falling, hill=hill, set={"set.cost.name": "fallin"})
+    with pytest.raises(TypeError, match="falling cannot be a str"):
+        lc.run_study(study, tmp_path / "b", falling="q", hill=hill)
+
+
+def test_a_function_of_a_study_gets_points_of_its_problems(tmp_path):
+    def length(a, b):
+        assert len(a) == 3
+        return ((b - a) ** 2).sum(0)
+
+    study = {
+        "problems": [
+            {
+                "name": "space",
+                "config": {
+                    "manifold": {"type": "euclidean", "dimension": 3},
+                    "cost": {"type": "external", "name": "length"},
+                    "ends": {"source": {"point": [0, 0, 0]}, "target": {"point": [1, 2, 2]}},
+                },
+            }
+        ],
+        "points": [8],
+    }
+    rows = lc.run_study(study, tmp_path / "a", length=length).rows
+    assert [row["outcome"] for row in rows] == ["ok"] and rows[0]["cost"] == pytest.approx(3)

@@ -362,6 +362,23 @@ def test_a_solver_on_a_mesh_is_refused(configs):
     assert [note for note in result.notes if note.startswith("the solver t_descent was not used: ")]
 
 
+def test_a_solver_that_goes_on_after_the_end_is_told():
+    def stubborn(chain):
+        points = chain.points
+        for _ in range(3):
+            try:
+                while True:
+                    chain.value(points)
+            except lc.SearchEnded:
+                pass
+        return points
+
+    lc.register_solver("t_stubborn")(stubborn)
+    with pytest.warns(RuntimeWarning, match="has caught leastcost.SearchEnded and goes on"):
+        result = lc.run({**FALL, "solver": "t_stubborn"}, max_seconds=0.2)
+    assert result.status == "interrupted"
+
+
 @pytest.mark.parametrize("name", ["true", "null", "no"])
 def test_words_of_yaml_are_no_names(name):
     with pytest.raises(lc.InputError, match="YAML takes this word for a value"):
