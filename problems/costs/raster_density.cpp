@@ -85,26 +85,27 @@ PlaneBends hull_of(const PlaneBends& a, const PlaneBends& b) {
   return {hull(a.xx, b.xx), hull(a.xy, b.xy), hull(a.yy, b.yy)};
 }
 
-PlaneEnclosure hull_of(const PlaneEnclosure& a, const PlaneEnclosure& b) {
-  return {hull(a.value, b.value), hull(a.dx, b.dx), hull(a.dy, b.dy), hull_of(a.bends, b.bends)};
+PatchBounds hull_of(const PatchBounds& a, const PatchBounds& b) {
+  return {hull(a.value, b.value), hull(a.dx, b.dx), hull(a.dy, b.dy)};
 }
 
-/// Over all patches that are touched.
-PlaneEnclosure enclose_all(const RasterFunction& n, const Touched& touched) {
-  std::optional<PlaneEnclosure> all;
+/// The hull of what is known in each patch that is touched, of the part of it.
+template <class Known>
+auto over_patches(const Touched& touched, const Known& known) {
+  std::optional<decltype(known(RasterPatch{}, Interval(), Interval()))> all;
   touched.each([&](const RasterPatch& patch) {
     const std::array<double, 2> x = touched.columns.in_patch(patch.column), y = touched.rows.in_patch(patch.row);
-    const PlaneEnclosure here = n.enclose(patch, {x[0], x[1]}, {y[0], y[1]});
+    const auto here = known(patch, Interval(x[0], x[1]), Interval(y[0], y[1]));
     all = all ? hull_of(*all, here) : here;
   });
   return *all;
 }
 
-/// By the part of each patch that is touched; where these are many, by whole patches, which takes a twentieth of the
-/// time.
+/// By the part of each patch that is touched; where these are many, by whole patches, which is much quicker.
 PlaneBends bends_over(const RasterFunction& n, const Touched& touched) {
   const Span &columns = touched.columns, &rows = touched.rows;
-  if (columns.last - columns.first <= 1 && rows.last - rows.first <= 1) return enclose_all(n, touched).bends;
+  if (columns.last - columns.first <= 1 && rows.last - rows.first <= 1)
+    return over_patches(touched, [&](const auto&... part) { return n.bends(part...); });
   const PlaneBends whole = n.bends({rows.first, columns.first}, {rows.last, columns.last});
   // The outermost patches go on beyond themselves by 1e-9 (Span), and change by less than twice the width per patch.
   const auto wider = [](const Interval& x) { return x + Interval(-1, 1) * Interval(4e-9 * x.width()); };
@@ -118,10 +119,11 @@ DensityEnclosure enclose_over(const RasterFunction& n, const Eigen::AlignedBox2d
   if (!touched.all_known(n.patches()) || !middle.all_known(n.patches())) return DensityEnclosure::unknown();
   const RasterPatch patch{middle.rows.last, middle.columns.last};
   if (n.corners(patch)) {
-    const PlaneEnclosure at = n.enclose(patch, middle.columns.range, middle.rows.range);
-    return {at.value, at.dx, at.dy, at.bends.xx, at.bends.xy, at.bends.yy, distance_from(n, patch, touched)};
+    const PatchBounds at = n.enclose(patch, middle.columns.range, middle.rows.range);
+    const PlaneBends bends = n.bends(patch, patch);
+    return {at.value, at.dx, at.dy, bends.xx, bends.xy, bends.yy, distance_from(n, patch, touched)};
   }
-  const PlaneEnclosure at = enclose_all(n, middle);
+  const PatchBounds at = over_patches(middle, [&](const auto&... part) { return n.enclose(part...); });
   const PlaneBends over = bends_over(n, touched);
   return {at.value, at.dx, at.dy, over.xx, over.xy, over.yy, 0};
 }

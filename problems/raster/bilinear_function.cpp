@@ -35,23 +35,25 @@ PatchBounds BilinearFunction::bounds(const RasterPatch& patch) const {
           hull(slope(0, 2, 1), slope(1, 3, 1))};
 }
 
-PlaneEnclosure BilinearFunction::enclose(const RasterPatch& patch, const Interval& column, const Interval& row) const {
+PatchBounds BilinearFunction::enclose(const RasterPatch& patch, const Interval& column, const Interval& row) const {
   const std::array<double, 4> z = values_at(patch);
   const Interval u = column - Interval(patch.column), v = row - Interval(patch.row), base(z[0]);
   const Interval east = Interval(z[1]) - base, north = Interval(z[2]) - base,
                  twist = Interval(z[3]) - Interval(z[2]) - east, hx(patches().cell()[0]), hy(patches().cell()[1]);
-  return {base + east * u + (north + twist * u) * v,
-          (east + twist * v) / hx,
-          (north + twist * u) / hy,
-          {0.0, twist / (hx * hy), 0.0}};
+  return {base + east * u + (north + twist * u) * v, (east + twist * v) / hx, (north + twist * u) / hy};
+}
+
+PlaneBends BilinearFunction::bends(const RasterPatch& patch, const Interval&, const Interval&) const {
+  return bends(patch, patch);
 }
 
 PlaneBends BilinearFunction::bends(const RasterPatch& first, const RasterPatch& last) const {
+  const Interval area = Interval(patches().cell()[0]) * Interval(patches().cell()[1]);
   PlaneBends out;
   for (RasterPatch at = first; at.row <= last.row; ++at.row)
     for (at.column = first.column; at.column <= last.column; ++at.column) {
-      const Interval middle_column(at.column + 0.5), middle_row(at.row + 0.5);
-      const Interval here = enclose(at, middle_column, middle_row).bends.xy;
+      const std::array<double, 4> z = values_at(at);
+      const Interval here = ((Interval(z[3]) - Interval(z[2])) - (Interval(z[1]) - Interval(z[0]))) / area;
       out.xy = at.row == first.row && at.column == first.column ? here : hull(out.xy, here);
     }
   return out;

@@ -19,7 +19,7 @@ struct PlaneJet {
   Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
 };
 
-/// What a function and its derivatives lie between, all over a patch.
+/// What a function and its derivatives lie between, all over a patch or at a place.
 struct PatchBounds {
   Interval value, dx, dy;
 };
@@ -27,12 +27,6 @@ struct PatchBounds {
 /// Second derivatives by x and y between bounds.
 struct PlaneBends {
   Interval xx, xy, yy;
-};
-
-/// A function and its derivatives by x and y between bounds.
-struct PlaneEnclosure {
-  Interval value, dx, dy;
-  PlaneBends bends;
 };
 
 /// Nodes and weights on [0, 1] that integrate a function along any straight line within a patch exactly.
@@ -49,8 +43,10 @@ class RasterFunction {
   virtual PlaneJet in_patch(const RasterPatch& patch, double column, double row) const = 0;
   /// Rounded outward.
   virtual PatchBounds bounds(const RasterPatch& patch) const = 0;
-  /// The polynomial of a patch over a rectangle, in cells, also beside the patch. Rounded outward.
-  virtual PlaneEnclosure enclose(const RasterPatch& patch, const Interval& column, const Interval& row) const = 0;
+  /// The polynomial of a patch at a place, in cells and known up to rounding, also beside the patch. Rounded outward.
+  virtual PatchBounds enclose(const RasterPatch& patch, const Interval& column, const Interval& row) const = 0;
+  /// Of the polynomial of a patch over a rectangle, in cells, also beside the patch. Rounded outward.
+  virtual PlaneBends bends(const RasterPatch& patch, const Interval& column, const Interval& row) const = 0;
   /// Within all patches from one to another. Rounded outward, and wider than their hull by what a patch beyond it adds.
   virtual PlaneBends bends(const RasterPatch& first, const RasterPatch& last) const = 0;
   virtual PatchQuadrature quadrature() const = 0;
@@ -80,7 +76,8 @@ class BilinearFunction final : public RasterFunction {
   explicit BilinearFunction(const RasterGrid& raster);
   PlaneJet in_patch(const RasterPatch& patch, double column, double row) const override;
   PatchBounds bounds(const RasterPatch& patch) const override;
-  PlaneEnclosure enclose(const RasterPatch& patch, const Interval& column, const Interval& row) const override;
+  PatchBounds enclose(const RasterPatch& patch, const Interval& column, const Interval& row) const override;
+  PlaneBends bends(const RasterPatch& patch, const Interval& column, const Interval& row) const override;
   PlaneBends bends(const RasterPatch& first, const RasterPatch& last) const override;
   PatchQuadrature quadrature() const override;
   std::optional<std::array<double, 4>> corners(const RasterPatch& patch) const override { return values_at(patch); }
@@ -104,7 +101,8 @@ class SplineFunction final : public RasterFunction {
 
   PlaneJet in_patch(const RasterPatch& patch, double column, double row) const override;
   PatchBounds bounds(const RasterPatch& patch) const override;
-  PlaneEnclosure enclose(const RasterPatch& patch, const Interval& column, const Interval& row) const override;
+  PatchBounds enclose(const RasterPatch& patch, const Interval& column, const Interval& row) const override;
+  PlaneBends bends(const RasterPatch& patch, const Interval& column, const Interval& row) const override;
   PlaneBends bends(const RasterPatch& first, const RasterPatch& last) const override;
   PatchQuadrature quadrature() const override { return {kGaussNodes, kGaussWeights}; }
 

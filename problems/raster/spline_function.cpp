@@ -13,26 +13,61 @@ namespace {
 /// Second derivatives of the weights of BsplineWeights.
 std::array<double, 4> bend_weights(double u) { return {1 - u, 3 * u - 2, 1 - 3 * u, u}; }
 
-/// Bounds of a function of two variables, of degrees P and Q, by the B-spline coefficients around the part: first along
-/// the rows, of which the Bernstein coefficients are given, then across them.
+template <std::size_t N, std::size_t Rows>
+using Table = std::array<std::array<Interval, N>, Rows>;
+
+/// The column of a table.
+template <std::size_t N, std::size_t Rows>
+std::array<Interval, Rows> column_of(const Table<N, Rows>& table, std::size_t k) {
+  std::array<Interval, Rows> out;
+  for (std::size_t j = 0; j < Rows; ++j) out[j] = table[j][k];
+  return out;
+}
+
+/// Bounds of a function of two variables by the B-spline coefficients around a part of a patch.
 template <std::size_t P, std::size_t Q>
-Interval across_rows(const std::array<std::array<Interval, P + 1>, Q + 1>& rows, const SplinePart<Q>& part) {
+Interval range_of(const Table<P + 1, Q + 1>& around, const SplinePart<P>& along, const SplinePart<Q>& across) {
+  Table<P + 1, Q + 1> rows;
+  for (std::size_t j = 0; j <= Q; ++j) rows[j] = along.bernstein(around[j]);
+  Interval out = across.range(column_of(rows, 0));
+  for (std::size_t k = 1; k <= P; ++k) out = hull(out, across.range(column_of(rows, k)));
+  return out;
+}
+
+/// The same at a place, by the weights there.
+template <std::size_t P, std::size_t Q>
+Interval value_of(const Table<P + 1, Q + 1>& around, const std::array<Interval, P + 1>& along,
+                  const std::array<Interval, Q + 1>& across) {
   Interval out;
-  for (std::size_t k = 0; k <= P; ++k) {
-    std::array<Interval, Q + 1> line;
-    for (std::size_t j = 0; j <= Q; ++j) line[j] = rows[j][k];
-    const Interval here = part.range(line);
-    out = k == 0 ? here : hull(out, here);
+  for (std::size_t j = 0; j <= Q; ++j) {
+    Interval row = along[0] * around[j][0];
+    for (std::size_t k = 1; k <= P; ++k) row += along[k] * around[j][k];
+    out = j == 0 ? across[j] * row : out + across[j] * row;
   }
   return out;
 }
 
-/// Differences of neighbouring rows.
 template <std::size_t N, std::size_t Rows>
-std::array<std::array<Interval, N>, Rows - 1> row_differences(const std::array<std::array<Interval, N>, Rows>& rows) {
-  std::array<std::array<Interval, N>, Rows - 1> out;
+Table<N - 1, Rows> differences_along(const Table<N, Rows>& table) {
+  Table<N - 1, Rows> out;
+  for (std::size_t j = 0; j < Rows; ++j) out[j] = differences(table[j]);
+  return out;
+}
+
+/// Of neighbouring rows.
+template <std::size_t N, std::size_t Rows>
+Table<N, Rows - 1> differences_across(const Table<N, Rows>& table) {
+  Table<N, Rows - 1> out;
   for (std::size_t j = 0; j + 1 < Rows; ++j)
-    for (std::size_t k = 0; k < N; ++k) out[j][k] = rows[j + 1][k] - rows[j][k];
+    for (std::size_t k = 0; k < N; ++k) out[j][k] = table[j + 1][k] - table[j][k];
+  return out;
+}
+
+/// The 16 coefficients around a patch.
+Table<4, 4> table_at(const double* first, std::size_t width) {
+  Table<4, 4> out;
+  for (std::size_t j = 0; j < 4; ++j)
+    for (std::size_t k = 0; k < 4; ++k) out[j][k] = Interval(first[j * width + k]);
   return out;
 }
 
@@ -172,25 +207,23 @@ PatchBounds SplineFunction::bounds(const RasterPatch& patch) const {
   return out;
 }
 
-PlaneEnclosure SplineFunction::enclose(const RasterPatch& patch, const Interval& column, const Interval& row) const {
+PatchBounds SplineFunction::enclose(const RasterPatch& patch, const Interval& column, const Interval& row) const {
+  const Interval u = column - Interval(patch.column), v = row - Interval(patch.row);
+  const std::array<Interval, 4> along = polar_weights(std::array{u, u, u}), across = polar_weights(std::array{v, v, v});
+  const Table<4, 4> c = table_at(coefficients_of(patch), width_);
+  return {
+      value_of<3, 3>(c, along, across),
+      value_of<2, 3>(differences_along(c), polar_weights(std::array{u, u}), across) / Interval(patches().cell()[0]),
+      value_of<3, 2>(differences_across(c), along, polar_weights(std::array{v, v})) / Interval(patches().cell()[1])};
+}
+
+PlaneBends SplineFunction::bends(const RasterPatch& patch, const Interval& column, const Interval& row) const {
   const SplineParts along(column, patch.column), across(row, patch.row);
-  std::array<std::array<Interval, 4>, 4> lines;  // of the four rows
-  std::array<std::array<Interval, 3>, 4> slopes;
-  std::array<std::array<Interval, 2>, 4> bends;
-  const double* c = coefficients_of(patch);
-  for (std::size_t j = 0; j < 4; ++j, c += width_) {
-    const std::array<Interval, 4> values = {c[0], c[1], c[2], c[3]};
-    const std::array<Interval, 3> steps = differences(values);
-    lines[j] = along.value.bernstein(values);
-    slopes[j] = along.slope.bernstein(steps);
-    bends[j] = along.bend.bernstein(differences(steps));
-  }
-  const auto rises = row_differences(lines);
-  const Interval hx(patches().cell()[0]), hy(patches().cell()[1]);
-  return {across_rows<3, 3>(lines, across.value), across_rows<2, 3>(slopes, across.value) / hx,
-          across_rows<3, 2>(rises, across.slope) / hy,
-          scaled({across_rows<1, 3>(bends, across.value), across_rows<2, 2>(row_differences(slopes), across.slope),
-                  across_rows<3, 1>(row_differences(rises), across.bend)})};
+  const Table<4, 4> c = table_at(coefficients_of(patch), width_);
+  const Table<3, 4> steps = differences_along(c);
+  return scaled({range_of<1, 3>(differences_along(steps), along.bend, across.value),
+                 range_of<2, 2>(differences_across(steps), along.slope, across.slope),
+                 range_of<3, 1>(differences_across(differences_across(c)), along.value, across.bend)});
 }
 
 PlaneBends SplineFunction::scaled(const PlaneBends& in_cells) const {

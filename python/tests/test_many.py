@@ -117,7 +117,7 @@ def test_a_study_of_objects_from_memory(tmp_path):
 
     def falling(a, b):
         calls.append(len(a))
-        return ((b - a) ** 2).sum(0) * (1 + a[1] ** 2)
+        return ((b - a) ** 2).sum(0) * (1 + (a[1] + b[1]) ** 2)
 
     ends = {"source": {"point": [0, 0]}, "target": {"point": [3, 0]}}
     plane = {"manifold": {"type": "euclidean", "dimension": 2}, "ends": ends, "initializer": "straight"}

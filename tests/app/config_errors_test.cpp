@@ -49,7 +49,7 @@ TEST_CASE("config errors: missing keys stand at their block") {
             .rfind("a.yaml:2:1: error: missing key 'matrix' in cost: ", 0) == 0);
   CHECK_THAT(errors_of("manifold: {dimension: 2}\ncost: euclidean\n"),
              Contains("a.yaml:1:1: error: missing key 'type' in manifold: one of " + all_manifolds() + "\n"));
-  CHECK_THAT(errors_of("manifold: euclidean\n"), Contains("a.yaml:1:1: error: missing key 'cost': "));
+  CHECK_THAT(errors_of("cost: euclidean\n"), Contains("a.yaml:1:1: error: missing key 'manifold': "));
   CHECK_THAT(errors_of("manifold: euclidean\n"), Contains("missing key 'ends': the source and target of the path"));
   CHECK_THAT(errors_of("manifold: euclidean\ncost: euclidean\nends:\n  source: {point: [0, 0]}\n"),
              Contains("a.yaml:3:1: error: missing key 'target' in ends: End of the path.\n"));

@@ -173,19 +173,22 @@ TEST_CASE("bicubic: bounds of second derivatives over a part of a patch are thos
     for (const double size : {1e-9, 1e-3, 0.2, 1.0}) {
       const RasterPatch patch{random.integer(1, 4), random.integer(1, 3)};
       const double column = patch.column + random.uniform(0, 1 - size), row = patch.row + random.uniform(0, 1 - size);
-      const PlaneEnclosure all = f.enclose(patch, {column, column + size}, {row, row + size});
+      const PlaneBends part = f.bends(patch, {column, column + size}, {row, row + size});
       const PlaneBends whole = f.bends(patch, patch);
       Interval xx(f.in_patch(patch, column, row).hessian(0, 0)), xy(f.in_patch(patch, column, row).hessian(0, 1));
       for (int k = 0; k < 400; ++k) {
-        const PlaneJet at = f.in_patch(patch, column + size * (k % 20) / 19, row + size * (k / 20) / 19);  // NOLINT
+        const double across = column + size * (k % 20) / 19, up = row + size * (k / 20) / 19;  // NOLINT
+        const PlaneJet at = f.in_patch(patch, across, up);
+        const PatchBounds there = f.enclose(patch, across, up);
         constexpr double kRounding = 1e-11;
         const auto lies_in = [](const Interval& bounds, double value) {
           return bounds.lo - kRounding <= value && value <= bounds.hi + kRounding;
         };
-        CHECK(lies_in(all.value, at.value));
-        CHECK(lies_in(all.dx, at.gradient[0]));
-        CHECK(lies_in(all.dy, at.gradient[1]));
-        for (const PlaneBends& bends : {all.bends, whole}) {
+        CHECK(lies_in(there.value, at.value));
+        CHECK(lies_in(there.dx, at.gradient[0]));
+        CHECK(lies_in(there.dy, at.gradient[1]));
+        CHECK(there.value.width() < kRounding);
+        for (const PlaneBends& bends : {part, whole}) {
           CHECK(lies_in(bends.xx, at.hessian(0, 0)));
           CHECK(lies_in(bends.xy, at.hessian(0, 1)));
           CHECK(lies_in(bends.yy, at.hessian(1, 1)));
@@ -193,8 +196,8 @@ TEST_CASE("bicubic: bounds of second derivatives over a part of a patch are thos
         xx = hull(xx, at.hessian(0, 0));
         xy = hull(xy, at.hessian(0, 1));
       }
-      CHECK(all.bends.xx.width() < 2 * xx.width() + 1e-10);
-      CHECK(all.bends.xy.width() < 2 * xy.width() + 1e-10);
+      CHECK(part.xx.width() < 2 * xx.width() + 1e-10);
+      CHECK(part.xy.width() < 2 * xy.width() + 1e-10);
     }
 }
 
