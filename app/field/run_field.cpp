@@ -14,12 +14,14 @@ namespace {
 
 std::vector<Eigen::VectorXd> coordinates_of(const std::vector<PathEnd>& places) {
   std::vector<Eigen::VectorXd> all;
+  all.reserve(places.size());
   for (const PathEnd& place : places) all.push_back(place.u);
   return all;
 }
 
 std::vector<SurfacePoint> points_of(const MeshFields& fields, const std::vector<PathEnd>& places) {
   std::vector<SurfacePoint> all;
+  all.reserve(places.size());
   for (const PathEnd& place : places) all.push_back(fields.point(place));
   return all;
 }
