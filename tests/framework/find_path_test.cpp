@@ -82,7 +82,7 @@ TEST_CASE("find_path: a stop request in any stage keeps the best path", "[framew
   CHECK(r.status == Status::interrupted);
   CHECK_FALSE(r.certificate.certified());
   CHECK(r.path.u.allFinite());
-  CHECK(r.costs.sum() <= r.initial_cost);
+  CHECK(r.costs.sum() <= r.initial_cost * (1 + 1e-14));  // summed in another order where it was not measured anew
   if (when == Stage::certify) CHECK(r.solve.termination == Termination::converged);
 }
 
