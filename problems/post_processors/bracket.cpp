@@ -69,15 +69,19 @@ constexpr double kUnknown = std::numeric_limits<double>::infinity();
 /// Than a path: chains beside obstacles are dearer than the curve by less.
 constexpr double kClearlyLess = 0.995;
 
-/// The box that all paths stay in, that of the domain or of a cost map in the plane, beyond which the cost is infinite;
-/// empty where there is none.
+/// The box that all paths stay in: that of the domain, or the part in it of a cost map in the plane, beyond which the
+/// cost is infinite; empty where there is none.
 Eigen::AlignedBoxXd box_of(const Problem& problem) {
-  const auto* box = find_ability<HasBox>(*problem.manifold);
-  if (box != nullptr && box->box_lower().allFinite() && box->box_upper().allFinite())
-    return {box->box_lower(), box->box_upper()};
+  const Eigen::Index dimension = dimension_of(problem);
+  Eigen::AlignedBoxXd box(Eigen::VectorXd::Constant(dimension, -kUnknown),
+                          Eigen::VectorXd::Constant(dimension, kUnknown));
+  if (const auto* bounds = find_ability<HasBox>(*problem.manifold)) box = {bounds->box_lower(), bounds->box_upper()};
+  const auto is_finite = [&box] { return box.min().allFinite() && box.max().allFinite(); };
   const auto* map = find_ability<HasCellIndex>(*problem.cost);
-  if (map == nullptr || dimension_of(problem) != 2) return Eigen::AlignedBoxXd(dimension_of(problem));
-  return {map->patches().lower(), map->patches().upper()};
+  if (!is_finite() && map != nullptr && dimension == 2)
+    box = box.intersection(
+        Eigen::AlignedBoxXd(Eigen::VectorXd(map->patches().lower()), Eigen::VectorXd(map->patches().upper())));
+  return is_finite() ? box : Eigen::AlignedBoxXd(dimension);
 }
 
 /// The same box, of a dimension that is known.

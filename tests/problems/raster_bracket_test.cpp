@@ -223,6 +223,13 @@ TEST_CASE("raster bracket: in the plane without bounds, a map is its own box") {
   const Result result = find_path(problem, StraightInitializer(), Newton(), options);
   CHECK(result.certificate.scope == Scope::global);
   CHECK(result.curve.global.value().gap <= 1e-2);
+  // Bounds on one side only: the part of the map in them.
+  constexpr double kOpen = std::numeric_limits<double>::infinity();
+  problem.manifold = std::make_shared<EuclideanManifold>(
+      EuclideanManifoldOptions{2, {Eigen::VectorXd(problem.source.u), Eigen::VectorXd::Constant(2, kOpen)}});
+  const Result bounded = find_path(problem, StraightInitializer(), Newton(), options);
+  CHECK(bounded.certificate.scope == Scope::global);
+  CHECK(bounded.curve.global.value().lower_bound >= result.curve.global.value().lower_bound * (1 - 1e-2));
 }
 
 TEST_CASE("raster bracket: find_path on a map is global, whichever way it begins") {
