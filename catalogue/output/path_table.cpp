@@ -69,7 +69,7 @@ PathTable delivered_curve(const Problem& problem, const Result& result) {
   table.x_names = space_coordinates(*problem.manifold);
   const AmbientPath path{{table.x.data(), table.x.rows(), table.x.cols()}, {}, false};
   accumulate(segment_costs(*problem.cost, path), table);
-  const std::vector<Site>& sites = result.curve.segment_sites;
+  const std::vector<Site>& sites = table.segment_sites = result.curve.segment_sites;
   const auto* domain = find_ability<HasFilePlaces>(*problem.manifold);
   if (domain == nullptr || sites.empty()) return table;
   const Index last = static_cast<Index>(sites.size()) - 1;
@@ -141,7 +141,13 @@ std::string residuals_csv(const Problem& problem, const PathTable& curve) {
     x.col(2 * i + 1) = (curve.x.col(i) + curve.x.col(i + 1)) / 2;
   }
   x.col(2 * m) = curve.x.col(m);
-  CoordinatePath moved{x, {}, true};
+  // The pieces of the segments, where they are known: a mesh then searches its faces only where the curve leaves one.
+  std::vector<Site> sites;
+  if (!curve.segment_sites.empty()) {
+    for (const Site site : curve.segment_sites) sites.insert(sites.end(), 2, site);
+    sites.push_back(curve.segment_sites.back());
+  }
+  CoordinatePath moved{x, std::move(sites), true};
   const Projection projection = manifold.project(moved);
   Eigen::VectorXd off = (moved.u - x).colwise().norm();
   for (const Index failed : projection.failed) off[failed] = std::numeric_limits<double>::quiet_NaN();

@@ -20,6 +20,7 @@ struct PathTable {
   Eigen::VectorXd
       segment_costs;  ///< from each point to the next, along the curve on the domain; 0 at the end of an open path
   Eigen::VectorXd cumulative_costs;  ///< from the first point
+  std::vector<Site> segment_sites;   ///< of a delivered curve: the pieces that carry its segments; may be empty
   /// Where each point is in the file that the domain was read from, one column per point (HasFilePlaces); may be empty.
   Points places;
   std::vector<std::string> place_names;  ///< one per row of these
