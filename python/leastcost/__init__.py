@@ -23,6 +23,8 @@
 Arrays of results have one point per row. Searches release the GIL and end within 50 ms of Ctrl-C.
 """
 
+from typing import TYPE_CHECKING
+
 from ._cost import Cost, CostMap, Wind
 from ._domains import Cloud, Plane, Space, Terrain
 from ._errors import ConfigError, Error, InputError, NoPathError, OutputError, TimeLimitError
@@ -32,13 +34,28 @@ from ._leastcost import version as __version__
 from ._mesh import Geodesic, Mesh
 from ._options import Option, option
 from ._pairs import PairResult, solve_pairs
-from ._plugins import cost, initializer, kernel, manifold, obstacle, post_processor, robot, solver
 from ._reference import describe, schema
 from ._register import Chain, SearchEnded, register_cost, register_initializer, register_solver
 from ._result import Failure, Result, Trajectory
 from ._robot import Joint, Pose, Robot
 from ._run import run, validate
 from ._study import Study, run_study
+
+if TYPE_CHECKING:
+    from ._plugins import cost, initializer, kernel, manifold, obstacle, post_processor, robot, solver
+else:
+
+    def __getattr__(name: str) -> object:
+        """The kinds of plug-ins are many functions, a quarter of the time of an import: loaded when one is asked for."""
+        if name in ("cost", "initializer", "kernel", "manifold", "obstacle", "post_processor", "robot", "solver"):
+            from . import _plugins
+
+            return globals().setdefault(name, getattr(_plugins, name))
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+    def __dir__() -> list[str]:
+        return sorted({*globals(), *__all__})
+
 
 __all__ = [
     "Chain",

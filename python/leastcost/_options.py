@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import difflib
 import inspect
 import math
 import os
@@ -116,6 +115,8 @@ def options_of(
     known = [p.name for p in parameters[count:]]
     for key, extra in (said or {}).items():
         if key not in known:
+            import difflib  # seldom needed, and an import takes its time
+
             near = difflib.get_close_matches(str(key), known, 1)
             hint = f" (did you mean {near[0]!r}?)" if near else ""
             raise InputError(f"{who} has no option {key!r}{hint}; its options are: {', '.join(known) or 'none'}")

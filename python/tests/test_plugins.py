@@ -36,6 +36,14 @@ def test_every_kind_is_a_name_of_the_package():
                 assert f"\n{parameter.name}: " in inspect.getdoc(function), f"{kind.__name__}.{name}"
 
 
+def test_kinds_are_loaded_when_one_is_asked_for():
+    """They would be a quarter of the time of an import."""
+    code = "import sys, leastcost as lc\nassert 'leastcost._plugins' not in sys.modules and 'cost' in dir(lc)\nlc.cost\n"
+    subprocess.run([sys.executable, "-c", code + "assert 'leastcost._plugins' in sys.modules"], check=True)
+    with pytest.raises(AttributeError, match="module 'leastcost' has no attribute 'costs'"):
+        lc.costs
+
+
 def test_a_block_has_what_was_given_and_no_more():
     assert lc.cost.travel_time(gravity=1) == {"type": "travel_time", "gravity": 1}
     assert lc.solver.newton() == {"type": "newton"}
