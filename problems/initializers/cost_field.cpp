@@ -11,6 +11,7 @@
 #include <leastcost/framework/cost/has_conformal_metric.hpp>
 #include <leastcost/framework/cost/segment_cost.hpp>
 #include <leastcost/framework/domain/checks_moves.hpp>
+#include <leastcost/framework/domain/has_box.hpp>
 #include <leastcost/framework/domain/has_images.hpp>
 #include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/bracket/cost_density.hpp>
@@ -72,15 +73,21 @@ void check_problem(const Problem& problem) {
     throw InputError("field: needs coordinates that do not close on themselves, as longitudes do");
 }
 
+/// The box of the domain, within that of the raster if there is one; without both, one around the ends.
 LatticeBox field_box(const Problem& problem, const std::optional<RasterPlaces>& raster) {
-  LatticeBox box = LatticeBox::of(problem, {}, {});
-  if (!raster) return box;
-  for (std::size_t d = 0; d < 2; ++d) {
-    const auto k = static_cast<Eigen::Index>(d);
-    box.lower[k] = box.open_lower[d] ? raster->lower[k] : std::max(box.lower[k], raster->lower[k]);
-    box.upper[k] = box.open_upper[d] ? raster->upper[k] : std::min(box.upper[k], raster->upper[k]);
-    if (!(box.lower[k] < box.upper[k])) throw InputError("field: the domain and the raster of costs do not meet");
-  }
+  const auto* domain = find_ability<HasBox>(*problem.manifold);
+  const bool boxed = domain != nullptr && domain->box_lower().allFinite() && domain->box_upper().allFinite() &&
+                     domain->box_lower().size() > 0 && domain->box_upper().size() > 0;
+  if (!raster && !boxed && problem.source.u == problem.target.u)
+    throw InputError(
+        "field: the domain has no box, and one place alone gives none: give the manifold lower and upper, or name a "
+        "second place (--to X,Y, or ends)");
+  if (!raster) return LatticeBox::of(problem, {}, {});
+  LatticeBox box{raster->lower, raster->upper, {}, {}};
+  if (domain != nullptr && domain->box_lower().size() > 0) box.lower = box.lower.cwiseMax(domain->box_lower());
+  if (domain != nullptr && domain->box_upper().size() > 0) box.upper = box.upper.cwiseMin(domain->box_upper());
+  if (!(box.lower.array() < box.upper.array()).all())
+    throw InputError("field: the domain and the raster of costs do not meet");
   return box;
 }
 

@@ -188,7 +188,7 @@ def field(
         places = _several(source, domain)
         if not places:
             raise InputError("source has no places: give at least one")
-        config = _config(domain, cost, obstacles, clearance, places, to)
+        config = _config(domain, cost, obstacles, clearance, to)
     named = [_named(place, "source" if len(places) == 1 else f"source[{i}]", own) for i, place in enumerate(places)]
     step = None if resolution is None else float(resolution)
     made = Field(_leastcost.field(source_of(config, set=set, folder=folder), named, to_here, step), own)
@@ -203,7 +203,7 @@ def _is_config(domain: Any) -> bool:
 
 
 def _config(
-    domain: Any, cost: Any, obstacles: Sequence[Mapping[str, Any]], clearance: float, places: list[Any], to: Any
+    domain: Any, cost: Any, obstacles: Sequence[Mapping[str, Any]], clearance: float, to: Any
 ) -> dict[str, Any]:
     has_box = not isinstance(domain, Space) and not (isinstance(domain, Mapping) and domain.get("type") == "euclidean")
     has_box = has_box or (isinstance(domain, Mapping) and "lower" in domain)
@@ -213,38 +213,17 @@ def _config(
             f"{domain!r} has no box: give it one, lc.manifold.euclidean(lower=[0, 0], upper=[4, 2]), or say where the "
             "field leads: to=(3, 1)"
         )
-    first = _place(places[0], "source", domain)
-    last = _beside(first, domain) if to is None else _place(to, "to", domain)
     config: dict[str, Any] = {
         "manifold": domain.config() if isinstance(domain, Space) else domain,
         "cost": "euclidean" if cost is None else Cost(cost) if callable(cost) and not isinstance(cost, Cost) else cost,
-        "ends": {"source": _end(first), "target": _end(last)},
     }
+    if to is not None:
+        config["ends"] = {"target": _end(_place(to, "to", domain))}
     if len(obstacles) > 0:
         config["obstacles"] = list(obstacles)
     if clearance != 0:
         config["clearance"] = clearance
     return config
-
-
-def _beside(end: tuple[Any, ...], domain: Any) -> tuple[Any, ...]:
-    """Another end, for configurations have two: a point near it, or another vertex."""
-    if end[0] == "point" and not isinstance(domain, Mesh):
-        x, *others = end[1]
-        inwards = -1 if x > _middle(domain) else 1
-        return "point", [x + inwards * 1e-6 * max(1, abs(x)), *others]
-    corners = domain.F[0] if isinstance(domain, Mesh) else [0, 1]
-    return "vertex", int(next(v for v in corners if end != ("vertex", int(v))))
-
-
-def _middle(domain: Any) -> float:
-    """Of what is known of a domain along x."""
-    if isinstance(domain, Terrain):
-        heights, origin, cell = domain._state
-        return float(origin[0] + cell[0] * heights.shape[1] / 2)
-    if isinstance(domain, Mapping) and "lower" in domain and "upper" in domain:
-        return float(domain["lower"][0] + domain["upper"][0]) / 2
-    return 0.0
 
 
 def _end(end: tuple[Any, ...]) -> dict[str, Any]:
