@@ -370,7 +370,8 @@ void add_field(CLI::App& app, Values& v, const Streams& streams, Command& chosen
       ->type_name("CONFIG");
   add_set(c, v);
   add_format(c, v);
-  add_output(c, v, "Write to this file: .csv, .npy or .asc; on a mesh .csv, .npy, .vtp or .ply", "FILE");
+  add_output(c, v, "Write to this file: .csv, .npy, .asc or .tif (GeoTIFF); on a mesh .csv, .npy, .vtp or .ply",
+             "FILE");
   c.get_option("--output")->required();
   c.add_option("--from", v.field.from,
                "Place (on a mesh X,Y,Z or the number of a vertex), or text file with one place per line; can be "
