@@ -11,7 +11,7 @@
 #include <leastcost/catalogue/plugins/end_options.hpp>
 #include <leastcost/catalogue/run/run.hpp>
 #include <leastcost/framework/base/monitor.hpp>
-#include <leastcost/problems/initializers/cost_field.hpp>
+#include <leastcost/problems/fields/cost_field.hpp>
 #include "app/field/mesh_field.hpp"
 
 namespace leastcost::app {
