@@ -16,7 +16,9 @@
 #include "app/cli/interrupt.hpp"
 #include "app/cli/written_places.hpp"
 #include "app/field/field_files.hpp"
+#include "app/field/field_picture.hpp"
 #include "app/field/field_summary.hpp"
+#include "app/figure/figure_request.hpp"
 #include "catalogue/output/csv_text.hpp"
 
 namespace leastcost::app {
@@ -82,13 +84,16 @@ bool write_bytes(const std::string& file, const std::string& text, const Streams
 Exit field_command(const FieldArguments& arguments, const Streams& streams) {
   if (arguments.corridor && arguments.to_here)
     throw InputError("--corridor has both directions already: leave out --to-here");
-  const FieldFormat format = field_format(arguments.output);  // before any work
+  const bool writes = !arguments.output.empty();
+  const FieldFormat format = writes ? field_format(arguments.output) : FieldFormat::csv;  // before any work
   if (!arguments.ways.empty() && arguments.to.empty()) throw InputError("--way needs --to X,Y");
-  if (arguments.ways == arguments.output) throw InputError("--way and --output name the same file");
+  if (!arguments.ways.empty() && arguments.ways == arguments.output)
+    throw InputError("--way and --output name the same file");
   const Run run = load({arguments.config, arguments.overrides, {}, false, {}, {}, EndsFrom::caller});
   const ConstraintManifold& domain = *run.parts.problem.manifold;
   const PlaceForm form{domain.dimensions().coordinate == 3 ? 3U : 2U, domain.shape() == Shape::polyhedral};
-  check_format(format, form.mesh);
+  if (writes) check_format(format, form.mesh);
+  if (!arguments.figure.empty()) check_drawable(form.mesh);
   catch_interrupts();
   Monitor monitor;
   monitor.stop_requested = interrupted;
@@ -107,11 +112,17 @@ Exit field_command(const FieldArguments& arguments, const Streams& streams) {
         throw InputError(fmt::format("{}: {}", place.words, e.what()));
       }
     }
-    if (arguments.corridor) field = field.corridor(field.target(), monitor);
-    if (!write_bytes(arguments.output, field_text(field, format), streams)) return Exit::output;
+    std::vector<FieldWay> drawn = ways;
+    if (arguments.corridor) {
+      if (!arguments.figure.empty() && ways.empty()) drawn.push_back(field.way(field.target(), monitor));
+      field = field.corridor(field.target(), monitor);
+    }
+    if (writes && !write_bytes(arguments.output, field_text(field, format), streams)) return Exit::output;
+    if (!arguments.figure.empty())
+      write_picture(field_figure(field, drawn, arguments.picture), arguments.figure, arguments.picture.size.dpi);
     if (!arguments.ways.empty() && !write_bytes(arguments.ways, ways_csv(ways), streams)) return Exit::output;
-    streams.out << (arguments.json ? field_summary_json(field, arguments.output, ways)
-                                   : field_summary_text(field, arguments.output, ways));
+    const std::string& file = writes ? arguments.output : arguments.figure;
+    streams.out << (arguments.json ? field_summary_json(field, file, ways) : field_summary_text(field, file, ways));
     return field.on_mesh() && field.on_vertices().cut ? Exit::uncertified : Exit::certified;
   } catch (const Interrupted& e) {
     streams.err << e.what() << "; nothing was written\n";
