@@ -17,7 +17,7 @@ from . import _leastcost
 from ._config import source_of
 from ._cost import Cost, CostMap
 from ._domains import Cloud, Space, Terrain
-from ._errors import InputError
+from ._errors import InputError, OutputError
 from ._mesh import Mesh
 from ._places import end_tuple, is_number, is_on_face
 from ._robot import Robot
@@ -48,12 +48,71 @@ class Way:
     """Under the cost of the field."""
 
 
+class _Kept:
+    """What pickle keeps of a field: its numbers, not the objects that it was made of."""
+
+    def __init__(self, numbers: dict[str, Any]) -> None:
+        self.numbers = numbers
+
+    def values(self) -> NDArray[np.float64]:
+        values: NDArray[np.float64] = self.numbers["values"]
+        return values
+
+    def axes(self) -> tuple[NDArray[np.float64], NDArray[np.float64]] | None:
+        axes: tuple[NDArray[np.float64], NDArray[np.float64]] | None = self.numbers["axes"]
+        return axes
+
+    def mesh(self) -> tuple[NDArray[np.float64], NDArray[np.int32]] | None:
+        mesh: tuple[NDArray[np.float64], NDArray[np.int32]] | None = self.numbers["mesh"]
+        return mesh
+
+    def errors(self) -> tuple[float, float]:
+        largest, mean = self.numbers["errors"]
+        return largest, mean
+
+    def method(self) -> str:
+        return str(self.numbers["method"])
+
+    def unit(self) -> str:
+        return str(self.numbers["unit"])
+
+    def directed(self) -> bool:
+        return bool(self.numbers["directed"])
+
+    def is_corridor(self) -> bool:
+        return bool(self.numbers["is_corridor"])
+
+    def way(self, to: Any) -> tuple[NDArray[np.float64], float]:
+        raise _gone("way")
+
+    def corridor(self, to: Any) -> _leastcost.Field:
+        raise _gone("corridor")
+
+    def save(self, file: Path) -> None:
+        raise OutputError("a field that was pickled has no files any more: save it before, or use numpy.save")
+
+
+_NUMBERS = ("values", "axes", "mesh", "errors", "method", "unit", "directed", "is_corridor")
+
+
+def _gone(what: str) -> InputError:
+    return InputError(f"a field that was pickled has no {what} any more: make it before, or compute the field again")
+
+
+def _unpickled(numbers: dict[str, Any]) -> Field:
+    return Field(_Kept(numbers))
+
+
 class Field:
     """The least cost from some places, or to them, to each node of a lattice or each vertex of a mesh."""
 
-    def __init__(self, core: _leastcost.Field, domain: object = None) -> None:
+    def __init__(self, core: _leastcost.Field | _Kept, domain: object = None) -> None:
         self._core = core
         self._domain = domain
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """The numbers: a copy has no ways, corridors and files."""
+        return _unpickled, ({name: getattr(self._core, name)() for name in _NUMBERS},)
 
     @cached_property
     def values(self) -> NDArray[np.float64]:
@@ -121,7 +180,8 @@ class Field:
         return Field(self._core.corridor(None if to is None else _named(to, "to", self._domain)), self._domain)
 
     def save(self, path: str | os.PathLike[str]) -> Path:
-        """Writes a .csv, .npy or .asc (ESRI ASCII grid) file; on a mesh .csv, .npy, .vtp or .ply. Returns its path."""
+        """Writes a .csv, .npy, .asc (ESRI ASCII grid) or .tif (GeoTIFF, with GDAL) file; on a mesh .csv, .npy, .vtp or
+        .ply. Returns its path."""
         file = Path(path)
         self._core.save(file)
         return file
