@@ -109,6 +109,7 @@ function(leastcost_back_end_source file)
   get_property(raster_reader GLOBAL PROPERTY LEASTCOST_RASTER_READER)
   get_property(crs_reader GLOBAL PROPERTY LEASTCOST_CRS_READER)
   get_property(geopackage_writer GLOBAL PROPERTY LEASTCOST_GEOPACKAGE_WRITER)
+  get_property(geotiff_writer GLOBAL PROPERTY LEASTCOST_GEOTIFF_WRITER)
   file(CONFIGURE OUTPUT ${file} @ONLY CONTENT "// Made by cmake/leastcost_back_end.cmake from solvers/*/CMakeLists.txt, ompl, gdal, urdf and octomap.
 #include \"catalogue/back_ends/back_ends.hpp\"
 #include \"catalogue/back_ends/load_back_end.hpp\"
@@ -145,5 +146,7 @@ leastcost::RasterReader leastcost::raster_reader_of_libraries() { return @raster
 leastcost::CrsReader leastcost::crs_reader_of_libraries() { return @crs_reader@; }
 
 leastcost::GeoPackageWriter leastcost::geopackage_writer_of_libraries() { return @geopackage_writer@; }
+
+leastcost::GeoTiffWriter leastcost::geotiff_writer_of_libraries() { return @geotiff_writer@; }
 ")
 endfunction()

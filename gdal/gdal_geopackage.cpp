@@ -3,50 +3,23 @@
 #include <leastcost/gdal/gdal_geopackage.hpp>
 
 #include <array>
-#include <atomic>
 #include <memory>
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
 #include "gdal/gdal_library.hpp"
+#include "gdal/memory_file.hpp"
 
 namespace leastcost {
 namespace {
-
-/// A file in memory, which no other thread names alike.
-class MemoryFile {
- public:
-  explicit MemoryFile(const char* extension) {
-    static std::atomic<int> count = 0;
-    name_ = "/vsimem/leastcost_" + std::to_string(count++) + extension;
-  }
-  ~MemoryFile() { gdal().unlink(name_.c_str()); }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-
-  const char* name() const { return name_.c_str(); }
-  /// The text has to stay where it is.
-  void show(std::string& text) const {
-    auto* bytes = reinterpret_cast<GByte*>(text.data());
-    gdal().close_file(gdal().file_from_buffer(name(), bytes, text.size(), FALSE));
-  }
-  std::string bytes() const {
-    vsi_l_offset size = 0;
-    const GByte* bytes = gdal().file_buffer(name(), &size, FALSE);
-    return bytes == nullptr ? std::string() : std::string(reinterpret_cast<const char*>(bytes), size);
-  }
-
- private:
-  std::string name_;
-};
 
 [[noreturn]] void refuse(const std::string& layer) {
   throw InputError("GeoPackage: layer " + layer + " cannot be written (GDAL: " + gdal().last_error_message() + ")");
 }
 
 /// Adds a layer to the package, which is made with the first one.
-void add_layer(const std::string& name, std::string text, const MemoryFile& package, GdalDataset& made) {
-  const MemoryFile file(".geojson");
+void add_layer(const std::string& name, std::string text, const GdalMemoryFile& package, GdalDataset& made) {
+  const GdalMemoryFile file(".geojson");
   file.show(text);
   const GdalDataset source(gdal().open(file.name(), GDAL_OF_VECTOR, nullptr, nullptr, nullptr));
   if (!source) refuse(name);
@@ -75,7 +48,7 @@ bool writes_packages() {
 std::string gdal_geopackage(const std::vector<std::pair<std::string, std::string>>& layers) {
   if (!writes_packages()) return "";
   const GdalSilence silence;
-  const MemoryFile package(".gpkg");
+  const GdalMemoryFile package(".gpkg");
   GdalDataset made;
   for (const auto& [name, text] : layers) add_layer(name, text, package, made);
   made.reset();  // writes what is left

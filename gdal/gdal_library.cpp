@@ -41,6 +41,7 @@ GdalLibrary::GdalLibrary(void* handle) {
   find(quiet_error_handler, handle, "CPLQuietErrorHandler");
   find(register_all, handle, "GDALAllRegister");
   find(close, handle, "GDALClose");
+  find(create, handle, "GDALCreate");
   find(driver_by_name, handle, "GDALGetDriverByName");
   find(geo_transform, handle, "GDALGetGeoTransform");
   find(mask_band, handle, "GDALGetMaskBand");
@@ -53,6 +54,11 @@ GdalLibrary::GdalLibrary(void* handle) {
   find(spatial_reference, handle, "GDALGetSpatialRef");
   find(open, handle, "GDALOpenEx");
   find(raster_io, handle, "GDALRasterIO");
+  find(set_description, handle, "GDALSetDescription");
+  find(set_geo_transform, handle, "GDALSetGeoTransform");
+  find(set_no_data_value, handle, "GDALSetRasterNoDataValue");
+  find(set_unit, handle, "GDALSetRasterUnitType");
+  find(set_spatial_reference, handle, "GDALSetSpatialRef");
   find(translate_vectors, handle, "GDALVectorTranslate");
   find(free_translate_options, handle, "GDALVectorTranslateOptionsFree");
   find(new_translate_options, handle, "GDALVectorTranslateOptionsNew");
@@ -62,6 +68,7 @@ GdalLibrary::GdalLibrary(void* handle) {
   find(transform, handle, "OCTTransform");
   find(clone_reference, handle, "OSRClone");
   find(destroy_reference, handle, "OSRDestroySpatialReference");
+  find(export_to_wkt, handle, "OSRExportToWktEx");
   find(reference_name, handle, "OSRGetName");
   find(is_geographic, handle, "OSRIsGeographic");
   find(is_projected, handle, "OSRIsProjected");
@@ -72,6 +79,7 @@ GdalLibrary::GdalLibrary(void* handle) {
   find(set_well_known_system, handle, "OSRSetWellKnownGeogCS");
   find(close_file, handle, "VSIFCloseL");
   find(file_from_buffer, handle, "VSIFileFromMemBuffer");
+  find(free, handle, "VSIFree");
   find(file_buffer, handle, "VSIGetMemFileBuffer");
   find(unlink, handle, "VSIUnlink");
 }

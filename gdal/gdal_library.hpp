@@ -27,6 +27,7 @@ struct GdalLibrary {
   decltype(::CPLQuietErrorHandler)* quiet_error_handler = nullptr;
   decltype(::GDALAllRegister)* register_all = nullptr;
   decltype(::GDALClose)* close = nullptr;
+  decltype(::GDALCreate)* create = nullptr;
   decltype(::GDALGetDriverByName)* driver_by_name = nullptr;
   decltype(::GDALGetGeoTransform)* geo_transform = nullptr;
   decltype(::GDALGetMaskBand)* mask_band = nullptr;
@@ -39,6 +40,11 @@ struct GdalLibrary {
   decltype(::GDALGetSpatialRef)* spatial_reference = nullptr;
   decltype(::GDALOpenEx)* open = nullptr;
   decltype(::GDALRasterIO)* raster_io = nullptr;
+  decltype(::GDALSetDescription)* set_description = nullptr;
+  decltype(::GDALSetGeoTransform)* set_geo_transform = nullptr;
+  decltype(::GDALSetRasterNoDataValue)* set_no_data_value = nullptr;
+  decltype(::GDALSetRasterUnitType)* set_unit = nullptr;
+  decltype(::GDALSetSpatialRef)* set_spatial_reference = nullptr;
   decltype(::GDALVectorTranslate)* translate_vectors = nullptr;
   decltype(::GDALVectorTranslateOptionsFree)* free_translate_options = nullptr;
   decltype(::GDALVectorTranslateOptionsNew)* new_translate_options = nullptr;
@@ -48,6 +54,7 @@ struct GdalLibrary {
   decltype(::OCTTransform)* transform = nullptr;
   decltype(::OSRClone)* clone_reference = nullptr;
   decltype(::OSRDestroySpatialReference)* destroy_reference = nullptr;
+  decltype(::OSRExportToWktEx)* export_to_wkt = nullptr;
   decltype(::OSRGetName)* reference_name = nullptr;
   decltype(::OSRIsGeographic)* is_geographic = nullptr;
   decltype(::OSRIsProjected)* is_projected = nullptr;
@@ -58,6 +65,7 @@ struct GdalLibrary {
   decltype(::OSRSetWellKnownGeogCS)* set_well_known_system = nullptr;
   decltype(::VSIFCloseL)* close_file = nullptr;
   decltype(::VSIFileFromMemBuffer)* file_from_buffer = nullptr;
+  decltype(::VSIFree)* free = nullptr;
   decltype(::VSIGetMemFileBuffer)* file_buffer = nullptr;
   decltype(::VSIUnlink)* unlink = nullptr;
 };

@@ -57,6 +57,15 @@ RasterCrs::Transform transform(OGRSpatialReferenceH from, OGRSpatialReferenceH t
   return [made = std::move(made)](const Eigen::Vector2d& place) { return (*made)(place); };
 }
 
+std::string wkt_of(OGRSpatialReferenceH system) {
+  constexpr std::array<const char*, 2> kOptions = {"FORMAT=WKT2_2019", nullptr};
+  char* text = nullptr;
+  const bool known = gdal().export_to_wkt(system, &text, kOptions.data()) == OGRERR_NONE && text != nullptr;
+  std::string wkt = known ? text : "";
+  gdal().free(text);
+  return wkt;
+}
+
 /// Null for a system that is neither geographic nor projected: one without a place on the Earth.
 std::shared_ptr<const RasterCrs> crs_of(OGRSpatialReferenceH given) {
   if (given == nullptr) return nullptr;
@@ -68,6 +77,7 @@ std::shared_ptr<const RasterCrs> crs_of(OGRSpatialReferenceH given) {
   auto crs = std::make_shared<RasterCrs>();
   const char* name = gdal().reference_name(system.get());
   crs->name = name == nullptr ? "" : name;
+  crs->wkt = wkt_of(system.get());
   crs->geographic = geographic;
   crs->to_wgs84 = transform(system.get(), wgs84.get());
   crs->from_wgs84 = transform(wgs84.get(), system.get());

@@ -18,10 +18,10 @@
 #include <leastcost/problems/costs/walking.hpp>
 #include <leastcost/problems/costs/weighted_length.hpp>
 #include <leastcost/problems/costs/zermelo.hpp>
+#include <leastcost/problems/fields/cost_field.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/initializers/cell_graph.hpp>
 #include <leastcost/problems/initializers/coordinate_circle.hpp>
-#include <leastcost/problems/initializers/cost_field.hpp>
 #include <leastcost/problems/initializers/eikonal.hpp>
 #include <leastcost/problems/initializers/grid.hpp>
 #include <leastcost/problems/initializers/mirrored.hpp>

@@ -225,19 +225,35 @@ constexpr const char* kFigureHelp =
     "leastcost figure results/bunny_geodesic -o bunny.vtp                     surface and path, for ParaView\n"
     ".svg needs no other program; .pdf and .png need rsvg-convert (Debian: librsvg2-bin).";
 
+/// A fault of what an option says is one of the command line.
+void read_option(const char* option, const std::function<void()>& value) {
+  try {
+    value();
+  } catch (const InputError& e) {
+    throw CLI::ValidationError(option, e.what());
+  }
+}
+
 FigureArguments figure_arguments(const Values& v) {
-  const auto read = [](const char* option, const std::function<void()>& value) {
-    try {
-      value();
-    } catch (const InputError& e) {
-      throw CLI::ValidationError(option, e.what());
-    }
-  };
-  return {figure_request(v.config, v.output, v.figure, read), v.output};
+  return {figure_request(v.config, v.output, v.figure, read_option), v.output};
+}
+
+/// How any picture looks.
+void add_look(CLI::App& c, Values& v) {
+  constexpr double kLeastDpi = 72, kMostDpi = 1200;
+  c.add_option("--width", v.figure.width, "Width in mm, cm, in or pt; default: 84mm, one column")->type_name("WIDTH");
+  c.add_option("--font-size", v.figure.font_size, "Font size of all text, in points; default: 8")->type_name("PT");
+  c.add_option("--what", v.figure.what, "What to draw: any of " + joined(figure_parts()) + "; default: all that fits")
+      ->type_name("LIST");
+  c.add_option("--unit", v.figure.unit,
+               "Unit of the coordinates, for the axes; default: m if the cost is in m, else none")
+      ->type_name("TEXT");
+  c.add_option("--dpi", v.figure.dpi, "Pixels per inch of a PNG and of a shaded surface; default: 300")
+      ->type_name("N")
+      ->check(CLI::Range(kLeastDpi, kMostDpi));
 }
 
 void add_figure(CLI::App& app, Values& v, const Streams& streams, Command& chosen) {
-  constexpr double kLeastDpi = 72, kMostDpi = 1200;
   CLI::App& c = *app.add_subcommand("figure", "Draw a finished run for a paper: SVG, PDF or PNG of a given width");
   c.footer(kFigureHelp);
   c.add_option("folder", v.config, "Output folder of a run")->required()->type_name("DIR");
@@ -245,21 +261,12 @@ void add_figure(CLI::App& app, Values& v, const Streams& streams, Command& chose
       ->required()
       ->type_name("FILE")
       ->check(empty_fault);
-  c.add_option("--width", v.figure.width, "Width in mm, cm, in or pt; default: 84mm, one column")->type_name("WIDTH");
-  c.add_option("--font-size", v.figure.font_size, "Font size of all text, in points; default: 8")->type_name("PT");
-  c.add_option("--what", v.figure.what, "What to draw: any of " + joined(figure_parts()) + "; default: all that fits")
-      ->type_name("LIST");
+  add_look(c, v);
   c.add_option("--picture", v.figure.picture,
                "Which picture: space, map, poses, coordinates or convergence; default: the best one available")
       ->type_name("NAME");
   c.add_option("--view", v.figure.view, "Look at space from these angles: azimuth and elevation in degrees, like 30,20")
       ->type_name("AZ,EL");
-  c.add_option("--unit", v.figure.unit,
-               "Unit of the coordinates, for the axes; default: m if the cost is in m, else none")
-      ->type_name("TEXT");
-  c.add_option("--dpi", v.figure.dpi, "Pixels per inch of a PNG and of a shaded surface; default: 300")
-      ->type_name("N")
-      ->check(CLI::Range(kLeastDpi, kMostDpi));
   c.callback([&] { chosen = [&, figure = figure_arguments(v)] { return figure_command(figure, streams); }; });
 }
 
@@ -363,6 +370,7 @@ void add_field(CLI::App& app, Values& v, const Streams& streams, Command& chosen
       "  leastcost field map.yaml -o field.npy                    from the source of the configuration\n"
       "  leastcost field map.yaml -o f.csv --from 3,4 --to 20,7   and the way from there to a place\n"
       "  leastcost field map.yaml -o c.asc --corridor             how much dearer a detour through each node is\n"
+      "  leastcost field map.yaml --figure f.pdf --to 20,7        a picture for a paper, with the way\n"
       "  leastcost field mesh.yaml -o f.ply --from 12 --to 700    from a vertex of a mesh, and the way to another");
   c.add_option("config", v.config,
                "Configuration (YAML); - reads standard input, with files relative to the current folder")
@@ -370,8 +378,12 @@ void add_field(CLI::App& app, Values& v, const Streams& streams, Command& chosen
       ->type_name("CONFIG");
   add_set(c, v);
   add_format(c, v);
-  add_output(c, v, "Write to this file: .csv, .npy or .asc; on a mesh .csv, .npy, .vtp or .ply", "FILE");
-  c.get_option("--output")->required();
+  add_output(c, v, "Write to this file: .csv, .npy, .asc or .tif (GeoTIFF); on a mesh .csv, .npy, .vtp or .ply",
+             "FILE");
+  c.add_option("--figure", v.field.figure, "Draw the field over a lattice for a paper: .svg, .pdf or .png")
+      ->type_name("FILE")
+      ->check(empty_fault);
+  add_look(c, v);
   c.add_option("--from", v.field.from,
                "Place (on a mesh X,Y,Z or the number of a vertex), or text file with one place per line; can be "
                "repeated; default: the configuration's source")
@@ -388,6 +400,12 @@ void add_field(CLI::App& app, Values& v, const Streams& streams, Command& chosen
   c.add_flag("--corridor", v.field.corridor,
              "Instead of costs: by how much a path from the source to the target through each node exceeds the least");
   c.callback([&] {
+    if (v.output.empty() && v.field.figure.empty())
+      throw CLI::ValidationError("field", "needs --output FILE, --figure FILE, or both");
+    read_option("--figure", [&] {
+      if (!v.field.figure.empty()) check_picture_file(v.field.figure);
+    });
+    read_look(v.figure, read_option, v.field.picture);
     chosen = [&] {
       v.field.config = v.config;
       v.field.overrides = v.overrides();

@@ -61,8 +61,10 @@ struct FieldArguments {
   std::vector<std::string> from;  ///< each "x,y" (on a mesh "x,y,z", or a vertex), or a text file of such
                                   ///< lines; empty: the source of the configuration
   std::vector<std::string> to;    ///< the same, of places whose way back is wanted
-  std::string output;
-  std::string ways;  ///< file of these ways; empty: none
+  std::string output;             ///< empty: none, but a figure
+  std::string ways;               ///< file of these ways; empty: none
+  std::string figure = {};        ///< file of a picture; empty: none
+  FigureRequest picture = {};     ///< its size, parts and unit
   std::optional<double> resolution = {};
   bool to_here = false;
   bool corridor = false;

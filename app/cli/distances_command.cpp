@@ -10,6 +10,7 @@
 #include <fstream>
 #include <ostream>
 #include <span>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/interrupt.hpp"
 #include "app/cli/progress.hpp"
+#include "app/cli/written_places.hpp"
 #include "app/distances/distance_files.hpp"
 
 namespace leastcost::app {
@@ -27,24 +29,17 @@ namespace {
 /// The vertices that --from names, each once by number or many in a file of numbers.
 std::vector<int> numbers_of(const std::vector<std::string>& from) {
   std::vector<int> numbers;
-  const auto take = [&](const std::string& word, const std::string& where) {
-    int number = -1;
-    const char* end = word.data() + word.size();
-    const auto [rest, error] = std::from_chars(word.data(), end, number);
-    if (error != std::errc() || rest != end || number < 0)
-      throw InputError(fmt::format("{}: expected a vertex number, from 0 (found '{}')", where, word));
-    numbers.push_back(number);
-  };
-  for (const std::string& one : from) {
-    if (!one.empty() && one.find_first_not_of("0123456789") == std::string::npos) {
-      take(one, "--from");
-      continue;
+  const auto none = [](const std::string&) { return false; };
+  for (const WrittenPlace& place : written_places(from, "--from", is_whole_number, none, "12 (a vertex)")) {
+    std::istringstream in(place.text);  // a line may have several
+    for (std::string word; in >> word;) {
+      int number = -1;
+      const char* end = word.data() + word.size();
+      const auto [rest, error] = std::from_chars(word.data(), end, number);
+      if (error != std::errc() || rest != end || number < 0)
+        throw InputError(fmt::format("{}: expected a vertex number, from 0 (found '{}')", place.where, word));
+      numbers.push_back(number);
     }
-    std::ifstream in(one);
-    if (!in) throw InputError(fmt::format("--from {}: neither a vertex number, from 0, nor a readable file", one));
-    const std::size_t before = numbers.size();
-    for (std::string word; in >> word;) take(word, one);
-    if (numbers.size() == before) throw InputError(fmt::format("--from {}: the file has no vertex numbers", one));
   }
   return numbers;
 }

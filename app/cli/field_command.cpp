@@ -14,8 +14,11 @@
 #include <leastcost/framework/domain/manifold.hpp>
 #include "app/cli/commands.hpp"
 #include "app/cli/interrupt.hpp"
+#include "app/cli/written_places.hpp"
 #include "app/field/field_files.hpp"
+#include "app/field/field_picture.hpp"
 #include "app/field/field_summary.hpp"
+#include "app/figure/figure_request.hpp"
 #include "catalogue/output/csv_text.hpp"
 
 namespace leastcost::app {
@@ -56,30 +59,15 @@ EndOptions end_of(const std::string& text, const std::string& where, const Place
   return end;
 }
 
-/// Places as --from has them: each in words, or many in a file, one a line.
+/// Places as --from has them.
 std::vector<FieldPlace> places_of(const std::vector<std::string>& words, const std::string& option,
                                   const PlaceForm& form) {
+  const auto is_vertex = [&form](const std::string& word) { return form.mesh && is_whole_number(word); };
+  const auto has_comma = [](const std::string& word) { return word.find(',') != std::string::npos; };
   std::vector<FieldPlace> places;
-  for (const std::string& word : words) {
-    std::ifstream in(word);
-    const bool number = form.mesh && word.find_first_not_of("0123456789") == std::string::npos;
-    if (!in || number) {
-      if (word.find(',') == std::string::npos && !number)
-        throw InputError(fmt::format("{} {}: there is no such file, and it is not a place like {}", option, word,
-                                     form.mesh ? "12 (a vertex) or " + form.like() : form.like()));
-      places.push_back({end_of(word, option, form), fmt::format("{} {}", option, word)});
-      continue;
-    }
-    const std::size_t before = places.size();
-    int line_number = 0;
-    for (std::string line; std::getline(in, line);) {
-      ++line_number;
-      while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
-      const std::string where = fmt::format("{}:{}", word, line_number);
-      if (!line.empty() && line.front() != '#') places.push_back({end_of(line, where, form), where});
-    }
-    if (places.size() == before) throw InputError(fmt::format("{} {}: the file has no points", option, word));
-  }
+  for (const WrittenPlace& place :
+       written_places(words, option, is_vertex, has_comma, form.mesh ? "12 (a vertex) or " + form.like() : form.like()))
+    places.push_back({end_of(place.text, place.where, form), place.in_full});
   return places;
 }
 
@@ -96,21 +84,27 @@ bool write_bytes(const std::string& file, const std::string& text, const Streams
 Exit field_command(const FieldArguments& arguments, const Streams& streams) {
   if (arguments.corridor && arguments.to_here)
     throw InputError("--corridor has both directions already: leave out --to-here");
-  const FieldFormat format = field_format(arguments.output);  // before any work
+  const bool writes = !arguments.output.empty();
+  const FieldFormat format = writes ? field_format(arguments.output) : FieldFormat::csv;  // before any work
   if (!arguments.ways.empty() && arguments.to.empty()) throw InputError("--way needs --to X,Y");
-  if (arguments.ways == arguments.output) throw InputError("--way and --output name the same file");
-  const Run run = load({arguments.config, arguments.overrides, {}, false, {}});
+  if (!arguments.ways.empty() && arguments.ways == arguments.output)
+    throw InputError("--way and --output name the same file");
+  const Run run = load({arguments.config, arguments.overrides, {}, false, {}, {}, EndsFrom::caller});
   const ConstraintManifold& domain = *run.parts.problem.manifold;
   const PlaceForm form{domain.dimensions().coordinate == 3 ? 3U : 2U, domain.shape() == Shape::polyhedral};
-  check_format(format, form.mesh);
+  if (writes) check_format(format, form.mesh);
+  if (!arguments.figure.empty()) check_drawable(form.mesh);
   catch_interrupts();
   Monitor monitor;
   monitor.stop_requested = interrupted;
   const CostFieldOptions options{.resolution = arguments.resolution, .to_places = arguments.to_here};
   try {
-    RunField field(run, places_of(arguments.from, "--from", form), options, monitor);
+    const std::vector<FieldPlace> to = places_of(arguments.to, "--to", form);
+    FieldEnds ends{places_of(arguments.from, "--from", form), {}};
+    if (!to.empty()) ends.target = to.front();
+    RunField field(run, ends, options, monitor);
     std::vector<FieldWay> ways;
-    for (const FieldPlace& place : places_of(arguments.to, "--to", form)) {
+    for (const FieldPlace& place : to) {
       const PathEnd end = field.place(place);
       try {
         ways.push_back(field.way(end, monitor));
@@ -118,11 +112,17 @@ Exit field_command(const FieldArguments& arguments, const Streams& streams) {
         throw InputError(fmt::format("{}: {}", place.words, e.what()));
       }
     }
-    if (arguments.corridor) field = field.corridor(field.target(), monitor);
-    if (!write_bytes(arguments.output, field_text(field, format), streams)) return Exit::output;
+    std::vector<FieldWay> drawn = ways;
+    if (arguments.corridor) {
+      if (!arguments.figure.empty() && ways.empty()) drawn.push_back(field.way(field.target(), monitor));
+      field = field.corridor(field.target(), monitor);
+    }
+    if (writes && !write_bytes(arguments.output, field_text(field, format), streams)) return Exit::output;
+    if (!arguments.figure.empty())
+      write_picture(field_figure(field, drawn, arguments.picture), arguments.figure, arguments.picture.size.dpi);
     if (!arguments.ways.empty() && !write_bytes(arguments.ways, ways_csv(ways), streams)) return Exit::output;
-    streams.out << (arguments.json ? field_summary_json(field, arguments.output, ways)
-                                   : field_summary_text(field, arguments.output, ways));
+    const std::string& file = writes ? arguments.output : arguments.figure;
+    streams.out << (arguments.json ? field_summary_json(field, file, ways) : field_summary_text(field, file, ways));
     return field.on_mesh() && field.on_vertices().cut ? Exit::uncertified : Exit::certified;
   } catch (const Interrupted& e) {
     streams.err << e.what() << "; nothing was written\n";

@@ -12,7 +12,10 @@
 #include <iterator>
 
 #include <leastcost/framework/base/errors.hpp>
+#include <leastcost/problems/raster/has_raster.hpp>
 #include "app/distances/distance_files.hpp"
+#include "catalogue/back_ends/back_ends.hpp"
+#include "catalogue/output/unit_of_cost.hpp"
 
 namespace leastcost::app {
 namespace {
@@ -97,12 +100,41 @@ std::vector<AtVertex> finite_values(const MeshField& field) {
   return all;
 }
 
-constexpr std::array<std::pair<std::string_view, FieldFormat>, 5> kFormats = {{{".csv", FieldFormat::csv},
+/// The raster that a problem was made from; null where there is none.
+const RasterGrid* raster_of(const Problem& problem) {
+  for (const HasRaster* of : {find_ability<HasRaster>(*problem.manifold), find_ability<HasRaster>(*problem.cost)})
+    if (of != nullptr) return &of->raster();
+  return nullptr;
+}
+
+/// Cells with the nodes in their middles.
+RasterGrid cells_around(const CostField& field) {
+  RasterGrid cells;
+  cells.columns = field.count[0];
+  cells.rows = field.count[1];
+  cells.cell = field.step;
+  cells.corner = field.lower - field.step / 2;
+  cells.values = field.values;
+  return cells;
+}
+
+std::string lattice_tif(const RunField& field) {
+  RasterGrid cells = cells_around(field.lattice());
+  if (const RasterGrid* raster = raster_of(field.problem())) {
+    cells.degrees = raster->degrees;
+    cells.crs = raster->crs;
+  }
+  return geotiff_writer_of_libraries()(cells, field.is_corridor() ? "detour" : "cost", unit_of_cost(field.problem()));
+}
+
+constexpr std::array<std::pair<std::string_view, FieldFormat>, 7> kFormats = {{{".csv", FieldFormat::csv},
                                                                                {".npy", FieldFormat::npy},
                                                                                {".asc", FieldFormat::asc},
+                                                                               {".tif", FieldFormat::tif},
+                                                                               {".tiff", FieldFormat::tif},
                                                                                {".vtp", FieldFormat::vtp},
                                                                                {".ply", FieldFormat::ply}}};
-constexpr std::string_view kOfLattice = ".csv, .npy or .asc", kOfMesh = ".csv, .npy, .vtp or .ply";
+constexpr std::string_view kOfLattice = ".csv, .npy, .asc or .tif", kOfMesh = ".csv, .npy, .vtp or .ply";
 
 }  // namespace
 
@@ -117,7 +149,10 @@ FieldFormat field_format(std::string_view file) {
 
 void check_format(FieldFormat format, bool mesh) {
   const bool of_mesh = format == FieldFormat::vtp || format == FieldFormat::ply;
-  const bool of_lattice = format == FieldFormat::asc;
+  const bool of_lattice = format == FieldFormat::asc || format == FieldFormat::tif;
+  if (format == FieldFormat::tif && !mesh && geotiff_writer_of_libraries() == nullptr)
+    throw InputError(
+        "a GeoTIFF needs GDAL, which this build is without: install libgdal-dev and rebuild, or write .asc or .npy");
   if (mesh ? !of_lattice : !of_mesh) return;
   throw InputError(mesh ? fmt::format("a field on a mesh can be written as {}", kOfMesh)
                         : fmt::format("a field over a lattice can be written as {}", kOfLattice));
@@ -130,6 +165,7 @@ std::string field_text(const RunField& field, FieldFormat format) {
     case FieldFormat::csv: return mesh ? mesh_csv(field.mesh(), field.on_vertices()) : lattice_csv(field.lattice());
     case FieldFormat::npy: return mesh ? mesh_npy(field.mesh(), field.on_vertices()) : lattice_npy(field.lattice());
     case FieldFormat::asc: return lattice_asc(field.lattice());
+    case FieldFormat::tif: return lattice_tif(field);
     case FieldFormat::vtp: return vertices_vtp(field.mesh(), "cost", finite_values(field.on_vertices()));
     case FieldFormat::ply: return vertices_ply(field.mesh(), "cost", "-1: no path", finite_values(field.on_vertices()));
   }

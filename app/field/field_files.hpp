@@ -10,12 +10,13 @@
 
 namespace leastcost::app {
 
-enum class FieldFormat { csv, npy, asc, vtp, ply };
+enum class FieldFormat { csv, npy, asc, tif, vtp, ply };
 
 /// By the ending of a file name, in capitals too; throws InputError that names those there are.
 FieldFormat field_format(std::string_view file);
 
-/// Throws InputError for a format that a field on a mesh, or over a lattice, does not have.
+/// Throws InputError for a format that a field on a mesh, or over a lattice, does not have, and for GeoTIFF in a build
+/// without GDAL.
 void check_format(FieldFormat format, bool mesh);
 
 /// A field as the bytes of a file, all digits.
@@ -23,7 +24,9 @@ void check_format(FieldFormat format, bool mesh);
 /// Over a lattice. CSV: the coordinates of each node and its cost, the lowest y first; nan where no path leads. NPY: an
 /// array of doubles (NumPy format 1.0), rows x columns, the northernmost row first as in files of rasters; NaN where no
 /// path leads. ASC: an ESRI ASCII grid whose cells have the nodes in their middles, with -9999 where no path leads;
-/// throws InputError for steps that differ along x and y, which it cannot say.
+/// throws InputError for steps that differ along x and y, which it cannot say. TIF: a GeoTIFF of doubles, likewise,
+/// with NaN where no path leads, in the CRS of the raster that the configuration reads; one that was read in degrees is
+/// in degrees.
 ///
 /// On a mesh. CSV: the number of each vertex in the file, x, y, z and the cost. NPY: one double per vertex of the file;
 /// NaN where no path leads and for vertices of no face. VTP and PLY: the mesh with cost and error as point data; -1

@@ -36,24 +36,42 @@ auto saying(const FieldPlace& place, Work work) {
   }
 }
 
+/// Throws InputError for a configuration that cannot have a field, or not from or to what the ends say.
+void check_ends(const RunConfig& config, const FieldEnds& ends) {
+  if (config.ring) throw InputError("field: a ring (path.ring: true) has no source: remove it");
+  if (ends.from.empty() && config.has_pairs())
+    throw InputError("field: the configuration has many pairs of ends: say where the field is from (--from X,Y)");
+  if (ends.from.empty() && !config.source)
+    throw InputError(
+        "field: nothing says where it is from: give a source (--from X,Y), or the configuration ends: {source: {point: "
+        "[X, Y]}} (on a mesh {vertex: 12})");
+  if (ends.from.size() > 1 && config.cost.plugin->follows_source)
+    throw InputError("field: this cost depends on where the path begins: give one place at a time");
+}
+
+EndOptions with_last(const std::vector<FieldPlace>& places, const EndOptions& otherwise) {
+  return places.empty() ? otherwise : places.back().end;
+}
+
 }  // namespace
 
-RunField::RunField(const Run& run, const std::vector<FieldPlace>& from, const CostFieldOptions& options,
-                   const Monitor& monitor)
+RunField::RunField(const Run& run, const FieldEnds& ends, const CostFieldOptions& options, const Monitor& monitor)
     : origin_(run.origin), problem_(run.parts.problem), options_(options) {
   const RunConfig& config = origin_->config;
-  if (config.has_pairs())
-    throw InputError("field: the configuration has many pairs of ends: give it one source and one target");
-  if (config.ring || !config.target || !origin_->pairs)
-    throw InputError("field: needs a configuration with a source and a target");
-  if (from.size() > 1 && config.cost.plugin->follows_source)
-    throw InputError("field: this cost depends on where the path begins: give one place at a time");
+  check_ends(config, ends);
+  const std::vector<FieldPlace>& from = ends.from;
+  source_ = config.source ? *config.source : from.front().end;
+  has_target_ = config.target || ends.target;
+  const EndOptions target = config.target ? *config.target : ends.target ? ends.target->end : with_last(from, source_);
+  const auto placed = [&](const EndOptions& place) {
+    return origin_->pairs->compose(place, target, origin_->pairs->parts()).problem;
+  };
   for (const FieldPlace& place : from) {
-    const RunParts parts =
-        saying(place, [&] { return origin_->pairs->compose(place.end, *config.target, origin_->pairs->parts()); });
-    if (places_.empty()) problem_ = parts.problem;
-    places_.push_back(parts.problem.source);
+    const Problem problem = saying(place, [&] { return placed(place.end); });
+    if (places_.empty()) problem_ = problem;
+    places_.push_back(problem.source);
   }
+  if (places_.empty() && config.ends_come_later()) problem_ = placed(source_);
   if (places_.empty()) places_ = {problem_.source};
   if (find_ability<HasMesh>(*problem_.manifold) == nullptr) {
     lattice_ = costs_from(problem_, coordinates_of(places_), options_, monitor);
@@ -67,13 +85,20 @@ RunField::RunField(const Run& run, const std::vector<FieldPlace>& from, const Co
 }
 
 PathEnd RunField::place(const FieldPlace& at) const {
-  const EndOptions& source = *origin_->config.source;
-  return saying(at, [&] { return origin_->pairs->compose(source, at.end, origin_->pairs->parts()).problem.target; });
+  return saying(at, [&] { return origin_->pairs->compose(source_, at.end, origin_->pairs->parts()).problem.target; });
+}
+
+const PathEnd& RunField::target() const {
+  if (!has_target_)
+    throw InputError(
+        "corridor: nothing says where it leads: give a target (--to X,Y), or the configuration ends with a target");
+  return problem_.target;
 }
 
 RunField RunField::corridor(const PathEnd& target, const Monitor& monitor) const {
   RunField sum = *this;
   sum.corridor_ = true;
+  sum.has_target_ = true;
   sum.problem_.target = target;
   if (on_mesh()) {
     const MeshField to = fields_->from({fields_->point(target)}, [&monitor] { return monitor.interrupted(); });

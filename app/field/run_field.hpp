@@ -11,7 +11,7 @@
 #include <leastcost/catalogue/plugins/end_options.hpp>
 #include <leastcost/catalogue/run/run.hpp>
 #include <leastcost/framework/base/monitor.hpp>
-#include <leastcost/problems/initializers/cost_field.hpp>
+#include <leastcost/problems/fields/cost_field.hpp>
 #include "app/field/mesh_field.hpp"
 
 namespace leastcost::app {
@@ -20,6 +20,12 @@ namespace leastcost::app {
 struct FieldPlace {
   EndOptions end;
   std::string words;
+};
+
+/// Where a field is from and leads to, as far as the configuration does not say it.
+struct FieldEnds {
+  std::vector<FieldPlace> from;      ///< empty: the source of the configuration
+  std::optional<FieldPlace> target;  ///< where a configuration without target leads
 };
 
 /// A way between a place and the nearest of those of a field.
@@ -31,15 +37,15 @@ struct FieldWay {
 /// The field of a configuration: over a lattice in two coordinates, or over the vertices of a mesh.
 class RunField {
  public:
-  /// From the places, or to them (`options`); without any from the source of the configuration. Throws InputError for
-  /// configurations and places that have no field, OptionError ("resolution"), Interrupted.
-  RunField(const Run& run, const std::vector<FieldPlace>& from, const CostFieldOptions& options,
-           const Monitor& monitor);
+  /// From the places, or to them (`options`). The run may have been read without its ends (EndsFrom::caller). Throws
+  /// InputError for configurations and places that have no field, OptionError ("resolution"), Interrupted.
+  RunField(const Run& run, const FieldEnds& ends, const CostFieldOptions& options, const Monitor& monitor);
 
   /// A place of the domain, free of obstacles. Throws InputError.
   PathEnd place(const FieldPlace& at) const;
-  /// The target of the configuration; of a corridor where it leads.
-  const PathEnd& target() const { return problem_.target; }
+  /// The target of the configuration, or that of FieldEnds; of a corridor where it leads. Throws InputError where there
+  /// is none.
+  const PathEnd& target() const;
   /// How much dearer a path to `target` through each node is than the cheapest of all. Throws InputError, Interrupted.
   RunField corridor(const PathEnd& target, const Monitor& monitor) const;
   /// Down the field, which is no corridor. Throws InputError where no way leads there; Interrupted.
@@ -58,6 +64,8 @@ class RunField {
 
  private:
   std::shared_ptr<const RunOrigin> origin_;
+  EndOptions source_;  ///< of the configuration, or the first of the places
+  bool has_target_ = true;
   Problem problem_;
   std::vector<PathEnd> places_;
   CostFieldOptions options_;

@@ -94,6 +94,7 @@ constexpr std::string_view kRules =
 .plot .level{fill:none;stroke:var(--soft);stroke-width:.7;opacity:.7}
 .plot .shade0{fill:#6f6a62}.plot .shade{fill:#fff;fill-opacity:.085}
 .plot .band0{fill:var(--faint)}.plot .band{fill:var(--soft);fill-opacity:.09}
+.plot .warm{fill:var(--c4);fill-opacity:.15}
 .plot .out{fill:url(#hatch)}.plot .hatch{stroke:var(--soft);stroke-width:1.2;fill:none}
 .plot .s0{stroke:var(--c0)}.plot .s1{stroke:var(--c1)}.plot .s2{stroke:var(--c2)}.plot .s3{stroke:var(--c3)}
 .plot .s4{stroke:var(--c4)}.plot .s5{stroke:var(--c5)}.plot .s6{stroke:var(--c6)}

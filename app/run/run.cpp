@@ -73,9 +73,9 @@ ConfigText config_source(const std::filesystem::path& file) {
 
 Run load(const RunRequest& request) {
   if (!is_standard_input(request.config_file))
-    return load_run(request.config_file, request.overrides, request.building);
+    return load_run(request.config_file, request.overrides, request.building, {}, request.ends);
   const ConfigText source = config_source(request.config_file);
-  return parse_run(source.text, source.name, source.folder, request.overrides, request.building);
+  return parse_run(source.text, source.name, source.folder, request.overrides, request.building, {}, request.ends);
 }
 
 Exit exit_of(Status status) {

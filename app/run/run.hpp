@@ -33,6 +33,7 @@ struct RunRequest {
   bool force = false;
   std::vector<std::string> arguments;  ///< of the program, for the manifest
   BuildProgress building = {};         ///< told how far domains are that take a while to make; may throw StoppedEarly
+  EndsFrom ends = EndsFrom::configuration;
 };
 
 /// A run whose results, and the report made from them, are on disk.

@@ -42,6 +42,10 @@ CrsReader crs_reader_of_libraries();
 using GeoPackageWriter = std::string (*)(const std::vector<std::pair<std::string, std::string>>& layers);
 GeoPackageWriter geopackage_writer_of_libraries();
 
+/// The bytes of a GeoTIFF of a raster. `what`, `unit`: of its values.
+using GeoTiffWriter = std::string (*)(const RasterGrid& raster, const std::string& what, const std::string& unit);
+GeoTiffWriter geotiff_writer_of_libraries();
+
 /// What this build has. `library`: with its version.
 template <class P>
 P present(P entry, const std::string& library) {

@@ -28,7 +28,8 @@ bool has_several_ways(std::string_view cost) {
 /// The coordinates of points, where the ends say so, or of many pairs of ends their flat domain; else 0.
 Eigen::Index coordinates(const RunConfig& config) {
   if (const auto* domain = external_object<ConstraintManifold>(config.manifold)) return domain->dimensions().coordinate;
-  if (config.has_pairs()) return is_flat(config.manifold) ? whole_option(config.manifold, "dimension") : 0;
+  if (config.has_pairs() || (config.ends_come_later() && !config.source))
+    return is_flat(config.manifold) ? whole_option(config.manifold, "dimension") : 0;
   if (config.source && config.source->lonlat) return 2;
   return config.source && config.source->point ? config.source->point->size() : 0;
 }

@@ -20,7 +20,7 @@
 namespace leastcost {
 
 LoadedConfig parse_config(std::string text, const std::string& file_name, const std::filesystem::path& folder,
-                          const std::vector<Override>& overrides, const Externals& externals) {
+                          const std::vector<Override>& overrides, const Externals& externals, EndsFrom ends) {
   LoadedConfig loaded{{}, folder, std::move(text), {}, {1, 1, 1, ""}, {}, {file_name, ""}};
   loaded.errors = Diagnostics(file_name, loaded.text);
   loaded.tree = read_yaml(loaded.text, loaded.errors);
@@ -29,25 +29,26 @@ LoadedConfig parse_config(std::string text, const std::string& file_name, const 
   // A text that is no YAML gives one error, not one more for every key that was never reached.
   if (!readable && !loaded.tree.is_block()) return loaded;
   const std::string stem = std::filesystem::path(file_name).stem().string();
-  read_tree(loaded, stem.empty() ? "run" : stem, externals);
+  read_tree(loaded, stem.empty() ? "run" : stem, externals, ends);
   return loaded;
 }
 
 LoadedConfig parse_config(const ConfigValue::Block& tree, const std::string& name, const std::filesystem::path& folder,
-                          const std::vector<Override>& overrides, const Externals& externals) {
+                          const std::vector<Override>& overrides, const Externals& externals, EndsFrom ends) {
   LoadedConfig loaded{{}, folder, "", {}, {0, 0, 1, name}, {}, {name, ""}};
   loaded.tree = read_value(tree, name, loaded.errors);
   loaded.text = to_yaml(loaded.tree);
   apply_overrides(overrides, loaded.tree, loaded.errors);
-  if (loaded.errors.empty() || loaded.tree.is_block()) read_tree(loaded, name, externals);
+  if (loaded.errors.empty() || loaded.tree.is_block()) read_tree(loaded, name, externals, ends);
   return loaded;
 }
 
-void read_tree(LoadedConfig& loaded, const std::string& name, const Externals& externals) {
+void read_tree(LoadedConfig& loaded, const std::string& name, const Externals& externals, EndsFrom ends) {
   if (const ConfigEntry* problems = loaded.tree.find("problems"))
     return loaded.errors.error(problems->place,
                                "this file has 'problems', so it is a study: run it with leastcost study");
   loaded.config.name = name;
+  loaded.config.ends_from = ends;
   complete_types(loaded.tree, externals);
   OptionsReader reader(loaded.tree, "", loaded.place, loaded.errors, &externals);
   loaded.config.fields(reader);
@@ -79,8 +80,8 @@ std::string config_text(std::istream& in) {
 }
 
 LoadedConfig load_config(const std::filesystem::path& file, const std::vector<Override>& overrides,
-                         const Externals& externals) {
-  LoadedConfig loaded = parse_config(config_text(file), file.string(), file.parent_path(), overrides, externals);
+                         const Externals& externals, EndsFrom ends) {
+  LoadedConfig loaded = parse_config(config_text(file), file.string(), file.parent_path(), overrides, externals, ends);
   loaded.file = file;
   return loaded;
 }

@@ -84,16 +84,17 @@ void check_ends(LoadedConfig& loaded) {
   check_pairs(loaded);
   if (config.has_pairs()) return;
   const ConfigEntry* ends = loaded.tree.find("ends");
-  if (ends != nullptr && ends->value.is_block() && ends->value.find("source") == nullptr)
+  const bool asked = config.ends_from == EndsFrom::configuration;
+  if (asked && ends != nullptr && ends->value.is_block() && ends->value.find("source") == nullptr)
     loaded.errors.error(ends->place, "missing key 'source' in ends: Start of the path; in a ring, its fixed point.");
   const bool target = ends != nullptr && ends->value.find("target") != nullptr;
   if (config.ring && target) {
     loaded.errors.error(
         ends->place,
         "a ring (path.ring: true) has no target: remove one of the two; a source alone is a fixed point of the ring");
-  } else if (!config.ring && ends != nullptr && ends->value.is_block() && !target) {
+  } else if (asked && !config.ring && ends != nullptr && ends->value.is_block() && !target) {
     loaded.errors.error(ends->place, "missing key 'target' in ends: End of the path.");
-  } else if (!config.ring && ends == nullptr && loaded.tree.is_block()) {
+  } else if (asked && !config.ring && ends == nullptr && loaded.tree.is_block()) {
     loaded.errors.error(loaded.place, "missing key 'ends': the source and target of the path, or path.ring: true");
   }
   if (!config.manifold) return;

@@ -46,12 +46,13 @@ struct RunConfig {
   std::optional<double> max_seconds;  ///< time budget of the search
   PluginChoice manifold, cost, kernel;
   PluginList obstacles;
-  PluginChoice robot;                        ///< none: points are places among the obstacles
-  double clearance = 0;                      ///< from the obstacles, length units
-  std::optional<EndOptions> source, target;  ///< none in a ring, or the source alone: its fixed point
-  std::string pairs;                         ///< file of many pairs of ends, in the place of these two; empty: none
-  std::optional<double> pair_tolerance;      ///< of their points, as of an end
-  std::optional<int> points = 64;            ///< free points n; none: as many as the first edge path has
+  PluginChoice robot;                            ///< none: points are places among the obstacles
+  double clearance = 0;                          ///< from the obstacles, length units
+  std::optional<EndOptions> source, target;      ///< none in a ring, or the source alone: its fixed point
+  EndsFrom ends_from = EndsFrom::configuration;  ///< of whoever reads it, not of the file
+  std::string pairs;                             ///< file of many pairs of ends, in the place of these two; empty: none
+  std::optional<double> pair_tolerance;          ///< of their points, as of an end
+  std::optional<int> points = 64;                ///< free points n; none: as many as the first edge path has
   bool ring = false;
   bool cascade = false;
   bool escape_saddle = false;
@@ -70,6 +71,10 @@ struct RunConfig {
 
   void fields(RunVisitor& visit);
   bool has_pairs() const { return !pairs.empty(); }
+  /// Whether the parts are made without ends, which are put in later.
+  bool ends_come_later() const {
+    return has_pairs() || (ends_from == EndsFrom::caller && !ring && !(source && target));
+  }
   bool wants_trajectory() const { return trajectory.wanted() || !joint_limits.empty(); }
   /// Whether a run writes what one of kRunFiles stands for.
   bool writes(std::string_view file) const;

@@ -20,6 +20,9 @@ struct ToolPose {
   bool given() const { return pose.position.size() > 0; }  ///< whether a pose was given at all
 };
 
+/// Who says where the ends of a run are. The caller: a configuration need not have them.
+enum class EndsFrom { configuration, caller };
+
 /// Where an end of the path is: exactly one of vertex, face + barycentric, point, lonlat, state; of a target also
 /// points or tool, each of which is several ends: the one that is cheapest to reach is taken.
 struct EndOptions {

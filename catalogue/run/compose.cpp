@@ -223,8 +223,8 @@ void Composer::take_domain() {
   out_.problem.based = config_.ring && config_.source.has_value();
   out_.robot = context_.robot;
   if (!config_.robot || context_.robot) take_trajectory();
-  if (config_.has_pairs()) context_.source = Eigen::VectorXd::Zero(dimension);  // every pair has its own
-  if (config_.has_pairs() || (config_.ring && !out_.problem.based)) return;
+  if (config_.ends_come_later()) context_.source = Eigen::VectorXd::Zero(dimension);  // every pair has its own
+  if (config_.ends_come_later() || (config_.ring && !out_.problem.based)) return;
   if (wants_place_of_cost(config_, dimension) && !out_.problem.cost)  // the raster says where on the Earth ends are
     attempt([&] { out_.problem.cost = make<std::shared_ptr<const SegmentCost>>(config_.cost, context_); });
   const auto end = [&](const std::optional<EndOptions>& given, const char* path) {

@@ -82,21 +82,23 @@ Run composed(LoadedConfig loaded, const BuildProgress& progress, const RunStart&
 }  // namespace
 
 Run load_run(const std::filesystem::path& file, const std::vector<Override>& overrides, const BuildProgress& progress,
-             const Externals& externals) {
+             const Externals& externals, EndsFrom ends) {
   const RunStart start;
-  return composed(load_config(file, overrides, externals), progress, start);
+  return composed(load_config(file, overrides, externals, ends), progress, start);
 }
 
 Run parse_run(std::string text, const std::string& name, const std::filesystem::path& folder,
-              const std::vector<Override>& overrides, const BuildProgress& progress, const Externals& externals) {
+              const std::vector<Override>& overrides, const BuildProgress& progress, const Externals& externals,
+              EndsFrom ends) {
   const RunStart start;
-  return composed(parse_config(std::move(text), name, folder, overrides, externals), progress, start);
+  return composed(parse_config(std::move(text), name, folder, overrides, externals, ends), progress, start);
 }
 
 Run parse_run(const ConfigValue::Block& tree, const std::string& name, const std::filesystem::path& folder,
-              const std::vector<Override>& overrides, const BuildProgress& progress, const Externals& externals) {
+              const std::vector<Override>& overrides, const BuildProgress& progress, const Externals& externals,
+              EndsFrom ends) {
   const RunStart start;
-  return composed(parse_config(tree, name, folder, overrides, externals), progress, start);
+  return composed(parse_config(tree, name, folder, overrides, externals, ends), progress, start);
 }
 
 }  // namespace leastcost

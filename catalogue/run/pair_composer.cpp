@@ -27,7 +27,7 @@ std::shared_ptr<const SegmentCost> PairComposer::cost_between(const Problem& pro
     context.target = positions(*problem.manifold, {problem.target.u, {}, true});
     return make<Cost>(config_.cost, context);
   }
-  if (config_.has_pairs() || waits_for<Cost>(config_.cost) != WaitsFor::domain) return problem.cost;
+  if (config_.ends_come_later() || waits_for<Cost>(config_.cost) != WaitsFor::domain) return problem.cost;
   std::call_once(made_, [&] {  // the one that was composed may have looked at the ends of the configuration
     context.source = Eigen::VectorXd::Zero(context.dimension);
     context.target.reset();
@@ -54,8 +54,10 @@ RunParts PairComposer::compose(EndOptions source, EndOptions target, const RunPa
   problem.manifold = all.problem.manifold;
   refuse_end_in_clearance(problem, problem.source, "source");
   refuse_end_in_clearance(problem, problem.target, "target");
-  if (are_one_place(problem)) return out;
+  const bool one_place = are_one_place(problem);
+  if (one_place && config_.ends_from == EndsFrom::configuration) return out;
   if (problem.cost == parts_.problem.cost) problem.cost = cost_between(problem);  // else it was replaced in memory
+  if (one_place) return out;
   take_cheapest_image(config_, open_domain_, out);
   if (asks_for_preparation(out, false)) std::call_once(prepared_, [&] { prepare(problem); });
   return out;

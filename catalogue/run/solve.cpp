@@ -124,6 +124,9 @@ RunOutcome solve(Run run, const Monitor& monitor) {
     throw InputError(
         "solve() finds one path, but the configuration has many pairs of ends (ends.pairs): give a 'source' and a "
         "'target', or call solve_pairs()");
+  const Problem& problem = run.parts.problem;
+  if (!problem.ring && (problem.source.u.size() == 0 || problem.target.u.size() == 0))
+    throw InputError("solve() needs both ends: the configuration lacks one, and none was put in");
   if (!run.parts.solver || !run.parts.initializer) throw InputError("the run has no solver or no initializer");
   const Clock::time_point start = Clock::now();
   RunOutcome outcome;

@@ -13,6 +13,7 @@
 #include <leastcost/framework/cost/has_interfaces.hpp>
 #include <leastcost/framework/cost/segment_cost_function.hpp>
 #include <leastcost/problems/chart/is_geographic.hpp>
+#include <leastcost/problems/raster/has_raster.hpp>
 #include "problems/cells/beside_sides.hpp"
 #include "problems/cells/cell_refraction.hpp"
 #include "problems/cells/has_cost_cells.hpp"
@@ -85,6 +86,7 @@ struct CellCostFunction {
 class CellCost final : public SegmentCostOf<CellCostFunction>,
                        public HasCostCells,
                        public HasInterfaces,
+                       public HasRaster,
                        public HasRasterCells,
                        public IsGeographic {
  public:
@@ -98,6 +100,7 @@ class CellCost final : public SegmentCostOf<CellCostFunction>,
   double cost_over_cells(const Eigen::Ref<const Eigen::MatrixXd>& curve) const override {
     return leastcost::cost_over_cells(values_, curve);
   }
+  const RasterGrid& raster() const override { return values_; }
   Eigen::Vector2d longitude_latitude(const Eigen::VectorXd& u) const override {
     return values_.longitude_latitude(u.head<2>());
   }

@@ -12,6 +12,7 @@
 #include <leastcost/framework/domain/has_blocks.hpp>
 #include <leastcost/problems/bracket/cost_density.hpp>
 #include <leastcost/problems/chart/is_geographic.hpp>
+#include <leastcost/problems/raster/has_raster.hpp>
 #include <leastcost/problems/raster/has_voids.hpp>
 #include "framework/base/point_text.hpp"
 #include "problems/costs/cell_cost.hpp"
@@ -87,6 +88,7 @@ template <int D>
 class CostMapCost final : public SegmentCostOf<CostMap<D>>,
                           public HasCellIndex,
                           public CostDensity,
+                          public HasRaster,
                           public HasRasterCells,
                           public HasVoids,
                           public IsGeographic {
@@ -96,6 +98,7 @@ class CostMapCost final : public SegmentCostOf<CostMap<D>>,
   double cost_over_cells(const Eigen::Ref<const Eigen::MatrixXd>& curve) const override {
     return leastcost::cost_over_cells(values_, curve);
   }
+  const RasterGrid& raster() const override { return values_; }
   Eigen::Vector2d longitude_latitude(const Eigen::VectorXd& u) const override {
     return values_.longitude_latitude(u.head<2>());
   }
@@ -110,6 +113,7 @@ class CostMapCost final : public SegmentCostOf<CostMap<D>>,
   DensityEnclosure enclose_density(const Eigen::AlignedBox2d& cell) const override { return enclose_over(*n_, cell); }
 
  private:
+  bool has_raster() const override { return D == 2; }
   bool is_geographic() const override { return D == 2 && values_.on_earth(); }
 
   std::shared_ptr<const RasterFunction> n_;

@@ -17,9 +17,9 @@
 #include <leastcost/problems/initializers/grid.hpp>
 #include <leastcost/problems/initializers/straight.hpp>
 #include "framework/energy/spacing.hpp"
-#include "problems/initializers/arrival_field.hpp"
-#include "problems/initializers/grid_search.hpp"
-#include "problems/initializers/lattice_box.hpp"
+#include "problems/fields/arrival_field.hpp"
+#include "problems/fields/grid_search.hpp"
+#include "problems/fields/lattice_box.hpp"
 #include "problems/raster/has_cell_index.hpp"
 
 namespace leastcost {

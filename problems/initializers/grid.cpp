@@ -12,8 +12,8 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/domain/checks_moves.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>
-#include "problems/initializers/grid_search.hpp"
-#include "problems/initializers/lattice_box.hpp"
+#include "problems/fields/grid_search.hpp"
+#include "problems/fields/lattice_box.hpp"
 #include "problems/section/projected_line.hpp"
 
 namespace leastcost {

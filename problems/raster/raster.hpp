@@ -25,6 +25,7 @@ struct RasterDegrees {
 struct RasterCrs {
   using Transform = std::function<Eigen::Vector2d(const Eigen::Vector2d&)>;
   std::string name;         ///< of the CRS, in words
+  std::string wkt = {};     ///< the CRS in full (WKT 2), x or longitude first; empty where the build cannot say it
   bool geographic = false;  ///< its places are longitude and latitude, degrees
   /// From its places (x, y) to longitude and latitude on WGS84, and back; not finite where that fails. Empty where the
   /// build cannot transform: degrees are then taken as they are.

@@ -17,7 +17,7 @@ from . import _leastcost
 from ._config import source_of
 from ._cost import Cost, CostMap
 from ._domains import Cloud, Space, Terrain
-from ._errors import InputError
+from ._errors import InputError, OutputError
 from ._mesh import Mesh
 from ._places import end_tuple, is_number, is_on_face
 from ._robot import Robot
@@ -48,12 +48,71 @@ class Way:
     """Under the cost of the field."""
 
 
+class _Kept:
+    """What pickle keeps of a field: its numbers, not the objects that it was made of."""
+
+    def __init__(self, numbers: dict[str, Any]) -> None:
+        self.numbers = numbers
+
+    def values(self) -> NDArray[np.float64]:
+        values: NDArray[np.float64] = self.numbers["values"]
+        return values
+
+    def axes(self) -> tuple[NDArray[np.float64], NDArray[np.float64]] | None:
+        axes: tuple[NDArray[np.float64], NDArray[np.float64]] | None = self.numbers["axes"]
+        return axes
+
+    def mesh(self) -> tuple[NDArray[np.float64], NDArray[np.int32]] | None:
+        mesh: tuple[NDArray[np.float64], NDArray[np.int32]] | None = self.numbers["mesh"]
+        return mesh
+
+    def errors(self) -> tuple[float, float]:
+        largest, mean = self.numbers["errors"]
+        return largest, mean
+
+    def method(self) -> str:
+        return str(self.numbers["method"])
+
+    def unit(self) -> str:
+        return str(self.numbers["unit"])
+
+    def directed(self) -> bool:
+        return bool(self.numbers["directed"])
+
+    def is_corridor(self) -> bool:
+        return bool(self.numbers["is_corridor"])
+
+    def way(self, to: Any) -> tuple[NDArray[np.float64], float]:
+        raise _gone("way")
+
+    def corridor(self, to: Any) -> _leastcost.Field:
+        raise _gone("corridor")
+
+    def save(self, file: Path) -> None:
+        raise OutputError("a field that was pickled has no files any more: save it before, or use numpy.save")
+
+
+_NUMBERS = ("values", "axes", "mesh", "errors", "method", "unit", "directed", "is_corridor")
+
+
+def _gone(what: str) -> InputError:
+    return InputError(f"a field that was pickled has no {what} any more: make it before, or compute the field again")
+
+
+def _unpickled(numbers: dict[str, Any]) -> Field:
+    return Field(_Kept(numbers))
+
+
 class Field:
     """The least cost from some places, or to them, to each node of a lattice or each vertex of a mesh."""
 
-    def __init__(self, core: _leastcost.Field, domain: object = None) -> None:
+    def __init__(self, core: _leastcost.Field | _Kept, domain: object = None) -> None:
         self._core = core
         self._domain = domain
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """The numbers: a copy has no ways, corridors and files."""
+        return _unpickled, ({name: getattr(self._core, name)() for name in _NUMBERS},)
 
     @cached_property
     def values(self) -> NDArray[np.float64]:
@@ -121,7 +180,8 @@ class Field:
         return Field(self._core.corridor(None if to is None else _named(to, "to", self._domain)), self._domain)
 
     def save(self, path: str | os.PathLike[str]) -> Path:
-        """Writes a .csv, .npy or .asc (ESRI ASCII grid) file; on a mesh .csv, .npy, .vtp or .ply. Returns its path."""
+        """Writes a .csv, .npy, .asc (ESRI ASCII grid) or .tif (GeoTIFF, with GDAL) file; on a mesh .csv, .npy, .vtp or
+        .ply. Returns its path."""
         file = Path(path)
         self._core.save(file)
         return file
@@ -188,7 +248,7 @@ def field(
         places = _several(source, domain)
         if not places:
             raise InputError("source has no places: give at least one")
-        config = _config(domain, cost, obstacles, clearance, places, to)
+        config = _config(domain, cost, obstacles, clearance, to)
     named = [_named(place, "source" if len(places) == 1 else f"source[{i}]", own) for i, place in enumerate(places)]
     step = None if resolution is None else float(resolution)
     made = Field(_leastcost.field(source_of(config, set=set, folder=folder), named, to_here, step), own)
@@ -203,7 +263,7 @@ def _is_config(domain: Any) -> bool:
 
 
 def _config(
-    domain: Any, cost: Any, obstacles: Sequence[Mapping[str, Any]], clearance: float, places: list[Any], to: Any
+    domain: Any, cost: Any, obstacles: Sequence[Mapping[str, Any]], clearance: float, to: Any
 ) -> dict[str, Any]:
     has_box = not isinstance(domain, Space) and not (isinstance(domain, Mapping) and domain.get("type") == "euclidean")
     has_box = has_box or (isinstance(domain, Mapping) and "lower" in domain)
@@ -213,38 +273,17 @@ def _config(
             f"{domain!r} has no box: give it one, lc.manifold.euclidean(lower=[0, 0], upper=[4, 2]), or say where the "
             "field leads: to=(3, 1)"
         )
-    first = _place(places[0], "source", domain)
-    last = _beside(first, domain) if to is None else _place(to, "to", domain)
     config: dict[str, Any] = {
         "manifold": domain.config() if isinstance(domain, Space) else domain,
         "cost": "euclidean" if cost is None else Cost(cost) if callable(cost) and not isinstance(cost, Cost) else cost,
-        "ends": {"source": _end(first), "target": _end(last)},
     }
+    if to is not None:
+        config["ends"] = {"target": _end(_place(to, "to", domain))}
     if len(obstacles) > 0:
         config["obstacles"] = list(obstacles)
     if clearance != 0:
         config["clearance"] = clearance
     return config
-
-
-def _beside(end: tuple[Any, ...], domain: Any) -> tuple[Any, ...]:
-    """Another end, for configurations have two: a point near it, or another vertex."""
-    if end[0] == "point" and not isinstance(domain, Mesh):
-        x, *others = end[1]
-        inwards = -1 if x > _middle(domain) else 1
-        return "point", [x + inwards * 1e-6 * max(1, abs(x)), *others]
-    corners = domain.F[0] if isinstance(domain, Mesh) else [0, 1]
-    return "vertex", int(next(v for v in corners if end != ("vertex", int(v))))
-
-
-def _middle(domain: Any) -> float:
-    """Of what is known of a domain along x."""
-    if isinstance(domain, Terrain):
-        heights, origin, cell = domain._state
-        return float(origin[0] + cell[0] * heights.shape[1] / 2)
-    if isinstance(domain, Mapping) and "lower" in domain and "upper" in domain:
-        return float(domain["lower"][0] + domain["upper"][0]) / 2
-    return 0.0
 
 
 def _end(end: tuple[Any, ...]) -> dict[str, Any]:

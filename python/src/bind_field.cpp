@@ -62,16 +62,16 @@ FieldPlace place_of(const py::tuple& named) {
 /// `places`: (words, end) each; none: the source of the configuration.
 Field field(const Source& source, const std::vector<py::tuple>& places, bool to_here,
             std::optional<double> resolution) {
-  std::vector<FieldPlace> from;
-  for (const py::tuple& place : places) from.push_back(place_of(place));
+  app::FieldEnds ends;
+  for (const py::tuple& place : places) ends.from.push_back(place_of(place));
   const auto errors = std::make_shared<CallErrors>();
   Field made{listening(errors,
                        [&](const Monitor& monitor) {
                          const BuildProgress progress = [&](double, std::string_view) {
                            if (monitor.interrupted()) throw StoppedEarly("interrupted before the field was found");
                          };
-                         const Run run = source.read(progress, errors);
-                         return RunField(run, from, {.resolution = resolution, .to_places = to_here}, monitor);
+                         const Run run = source.read(progress, errors, EndsFrom::caller);
+                         return RunField(run, ends, {.resolution = resolution, .to_places = to_here}, monitor);
                        }),
              errors};
   errors->raise();

@@ -87,12 +87,12 @@ Externals Source::objects(const std::shared_ptr<CallErrors>& errors) const {
   });
 }
 
-Run Source::read(const BuildProgress& progress, const std::shared_ptr<CallErrors>& errors) const {
+Run Source::read(const BuildProgress& progress, const std::shared_ptr<CallErrors>& errors, EndsFrom ends) const {
   const ErrorsOfThread reading(errors);
   const Externals made = objects(errors);
-  if (file) return load_run(*file, overrides(), progress, made);
-  if (tree) return parse_run(*tree, kName, folder, overrides(), progress, made);
-  return parse_run(text, kName, folder, overrides(), progress, made);
+  if (file) return load_run(*file, overrides(), progress, made, ends);
+  if (tree) return parse_run(*tree, kName, folder, overrides(), progress, made, ends);
+  return parse_run(text, kName, folder, overrides(), progress, made, ends);
 }
 
 void Source::validate() const {

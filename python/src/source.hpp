@@ -28,7 +28,8 @@ struct Source {
   std::map<std::string, External> externals;
 
   /// The run, as load_run() makes it. Without the GIL. What functions raise goes to `errors`.
-  Run read(const BuildProgress& progress, const std::shared_ptr<CallErrors>& errors) const;
+  Run read(const BuildProgress& progress, const std::shared_ptr<CallErrors>& errors,
+           EndsFrom ends = EndsFrom::configuration) const;
   /// Throws every error of the configuration, without making its domain. Without the GIL.
   void validate() const;
 

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Fields: the least cost from a place to everywhere."""
 
+import pickle
+
 import leastcost as lc
 import numpy as np
 import pytest
@@ -174,3 +176,56 @@ def test_pictures(configs):
     solid.get_figure().canvas.draw()
     assert solid.name == "3d"
     pyplot.close("all")
+
+
+def test_a_pickled_field_keeps_its_numbers():
+    field = lc.field(BOX, (1, 1), resolution=0.5)
+    copy = pickle.loads(pickle.dumps(field))
+    assert np.array_equal(copy.values, field.values)
+    assert all(np.array_equal(a, b) for a, b in zip(copy.axes, field.axes))
+    assert np.array_equal(copy.nodes, field.nodes)
+    assert copy.faces is None
+    for name in ("error", "mean_error", "method", "unit", "directed"):
+        assert getattr(copy, name) == getattr(field, name)
+    assert repr(copy) == repr(field)
+    assert np.array_equal(pickle.loads(pickle.dumps(copy)).values, field.values)
+    with pytest.raises(lc.InputError, match="pickled has no way any more"):
+        copy.way((3, 1))
+    with pytest.raises(lc.InputError, match="pickled has no corridor any more"):
+        copy.corridor((3, 1))
+    with pytest.raises(lc.OutputError, match="pickled has no files any more"):
+        copy.save("f.npy")
+    detour = field.corridor((3, 1))
+    assert "corridor" in repr(pickle.loads(pickle.dumps(detour)))
+
+
+def test_a_pickled_field_of_a_mesh_keeps_it(configs):
+    field = lc.field(lc.Mesh.read(configs / "data/hill.obj"), 0)
+    copy = pickle.loads(pickle.dumps(field))
+    assert np.array_equal(copy.values, field.values)
+    assert np.array_equal(copy.nodes, field.nodes)
+    assert np.array_equal(copy.faces, field.faces)
+    assert copy.axes is None and copy.error == field.error
+
+
+def test_a_configuration_without_ends():
+    config = {"manifold": {"type": "euclidean", "lower": [0, 0], "upper": [4, 2]}, "cost": "euclidean"}
+    with_ends = {**config, "ends": {"source": {"point": [1, 1]}, "target": {"point": [3, 1]}}}
+    field = lc.field(config, (1, 1), resolution=0.5)
+    assert np.array_equal(field.values, lc.field(with_ends, resolution=0.5).values)
+    there = lc.field(config, (1, 1), to=(3, 1), corridor=True, resolution=0.5)
+    assert np.array_equal(there.values, lc.field(with_ends, corridor=True, resolution=0.5).values)
+    with pytest.raises(lc.InputError, match="nothing says where it is from"):
+        lc.field(config)
+    with pytest.raises(lc.InputError, match="nothing says where it leads"):
+        field.corridor()
+
+
+def test_geotiff(tmp_path):
+    field = lc.field(BOX, (1, 1), resolution=0.5)
+    try:
+        file = field.save(tmp_path / "f.tif")
+    except lc.InputError as e:
+        assert "GDAL" in str(e)
+        pytest.skip("this build is without GDAL")
+    assert file.read_bytes()[:2] in (b"II", b"MM")

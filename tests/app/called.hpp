@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -21,6 +23,12 @@ inline Called call(std::vector<std::string> arguments) {
   std::ostringstream out, err;
   const int exit = app::run_program(arguments, {out, err});
   return {exit, out.str(), err.str()};
+}
+
+/// Writes a file for such a command, and returns its name.
+inline std::string text_file(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream(file) << text;
+  return file.string();
 }
 
 }  // namespace leastcost::test

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -28,30 +26,20 @@ ends:
   target: {point: [3, 1]}
 )";
 
-std::string file_with(const fs::path& file, const std::string& text) {
-  std::ofstream(file) << text;
-  return file.string();
-}
-
-std::string bytes_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 }  // namespace
 
 TEST_CASE("field command: the same values as CSV, NPY and ASC") {
   const ScratchDir dir;
-  const std::string config = file_with(dir / "box.yaml", kBox);
+  const std::string config = text_file(dir / "box.yaml", kBox);
   const auto field = [&](const std::string& file) {
     return call({"field", config, "--resolution", "0.5", "-o", (dir / file).string()});
   };
   const Called csv = field("f.csv");
   CHECK(csv.exit == 0);
   CHECK_THAT(csv.out, Contains("9 x 5 nodes, 45 reached, the largest value 3.16") && Contains("error  about"));
-  CHECK_THAT(bytes_of(dir / "f.csv"), Contains("x,y,cost\n0,0,1.41421356") && Contains("\n1,1,0\n"));
+  CHECK_THAT(content(dir / "f.csv"), Contains("x,y,cost\n0,0,1.41421356") && Contains("\n1,1,0\n"));
   CHECK(field("f.npy").exit == 0);
-  const std::string npy = bytes_of(dir / "f.npy");
+  const std::string npy = content(dir / "f.npy");
   REQUIRE(npy.size() == 128 + 8 * 45);
   CHECK(npy.substr(0, 6) == "\x93NUMPY");
   CHECK_THAT(npy.substr(0, 128), Contains("'<f8', 'fortran_order': False, 'shape': (5, 9), }") && Contains("\n"));
@@ -63,21 +51,21 @@ TEST_CASE("field command: the same values as CSV, NPY and ASC") {
     CHECK(third == 0);
   }
   CHECK(field("f.asc").exit == 0);
-  CHECK_THAT(bytes_of(dir / "f.asc"), Contains("ncols 9\nnrows 5\nxllcorner -0.25\nyllcorner -0.25\ncellsize 0.5\n"));
-  CHECK_THAT(field("f.txt").err, Contains(".csv, .npy or .asc"));
+  CHECK_THAT(content(dir / "f.asc"), Contains("ncols 9\nnrows 5\nxllcorner -0.25\nyllcorner -0.25\ncellsize 0.5\n"));
+  CHECK_THAT(field("f.txt").err, Contains(".csv, .npy, .asc or .tif"));
   CHECK(field("none/f.csv").exit == 8);
 }
 
 TEST_CASE("field command: several places, ways, corridors and the summary") {
   const ScratchDir dir;
-  const std::string config = file_with(dir / "box.yaml", kBox), out = (dir / "f.csv").string();
+  const std::string config = text_file(dir / "box.yaml", kBox), out = (dir / "f.csv").string();
   const Called two = call({"field", config, "--resolution", "0.5", "-o", out, "--from", "0,0", "--from", "4,2"});
   CHECK(two.exit == 0);
-  CHECK_THAT(bytes_of(out), Contains("\n0,0,0\n") && Contains("\n4,2,0\n"));
-  const std::string list = file_with(dir / "places.txt", "0,0\r\n4,2\n\n");
-  const std::string before = bytes_of(out);
+  CHECK_THAT(content(out), Contains("\n0,0,0\n") && Contains("\n4,2,0\n"));
+  const std::string list = text_file(dir / "places.txt", "0,0\r\n4,2\n\n");
+  const std::string before = content(out);
   CHECK(call({"field", config, "--resolution", "0.5", "-o", out, "--from", list}).exit == 0);
-  CHECK(bytes_of(out) == before);
+  CHECK(content(out) == before);
 
   const std::string way = (dir / "way.csv").string();
   const Called back =
@@ -91,16 +79,16 @@ TEST_CASE("field command: several places, ways, corridors and the summary") {
   CHECK(summary["error"]["kind"] == "estimate");
   CHECK(summary["error"]["largest"] < 1e-3);
   CHECK(summary["ways"][0]["cost"].get<double>() == Approx(std::sqrt(10.0)).epsilon(1e-4));
-  CHECK_THAT(bytes_of(way), Contains("way,x,y\n0,1,1\n") && Contains("\n0,4,2\n"));
+  CHECK_THAT(content(way), Contains("way,x,y\n0,1,1\n") && Contains("\n0,4,2\n"));
 
   const Called corridor = call({"field", config, "--resolution", "0.5", "-o", out, "--corridor"});
   CHECK(corridor.exit == 0);
-  CHECK_THAT(bytes_of(out), Contains("\n0,1,2\n"));  // one to go there, three to come back, less the two between
+  CHECK_THAT(content(out), Contains("\n0,1,2\n"));  // one to go there, three to come back, less the two between
 }
 
 TEST_CASE("field command: what it refuses, in one sentence") {
   const ScratchDir dir;
-  const std::string config = file_with(dir / "box.yaml", kBox), out = (dir / "f.csv").string();
+  const std::string config = text_file(dir / "box.yaml", kBox), out = (dir / "f.csv").string();
   const auto refused = [&](std::vector<std::string> more, int exit, const std::string& words) {
     std::vector<std::string> all = {"field", config, "-o", out};
     all.insert(all.end(), more.begin(), more.end());

@@ -6,8 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -32,20 +30,10 @@ namespace fs = std::filesystem;
 using Catch::Contains;
 using Json = nlohmann::json;
 
-std::string written(const fs::path& file, const std::string& text) {
-  std::ofstream(file) << text;
-  return file.string();
-}
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 /// The numbers of an array of doubles with one axis.
 std::vector<double> npy_numbers(const fs::path& file) {
   constexpr std::size_t kHeader = 128;
-  const std::string bytes = text_of(file);
+  const std::string bytes = content(file);
   REQUIRE(bytes.size() > kHeader);
   std::vector<double> numbers((bytes.size() - kHeader) / sizeof(double));
   std::memcpy(numbers.data(), bytes.data() + kHeader, numbers.size() * sizeof(double));
@@ -136,8 +124,8 @@ std::vector<double> over_points_on_edges(const Sheet& sheet, const std::vector<i
 
 TEST_CASE("field on a mesh: exact lengths as CSV, NPY, VTP and PLY, and the summary") {
   const ScratchDir dir;
-  written(dir / "fold.obj", kFold);
-  const std::string config = written(dir / "fold.yaml", config_of("fold.obj", 0, 3));
+  text_file(dir / "fold.obj", kFold);
+  const std::string config = text_file(dir / "fold.yaml", config_of("fold.obj", 0, 3));
   const auto field = [&](const std::string& file, std::vector<std::string> more = {}) {
     std::vector<std::string> all = {"field", config, "-o", (dir / file).string()};
     all.insert(all.end(), more.begin(), more.end());
@@ -146,7 +134,7 @@ TEST_CASE("field on a mesh: exact lengths as CSV, NPY, VTP and PLY, and the summ
   const Called csv = field("f.csv");
   CHECK(csv.exit == 0);
   CHECK_THAT(csv.out, Contains("7 vertices, 4 reached, the largest value 1.41421 length") && Contains("proved"));
-  CHECK_THAT(text_of(dir / "f.csv"), Contains("vertex,x,y,z,cost\n0,0,0,0,0\n") && Contains("\n3,1,1,0,1.41421356") &&
+  CHECK_THAT(content(dir / "f.csv"), Contains("vertex,x,y,z,cost\n0,0,0,0,0\n") && Contains("\n3,1,1,0,1.41421356") &&
                                          Contains("\n5,9,1,0,nan\n"));
   CHECK(field("f.NPY").exit == 0);
   const std::vector<double> numbers = npy_numbers(dir / "f.NPY");
@@ -154,9 +142,9 @@ TEST_CASE("field on a mesh: exact lengths as CSV, NPY, VTP and PLY, and the summ
   CHECK(numbers[3] == Approx(std::sqrt(2.0)).epsilon(1e-14));
   CHECK(std::isnan(numbers[6]));
   CHECK(field("f.vtp").exit == 0);
-  CHECK_THAT(text_of(dir / "f.vtp"), Contains("Scalars=\"cost\"") && Contains("1.41421356"));
+  CHECK_THAT(content(dir / "f.vtp"), Contains("Scalars=\"cost\"") && Contains("1.41421356"));
   CHECK(field("f.ply").exit == 0);
-  CHECK_THAT(text_of(dir / "f.ply"), Contains("property double cost\n") && Contains("9 0 1 -1 0\n3 0 1 2\n"));
+  CHECK_THAT(content(dir / "f.ply"), Contains("property double cost\n") && Contains("9 0 1 -1 0\n3 0 1 2\n"));
 
   const Called way = field("f.csv", {"--from", "0", "--from", "1,0,0", "--to", "3", "--to", "0.25,1,0", "--way",
                                      (dir / "way.csv").string(), "--format", "json"});
@@ -168,19 +156,19 @@ TEST_CASE("field on a mesh: exact lengths as CSV, NPY, VTP and PLY, and the summ
   CHECK(summary["error"]["largest"] < 1e-12);
   CHECK(summary["ways"][0]["cost"].get<double>() == Approx(1));
   CHECK(summary["ways"][1]["cost"].get<double>() == Approx(std::hypot(0.25, 1)));
-  CHECK_THAT(text_of(dir / "way.csv"), Contains("way,x,y,z\n0,1,0,0\n") && Contains("\n1,0.25,1,0\n"));
-  const std::string list = written(dir / "places.txt", "# two\n0\n1,0,0\n");
+  CHECK_THAT(content(dir / "way.csv"), Contains("way,x,y,z\n0,1,0,0\n") && Contains("\n1,0.25,1,0\n"));
+  const std::string list = text_file(dir / "places.txt", "# two\n0\n1,0,0\n");
   CHECK(field("g.csv", {"--from", list}).exit == 0);
-  CHECK(text_of(dir / "g.csv") == text_of(dir / "f.csv"));
+  CHECK(content(dir / "g.csv") == content(dir / "f.csv"));
 
   CHECK(field("c.csv", {"--corridor"}).exit == 0);
-  CHECK_THAT(text_of(dir / "c.csv"), Contains("\n0,0,0,0,0\n") && Contains("\n1,1,0,0,0.58578643"));
+  CHECK_THAT(content(dir / "c.csv"), Contains("\n0,0,0,0,0\n") && Contains("\n1,1,0,0,0.58578643"));
 }
 
 TEST_CASE("field on a mesh: what it refuses, in one sentence") {
   const ScratchDir dir;
-  written(dir / "fold.obj", kFold);
-  const std::string config = written(dir / "fold.yaml", config_of("fold.obj", 0, 3)), out = (dir / "f.csv").string();
+  text_file(dir / "fold.obj", kFold);
+  const std::string config = text_file(dir / "fold.yaml", config_of("fold.obj", 0, 3)), out = (dir / "f.csv").string();
   const auto refused = [&](std::vector<std::string> more, int exit, const std::string& words) {
     std::vector<std::string> all = {"field", config, "-o", out};
     all.insert(all.end(), more.begin(), more.end());
@@ -197,10 +185,10 @@ TEST_CASE("field on a mesh: what it refuses, in one sentence") {
   refused({"--resolution", "1"}, 3, "the nodes of a mesh are its vertices");
   CHECK_THAT(call({"field", config, "-o", (dir / "f.asc").string()}).err,
              Contains("a field on a mesh can be written as .csv, .npy, .vtp or .ply"));
-  const std::string fall = written(
+  const std::string fall = text_file(
       dir / "fall.yaml", config_of("fold.obj", 0, 3, "{type: refractive_index, index: {type: formula, n: \"2\"}}"));
   CHECK_THAT(call({"field", fall, "-o", out}).err, Contains("on a mesh the values are lengths"));
-  const std::string apart = written(dir / "apart.yaml", config_of("fold.obj", 0, 5));
+  const std::string apart = text_file(dir / "apart.yaml", config_of("fold.obj", 0, 5));
   CHECK_THAT(call({"field", apart, "-o", out, "--corridor"}).err, Contains("no path joins the two"));
 }
 
@@ -215,7 +203,7 @@ TEST_CASE("field on a map: exact lengths to the vertices of its free cells, and 
   const double around =
       std::hypot(9.5, 3.5) + std::hypot(2, 1) + std::hypot(3, 1) + std::hypot(5, 2) + std::hypot(1.5, 1.5);
   CHECK(Json::parse(called.out)["ways"][0]["cost"].get<double>() == Approx(around).epsilon(1e-12));
-  CHECK_THAT(text_of(dir / "way.csv"), Contains("way,x,y\n0,2.5,2.5\n") && Contains("\n0,23.5,11.5\n"));
+  CHECK_THAT(content(dir / "way.csv"), Contains("way,x,y\n0,2.5,2.5\n") && Contains("\n0,23.5,11.5\n"));
 }
 
 TEST_CASE("field on a mesh: 100 random sheets against a search over points on their edges") {
@@ -223,9 +211,9 @@ TEST_CASE("field on a mesh: 100 random sheets against a search over points on th
   const int sheets = kSanitized ? 10 : 100;
   for (int seed = 1; seed <= sheets; ++seed) {
     const Sheet sheet(static_cast<std::uint32_t>(seed), 6);
-    written(dir / "sheet.obj", sheet.obj());
+    text_file(dir / "sheet.obj", sheet.obj());
     const int source = seed % 36, other = (7 * seed + 11) % 36, target = source == 35 ? 34 : 35;
-    const std::string config = written(dir / "sheet.yaml", config_of("sheet.obj", source, target));
+    const std::string config = text_file(dir / "sheet.yaml", config_of("sheet.obj", source, target));
     const Called called = call({"field", config, "-o", (dir / "f.npy").string(), "--from", std::to_string(source),
                                 "--from", std::to_string(other), "--to", std::to_string(target), "--format", "json"});
     CAPTURE(seed, called.err);

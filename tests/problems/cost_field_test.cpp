@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 // Fields of least costs: against closed forms, and random worlds against finer fields of their own kind.
-#include <leastcost/problems/initializers/cost_field.hpp>
+#include <leastcost/problems/fields/cost_field.hpp>
 
 #include <algorithm>
 #include <cmath>

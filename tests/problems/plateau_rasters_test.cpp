@@ -14,7 +14,7 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/costs/cost_map.hpp>
-#include "problems/initializers/grid_search.hpp"
+#include "problems/fields/grid_search.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 

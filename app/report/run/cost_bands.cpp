@@ -18,19 +18,7 @@ namespace {
 constexpr int kBands = 8;
 constexpr double kBarHeight = 9, kBarTotal = 42;  // px
 
-/// Levels between which the bands lie: evenly in the logarithm, where the middle 96 % of the values are.
-std::vector<double> levels_of(const Raster& raster) {
-  std::vector<double> finite;
-  for (const double value : raster.values)
-    if (std::isfinite(value) && value > 0) finite.push_back(value);
-  if (finite.empty()) return {};
-  std::sort(finite.begin(), finite.end());
-  const double low = finite[finite.size() / 50], high = finite[finite.size() - 1 - finite.size() / 50];
-  std::vector<double> levels;
-  levels.reserve(kBands);
-  for (int k = 0; k < kBands; ++k) levels.push_back(low * std::pow(high / low, (k + 0.5) / kBands));
-  return levels;
-}
+const char* class_of(BandColour colour) { return colour == BandColour::warm ? "warm" : "band"; }
 
 /// From nodes of a raster to the drawing.
 ToDrawing columns_of(const Raster& raster, const PlaneFrame& frame) {
@@ -50,20 +38,37 @@ std::string ground(const char* name, const Raster& raster, const PlaneFrame& fra
 
 }  // namespace
 
-std::string cost_bands(const Raster& raster, const PlaneFrame& frame) {
+std::vector<Tick> cost_levels(const Raster& raster) {
+  std::vector<double> finite;
+  for (const double value : raster.values)
+    if (std::isfinite(value) && value > 0) finite.push_back(value);
+  if (finite.empty()) return {};
+  std::sort(finite.begin(), finite.end());
+  const double low = finite[finite.size() / 50], high = finite[finite.size() - 1 - finite.size() / 50];
+  std::vector<Tick> levels;
+  levels.reserve(kBands);
+  for (int k = 0; k < kBands; ++k) {
+    const double level = low * std::pow(high / low, (k + 0.5) / kBands);
+    levels.push_back({level, number_text(level, 2)});
+  }
+  return levels;
+}
+
+std::string cost_bands(const Raster& raster, const std::vector<Tick>& levels, const PlaneFrame& frame,
+                       BandColour colour) {
   const Grid grid{raster.columns, raster.rows, raster.values};
   const ToDrawing x = columns_of(raster, frame), y = rows_of(raster, frame);
   std::string out = ground("band0", raster, frame);
-  for (const double level : levels_of(raster))
-    out += fmt::format("<path class=\"band\" d=\"{}\"/>\n", region_above(grid, level, x, y));
+  for (const Tick& level : levels)
+    out += fmt::format("<path class=\"{}\" d=\"{}\"/>\n", class_of(colour), region_above(grid, level.at, x, y));
   const std::string none = region_infinite(grid, x, y);
   // What has no cost is not dear: the bands below it are covered.
   return none.empty() ? out
                       : out + fmt::format("<path class=\"band0\" d=\"{0}\"/><path class=\"out\" d=\"{0}\"/>\n", none);
 }
 
-std::string cost_bar(const Raster& raster, const PlaneFrame& frame, double top, const std::string& title) {
-  const std::vector<double> levels = levels_of(raster);
+std::string cost_bar(const std::vector<Tick>& levels, const PlaneFrame& frame, BandColour colour, double top,
+                     const std::string& title) {
   const double width = frame.width(), band = width / static_cast<double>(levels.size() + 1);
   const auto rectangle = [&](const char* name, double from) {
     return fmt::format("<rect class=\"{}\" x=\"{:.2f}\" y=\"{:.1f}\" width=\"{:.2f}\" height=\"{}\"/>\n", name,
@@ -73,9 +78,9 @@ std::string cost_bar(const Raster& raster, const PlaneFrame& frame, double top, 
   double end = -kDrawnFont;  // of the label before
   for (std::size_t k = 0; k < levels.size(); ++k) {
     const double at = band * static_cast<double>(k + 1);
-    const std::string label = number_text(levels[k], 2);
+    const std::string& label = levels[k].label;
     const double half = kDrawnFont * text_width(label) / 2;
-    out += rectangle("band", at);
+    out += rectangle(class_of(colour), at);
     if (at - half < end + 4) continue;
     end = at + half;
     out += fmt::format(
@@ -105,18 +110,25 @@ std::string hillshade(const Raster& raster, const PlaneFrame& frame) {
   return out + fmt::format("<path class=\"out\" d=\"{}\"/>\n", region_infinite(grid, x, y));
 }
 
+std::string level_lines(const Raster& raster, const std::vector<Tick>& levels, const PlaneFrame& frame) {
+  const Grid grid{raster.columns, raster.rows, raster.values};
+  const ToDrawing x = columns_of(raster, frame), y = rows_of(raster, frame);
+  std::string out;
+  for (const Tick& level : levels)
+    out += fmt::format("<path class=\"level\" d=\"{}\"/>\n", line_at(grid, level.at, x, y));
+  return out;
+}
+
 std::string potential_lines(const Raster& raster, const PlaneFrame& frame) {
   constexpr int kLines = 20;
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const double value : raster.values)
     if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
   if (!(low < high)) return "";
-  const Grid grid{raster.columns, raster.rows, raster.values};
-  const ToDrawing x = columns_of(raster, frame), y = rows_of(raster, frame);
-  std::string out;
-  for (int k = 1; k < kLines; ++k)
-    out += fmt::format("<path class=\"level\" d=\"{}\"/>\n", line_at(grid, low + (high - low) * k / kLines, x, y));
-  return out;
+  std::vector<Tick> levels;
+  levels.reserve(kLines);
+  for (int k = 1; k < kLines; ++k) levels.push_back({low + (high - low) * k / kLines, ""});
+  return level_lines(raster, levels, frame);
 }
 
 }  // namespace leastcost::app

@@ -15,6 +15,7 @@
 #include <leastcost/problems/manifolds/box.hpp>
 #include <leastcost/problems/manifolds/made_from_data.hpp>
 #include <leastcost/problems/post_processors/choose_global_proof.hpp>
+#include <leastcost/problems/raster/has_raster.hpp>
 #include <leastcost/problems/raster/has_voids.hpp>
 #include <leastcost/problems/raster/raster.hpp>
 
@@ -36,6 +37,7 @@ class TerrainManifold final : public ConstraintManifold,
                               public IsGeographic,
                               public ExplainsProjection,
                               public MadeFromData,
+                              public HasRaster,
                               public HasVoids,
                               public DrawsItself {
  public:
@@ -71,7 +73,7 @@ class TerrainManifold final : public ConstraintManifold,
 
   const RasterPatches& known_patches() const override;
 
-  const RasterGrid& raster() const { return raster_; }  ///< heights
+  const RasterGrid& raster() const override { return raster_; }  ///< heights
 
  private:
   bool is_geographic() const override { return raster_.on_earth(); }

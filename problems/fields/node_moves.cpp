@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/initializers/node_moves.hpp"
+#include "problems/fields/node_moves.hpp"
 
 #include <algorithm>
 #include <cmath>

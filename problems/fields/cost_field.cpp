@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <leastcost/problems/initializers/cost_field.hpp>
+#include <leastcost/problems/fields/cost_field.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,12 +15,12 @@
 #include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/bracket/cost_density.hpp>
 #include "problems/cells/has_cost_cells.hpp"
-#include "problems/initializers/arrival_field.hpp"
-#include "problems/initializers/grid_search.hpp"
-#include "problems/initializers/isotropic_march.hpp"
-#include "problems/initializers/lattice_box.hpp"
-#include "problems/initializers/node_moves.hpp"
-#include "problems/raster/has_cell_index.hpp"
+#include "problems/fields/arrival_field.hpp"
+#include "problems/fields/field_lattice.hpp"
+#include "problems/fields/grid_search.hpp"
+#include "problems/fields/isotropic_march.hpp"
+#include "problems/fields/lattice_box.hpp"
+#include "problems/fields/node_moves.hpp"
 
 namespace leastcost {
 namespace {
@@ -29,29 +29,7 @@ using Eigen::Vector2d;
 using Lattice2 = IsotropicMarch::Lattice;
 
 constexpr double kNoPath = std::numeric_limits<double>::infinity();
-constexpr double kFirstOrder = 4;        ///< times the difference of two fields is the error, measured
-constexpr double kMostFieldNodes = 5e7;  // 24 bytes each while the front runs
-
-/// Where the values of a raster of costs are.
-struct RasterPlaces {
-  Vector2d first, cell, last;  ///< the lowest value, between values, the highest
-  Vector2d lower, upper;       ///< of what is known
-};
-
-std::optional<RasterPlaces> raster_of(const SegmentCost& cost) {
-  if (const auto* raster = find_ability<HasCellIndex>(cost)) {
-    const RasterPatches& patches = raster->patches();
-    return RasterPlaces{patches.lower(), patches.cell(), patches.upper(), patches.lower(), patches.upper()};
-  }
-  if (const auto* cells = find_ability<HasCostCells>(cost)) {
-    const CellMap& map = cells->cell_map();
-    if (map.empty()) return std::nullopt;
-    const Vector2d lower(map.line(0, 0), map.line(1, 0)), upper(map.line(0, map.columns()), map.line(1, map.rows()));
-    const Vector2d cell = (upper - lower).cwiseQuotient(Vector2d(map.columns(), map.rows()));
-    return RasterPlaces{lower + cell / 2, cell, upper - cell / 2, lower, upper};
-  }
-  return std::nullopt;
-}
+constexpr double kFirstOrder = 4;  ///< times the difference of two fields is the error, measured
 
 std::string coordinates_in_words(const Eigen::VectorXd& place) {
   std::ostringstream out;
@@ -70,50 +48,6 @@ void check_problem(const Problem& problem) {
   const auto* images = find_ability<HasImages>(domain);
   if (images != nullptr && !images->images(problem.source.u, problem.source.u, 1).empty())
     throw InputError("field: needs coordinates that do not close on themselves, as longitudes do");
-}
-
-LatticeBox field_box(const Problem& problem, const std::optional<RasterPlaces>& raster) {
-  LatticeBox box = LatticeBox::of(problem, {}, {});
-  if (!raster) return box;
-  for (std::size_t d = 0; d < 2; ++d) {
-    const auto k = static_cast<Eigen::Index>(d);
-    box.lower[k] = box.open_lower[d] ? raster->lower[k] : std::max(box.lower[k], raster->lower[k]);
-    box.upper[k] = box.open_upper[d] ? raster->upper[k] : std::min(box.upper[k], raster->upper[k]);
-    if (!(box.lower[k] < box.upper[k])) throw InputError("field: the domain and the raster of costs do not meet");
-  }
-  return box;
-}
-
-/// On the values of a raster inside the box; with a resolution, or without a raster, from the lower corner of it on.
-Lattice2 lattice_of(const LatticeBox& box, const std::optional<RasterPlaces>& raster,
-                    const std::optional<double>& resolution) {
-  constexpr double kCells = 200, kRounding = 1e-6;
-  if (resolution && (!(*resolution > 0) || !std::isfinite(*resolution)))
-    throw OptionError("resolution", "must be a number above 0");
-  Lattice2 lattice{};
-  const Vector2d size = box.upper - box.lower;
-  for (std::size_t d = 0; d < 2; ++d) {
-    const auto k = static_cast<Eigen::Index>(d);
-    double cells = 0;
-    if (raster && !resolution) {
-      const double cell = raster->cell[k];
-      const double skipped = std::max(std::ceil((box.lower[k] - raster->first[k]) / cell - kRounding), 0.0);
-      lattice.lower[k] = raster->first[k] + skipped * cell;
-      lattice.step[k] = cell;
-      cells = std::floor((std::min(box.upper[k], raster->last[k]) - lattice.lower[k]) / cell + kRounding);
-    } else {
-      const double step = resolution ? *resolution : size.maxCoeff() / kCells;
-      cells = std::max(std::floor(size[k] / step + kRounding), 1.0);
-      lattice.lower[k] = box.lower[k];
-      lattice.step[k] = std::min(step, size[k]);
-    }
-    if (!(cells >= 1)) throw InputError("field: the box has fewer than two values of the raster along a side");
-    if (!(cells < kMostFieldNodes)) cells = kMostFieldNodes;
-    lattice.count[d] = static_cast<std::int32_t>(cells) + 1;
-  }
-  if (double(lattice.count[0]) * lattice.count[1] > kMostFieldNodes)
-    throw OptionError("resolution", "gives more than 50 million nodes: choose a larger one");
-  return lattice;
 }
 
 /// n at the nodes; nothing where a unit of length does not cost the same in all directions.
@@ -270,10 +204,10 @@ void check_places(const std::vector<Eigen::VectorXd>& places, const LatticeBox& 
 CostField costs_from(const Problem& problem, const std::vector<Eigen::VectorXd>& places,
                      const CostFieldOptions& options, const Monitor& monitor) {
   check_problem(problem);
-  const std::optional<RasterPlaces> raster = raster_of(*problem.cost);
+  const std::optional<RasterPlaces> raster = raster_places_of(*problem.cost);
   const LatticeBox box = field_box(problem, raster);
   check_places(places, box);
-  const Lattice2 lattice = lattice_of(box, raster, options.resolution);
+  const Lattice2 lattice = field_lattice(box, raster, options.resolution);
   const Lattice2 half = every_second(lattice);
   const bool estimates = options.estimate_error && std::min(half.count[0], half.count[1]) >= 2;
   CostField field;

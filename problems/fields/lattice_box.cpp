@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/initializers/lattice_box.hpp"
+#include "problems/fields/lattice_box.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -12,11 +12,11 @@
 #include <vector>
 
 #include <leastcost/framework/problem/problem.hpp>
+#include "problems/fields/grid_search.hpp"
+#include "problems/fields/lattice_box.hpp"
+#include "problems/fields/node_moves.hpp"
 #include "problems/graph/lattice_route.hpp"
 #include "problems/graph/monotone_queue.hpp"
-#include "problems/initializers/grid_search.hpp"
-#include "problems/initializers/lattice_box.hpp"
-#include "problems/initializers/node_moves.hpp"
 
 namespace leastcost {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include <leastcost/framework/base/errors.hpp>
-#include "problems/initializers/arrival_field.hpp"
+#include "problems/fields/arrival_field.hpp"
 
 namespace leastcost {
 namespace {

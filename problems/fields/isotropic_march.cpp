@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/initializers/isotropic_march.hpp"
+#include "problems/fields/isotropic_march.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
+#include "problems/fields/node_moves.hpp"
 #include "problems/graph/monotone_queue.hpp"
-#include "problems/initializers/node_moves.hpp"
 
 namespace leastcost {
 namespace {

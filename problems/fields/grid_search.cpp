@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/initializers/grid_search.hpp"
+#include "problems/fields/grid_search.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <leastcost/framework/cost/has_constant_metric.hpp>
 #include <leastcost/framework/cost/segment_cost.hpp>
 #include <leastcost/framework/problem/clearance.hpp>
-#include "problems/initializers/lattice_box.hpp"
+#include "problems/fields/lattice_box.hpp"
 
 namespace leastcost {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "problems/initializers/arrival_field.hpp"
+#include "problems/fields/arrival_field.hpp"
 
 #include <algorithm>
 #include <cmath>

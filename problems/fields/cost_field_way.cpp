@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+// The way down a field of least costs.
+#include <algorithm>
+#include <limits>
+#include <sstream>
+#include <string>
+
+#include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/energy/path_energy.hpp>
+#include <leastcost/problems/fields/cost_field.hpp>
+#include "problems/fields/arrival_field.hpp"
+#include "problems/fields/field_descent.hpp"
+#include "problems/fields/grid_search.hpp"
+#include "problems/fields/lattice_box.hpp"
+#include "problems/fields/tightened_way.hpp"
+
+namespace leastcost {
+namespace {
+
+using Eigen::Vector2d;
+
+std::string in_words(const Vector2d& x) {
+  std::ostringstream out;
+  out << '(' << x[0] << ", " << x[1] << ')';
+  return out.str();
+}
+
+/// The same by a field of arrivals at the target, whose nodes know where their last move came from: where a current
+/// leaves few directions, the values alone do not say it. Without points where that is lost too.
+std::vector<Vector2d> way_by_arrivals(const CostField& field, const Problem& problem, const Vector2d& place) {
+  const LatticeBox box{field.lower, field.node(field.count[0] - 1, field.count[1] - 1), {}, {}};
+  ArrivalField::Way how;
+  how.cells = {field.count[0] - 1, field.count[1] - 1};
+  std::vector<Vector2d> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Eigen::VectorXd& other : field.places) {
+    Problem between = problem;
+    between.source.u = field.to_places ? Eigen::VectorXd(place) : other;
+    between.target.u = field.to_places ? other : Eigen::VectorXd(place);
+    const MoveCheck moves(between);
+    const ArrivalField arrivals(between, moves, box, 0, how, [] { return false; });
+    if (!arrivals.arrival_cost() || !(*arrivals.arrival_cost() < least)) continue;
+    try {
+      best = arrivals.way();
+      least = *arrivals.arrival_cost();
+    } catch (const InitializationError&) {  // lost between the nodes
+      continue;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<Vector2d> way_down(const CostField& field, const Problem& problem, const Vector2d& place) {
+  if (!place.allFinite()) throw InputError("field: a place needs two finite coordinates");
+  const Vector2d last = field.node(field.count[0] - 1, field.count[1] - 1);
+  if (((place - field.lower + field.step).array() < 0).any() || ((last + field.step - place).array() < 0).any())
+    throw InputError("field: the place " + in_words(place) + " is outside the field, which reaches from " +
+                     in_words(field.lower) + " to " + in_words(last));
+  if (!is_reached(field, place))
+    throw InputError("field: no path leads " + std::string(field.to_places ? "from" : "to") + " the place " +
+                     in_words(place) + ": it has no data, or obstacles or places without data lie between");
+  std::vector<Vector2d> way = steepest_way(field, problem, place);
+  if (!field.to_places) std::reverse(way.begin(), way.end());
+  if (way.empty()) way = way_by_arrivals(field, problem, place);
+  if (way.empty())
+    throw InputError("field: the way " + std::string(field.to_places ? "from" : "to") + " the place " +
+                     in_words(place) + " is lost between the nodes: use a smaller resolution");
+  std::vector<Vector2d> tight = tightened(problem, way, field.step.minCoeff(), {field.lower, last});
+  return cost_of_way(problem, tight) < cost_of_way(problem, way) ? tight : way;
+}
+
+double cost_of_way(const Problem& problem, const std::vector<Vector2d>& way) {
+  constexpr Index kPieces = 4;  // of a move, which is two cells long
+  if (way.size() < 2) return 0;
+  const auto moves = static_cast<Index>(way.size()) - 1;
+  CoordinatePath fine{Points(2, moves * kPieces + 1), {}, false};
+  for (Index i = 0; i < moves; ++i) {
+    const Vector2d &a = way[static_cast<std::size_t>(i)], &b = way[static_cast<std::size_t>(i) + 1];
+    for (Index k = 0; k < kPieces; ++k) fine.u.col(i * kPieces + k) = a + double(k) / double(kPieces) * (b - a);
+  }
+  fine.u.rightCols<1>() = way.back();
+  return PathEnergy(problem, 1).cost(fine);
+}
+
+}  // namespace leastcost

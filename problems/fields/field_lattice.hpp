@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include <leastcost/eigen_alignment.hpp>
+#include <leastcost/framework/problem/problem.hpp>
+#include "problems/fields/isotropic_march.hpp"
+#include "problems/fields/lattice_box.hpp"
+
+namespace leastcost {
+
+/// Where the values of a raster of costs are.
+struct RasterPlaces {
+  Eigen::Vector2d first, cell, last;  ///< the lowest value, between values, the highest
+  Eigen::Vector2d lower, upper;       ///< of what is known
+};
+
+/// Of a raster of costs; nothing for another cost.
+std::optional<RasterPlaces> raster_places_of(const SegmentCost& cost);
+
+/// The box of the domain, within that of the raster if there is one; without both, one around the ends. Throws
+/// InputError where there is none.
+LatticeBox field_box(const Problem& problem, const std::optional<RasterPlaces>& raster);
+
+/// On the values of a raster inside the box; with a resolution, or without a raster, from the lower corner of it on.
+/// Throws InputError, OptionError ("resolution").
+IsotropicMarch::Lattice field_lattice(const LatticeBox& box, const std::optional<RasterPlaces>& raster,
+                                      const std::optional<double>& resolution);
+
+}  // namespace leastcost
