@@ -13,6 +13,7 @@
 #include "problems/exact/half_edges.hpp"
 #include "problems/exact/large_pages.hpp"
 #include "problems/exact/lower_bound.hpp"
+#include "problems/exact/propagation_parts.hpp"
 #include "problems/exact/window.hpp"
 #include "problems/exact/window_queue.hpp"
 
@@ -110,7 +111,11 @@ class Propagation {
   void block(double key);
   void propagate(std::int32_t waiting);
   void leave(const Exit& exit, const Real& b0, const Real& b1, bool to_far, const Window<Real>& w, std::int32_t id);
-  void see_corner(const Window<Real>& w, std::int32_t id, double distance, double beside);
+  double around_ends(const Exit& exit, const Real& b0, const Real& b1, double wider0, double wider1,
+                     const Window<Real>& w, const Window<Real>& next) const;
+  double around_end(const Window<Real>& w, double after_begin, double before_end,
+                    const exact::PlanePoint& corner) const;
+  void see_corner(const Window<Real>& w, std::int32_t id, double distance);
   void see_target(const Window<Real>& w, std::int32_t id);
   /// What paths to v came to: bounds of the length, and the length but for a few roundings.
   struct Found {

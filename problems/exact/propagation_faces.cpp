@@ -18,6 +18,10 @@ Real clamped(const Real& x, const Real& low, const Real& high) {
   return x < low ? low : x > high ? high : x;
 }
 
+/// A part widened by less than this, of the image's distance, costs twice that; else it is asked what a way around
+/// costs, which takes time.
+constexpr double kAround = 1e-12;
+
 }  // namespace
 
 /// The window of paths that leave a face through its side `from_side`, in coordinates that run from the side's tail or
@@ -120,7 +124,7 @@ std::int32_t Propagation<Real>::keep(const Window<Real>& w) {
 
 template <class Real>
 void Propagation<Real>::propagate(std::int32_t waiting) {
-  const Window<Real> w = pool_[at(waiting)];
+  Window<Real> w = pool_[at(waiting)];
   free_.push_back(waiting);
   // A shorter way to the root was found since. One to the part itself is seen when its continuations are made.
   if (w.root >= 0 && w.sigma > at_most(w.root)) return;
@@ -148,7 +152,8 @@ void Propagation<Real>::propagate(std::int32_t waiting) {
   bool left = after_begin > -margin, right = before_end > -margin;
   if (left && right) {
     const double distance = length_in_plane(value(aside), depth);
-    see_corner(w, id, distance, std::max({0.0, -after_begin, -before_end}));
+    if (std::min(after_begin, before_end) < 0) w.rise += around_end(w, after_begin, before_end, {value(s.x), y});
+    see_corner(w, id, distance);
     const double below = distance * height * per_depth;  // from the image to the crossing
     // The crossings are compared as doubles.
     const double room = height > 0 ? margin + 2 * w.spread * below * below / height +
@@ -234,6 +239,8 @@ void Propagation<Real>::leave(const Exit& exit, const Real& b0, const Real& b1, 
   wider0 = std::min(length, wider0);
   wider1 = std::min(length, wider1);
   next.rise = w.rise + 2 * std::max(wider0, wider1) + 8 * kEpsilon * image;
+  if (2 * std::max(wider0, wider1) > kAround * image) [[unlikely]]
+    next.rise = w.rise + around_ends(exit, b0, b1, wider0, wider1, w, next) + 8 * kEpsilon * image;
   next.spread = w.spread + std::max(angle0, angle1);
 
   // Is there a shorter way to all of it by a corner of the face (Xin and Wang 2009)?
@@ -250,13 +257,36 @@ void Propagation<Real>::leave(const Exit& exit, const Real& b0, const Real& b1, 
   add(exit.halfedge, mesh_->tail(exit.halfedge) == exit.near, next);
 }
 
-/// The third corner, seen through the part or up to `beside` (along the edge) past its end.
+/// By how much a path to what the part of `next` was widened by may be longer than the straight line: there and back
+/// along the exit, or over the end of the part entered.
 template <class Real>
-void Propagation<Real>::see_corner(const Window<Real>& w, std::int32_t id, double distance, double beside) {
+[[gnu::noinline]] double Propagation<Real>::around_ends(const Exit& exit, const Real& b0, const Real& b1, double wider0,
+                                                        double wider1, const Window<Real>& w,
+                                                        const Window<Real>& next) const {
+  const auto over = [&](double wider, const Real& by, const Real& t) {
+    if (!(wider > 0)) return 0.0;
+    const exact::PlanePoint to{value(t) * value(exit.ux), value(t) * value(exit.uy)};
+    return std::min(2 * wider, exact::detour({value(w.x), -value(w.height)}, next.error, value(by), to));
+  };
+  return std::max(over(wider0, b0, next.begin), over(wider1, b1, next.end));
+}
+
+/// The same to a corner that lies past an end of the part, but within rounding.
+template <class Real>
+[[gnu::noinline]] double Propagation<Real>::around_end(const Window<Real>& w, double after_begin, double before_end,
+                                                       const exact::PlanePoint& corner) const {
+  const Real& by = after_begin < before_end ? w.begin : w.end;
+  return std::min(-2 * std::min(after_begin, before_end),
+                  exact::detour({value(w.x), -value(w.height)}, w.error, value(by), corner));
+}
+
+/// The third corner, seen through the part or past its end.
+template <class Real>
+void Propagation<Real>::see_corner(const Window<Real>& w, std::int32_t id, double distance) {
   const std::int32_t corner = TriangleMesh::previous(w.halfedge), v = mesh_->tail(corner);
   const double rounding = 8 * kEpsilon * (w.sigma + distance) + 2 * kSideError * kRoundingOf<Real> * distance;
   const double least = w.sigma + distance - w.error - rounding;
-  const double most = w.sigma + distance + w.rise + w.error + 2 * beside + rounding;
+  const double most = w.sigma + distance + w.rise + w.error + rounding;
   const VertexKind kind = mesh_->kind(v);
   double direction = 0, slack = kInfinity;
   if (least <= at_most(v) && (kind == VertexKind::saddle || kind == VertexKind::border) && distance > 8 * w.error) {
@@ -295,8 +325,10 @@ void Propagation<Real>::see_target(const Window<Real>& w, std::int32_t id) {
   const double beside = std::max({0.0, value(w.begin) - crossing, crossing - value(w.end)});
   if (beside > margin) return;
   const double rounding = 8 * kEpsilon * (w.sigma + distance) + place;
-  reach_target(w.sigma + distance - w.error - rounding, w.sigma + distance + w.rise + w.error + 2 * beside + rounding,
-               id, -1);
+  const double by = value(crossing < value(w.begin) ? w.begin : w.end);
+  const double around = std::min(2 * beside, exact::detour({x, -height}, w.error, by, {tx, ty}));
+  reach_target(w.sigma + distance - w.error - rounding, w.sigma + distance + w.rise + w.error + around + rounding, id,
+               -1);
 }
 
 template void Propagation<double>::add(std::int32_t, bool, Window<double>&);

@@ -121,6 +121,47 @@ TEST_CASE("exact: many lattices, fine ones", "[.slow]") {
   CHECK(counts.wrong == 0);
 }
 
+/// The shortest path runs along edges of the lattice: from vertex to vertex it grazes them.
+TEST_CASE("exact: bounds stay tight where a path grazes edges of a lattice") {
+  PolygonSoup soup;
+  soup.positions = {{1, 0, 1}, {2, 0, 0}, {0, 1, 1}, {1, 1, 1}, {0, 2, 1},
+                    {1, 2, 0}, {2, 2, 1}, {0, 3, 1}, {1, 3, 1}, {2, 3, 1}};
+  add_polygon(soup, {0, 3, 2});
+  add_polygon(soup, {0, 1, 3});
+  add_polygon(soup, {2, 3, 5});
+  add_polygon(soup, {2, 5, 4});
+  add_polygon(soup, {3, 6, 5});
+  add_polygon(soup, {4, 5, 7});
+  add_polygon(soup, {5, 8, 7});
+  add_polygon(soup, {5, 6, 9});
+  add_polygon(soup, {5, 9, 8});
+  const int levels = GENERATE(2, 3, 4);
+  CAPTURE(levels);
+  const TriangleMesh coarse(soup), fine(soup, {.subdivide = levels});
+  const ExactReference reference(coarse, {});
+  REQUIRE(reference.complete());
+  const ExactSearch search(fine);
+  ExactSearch::Workspace workspace(search);
+  for (std::int32_t i = 0; i < coarse.vertex_count(); ++i) {
+    const auto end = [&](std::int32_t v) { return vertex_point(fine, fine.vertex_of_file(coarse.file_vertex(v))); };
+    const ExactDistances all = search.distances(end(i), workspace);
+    for (std::int32_t j = 0; j < coarse.vertex_count(); ++j) {
+      if (i == j) continue;
+      const double truth =
+          static_cast<double>(reference.distance(static_cast<std::size_t>(i), static_cast<std::size_t>(j)));
+      const std::size_t there = static_cast<std::size_t>(fine.vertex_of_file(coarse.file_vertex(j)));
+      CAPTURE(i, j);
+      CHECK(all.at_least[there] <= truth * (1 + 1e-15));
+      CHECK(all.at_most[there] >= truth * (1 - 1e-15));
+      CHECK(all.at_most[there] - all.at_least[there] < 1e-10 * truth);
+      const ExactResult found = search.shortest(end(i), end(j), workspace);
+      CHECK(found.is_proved());
+      CHECK_FALSE(found.twice_the_digits);
+      CHECK(found.length <= truth * (1 + 1e-9));
+    }
+  }
+}
+
 TEST_CASE("exact: distances over a flat grid are those of the plane, for a jittered grid's number of windows") {
   const auto grid = [](int n, bool jitter, double turn, double shift) {
     Random random(5);
