@@ -15,8 +15,8 @@ namespace {
 constexpr std::int64_t kLook = 256;   // windows between two looks at the clock
 constexpr double kSlotsPerEdge = 16;  // of the queue, towards a target: mean edge length over width
 constexpr double kSlotsPerEdgeToAll = 2;
-constexpr double kFirstSlots = 2048;      // and of the distance between the ends
-constexpr std::size_t kUsualWindows = 4;  // of a query, per face: most take fewer
+constexpr double kFirstSlots = 2048;  // and of the distance between the ends
+constexpr double kUsualWindows = 4;   // of a query, per face: most take fewer
 
 bool same_ends(const HalfEdges& mesh, std::int32_t h, std::int32_t g) {
   return (mesh.tail(h) == mesh.tail(g) && mesh.head(h) == mesh.head(g)) ||
@@ -85,7 +85,9 @@ void Propagation<Real>::run(std::span<const EndPoint> sources, const EndPoint* t
   stopped_ = out_of_memory_ = false;
   keeps_ = target != nullptr || limits.keep_windows;
   // Room that is not written costs nothing, and growing would write each page twice.
-  if (keeps_) taken_.reserve(kUsualWindows * static_cast<std::size_t>(mesh_->mesh().face_count()));
+  if (keeps_)
+    taken_.reserve(static_cast<std::size_t>(
+        std::min(kUsualWindows * mesh_->mesh().face_count(), limits.max_memory / (2 * sizeof(Taken)))));
   sabotage_ = limits.sabotage;
   sabotaged_ = sabotage_.drop_every > 0 || sabotage_.crack > 0;
   windows_ = 0;
