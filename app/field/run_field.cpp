@@ -61,8 +61,10 @@ RunField::RunField(const Run& run, const FieldEnds& ends, const CostFieldOptions
   check_ends(config, ends);
   const std::vector<FieldPlace>& from = ends.from;
   source_ = config.source ? *config.source : from.front().end;
-  has_target_ = config.target || ends.target;
-  const EndOptions target = config.target ? *config.target : ends.target ? ends.target->end : with_last(from, source_);
+  // Of several targets a run takes the cheapest to reach; that is one from its own source alone.
+  const bool one_target = config.target && !config.target->is_several();
+  has_target_ = one_target || ends.target || (config.target && from.empty() && !config.ends_come_later());
+  const EndOptions target = one_target ? *config.target : ends.target ? ends.target->end : with_last(from, source_);
   const auto placed = [&](const EndOptions& place) {
     return origin_->pairs->compose(place, target, origin_->pairs->parts()).problem;
   };

@@ -76,6 +76,18 @@ TEST_CASE("field without ends: one end alone is enough where it is the one that 
   CHECK(call({"field", none, "-o", out, "--resolution", "0.5", "--from", "1,1", "--to", "3,1", "--corridor"}).exit ==
         0);
   CHECK_THAT(content(out), Contains("\n3,1,0\n"));
+  const std::string goals =
+      text_file(dir / "goals.yaml", box + "ends: {source: {point: [1, 1]}, target: {points: [[3, 1], [2, 2]]}}\n");
+  CHECK(call({"field", goals, "-o", out, "--resolution", "0.5", "--corridor"}).exit == 0);
+  CHECK_THAT(content(out), Contains("\n2,2,0\n"));  // the nearer of the two
+  CHECK(call({"field", goals, "-o", out, "--resolution", "0.5", "--from", "0,0"}).exit == 0);
+  CHECK_THAT(content(out), Contains("\n0,0,0\n"));
+  CHECK_THAT(call({"field", goals, "-o", out, "--from", "0,0", "--corridor"}).err,
+             Contains("nothing says where it leads"));
+  const std::string pairs = text_file(dir / "pairs.yaml", box + "ends: {pairs: pairs.csv}\n");
+  text_file(dir / "pairs.csv", "1,1,2,2\n");
+  CHECK(call({"field", pairs, "-o", out, "--resolution", "0.5", "--from", "0,0"}).exit == 0);
+  CHECK_THAT(call({"field", pairs, "-o", out}).err, Contains("many pairs of ends: say where the field is from"));
   const std::string open = text_file(dir / "open.yaml", kOpenPlane);
   CHECK(call({"field", open, "-o", out, "--from", "1,1", "--from", "3,2", "--resolution", "0.5"}).exit == 0);
 }
