@@ -65,10 +65,10 @@ std::string_view why(FirstPathMethod method, const ProblemFacts& facts) {
     case FirstPathMethod::straight: return "because there are no obstacles and no edges to follow";
     case FirstPathMethod::dijkstra: return "because the shortest path along the edges is near the least-cost path";
     case FirstPathMethod::cell_graph: return "because the cost is constant in each cell of a raster";
-    case FirstPathMethod::grid: return "because it considers all ways around obstacles in the plane";
+    case FirstPathMethod::grid: return "because it considers paths on all sides of obstacles in the plane";
     case FirstPathMethod::eikonal:
-      return facts.field ? "because the cost varies with position, and it considers the ways on all sides"
-                         : "because it considers all ways around obstacles on a chart";
+      return facts.field ? "because the cost varies with position, and it considers paths on all sides"
+                         : "because it considers paths on all sides of obstacles in a chart";
     case FirstPathMethod::rrt:
       return facts.robot ? "because a robot moves in a configuration space"
                          : "because it finds paths among obstacles in any number of coordinates";
@@ -133,22 +133,22 @@ bool brackets_in_box(const ProblemFacts& facts, const GlobalProof& asked) {
 
 std::string_view why_proof(const ProblemFacts& facts, const FirstPathFacts& first, const GlobalProof& asked) {
   if (proves_over_all_classes(facts, first, asked)) {
-    if (refracts(facts)) return "because all ways through the layers can be bounded";
-    if (refracts_in_cells(facts)) return "because all ways through the cells can be bounded";
+    if (refracts(facts)) return "because all paths through the layers can be bounded";
+    if (refracts_in_cells(facts)) return "because all paths through the cells can be bounded";
     if (facts.mesh) return "because all paths on a mesh can be searched under a constant metric";
-    return "because all ways around obstacles in the plane can be searched";
+    return "because all paths around obstacles in the plane can be searched";
   }
   if (brackets_in_box(facts, asked)) return "because certificate.global asks for a bracket in the box";
   if (std::holds_alternative<GlobalOff>(asked)) return "because it is switched off";
-  if (facts.ring) return "because it is of paths between two ends, and a ring has none";
+  if (facts.ring) return "because such a proof needs two ends, and a ring has none";
   if (proves_over_all_classes(facts, {}, asked)) return "because the first path states which class is wanted";
   if (facts.occupancy && facts.constant_metric)
     return "because on an occupancy map it is made on request only (certificate: {global: {tolerance: 1e-3}})";
   const bool flat = facts.euclidean && (facts.coordinates == 2 || facts.coordinates == 3);
-  return flat || facts.terrain
-             ? "because this cost has no search over all paths; in a box the least cost can be bracketed (certificate: "
-               "{global: {tolerance: 1e-3}})"
-             : "because this domain and cost have no search over all paths";
+  return flat || facts.terrain ? "because no search over all paths exists for this domain and cost; in a box the least "
+                                 "cost can be bracketed (certificate: "
+                                 "{global: {tolerance: 1e-3}})"
+                               : "because no search over all paths exists for this domain and cost";
 }
 
 bool sees_one_way(const ProblemFacts& facts, const FirstPathFacts& first, const GlobalProof& asked) {

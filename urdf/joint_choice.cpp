@@ -43,7 +43,7 @@ class Chooser {
       for (int i = 0; i < static_cast<int>(urdf_.joints.size()); ++i) all.insert(i);
       return all;
     }
-    if (!srdf_) throw OptionError("group", "needs the SRDF that says what it is: give 'srdf'");
+    if (!srdf_) throw OptionError("group", "needs the SRDF that defines it: give 'srdf'");
     const auto found = srdf_->groups.find(options_.group);
     if (found != srdf_->groups.end()) return found->second;
     std::vector<std::string> names;

@@ -106,9 +106,8 @@ class UnknownLinks {
     for (const std::string& name : names_)
       if (listed++ < kMost) list += (list.empty() ? "'" : ", '") + name + "'";
     if (names_.size() > kMost) list += " and " + std::to_string(names_.size() - kMost) + " others";
-    const std::string passed_over =
-        count_ == 1 ? "it is" : "it and " + std::to_string(count_ - 1) + " more elements with such names are";
-    return {first_ + " names what is not a link of " + robot_.file + "; " + passed_over + " passed over: " + list};
+    const std::string ignored = count_ == 1 ? "it is ignored" : std::to_string(count_) + " such elements are ignored";
+    return {first_ + " names links that " + robot_.file + " does not have (" + list + "); " + ignored};
   }
 
  private:

@@ -199,17 +199,17 @@ void keep_mimics_within_limits(std::vector<ReadJoint>& joints, UrdfModel& model)
     cut(follower.lower, follower.upper, leader.soft_lower, leader.soft_upper);
     cut(follower.soft_lower, follower.soft_upper, leader.soft_lower, leader.soft_upper);
     if (leader.lower > leader.upper)
-      read.element.fail("the joint '" + follower.name + "' mimics '" + leader.name +
-                        "', whose limits leave no place where it is within its own limits");
+      read.element.fail("the joint '" + follower.name + "' mimics '" + leader.name + "': the limits of '" +
+                        leader.name + "' leave no value at which '" + follower.name + "' is within its own");
     if (leader.soft_lower > leader.soft_upper) {  // soft limits that cannot be kept together say nothing
       leader.soft_lower = leader.lower;
       leader.soft_upper = leader.upper;
     }
     if (leader.lower == lower && leader.upper == upper) continue;
-    model.notes.push_back(model.file + ":" + std::to_string(read.element.line()) + ": the limits of the joint '" +
-                          follower.name + "', which mimics '" + leader.name + "', leave that one " +
-                          short_number(leader.lower, 9) + " to " + short_number(leader.upper, 9) + " of " +
-                          short_number(lower, 9) + " to " + short_number(upper, 9));
+    model.notes.push_back(model.file + ":" + std::to_string(read.element.line()) + ": joint '" + leader.name +
+                          "' is limited to " + short_number(leader.lower, 9) + " to " + short_number(leader.upper, 9) +
+                          " (its own limits are " + short_number(lower, 9) + " to " + short_number(upper, 9) +
+                          "), because '" + follower.name + "' mimics it");
   }
 }
 

@@ -115,11 +115,11 @@ class RobotBuilder {
               {{bodies_[link], places_[link] * one.from, places_[link] * one.to, one.radius}, static_cast<int>(link)});
       }
     }
-    if (shapes.empty()) throw OptionError("file", "no link of it has a collision shape");
+    if (shapes.empty()) throw OptionError("file", "no link has a collision shape");
     if (std::all_of(shapes.begin(), shapes.end(), [](const Shape& shape) { return shape.capsule.link == 0; }))
       throw OptionError("file",
-                        "no link that moves has a collision shape, so that nothing of it could touch anything: "
-                        "give the links <collision> shapes");
+                        "no moving link has a collision shape, so the robot can never collide: give the links "
+                        "<collision> shapes");
     std::stable_sort(shapes.begin(), shapes.end(),
                      [](const Shape& a, const Shape& b) { return a.capsule.link < b.capsule.link; });
     for (const Shape& shape : shapes) {
@@ -132,7 +132,7 @@ class RobotBuilder {
     robot_.unit = "m";
     if (adds > 0) {
       constexpr double kMillimetres = 1000;
-      robot_.whose = "capsules that cover the collision shapes of " + file + " and reach out of them by at most " +
+      robot_.whose = "capsules that cover the collision shapes of " + file + " and exceed them by at most " +
                      std::to_string(static_cast<long>(std::ceil(kMillimetres * adds))) + " mm (" + where + ")";
     }
   }

@@ -114,7 +114,7 @@ XmlFile::XmlFile(const std::filesystem::path& file, const char* root) : document
   document_->file = file.string();
   std::error_code unknown;
   if (const std::uintmax_t size = std::filesystem::file_size(file, unknown); !unknown && size > kMost)
-    throw InputError(document_->file + ": has " + std::to_string(size >> 20) + " MB; a robot has at most 64");
+    throw InputError(document_->file + " is " + std::to_string(size >> 20) + " MB; the limit is 64 MB");
   const std::string content = read_content(file);
   tinyxml2::XMLDocument& xml = document_->xml;
   if (xml.Parse(content.data(), content.size()) != tinyxml2::XML_SUCCESS)

@@ -92,7 +92,7 @@ std::string word_on_default(const LoadedConfig& loaded) {
   const PluginChoice& first = loaded.config.initializer;
   if (!first || first.plugin->type != "eikonal" || loaded.tree.find("initializer") != nullptr) return words;
   return words +
-         "  first path: from an arrival-cost field over the two coordinates, which finds ways on all sides\n"
+         "  first path: from an arrival-cost field over the two coordinates, which finds paths on all sides\n"
          "  (initializer: eikonal); to begin with the straight line, set 'initializer: straight'\n";
 }
 

@@ -15,6 +15,7 @@
 #include "catalogue/output/json_numbers.hpp"
 #include "catalogue/output/output_folder.hpp"
 #include "catalogue/run/run_origin.hpp"
+#include "catalogue/yaml/said_of.hpp"
 
 namespace leastcost::app {
 namespace {
@@ -74,7 +75,7 @@ Verdict verdict_on_exception(const Streams& streams) {
     const Diagnostics& d = e.diagnostics();
     return {Exit::configuration, "configuration_error", e.what(), d.render(streams.color) + d.count() + "\n"};
   } catch (const OptionError& e) {
-    return verdict(Exit::configuration, "configuration_error", in_quotes(e.key()) + ": " + e.what());
+    return verdict(Exit::configuration, "configuration_error", said_of(in_quotes(e.key()), e.what()));
   } catch (const InputError& e) {
     return verdict(Exit::input, "input_error", e.what());
   } catch (const InitializationError& e) {

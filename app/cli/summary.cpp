@@ -151,7 +151,7 @@ std::string steps(const Run& prepared) {
 }
 
 std::string memory_text(int points, const Dimensions& dims) {
-  return fmt::format("about {} for the path, of {}", size_in_words(bytes_of_path(points, dims)),
+  return fmt::format("the path needs about {}; the host has {}", size_in_words(bytes_of_path(points, dims)),
                      size_in_words(memory_of_host()));
 }
 

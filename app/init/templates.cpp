@@ -176,7 +176,7 @@ ends:
 )";
 
 constexpr std::string_view kEarth =
-    R"(# The shortest way between two places of the Earth (WGS84). Points are (latitude, longitude) in degrees.
+    R"(# The shortest path between two places on the Earth (WGS84). Points are (latitude, longitude) in degrees.
 # The cost is in metres.
 name: earth
 manifold: earth
@@ -346,7 +346,7 @@ const std::vector<Template>& templates() {
       starter("cloud", "a geodesic on a point cloud", kCloud, {{"cloud.xyz", sample_cloud}}),
       starter("terrain", "the quickest walk over a raster of heights", kTerrain, {{"hills.asc", sample_heights}}),
       starter("cost_map", "a path over a raster of costs", kCostMap, {{"marsh.csv", sample_costs}}),
-      starter("earth", "the shortest way between two places on the Earth", kEarth),
+      starter("earth", "the shortest path between two places on the Earth", kEarth),
       starter("parametric", "a geodesic on a surface given by formulas in u and v", kParametric),
       starter("implicit", "a geodesic on a surface f(x, y, z) = 0", kImplicit),
       starter("signed_distance", "a geodesic on a surface given by a grid of distances", kSignedDistance),

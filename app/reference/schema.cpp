@@ -150,7 +150,7 @@ Json object_schema(const std::vector<FieldInfo>& fields) {
 FieldInfo name_field() {
   FieldInfo name;
   name.key = "name";
-  name.help = "Its name in the tables of the study; default: its type.";
+  name.help = "Name in the tables of the study; default: the type.";
   return name;
 }
 

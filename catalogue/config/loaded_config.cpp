@@ -3,6 +3,7 @@
 #include "catalogue/config/loaded_config.hpp"
 
 #include <cstddef>
+#include "catalogue/yaml/said_of.hpp"
 
 namespace leastcost {
 
@@ -10,7 +11,7 @@ void LoadedConfig::add_error(const std::string& key, const std::string& message)
   const std::size_t dot = key.rfind('.');
   const std::string what =
       dot == std::string::npos ? in_quotes(key) : in_quotes(key.substr(dot + 1)) + " in " + key.substr(0, dot);
-  errors.error(place_of(tree, key), what + ": " + message);
+  errors.error(place_of(tree, key), said_of(what, message));
 }
 
 }  // namespace leastcost

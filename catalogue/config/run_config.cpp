@@ -80,14 +80,18 @@ void RunConfig::fields(RunVisitor& visit) {
     path.field("escape_saddle", escape_saddle, {.help = "At a saddle, step towards lower energy and solve again."});
   });
   visit.plugin("initializer", initializer, "initializer",
-               {.help = "How the first path is found; default: dijkstra on a mesh or cloud, otherwise straight."});
+               {.help = "How the first path is found; default: cell_graph on a cost map read as cells; eikonal in two "
+                        "coordinates if the cost varies with position, and among obstacles in a chart; grid among "
+                        "obstacles in the plane; rrt for robots and among other obstacles; dijkstra on a mesh or "
+                        "cloud; otherwise straight. A ring has no default. run -n names the one chosen, and why."});
   visit.block("family",
               {.help = "Start from more first paths: the distinct locally least-cost paths are listed, and the "
                        "cheapest is delivered."},
               [&](RunVisitor& v) { family.fields(v); });
   visit.plugin("solver", solver, "solver",
-               {.help = "How the path is improved; default: none if the shortest path is proved (certificate.global), "
-                        "else lbfgs on a mesh and newton elsewhere."});
+               {.help = "How the path is improved; default: none if post-processors make the curve from the first path "
+                        "(taut, refract, refract_cells, or a proof that it is the shortest of all), else lbfgs on a "
+                        "mesh and newton elsewhere. run -n names the one chosen, and why."});
   visit.field_or_zero("max_seconds", max_seconds,
                       {.help = "Time budget of the search, from the first path to the certificate; 0: no limit.",
                        .unit = "s",
@@ -96,8 +100,10 @@ void RunConfig::fields(RunVisitor& visit) {
   visit.block("certificate", {.help = "Conditions that a path must meet to be certified."},
               [&](RunVisitor& v) { certificate.fields(v); });
   visit.plugins("post_process", post_process, "post_processor",
-                {.help = "Steps after the solve, in this order; default: on a mesh, trace, and straighten if the "
-                         "metric is constant."});
+                {.help = "Steps after the solve, in this order; default: on_surface on a level set; on a mesh, trace, "
+                         "and straighten if the metric is constant; taut among obstacles if the cost is length; "
+                         "refract in layers; refract_cells on a cost map read as cells; otherwise none. run -n names "
+                         "those chosen, and why."});
   visit.block("output", {.help = "Where results are written."}, [&](RunVisitor& v) {
     v.field("folder", output_folder, {.help = "Output folder, relative to the current one; default: results/<name>."});
     v.field(
@@ -120,8 +126,8 @@ void RunConfig::fields(RunVisitor& visit) {
         [&](RunVisitor& t) {
           trajectory.fields(t);
           t.file("limits", joint_limits,
-                 {.help = "A joint_limits.yaml of MoveIt: limits of what is not given here, by the names of joints; it "
-                          "goes before those of the robot's file."});
+                 {.help = "MoveIt's joint_limits.yaml: limits by joint name for whatever is not set here; it takes "
+                          "precedence over the limits in the robot's file."});
         });
   });
 }

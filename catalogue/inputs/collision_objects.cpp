@@ -177,7 +177,7 @@ void read_collision_objects(const std::vector<ConfigNode>& objects, const Isomet
       if (frame && *frame != stated->text)
         object.fault(
             "header.frame_id",
-            fmt::format("must be that of the objects before it, {}: other frames are not known", in_quotes(*frame)));
+            fmt::format("must be {}, the frame of the objects before it: a scene has one frame", in_quotes(*frame)));
       frame = stated->text;
     }
     Isometry3d pose = scene_pose;

@@ -111,7 +111,7 @@ TrajectoryOptions with_joint_limits(const std::filesystem::path& file, const Rob
       if (!std::isfinite(read[i]))
         throw OptionError(key,
                           fmt::format("is needed: {} for the joint '{}' (has_{}_limits: true, max_{}: ..); or give "
-                                      "one number for all joints, or a list with one each",
+                                      "one number for all joints, or a list with one for each",
                                       what, robot.joints[static_cast<std::size_t>(i)], key, key));
     given = factor * read;
     if (factor < 1 && note)
@@ -120,7 +120,7 @@ TrajectoryOptions with_joint_limits(const std::filesystem::path& file, const Rob
   };
   take("velocity", options.velocity, velocity, limits.velocity_factor, name + " and the robot's file have none");
   take("acceleration", options.acceleration, acceleration, limits.acceleration_factor, name + " has none");
-  if (limits.positions && note) note("limits of positions in " + name + " are not heeded: those of the URDF are");
+  if (limits.positions && note) note("limits of positions in " + name + " are ignored; the URDF's are used");
   return options;
 }
 

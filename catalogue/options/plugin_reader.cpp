@@ -14,6 +14,14 @@
 #include "catalogue/yaml/suggest.hpp"
 
 namespace leastcost {
+namespace {
+
+std::string with_article(std::string_view kind) {
+  return fmt::format("{} {}", std::string_view("aeiou").find(kind.front()) != std::string_view::npos ? "an" : "a",
+                     kind);
+}
+
+}  // namespace
 
 const PluginEntry* OptionsReader::find_type(const ConfigNode& node, const Place& place, const std::string& path,
                                             const PluginKind& kind) {
@@ -85,8 +93,8 @@ PluginChoice OptionsReader::find_external(const ConfigNode& node, const PluginCh
   if (std::visit([](const auto& object) { return object == nullptr; }, found->second))
     return refuse(fmt::format("the object {} is null", in_quotes(name)));
   if (kind_of(found->second) != kind.name)
-    return refuse(fmt::format("the object {} is of the kind '{}', and this key takes one of the kind '{}'",
-                              in_quotes(name), kind_of(found->second), kind.name));
+    return refuse(fmt::format("the object {} is {}; this key takes {}", in_quotes(name),
+                              with_article(kind_of(found->second)), with_article(kind.name)));
   return choose_external(found->second, name, asked.path);
 }
 

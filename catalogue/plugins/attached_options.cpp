@@ -97,21 +97,23 @@ Words<AttachedOptions::Shape> words(AttachedOptions::Shape) {
 }
 
 void AttachedOptions::fields(FieldVisitor& visit) {
-  visit.field("id", id, {.help = "Its name in messages."});
-  visit.field("link", link, {.help = "The link that carries it, by its name; default: the last one."});
-  visit.choice("type", type, {.help = "Its shape, in its own frame as that of an obstacle.", .required = true});
-  visit.field("size", size, {.help = "Of a box: its edges.", .unit = "length"});
-  visit.field("radius", radius, {.help = "Of a ball, a cylinder and a capsule.", .unit = "length", .minimum = 0});
-  visit.field("height", height, {.help = "Of a cylinder, along its z axis.", .unit = "length", .minimum = 0});
-  visit.field("from", from, {.help = "Of a capsule: one end of its axis.", .unit = "length"});
-  visit.field("to", to, {.help = "Of a capsule: the other end.", .unit = "length"});
-  visit.file("file", file, {.help = "Of a mesh: OBJ, OFF, PLY or STL; it is taken as solid."});
-  visit.group("pose", {.help = "Position and rotation of its frame in that of the link."},
+  visit.field("id", id, {.help = "Name of the object in messages."});
+  visit.field("link", link, {.help = "Name of the link that carries the object; default: the last one."});
+  visit.choice(
+      "type", type,
+      {.help = "Shape, in the object's own frame, placed in it like an obstacle of this type.", .required = true});
+  visit.field("size", size, {.help = "Edge lengths of a box.", .unit = "length"});
+  visit.field("radius", radius, {.help = "Radius of a ball, a cylinder or a capsule.", .unit = "length", .minimum = 0});
+  visit.field("height", height, {.help = "Height of a cylinder, along its z axis.", .unit = "length", .minimum = 0});
+  visit.field("from", from, {.help = "One end of the axis of a capsule.", .unit = "length"});
+  visit.field("to", to, {.help = "The other end of the axis of a capsule.", .unit = "length"});
+  visit.file("file", file, {.help = "File of a mesh: OBJ, OFF, PLY or STL; it is taken as solid."});
+  visit.group("pose", {.help = "Position and rotation of the object's frame in the link's frame."},
               [&](FieldVisitor& inner) { pose.fields(inner); });
   visit.field(
       "touches", touches,
-      {.help = "Links, and ids of other objects, that it may touch; it always may touch its link and what moves "
-               "with it."});
+      {.help = "Links, and ids of other objects, that the object may touch; it may always touch the link that carries "
+               "it and what moves with that link."});
 }
 
 bool has_files(const std::vector<AttachedOptions>& attached) {

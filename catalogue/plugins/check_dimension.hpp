@@ -16,7 +16,7 @@ namespace leastcost {
 /// OptionError with `key`.
 inline void check_dimension(const SegmentCost& cost, const BuildContext& context, const char* key) {
   if (context.dimension != 0 && cost.dim() != context.dimension)
-    throw OptionError(key, "the cost is one of moves in R^" + std::to_string(cost.dim()) +
+    throw OptionError(key, "the cost is defined for moves in R^" + std::to_string(cost.dim()) +
                                ", but the manifold lies in R^" + std::to_string(context.dimension));
   const std::string why = find_ability<HasVoids>(cost) != nullptr ? why_no_map_of(context.manifold.get()) : "";
   if (!why.empty()) throw OptionError(key, why);

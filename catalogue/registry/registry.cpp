@@ -393,7 +393,7 @@ const auto& initializers() {
       made_of<InitializerPlugin, GridInitializer, GridOptions>(
           "grid", "A least-cost route over a regular grid in the plane or in space that keeps clear of obstacles."),
       plugin<InitializerPlugin, RrtOptions>(
-          "rrt", "A random tree in the shell around a smooth domain, shortened.",
+          "rrt", "Random trees from both ends, for robots, among obstacles and near smooth domains; shortened.",
           [](const RrtOptions& o, const BuildContext& c) { return std::make_shared<const RrtInitializer>(o, c.seed); }),
       plugin<InitializerPlugin, WaypointsOptions>("waypoints", "A path through the given points, in order.",
                                                   [](const WaypointsOptions& o, const BuildContext&) {
@@ -445,7 +445,7 @@ const auto& post_processors() {
           "on_surface", "The solved path as a polyline that lies on a smooth domain within a tolerance.")
           .needing<HasLevelSet>(),
       made_of<PostProcessorPlugin, TautPostProcessor, TautOptions>(
-          "taut", "The shortest path in its class among obstacles in the plane.")
+          "taut", "The shortest path in its class among obstacles in the plane, or among convex ones in space.")
           .needing<HasConstantMetric>(),
       made_of<PostProcessorPlugin, RefractPostProcessor>(
           "refract", "The least-cost path through the same layers, with Snell's law at every interface.")

@@ -337,7 +337,7 @@ void Composer::put_among(ListedObstacles obstacles) {
   const RobotPtr& robot = context_.robot;
   const double clearance = voids_.clearance(config_.clearance);
   out_.problem.manifold = context_.manifold = among(std::move(obstacles), clearance, robot, out_.problem.manifold);
-  if (robot != nullptr && !robot->whose.empty()) out_.notes.push_back("clearances are those of " + robot->whose);
+  if (robot != nullptr && !robot->whose.empty()) out_.notes.push_back("clearances refer to " + robot->whose);
   if (voids_.any() && !(config_.clearance > 0))
     out_.notes.push_back(
         fmt::format("places without data are obstacles; the path keeps {:.6g} away from them, a tenth of a cell (to "

@@ -57,7 +57,7 @@ void place_waypoints(RunOutcome& outcome) {
   const std::optional<Clearance>& clearance = outcome.waypoints->clearance;
   if (!outcome.waypoints->touches) return;
   const bool inside = clearance->upper < 0;
-  parts.notes.push_back("the straight moves between the waypoints are not clear: the move from waypoint " +
+  parts.notes.push_back("the straight moves between the waypoints are not collision-free: the move from waypoint " +
                         std::to_string(clearance->segment) + " comes " +
                         short_number(std::abs(inside ? clearance->upper : clearance->lower)) +
                         (inside ? "" : " (possibly)") + " too close to " + clearance->obstacle +

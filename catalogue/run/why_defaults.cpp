@@ -16,7 +16,7 @@ std::string why_proof_of(const RunConfig& config, const RunParts& parts) {
   if (steps.size() > stated)
     return fmt::format("proof over all paths: {}, {}", steps.back()->name(),
                        why_proof(facts_of(config), first_path_of(config), asked_proof(config)));
-  if (config.family.wanted()) return "proof over all paths: none, because a family is of paths of several classes";
+  if (config.family.wanted()) return "proof over all paths: none, because a family contains paths of several classes";
   if (proves_shortest(config)) return "proof over all paths: none, because the last post-processor makes another curve";
   return fmt::format("proof over all paths: none, {}",
                      why_proof(facts_of(config), first_path_of(config), asked_proof(config)));

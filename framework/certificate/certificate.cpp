@@ -18,8 +18,9 @@ void CertificateOptions::fields(FieldVisitor& visit) {
                {.help = "When to try a proof of the local minimum, if cost and domain are formulas. needed: only if "
                         "the path would not be certified without it."});
   visit.variant("global", global,
-                {.help = "Proof that no path at all costs less, where possible: for the Euclidean cost on a mesh, or "
-                         "among obstacles in the plane."});
+                {.help = "Proof that no path at all costs less, where possible: on a mesh under a constant metric, for "
+                         "the length among obstacles in the plane, in layers, and on a cost map read as cells. With a "
+                         "budget also a bracket of the least cost in a box of the plane or of space."});
   visit.field("refine", refine,
               {.help = "How often the points may be doubled if there are too few to certify the path; the requested "
                        "number of points is delivered. 0: never.",
@@ -36,7 +37,7 @@ void CertificateOptions::fields(FieldVisitor& visit) {
               {.help = "Largest relative deviation of E(2M) / E(4M), VFCS Eq. (8).", .minimum = 0});
   visit.field("longest_segment", longest_segment, {.help = "Largest max c / mean c.", .minimum = 1});
   visit.field("clearance", clearance,
-              {.help = "Tolerance of the clearance, for rounding.", .unit = "diameters", .minimum = 0});
+              {.help = "Tolerance of the clearance, for rounding errors.", .unit = "diameters", .minimum = 0});
   visit.field("index_shift", index_shift,
               {.help = "Shift tau used in the two counts of the index.", .minimum = 0, .exclusive_minimum = true});
 }

@@ -156,7 +156,7 @@ std::string why(const Offer& offer, const Standing& searched) {
   const TwoNumbers costs = told_apart(offer.curve.curve.cost, searched.cost, 9);
   std::string text = "the first path is delivered; its cost is " + costs.first;
   if (offer.standing.depth < searched.depth) {
-    text += offer.standing.depth > 0 ? ", and it penetrates obstacles less" : ", and it is clear of the obstacles";
+    text += offer.standing.depth > 0 ? ", and it penetrates obstacles less" : ", and it does not touch the obstacles";
     return text + "; the path found from it goes " + short_number(searched.depth) + " too far into one";
   }
   return text + "; the path found from it " +

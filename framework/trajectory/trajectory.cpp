@@ -124,14 +124,15 @@ void sample(const BlendedPath& path, const SpeedProfile& profile, double interva
 }  // namespace
 
 void TrajectoryOptions::fields(FieldVisitor& visit) {
-  visit.field("velocity", velocity,
-              {.help = "Largest velocity: a number for all coordinates, or a list with one each; default: that of the "
-                       "robot's file.",
-               .unit = "coordinates/s",
-               .minimum = 0,
-               .exclusive_minimum = true});
+  visit.field(
+      "velocity", velocity,
+      {.help = "Largest velocity: a number for all coordinates, or a list with one for each; default: that of the "
+               "robot's file.",
+       .unit = "coordinates/s",
+       .minimum = 0,
+       .exclusive_minimum = true});
   visit.field("acceleration", acceleration,
-              {.help = "Largest acceleration: a number for all coordinates, or a list with one each.",
+              {.help = "Largest acceleration: a number for all coordinates, or a list with one for each.",
                .unit = "coordinates/s^2",
                .minimum = 0,
                .exclusive_minimum = true});

@@ -9,6 +9,7 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/cost/segment_cost_function.hpp>
+#include "framework/base/counted.hpp"
 #include "problems/layers/snell.hpp"
 
 namespace leastcost {
@@ -107,9 +108,8 @@ Eigen::VectorXd indices_of(const LayersOptions& options) {
   if (options.indices) return *options.indices;
   const Eigen::VectorXd& speeds = *options.speeds;
   if (speeds.size() != options.interfaces.size() + 1)
-    throw OptionError("speeds", "has " + std::to_string(speeds.size()) + " numbers, but " +
-                                    std::to_string(options.interfaces.size()) + " interfaces separate " +
-                                    std::to_string(options.interfaces.size() + 1) + " layers");
+    throw OptionError("speeds", "has " + counted(speeds.size(), "number") + ", but must have one for each of the " +
+                                    counted(options.interfaces.size() + 1, "layer") + ": one more than interfaces");
   for (Index i = 0; i < speeds.size(); ++i)
     if (!(speeds[i] > 0) || !std::isfinite(speeds[i]))
       throw OptionError("speeds", "number " + std::to_string(i + 1) + " must be greater than 0, and finite");

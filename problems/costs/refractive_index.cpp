@@ -11,6 +11,7 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/cost/has_free_places.hpp>
+#include "framework/base/counted.hpp"
 #include "problems/costs/isotropic_length.hpp"
 #include "problems/formula/coordinate_names.hpp"
 #include "problems/formula/formula.hpp"
@@ -226,9 +227,10 @@ struct IndexMaker {
     require_positive("width", o.width);
     if (o.boundaries.size() == 0) throw OptionError(key("boundaries"), "missing: give at least one boundary");
     if (o.values.size() != o.boundaries.size() + 1)
-      throw OptionError(key("values"), "has " + std::to_string(o.values.size()) + " numbers, but " +
-                                           std::to_string(o.boundaries.size()) + " boundaries separate " +
-                                           std::to_string(o.boundaries.size() + 1) + " layers");
+      throw OptionError(key("values"), "has " + counted(static_cast<long>(o.values.size()), "number") +
+                                           ", but must have one for each of the " +
+                                           counted(static_cast<long>(o.boundaries.size()) + 1, "layer") +
+                                           ": one more than boundaries");
     for (Eigen::Index i = 0; i + 1 < o.boundaries.size(); ++i)
       if (!(o.boundaries[i] < o.boundaries[i + 1])) throw OptionError(key("boundaries"), "must increase");
     for (const double value : o.values) require_positive("values", value);

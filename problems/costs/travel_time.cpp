@@ -163,7 +163,7 @@ void TravelTimeOptions::fields(FieldVisitor& visit) {
   visit.field("start_speed", start_speed, {.help = "Speed at the source.", .unit = "length/s", .minimum = 0});
   visit.field("level", level,
               {.help = "Height at which the bead is at rest, or its energy in a potential; default: from the source "
-                       "and the start speed. Required for a ring, which has no source.",
+                       "and the start speed. Required for a ring without a source.",
                .unit = "length, in a potential length^2/s^2"});
   visit.field(
       "potential", potential,
@@ -178,7 +178,7 @@ void check_travel_time(const TravelTimeOptions& options, bool has_source) {
     throw OptionError("start_speed", "the start speed determines the energy level: give either start_speed or level");
   if (options.level && !std::isfinite(*options.level)) throw OptionError("level", "must be finite");
   if (!options.level && !has_source)
-    throw OptionError("level", "a ring has no source: give the energy level (a height)");
+    throw OptionError("level", "a ring without a source needs it: give the energy level (a height)");
   if (!options.potential) {
     if (!options.parameters.empty()) throw OptionError("parameters", "are constants of a potential, but there is none");
     return;

@@ -7,8 +7,8 @@ namespace leastcost {
 void RrtOptions::fields(FieldVisitor& visit) {
   visit.field(
       "step", step,
-      {.help = "Length of an edge of the tree; default: 1/16 of the distance between the ends; of a robot, of the "
-               "diagonal of its limits.",
+      {.help = "Length of an edge of the tree; default: 1/16 of the distance between the ends; for a robot, 1/16 of "
+               "the diagonal of its joint limits.",
        .unit = "length",
        .minimum = 0,
        .exclusive_minimum = true});
@@ -24,8 +24,9 @@ void RrtOptions::fields(FieldVisitor& visit) {
                .exclusive_minimum = true});
   visit.field("max_nodes", max_nodes,
               {.help = "Number of nodes in both trees at which the search gives up.", .minimum = 1});
-  visit.field("shortcuts", shortcuts,
-              {.help = "Number of random shortcuts tried on the path found; of a robot's, at most.", .minimum = 0});
+  visit.field(
+      "shortcuts", shortcuts,
+      {.help = "Number of random shortcuts tried on the path found; for a robot, an upper limit.", .minimum = 0});
   visit.field(
       "paths", paths,
       {.help =

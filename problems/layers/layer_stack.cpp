@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
+#include "framework/base/counted.hpp"
 
 namespace leastcost {
 namespace {
@@ -21,15 +22,15 @@ void check_sizes(const Eigen::MatrixXd& normals, const Eigen::VectorXd& offsets,
   if (offsets.size() == 0) throw OptionError("interfaces", "missing: give at least one interface");
   if (!offsets.allFinite()) throw OptionError("interfaces", "must be finite numbers");
   if (indices.size() != offsets.size() + 1)
-    throw OptionError("indices", "has " + count(indices.size()) + " numbers, but " + count(offsets.size()) +
-                                     " interfaces separate " + count(offsets.size() + 1) + " layers");
+    throw OptionError("indices", "has " + counted(indices.size(), "number") + ", but must have one for each of the " +
+                                     counted(offsets.size() + 1, "layer") + ": one more than interfaces");
   for (Eigen::Index i = 0; i < indices.size(); ++i)
     if (!(indices[i] > 0) || !std::isfinite(indices[i]))
       throw OptionError("indices", "number " + count(i + 1) + " must be greater than 0, and finite");
   if (normals.rows() < 2) throw OptionError("normals", "layers need a space of at least two dimensions");
   if (normals.cols() != offsets.size())
     throw OptionError("normals", "there are " + count(normals.cols()) + " for " + count(offsets.size()) +
-                                     " interfaces: give one for all, or one each");
+                                     " interfaces: give one for all, or one for each");
 }
 
 /// Parallel interfaces that are out of order leave layers without a place.

@@ -137,7 +137,7 @@ void RasterOptions::fields(FieldVisitor& visit, bool required) {
   visit.field("degrees", degrees,
               {.help = "Whether cell and origin, from the file or given here, are longitude and latitude in degrees. "
                        "Points are then metres east and north of the lower left corner, on WGS84, exact at the "
-                       "raster's centre. Default: from the CRS of the file, or the .prj beside it."});
+                       "raster's centre. Not needed if the CRS of the file, or the .prj beside it, says so."});
 }
 
 void check(const RasterOptions& o) {

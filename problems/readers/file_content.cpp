@@ -28,7 +28,7 @@ std::string read_content(const std::filesystem::path& file) {
   std::string content(static_cast<std::size_t>(size), '\0');
   stream.read(content.data(), static_cast<std::streamsize>(size));
   if (static_cast<std::uintmax_t>(stream.gcount()) != size)
-    throw InputError(file.string() + ": cannot be read to its end");
+    throw InputError(file.string() + ": cannot be read completely");
   return content;
 }
 

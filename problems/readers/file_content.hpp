@@ -9,7 +9,7 @@ namespace leastcost {
 
 std::string lower_case(std::string text);
 
-/// The whole file. Throws InputError where there is none, or where it cannot be read to its end.
+/// The whole file. Throws InputError where there is none, or where it cannot be read completely.
 std::string read_content(const std::filesystem::path& file);
 
 }  // namespace leastcost

@@ -56,7 +56,7 @@ void leave_out_what_always_touches(Robot& robot, std::size_t first) {
   std::set<std::pair<std::string, std::string>> names;
   for (const auto& [i, j] : always)
     names.emplace(robot.part_name(static_cast<std::size_t>(i)), robot.part_name(static_cast<std::size_t>(j)));
-  robot.whose += "; left out are parts that touch each other in every configuration tried:";
+  robot.whose += "; pairs of parts that touch in every configuration tried are ignored:";
   const char* separator = " ";
   for (const auto& [one, other] : names) {
     robot.whose.append(separator).append(one).append(" and ").append(other);

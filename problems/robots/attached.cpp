@@ -112,10 +112,12 @@ class Attacher {
   void say_what_is_added() {
     constexpr double kMillimetres = 1000;
     for (const AttachedObject& object : objects_) {
-      out_.whose += (out_.whose.empty() ? "the robot, and of " : ", and of ") + object.name;
+      out_.whose += out_.whose.empty() ? "the robot, and to " : ", and to ";
       if (object.shape.adds > 0)
-        out_.whose += " with capsules that reach out of it by at most " +
+        out_.whose += "capsules that cover '" + object.name + "' and exceed it by at most " +
                       std::to_string(static_cast<long>(std::ceil(kMillimetres * object.shape.adds))) + " mm";
+      else
+        out_.whose += "'" + object.name + "'";
     }
   }
 

@@ -17,13 +17,14 @@ TrajectoryOptions with_limits_of(const Robot& robot, TrajectoryOptions options) 
         throw OptionError("velocity",
                           "is needed: the robot's file has none for the joint '" +
                               (robot.joints.empty() ? std::to_string(i) : robot.joints[static_cast<std::size_t>(i)]) +
-                              "'; give one number for all joints, or a list with one each");
+                              "'; give one number for all joints, or a list with one for each");
     options.velocity = robot.velocity;
   }
   if (!options.acceleration)
-    throw OptionError("acceleration",
-                      "is needed: files of robots have none; give one number for all joints, or a list with one each "
-                      "(rad/s^2), like max_acceleration in a joint_limits.yaml of MoveIt");
+    throw OptionError(
+        "acceleration",
+        "is needed: files of robots have none; give one number for all joints, or a list with one for each "
+        "(rad/s^2), like max_acceleration in a joint_limits.yaml of MoveIt");
   return options;
 }
 

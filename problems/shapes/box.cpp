@@ -33,10 +33,11 @@ bool is_given(const ShapePose& pose) {
 }  // namespace
 
 void BoxShapeOptions::fields(FieldVisitor& visit) {
-  visit.field("lower", lower, {.help = "Corner with the smallest coordinates, with upper.", .unit = "length"});
-  visit.field("upper", upper, {.help = "Corner with the largest coordinates.", .unit = "length"});
+  visit.field("lower", lower, {.help = "Corner with the smallest coordinates; requires upper.", .unit = "length"});
+  visit.field("upper", upper, {.help = "Corner with the largest coordinates; requires lower.", .unit = "length"});
   visit.field("size", size,
-              {.help = "Edge lengths, in place of lower and upper: the origin is in its middle.", .unit = "length"});
+              {.help = "Edge lengths of a box centred on the origin of its frame; replaces lower and upper.",
+               .unit = "length"});
   visit_pose(visit, pose);
 }
 

@@ -98,7 +98,7 @@ void visit_sizes(FieldVisitor& visit, double& radius, double& height, const char
   visit.field("radius", radius,
               {.help = of_radius, .unit = "length", .minimum = 0, .exclusive_minimum = true, .required = true});
   visit.field("height", height,
-              {.help = "Height, along the z axis of its frame, in whose middle the origin is.",
+              {.help = "Height, along the z axis of its frame; the origin is at half the height.",
                .unit = "length",
                .minimum = 0,
                .exclusive_minimum = true,

@@ -21,7 +21,7 @@ def numbers(values: ArrayLike, name: str) -> NDArray[np.float64]:
     except ValueError:  # numpy says "inhomogeneous"
         raise InputError(f"{name} has rows of different lengths") from None
     if array.dtype.kind not in "fiu":
-        raise InputError(f"{name} has the type {array.dtype}; it has real numbers")
+        raise InputError(f"{name} has the type {array.dtype}; it must have real numbers")
     plain = np.array(array, dtype=np.float64, order="C", subok=False)
     plain[np.ma.getmaskarray(array)] = np.nan  # type: ignore[no-untyped-call]
     return plain
@@ -32,9 +32,9 @@ def seconds(value: float | None) -> float | None:
     if value is None:
         return None
     if isinstance(value, bool) or not isinstance(value, (int, float, np.integer, np.floating)):
-        raise InputError(f"max_seconds is {value!r}; it is a number of seconds, or None")
+        raise InputError(f"max_seconds is {value!r}; it must be a number of seconds, or None")
     if not 0 < value <= 1e9:
-        raise InputError(f"max_seconds is {value}; it is above 0 and at most 1e9, or None for no limit")
+        raise InputError(f"max_seconds is {value}; it must be above 0 and at most 1e9, or None for no limit")
     return float(value)
 
 
@@ -43,11 +43,11 @@ def points(values: ArrayLike, name: str, dimension: int | None = None) -> NDArra
     array = numbers(values, name)
     d = "d" if dimension is None else str(dimension)
     if array.ndim != 2 or (dimension is not None and array.shape[1] != dimension):
-        raise InputError(f"{name} has the shape {array.shape}; points have the shape (n, {d})")
+        raise InputError(f"{name} has the shape {array.shape}; points must have the shape (n, {d})")
     wrong = np.argwhere(~np.isfinite(array))
     if len(wrong):
         row, column = wrong[0]
-        raise InputError(f"{name}[{row}, {column}] is {array[row, column]}; points are finite")
+        raise InputError(f"{name}[{row}, {column}] is {array[row, column]}; points must be finite")
     return array
 
 
@@ -57,7 +57,7 @@ def largest(values: ArrayLike | None, name: str) -> NDArray[np.float64] | None:
         return None
     array = np.atleast_1d(numbers(values, name))
     if array.ndim != 1 or not len(array):
-        raise InputError(f"{name} has the shape {array.shape}; it is one number for all coordinates, or (d,)")
+        raise InputError(f"{name} has the shape {array.shape}; it must be one number for all coordinates, or (d,)")
     return array
 
 
@@ -65,7 +65,7 @@ def raster(values: ArrayLike, name: str) -> NDArray[np.float64]:
     """(rows, columns)."""
     array = numbers(values, name)
     if array.ndim != 2:
-        raise InputError(f"{name} has the shape {array.shape}; a raster has the shape (rows, columns)")
+        raise InputError(f"{name} has the shape {array.shape}; a raster must have the shape (rows, columns)")
     return array
 
 
@@ -75,7 +75,7 @@ def pair(value: ArrayLike, name: str, *, positive: bool = False) -> tuple[float,
     if positive and array.ndim == 0:
         array = np.repeat(array, 2)
     if array.shape != (2,):
-        raise InputError(f"{name} has the shape {array.shape}; it is two numbers, along x and along y")
+        raise InputError(f"{name} has the shape {array.shape}; it must be two numbers, along x and along y")
     if not np.isfinite(array).all() or (positive and not (array > 0).all()):
-        raise InputError(f"{name} is {array.tolist()}; its numbers are finite{' and above 0' if positive else ''}")
+        raise InputError(f"{name} is {array.tolist()}; its numbers must be finite{' and above 0' if positive else ''}")
     return float(array[0]), float(array[1])

@@ -62,7 +62,7 @@ def _check_symmetric(q: SquaredCost, a: NDArray[Any], b: NDArray[Any]) -> None:
     if i is not None:
         raise InputError(
             f"the cost is not symmetric: the move from {_text(a[:, i])} to {_text(b[:, i])} costs {there[i]:.9g}, "
-            f"and the way back {back[i]:.9g}; pass symmetric=False"
+            f"and the reverse move {back[i]:.9g}; pass symmetric=False"
         )
 
 

@@ -45,7 +45,7 @@ def source_of(
 ) -> _leastcost.Source:
     """A path is read; a text with a line break is the configuration itself, and so is a dict."""
     if not isinstance(set or {}, Mapping) or not all(isinstance(key, str) for key in set or {}):
-        raise TypeError(f"set is a dict of options, {{'path.points': 200}}, not {set!r}")
+        raise TypeError(f"set must be a dict of options, {{'path.points': 200}}, not {set!r}")
     reader = _Reader(objects or {}, isinstance(config, Mapping) and _reads_cells(config, set or {}))
     assignments = [f"{key}={json.dumps(reader.plain(value, f'set[{key!r}]'))}" for key, value in (set or {}).items()]
     if isinstance(config, Mapping):
@@ -54,7 +54,7 @@ def source_of(
         return _leastcost.Source(None, config, None, Path(folder), assignments, reader.externals)
     if isinstance(config, (str, os.PathLike)):
         return _leastcost.Source(Path(config), "", None, Path(), assignments, reader.externals)
-    raise TypeError(f"a configuration is a path, a text or a dict, not {type(config).__name__}")
+    raise TypeError(f"a configuration must be a path, a text or a dict, not {type(config).__name__}")
 
 
 def plain_block(block: Mapping[str, Any], where: str) -> dict[str, Any]:

@@ -28,7 +28,7 @@ class Cost:
     q: q(a, b) returns the squared costs, shape (n,), of straight moves between the points a and b, shape (d, n), in
       ambient coordinates. NaN and negative numbers mean an infinite cost.
     unit: of the cost, in words.
-    symmetric: the way back costs the same: q(a, b) = q(b, a).
+    symmetric: the reverse move costs the same: q(a, b) = q(b, a).
     additive: c = q**0.5 is the exact cost of a straight move, so that its parts add up to it; the error of a path is
       then much smaller.
     derivatives: "complex": by complex steps, exact but for rounding. q is also called with complex arrays and must be
@@ -52,9 +52,9 @@ class Cost:
         dimension: int | None = None,
     ) -> None:
         if not callable(q):
-            raise TypeError(f"a cost is a function q(a, b), not {type(q).__name__}")
+            raise TypeError(f"a cost must be a function q(a, b), not {type(q).__name__}")
         if derivatives not in ("complex", "differences"):
-            raise InputError(f'derivatives are "complex" or "differences", not {derivatives!r}')
+            raise InputError(f'derivatives must be "complex" or "differences", not {derivatives!r}')
         self.q = q
         self.unit = unit
         self.symmetric = symmetric
@@ -99,9 +99,11 @@ class CostMap:
         wrong = np.argwhere(array <= 0)
         if len(wrong):
             row, column = wrong[0]
-            raise InputError(f"costs[{row}, {column}] is {array[row, column]}; costs are above 0, or NaN for no data")
+            raise InputError(
+                f"costs[{row}, {column}] is {array[row, column]}; costs must be above 0, or NaN for no data"
+            )
         if interpolation not in ("auto", "cells", "smooth"):
-            raise InputError(f'the interpolation is "auto", "cells" or "smooth", not {interpolation!r}')
+            raise InputError(f'the interpolation must be "auto", "cells" or "smooth", not {interpolation!r}')
         self._state = (array, pair(origin, "origin"), pair(cell, "cell", positive=True), interpolation)
         self._read: dict[bool, _leastcost.External] = {}
 
@@ -150,7 +152,7 @@ class Wind:
         if along_x.shape != along_y.shape:
             raise InputError(f"u has the shape {along_x.shape}, and v {along_y.shape}")
         if min(along_x.shape) < 3:
-            raise InputError(f"u has the shape {along_x.shape}; a wind has 3 x 3 velocities at least")
+            raise InputError(f"u has the shape {along_x.shape}; a wind needs at least 3 x 3 velocities")
         corner, sides = pair(origin, "origin"), pair(cell, "cell", positive=True)
         self._state = (along_x, along_y, speed, corner, sides, unit)
         rows, columns = along_x.shape
@@ -175,9 +177,11 @@ def checked(q: SquaredCost) -> SquaredCost:
         with np.errstate(all="ignore"):  # what is masked is infinite, too
             values: NDArray[Any] = np.ma.filled(q(a, b), np.nan)  # type: ignore[no-untyped-call]
         if values.shape != (a.shape[1],):
-            raise InputError(f"the cost returned the shape {values.shape}; of {a.shape[1]} moves it is ({a.shape[1]},)")
+            raise InputError(
+                f"the cost returned the shape {values.shape}; for {a.shape[1]} moves it must be ({a.shape[1]},)"
+            )
         if values.dtype.kind not in "fiuc":
-            raise InputError(f"the cost returned values of the type {values.dtype}; costs are numbers")
+            raise InputError(f"the cost returned values of the type {values.dtype}; costs must be numbers")
         if values.dtype.kind == "c" and a.dtype.kind != "c":
             raise InputError("the cost returned complex numbers for real points")
         return values

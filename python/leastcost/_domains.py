@@ -126,5 +126,5 @@ def _positions(positions: ArrayLike, normals: ArrayLike | None) -> tuple[Any, An
     length = np.linalg.norm(directions, axis=1, keepdims=True)
     wrong = np.flatnonzero(~(np.isfinite(length) & (length > 0)))
     if len(wrong):
-        raise InputError(f"the normal of point {wrong[0]} has the length {length[wrong[0], 0]}; it is above 0")
+        raise InputError(f"the normal of point {wrong[0]} has the length {length[wrong[0], 0]}; it must be above 0")
     return at, directions / length

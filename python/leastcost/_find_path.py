@@ -109,7 +109,7 @@ def _end(place: Any, name: str, domain: Domain) -> Mapping[str, Any]:
         return {"face": face, "barycentric": list(barycentric)}
     x = point(place)
     if x is None:
-        raise InputError(f"{name} is a point: real numbers of shape (d,), not {place!r}")
+        raise InputError(f"{name} must be a point: real numbers of shape (d,), not {place!r}")
     wanted = _coordinates(domain)
     if wanted is not None and len(x) != wanted:
         raise InputError(f"{name} has {len(x)} coordinates; points of {domain!r} have {wanted}")

@@ -113,7 +113,7 @@ class Mesh:
         lie. Warns where a distance is known from above alone.
         """
         if not max_distance >= 0:
-            raise InputError(f"max_distance is {max_distance}; it is at least 0")
+            raise InputError(f"max_distance is {max_distance}; it must be at least 0")
         places = [self._place(place) for place in _several(sources)]
         distance, lower, upper, blocked, out_of_memory = self._core.distances(places, max_distance)
         if blocked or out_of_memory:
@@ -152,7 +152,7 @@ class Mesh:
 def _vertices(V: ArrayLike) -> NDArray[np.float64]:
     array = numbers(V, "V")
     if array.ndim != 2 or array.shape[1] != 3:
-        raise InputError(f"V has the shape {array.shape}; positions have the shape (n, 3)")
+        raise InputError(f"V has the shape {array.shape}; positions must have the shape (n, 3)")
     return np.ascontiguousarray(array)
 
 
@@ -162,9 +162,9 @@ def _faces(F: ArrayLike, vertices: int) -> NDArray[np.int32]:
     except ValueError:
         raise InputError("F has rows of different lengths; cut its polygons into triangles") from None
     if array.ndim != 2 or array.shape[1] < 3:
-        raise InputError(f"F has the shape {array.shape}; faces have the shape (m, 3)")
+        raise InputError(f"F has the shape {array.shape}; faces must have the shape (m, 3)")
     if array.dtype.kind not in "iu":
-        raise InputError(f"F has the type {array.dtype}; faces are whole numbers, rows of V")
+        raise InputError(f"F has the type {array.dtype}; faces must be whole numbers, rows of V")
     wrong = np.argwhere((array < 0) | (array >= vertices))
     if len(wrong):
         row, column = wrong[0]

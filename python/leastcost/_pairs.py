@@ -78,7 +78,7 @@ def solve_pairs(
     A pair that has no path, or cannot have one, is a result with a message. Ctrl-C raises KeyboardInterrupt before the
     next pair. Raises ConfigError, InputError."""
     if isinstance(threads, bool) or not isinstance(threads, (int, np.integer)) or not 1 <= threads <= 1024:
-        raise InputError(f"threads is {threads!r}; it is a whole number from 1 to 1024")
+        raise InputError(f"threads is {threads!r}; it must be a whole number from 1 to 1024")
     ends = None if pairs is None else [_pair(pair, f"pairs[{i}]") for i, pair in enumerate(pairs)]
     source = source_of(config, set=set, folder=folder, objects=objects)
     return [PairResult(**result) for result in _leastcost.pairs(source, ends, threads, points)]

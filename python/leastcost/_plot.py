@@ -266,7 +266,7 @@ def _draw_paths(result: Result, scene: Scene, ax: Axes, style: Style, axes: int)
 
 
 def _draw_poses(strip: Scene, ax: Axes, style: Style) -> None:
-    """An arm or a body on its way, from pale to dark, and the way of its hand."""
+    """An arm or a body on its way, from pale to dark, and the path of its hand."""
     for flat in strip["obstacles"]:
         _fill([np.reshape(flat, (-1, 2))], ax, _SOLID, 1.0)
     for i, pose in enumerate(strip["poses"]):

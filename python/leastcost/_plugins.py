@@ -258,8 +258,8 @@ class manifold:
         nodata: Value that marks missing data; default: from the file.
         value_scale: Factor by which values are multiplied: 0.3048 converts feet to metres. (default: 1)
         degrees: Whether cell and origin, from the file or given here, are longitude and latitude in degrees. Points are
-          then metres east and north of the lower left corner, on WGS84, exact at the raster's centre. Default: from the
-          CRS of the file, or the .prj beside it. (default: false)
+          then metres east and north of the lower left corner, on WGS84, exact at the raster's centre. Not needed if the
+          CRS of the file, or the .prj beside it, says so. (default: false)
         """
         return _block(
             "terrain", file=file, cell=cell, origin=origin, nodata=nodata, value_scale=value_scale, degrees=degrees
@@ -289,9 +289,9 @@ class obstacle:
     ) -> dict[str, Any]:
         """A box, turned or along the axes; in the plane a rectangle; requires a clearance.
 
-        lower: Corner with the smallest coordinates, with upper. [length]
-        upper: Corner with the largest coordinates. [length]
-        size: Edge lengths, in place of lower and upper: the origin is in its middle. [length]
+        lower: Corner with the smallest coordinates; requires upper. [length]
+        upper: Corner with the largest coordinates; requires lower. [length]
+        size: Edge lengths of a box centred on the origin of its frame; replaces lower and upper. [length]
         pose: Position and rotation of the shape's frame. (with position, rpy, quaternion, rotation, angle)
         """
         return _block("box", lower=lower, upper=upper, size=size, pose=pose)
@@ -311,7 +311,7 @@ class obstacle:
         """A cylinder with flat ends in space; requires a clearance.
 
         radius: Radius. [length] (> 0)
-        height: Height, along the z axis of its frame, in whose middle the origin is. [length] (> 0)
+        height: Height, along the z axis of its frame; the origin is at half the height. [length] (> 0)
         pose: Position and rotation of the shape's frame. (with position, rpy, quaternion, rotation, angle)
         """
         return _block("cylinder", radius=radius, height=height, pose=pose)
@@ -327,7 +327,7 @@ class obstacle:
         """A cone or a frustum of one in space; requires a clearance.
 
         radius: Radius of the base, at the lower end. [length] (> 0)
-        height: Height, along the z axis of its frame, in whose middle the origin is. [length] (> 0)
+        height: Height, along the z axis of its frame; the origin is at half the height. [length] (> 0)
         top_radius: Radius at the upper end; 0: a tip. [length] (>= 0; default: 0)
         pose: Position and rotation of the shape's frame. (with position, rpy, quaternion, rotation, angle)
         """
@@ -402,8 +402,8 @@ class obstacle:
         nodata: Value that marks missing data; default: from the file.
         value_scale: Factor by which values are multiplied: 0.3048 converts feet to metres. (default: 1)
         degrees: Whether cell and origin, from the file or given here, are longitude and latitude in degrees. Points are
-          then metres east and north of the lower left corner, on WGS84, exact at the raster's centre. Default: from the
-          CRS of the file, or the .prj beside it. (default: false)
+          then metres east and north of the lower left corner, on WGS84, exact at the raster's centre. Not needed if the
+          CRS of the file, or the .prj beside it, says so. (default: false)
         above: Cells with a larger value are also obstacles.
         below: Cells with a smaller value are also obstacles.
         """
@@ -463,8 +463,8 @@ class obstacle:
         nodata: Value that marks missing data; default: from the file.
         value_scale: Factor by which values are multiplied: 0.3048 converts feet to metres. (default: 1)
         degrees: Whether cell and origin, from the file or given here, are longitude and latitude in degrees. Points are
-          then metres east and north of the lower left corner, on WGS84, exact at the raster's centre. Default: from the
-          CRS of the file, or the .prj beside it. (default: false)
+          then metres east and north of the lower left corner, on WGS84, exact at the raster's centre. Not needed if the
+          CRS of the file, or the .prj beside it, says so. (default: false)
         heights: Instead of a file: rows of heights, the northernmost first. [length]
         depth: How far the ground reaches down below its least height; default: the diagonal of the field. [length] (>
           0)
@@ -569,10 +569,10 @@ class robot:
         srdf: SRDF file: groups of joints, named states, pairs of links that may touch.
         group: Group of the SRDF whose joints move; default: all joints.
         hold: Values at which joints are held, {finger: 0.02}; default: 0, or the limit nearest to it. [rad or length]
-        hold_state: State of the SRDF from which the others have their values.
+        hold_state: SRDF state that sets the joints that are neither moved nor listed in hold.
         soft_limits: Keep to the soft limits of a safety_controller where they are narrower. (default: true)
         base: Where the root link stands. (with position, rpy)
-        packages: Folder with the packages of package:// names; meshes are also looked for beside the URDF.
+        packages: Folder with the packages of package:// names; meshes are also searched for beside the URDF.
         attached: Objects that it carries: shapes on its links. (with id, link, size, radius, height, from, to, file,
           pose, touches)
         """
@@ -634,7 +634,7 @@ class cost:
           9.80665)
         start_speed: Speed at the source. [length/s] (>= 0; default: 0)
         level: Height at which the bead is at rest, or its energy in a potential; default: from the source and the start
-          speed. Required for a ring, which has no source. [length, in a potential length^2/s^2]
+          speed. Required for a ring without a source. [length, in a potential length^2/s^2]
         potential: Instead of gravity: the potential energy per mass as a formula in the coordinates, like "(x^2 + y^2)
           / 2". [length^2/s^2]
         parameters: Constants that the potential can use, like {k: 2}.
@@ -674,8 +674,8 @@ class cost:
         nodata: Value that marks missing data; default: from the file.
         value_scale: Factor by which values are multiplied: 0.3048 converts feet to metres. (default: 1)
         degrees: Whether cell and origin, from the file or given here, are longitude and latitude in degrees. Points are
-          then metres east and north of the lower left corner, on WGS84, exact at the raster's centre. Default: from the
-          CRS of the file, or the .prj beside it. (default: false)
+          then metres east and north of the lower left corner, on WGS84, exact at the raster's centre. Not needed if the
+          CRS of the file, or the .prj beside it, says so. (default: false)
         interpolation: cells: constant in each cell. bilinear: through the values, with kinks between cells. smooth: the
           bicubic spline with the values as coefficients, without kinks and smoother than the values. auto: cells for a
           path between two ends in the plane without obstacles, unless a solver, a post-processor or a clearance is
@@ -973,15 +973,15 @@ class initializer:
         paths: int | None = None,
         seed: int | None = None,
     ) -> dict[str, Any]:
-        """A random tree in the shell around a smooth domain, shortened.
+        """Random trees from both ends, for robots, among obstacles and near smooth domains; shortened.
 
-        step: Length of an edge of the tree; default: 1/16 of the distance between the ends; of a robot, of the diagonal
-          of its limits. [length] (> 0)
+        step: Length of an edge of the tree; default: 1/16 of the distance between the ends; for a robot, 1/16 of the
+          diagonal of its joint limits. [length] (> 0)
         shell: Largest distance of a node from the domain; default: a quarter of the step. [length] (>= 0)
         goal_bias: Share of samples placed at the other end. (>= 0 and <= 1; default: 0.1)
         reach: How far beyond the tree samples are taken, in units of the distance between the ends. (> 0; default: 1)
         max_nodes: Number of nodes in both trees at which the search gives up. (>= 1; default: 20000)
-        shortcuts: Number of random shortcuts tried on the path found; of a robot's, at most. (>= 0; default: 200)
+        shortcuts: Number of random shortcuts tried on the path found; for a robot, an upper limit. (>= 0; default: 200)
         paths: Number of paths to find, of which the shortest is taken; default: among obstacles 8 in space and 4 in
           more dimensions (a robot), otherwise 1. (>= 1)
         seed: Seed of the samples; default: the seed of the run. (>= 0)
@@ -1260,7 +1260,7 @@ class post_processor:
 
     @staticmethod
     def taut(*, excess: float | None = None) -> dict[str, Any]:
-        """The shortest path in its class among obstacles in the plane.
+        """The shortest path in its class among obstacles in the plane, or among convex ones in space.
 
         excess: Largest relative excess of the polyline's length over the curve's, at round corners. (>= 1e-10 and <=
           0.01; default: 1e-06)

@@ -196,7 +196,7 @@ def register_initializer(
             points = _numbers(function(source, target, **read.values(values)), f"the initializer {name!r}")
             if points.ndim != 2 or points.shape[1] != dimension:
                 raise InputError(
-                    f"the initializer {name!r} returned points of the shape {points.shape}; it is (n, {dimension})"
+                    f"the initializer {name!r} returned points of the shape {points.shape}; it must be (n, {dimension})"
                 )
             if not np.isfinite(points).all():
                 raise InputError(f"the initializer {name!r} returned points that are not finite")
@@ -216,7 +216,7 @@ def _like(values: Any, shape: tuple[int, ...], has: str, returned_by: str) -> ND
     """Of this shape; what is returned is finite."""
     array = _numbers(values, returned_by or "a solver")
     if array.shape != shape:
-        raise InputError(f"{has} the shape {array.shape}; it is {shape}")
+        raise InputError(f"{has} the shape {array.shape}; it must be {shape}")
     if returned_by and not np.isfinite(array).all():
         raise InputError(f"{returned_by} returned points that are not finite")
     return array

@@ -161,7 +161,7 @@ class Result:
         Raises InputError for limits that do not fit and for other domains, OutputError for a result that was pickled.
         """
         if not 0 < interval < float("inf"):
-            raise InputError(f"interval is {interval}; it is a number of seconds above 0")
+            raise InputError(f"interval is {interval}; it must be a number of seconds above 0")
         return Trajectory(
             **self._outcome.trajectory(
                 largest(velocity, "velocity"),

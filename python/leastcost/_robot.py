@@ -257,7 +257,7 @@ def _tool(tool: str | Mapping[str, Any] | None) -> tuple[str, tuple[float, float
     if tool is None or isinstance(tool, str):
         return tool or "", (0.0, 0.0, 0.0)
     if not isinstance(tool, Mapping) or not set(tool) <= {"link", "offset"}:
-        raise InputError(f'tool is {tool!r}; it is the name of a link, or {{"link": name, "offset": (x, y, z)}}')
+        raise InputError(f'tool is {tool!r}; it must be the name of a link, or {{"link": name, "offset": (x, y, z)}}')
     x, y, z = _vector(tool.get("offset", (0, 0, 0)), "offset of the tool", 3).tolist()
     return str(tool.get("link") or ""), (x, y, z)
 
@@ -272,7 +272,7 @@ def _vector(values: ArrayLike, name: str, count: int) -> NDArray[np.float64]:
 def _rotation(matrix: ArrayLike) -> NDArray[np.float64]:
     array = numbers(matrix, "rotation")
     if array.shape != (3, 3):
-        raise InputError(f"rotation has the shape {array.shape}; it is a matrix of shape (3, 3)")
+        raise InputError(f"rotation has the shape {array.shape}; it must be a matrix of shape (3, 3)")
     if not (np.allclose(array @ array.T, np.eye(3), atol=1e-6) and np.linalg.det(array) > 0):
         raise InputError("rotation must be a rotation matrix: perpendicular columns of length 1, right-handed")
     return array

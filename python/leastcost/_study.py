@@ -73,7 +73,7 @@ def run_study(
     A run that fails is a row. Ctrl-C raises KeyboardInterrupt; `resume` goes on from there. Raises ConfigError,
     InputError, OutputError."""
     if not 1 <= parallel <= 1024:
-        raise InputError(f"parallel is {parallel}; it is from 1 to 1024")
+        raise InputError(f"parallel is {parallel}; it must be from 1 to 1024")
     if replace and resume:
         raise InputError("a study begins anew (replace) or goes on (resume), not both")
     assignments = [f"{key}={text_of(value, f'set[{key!r}]')}" for key, value in (set or {}).items()]

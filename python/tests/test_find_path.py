@@ -68,7 +68,7 @@ def test_the_remedy_of_that_message():
 
 
 def test_shapes_are_refused_in_words():
-    with pytest.raises(lc.InputError, match=r"returned the shape \(2, (\d+)\); of \1 moves it is \(\1,\)"):
+    with pytest.raises(lc.InputError, match=r"returned the shape \(2, (\d+)\); for \1 moves it must be \(\1,\)"):
         lc.find_path(lc.Plane(), lambda a, b: (b - a) ** 2, (0, 0), (1, 0))
     with pytest.raises(lc.InputError, match="values of the type bool"):
         lc.find_path(lc.Plane(), lambda a, b: a[0] > 0, (0, 0), (1, 0))
@@ -89,7 +89,7 @@ def test_a_shape_that_changes_later_is_refused():
         values = chute(a, b)
         return values if len(values) < 30 else values[:-1]
 
-    with pytest.raises(ValueError, match=r"the shape \(31,\); of 32 moves it is \(32,\)"):
+    with pytest.raises(ValueError, match=r"the shape \(31,\); for 32 moves it must be \(32,\)"):
         lc.find_path(lc.Plane(), q, (0, 0), PI, points=40)
 
 
@@ -97,7 +97,7 @@ def test_promises_are_verified():
     def uphill(a, b):
         return (np.sqrt(((b - a) ** 2).sum(0)) + 0.3 * (b[1] - a[1])) ** 2
 
-    with pytest.raises(lc.InputError, match="not symmetric: the move from .* costs .*, and the way back .*symmetric=F"):
+    with pytest.raises(lc.InputError, match="not symmetric: the move from .* costs .*, and the reverse move .*symmetric=F"):
         lc.find_path(lc.Plane(), uphill, (0, 0), (1, 1))
     there = lc.find_path(lc.Plane(), uphill, (0, 0), (1, 1), symmetric=False, additive=True)
     assert there.certified and there.cost == pytest.approx(np.sqrt(2) + 0.3, rel=1e-12)

@@ -65,7 +65,7 @@ def test_pairs_that_are_none_are_refused():
         lc.solve_pairs(config, [((0, 0), (1, 1)), (0, 1, 2)])
     with pytest.raises(lc.InputError, match=r"pairs\[0\]\[1\] is a vertex"):
         lc.solve_pairs(config, [((0, 0), (1, np.nan))])
-    with pytest.raises(lc.InputError, match="threads is 0; it is a whole number from 1 to 1024"):
+    with pytest.raises(lc.InputError, match="threads is 0; it must be a whole number from 1 to 1024"):
         lc.solve_pairs(config, [], threads=0)
 
 

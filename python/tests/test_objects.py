@@ -137,7 +137,7 @@ def test_objects_are_refused_in_words(hill):
         lc.run(CHUTE)
     with pytest.raises(lc.ConfigError, match="cost"):
         lc.run(CHUTE, chute=hill)
-    with pytest.raises(lc.InputError, match=r"start has the shape \(2,\); points have the shape \(n, d\)"):
+    with pytest.raises(lc.InputError, match=r"start has the shape \(2,\); points must have the shape \(n, d\)"):
         lc.run(fall(initializer={"type": "external", "name": "start"}), start=np.zeros(2))
 
 

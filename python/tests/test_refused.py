@@ -69,7 +69,7 @@ def test_configurations(config, error, words):
 
 @pytest.mark.parametrize("options", [{5: 1}, "path.points=3", [1]])
 def test_what_set_is_not(options):
-    with pytest.raises(TypeError, match="set is a dict of options"):
+    with pytest.raises(TypeError, match="set must be a dict of options"):
         lc.run(STRAIGHT, set=options)
 
 

@@ -317,7 +317,7 @@ def test_the_best_points_are_taken():
     "returned, message",
     [
         (lambda points: None, "the solver 't_returns' returned None; it returns points"),
-        (lambda points: points[1:], r"returned points of the shape \(13, 2\); it is \(14, 2\)"),
+        (lambda points: points[1:], r"returned points of the shape \(13, 2\); it must be \(14, 2\)"),
         (lambda points: points * np.nan, "returned points that are not finite"),
         (lambda points: "path", "gave str, which is no array of points"),
     ],
@@ -333,7 +333,7 @@ def test_what_a_solver_raises_comes_out():
     def raises(chain):
         chain.value(chain.points[:3])
 
-    with pytest.raises(lc.InputError, match=r"points have the shape \(3, 2\); it is \(14, 2\)") as caught:
+    with pytest.raises(lc.InputError, match=r"points have the shape \(3, 2\); it must be \(14, 2\)") as caught:
         lc.run({**FALL, "solver": "t_raises"})
     assert "in raises" in "".join(traceback.format_exception(None, caught.value, caught.tb))
 

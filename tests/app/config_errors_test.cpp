@@ -140,10 +140,10 @@ TEST_CASE("config errors: what constructors refuse stands at its option") {
   CHECK_THAT(indefinite, Contains("a.yaml:2:37: error: 'matrix' in cost: "));
   CHECK_THAT(
       errors_of("manifold: euclidean\ncost: euclidean\nends: {source: {point: [0, 0, 0]}, target: {point: [1, 1]}}\n"),
-      Contains("a.yaml:3:24: error: 'point' in ends.source: has 3 coordinates, but points of the manifold have 2\n"));
+      Contains("a.yaml:3:24: error: 'point' in ends.source has 3 coordinates, but points of the manifold have 2\n"));
   CHECK_THAT(
       errors_of("manifold: euclidean\ncost: euclidean\nends: {source: {point: [1, 1]}, target: {point: [1, 1]}}\n"),
-      Contains("'target' in ends: is the same point as the source"));
+      Contains("'target' in ends is the same point as the source"));
 }
 
 TEST_CASE("config errors: parts that do not fit each other") {
@@ -218,8 +218,9 @@ TEST_CASE("config errors: layers, and refraction where it cannot be") {
                     refract = "post_process: [refract]\n";
   CHECK(errors_of(plane + ends + layers) == "");
   CHECK(errors_of(plane + ends + layers + refract) == "");
-  CHECK_THAT(errors_of(plane + ends + "cost: {type: layers, interfaces: [0], speeds: [2, 1, 1]}\n"),
-             Contains("has 3 numbers, but 1 interfaces separate 2 layers"));
+  CHECK_THAT(
+      errors_of(plane + ends + "cost: {type: layers, interfaces: [0], speeds: [2, 1, 1]}\n"),
+      Contains("'speeds' in cost has 3 numbers, but must have one for each of the 2 layers: one more than interfaces"));
   CHECK_THAT(errors_of(plane + ends + "cost: {type: layers, interfaces: [0]}\n"),
              Contains("give either 'speeds' or 'indices'"));
   CHECK_THAT(errors_of(plane + ends + "cost: {type: layers, interfaces: [1, 0], speeds: [1, 2, 3]}\n"),

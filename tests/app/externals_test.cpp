@@ -183,7 +183,7 @@ TEST_CASE("externals: names without an object are errors with their place") {
   CHECK_THAT(errors_of(kNamed, {{"rooms", plane()}}),
              Contains("there is no object 'room' (did you mean 'rooms'?); objects: rooms"));
   CHECK_THAT(errors_of(kNamed, {{"room", make_euclidean_cost(2)}}),
-             Contains("the object 'room' is of the kind 'cost', and this key takes one of the kind 'manifold'"));
+             Contains("the object 'room' is a cost; this key takes a manifold"));
   CHECK_THAT(errors_of(kNamed, {{"room", nothing}}), Contains("the object 'room' is null"));
   CHECK_THAT(errors_of("manifold: external\ncost: euclidean\n", {{"room", plane()}}),
              Contains("missing key 'name' in manifold"));
@@ -191,7 +191,7 @@ TEST_CASE("externals: names without an object are errors with their place") {
       "manifold: {type: euclidean, dimension: 2}\ncost: {type: external, name: c}\n"
       "ends: {source: {point: [0, 0]}, target: {point: [3, 4]}}\n";
   CHECK_THAT(errors_of(cost, {{"c", make_euclidean_cost(3)}}),
-             Contains("a.yaml:2:30") && Contains("one of moves in R^3, but the manifold lies in R^2"));
+             Contains("a.yaml:2:30") && Contains("defined for moves in R^3, but the manifold lies in R^2"));
 }
 
 TEST_CASE("configurations in memory: the same run as its text") {

@@ -224,7 +224,7 @@ TEST_CASE("figure: of a robot the poses and the way of its hand, which its files
   const std::string svg = figure_of(dir, kFigureBody, {"--what", "path,obstacles,legend"});
   check_literal_colours(svg);
   CHECK(has_part(svg, "class=\"hand\""));
-  CHECK(has_part(svg, ">way of the hand<"));
+  CHECK(has_part(svg, ">path of the hand<"));
   const std::string vtp = content(dir / "run" / "path.vtp");
   CHECK(has_part(vtp, "Name=\"coordinates\""));
   const std::string points = vtp.substr(vtp.find("Name=\"Points\""));

@@ -146,7 +146,7 @@ TEST_CASE("large inputs: points that the memory cannot hold are an error with bo
                Contains("a.yaml:6:16: error: 'points' in path: 10000000 points take about ") && Contains("there are"));
   const ScratchDir dir;
   std::ofstream(dir / "a.yaml") << kPlane << "path: {points: 1000}\n";
-  CHECK_THAT(call({"run", (dir / "a.yaml").string(), "-n"}).out, Contains("memory      about "));
+  CHECK_THAT(call({"run", (dir / "a.yaml").string(), "-n"}).out, Contains("memory      the path needs about "));
 }
 
 }  // namespace leastcost::test

@@ -32,7 +32,7 @@ TEST_CASE("level sets in a configuration: errors at their places") {
              Contains("a.yaml:3:26: error: unknown key 'radius' in manifold.surface (did you mean "
                       "'major_radius'?)"));
   CHECK_THAT(errors_of(on("  type: implicit\n  surface: {type: torus, major_radius: 1, minor_radius: 2}\n")),
-             Contains("a.yaml:3:57: error: 'minor_radius' in manifold.surface: must be smaller than major_radius"));
+             Contains("a.yaml:3:57: error: 'minor_radius' in manifold.surface must be smaller than major_radius"));
   CHECK_THAT(errors_of(on("  type: implicit\n  surface: {type: formula, f: x + yy}\n")),
              Contains("a.yaml:3:31: error: 'f' in manifold.surface: character 5 of the formula: unknown name 'yy'"));
   CHECK_THAT(errors_of(on("  type: constraint\n  dimension: 3\n  equations: [x0 - 1, x1 +]\n")),
@@ -56,7 +56,7 @@ TEST_CASE("distance grids in a configuration: checked without reading or samplin
       errors_of(on("  type: signed_distance\n  source: {type: implicit, surface: sphere}\n  cell: 1\n  accuracy: 1\n")),
       Contains("a.yaml:5:13: error: 'accuracy' in manifold: give either cell or accuracy"));
   CHECK_THAT(errors_of(on("  type: signed_distance\n  source: {type: mesh, file: a.obj, sign: unsigned}\n")),
-             Contains("'offset' in manifold.source: must be greater than 0 with sign: unsigned"));
+             Contains("'offset' in manifold.source must be greater than 0 with sign: unsigned"));
   CHECK_THAT(
       errors_of(on("  type: signed_distance\n  source: {type: implicit, surface: {type: formula, f: x + yy}}\n")),
       Contains("a.yaml:3:56: error: 'f' in manifold.source.surface: character 5"));

@@ -185,7 +185,7 @@ ends: {source: {vertex: 0}, target: {vertex: 1}}
 initializer: {type: plane_cut, point: [0, 0, 0], normal: [0, 0, 0]}
 )");
   CHECK_THAT(on_mesh, Contains("a.yaml:2:37: error: 'matrix' in cost"));
-  CHECK_THAT(on_mesh, Contains("'normal' in initializer: must not be zero"));
+  CHECK_THAT(on_mesh, Contains("'normal' in initializer must not be zero"));
   const std::string in_plane = errors(R"(manifold: {type: constraint, set: sphere, dimension: 3}
 cost: {type: metric_tensor, matrix: [[1, 0], [0, 1]]}
 ends: {source: {point: [3, 0, 0]}, target: {point: [0, 1]}}

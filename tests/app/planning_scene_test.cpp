@@ -179,7 +179,7 @@ TEST_CASE("planning scenes: faults have the line of the scene's file") {
   CHECK_THAT(
       scene.fault("world:\n  collision_objects:\n    - {id: a, header: {frame_id: world}}\n    - {id: b, header: "
                   "{frame_id: base}}\n"),
-      Contains("scene.yaml:4:") && Contains("must be that of the objects before it, 'world'"));
+      Contains("scene.yaml:4:") && Contains("must be 'world', the frame of the objects before it"));
   CHECK_THAT(scene.fault("world: {collision_objects: [{id: a, primitives: [{type: box, dimensions: [1, 1, 1]}], "
                          "primitive_poses: [{orientation: [0, 0, 0, 0]}]}]}\n"),
              Contains("'orientation' in the pose of the object 'a' must not be zero"));

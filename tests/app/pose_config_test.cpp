@@ -87,7 +87,7 @@ TEST_CASE("poses: what is no pose, no box, no weight and no obstacle of theirs i
   CHECK_THAT(errors_of(poses_between("se2, lower: [0, 0, 0]", "[1, 1, 0]", "[2, 2, 0]")),
              Contains("'lower' in manifold: 3 numbers, but the space has dimension 2"));
   CHECK_THAT(errors_of(poses_between("se2", "[0, 0, 0]", "[2, 2, 0]"), {"cost.weights=[1, 2, 3, 4]"}),
-             Contains("'weights' in cost: has 4 numbers; give 2, one per factor of the domain, or 3"));
+             Contains("'weights' in cost has 4 numbers; give 2, one per factor of the domain, or 3"));
   CHECK_THAT(errors_of(poses_between("se2", "[0, 0, 0]", "[2, 2, 0]"), {"cost.weights=[1, 0]"}),
              Contains("'weights' in cost"));
   CHECK_THAT(errors_of(poses_between("se2", "[-2, 0, 0]", "[2, 0, 0]",

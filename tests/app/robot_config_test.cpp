@@ -55,7 +55,7 @@ TEST_CASE("robot: its obstacles are of the workspace, its domain of its configur
   CHECK_THAT(errors_of(replaced(kArm, "[2.8973, 1.7628", "[2.8973, 2")),
              Contains("'robot': coordinate 1 has the limits [-1.7628, 1.7628], but the manifold extends beyond them"));
   CHECK_THAT(errors_of(replaced(kBody, "obstacles: [{type: ball, center: [2, 0.5], radius: 0.3}]\n", "")),
-             Contains("'robot': has nothing to collide with: give 'obstacles'"));
+             Contains("'robot' has nothing to collide with: give 'obstacles'"));
   CHECK_THAT(errors_of(kArm + "clearance: 0.1\n"), Contains("needs obstacles, but there are none"));
 }
 

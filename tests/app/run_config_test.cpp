@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "catalogue/config/load_config.hpp"
 
+#include <leastcost/recipes/methods.hpp>
 #include "catalogue/registry/registry.hpp"
+#include "tests/app/called.hpp"
 #include "tests/app/config_text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/data.hpp"
@@ -20,6 +22,20 @@ std::vector<std::string> types(const std::optional<PluginList>& list) {
 }
 
 }  // namespace
+
+TEST_CASE("run config: the help texts of defaults name every method that recipes choose") {
+  const std::string help = call({"describe", "run"}).out;
+  const auto of = [&help](const std::string& key, const std::string& next) {
+    const std::size_t begin = help.find("\n  " + key + " ");
+    REQUIRE(begin != std::string::npos);
+    return help.substr(begin, help.find("\n  " + next + " ", begin) - begin);
+  };
+  const std::string first = of("initializer", "family"), solver = of("solver", "max_seconds"),
+                    steps = of("post_process", "output");
+  for (const auto& [method, word] : words(FirstPathMethod{})) CHECK_THAT(first, Contains(std::string(word)));
+  for (const auto& [method, word] : words(SolveMethod{})) CHECK_THAT(solver, Contains(std::string(word)));
+  for (const auto& [method, word] : words(CurveMethod{})) CHECK_THAT(steps, Contains(std::string(word)));
+}
 
 TEST_CASE("run config: defaults in free space") {
   const RunConfig c = parse(kPlane).config;

@@ -85,7 +85,7 @@ TEST_CASE("attached: a certified plan keeps the object clear of what the hand al
   CHECK(with.result.status == Status::certified);
   CHECK(nearest_of_crate(with.result.path.u) >= 0.25 + 0.01);
   CHECK(std::any_of(with.parts.notes.begin(), with.parts.notes.end(), [](const std::string& note) {
-    return note.find("of crate with capsules that reach out of it by at most") != std::string::npos;
+    return note.find("and to capsules that cover 'crate' and exceed it by at most") != std::string::npos;
   }));
 }
 
@@ -133,7 +133,7 @@ TEST_CASE("attached: what does not fit is named with its place") {
   CHECK_THAT(with("type: box, size: [0.1, 0.06, 0.2]", "type: mesh, file: gone.obj"), Contains("gone.obj"));
 }
 
-TEST_CASE("attached: a mesh is covered by several capsules - the note says how far they reach out of it") {
+TEST_CASE("attached: a mesh is covered by several capsules - the note says how far they exceed it") {
   const ScratchDir dir;
   {
     std::ofstream file(dir / "crate.obj");  // 0.1 x 0.06 x 0.2
@@ -147,7 +147,7 @@ TEST_CASE("attached: a mesh is covered by several capsules - the note says how f
       parse_run(carrying_arm(replaced(kBox, "type: box, size: [0.1, 0.06, 0.2]", mesh)), "a.yaml", attached_folder());
   const Robot& robot = *run.parts.robot;
   CHECK(std::count(robot.owners.begin(), robot.owners.end(), "crate") > 1);
-  CHECK_THAT(robot.whose, Contains("of crate with capsules that reach out of it by at most "));
+  CHECK_THAT(robot.whose, Contains("capsules that cover 'crate' and exceed it by at most "));
 }
 
 TEST_CASE("trajectory of a robot: velocities and names of its URDF - acceleration is asked for") {

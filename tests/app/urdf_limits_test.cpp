@@ -104,11 +104,13 @@ TEST_CASE("urdf: a joint goes no farther than those that mimic it can follow") {
 TEST_CASE("urdf: a range that is cut is noted, and none that is empty is taken") {
   const Read cut = read(fingers("multiplier='-1'", "<limit lower='-1.5' upper='0.5'/>"));
   REQUIRE(cut.notes.size() == 1);
-  CHECK_THAT(cut.notes[0], Contains("robot.urdf:6: the limits of the joint 'second', which mimics 'first', leave that "
-                                    "one -0.5 to 1.5 of -1 to 2"));
+  CHECK_THAT(cut.notes[0],
+             Contains("robot.urdf:6: joint 'first' is limited to -0.5 to 1.5 (its own limits are -1 to 2), "
+                      "because 'second' mimics it"));
   CHECK(read(fingers("", "<limit lower='-9' upper='9'/>")).notes.empty());
-  CHECK_THAT(read(fingers("", "<limit lower='3' upper='4'/>")).refusal,
-             Contains("robot.urdf:6: the joint 'second' mimics 'first', whose limits leave no place"));
+  CHECK_THAT(
+      read(fingers("", "<limit lower='3' upper='4'/>")).refusal,
+      Contains("robot.urdf:6: the joint 'second' mimics 'first': the limits of 'first' leave no value at which"));
   CHECK_THAT(
       read(fingers("multiplier='0' offset='5'", "<limit lower='0' upper='1'/>")).refusal,
       Contains("robot.urdf:6: the joint 'second' always stands at its offset") && Contains("5 is outside its limits"));
@@ -140,12 +142,12 @@ TEST_CASE("srdf: pairs of links that the robot does not have are noted") {
   CHECK(notes("<disable_collisions link1='a' link2='b'/>\n").empty());
   const auto one = notes("<disable_collisions link1='a' link2='palm'/>\n<disable_collisions link1='a' link2='bb'/>\n");
   REQUIRE(one.size() == 1);
-  CHECK_THAT(one[0], Contains("robot.srdf:3: <disable_collisions> names what is not a link of") &&
-                         Contains("robot.urdf; it is passed over: 'bb'"));
+  CHECK_THAT(one[0], Contains("robot.srdf:3: <disable_collisions> names links that ") &&
+                         Contains("robot.urdf does not have ('bb'); it is ignored"));
   const auto more = notes("<enable_collisions link1='tool' link2='b'/>\n<disable_default_collisions link='hook'/>\n");
   REQUIRE(more.size() == 1);
   CHECK_THAT(more[0], Contains("robot.srdf:2: <enable_collisions>") || Contains("robot.srdf:3"));
-  CHECK_THAT(more[0], Contains("it and 1 more elements with such names are passed over: 'hook', 'tool'"));
+  CHECK_THAT(more[0], Contains("does not have ('hook', 'tool'); 2 such elements are ignored"));
 }
 
 TEST_CASE("trajectory: limits come from a joint_limits.yaml of MoveIt") {

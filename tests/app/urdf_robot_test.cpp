@@ -190,7 +190,7 @@ TEST_CASE("urdf: pairs are those that the SRDF leaves or without one those that 
   CHECK(all.count("forearm wrist") == 0);
   CHECK(all.count("upper_arm wrist") == 1);
   CHECK(all.count("left_finger right_finger") == 1);  // both move
-  CHECK(gantry_arm({})->whose.find("reach out of them by at most") != std::string::npos);
+  CHECK(gantry_arm({})->whose.find("exceed them by at most") != std::string::npos);
 }
 
 TEST_CASE("urdf: parts that always touch each other are left out and named") {
@@ -200,7 +200,7 @@ TEST_CASE("urdf: parts that always touch each other are left out and named") {
       "<axis xyz='0 0 1'/><limit lower='-1' upper='1'/></joint>\n";
   const RobotPtr robot = Written(with(kHinge + far), "<robot name='r'/>").robot();
   CHECK(pairs_of(*robot) == std::set<std::string>{"a c", "b c"});  // 10 mm apart, always
-  CHECK_THAT(robot->whose, Contains("left out are parts that touch each other in every configuration tried: a and b"));
+  CHECK_THAT(robot->whose, Contains("pairs of parts that touch in every configuration tried are ignored: a and b"));
 }
 
 TEST_CASE("urdf: wrong files are refused with their line") {
@@ -240,7 +240,7 @@ TEST_CASE("urdf: wrong files are refused with their line") {
                      "</link><link name='b'/>" +
                      kHinge + "</robot>")
                  .message(),
-             Contains("no link that moves has a collision shape"));
+             Contains("no moving link has a collision shape"));
   CHECK_THAT(joint("continuous", links + "<mimic joint='j'/>"), Contains("mimics 'j', and so on in a loop"));
   const std::string loop =
       "<link name='c'/>\n<joint name='k' type='continuous'><parent link='a'/><child link='b'/><mimic "
@@ -270,7 +270,7 @@ TEST_CASE("urdf: wrong files are refused with their line") {
   CHECK_THAT(shape(""), Contains("robot.urdf:2: <collision> must have a <geometry> with one shape"));
   Written huge(with(kHinge));
   std::filesystem::resize_file(huge.path() / "robot.urdf", std::uintmax_t(65) << 20);
-  CHECK(huge.message() == "robot.urdf: has 65 MB; a robot has at most 64");
+  CHECK(huge.message() == "robot.urdf is 65 MB; the limit is 64 MB");
 }
 
 TEST_CASE("urdf: options that do not fit the files are refused by their keys") {

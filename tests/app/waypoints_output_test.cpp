@@ -42,7 +42,7 @@ TEST_CASE("waypoints among obstacles say whether the straight moves between them
   const fs::path few = written(dir, kAmongDiscs, {{"output.waypoints.count=4"}});
   CHECK(waypoints_of(few)["touches"] == true);
   CHECK_THAT(content(few / "result.json"),
-             Contains("the straight moves between the waypoints are not clear: the move from waypoint"));
+             Contains("the straight moves between the waypoints are not collision-free: the move from waypoint"));
   CHECK_THAT(content(few / "waypoints.csv"), !Contains("time"));
 }
 

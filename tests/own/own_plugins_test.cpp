@@ -142,7 +142,7 @@ TEST_CASE("own plug-ins: options are checked, and a factory speaks of its option
   CHECK_THAT(errors("own_ray_tiem"), Contains("did you mean 'own_ray_time'"));
   CHECK_THAT(errors("{type: own_picky, gain: 3}"), Contains("a.yaml:2") && Contains("must not be above 2"));
   CHECK_THAT(errors("own_ray_time", "{type: euclidean, dimension: 3}"),
-             Contains("the cost is one of moves in R^2, but the manifold lies in R^3"));
+             Contains("the cost is defined for moves in R^2, but the manifold lies in R^3"));
   CHECK_THAT(errors("own_nothing"), Contains("the factory of 'own_nothing' returned a null pointer"));
 }
 

@@ -177,7 +177,7 @@ TEST_CASE("recipes: where there is no proof over all paths the reason names what
         "boxed", project_dir() / "configs/data");
   };
   const std::string why = run("").origin->why.back();
-  REQUIRE_THAT(why, Catch::Contains("none, because this cost has no search over all paths"));
+  REQUIRE_THAT(why, Catch::Contains("none, because no search over all paths exists for this domain and cost"));
   const std::string remedy = why.substr(why.find('(') + 1, why.rfind(')') - why.find('(') - 1);
   const Run bracketed = run(", " + remedy);
   CHECK(bracketed.parts.options.post_processors.back()->name() == "bracket");

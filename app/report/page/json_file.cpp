@@ -15,7 +15,7 @@ std::string text_of_file(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in || std::filesystem::is_directory(file)) throw InputError(file.string() + ": cannot be read");
   std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (in.bad()) throw InputError(file.string() + ": cannot be read to its end");
+  if (in.bad()) throw InputError(file.string() + ": cannot be read completely");
   return text;
 }
 

@@ -155,7 +155,7 @@ std::vector<LegendEntry> legend_of(const PoseStrip& strip, const Look& look) {
          "d=\"M11 1h8v10h-8Z\"/></g><g class=\"pose\" opacity=\".9\"><path d=\"M21 1h8v10h-8Z\"/></g>",
          "poses, later ones stronger"});
   if (has_panels(strip)) out.push_back({"<g class=\"pose\"><path d=\"M3 1h24v10h-24Z\"/></g>", "robot"});
-  if (look.path && strip.hand.cols() > 0) out.push_back({"<path class=\"hand\" d=\"M1 6h28\"/>", "way of the hand"});
+  if (look.path && strip.hand.cols() > 0) out.push_back({"<path class=\"hand\" d=\"M1 6h28\"/>", "path of the hand"});
   if (look.obstacles && !strip.obstacles.empty()) out.push_back({areas({"M3 1h24v10h-24Z"}, "obstacle"), "obstacles"});
   return out;
 }

@@ -117,7 +117,7 @@ Sketch workspace_sketch(const PoseStrip& strip, const SpaceView& view, const Loo
     out += line_in_space(strip.hand_in_space, "hand", projector, DepthMap(before, view, depth_pixels));
   }
   return {"The robot along its path",
-          "Obstacles, the robot at the start and the target, some poses between, and the way of its hand",
+          "Obstacles, the robot at the start and the target, some poses between, and the path of its hand",
           projector.width(), projector.height(), out};
 }
 
@@ -127,7 +127,7 @@ std::vector<LegendEntry> legend_of_workspace(const PoseStrip& strip, const Look&
   if (look.shading && look.ends) out.push_back({sample(kLast, 1), "target", "target"});
   if (look.shading && look.others) out.push_back({sample(between(0.5), kBetween), "between", "between"});
   if (look.path && strip.hand_in_space.cols() > 0)
-    out.push_back({"<path class=\"hand\" d=\"M1 6h28\"/>", "way of the hand", "path"});
+    out.push_back({"<path class=\"hand\" d=\"M1 6h28\"/>", "path of the hand", "path"});
   if (look.shading && look.obstacles && !strip.workspace.obstacles.triangles.empty())
     out.push_back({sample(kSurfaceColour, 1), "obstacles", "obstacles"});
   return out;

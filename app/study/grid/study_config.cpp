@@ -18,7 +18,7 @@ BlockList skips_of(StudyConfig& config) {
     std::vector<std::string> axes = standing_axes();
     for (const ConfigEntry& swept : config.sweep.entries) axes.push_back(swept.key);
     for (const std::string& axis : axes)
-      visit.field(axis, skip.values[axis], {.help = "Only cells with one of these values."});
+      visit.field(axis, skip.values[axis], {.help = "Skip only cells whose " + axis + " is one of these values."});
     visit.field("because", skip.because, {.help = "Reason, shown in the summary.", .required = true});
   };
   return {[&config] { return config.skip.size(); }, [&config](std::size_t n) { config.skip.resize(n); }, fields};
@@ -57,12 +57,12 @@ const std::vector<std::string>& standing_axes() {
 }
 
 void StudyProblem::fields(RunVisitor& visit) {
-  visit.field("name", name, {.help = "Its name in tables; default: that of its configuration."});
+  visit.field("name", name, {.help = "Name of the problem in tables; default: the name of its configuration."});
   visit.tree(
       "config", config, TreeForm::run, nullptr,
       {.help = "The run: a configuration file relative to this one, or the configuration itself.", .required = true});
   visit.field("optimum", optimum,
-              {.help = "Its true least cost, if known.", .unit = "cost", .minimum = 0, .exclusive_minimum = true});
+              {.help = "True least cost, if known.", .unit = "cost", .minimum = 0, .exclusive_minimum = true});
   visit.tree("set", set, TreeForm::options, nullptr, {.help = "Options of this problem only."});
   visit.field("optional", optional, {.help = "Skip the problem if one of its files does not exist."});
 }

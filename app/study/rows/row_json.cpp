@@ -20,7 +20,7 @@ Json to_json(double value) { return std::isfinite(value) ? Json(value) : Json(cs
 double number_of(const Json& json) {
   if (json.is_number()) return json.get<double>();
   if (const std::optional<double> special = csv_double(json.get<std::string>())) return *special;
-  throw InputError("a number is none");
+  throw InputError("expected a number");
 }
 
 struct Writer {
