@@ -368,10 +368,10 @@ void add_field(CLI::App& app, Values& v, const Streams& streams, Command& chosen
       "Nodes are on the values of a raster of costs; elsewhere the longest side of the box has 200 steps. On a mesh "
       "they are its vertices, and the values are exact.\n"
       "  leastcost field map.yaml -o field.npy                    from the source of the configuration\n"
-      "  leastcost field map.yaml -o f.csv --from 3,4 --to 20,7   and the way from there to a place\n"
-      "  leastcost field map.yaml -o c.asc --corridor             how much dearer a detour through each node is\n"
-      "  leastcost field map.yaml --figure f.pdf --to 20,7        a picture for a paper, with the way\n"
-      "  leastcost field mesh.yaml -o f.ply --from 12 --to 700    from a vertex of a mesh, and the way to another");
+      "  leastcost field map.yaml -o f.csv --from 3,4 --to 20,7   and the path from there to a place\n"
+      "  leastcost field map.yaml -o c.asc --corridor             the extra cost of a path through each node\n"
+      "  leastcost field map.yaml --figure f.pdf --to 20,7        a picture for a paper, with the path\n"
+      "  leastcost field mesh.yaml -o f.ply --from 12 --to 700    from a vertex of a mesh, and the path to another");
   c.add_option("config", v.config,
                "Configuration (YAML); - reads standard input, with files relative to the current folder")
       ->required()
@@ -389,16 +389,16 @@ void add_field(CLI::App& app, Values& v, const Streams& streams, Command& chosen
                "repeated; default: the configuration's source")
       ->type_name("X,Y")
       ->allow_extra_args(false);
-  c.add_option("--to", v.field.to, "Also find the way from there to this place; can be repeated, or a text file")
+  c.add_option("--to", v.field.to, "Also find the path from there to this place; can be repeated, or a text file")
       ->type_name("X,Y")
       ->allow_extra_args(false);
-  c.add_option("--way", v.field.ways, "Write the points of the ways to this CSV file")
+  c.add_option("--way", v.field.ways, "Write the points of these paths to this CSV file")
       ->type_name("FILE")
       ->check(empty_fault);
-  c.add_option("--resolution", v.field.resolution, "From node to node, in length units");
-  c.add_flag("--to-here", v.field.to_here, "Costs of the way to the places, not from them");
+  c.add_option("--resolution", v.field.resolution, "Grid spacing, in length units");
+  c.add_flag("--to-here", v.field.to_here, "Compute costs of travelling to the given places instead of from them");
   c.add_flag("--corridor", v.field.corridor,
-             "Instead of costs: by how much a path from the source to the target through each node exceeds the least");
+             "Instead of costs: the extra cost of a path from the source to the target forced through each node");
   c.callback([&] {
     if (v.output.empty() && v.field.figure.empty())
       throw CLI::ValidationError("field", "needs --output FILE, --figure FILE, or both");

@@ -145,22 +145,24 @@ Points line_of(const FieldWay& way) {
   return line;
 }
 
+std::string places_of(const RunField& field) {
+  return std::string(field.to_places() ? "target" : "source") + (field.places().size() > 1 ? "s" : "");
+}
+
 std::string title_of(const RunField& field, const std::string& length_unit) {
   const std::string unit = unit_of_cost(field.problem());
   const std::string shown = unit == "length" ? length_unit : unit == "cost" ? "" : unit;
-  const std::string what = field.is_corridor() ? "cost of a detour above the least"
-                                               : fmt::format("least cost {} the {}", field.to_places() ? "to" : "from",
-                                                             field.places().size() > 1 ? "places" : "place");
+  const std::string what =
+      field.is_corridor() ? "cost of a detour above the least"
+                          : fmt::format("least cost {} the {}", field.to_places() ? "to" : "from", places_of(field));
   return what + (shown.empty() ? "" : " (" + shown + ")");
 }
 
 std::vector<LegendEntry> legend_of_field(const RunField& field, bool ways, const Scene& scene, bool walls, bool gaps,
                                          const Look& look) {
   std::vector<LegendEntry> out;
-  const bool several = field.places().size() > 1 || field.is_corridor();
-  if (look.ends)
-    out.push_back(mark_entry("end", look.mark(4.5), field.is_corridor() ? "ends" : several ? "places" : "place"));
-  if (look.path && ways) out.push_back(line_entry("path", "way"));
+  if (look.ends) out.push_back(mark_entry("end", look.mark(4.5), field.is_corridor() ? "ends" : places_of(field)));
+  if (look.path && ways) out.push_back(line_entry("path", "path"));
   if (look.shading) out.push_back(line_entry("level", "equal cost"));
   add_surroundings(scene, walls, look, out);
   if (look.shading && gaps) out.push_back(area_entry("out", "no path"));
@@ -216,8 +218,7 @@ Figure field_figure(const RunField& field, const std::vector<FieldWay>& ways, co
     height += cost_bar_height();
   }
   const bool gaps = has_gaps(shown, covered, field.problem());
-  const Sketch picture{"Least costs", "Lines of equal cost, the places they are from, and ways", frame.total_width(),
-                       height, out};
+  const Sketch picture{"Least costs", "Lines of equal cost, the sources, and paths", frame.total_width(), height, out};
   const Sketch whole =
       request.parts.legend
           ? below(picture,

@@ -118,7 +118,7 @@ std::string field_summary_text(const RunField& field, const std::string& output,
                                 extent.largest, unit);
   out += field.on_mesh() ? mesh_notes(field.on_vertices()) : lattice_notes(field);
   for (const FieldWay& way : ways)
-    out += fmt::format("way    from {} to {}: {:.10g} {}\n", point_text(way.points.front()),
+    out += fmt::format("path   from {} to {}: {:.10g} {}\n", point_text(way.points.front()),
                        point_text(way.points.back()), way.cost, unit);
   return out;
 }

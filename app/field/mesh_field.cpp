@@ -65,7 +65,7 @@ SurfacePath MeshFields::way(std::span<const SurfacePoint> places, const SurfaceP
   for (const auto& [straight, place] : order) {
     if (straight >= best.length) break;
     ExactResult found = search_.shortest(*place, to, workspace, options);
-    if (stop && stop()) throw Interrupted("field: interrupted before the way was found");
+    if (stop && stop()) throw Interrupted("field: interrupted before the path was found");
     if (found.length < best.length) best = std::move(found);
   }
   if (!(best.length < kUnreachable)) throw InputError("no path on the mesh leads there");

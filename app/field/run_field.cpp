@@ -8,6 +8,7 @@
 #include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/mesh/has_mesh.hpp>
 #include "catalogue/run/run_origin.hpp"
+#include "catalogue/yaml/said_of.hpp"
 
 namespace leastcost::app {
 namespace {
@@ -32,7 +33,7 @@ auto saying(const FieldPlace& place, Work work) {
   try {
     return work();
   } catch (const OptionError& e) {
-    throw InputError(place.words + ": " + e.what());
+    throw InputError(said_of(place.words, e.what()));
   }
 }
 
@@ -46,7 +47,7 @@ void check_ends(const RunConfig& config, const FieldEnds& ends) {
         "field: nothing says where it is from: give a source (--from X,Y), or the configuration ends: {source: {point: "
         "[X, Y]}} (on a mesh {vertex: 12})");
   if (ends.from.size() > 1 && config.cost.plugin->follows_source)
-    throw InputError("field: this cost depends on where the path begins: give one place at a time");
+    throw InputError("field: this cost depends on the start of the path: give one place at a time");
 }
 
 EndOptions with_last(const std::vector<FieldPlace>& places, const EndOptions& otherwise) {

@@ -11,7 +11,7 @@ namespace {
 
 InitializationError lost() {
   return InitializationError(
-      "eikonal: the target was reached, but the way back is lost between the nodes: use more cells");
+      "eikonal: the target was reached, but the path back to the source is lost between the nodes: use more cells");
 }
 
 }  // namespace

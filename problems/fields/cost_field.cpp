@@ -188,7 +188,7 @@ void estimate_error(const std::vector<double>& coarse, const Lattice2& lattice, 
 
 void check_places(const std::vector<Eigen::VectorXd>& places, const LatticeBox& box) {
   constexpr double kRounding = 1e-9;
-  if (places.empty()) throw InputError("field: needs at least one place");
+  if (places.empty()) throw InputError("field: give at least one place");
   const double tolerance = kRounding * (box.upper - box.lower).maxCoeff();
   for (const Eigen::VectorXd& place : places) {
     if (place.size() != 2 || !place.allFinite())

@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Way:
-    """A way between a place and the nearest of those of a field."""
+    """A path between a place and the nearest of those of a field."""
 
     points: NDArray[np.float64] = dataclass_field(repr=False)
     """(n, d): as it is walked, in coordinates of the domain; on a mesh (n, 3)."""
@@ -111,7 +111,7 @@ class Field:
         self._domain = domain
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """The numbers: a copy has no ways, corridors and files."""
+        """The numbers: a copy has no paths, corridors or files."""
         return _unpickled, ({name: getattr(self._core, name)() for name in _NUMBERS},)
 
     @cached_property
@@ -168,7 +168,7 @@ class Field:
     def way(self, to: Place) -> Way:
         """The way between a place and the nearest of the field's places. Raises InputError where there is none."""
         if self._core.is_corridor():
-            raise InputError("a corridor has no ways: ask the field that it was made of")
+            raise InputError("a corridor has no paths: ask the field from which it was made")
         return Way(*self._core.way(_named(to, "to", self._domain)))
 
     def corridor(self, to: Place | None = None) -> Field:

@@ -55,8 +55,8 @@ TEST_CASE("field figure: lines of equal distance are circles around the place, a
   REQUIRE(called.exit == 0);
   CHECK_THAT(called.out, Contains("f.svg: 201 x 101 nodes"));
   const std::string svg = content(file);
-  CHECK_THAT(svg, Contains("least cost from the place (m)") && Contains(">x (m)<") && Contains(">equal cost<") &&
-                      Contains(">way<") && Contains(">2.0<") && Contains("width=\"84mm\""));
+  CHECK_THAT(svg, Contains("least cost from the source (m)") && Contains(">x (m)<") && Contains(">equal cost<") &&
+                      Contains(">path<") && Contains(">2.0<") && Contains("width=\"84mm\""));
   CHECK_THAT(svg, !Contains(">no path<") && !Contains(">obstacles<"));
   const Eigen::Vector2d place = circle_in(svg, "end"), target = circle_in(svg, "point");
   const double scale = (target[0] - place[0]) / 2;  // px per length
@@ -92,7 +92,7 @@ TEST_CASE("field figure: obstacles are drawn over the field, and a corridor has 
   CHECK(fs::exists(table));
   const std::string svg = content(file);
   CHECK_THAT(svg, Contains("cost of a detour above the least") && Contains(">ends<") && Contains(">obstacles<") &&
-                      Contains(">way<"));
+                      Contains(">path<"));
   CHECK_THAT(svg, !Contains(">no path<"));  // the nodes in the disc are behind it
   REQUIRE(call({"field", config, "--figure", file, "--what", "shading,ends"}).exit == 0);
   CHECK_THAT(content(file), !Contains("class=\"obstacle\"") && !Contains(">obstacles<") && Contains("class=\"warm\""));
