@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <iterator>
@@ -16,7 +17,9 @@
 #include <vector>
 
 #include <leastcost/problems/mesh/edge_path.hpp>
+#include <leastcost/problems/mesh/surface_path.hpp>
 #include <leastcost/problems/mesh/triangle_mesh.hpp>
+#include "problems/mesh/slot_queue.hpp"
 
 namespace leastcost {
 
@@ -42,6 +45,83 @@ inline std::optional<UnfoldedCrossing> unfolded_crossing(const Eigen::Vector3d& 
 struct DiagonalMove {
   double cost = std::numeric_limits<double>::infinity();
   double at = 0;  ///< of the crossing, from tail (0) to head (1) of the edge
+};
+
+/// The far side of each face at a vertex, and the third corner behind it: visit(halfedge, vertex).
+template <class Visit>
+void for_diagonals(const TriangleMesh& mesh, std::int32_t vertex, Visit visit) {
+  for (const std::int32_t f : mesh.faces_of_vertex(vertex)) {
+    const std::array<std::int32_t, 3>& c = mesh.face(f);
+    const std::int32_t h = 3 * f + (c[0] == vertex ? 1 : c[1] == vertex ? 2 : 0), other = mesh.across(h);
+    if (other >= 0) visit(h, mesh.tail(TriangleMesh::previous(other)));
+  }
+}
+
+template <class Cost>
+DiagonalMove move_across(const TriangleMesh& mesh, const Cost& cost, const Eigen::Vector3d& from, std::int32_t halfedge,
+                         std::int32_t to) {
+  return cost.across(from, mesh.position(mesh.tail(halfedge)), mesh.position(mesh.head(halfedge)), mesh.position(to));
+}
+
+/// The path that moves between nodes make: vertices, and (numbered behind them) a source and a target that are none.
+template <class Cost>
+struct MoveTracer {
+  const TriangleMesh& mesh;
+  const Cost& cost;
+  bool diagonals;
+  const SurfacePoint &source, &target;
+
+  /// From node to node, from the source to the target.
+  SurfacePath path(const std::vector<std::int32_t>& nodes) const {
+    SurfacePath path;
+    path.points.push_back(position(nodes.front()));
+    for (std::size_t i = 1; i < nodes.size(); ++i) append_move(nodes[i - 1], nodes[i], path);
+    return path;
+  }
+
+ private:
+  using Vector = Eigen::Vector3d;
+
+  bool is_vertex(std::int32_t node) const { return node < mesh.vertex_count(); }
+  Vector position(std::int32_t node) const {
+    if (is_vertex(node)) return mesh.position(node);
+    return mesh.point(node == mesh.vertex_count() ? source : target);
+  }
+
+  std::int32_t face_with_both(std::int32_t a, std::int32_t b) const {
+    for (const std::int32_t f : mesh.faces_of_vertex(a)) {
+      const std::array<std::int32_t, 3>& c = mesh.face(f);
+      if (std::find(c.begin(), c.end(), b) != c.end()) return f;
+    }
+    return -1;
+  }
+
+  /// Appends the piece from -> to: through the edge that it crosses where that is cheaper.
+  void append_move(std::int32_t from, std::int32_t to, SurfacePath& path) const {
+    const Vector a = position(from), b = position(to);
+    const auto add = [&path](const Vector& p, std::int32_t face) {
+      path.points.push_back(p);
+      path.faces.push_back(face);
+    };
+    if (!is_vertex(from)) return add(b, source.face);
+    if (!is_vertex(to)) return add(b, target.face);
+    const std::int32_t face = face_with_both(from, to);
+    double best = face >= 0 ? cost(a, b) : std::numeric_limits<double>::infinity(), at = 0;
+    std::int32_t door = -1;
+    if (diagonals)
+      for_diagonals(mesh, from, [&](std::int32_t halfedge, std::int32_t opposite) {
+        if (opposite != to) return;
+        const DiagonalMove diagonal = move_across(mesh, cost, a, halfedge, to);
+        if (!(diagonal.cost < best)) return;
+        best = diagonal.cost;
+        door = halfedge;
+        at = diagonal.at;
+      });
+    if (door < 0) return add(b, face);
+    const Vector& tail = mesh.position(mesh.tail(door));
+    add(tail + at * (mesh.position(mesh.head(door)) - tail), door / 3);
+    add(b, mesh.across(door) / 3);
+  }
 };
 
 /// The cheapest paths along the edges of a mesh, and straight across them: A* on one heap. Its nodes are the vertices
@@ -87,18 +167,6 @@ class EdgeSearch {
     return result;
   }
 
-  /// Of the cheapest routes over edges and diagonals from a vertex to all others; infinite where there is none. After a
-  /// stop they are upper bounds.
-  std::vector<double> costs_from(std::int32_t vertex, const Cost& cost, const StopPredicate& stop) {
-    begin(cost, true, stop);
-    source_ = vertex;
-    target_ = -1;
-    run();
-    std::vector<double> costs(static_cast<std::size_t>(mesh_->vertex_count()));
-    for (std::int32_t v = 0; v < mesh_->vertex_count(); ++v) costs[static_cast<std::size_t>(v)] = record(v).cost;
-    return costs;
-  }
-
  private:
   using Vector = Eigen::Vector3d;
 
@@ -108,10 +176,6 @@ class EdgeSearch {
     std::int32_t predecessor = -1;
     double cost = std::numeric_limits<double>::infinity();
     double rest = 0;  // lower bound to the target, from when the node was first reached
-  };
-  struct Open {
-    double key;
-    std::int32_t node;
   };
   struct Free {
     void operator()(Record* records) const { std::free(records); }
@@ -153,47 +217,13 @@ class EdgeSearch {
              t < 0 ? std::span<const std::int32_t>(target_corners_) : std::span<const std::int32_t>(&target_, 1));
   }
 
-  // A heap of four children each; what was improved is in it twice.
-
-  void push(Open entry) {
-    std::size_t i = open_.size();
-    open_.push_back(entry);
-    while (i > 0) {
-      const std::size_t parent = (i - 1) / kChildren;
-      if (!(entry.key < open_[parent].key)) break;
-      open_[i] = open_[parent];
-      i = parent;
-    }
-    open_[i] = entry;
-  }
-
-  Open pop() {
-    const Open top = open_.front(), last = open_.back();
-    open_.pop_back();
-    const std::size_t count = open_.size();
-    if (count == 0) return top;
-    std::size_t i = 0;
-    while (true) {
-      const std::size_t first = kChildren * i + 1, end = std::min(first + kChildren, count);
-      if (first >= count) break;
-      std::size_t least = first;
-      for (std::size_t c = first + 1; c < end; ++c)
-        if (open_[c].key < open_[least].key) least = c;
-      if (!(open_[least].key < last.key)) break;
-      open_[i] = open_[least];
-      i = least;
-    }
-    open_[i] = last;
-    return top;
-  }
-
   EdgePathOutcome run() {
     Record& first = record(source_);
     first.cost = 0;
     first.rest = cost_->rest(source_, position(source_));
-    push({first.rest, source_});
+    open_.push({first.rest, source_});
     while (!open_.empty()) {
-      const Open next = pop();
+      const OpenNode next = open_.pop();
       const Record& r = record(next.node);
       if (next.key > r.cost + r.rest) continue;  // a cheaper way was found since
       if (next.node == target_) return EdgePathOutcome::found;
@@ -208,7 +238,7 @@ class EdgeSearch {
     if (r.cost == std::numeric_limits<double>::infinity()) r.rest = cost_->rest(to, there);
     r.cost = cost;
     r.predecessor = from;
-    push({cost + r.rest, to});
+    open_.push({cost + r.rest, to});
   }
 
   void go(std::int32_t from, const Vector& here, double so_far, std::int32_t to) {
@@ -235,78 +265,23 @@ class EdgeSearch {
 
   /// Most moves make nothing cheaper, which is found out before they are made.
   void leave_across(std::int32_t node, const Vector& here, double so_far) {
-    for_diagonals(node, [&](std::int32_t halfedge, std::int32_t to) {
+    for_diagonals(*mesh_, node, [&](std::int32_t halfedge, std::int32_t to) {
       Record& r = record(to);
       const double gain = r.cost - so_far;
       const Vector& there = mesh_->position(to);
       if (gain > 0 && to != node && cost_->may_be_below(here, there, gain))
-        relax(node, r, to, there, so_far + across(here, halfedge, to).cost);
+        relax(node, r, to, there, so_far + move_across(*mesh_, *cost_, here, halfedge, to).cost);
     });
-  }
-
-  /// The far side of each face at a vertex, and the third corner behind it.
-  template <class Visit>
-  void for_diagonals(std::int32_t node, Visit visit) const {
-    for (const std::int32_t f : mesh_->faces_of_vertex(node)) {
-      const std::array<std::int32_t, 3>& c = mesh_->face(f);
-      const std::int32_t h = 3 * f + (c[0] == node ? 1 : c[1] == node ? 2 : 0), other = mesh_->across(h);
-      if (other >= 0) visit(h, mesh_->tail(TriangleMesh::previous(other)));
-    }
-  }
-
-  DiagonalMove across(const Vector& from, std::int32_t halfedge, std::int32_t to) const {
-    return cost_->across(from, mesh_->position(mesh_->tail(halfedge)), mesh_->position(mesh_->head(halfedge)),
-                         mesh_->position(to));
-  }
-
-  std::int32_t face_with_both(std::int32_t a, std::int32_t b) const {
-    for (const std::int32_t f : mesh_->faces_of_vertex(a)) {
-      const std::array<std::int32_t, 3>& c = mesh_->face(f);
-      if (std::find(c.begin(), c.end(), b) != c.end()) return f;
-    }
-    return -1;
-  }
-
-  /// Appends the piece from -> to: through the edge that it crosses where that is cheaper.
-  void append_move(std::int32_t from, std::int32_t to, SurfacePath& path) const {
-    const Vector a = position(from), b = position(to);
-    const auto add = [&path](const Vector& p, std::int32_t face) {
-      path.points.push_back(p);
-      path.faces.push_back(face);
-    };
-    if (!is_vertex(from)) return add(b, source_point_.face);
-    if (!is_vertex(to)) return add(b, target_point_.face);
-    const std::int32_t face = face_with_both(from, to);
-    double best = face >= 0 ? (*cost_)(a, b) : std::numeric_limits<double>::infinity(), at = 0;
-    std::int32_t door = -1;
-    if (diagonals_)
-      for_diagonals(from, [&](std::int32_t halfedge, std::int32_t opposite) {
-        if (opposite != to) return;
-        const DiagonalMove diagonal = across(a, halfedge, to);
-        if (!(diagonal.cost < best)) return;
-        best = diagonal.cost;
-        door = halfedge;
-        at = diagonal.at;
-      });
-    if (door < 0) return add(b, face);
-    const Vector& tail = mesh_->position(mesh_->tail(door));
-    add(tail + at * (mesh_->position(mesh_->head(door)) - tail), door / 3);
-    add(b, mesh_->across(door) / 3);
   }
 
   SurfacePath path_found(std::vector<std::int32_t>& vertices) const {
     std::vector<std::int32_t> nodes{target_};
     while (nodes.back() != source_) nodes.push_back(records_[static_cast<std::size_t>(nodes.back())].predecessor);
     std::reverse(nodes.begin(), nodes.end());
-    SurfacePath path;
-    path.points.push_back(position(source_));
-    for (std::size_t i = 1; i < nodes.size(); ++i) append_move(nodes[i - 1], nodes[i], path);
     std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(vertices),
                  [this](std::int32_t n) { return is_vertex(n); });
-    return path;
+    return MoveTracer<Cost>{*mesh_, *cost_, diagonals_, source_point_, target_point_}.path(nodes);
   }
-
-  static constexpr std::size_t kChildren = 4;
 
   const TriangleMesh* mesh_;
   const Cost* cost_ = nullptr;
@@ -318,7 +293,7 @@ class EdgeSearch {
   /// Zeros, which are stale: only the pages of nodes that a search meets are ever touched, so that making and freeing
   /// it takes no time on a mesh of a million vertices.
   std::unique_ptr<Record[], Free> records_;
-  std::vector<Open> open_;
+  OpenHeap open_;
   std::uint32_t stamp_ = 0;
   std::int32_t settled_ = 0;
 };

@@ -88,7 +88,7 @@ Counts compare_lattices(Random& random, Shape shape, int meshes, int levels) {
         const double truth = static_cast<double>(reference.distance(i, j));
         if (!(truth > 0) || std::isinf(truth)) continue;
         const ExactResult found =
-            search.shortest(end(i), end(j), workspace, {.max_windows = 40 * std::int64_t(fine.face_count())});
+            search.shortest(end(i), end(j), workspace, {.max_windows = 100 * std::int64_t(fine.face_count())});
         ++counts.pairs;
         counts.unproved += found.is_proved() ? 0 : 1;
         const double rounding = 1e-12 * (truth + coarse.diameter());
