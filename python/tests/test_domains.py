@@ -72,8 +72,8 @@ def test_equal_points_of_a_cloud_count_once():
 @pytest.mark.parametrize(
     "points, options, message",
     [
-        (np.zeros((5, 2)), {}, r"points has the shape \(5, 2\); points have the shape \(n, 3\)"),
-        (np.array(["a"]), {}, "points has the type <U1; it has real numbers"),
+        (np.zeros((5, 2)), {}, r"points has the shape \(5, 2\); points must have the shape \(n, 3\)"),
+        (np.array(["a"]), {}, "points has the type <U1; it must have real numbers"),
         ([[0, 0, 0], [1, 2]], {}, "rows of different lengths|type object"),
         ([[0, 0, np.inf]], {}, r"points\[0, 2\] is inf"),
         (sphere_points(5), {}, "points"),
@@ -161,13 +161,13 @@ def test_north_of_a_wind():
 @pytest.mark.parametrize(
     "make, message",
     [
-        (lambda: lc.Terrain(np.zeros(5)), r"heights has the shape \(5,\); a raster has the shape \(rows, columns\)"),
+        (lambda: lc.Terrain(np.zeros(5)), r"heights has the shape \(5,\); a raster must have the shape \(rows, columns\)"),
         (lambda: lc.Terrain(np.zeros((3, 3))), "heights: 3 x 3 cells; at least 4 x 4 are needed"),
         (lambda: lc.Terrain(np.zeros((5, 5)), cell=0), "cell is .*above 0"),
         (lambda: lc.Terrain(np.zeros((5, 5)), cell=(1, 2, 3)), r"cell has the shape \(3,\)"),
         (lambda: lc.Terrain(np.zeros((5, 5)), origin=3), r"origin has the shape \(\)"),
         (lambda: lc.Terrain(np.zeros((5, 5), dtype=bool)), "heights has the type bool"),
-        (lambda: lc.CostMap(np.zeros((5, 5))), r"costs\[0, 0\] is 0.0; costs are above 0"),
+        (lambda: lc.CostMap(np.zeros((5, 5))), r"costs\[0, 0\] is 0.0; costs must be above 0"),
         (lambda: lc.CostMap(np.ones((5, 5)), interpolation="linear"), '"auto", "cells" or "smooth", not'),
         (lambda: lc.Wind(np.zeros((5, 5)), np.zeros((5, 4)), speed=1), r"u has the shape \(5, 5\), and v \(5, 4\)"),
         (lambda: lc.Wind(np.zeros((2, 5)), np.zeros((2, 5)), speed=1), "3 x 3 velocities"),

@@ -74,7 +74,7 @@ def test_shapes_are_refused_in_words():
         lc.find_path(lc.Plane(), lambda a, b: a[0] > 0, (0, 0), (1, 0))
     with pytest.raises(lc.InputError, match="target has 3 coordinates"):
         lc.find_path(lc.Plane(), chute, (0, 0), (1, 0, 0))
-    with pytest.raises(lc.InputError, match="source is a point"):
+    with pytest.raises(lc.InputError, match="source must be a point"):
         lc.find_path(lc.Plane(), chute, [[0, 0]], (1, 0))
     with pytest.raises(lc.InputError, match="source is 3, but Plane.* has no vertices"):
         lc.find_path(lc.Plane(), chute, 3, (1, 0))

@@ -119,7 +119,7 @@ def test_pickle_keeps_what_was_welded():
         (CUBE_V[:, :2], CUBE_F, r"V has the shape \(9, 2\)"),
         (CUBE_V[0], CUBE_F, r"V has the shape \(3,\)"),
         (CUBE_V + 1j, CUBE_F, "V has the type complex128"),
-        (CUBE_V, CUBE_F.astype(float), "F has the type float64; faces are whole numbers"),
+        (CUBE_V, CUBE_F.astype(float), "F has the type float64; faces must be whole numbers"),
         (CUBE_V, CUBE_F[:, :2], r"F has the shape \(6, 2\)"),
         (CUBE_V, CUBE_F + 3, r"F\[1, 1\] is 9; V has the rows 0 to 8"),
         (CUBE_V, -CUBE_F, r"F\[0, 1\] is -1"),

@@ -192,7 +192,7 @@ def test_a_factory_makes_other_costs():
         ),
         (lambda: lc.option("X.", minimum=2, maximum=1), "range of an option is from 2.0 to 1.0"),
         (lambda: lc.option("X.", minimum=2, above=1), "not both"),
-        (lambda: lc.register_cost("t_bad", derivatives="none")(chute), "derivatives are"),
+        (lambda: lc.register_cost("t_bad", derivatives="none")(chute), "derivatives must be"),
     ],
 )
 def test_refused_registrations(call, message):
