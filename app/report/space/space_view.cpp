@@ -103,12 +103,26 @@ void DepthMap::draw(int number, const Eigen::Vector3d& a, const Eigen::Vector3d&
     const double at = (std::max({a[i], b[i], c[i]}) - grid_.origin[i]) / grid_.pixel;
     return static_cast<int>(std::ceil(std::clamp(at, -kFar, kFar)));
   };
+  // Its coordinates s and t, and the depth, are linear along a row: the row meets it between two pixels.
+  const double ds = grid_.pixel * v[1] / area, dt = -grid_.pixel * u[1] / area;
+  const double deeper = ds * (b[2] - a[2]) + dt * (c[2] - a[2]);
+  const double left = std::max(0, first(0)), right = std::min(grid_.columns - 1, last(0));
   for (int j = std::max(0, first(1)); j <= std::min(grid_.rows - 1, last(1)); ++j) {
-    for (int i = std::max(0, first(0)); i <= std::min(grid_.columns - 1, last(0)); ++i) {
-      const Eigen::Vector2d p = grid_.origin + grid_.pixel * Eigen::Vector2d(i, j) - a.head<2>();
-      const double s = (p[0] * v[1] - p[1] * v[0]) / area, t = (u[0] * p[1] - u[1] * p[0]) / area;
-      if (s < -slack || t < -slack || s + t > 1 + slack) continue;
-      const double depth = a[2] + s * (b[2] - a[2]) + t * (c[2] - a[2]);
+    const Eigen::Vector2d p = grid_.origin + grid_.pixel * Eigen::Vector2d(0, j) - a.head<2>();
+    const double s = (p[0] * v[1] - p[1] * v[0]) / area, t = (u[0] * p[1] - u[1] * p[0]) / area;
+    double begin = left, end = right;
+    const auto keep = [&](double at_first, double slope) {  // where at_first + i slope is not negative
+      if (slope > 0) begin = std::max(begin, -at_first / slope);
+      if (slope < 0) end = std::min(end, -at_first / slope);
+      if (slope == 0 && at_first < 0) end = -1;
+    };
+    keep(s + slack, ds);
+    keep(t + slack, dt);
+    keep(1 + slack - s - t, -ds - dt);
+    if (!(begin <= end)) continue;
+    const double depth_left = a[2] + s * (b[2] - a[2]) + t * (c[2] - a[2]);
+    for (int i = static_cast<int>(std::ceil(begin)); i <= static_cast<int>(std::floor(end)); ++i) {
+      const double depth = depth_left + i * deeper;
       if (!(depth > depth_[index(i, j)])) continue;
       depth_[index(i, j)] = depth;
       front_[index(i, j)] = number;
