@@ -196,6 +196,7 @@ Figure field_figure(const RunField& field, const std::vector<FieldWay>& ways, co
   if (look.shading) inside += cost_bands(shown, levels, frame, BandColour::warm) + level_lines(shown, levels, frame);
   if (look.obstacles) inside += obstacles_in(scene, frame) + box_sides(scene, frame);
   std::vector<Points> lines;
+  lines.reserve(ways.size());
   for (const FieldWay& way : ways) lines.push_back(line_of(way));
   if (look.path) inside += polylines(lines, frame, "path");
   std::string out = clip_and_hatch(frame) + fmt::format("<g clip-path=\"url(#inside)\">\n{}</g>\n", inside);
